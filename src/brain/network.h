@@ -1,0 +1,52 @@
+#pragma once
+
+// A compiled network: neurons in one fixed order of evaluation over one array of values
+// (evolution.md 3.3). Immutable; a Brain is a network with its memory.
+//
+// Value slots: [0, sensor_count) sensor readings, then the constant 1, then the constant 0, then
+// one slot a neuron.
+
+#include "brain/neuron_function.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace cambrian {
+
+inline constexpr double kSignalLimit = 10.0;  // inputs and outputs stay within +- this
+
+using Slot = std::uint32_t;
+
+struct NetworkInput {
+    Slot slot = 0;
+    double weight = 0.0;
+};
+
+struct NetworkNeuron {
+    std::uint8_t function = 0;  // index in the registry
+    std::uint8_t arity = 1;
+    std::array<NetworkInput, 3> inputs;
+    std::uint32_t memory = 0;  // first of its memory values
+};
+
+struct Network {
+    std::size_t sensor_count = 0;
+    std::vector<NetworkNeuron> neurons;  // neuron i writes neuron_slot(i)
+    std::vector<NetworkInput> outputs;   // one an effector, in part order
+    std::vector<std::uint32_t> order;    // live neurons, in the order they are evaluated
+    std::size_t memory_size = 0;
+
+    Slot constant_slot() const { return static_cast<Slot>(sensor_count); }
+    Slot zero_slot() const { return static_cast<Slot>(sensor_count + 1); }
+    Slot neuron_slot(std::size_t neuron) const {
+        return static_cast<Slot>(sensor_count + 2 + neuron);
+    }
+    std::size_t slot_count() const { return sensor_count + 2 + neurons.size(); }
+};
+
+// Fixes `order` (depth-first post-order from the outputs) and the memory layout.
+void compile(Network& network, const NeuronFunctionRegistry& functions);
+
+}  // namespace cambrian

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "breeding/mutation_kind.h"
+#include "breeding/mutation_settings.h"
+
+#include <vector>
+
+namespace cambrian {
+
+// Draws how many mutations an offspring gets by the settings' scheme.
+int draw_mutation_count(const MutationSettings& settings, RandomStream& stream);
+
+// Mutates a valid genome by the scheme of evolution.md 4.1: each counted mutation changes the
+// genome's hash after repair. The genome stays valid. Returns what was done, in order.
+std::vector<MutationRecord> mutate(Genome& genome, const MutationSettings& settings,
+                                   const MutationRegistry& kinds, const MutationContext& context,
+                                   RandomStream& stream);
+
+}  // namespace cambrian

@@ -1,0 +1,48 @@
+#pragma once
+
+// A mutation operator (evolution.md 4.3) and the list of them.
+
+#include "core/random.h"
+#include "core/registry.h"
+#include "genome/founder_settings.h"
+#include "genome/genome.h"
+
+#include <cstdint>
+#include <string>
+
+namespace cambrian {
+
+// The order in which the operators of one offspring are applied.
+enum class MutationPhase : std::uint8_t { kParameters, kGrowth, kConnections };
+
+// What operators may use besides the genome.
+struct MutationContext {
+    const KindCatalog& catalog;
+    const FounderSettings& founders;  // enabled kinds, ranges of new material
+    bool mutate_reproduction = false;
+};
+
+// One change in words: which operator, where, from what, to what.
+struct MutationRecord {
+    std::string operator_id;
+    std::string place;  // "part 2 length", "part 1 neuron 0 input 1"
+    std::string from;
+    std::string to;
+};
+
+struct MutationKind {
+    std::string id;
+    std::string label;
+    MutationPhase phase = MutationPhase::kParameters;
+    double default_weight = 1.0;
+    // Changes the genome at one place and says what; false if it cannot apply here. Need not
+    // repair.
+    bool (*apply)(Genome& genome, const MutationContext& context, RandomStream& stream,
+                  MutationRecord& record) = nullptr;
+};
+
+using MutationRegistry = Registry<MutationKind>;
+
+MutationRegistry builtin_mutations();
+
+}  // namespace cambrian

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <map>
+#include <string>
+
+namespace cambrian {
+
+// How offspring are mutated (evolution.md 4).
+struct MutationSettings {
+    std::string scheme = "count-first";  // "count-first", "gate" or "none"
+    // Scales the number of mutations; 1 gives the exact 25 / 50 / 25 % of none, one and more. Each
+    // whole unit draws the scheme's count once more, a fraction does so with that probability.
+    double rate = 1.0;
+    // Relative weight of each operator by id; operators not named keep their default weight.
+    std::map<std::string, double> weights;
+
+    friend bool operator==(const MutationSettings&, const MutationSettings&) = default;
+};
+
+}  // namespace cambrian

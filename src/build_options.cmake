@@ -1,0 +1,39 @@
+# Compile options of everything of ours: cambrian_options (language, floating point, sanitizers)
+# and cambrian_warnings; and cambrian_layer(), which declares one layer's static library.
+
+add_library(cambrian_options INTERFACE)
+target_compile_features(cambrian_options INTERFACE cxx_std_20)
+set(CMAKE_CXX_EXTENSIONS OFF)
+# Same bits everywhere: no contraction into fused multiply-add, and no packet maths in Eigen, whose
+# width would decide the order of its sums.
+target_compile_options(cambrian_options INTERFACE -ffp-contract=off -fno-math-errno -fno-trapping-math)
+target_compile_definitions(cambrian_options INTERFACE EIGEN_DONT_VECTORIZE
+  $<$<CONFIG:Debug>:CAMBRIAN_TICK_ASSERTS>)
+if(CAMBRIAN_SANITIZE)
+  target_compile_options(cambrian_options INTERFACE
+    -fsanitize=${CAMBRIAN_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer -O1)
+  target_link_options(cambrian_options INTERFACE -fsanitize=${CAMBRIAN_SANITIZE})
+endif()
+
+add_library(cambrian_warnings INTERFACE)
+target_compile_options(cambrian_warnings INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wold-style-cast
+  -Wnon-virtual-dtor -Woverloaded-virtual -Wdouble-promotion -Wimplicit-fallthrough -Wnull-dereference
+  -Werror
+  $<$<CXX_COMPILER_ID:GNU>:-Wduplicated-cond;-Wlogical-op;-Wuseless-cast>)
+if(CAMBRIAN_SANITIZE AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  # gcc's flow analysis of instrumented library code reports paths that do not exist.
+  target_compile_options(cambrian_warnings INTERFACE -Wno-null-dereference -Wno-maybe-uninitialized)
+endif()
+
+# cambrian_layer(<name> SOURCES <file>... [DEPENDS <layer or third_party target>...])
+# declares the library cambrian_<name>; includes are written from src/.
+function(cambrian_layer name)
+  cmake_parse_arguments(LAYER "" "" "SOURCES;DEPENDS" ${ARGN})
+  add_library(cambrian_${name} STATIC ${LAYER_SOURCES})
+  target_include_directories(cambrian_${name} PUBLIC ${CMAKE_SOURCE_DIR}/src)
+  target_link_libraries(cambrian_${name} PUBLIC ${LAYER_DEPENDS} cambrian_options PRIVATE cambrian_warnings)
+  if(CAMBRIAN_TIDY)
+    set_target_properties(cambrian_${name} PROPERTIES CXX_CLANG_TIDY clang-tidy)
+  endif()
+endfunction()

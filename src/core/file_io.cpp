@@ -1,0 +1,99 @@
+#include "core/file_io.h"
+
+#include <cerrno>
+#include <cstdio>
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <system_error>
+#include <unistd.h>
+
+namespace cambrian {
+namespace {
+
+std::string system_message(int code) {
+    return std::generic_category().message(code);
+}
+
+std::string megabytes(double bytes) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.1f MB", bytes / 1e6);
+    return text;
+}
+
+// Closes on scope exit.
+class FileDescriptor {
+public:
+    explicit FileDescriptor(int value) : value_(value) {}
+    ~FileDescriptor() {
+        if (value_ >= 0) ::close(value_);
+    }
+    FileDescriptor(const FileDescriptor&) = delete;
+    FileDescriptor& operator=(const FileDescriptor&) = delete;
+    int get() const { return value_; }
+    // The error code of closing, 0 if none.
+    int close() {
+        const int result = ::close(value_);
+        value_ = -1;
+        return result == 0 ? 0 : errno;
+    }
+
+private:
+    int value_;
+};
+
+// 0, or the error code.
+int write_all(int file, std::string_view bytes) {
+    while (!bytes.empty()) {
+        const ssize_t written = ::write(file, bytes.data(), bytes.size());
+        if (written < 0 && errno == EINTR) continue;
+        if (written < 0) return errno;
+        bytes.remove_prefix(static_cast<std::size_t>(written));
+    }
+    return ::fsync(file) == 0 ? 0 : errno;
+}
+
+int write_new_file(const std::string& path, std::string_view bytes) {
+    FileDescriptor file(::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644));
+    if (file.get() < 0) return errno;
+    const int failure = write_all(file.get(), bytes);
+    return failure != 0 ? failure : file.close();
+}
+
+}  // namespace
+
+Result<std::string> read_file(const std::filesystem::path& path, std::size_t max_bytes) {
+    FileDescriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+    if (file.get() < 0) return Error{"cannot open " + path.string() + ": " + system_message(errno)};
+    struct stat facts {};
+    if (::fstat(file.get(), &facts) != 0 || !S_ISREG(facts.st_mode)) {
+        return Error{path.string() + " is not a regular file"};
+    }
+    if (static_cast<std::size_t>(facts.st_size) > max_bytes) {
+        return Error{path.string() +
+                     ": file too large: " + megabytes(static_cast<double>(facts.st_size)) +
+                     ", limit " + megabytes(static_cast<double>(max_bytes))};
+    }
+    std::string bytes(static_cast<std::size_t>(facts.st_size), '\0');
+    std::size_t filled = 0;
+    while (filled < bytes.size()) {
+        const ssize_t got = ::read(file.get(), bytes.data() + filled, bytes.size() - filled);
+        if (got < 0 && errno == EINTR) continue;
+        if (got < 0) return Error{"cannot read " + path.string() + ": " + system_message(errno)};
+        if (got == 0) break;
+        filled += static_cast<std::size_t>(got);
+    }
+    bytes.resize(filled);
+    return bytes;
+}
+
+Status write_file(const std::filesystem::path& path, std::string_view bytes) {
+    const std::string temporary = path.string() + ".tmp" + std::to_string(::getpid());
+    ::unlink(temporary.c_str());
+    int failure = write_new_file(temporary, bytes);
+    if (failure == 0 && ::rename(temporary.c_str(), path.c_str()) != 0) failure = errno;
+    if (failure == 0) return {};
+    ::unlink(temporary.c_str());
+    return Error{"cannot write " + path.string() + ": " + system_message(failure)};
+}
+
+}  // namespace cambrian

@@ -1,0 +1,22 @@
+#pragma once
+
+// Whole files in, whole files out.
+
+#include "core/result.h"
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace cambrian {
+
+// The file's bytes. Fails, naming the file, if it is missing, a directory, unreadable or larger
+// than max_bytes (which is checked before anything is read).
+Result<std::string> read_file(const std::filesystem::path& path, std::size_t max_bytes);
+
+// Writes beside the target, flushes to the disk, renames: the target is the old file or the new
+// one, never half of either. On failure the temporary file is removed.
+Status write_file(const std::filesystem::path& path, std::string_view bytes);
+
+}  // namespace cambrian

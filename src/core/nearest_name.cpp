@@ -1,0 +1,43 @@
+#include "core/nearest_name.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <numeric>
+#include <vector>
+
+namespace cambrian {
+namespace {
+
+// Levenshtein distance with one row of memory.
+std::size_t edit_distance(std::string_view from, std::string_view to) {
+    std::vector<std::size_t> row(to.size() + 1);
+    std::iota(row.begin(), row.end(), std::size_t{0});
+    for (std::size_t i = 1; i <= from.size(); ++i) {
+        std::size_t diagonal = row[0];
+        row[0] = i;
+        for (std::size_t j = 1; j <= to.size(); ++j) {
+            const std::size_t substituted = diagonal + (from[i - 1] == to[j - 1] ? 0 : 1);
+            diagonal = row[j];
+            row[j] = std::min({row[j] + 1, row[j - 1] + 1, substituted});
+        }
+    }
+    return row.back();
+}
+
+}  // namespace
+
+std::string nearest_name(std::string_view name, std::span<const std::string> known) {
+    std::string best;
+    std::size_t best_distance = 0;
+    for (const std::string& candidate : known) {
+        const std::size_t distance = edit_distance(name.substr(0, 64), candidate);
+        const std::size_t allowed =
+            std::max<std::size_t>(1, std::max(name.size(), candidate.size()) / 3);
+        if (distance > allowed || (!best.empty() && distance >= best_distance)) continue;
+        best = candidate;
+        best_distance = distance;
+    }
+    return best;
+}
+
+}  // namespace cambrian

@@ -1,0 +1,15 @@
+#pragma once
+
+// "Did you mean": the known name closest to a mistyped one.
+
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace cambrian {
+
+// The known name with the smallest edit distance, if that is at most a third of the longer name's
+// length (and at least 1); otherwise empty.
+std::string nearest_name(std::string_view name, std::span<const std::string> known);
+
+}  // namespace cambrian

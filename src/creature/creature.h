@@ -1,0 +1,48 @@
+#pragma once
+
+// A living phenotype: its brain and effectors' memory, acting on a scene. One owner, one thread.
+
+#include "brain/brain.h"
+#include "creature/phenotype.h"
+#include "world/physics_scene.h"
+
+#include <vector>
+
+namespace cambrian {
+
+class Creature {
+public:
+    // The phenotype, kinds and settings must outlive the creature.
+    Creature(const Phenotype& phenotype, const Kinds& kinds, const SceneSettings& settings);
+
+    // As at birth: brain and effectors forget.
+    void reset();
+    // One tick of control: read sensors, think, drive the joints' targets. Allocates nothing.
+    void act(PhysicsScene& scene, double dt);
+    // All joints told to keep their rest coordinate; the brain stays off.
+    void hold_rest(PhysicsScene& scene) const;
+
+    const Phenotype& phenotype() const { return *phenotype_; }
+    const Brain& brain() const { return brain_; }
+    Brain& brain() { return brain_; }
+
+    // Everything that changes while it lives, for stepping back in a replay.
+    struct State {
+        Brain brain;
+        std::vector<double> effector_memory;
+    };
+    State save() const { return {brain_, effector_memory_}; }
+    void restore(const State& state) {
+        brain_ = state.brain;
+        effector_memory_ = state.effector_memory;
+    }
+
+private:
+    const Phenotype* phenotype_;
+    const Kinds* kinds_;
+    const SceneSettings* settings_;
+    Brain brain_;
+    std::vector<double> effector_memory_;  // one an effector part
+};
+
+}  // namespace cambrian

@@ -1,0 +1,32 @@
+#pragma once
+
+// A registered effector: turns one brain output into the motor target of a part's joint, tick by
+// tick (evolution.md 2.6).
+
+#include "core/registry.h"
+#include "world/body_plan.h"
+#include "world/physics_scene.h"
+#include "world/scene_settings.h"
+
+#include <memory>
+#include <string>
+
+namespace cambrian {
+
+struct EffectorKind {
+    // Drives the part's joint from `signal` (within +-10, already mirrored). `memory` is one value,
+    // the smoothed target, 0 (rest) at birth.
+    using Drive = void (*)(const PlannedPart& part, std::size_t part_index, double signal,
+                           double dt, const SceneSettings& settings, double& memory,
+                           PhysicsScene& scene);
+
+    std::string id;
+    std::string label;
+    Drive drive = nullptr;
+};
+
+using EffectorRegistry = Registry<EffectorKind>;
+
+EffectorRegistry builtin_effectors();
+
+}  // namespace cambrian

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "core/command_queue.h"
+#include "evolution/experiment_settings.h"
+#include "genome/genome.h"
+
+#include <cstdint>
+#include <memory>
+#include <variant>
+#include <vector>
+
+namespace cambrian {
+
+// What may be asked of a running engine. Plain values; they take effect between generations,
+// pausing between trials.
+struct PauseEvolution {};
+struct ResumeEvolution {};
+struct StepGeneration {};  // one more generation, then pause
+struct ChangeSettings {
+    SettingsPtr settings;
+};
+struct InjectGenome {
+    GenomePtr genome;
+};
+// Begins anew, paused, at generation 0.
+struct StartExperiment {
+    SettingsPtr settings;
+    std::vector<GenomePtr> founders;  // empty: random
+};
+
+using Command = std::variant<PauseEvolution, ResumeEvolution, StepGeneration, ChangeSettings,
+                             InjectGenome, StartExperiment>;
+using EngineInbox = CommandQueue<Command, 256>;
+
+}  // namespace cambrian

@@ -1,0 +1,67 @@
+#pragma once
+
+// The thread that evolves. Commands in, snapshots out; shares nothing mutable with its user but the
+// progress counters. send() and latest() belong to one thread, the user's.
+
+#include "core/snapshot_channel.h"
+#include "evolution/command.h"
+#include "evolution/evaluation_backend.h"
+#include "evolution/evolution.h"
+#include "evolution/snapshot.h"
+
+#include <condition_variable>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+namespace cambrian {
+
+class EvolutionEngine {
+public:
+    // Begins paused at generation 0 of the settings, which must pass check_settings.
+    EvolutionEngine(SettingsPtr settings, const EvolutionKinds& kinds,
+                    std::unique_ptr<EvaluationBackend> backend);
+    ~EvolutionEngine();  // stops within one trial
+    EvolutionEngine(const EvolutionEngine&) = delete;
+    EvolutionEngine& operator=(const EvolutionEngine&) = delete;
+
+    // False if the inbox is full; try again next frame.
+    bool send(Command command);
+    // Newest snapshot; never null.
+    const std::shared_ptr<const EvolutionSnapshot>& latest();
+    const EvaluationProgress& progress() const { return progress_; }
+
+private:
+    void run(std::stop_token stop);
+    void run_generation(std::stop_token stop);
+    void apply_commands();
+    void apply(PauseEvolution command);
+    void apply(ResumeEvolution command);
+    void apply(StepGeneration command);
+    void apply(ChangeSettings command);
+    void apply(InjectGenome command);
+    void apply(StartExperiment command);
+    void wait_for_commands(std::stop_token stop);
+    void publish();
+
+    const EvolutionKinds& kinds_;
+    std::unique_ptr<EvaluationBackend> backend_;
+    EngineInbox inbox_;
+    SnapshotChannel<EvolutionSnapshot> snapshots_;
+    EvaluationProgress progress_;
+    // Only to let the engine sleep while paused; nothing else is guarded.
+    std::mutex wake_mutex_;
+    std::condition_variable_any wake_;
+    bool command_waiting_ = false;  // guarded by wake_mutex_
+
+    // Engine thread only.
+    std::optional<Evolution> evolution_;
+    EvolutionSnapshot shown_;
+    int generations_to_run_ = 0;  // -1: until paused
+    std::stop_source interruption_;
+
+    std::jthread thread_;  // last: started after, joined before everything else
+};
+
+}  // namespace cambrian

@@ -1,0 +1,24 @@
+#pragma once
+
+// One evaluation, the pure function every back-end calls.
+
+#include "evolution/evolution_kinds.h"
+#include "evolution/experiment_settings.h"
+#include "evolution/individual.h"
+
+#include <cstdint>
+
+namespace cambrian {
+
+// Everything one evaluation depends on, besides the experiment's settings.
+struct EvaluationRequest {
+    GenomePtr genome;
+    std::uint64_t trial_seed = 0;
+    std::uint32_t slot = 0;  // place in the generation
+};
+
+// Expresses, simulates and scores. Never throws; failures are outcomes.
+EvaluationResult evaluate(const EvaluationRequest& request, const ExperimentSettings& settings,
+                          const EvolutionKinds& kinds);
+
+}  // namespace cambrian

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "evolution/evaluation.h"
+
+#include <atomic>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <stop_token>
+
+namespace cambrian {
+
+// How far a batch is; readable by any thread at any time.
+struct EvaluationProgress {
+    std::atomic<std::uint32_t> done = 0;
+    std::atomic<std::uint32_t> total = 0;
+};
+
+// Runs a batch somewhere: this machine's cores, other processes, other machines.
+class EvaluationBackend {
+public:
+    virtual ~EvaluationBackend() = default;
+    // results[i] answers requests[i]; those already there are kept and not run again. False if
+    // stopped before the batch was complete; the call may then be repeated to finish it.
+    virtual bool evaluate(std::span<const EvaluationRequest> requests,
+                          std::span<std::optional<EvaluationResult>> results,
+                          const ExperimentSettings& settings, EvaluationProgress& progress,
+                          std::stop_token stop) = 0;
+};
+
+}  // namespace cambrian

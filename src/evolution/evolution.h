@@ -1,0 +1,60 @@
+#pragma once
+
+// The loop itself, without threads of its own: a population, evaluated and bred generation by
+// generation. The command line drives one directly, the studio through the engine thread.
+
+#include "evolution/evaluation_backend.h"
+#include "evolution/evolution_kinds.h"
+#include "evolution/statistics.h"
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <stop_token>
+#include <vector>
+
+namespace cambrian {
+
+class Evolution {
+public:
+    // Settings must pass check_settings. founders: genomes to begin with (repeated as mutants to
+    // fill the population); empty for random ones.
+    Evolution(SettingsPtr settings, const EvolutionKinds& kinds,
+              std::vector<GenomePtr> founders = {});
+
+    // Evaluates the present generation. False if stopped; trials already done are kept and the call
+    // may be repeated.
+    bool evaluate(EvaluationBackend& backend, EvaluationProgress& progress, std::stop_token stop);
+
+    // After evaluate(): survivors and offspring become the next generation.
+    void breed();
+
+    // From the next breed() or evaluate() on. A change of world or goal forgets all scores.
+    void replace_settings(SettingsPtr settings);
+    // Takes the worst's place in the next generation bred.
+    void inject(GenomePtr genome);
+
+    const ExperimentSettings& settings() const { return *settings_; }
+    SettingsPtr shared_settings() const { return settings_; }
+    std::uint32_t generation() const { return generation_; }
+    bool evaluated() const { return evaluated_; }
+    // Best first once evaluated; in slot order before.
+    const std::vector<IndividualPtr>& population() const { return population_; }
+    const std::vector<GenerationStatistics>& history() const { return history_; }
+
+private:
+    void found(const std::vector<GenomePtr>& founders);
+    IndividualPtr make_founder(std::size_t slot, const std::vector<GenomePtr>& founders) const;
+
+    SettingsPtr settings_;
+    const EvolutionKinds* kinds_;
+    std::uint32_t generation_ = 0;
+    bool evaluated_ = false;
+    std::vector<IndividualPtr> population_;
+    std::vector<std::optional<EvaluationResult>> results_;  // of the present generation, by slot
+    std::vector<GenomePtr> injected_;
+    std::vector<GenerationStatistics> history_;
+};
+
+}  // namespace cambrian

@@ -1,0 +1,56 @@
+#pragma once
+
+// Everything that defines an experiment. A value: replaced whole, never edited in place once the
+// engine has it. Same settings, same results.
+
+#include "breeding/mutation_settings.h"
+#include "creature/phenotype.h"
+#include "genome/founder_settings.h"
+#include "simulator/trial.h"
+
+#include <cstdint>
+#include <map>
+#include <string>
+
+namespace cambrian {
+
+struct PopulationSettings {
+    int size = 300;         // creatures a generation
+    double survival = 0.2;  // share that survives and breeds
+    int max_clones = 2;     // copies of one genome among the survivors
+    int immigrants = 0;     // offspring places given to new random creatures
+
+    friend bool operator==(const PopulationSettings&, const PopulationSettings&) = default;
+};
+
+struct SelectionSettings {
+    std::string method = "truncation";  // id of a registered selection
+
+    friend bool operator==(const SelectionSettings&, const SelectionSettings&) = default;
+};
+
+struct BreedingSettings {
+    // Share of offspring by method id; methods not named keep their default share.
+    std::map<std::string, double> shares;
+
+    friend bool operator==(const BreedingSettings&, const BreedingSettings&) = default;
+};
+
+struct ExperimentSettings {
+    std::uint64_t seed = 1;
+    int generations = 100;  // where an unattended run stops
+    std::string goal = "walking";
+    TrialWorld world;
+    PopulationSettings population;
+    SelectionSettings selection;
+    BreedingSettings breeding;
+    MutationSettings mutation;
+    FounderSettings founders;
+    ExpressionSettings expression;
+
+    friend bool operator==(const ExperimentSettings&, const ExperimentSettings&) = default;
+};
+
+using SettingsPtr = std::shared_ptr<const ExperimentSettings>;
+
+}  // namespace cambrian

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "evolution/evolution_kinds.h"
+#include "evolution/individual.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace cambrian {
+
+// The next generation of a ranked one: survivors as they are, then offspring, then immigrants; a
+// pure function of its arguments. `generation` is the number of the one to make.
+std::vector<IndividualPtr> next_generation(std::span<const IndividualPtr> ranked,
+                                           const ExperimentSettings& settings,
+                                           const EvolutionKinds& kinds, std::uint32_t generation);
+
+// A random or imported creature for a place in a generation.
+Individual make_individual(GenomePtr genome, const ExperimentSettings& settings,
+                           std::uint32_t generation, std::uint64_t child, std::string method);
+
+}  // namespace cambrian

@@ -1,0 +1,46 @@
+#pragma once
+
+#include "breeding/mutation_kind.h"
+#include "genome/genome.h"
+#include "simulator/outcome.h"
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace cambrian {
+
+struct EvaluationResult {
+    double fitness = 0.0;
+    Outcome outcome = Outcome::kCompleted;
+    std::uint64_t digest = 0;  // of the motion, for replay checks
+    double body_length = 0.0;  // m
+    double mass = 0.0;         // kg
+    int parts = 0;
+    int neurons = 0;     // live ones
+    std::string reason;  // why it failed, for a person
+};
+
+// A creature of one generation: its genotype, where it comes from and how it did. Immutable once
+// evaluated; shared between generations, snapshots and files.
+struct Individual {
+    std::uint64_t uid = 0;   // hash of (seed, generation born, child index)
+    std::uint32_t born = 0;  // generation
+    GenomePtr genome;
+    std::uint64_t genome_hash = 0;
+    std::array<std::uint64_t, 2> parents = {0, 0};  // uids; 0 for none
+    std::string method;                             // breeding kind, or "random", "imported"
+    std::vector<MutationRecord> mutations;
+    bool evaluated = false;
+    EvaluationResult result;
+};
+
+using IndividualPtr = std::shared_ptr<const Individual>;
+
+// The order of merit: completed before failed, fitter first, then fewer nodes and neurons, then
+// older uid; total and reproducible (evolution.md 6.1).
+bool better(const Individual& a, const Individual& b);
+
+}  // namespace cambrian

@@ -1,0 +1,43 @@
+#pragma once
+
+// What the engine shows of itself: immutable, shallow, published after every change.
+
+#include "evolution/experiment_settings.h"
+#include "evolution/individual.h"
+#include "evolution/statistics.h"
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace cambrian {
+
+enum class EngineStatus : std::uint8_t { kPaused, kRunning, kFailed };
+
+// The best of one generation, with the settings that judged it.
+struct ChampionRecord {
+    std::uint32_t generation = 0;
+    IndividualPtr individual;
+    SettingsPtr settings;
+};
+
+// A change of settings and the first generation it applied to.
+struct JournalEntry {
+    std::uint32_t generation = 0;
+    SettingsPtr settings;
+};
+
+struct EvolutionSnapshot {
+    std::uint64_t experiment = 0;  // counts StartExperiment; a new number is a new experiment
+    EngineStatus status = EngineStatus::kPaused;
+    std::string failure;                    // if kFailed
+    std::uint32_t generation = 0;           // being evaluated or waiting for it
+    SettingsPtr settings;                   // in force for that generation
+    std::vector<IndividualPtr> population;  // newest finished generation, best first; empty before
+    std::vector<GenerationStatistics> history;
+    std::vector<ChampionRecord> champions;  // one a finished generation
+    std::vector<JournalEntry> journal;
+};
+
+}  // namespace cambrian

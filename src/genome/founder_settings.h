@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace cambrian {
+
+// What the user allows in random genomes (evolution.md 1.7) and, by the enabled lists, in mutation.
+struct FounderSettings {
+    int min_nodes = 2;
+    int max_nodes = 5;
+    double min_length = 0.2;  // m
+    double max_length = 1.2;
+    double min_width = 0.1;  // m
+    double max_width = 0.5;
+    double rotary_share = 0.8;  // of joints that move, against rigid ones
+    double symmetric_share = 0.5;
+    int max_node_neurons = 3;
+    int max_brain_neurons = 2;
+    int max_recursion = 4;
+    // Empty: everything in the catalog. Otherwise ids.
+    std::vector<std::string> functions;
+    std::vector<std::string> joints;
+
+    friend bool operator==(const FounderSettings&, const FounderSettings&) = default;
+};
+
+}  // namespace cambrian

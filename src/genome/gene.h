@@ -1,0 +1,105 @@
+#pragma once
+
+// The genes: plain structs with the fields, ranges and defaults of evolution.md 1. Angles in
+// radians, lengths in metres.
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace cambrian {
+
+// Ranges of the genes' fields; ends included unless noted.
+namespace gene_range {
+inline constexpr std::size_t kMaxNodes = 16;
+inline constexpr std::size_t kMaxBrainNeurons = 16;
+inline constexpr std::size_t kMaxNodeNeurons = 8;
+inline constexpr std::size_t kMaxEdges = 6;
+inline constexpr int kMaxArity = 3;
+inline constexpr int kMaxRecursion = 6;
+inline constexpr int kMaxReference = 15;  // k, e, n, i
+inline constexpr double kMinSize = 0.08;
+inline constexpr double kMaxLength = 1.6;
+inline constexpr double kMaxWidth = 0.96;
+inline constexpr double kMinLimit = 0.05;
+inline constexpr double kMaxLimit = 2.6;
+inline constexpr double kMaxWeight = 4.0;
+inline constexpr double kMaxEdgeAngle = 1.4;
+inline constexpr double kMinScale = 0.4;
+inline constexpr double kMaxScale = 1.5;
+}  // namespace gene_range
+
+enum class SourceKind : std::uint8_t {
+    kConstant,
+    kLocalNeuron,
+    kLocalSensor,
+    kParentNeuron,
+    kParentSensor,
+    kChildNeuron,
+    kChildSensor,
+    kBrainNeuron,
+    kPartNeuron,
+    kPartSensor,
+};
+
+// Where a value comes from (evolution.md 1.5). Which fields count depends on the kind: neuron k or
+// channel `index`; `child` for the e-th expressed child; `node` and `instance` for part references.
+// All are resolved modulo what is available, so a reference can be useless but never invalid.
+struct SourceRef {
+    SourceKind kind = SourceKind::kConstant;
+    std::uint8_t index = 0;     // k or channel
+    std::uint8_t child = 0;     // e
+    std::uint8_t node = 0;      // n
+    std::uint8_t instance = 0;  // i
+
+    friend bool operator==(const SourceRef&, const SourceRef&) = default;
+};
+
+struct InputGene {
+    SourceRef source;
+    double weight = 1.0;  // [-4, 4]; of a constant, the value itself
+
+    friend bool operator==(const InputGene&, const InputGene&) = default;
+};
+
+struct NeuronGene {
+    std::uint8_t function = 0;      // index into KindCatalog::functions
+    std::vector<InputGene> inputs;  // exactly the function's arity
+
+    friend bool operator==(const NeuronGene&, const NeuronGene&) = default;
+};
+
+struct EdgeGene {
+    std::uint8_t target = 0;     // node index
+    double position = 0.0;       // [0, 1) along the parent's outline
+    double angle = 0.0;          // [-1.4, 1.4] from the outward normal
+    double scale = 1.0;          // [0.4, 1.5]; multiplies the child's subtree
+    bool reflect = false;        // flips handedness of the child's subtree
+    bool terminal_only = false;  // follow only where recursion has ended
+
+    friend bool operator==(const EdgeGene&, const EdgeGene&) = default;
+};
+
+enum class MirrorAxis : std::uint8_t { kAlong, kAcross };
+
+struct NodeGene {
+    double length = 0.5;      // [0.08, 1.6]
+    double width = 0.2;       // [0.08, 0.96]
+    std::uint8_t joint = 1;   // index into KindCatalog::joints; ignored on the root
+    double limit_low = -1.0;  // [-2.6, -0.05]
+    double limit_high = 1.0;  // [0.05, 2.6]
+    int recursion_limit = 1;  // 1 to 6
+    bool symmetric = false;   // several edges from one parent become mirror pairs
+    MirrorAxis mirror_axis = MirrorAxis::kAlong;
+    InputGene effector;  // drives this part's joint
+    std::vector<NeuronGene> neurons;
+    std::vector<EdgeGene> edges;
+    std::uint32_t uid = 0;  // stable through copying; display and alignment only
+
+    // uid is not compared: it has no effect on the phenotype.
+    friend bool operator==(const NodeGene& a, const NodeGene& b);
+};
+
+enum class Reproduction : std::uint8_t { kInherit, kAsexual, kCrossover, kGrafting };
+
+}  // namespace cambrian

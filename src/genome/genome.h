@@ -1,0 +1,40 @@
+#pragma once
+
+// The genotype: a directed graph of part nodes, each holding a graph of neurons, and a central
+// brain (evolution.md 1). A value; immutable once it is an individual's (GenomePtr).
+
+#include "genome/gene.h"
+#include "genome/kind_catalog.h"
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace cambrian {
+
+struct Genome {
+    std::vector<NodeGene> nodes;    // 1 to 16; nodes[0] is the root
+    std::vector<NeuronGene> brain;  // central neurons, 0 to 16
+    double root_angle = 0.0;        // rad, [-pi, pi)
+    Reproduction reproduction = Reproduction::kInherit;
+    // Not expressed:
+    double hue = 0.0;  // [0, 1), display colour
+    std::string name;  // at most 64 bytes
+
+    // Same phenotype: everything but hue, name and node uids.
+    friend bool operator==(const Genome& a, const Genome& b);
+};
+
+using GenomePtr = std::shared_ptr<const Genome>;
+
+// FNV-1a over the canonical binary form of all fields that affect the phenotype (and breeding).
+std::uint64_t genome_hash(const Genome& genome);
+
+// What is wrong, one sentence each, with JSON-pointer-like places; empty if valid (V1 to V11).
+std::vector<std::string> validate(const Genome& genome, const KindCatalog& catalog);
+
+// Makes any genome valid by the steps of evolution.md 1.6; idempotent. Every operator ends with it.
+void repair(Genome& genome, const KindCatalog& catalog);
+
+}  // namespace cambrian

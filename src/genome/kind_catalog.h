@@ -1,0 +1,44 @@
+#pragma once
+
+// A plain table of the kinds genes may use, filled from the registries of the layers that own them,
+// in registration order. Genes store indices into it; files store ids.
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace cambrian {
+
+// What a founder's constant input is drawn from, for inputs that only make sense in a range (an
+// oscillator's frequency, say): with the probability, a constant uniform in [low, high].
+struct FounderConstant {
+    double probability = 0.0;
+    double low = 0.0;
+    double high = 0.0;
+};
+
+struct FunctionEntry {
+    std::string id;
+    std::string label;
+    int arity = 1;                                // 1 to 3
+    std::vector<FounderConstant> founder_inputs;  // one an input, or empty
+};
+
+struct JointChoice {
+    std::string id;
+    std::string label;
+    int degrees_of_freedom = 0;
+};
+
+struct ChannelEntry {
+    std::string id;  // "joint", "contact-distal", ...
+    std::string label;
+};
+
+struct KindCatalog {
+    std::vector<FunctionEntry> functions;
+    std::vector<JointChoice> joints;
+    std::vector<ChannelEntry> channels;  // absolute channel numbers
+};
+
+}  // namespace cambrian

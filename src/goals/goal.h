@@ -1,0 +1,41 @@
+#pragma once
+
+// What is asked of a creature and how its trial is scored (evolution.md 7).
+
+#include "core/registry.h"
+#include "simulator/trial_record.h"
+#include "world/environment.h"
+
+#include <string>
+#include <vector>
+
+namespace cambrian {
+
+// One line of how a score was made up.
+struct ScoreTerm {
+    std::string label;
+    double value = 0.0;
+    std::string unit;
+};
+
+struct Score {
+    double value = 0.0;  // in the goal's unit; higher is better
+    std::vector<ScoreTerm> terms;
+};
+
+struct GoalKind {
+    std::string id;     // "walking"
+    std::string label;  // "Walking"
+    std::string unit;   // of the score: "BL/s"
+    std::string help;   // one sentence for people
+    // The environment the goal makes sense in.
+    Environment (*default_environment)() = nullptr;
+    // Only completed records are scored; others score 0.
+    Score (*score)(const TrialRecord& record) = nullptr;
+};
+
+using GoalRegistry = Registry<GoalKind>;
+
+GoalRegistry builtin_goals();
+
+}  // namespace cambrian

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "math/types.h"
+
+#include <limits>
+
+namespace cambrian {
+
+// Axis-aligned box around something; empty until a point is added.
+struct Bounds {
+    Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity());    // m
+    Vec3 high = Vec3::Constant(-std::numeric_limits<double>::infinity());  // m
+
+    void add(const Vec3& point) {
+        low = low.cwiseMin(point);
+        high = high.cwiseMax(point);
+    }
+};
+
+}  // namespace cambrian

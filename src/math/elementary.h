@@ -1,0 +1,76 @@
+#pragma once
+
+// Elementary functions that give the same bits on every machine, compiler and optimisation level:
+// polynomials over the four exactly rounded operations, never libm. Errors are stated for the whole
+// domain named; inputs that are NaN give NaN.
+
+#include <bit>
+#include <cstdint>
+
+namespace cambrian {
+
+inline constexpr double kPi = 3.14159265358979323846;
+
+struct SineCosine {
+    double sine;
+    double cosine;
+};
+
+namespace elementary_detail {
+
+inline constexpr double kRoundingMagic = 0x1.8p52;
+inline constexpr double kTwoOverPi = 0x1.45f306dc9c883p-1;
+// pi/2 in three parts; the first two have 33 significant bits, so that k * part is exact for
+// |k| < 2^20 (Cody & Waite 1980).
+inline constexpr double kHalfPiHigh = 0x1.921fb544p+0;
+inline constexpr double kHalfPiMiddle = 0x1.0b4611a6p-34;
+inline constexpr double kHalfPiLow = 0x1.3198a2e037073p-69;
+
+}  // namespace elementary_detail
+
+// For |x| <= 1e6: absolute error below 2e-16, branch-free, so that loops over it vectorise. Larger
+// |x| must go through sine() or cosine().
+inline SineCosine sine_cosine_reduced(double x) {
+    using namespace elementary_detail;
+    const double shifted = x * kTwoOverPi + kRoundingMagic;
+    const double k = shifted - kRoundingMagic;
+    const auto quadrant = std::bit_cast<std::uint64_t>(shifted);
+    const double r = ((x - k * kHalfPiHigh) - k * kHalfPiMiddle) - k * kHalfPiLow;
+    const double z = r * r;
+    // Taylor polynomials on [-pi/4, pi/4]; the first omitted terms are below 1e-19 and 3e-18.
+    const double sine_tail =
+        -1.0 / 6 +
+        z * (1.0 / 120 +
+             z * (-1.0 / 5040 +
+                  z * (1.0 / 362880 + z * (-1.0 / 39916800 + z * (1.0 / 6227020800 +
+                                                                  z * (-1.0 / 1307674368000.0))))));
+    const double s = r + r * z * sine_tail;
+    const double cosine_tail =
+        1.0 / 24 +
+        z * (-1.0 / 720 +
+             z * (1.0 / 40320 + z * (-1.0 / 3628800 +
+                                     z * (1.0 / 479001600 + z * (-1.0 / 87178291200.0 +
+                                                                 z * (1.0 / 20922789888000.0))))));
+    const double c = 1.0 - (0.5 * z - z * z * cosine_tail);
+    // quadrant 0: (s, c), 1: (c, -s), 2: (-s, -c), 3: (-c, s)
+    const bool swap = (quadrant & 1) != 0;
+    const std::uint64_t sine_sign = (quadrant & 2) << 62;
+    const std::uint64_t cosine_sign = ((quadrant + 1) & 2) << 62;
+    const double sine_size = swap ? c : s;
+    const double cosine_size = swap ? s : c;
+    return {std::bit_cast<double>(std::bit_cast<std::uint64_t>(sine_size) ^ sine_sign),
+            std::bit_cast<double>(std::bit_cast<std::uint64_t>(cosine_size) ^ cosine_sign)};
+}
+
+SineCosine sine_cosine(double x);  // any finite x; NaN for infinities
+double sine(double x);
+double cosine(double x);
+double arc_tangent(double x);             // absolute error below 4e-16
+double arc_tangent2(double y, double x);  // (-pi, pi], as std::atan2; (0, 0) gives 0
+double exponential(double x);             // relative error below 4e-16; 0 and infinity at the ends
+double logarithm(
+    double x);  // natural; relative error below 4e-16; x <= 0 gives NaN, 0 gives -infinity
+double power(double base, double exponent);  // base > 0; exp(exponent * ln base)
+double hyperbolic_tangent(double x);         // absolute error below 4e-16
+
+}  // namespace cambrian

@@ -1,0 +1,16 @@
+#pragma once
+
+// Vectors and rotations; the only header that names Eigen's types for the others.
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+namespace cambrian {
+
+using Vec2 = Eigen::Vector2d;
+using Vec3 = Eigen::Vector3d;
+using Mat2 = Eigen::Matrix2d;
+using Mat3 = Eigen::Matrix3d;
+using Rotation = Eigen::Quaterniond;  // unit quaternion
+
+}  // namespace cambrian

@@ -1,0 +1,35 @@
+#pragma once
+
+// A registered sensor: reads channels of one part. Channel numbers are absolute: the registry's
+// order, each kind's channels consecutive.
+
+#include "core/registry.h"
+#include "world/body_view.h"
+
+#include <string>
+#include <vector>
+
+namespace cambrian {
+
+struct SensorChannel {
+    std::string id;  // "joint", "contact-distal", ...
+    std::string label;
+};
+
+struct SensorKind {
+    // Reading of one of the kind's channels on a part. handedness is +1, or -1 on mirrored parts,
+    // whose left and right are exchanged and whose joint turns the other way (evolution.md 2.2).
+    using Read = double (*)(const BodyView& body, std::size_t part, std::size_t channel,
+                            int handedness);
+
+    std::string id;
+    std::string label;
+    std::vector<SensorChannel> channels;
+    Read read = nullptr;
+};
+
+using SensorRegistry = Registry<SensorKind>;
+
+SensorRegistry builtin_sensors();
+
+}  // namespace cambrian

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+namespace cambrian {
+
+// How an evaluation ended.
+enum class Outcome : std::uint8_t {
+    kCompleted,
+    kStoppedEarly,  // pruned: what was to come could not matter
+    kRejected,      // nothing to simulate: no movable joint, or no live control
+    kDiverged,      // physics found no finite motion
+    kCheated,       // a guard fired
+};
+
+std::string_view outcome_name(Outcome outcome);  // "completed", "stopped-early"...
+
+}  // namespace cambrian

@@ -1,0 +1,98 @@
+#pragma once
+
+// One creature in one world: settle, then tick by tick sense, think, act, advance, record. The
+// studio plays a Trial tick by tick, evaluation runs it to the end: what is seen is what was
+// scored.
+
+#include "core/hash.h"
+#include "core/result.h"
+#include "creature/creature.h"
+#include "simulator/trial_record.h"
+#include "simulator/trial_settings.h"
+#include "world/environment.h"
+#include "world/physics_scene.h"
+
+#include <cstdint>
+#include <memory>
+
+namespace cambrian {
+
+// Everything a trial depends on besides the phenotype.
+struct TrialWorld {
+    Environment environment;
+    SceneSettings scene;
+    TrialSettings trial;
+
+    friend bool operator==(const TrialWorld&, const TrialWorld&) = default;
+};
+
+class Trial {
+public:
+    // Places the creature in its start pose. Fails if physics refuses the body.
+    static Result<std::unique_ptr<Trial>> start(std::shared_ptr<const Phenotype> phenotype,
+                                                const Kinds& kinds, const TrialWorld& world);
+    Trial(const Trial&) = delete;
+    Trial& operator=(const Trial&) = delete;
+
+    // Advances by one tick of 1/60 s. Returns false once the test phase is over or the trial
+    // failed; the motion may then go on being watched with tick(), unless it diverged, but is not
+    // recorded.
+    bool tick();
+
+    bool settling() const { return settling_; }
+    bool finished() const { return finished_; }
+    double time() const {
+        return static_cast<double>(test_ticks_) * kBrainTick;
+    }                                                     // s, of the test phase
+    std::uint64_t ticks() const { return total_ticks_; }  // settling included
+
+    const TrialWorld& world() const { return world_; }
+    const Phenotype& phenotype() const { return *phenotype_; }
+    PhysicsScene& scene() { return *scene_; }
+    const PhysicsScene& scene() const { return *scene_; }
+    Creature& creature() { return creature_; }
+    const Creature& creature() const { return creature_; }
+    const TrialRecord& record() const { return record_; }
+    TrialRecord take_record() { return std::move(record_); }
+
+private:
+    Trial(std::shared_ptr<const Phenotype> phenotype, const Kinds& kinds, const TrialWorld& world,
+          std::unique_ptr<PhysicsScene> scene);
+    void place_at_start();
+    void settle_tick();
+    void test_tick();
+    void begin_test();
+    void sample();
+    void watch_reversals();
+    void check_guards();
+    void fail(Outcome outcome, std::string reason);
+    void finish();
+
+    // Direction changes of one joint, evolution.md 7.7.
+    struct Reversals {
+        double turning_point = 0.0;  // joint coordinate at the last turn
+        double extreme = 0.0;        // farthest since then
+        int direction = 0;
+        int count = 0;
+    };
+
+    std::shared_ptr<const Phenotype> phenotype_;
+    TrialWorld world_;
+    std::unique_ptr<PhysicsScene> scene_;
+    Creature creature_;
+    TrialRecord record_;
+    Hash64 digest_;
+    std::vector<Reversals> reversals_;  // one an effector part
+    std::uint64_t total_ticks_ = 0;
+    std::uint64_t test_ticks_ = 0;
+    int calm_ticks_ = 0;
+    int deep_ticks_ = 0;
+    bool settling_ = false;
+    bool finished_ = false;
+};
+
+// A whole trial.
+Result<TrialRecord> run_trial(std::shared_ptr<const Phenotype> phenotype, const Kinds& kinds,
+                              const TrialWorld& world);
+
+}  // namespace cambrian

@@ -1,0 +1,20 @@
+#pragma once
+
+namespace cambrian {
+
+// The protocol of one trial (evolution.md 7.1) and the guards that end dishonest ones (7.7).
+struct TrialSettings {
+    double duration = 15.0;          // s, of the test phase
+    double settle_limit = 3.0;       // s, at most, before the test; with ground only
+    double max_part_speed = 30.0;    // m/s; faster is invalid
+    double max_part_spin = 60.0;     // rad/s
+    double max_ground_depth = 0.05;  // m; deeper for over 0.2 s is invalid
+    double max_reversal_rate = 5.0;  // Hz; the score of faster shaking is scaled down
+
+    friend bool operator==(const TrialSettings&, const TrialSettings&) = default;
+};
+
+inline constexpr double kBrainTick = 1.0 / 60.0;  // s
+inline constexpr int kTicksPerSample = 6;         // samples every 0.1 s
+
+}  // namespace cambrian

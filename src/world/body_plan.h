@@ -1,0 +1,43 @@
+#pragma once
+
+// An expressed body as plain data: what physics builds its articulated body from. Spatial; a planar
+// scene reads x, y and turns about z.
+
+#include "math/pose.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace cambrian {
+
+enum class MotorMode : std::uint8_t { kPosition, kVelocity, kTorque };
+
+// Faces of a box-shaped part in its own frame; the order is that of the contact channels
+// (evolution.md 1.5): distal +x, left +y, proximal -x, right -y.
+enum class Face : std::uint8_t { kDistal, kLeft, kProximal, kRight };
+inline constexpr std::size_t kFaceCount = 4;
+
+// One box with the joint that ties it to its parent. The part's frame is at its centre, x along its
+// length.
+struct PlannedPart {
+    Vec3 half_extents = Vec3::Zero();  // m; z is ignored by planar scenes
+    Pose rest_pose;                    // world, before any motion
+    double rest_angle = 0.0;           // rad; planar angle of rest_pose, unwrapped
+    int parent = -1;                   // index of an earlier part; -1 on the root
+    // The joint to the parent; unused on the root.
+    std::uint8_t joint_kind = 0;           // index into SceneKind::joints
+    Vec3 anchor_in_parent = Vec3::Zero();  // m, in the parent's frame
+    Vec3 anchor_in_child = Vec3::Zero();   // m, in this part's frame
+    double limit_low = 0.0;                // rad or m, relative to rest; <= 0
+    double limit_high = 0.0;               // rad or m, relative to rest; >= 0
+    double max_effort = 0.0;               // N m or N; cap of the motor
+    MotorMode motor_mode = MotorMode::kPosition;
+};
+
+// parts[0] is the root; every parent stands before its children.
+struct BodyPlan {
+    std::vector<PlannedPart> parts;
+};
+
+}  // namespace cambrian

@@ -1,0 +1,91 @@
+#pragma once
+
+// One creature in one environment, moved by motors tick by tick: the seam between physics and the
+// rest. A scene belongs to one thread. Time is the scene's own, from 0.
+
+#include "core/hash.h"
+#include "math/types.h"
+#include "world/body_view.h"
+#include "world/environment.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace cambrian {
+
+enum class SceneStatus : std::uint8_t { kRunning, kInvalid };
+
+// A touching point, for display.
+struct SceneContact {
+    Vec3 point = Vec3::Zero();   // m, world
+    Vec3 normal = Vec3::Zero();  // unit, out of the surface touched
+    double force = 0.0;          // N along the normal
+};
+
+// Books kept over everything advanced so far (physics.md 9). Works in J.
+struct SceneAudit {
+    double motor_work = 0.0;         // net
+    double gross_motor_work = 0.0;   // integral of |power|
+    double drag_work = 0.0;          // <= 0
+    double contact_work = 0.0;       // resting and sliding contact
+    double limit_work = 0.0;         // joint limits
+    double impulse_work = 0.0;       // impacts
+    double positive_work = 0.0;      // what contacts, limits and impacts added; physically 0
+    double energy_residual = 0.0;    // change of mechanical energy not explained by the works
+    double energy_scale = 0.0;       // gross motor work + weight * 1 cm; what residuals compare to
+    double max_penetration = 0.0;    // m
+    double max_limit_overrun = 0.0;  // rad or m
+    double max_part_speed = 0.0;     // m/s
+    double max_part_spin = 0.0;      // rad/s
+    std::uint64_t evaluations = 0;   // of the accelerations
+    std::uint64_t steps = 0;         // accepted
+    std::uint64_t rejections = 0;
+    std::uint64_t events = 0;     // impacts
+    std::uint64_t fallbacks = 0;  // row problems the active set did not solve
+};
+
+// A saved moment; only the scene that made it, or one built from the same plan, may restore it.
+class SceneState {
+public:
+    virtual ~SceneState() = default;
+};
+
+class PhysicsScene : public BodyView {
+public:
+    // Motor target of the joint between a part and its parent, in the units of its motor mode:
+    // joint coordinate, joint rate, or share of max_effort. It is approached linearly over the next
+    // tick and then held. Ignored on the root and on rigid joints.
+    virtual void set_target(std::size_t part, double target) = 0;
+    virtual double target(std::size_t part) const = 0;
+
+    // Moves the body by one tick of the given length (s). After kInvalid (non-finite or runaway
+    // motion) the scene stands still and stays invalid.
+    virtual SceneStatus advance(double duration) = 0;
+    virtual SceneStatus status() const = 0;
+    virtual double time() const = 0;  // s
+
+    // Takes effect from the next advance; for live changes of the world on show.
+    virtual void set_environment(const Environment& environment) = 0;
+
+    // Moves the whole body at rest: translation of every part (m), velocities unchanged.
+    virtual void translate(const Vec3& offset) = 0;
+
+    // A force on a point of a part (world, N and m) held during the next advance only: the mouse.
+    virtual void pull(std::size_t part, const Vec3& point_in_part, const Vec3& force) = 0;
+
+    virtual std::unique_ptr<SceneState> save() const = 0;
+    virtual void restore(const SceneState& state) = 0;
+
+    virtual double energy() const = 0;  // J, kinetic + potential
+    virtual const SceneAudit& audit() const = 0;
+    // Starts the books anew from the present state, counters included.
+    virtual void restart_audit() = 0;
+    virtual void list_contacts(std::vector<SceneContact>& contacts) const = 0;
+
+    // Adds the bits of the state (positions and velocities) to a digest of the motion.
+    virtual void add_to_digest(Hash64& digest) const = 0;
+};
+
+}  // namespace cambrian

@@ -1,0 +1,36 @@
+#pragma once
+
+// A registered implementation of physics: the joints it offers and how to build a scene of it.
+
+#include "core/result.h"
+#include "world/body_plan.h"
+#include "world/environment.h"
+#include "world/physics_scene.h"
+#include "world/scene_settings.h"
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace cambrian {
+
+struct JointEntry {
+    std::string id;  // written to files: "rigid", "rotary", "linear"
+    std::string label;
+    int degrees_of_freedom = 0;
+    std::string unit;  // of its coordinate: "rad" or "m"
+};
+
+struct SceneKind {
+    std::string id;
+    std::string label;
+    std::vector<JointEntry> joints;        // a plan's joint_kind indexes this
+    std::vector<std::string> integrators;  // ids SceneSettings::integrator may name
+    // Fails, with a reason, for bodies physics refuses (too many parts, degenerate sizes).
+    std::function<Result<std::unique_ptr<PhysicsScene>>(const BodyPlan&, const Environment&,
+                                                        const SceneSettings&)>
+        make;
+};
+
+}  // namespace cambrian

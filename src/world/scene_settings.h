@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+
+namespace cambrian {
+
+// How the physics is computed and how strong its motors are; fixed for a trial. Constants of the
+// motor law are fitness-critical (evolution.md 2.6): changing one changes what evolves.
+struct SceneSettings {
+    std::string integrator = "bogacki-shampine";  // id of a registered integrator
+    double tolerance = 1e-3;         // error a step, relative to 0.1 m, 0.1 rad and 1 + |speed|
+    double muscle_strength = 25.0;   // N/m; a joint's torque cap is this times section squared
+    double target_smoothing = 0.1;   // s; time constant of the motor target
+    double motor_speed_limit = 6.0;  // rad/s; the speed a motor asks for at most
+    double motor_frequency = 25.0;   // rad/s; omega_0 of the motor's critically damped law
+
+    friend bool operator==(const SceneSettings&, const SceneSettings&) = default;
+};
+
+}  // namespace cambrian

@@ -1,0 +1,4 @@
+#pragma once
+
+// The only include of the test framework.
+#include <catch2/catch.hpp>
