@@ -1,6 +1,6 @@
 # Fails on any include under src/ that does not point down, per the table of src/README.md.
 cmake_minimum_required(VERSION 3.25)
-file(STRINGS ${ROOT}/src/README.md rows REGEX "^\\| [0-9]+ \\|")
+file(STRINGS ${ROOT}/src/README.md rows ENCODING UTF-8 REGEX "^\\| [0-9]+ \\|")
 foreach(row IN LISTS rows)
   string(REGEX MATCH "^\\| [0-9]+ \\| `([a-z]+)` \\| ([^|]*) \\|" ignored "${row}")
   set(layer ${CMAKE_MATCH_1})
