@@ -13,8 +13,11 @@ double read_joint(const BodyView& body, std::size_t part, std::size_t /*channel*
 }  // namespace
 
 void add_joint_sensor(SensorRegistry& sensors) {
-    sensors.add(
-        {.id = "joint", .label = "Joint", .channels = {{"joint", "Joint"}}, .read = read_joint});
+    sensors.add({.id = "joint",
+                 .label = "Joint",
+                 .channels = {{"joint", "Joint"}},
+                 .read = read_joint,
+                 .reads_joint = true});
 }
 
 }  // namespace cambrian
