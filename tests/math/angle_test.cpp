@@ -7,7 +7,7 @@
 
 using namespace cambrian;
 
-TEST_CASE("a wrapped angle lies in [-pi, pi) and points the same way", "[math][angle]") {
+TEST_CASE("a wrapped angle lies from -pi up to below pi and points the same way", "[math][angle]") {
     RandomStream stream(21);
     for (int i = 0; i < 100000; ++i) {
         const double angle = stream.uniform(-1e4, 1e4);
