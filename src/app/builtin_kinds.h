@@ -1,0 +1,10 @@
+#pragma once
+
+#include "evolution/evolution_kinds.h"
+
+namespace cambrian {
+
+// Every concrete kind of everything; the only place that names the physics.
+EvolutionKinds builtin_kinds();
+
+}  // namespace cambrian
