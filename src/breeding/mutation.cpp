@@ -1,5 +1,7 @@
 #include "breeding/mutation.h"
 
+#include "breeding/mute_neurons.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -106,6 +108,7 @@ std::vector<MutationRecord> mutate(Genome& genome, const MutationSettings& setti
                                    RandomStream& stream) {
     const int count = draw_mutation_count(settings, stream);
     auto records = Mutating(genome, settings, kinds, context, stream).run(count);
+    if (settings.collect_mute_neurons) collect_mute_neurons(genome);
     const double hue = genome.hue + kHueStep * static_cast<double>(records.size());
     genome.hue = hue - std::floor(hue);
     return records;
