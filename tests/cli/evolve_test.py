@@ -105,7 +105,9 @@ class Evolve(ProgramTest):
             self.skipTest("the champion was written before the folder could be removed")
         self.assertEqual(process.returncode, FAILED)
         self.assertIn("the champion is in", messages)
-        self.assertTrue((refuge / "a.creature.json").exists())
+        rescued = list(refuge.glob("rescued-*-a.creature.json"))
+        self.assertEqual(len(rescued), 1)
+        self.assertIn(str(rescued[0]), messages)
 
     def test_a_full_disk_is_reported_and_the_old_file_kept(self):
         self.write("small.toml", SMALL)
@@ -117,7 +119,8 @@ class Evolve(ProgramTest):
         self.addCleanup(subprocess.run, ["umount", str(disk)], check=False)
         (disk / "old.json").write_text("old")
         (disk / "filler").write_text("x" * 4096)
-        result = self.run_program("evolve", "small.toml", "-n", 1, "-o", "disk/old.json")
+        result = self.run_program("evolve", "small.toml", "-n", 1, "-o", "disk/old.json",
+                                  env={"TMPDIR": str(disk)})
         self.assertNotEqual(result.returncode, DONE)
         self.assertIn("No space left on device", result.stderr)
         self.assertEqual((disk / "old.json").read_text(), "old")
