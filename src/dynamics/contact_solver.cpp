@@ -17,9 +17,13 @@ constexpr double kWorkAllowance = 1e-3;     // J per (kg m/s^2): M g (1 m) * thi
 constexpr double kReferenceGravity = 9.81;  // m/s^2
 
 // How far above its demand r + W p >= 0 a row may stay: lands at gap 0 with rate 0 in two steps,
-// does not push what is leaving, and backs out of penetration gently.
+// does not push what is leaving, and backs out of penetration with a force that stays bounded as h
+// shrinks.
 double row_slack(double gap, double rate, double h, double push_speed) {
-    if (gap < 0.0) return -std::min(push_speed, -kPushShare * gap / kNominalStep);
+    if (gap < 0.0) {
+        const double push = std::min(push_speed, -kPushShare * gap / kNominalStep);
+        return -push * std::min(1.0, h / kNominalStep);
+    }
     if (rate <= 0.0) return std::max(0.0, gap / h + 0.5 * rate);
     return std::max(0.0, 2.0 * gap / h + rate);
 }
@@ -115,6 +119,11 @@ bool ContactSolver::hold(const PlanarModel& model, const ContactLaw& law, double
     const bool solved = solve_resting(model, law, h);
     store_forces(h, warm, forcing);
     return solved;
+}
+
+void ContactSolver::let_go() {
+    for (int c = 0; c < chosen_.count; ++c)
+        normal_force_[c] = 0.0;
 }
 
 bool ContactSolver::solve_resting(const PlanarModel& model, const ContactLaw& law, double h) {

@@ -14,7 +14,7 @@ namespace {
 constexpr double kContactStep = 1.0 / 120;  // s; longest step with active rows
 constexpr double kCollapseStep = kContactStep / 16;
 constexpr double kPatientStep = kContactStep / 8;
-constexpr int kPatience = 4;                // collapses in a row before a step is forced
+constexpr int kPatience = 4;                // collapses in a row before a step without held forces
 constexpr double kHalvingStep = 1.0 / 960;  // s; shorter ones are not halved for their work
 constexpr double kWorkAllowance = 3e-4;     // J per (kg m/s^2)
 constexpr double kReferenceGravity = 9.81;  // m/s^2
@@ -78,8 +78,7 @@ bool StepControl::step(Tick& tick) {
     if (tick.impacts < kMaxImpacts && has_new_impact(contacts_)) {
         const StepEnds ends{tick.moment.motion, start_rate_, result_.end, result_.end_rate, h};
         Motion motion;
-        const double share =
-            find_impact(tick.model, tick.law, ends, contacts_, motion, end);
+        const double share = find_impact(tick.model, tick.law, ends, contacts_, motion, end);
         result_.end = motion;
         accept_part(tick, h, share);
     } else {
@@ -126,6 +125,11 @@ double StepControl::choose_length(Tick& tick, bool& has_rows) {
     double h = std::min(moment.proposed_step, integrator_->max_step);
     has_rows = contacts_.choose(tick.model, tick.law, moment.motion, moment.frame(), h);
     if (has_rows) h = std::min(h, kContactStep);
+    if (tick.collapses >= kPatience) {
+        has_rows = false;
+        contacts_.let_go();
+        h = std::min(h, kPatientStep);
+    }
     const double rest = tick.length - tick.time;
     const double steps = std::ceil(rest / h * (1.0 - 1e-9));
     return rest / std::max(1.0, steps);
@@ -142,8 +146,7 @@ StepControl::Attempt StepControl::attempt(Tick& tick, bool has_rows, double& h) 
                              moment.spare_frame(), result_);
         moment.audit.evaluations += static_cast<std::uint64_t>(result_.evaluations);
         const double factor = step_factor(result_.error, integrator_->error_exponent);
-        const bool forced = tick.collapses > kPatience && std::isfinite(result_.error);
-        if (!(result_.error <= 1.0) && !forced) {
+        if (!(result_.error <= 1.0)) {
             ++moment.audit.rejections;
             h *= std::min(factor, 0.9);
             moment.proposed_step = h;
@@ -151,7 +154,7 @@ StepControl::Attempt StepControl::attempt(Tick& tick, bool has_rows, double& h) 
             if (!has_rows || h >= kCollapseStep) continue;
             ++tick.collapses;
             strike(tick, 0.0);
-            moment.proposed_step = tick.collapses >= kPatience ? kPatientStep : kContactStep;
+            moment.proposed_step = kContactStep;
             return Attempt::kCollapsed;
         }
         if (must_halve(tick, has_rows, h)) {
