@@ -23,7 +23,7 @@ public:
     void add(std::string_view text) {
         for (const char letter : text)
             add_byte(static_cast<std::uint8_t>(letter));
-        add(static_cast<std::uint64_t>(text.size()));
+        add(std::uint64_t{text.size()});
     }
 
     std::uint64_t value() const { return state_; }

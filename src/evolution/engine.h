@@ -35,7 +35,8 @@ public:
 private:
     void run(std::stop_token stop);
     void run_generation(std::stop_token stop);
-    void apply_commands();
+    void record_generation();
+    bool apply_commands();
     void apply(PauseEvolution command);
     void apply(ResumeEvolution command);
     void apply(StepGeneration command);

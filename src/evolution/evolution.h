@@ -44,17 +44,25 @@ public:
     const std::vector<GenerationStatistics>& history() const { return history_; }
 
 private:
-    void found(const std::vector<GenomePtr>& founders);
     IndividualPtr make_founder(std::size_t slot, const std::vector<GenomePtr>& founders) const;
+    void plan_evaluations();
+    void forget_plan();
+    void share_known_scores(std::vector<IndividualPtr>& next) const;
+    static void forget_scores(std::vector<IndividualPtr>& population);
 
     SettingsPtr settings_;
     const EvolutionKinds* kinds_;
     std::uint32_t generation_ = 0;
     bool evaluated_ = false;
+    bool scores_outdated_ = false;  // the settings that judged the population were replaced
     std::vector<IndividualPtr> population_;
-    std::vector<std::optional<EvaluationResult>> results_;  // of the present generation, by slot
     std::vector<GenomePtr> injected_;
     std::vector<GenerationStatistics> history_;
+
+    // The present generation's plan of evaluation; empty outside of it.
+    std::vector<EvaluationRequest> requests_;
+    std::vector<std::optional<EvaluationResult>> results_;  // one a request
+    std::vector<std::size_t> request_of_slot_;
 };
 
 }  // namespace cambrian

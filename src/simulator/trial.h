@@ -7,6 +7,7 @@
 #include "core/hash.h"
 #include "core/result.h"
 #include "creature/creature.h"
+#include "simulator/reversals.h"
 #include "simulator/trial_record.h"
 #include "simulator/trial_settings.h"
 #include "world/environment.h"
@@ -52,6 +53,7 @@ public:
     const PhysicsScene& scene() const { return *scene_; }
     Creature& creature() { return creature_; }
     const Creature& creature() const { return creature_; }
+    // Complete once finished().
     const TrialRecord& record() const { return record_; }
     TrialRecord take_record() { return std::move(record_); }
 
@@ -63,18 +65,9 @@ private:
     void test_tick();
     void begin_test();
     void sample();
-    void watch_reversals();
     void check_guards();
     void fail(Outcome outcome, std::string reason);
     void finish();
-
-    // Direction changes of one joint, evolution.md 7.7.
-    struct Reversals {
-        double turning_point = 0.0;  // joint coordinate at the last turn
-        double extreme = 0.0;        // farthest since then
-        int direction = 0;
-        int count = 0;
-    };
 
     std::shared_ptr<const Phenotype> phenotype_;
     TrialWorld world_;
@@ -82,7 +75,7 @@ private:
     Creature creature_;
     TrialRecord record_;
     Hash64 digest_;
-    std::vector<Reversals> reversals_;  // one an effector part
+    std::vector<ReversalCounter> reversals_;  // one an effector part
     std::uint64_t total_ticks_ = 0;
     std::uint64_t test_ticks_ = 0;
     int calm_ticks_ = 0;

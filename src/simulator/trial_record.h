@@ -28,7 +28,7 @@ struct TrialRecord {
     double reversal_rate = 0.0;         // Hz, of the busiest joint; swings over 0.05 rad
     std::vector<MotionSample> samples;  // every 0.1 s from 0 to duration, if completed
     SceneAudit audit;                   // of the test phase
-    std::uint64_t digest = 0;           // of the state at every tick, settling included
+    std::uint64_t digest = 0;           // of the state at every sample and the start of settling
 };
 
 }  // namespace cambrian

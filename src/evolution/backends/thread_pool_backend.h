@@ -1,0 +1,14 @@
+#pragma once
+
+#include "evolution/evaluation_backend.h"
+
+#include <cstddef>
+#include <memory>
+
+namespace cambrian {
+
+// Evaluates on this machine, one trial a worker at a time. kinds must outlive it.
+std::unique_ptr<EvaluationBackend> make_thread_pool_backend(const EvolutionKinds& kinds,
+                                                            std::size_t workers);
+
+}  // namespace cambrian

@@ -1,0 +1,147 @@
+#include "evolution/engine.h"
+
+#include <exception>
+#include <utility>
+
+namespace cambrian {
+namespace {
+
+constexpr int kUntilPaused = -1;
+
+}  // namespace
+
+EvolutionEngine::EvolutionEngine(SettingsPtr settings, const EvolutionKinds& kinds,
+                                 std::unique_ptr<EvaluationBackend> backend)
+    : kinds_(kinds), backend_(std::move(backend)) {
+    apply(StartExperiment{std::move(settings), {}});
+    publish();
+    thread_ = std::jthread([this](std::stop_token stop) { run(std::move(stop)); });
+}
+
+EvolutionEngine::~EvolutionEngine() {
+    thread_.request_stop();
+    thread_.join();
+}
+
+bool EvolutionEngine::send(Command command) {
+    // Commands act between trials: whatever is running is interrupted, and goes on afterwards.
+    if (!inbox_.push(std::move(command))) return false;
+    {
+        const std::lock_guard lock(wake_mutex_);
+        command_waiting_ = true;
+        interruption_.request_stop();
+    }
+    wake_.notify_one();
+    return true;
+}
+
+const std::shared_ptr<const EvolutionSnapshot>& EvolutionEngine::latest() {
+    return snapshots_.latest();
+}
+
+void EvolutionEngine::run(std::stop_token stop) {
+    while (!stop.stop_requested()) {
+        if (apply_commands()) publish();
+        if (generations_to_run_ == 0) {
+            wait_for_commands(stop);
+            continue;
+        }
+        try {
+            run_generation(stop);
+        } catch (const std::exception& failure) {
+            generations_to_run_ = 0;
+            shown_.status = EngineStatus::kFailed;
+            shown_.failure = failure.what();
+            publish();
+        }
+    }
+}
+
+void EvolutionEngine::run_generation(std::stop_token stop) {
+    std::stop_token interrupted;
+    {
+        const std::lock_guard lock(wake_mutex_);
+        if (command_waiting_) return;
+        interruption_ = std::stop_source();
+        interrupted = interruption_.get_token();
+    }
+    const std::stop_callback on_shutdown(stop, [this] {
+        const std::lock_guard lock(wake_mutex_);
+        interruption_.request_stop();
+    });
+    if (!evolution_->evaluate(*backend_, progress_, interrupted)) return;
+    record_generation();
+    evolution_->breed();
+    if (generations_to_run_ > 0) --generations_to_run_;
+    if (generations_to_run_ == 0) shown_.status = EngineStatus::kPaused;
+    publish();
+}
+
+void EvolutionEngine::record_generation() {
+    shown_.population = evolution_->population();
+    shown_.history = evolution_->history();
+    shown_.champions.push_back({evolution_->generation(), evolution_->population().front(),
+                                evolution_->shared_settings()});
+}
+
+bool EvolutionEngine::apply_commands() {
+    {
+        const std::lock_guard lock(wake_mutex_);
+        command_waiting_ = false;
+    }
+    bool any = false;
+    while (std::optional<Command> command = inbox_.pop()) {
+        std::visit([this](auto& each) { apply(std::move(each)); }, *command);
+        any = true;
+    }
+    return any;
+}
+
+void EvolutionEngine::apply(PauseEvolution) {
+    generations_to_run_ = 0;
+    shown_.status = EngineStatus::kPaused;
+}
+
+void EvolutionEngine::apply(ResumeEvolution) {
+    generations_to_run_ = kUntilPaused;
+    shown_.status = EngineStatus::kRunning;
+}
+
+void EvolutionEngine::apply(StepGeneration) {
+    generations_to_run_ = 1;
+    shown_.status = EngineStatus::kRunning;
+}
+
+void EvolutionEngine::apply(ChangeSettings command) {
+    if (*command.settings == evolution_->settings()) return;
+    evolution_->replace_settings(command.settings);
+    shown_.journal.push_back({evolution_->generation(), std::move(command.settings)});
+}
+
+void EvolutionEngine::apply(InjectGenome command) {
+    evolution_->inject(std::move(command.genome));
+}
+
+void EvolutionEngine::apply(StartExperiment command) {
+    evolution_.emplace(command.settings, kinds_, std::move(command.founders));
+    const std::uint64_t experiment = shown_.experiment + 1;
+    shown_ = {};
+    shown_.experiment = experiment;
+    shown_.journal.push_back({0, std::move(command.settings)});
+    generations_to_run_ = 0;
+    progress_.done = 0;
+    progress_.total = 0;
+}
+
+void EvolutionEngine::wait_for_commands(std::stop_token stop) {
+    std::unique_lock lock(wake_mutex_);
+    wake_.wait(lock, std::move(stop), [this] { return command_waiting_; });
+}
+
+void EvolutionEngine::publish() {
+    shown_.generation = evolution_->generation();
+    shown_.settings = evolution_->shared_settings();
+    snapshots_.publish(std::make_shared<const EvolutionSnapshot>(shown_));
+}
+
+}  // namespace cambrian

@@ -1,0 +1,131 @@
+#include "evolution/generation.h"
+
+#include "breeding/mutation.h"
+#include "evolution/quotas.h"
+#include "genome/random_genome.h"
+
+#include <cmath>
+#include <utility>
+
+namespace cambrian {
+namespace {
+
+constexpr double kHueStep = 0.004;  // per mutation
+constexpr int kPartnerDraws = 5;
+
+// What all children of one generation share.
+struct Nursery {
+    std::span<const IndividualPtr> ranked;
+    const ExperimentSettings& settings;
+    const EvolutionKinds& kinds;
+    std::uint32_t generation;
+    std::span<const double> partner_weights;
+
+    RandomStream stream(std::uint64_t child, Purpose purpose) const {
+        return RandomStream(stream_seed(settings.seed, generation, child, purpose));
+    }
+};
+
+std::vector<const BreedingKind*> assign_methods(const Nursery& nursery, std::size_t children) {
+    std::vector<double> shares;
+    for (const BreedingKind& kind : nursery.kinds.breeding.all()) {
+        const auto& set = nursery.settings.breeding.shares;
+        const auto found = set.find(kind.id);
+        shares.push_back(found == set.end() ? kind.default_share : found->second);
+    }
+    const std::vector<std::size_t> counts = largest_remainder(shares, children);
+    std::vector<const BreedingKind*> methods;
+    for (std::size_t kind = 0; kind < counts.size(); ++kind) {
+        methods.insert(methods.end(), counts[kind], &nursery.kinds.breeding[kind]);
+    }
+    RandomStream stream = nursery.stream(0, Purpose::kBreeding);
+    stream.shuffle(std::span(methods));
+    return methods;
+}
+
+// Another individual than the first parent, or the first parent itself if five draws find none.
+std::size_t draw_partner(const Nursery& nursery, std::size_t first, RandomStream& stream) {
+    std::size_t partner = first;
+    for (int draw = 0; draw <= kPartnerDraws && partner == first; ++draw) {
+        partner = stream.weighted(nursery.partner_weights);
+    }
+    return partner;
+}
+
+// The kind that copies one parent, for children whose second parent could not be found.
+const BreedingKind& single_parent_kind(const BreedingRegistry& kinds) {
+    for (const BreedingKind& kind : kinds.all()) {
+        if (kind.parents == 1) return kind;
+    }
+    return kinds[0];
+}
+
+IndividualPtr make_child(const Nursery& nursery, std::size_t child, std::size_t first,
+                         const BreedingKind* method) {
+    RandomStream breeding = nursery.stream(child + 1, Purpose::kBreeding);
+    std::size_t second = first;
+    if (method->parents > 1) {
+        second = draw_partner(nursery, first, breeding);
+        if (second == first) method = &single_parent_kind(nursery.kinds.breeding);
+    }
+    const Individual& mother = *nursery.ranked[first];
+    const Individual& father = *nursery.ranked[second];
+    const KindCatalog& catalog = nursery.kinds.creature.catalog;
+    Genome genome = method->breed(*mother.genome, *father.genome, catalog, breeding);
+    RandomStream mutation = nursery.stream(child, Purpose::kMutation);
+    std::vector<MutationRecord> mutations =
+        mutate(genome, nursery.settings.mutation, nursery.kinds.mutations,
+               {.catalog = catalog, .founders = nursery.settings.founders}, mutation);
+    const double hue = mother.genome->hue + kHueStep * static_cast<double>(mutations.size());
+    genome.hue = hue - std::floor(hue);
+    genome.name.clear();
+    Individual individual =
+        make_individual(std::make_shared<const Genome>(std::move(genome)), nursery.settings,
+                        nursery.generation, child, method->id);
+    individual.parents = {mother.uid, method->parents > 1 ? father.uid : 0};
+    individual.mutations = std::move(mutations);
+    return std::make_shared<const Individual>(std::move(individual));
+}
+
+}  // namespace
+
+Individual make_individual(GenomePtr genome, const ExperimentSettings& settings,
+                           std::uint32_t generation, std::uint64_t child, std::string method) {
+    Individual individual;
+    individual.uid = stream_seed({settings.seed, generation, child});
+    individual.born = generation;
+    individual.genome_hash = genome_hash(*genome);
+    individual.genome = std::move(genome);
+    individual.method = std::move(method);
+    return individual;
+}
+
+std::vector<IndividualPtr> next_generation(std::span<const IndividualPtr> ranked,
+                                           const ExperimentSettings& settings,
+                                           const EvolutionKinds& kinds, std::uint32_t generation) {
+    const SelectionKind* selection = kinds.selections.find(settings.selection.method);
+    CAMBRIAN_ASSERT(selection != nullptr, "settings were checked");
+    RandomStream stream(stream_seed(settings.seed, generation, 0, Purpose::kSelection));
+    const SelectionResult selected = selection->select(ranked, settings, stream);
+    const Nursery nursery{ranked, settings, kinds, generation, selected.partner_weights};
+
+    std::vector<IndividualPtr> next;
+    for (const std::size_t survivor : selected.survivors)
+        next.push_back(ranked[survivor]);
+    const std::size_t children = selected.first_parents.size();
+    const std::vector<const BreedingKind*> methods = assign_methods(nursery, children);
+    for (std::size_t child = 0; child < children; ++child) {
+        next.push_back(make_child(nursery, child, selected.first_parents[child], methods[child]));
+    }
+    for (std::uint64_t child = children;
+         next.size() < static_cast<std::size_t>(settings.population.size); ++child) {
+        RandomStream founder = nursery.stream(child, Purpose::kFounder);
+        next.push_back(std::make_shared<const Individual>(
+            make_individual(std::make_shared<const Genome>(
+                                random_genome(settings.founders, kinds.creature.catalog, founder)),
+                            settings, generation, child, "random")));
+    }
+    return next;
+}
+
+}  // namespace cambrian

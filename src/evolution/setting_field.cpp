@@ -1,0 +1,400 @@
+#include "evolution/setting_field.h"
+
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
+#include <utility>
+
+namespace cambrian {
+namespace {
+
+using Settings = ExperimentSettings;
+
+// Collects the fields of one table.
+class TableBuilder {
+public:
+    TableBuilder(std::vector<SettingField>& fields, std::string table)
+        : fields_(fields), table_(std::move(table)) {}
+
+    // A number. The accessor is a callable from Settings& to the place.
+    template <class At>
+    SettingField& number(std::string key, std::string label, std::string unit, double low,
+                         double high, std::string help, At at) {
+        return append(std::move(key), std::move(label), std::move(unit), low, high, std::move(help),
+                      at);
+    }
+    template <class At>
+    SettingField& flag(std::string key, std::string label, std::string help, At at) {
+        return append(std::move(key), std::move(label), "", 0.0, 1.0, std::move(help), at);
+    }
+    template <class At>
+    SettingField& choice(std::string key, std::string label, std::vector<std::string> choices,
+                         std::string help, At at) {
+        SettingField& field =
+            append(std::move(key), std::move(label), "", 0.0, 0.0, std::move(help), at);
+        field.choices = std::move(choices);
+        return field;
+    }
+
+private:
+    template <class At>
+    SettingField& append(std::string key, std::string label, std::string unit, double low,
+                         double high, std::string help, At at) {
+        SettingField field;
+        field.table = table_;
+        field.key = std::move(key);
+        field.label = std::move(label);
+        field.unit = std::move(unit);
+        field.help = std::move(help);
+        field.low = low;
+        field.high = high;
+        field.at = [at](Settings& settings) { return SettingRef(&at(settings)); };
+        fields_.push_back(std::move(field));
+        return fields_.back();
+    }
+
+    std::vector<SettingField>& fields_;
+    std::string table_;
+};
+
+template <class Kind>
+std::vector<std::string> ids_of(const Registry<Kind>& registry) {
+    std::vector<std::string> ids;
+    for (const Kind& kind : registry.all())
+        ids.push_back(kind.id);
+    return ids;
+}
+
+void add_run(std::vector<SettingField>& fields) {
+    TableBuilder run(fields, "run");
+    run.number(
+           "seed", "Seed", "", 0, 1e15,
+           "Every random choice follows from it: same seed, same evolution.",
+           [](Settings & s) -> auto& { return s.seed; })
+        .live = false;
+    run.number(
+        "generations", "Generations", "", 1, 1e9,
+        "An unattended run stops after this many generations.",
+        [](Settings & s) -> auto& { return s.generations; });
+}
+
+void add_goal(std::vector<SettingField>& fields, const EvolutionKinds& kinds) {
+    TableBuilder goal(fields, "goal");
+    goal.choice(
+        "behavior", "Behavior", ids_of(kinds.goals), "What creatures are selected for.",
+        [](Settings & s) -> auto& { return s.goal; });
+}
+
+void add_environment(std::vector<SettingField>& fields) {
+    TableBuilder world(fields, "environment");
+    world.number(
+        "gravity", "Gravity", "m/s^2", 0, 1000,
+        "Pull of the world: Earth 9.81, Mars 3.71, Moon 1.62, a swimmer's water 0.",
+        [](Settings & s) -> auto& { return s.world.environment.gravity; });
+    world.number(
+        "gravity-direction", "Gravity direction", "deg", -180, 180,
+        "Where the pull points, counter-clockwise from right; -90 is straight down.",
+        [](Settings & s) -> auto& { return s.world.environment.gravity_direction; });
+    world.flag(
+        "ground", "Ground", "A flat endless floor at height 0.",
+        [](Settings & s) -> auto& { return s.world.environment.has_ground; });
+    world.number(
+        "friction", "Friction", "", 0, 100,
+        "Grip of the ground and of parts on each other; ice 0.05, rubber 1.",
+        [](Settings & s) -> auto& { return s.world.environment.friction; });
+    world.number(
+        "elasticity", "Elasticity", "", 0, 1,
+        "Share of the speed kept in a bounce: clay 0, a hard ball 0.9.",
+        [](Settings & s) -> auto& { return s.world.environment.elasticity; });
+    world.number(
+        "viscosity-linear", "Viscosity, linear", "N s/m^2", 0, 1e4,
+        "Drag that grows with a face's speed, as in treacle.",
+        [](Settings & s) -> auto& { return s.world.environment.viscosity_linear; });
+    world.number(
+        "viscosity-quadratic", "Viscosity, quadratic", "kg/m^2", 0, 1e4,
+        "Drag that grows with the square of a face's speed, as in water.",
+        [](Settings & s) -> auto& { return s.world.environment.viscosity_quadratic; });
+    world.number(
+        "density", "Body density", "kg/m^2", 1e-3, 1e4,
+        "Mass of a body part for each square metre of it.",
+        [](Settings & s) -> auto& { return s.world.environment.density; });
+}
+
+void add_simulation(std::vector<SettingField>& fields, const EvolutionKinds& kinds) {
+    TableBuilder table(fields, "simulation");
+    table.choice(
+        "integrator", "Integrator", kinds.creature.scene.integrators,
+        "How motion is computed from forces.",
+        [](Settings & s) -> auto& { return s.world.scene.integrator; });
+    table
+        .number(
+            "tolerance", "Tolerance", "", 1e-8, 1e-1,
+            "Error allowed in a step; smaller is more exact and slower.",
+            [](Settings & s) -> auto& { return s.world.scene.tolerance; })
+        .logarithmic = true;
+    table.number(
+        "muscle-strength", "Muscle strength", "N/m", 0, 1e4,
+        "Strongest torque of a joint for each square metre of its narrower part's width.",
+        [](Settings & s) -> auto& { return s.world.scene.muscle_strength; });
+    table.number(
+        "target-smoothing", "Muscle smoothing", "s", 0, 10,
+        "Time a joint takes to follow its brain; larger is calmer.",
+        [](Settings & s) -> auto& { return s.world.scene.target_smoothing; });
+    table.number(
+        "motor-speed-limit", "Joint speed limit", "rad/s", 0, 100,
+        "Fastest turn a joint's muscle asks for.",
+        [](Settings & s) -> auto& { return s.world.scene.motor_speed_limit; });
+    table.number(
+        "motor-frequency", "Muscle stiffness", "rad/s", 0.1, 200,
+        "How sharply a muscle corrects a joint that is off its target.",
+        [](Settings & s) -> auto& { return s.world.scene.motor_frequency; });
+}
+
+void add_trial(std::vector<SettingField>& fields) {
+    TableBuilder table(fields, "trial");
+    table.number(
+        "duration", "Duration", "s", 0, 1e4, "Time in which a creature is judged.",
+        [](Settings & s) -> auto& { return s.world.trial.duration; });
+    table.number(
+        "settle-limit", "Settling", "s", 0, 60,
+        "Longest time a creature may come to rest on the ground before it is judged.",
+        [](Settings & s) -> auto& { return s.world.trial.settle_limit; });
+    table.number(
+        "max-part-speed", "Speed guard", "m/s", 1, 1e4,
+        "A creature with a part faster than this is disqualified.",
+        [](Settings & s) -> auto& { return s.world.trial.max_part_speed; });
+    table.number(
+        "max-part-spin", "Spin guard", "rad/s", 1, 1e4,
+        "A creature with a part that spins faster than this is disqualified.",
+        [](Settings & s) -> auto& { return s.world.trial.max_part_spin; });
+    table.number(
+        "max-ground-depth", "Ground guard", "m", 1e-3, 10,
+        "A creature that stays deeper in the ground than this is disqualified.",
+        [](Settings & s) -> auto& { return s.world.trial.max_ground_depth; });
+    table.number(
+        "max-reversal-rate", "Shaking guard", "Hz", 0.1, 1e3,
+        "Joints that shake faster than this have their score scaled down.",
+        [](Settings & s) -> auto& { return s.world.trial.max_reversal_rate; });
+}
+
+void add_population(std::vector<SettingField>& fields, const EvolutionKinds& kinds) {
+    TableBuilder table(fields, "population");
+    table.number(
+        "size", "Population size", "creatures", 2, 20000, "Creatures a generation.",
+        [](Settings & s) -> auto& { return s.population.size; });
+    table.number(
+        "immigrants", "Newcomers", "creatures", 0, 20000,
+        "Places of each generation given to new random creatures.",
+        [](Settings & s) -> auto& { return s.population.immigrants; });
+    TableBuilder selection(fields, "selection");
+    selection.choice(
+        "method", "Method", ids_of(kinds.selections), "Who survives and who breeds how often.",
+        [](Settings & s) -> auto& { return s.selection.method; });
+    selection.number(
+        "survival", "Survivors", "", 0.01, 1,
+        "Share of a generation that survives and breeds; smaller is harsher.",
+        [](Settings & s) -> auto& { return s.population.survival; });
+    selection.number(
+        "max-clones", "Clones kept", "", 1, 1000,
+        "Copies of one genotype that may survive together.",
+        [](Settings & s) -> auto& { return s.population.max_clones; });
+}
+
+void add_breeding(std::vector<SettingField>& fields, const EvolutionKinds& kinds) {
+    TableBuilder breeding(fields, "breeding");
+    for (const BreedingKind& kind : kinds.breeding.all()) {
+        breeding.number(
+            kind.id, kind.label, "", 0, 1,
+            "Share of the offspring made this way, relative to the other ways.",
+            [ id = kind.id, standard = kind.default_share ](Settings & s) -> auto& {
+                return s.breeding.shares.try_emplace(id, standard).first->second;
+            });
+    }
+}
+
+void add_mutation(std::vector<SettingField>& fields, const EvolutionKinds& kinds) {
+    TableBuilder mutation(fields, "mutation");
+    mutation.choice(
+        "scheme", "Scheme", {"count-first", "gate", "none"},
+        "How the number of mutations of an offspring is drawn.",
+        [](Settings & s) -> auto& { return s.mutation.scheme; });
+    mutation.number(
+        "rate", "Mutation rate", "x", 0, 8,
+        "Scales the mutations of an offspring; 1 means none in 25 %, one in 50 % and "
+        "more in 25 % of them.",
+        [](Settings & s) -> auto& { return s.mutation.rate; });
+    TableBuilder weights(fields, "mutation.weights");
+    for (const MutationKind& kind : kinds.mutations.all()) {
+        weights.number(
+            kind.id, kind.label, "", 0, 1000,
+            "How often this kind of mutation is drawn, relative to the others.",
+            [ id = kind.id, standard = kind.default_weight ](Settings & s) -> auto& {
+                return s.mutation.weights.try_emplace(id, standard).first->second;
+            });
+    }
+}
+
+void add_body(std::vector<SettingField>& fields) {
+    TableBuilder body(fields, "body");
+    const auto structural = [&](auto&&... arguments) {
+        body.number(std::forward<decltype(arguments)>(arguments)...).live = false;
+    };
+    structural(
+        "max-parts", "Parts at most", "", 2, 32, "A grown body stops at this many parts.",
+        [](Settings & s) -> auto& { return s.expression.max_parts; });
+    structural(
+        "max-depth", "Depth at most", "", 1, 32, "Joints between the root and the farthest part.",
+        [](Settings & s) -> auto& { return s.expression.max_depth; });
+    structural(
+        "max-neurons", "Neurons at most", "", 1, 4096, "A grown brain stops at this many neurons.",
+        [](Settings & s) -> auto& { return s.expression.max_neurons; });
+    structural(
+        "min-nodes", "Founder nodes, least", "", 1, 16,
+        "Part genes of a random creature, at least.",
+        [](Settings & s) -> auto& { return s.founders.min_nodes; });
+    structural(
+        "max-nodes", "Founder nodes, most", "", 1, 16, "Part genes of a random creature, at most.",
+        [](Settings & s) -> auto& { return s.founders.max_nodes; });
+    structural(
+        "min-length", "Founder length, least", "m", 0.08, 1.6, "Shortest random part.",
+        [](Settings & s) -> auto& { return s.founders.min_length; });
+    structural(
+        "max-length", "Founder length, most", "m", 0.08, 1.6, "Longest random part.",
+        [](Settings & s) -> auto& { return s.founders.max_length; });
+    structural(
+        "min-width", "Founder width, least", "m", 0.08, 0.96, "Thinnest random part.",
+        [](Settings & s) -> auto& { return s.founders.min_width; });
+    structural(
+        "max-width", "Founder width, most", "m", 0.08, 0.96, "Thickest random part.",
+        [](Settings & s) -> auto& { return s.founders.max_width; });
+    structural(
+        "moving-share", "Moving joints", "", 0, 1, "Share of a random creature's joints that move.",
+        [](Settings & s) -> auto& { return s.founders.rotary_share; });
+    structural(
+        "symmetric-share", "Symmetry", "", 0, 1,
+        "Share of a random creature's parts that grow as mirror pairs.",
+        [](Settings & s) -> auto& { return s.founders.symmetric_share; });
+    structural(
+        "max-recursion", "Founder recursion", "", 1, 6,
+        "How often a random part may repeat along a limb.",
+        [](Settings & s) -> auto& { return s.founders.max_recursion; });
+    structural(
+        "node-neurons", "Founder neurons a part", "", 0, 8,
+        "Neurons in each part of a random creature, at most.",
+        [](Settings & s) -> auto& { return s.founders.max_node_neurons; });
+    structural(
+        "brain-neurons", "Founder central neurons", "", 0, 16,
+        "Central neurons of a random creature, at most.",
+        [](Settings & s) -> auto& { return s.founders.max_brain_neurons; });
+}
+
+std::string place(const SettingField& field) {
+    return "[" + field.table + "] " + field.key;
+}
+
+std::string number_text(double value) {
+    std::string text = std::to_string(value);
+    while (text.back() == '0')
+        text.pop_back();
+    if (text.back() == '.') text.pop_back();
+    return text;
+}
+
+Status out_of_range(const SettingField& field, double value) {
+    return Error{place(field) + ": " +
+                 (std::isfinite(value) ? number_text(value) : "not a number") + " is outside [" +
+                 number_text(field.low) + ", " + number_text(field.high) + "]"};
+}
+
+Status check_field(const SettingField& field, const SettingRef& ref) {
+    return std::visit(
+        [&](const auto* at) -> Status {
+            using T = std::remove_cvref_t<decltype(*at)>;
+            if constexpr (std::is_same_v<T, std::string>) {
+                if (std::find(field.choices.begin(), field.choices.end(), *at) !=
+                    field.choices.end()) {
+                    return {};
+                }
+                std::string known;
+                for (const std::string& choice : field.choices) {
+                    known += (known.empty() ? "" : ", ") + choice;
+                }
+                return Error{place(field) + ": unknown \"" + *at + "\"; known are " + known};
+            } else if constexpr (std::is_same_v<T, bool>) {
+                return {};
+            } else {
+                const double value = static_cast<double>(*at);
+                if (value >= field.low && value <= field.high) return {};
+                return out_of_range(field, value);
+            }
+        },
+        ref);
+}
+
+Status check_order(double low, double high, const char* low_key, const char* high_key) {
+    if (low <= high) return {};
+    return Error{std::string("[body] ") + low_key + ": " + number_text(low) + " is above " +
+                 high_key + ", which is " + number_text(high)};
+}
+
+// Settings that are each in range but contradict one another.
+Status check_together(const Settings& s, const EvolutionKinds& kinds) {
+    if (Status order =
+            check_order(s.founders.min_nodes, s.founders.max_nodes, "min-nodes", "max-nodes");
+        !order) {
+        return order;
+    }
+    if (Status order =
+            check_order(s.founders.min_length, s.founders.max_length, "min-length", "max-length");
+        !order) {
+        return order;
+    }
+    if (Status order =
+            check_order(s.founders.min_width, s.founders.max_width, "min-width", "max-width");
+        !order) {
+        return order;
+    }
+    double shares = 0.0;
+    for (const BreedingKind& kind : kinds.breeding.all()) {
+        const auto set = s.breeding.shares.find(kind.id);
+        shares += set == s.breeding.shares.end() ? kind.default_share : set->second;
+    }
+    if (!(shares > 0.0)) return Error{"[breeding]: all shares are 0; at least one must be above"};
+    double weights = 0.0;
+    for (const MutationKind& kind : kinds.mutations.all()) {
+        const auto set = s.mutation.weights.find(kind.id);
+        weights += set == s.mutation.weights.end() ? kind.default_weight : set->second;
+    }
+    if (!(weights > 0.0)) {
+        return Error{
+            "[mutation.weights]: all weights are 0; at least one must be above, or set "
+            "[mutation] scheme to \"none\""};
+    }
+    return {};
+}
+
+}  // namespace
+
+std::vector<SettingField> setting_fields(const EvolutionKinds& kinds) {
+    std::vector<SettingField> fields;
+    add_run(fields);
+    add_goal(fields, kinds);
+    add_environment(fields);
+    add_simulation(fields, kinds);
+    add_trial(fields);
+    add_population(fields, kinds);
+    add_breeding(fields, kinds);
+    add_mutation(fields, kinds);
+    add_body(fields);
+    return fields;
+}
+
+Status check_settings(const ExperimentSettings& settings, const EvolutionKinds& kinds) {
+    Settings copy = settings;
+    for (const SettingField& field : setting_fields(kinds)) {
+        if (Status fault = check_field(field, field.at(copy)); !fault) return fault;
+    }
+    return check_together(settings, kinds);
+}
+
+}  // namespace cambrian

@@ -1,0 +1,17 @@
+#include "goals/goal.h"
+
+namespace cambrian {
+
+void register_walking(GoalRegistry& goals);
+void register_jumping(GoalRegistry& goals);
+void register_swimming(GoalRegistry& goals);
+
+GoalRegistry builtin_goals() {
+    GoalRegistry goals;
+    register_walking(goals);
+    register_jumping(goals);
+    register_swimming(goals);
+    return goals;
+}
+
+}  // namespace cambrian

@@ -1,0 +1,63 @@
+// Swimming, evolution.md 7.4. u is the direction from the centre of mass at 0.1 T to that at T;
+// v1..v4 are mean speeds along u in the windows [.2,.4] [.4,.6] [.6,.8] [.8,1] T:
+//
+//     S = [ (v1 + v2 + 2 v3 + 3 v4) / 14 + min(v) / 2 ] / BL, at least 0
+//
+// Drift from one push decays and circling makes no progress along one direction, so neither pays.
+#include "goals/goal.h"
+#include "goals/sampling.h"
+
+#include <algorithm>
+#include <array>
+
+namespace cambrian {
+namespace {
+
+constexpr std::array<double, 4> kWindowStarts = {0.2, 0.4, 0.6, 0.8};
+constexpr std::array<double, 4> kWindowWeights = {1.0, 1.0, 2.0, 3.0};
+constexpr double kWindow = 0.2;
+constexpr double kTotalWeight = 7.0;
+
+Score score_swimming(const TrialRecord& record) {
+    if (record.samples.empty() || !(record.duration > 0.0 && record.body_length > 0.0)) return {};
+    const Vec3 path = sample_at(record, 1.0).center_of_mass - sample_at(record, 0.1).center_of_mass;
+    const double distance = path.norm();
+    if (!(distance > 0.0)) return {};
+    const Vec3 direction = path / distance;
+    double weighted = 0.0;
+    double slowest = 0.0;
+    for (std::size_t i = 0; i < kWindowStarts.size(); ++i) {
+        const Vec3 moved = sample_at(record, kWindowStarts[i] + kWindow).center_of_mass -
+                           sample_at(record, kWindowStarts[i]).center_of_mass;
+        const double speed = moved.dot(direction) / (kWindow * record.duration);
+        weighted += kWindowWeights[i] * speed;
+        slowest = i == 0 ? speed : std::min(slowest, speed);
+    }
+    const double speed = 0.5 * weighted / kTotalWeight + 0.5 * slowest;
+    return {std::max(0.0, speed / record.body_length),
+            {{"distance", distance, "m"},
+             {"slowest window", slowest, "m/s"},
+             {"body length", record.body_length, "m"}}};
+}
+
+Environment water() {
+    Environment environment;
+    environment.gravity = 0.0;
+    environment.has_ground = false;
+    environment.viscosity_linear = 0.2;
+    environment.viscosity_quadratic = 1.0;
+    return environment;
+}
+
+}  // namespace
+
+void register_swimming(GoalRegistry& goals) {
+    goals.add({.id = "swimming",
+               .label = "Swimming",
+               .unit = "BL/s",
+               .help = "Steady progress through water along one line, in body lengths a second.",
+               .default_environment = water,
+               .score = score_swimming});
+}
+
+}  // namespace cambrian

@@ -1,0 +1,153 @@
+#include "simulator/trial.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace cambrian {
+namespace {
+
+constexpr double kStartClearance = 0.02;  // m, lowest corner above ground
+constexpr double kCalmEnergy = 0.001;     // J a part; below it a creature has settled...
+constexpr int kCalmTicks = 24;            // ...if for 0.4 s
+constexpr int kDeepTicks = 12;            // 0.2 s
+
+int ticks_in(double seconds) {
+    return static_cast<int>(std::lround(seconds / kBrainTick));
+}
+
+}  // namespace
+
+Result<std::unique_ptr<Trial>> Trial::start(std::shared_ptr<const Phenotype> phenotype,
+                                            const Kinds& kinds, const TrialWorld& world) {
+    auto scene = kinds.scene.make(phenotype->plan, world.environment, world.scene);
+    if (!scene) return scene.error();
+    return std::unique_ptr<Trial>(new Trial(std::move(phenotype), kinds, world, std::move(*scene)));
+}
+
+Trial::Trial(std::shared_ptr<const Phenotype> phenotype, const Kinds& kinds,
+             const TrialWorld& world, std::unique_ptr<PhysicsScene> scene)
+    : phenotype_(std::move(phenotype)),
+      world_(world),
+      scene_(std::move(scene)),
+      creature_(*phenotype_, kinds, world_.scene) {
+    record_.duration = world_.trial.duration;
+    record_.body_length = phenotype_->rest_length();
+    record_.mass = scene_->mass();
+    record_.samples.reserve(
+        static_cast<std::size_t>(ticks_in(world_.trial.duration) / kTicksPerSample) + 2);
+    place_at_start();
+    scene_->add_to_digest(digest_);
+    settling_ = world_.environment.has_ground && world_.trial.settle_limit > 0.0;
+    if (!settling_) begin_test();
+}
+
+void Trial::place_at_start() {
+    const Vec3 center = scene_->center_of_mass();
+    const double lift =
+        world_.environment.has_ground ? kStartClearance - scene_->bounds().low.y() : -center.y();
+    scene_->translate(Vec3(-center.x(), lift, 0.0));
+}
+
+bool Trial::tick() {
+    if (scene_->status() != SceneStatus::kRunning) return false;
+    ++total_ticks_;
+    if (settling_) {
+        settle_tick();
+    } else {
+        test_tick();
+    }
+    return !finished_;
+}
+
+void Trial::settle_tick() {
+    creature_.hold_rest(*scene_);
+    if (scene_->advance(kBrainTick) != SceneStatus::kRunning) {
+        fail(Outcome::kDiverged, "the motion diverged while settling");
+        return;
+    }
+    const double calm = kCalmEnergy * static_cast<double>(phenotype_->parts.size());
+    calm_ticks_ = scene_->kinetic_energy() < calm ? calm_ticks_ + 1 : 0;
+    record_.settle_time = static_cast<double>(total_ticks_) * kBrainTick;
+    const bool out_of_time = static_cast<int>(total_ticks_) >= ticks_in(world_.trial.settle_limit);
+    if (calm_ticks_ >= kCalmTicks || out_of_time) begin_test();
+}
+
+void Trial::begin_test() {
+    settling_ = false;
+    scene_->restart_audit();
+    for (const std::uint16_t part : phenotype_->effector_parts) {
+        reversals_.emplace_back(scene_->joint_coordinate(part));
+    }
+    sample();
+    if (ticks_in(world_.trial.duration) == 0) finish();
+}
+
+void Trial::test_tick() {
+    creature_.act(*scene_, kBrainTick);
+    const SceneStatus status = scene_->advance(kBrainTick);
+    ++test_ticks_;
+    if (finished_) return;
+    if (status != SceneStatus::kRunning) {
+        fail(Outcome::kDiverged, "the motion diverged");
+        return;
+    }
+    for (std::size_t i = 0; i < reversals_.size(); ++i) {
+        reversals_[i].watch(scene_->joint_coordinate(phenotype_->effector_parts[i]));
+    }
+    check_guards();
+    if (finished_) return;
+    const bool last = static_cast<int>(test_ticks_) >= ticks_in(world_.trial.duration);
+    if (last || test_ticks_ % kTicksPerSample == 0) sample();
+    if (last) finish();
+}
+
+void Trial::sample() {
+    const Bounds bounds = scene_->bounds();
+    const Vec3 sides = bounds.high - bounds.low;
+    record_.body_length = std::max({record_.body_length, sides.x(), sides.y()});
+    record_.samples.push_back({time(), scene_->center_of_mass(), bounds});
+    scene_->add_to_digest(digest_);
+}
+
+void Trial::check_guards() {
+    const SceneAudit& audit = scene_->audit();
+    const TrialSettings& limits = world_.trial;
+    if (audit.max_part_speed > limits.max_part_speed) {
+        fail(Outcome::kCheated, "a part moved faster than the limit");
+    } else if (audit.max_part_spin > limits.max_part_spin) {
+        fail(Outcome::kCheated, "a part spun faster than the limit");
+    } else if (audit.max_penetration > limits.max_ground_depth) {
+        const bool deep = scene_->bounds().low.y() < -limits.max_ground_depth;
+        deep_ticks_ = world_.environment.has_ground && deep ? deep_ticks_ + 1 : 0;
+        if (deep_ticks_ > kDeepTicks) fail(Outcome::kCheated, "a part sank into the ground");
+    }
+}
+
+void Trial::fail(Outcome outcome, std::string reason) {
+    record_.outcome = outcome;
+    record_.reason = std::move(reason);
+    settling_ = false;
+    finish();
+}
+
+void Trial::finish() {
+    finished_ = true;
+    record_.audit = scene_->audit();
+    record_.digest = digest_.value();
+    int most = 0;
+    for (const ReversalCounter& joint : reversals_)
+        most = std::max(most, joint.count());
+    if (test_ticks_ > 0) record_.reversal_rate = 0.5 * most / time();
+}
+
+Result<TrialRecord> run_trial(std::shared_ptr<const Phenotype> phenotype, const Kinds& kinds,
+                              const TrialWorld& world) {
+    auto trial = Trial::start(std::move(phenotype), kinds, world);
+    if (!trial) return trial.error();
+    while ((*trial)->tick()) {
+    }
+    return (*trial)->take_record();
+}
+
+}  // namespace cambrian
