@@ -1,5 +1,6 @@
 #include "core/file_io.h"
 
+#include <atomic>
 #include <cerrno>
 #include <cstdio>
 #include <fcntl.h>
@@ -49,14 +50,37 @@ int write_all(int file, std::string_view bytes) {
         if (written < 0) return errno;
         bytes.remove_prefix(static_cast<std::size_t>(written));
     }
-    return ::fsync(file) == 0 ? 0 : errno;
+    return 0;
 }
 
 int write_new_file(const std::string& path, std::string_view bytes) {
     FileDescriptor file(::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644));
     if (file.get() < 0) return errno;
+    if (const int failure = write_all(file.get(), bytes); failure != 0) return failure;
+    return ::fsync(file.get()) == 0 ? file.close() : errno;
+}
+
+// A terminal, a pipe, /dev/null: holds nothing that could be lost, and must not be renamed over.
+int write_device(const std::string& path, std::string_view bytes) {
+    FileDescriptor file(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
+    if (file.get() < 0) return errno;
     const int failure = write_all(file.get(), bytes);
     return failure != 0 ? failure : file.close();
+}
+
+// Short, so that it is a possible name beside any other, and not shared with another thread.
+std::filesystem::path temporary_beside(const std::filesystem::path& target) {
+    static std::atomic<unsigned> count = 0;
+    return target.parent_path() /
+           (".cambrian-" + std::to_string(::getpid()) + "-" + std::to_string(++count));
+}
+
+int replace_file(const std::filesystem::path& target, std::string_view bytes) {
+    const std::string temporary = temporary_beside(target).string();
+    int failure = write_new_file(temporary, bytes);
+    if (failure == 0 && ::rename(temporary.c_str(), target.c_str()) != 0) failure = errno;
+    if (failure != 0) ::unlink(temporary.c_str());
+    return failure;
 }
 
 }  // namespace
@@ -87,12 +111,14 @@ Result<std::string> read_file(const std::filesystem::path& path, std::size_t max
 }
 
 Status write_file(const std::filesystem::path& path, std::string_view bytes) {
-    const std::string temporary = path.string() + ".tmp" + std::to_string(::getpid());
-    ::unlink(temporary.c_str());
-    int failure = write_new_file(temporary, bytes);
-    if (failure == 0 && ::rename(temporary.c_str(), path.c_str()) != 0) failure = errno;
+    std::error_code unresolved;
+    std::filesystem::path target = std::filesystem::canonical(path, unresolved);
+    if (unresolved) target = path;  // not there yet
+    struct stat facts {};
+    const bool exists = ::stat(target.c_str(), &facts) == 0;
+    const bool device = exists && !S_ISREG(facts.st_mode) && !S_ISDIR(facts.st_mode);
+    const int failure = device ? write_device(target, bytes) : replace_file(target, bytes);
     if (failure == 0) return {};
-    ::unlink(temporary.c_str());
     return Error{"cannot write " + path.string() + ": " + system_message(failure)};
 }
 

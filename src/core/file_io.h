@@ -16,7 +16,8 @@ namespace cambrian {
 Result<std::string> read_file(const std::filesystem::path& path, std::size_t max_bytes);
 
 // Writes beside the target, flushes to the disk, renames: the target is the old file or the new
-// one, never half of either. On failure the temporary file is removed.
+// one, never half of either. On failure the temporary file is removed. Links are followed; devices
+// and pipes are written to as they are.
 Status write_file(const std::filesystem::path& path, std::string_view bytes);
 
 }  // namespace cambrian

@@ -8,6 +8,8 @@
 namespace cambrian {
 namespace {
 
+constexpr std::size_t kLongestName = 64;  // bounds the work; no known name is as long
+
 // Levenshtein distance with one row of memory.
 std::size_t edit_distance(std::string_view from, std::string_view to) {
     std::vector<std::size_t> row(to.size() + 1);
@@ -27,10 +29,11 @@ std::size_t edit_distance(std::string_view from, std::string_view to) {
 }  // namespace
 
 std::string nearest_name(std::string_view name, std::span<const std::string> known) {
+    if (name.size() > kLongestName) return {};
     std::string best;
     std::size_t best_distance = 0;
     for (const std::string& candidate : known) {
-        const std::size_t distance = edit_distance(name.substr(0, 64), candidate);
+        const std::size_t distance = edit_distance(name, candidate);
         const std::size_t allowed =
             std::max<std::size_t>(1, std::max(name.size(), candidate.size()) / 3);
         if (distance > allowed || (!best.empty() && distance >= best_distance)) continue;

@@ -1,6 +1,7 @@
 #include "core/random.h"
 
 #include <bit>
+#include <cmath>
 
 namespace cambrian {
 namespace {
@@ -53,7 +54,8 @@ double RandomStream::uniform() {
 }
 
 double RandomStream::uniform(double low, double high) {
-    return low + (high - low) * uniform();
+    const double value = low + (high - low) * uniform();
+    return value < high ? value : std::nextafter(high, low);  // the sum may have rounded up
 }
 
 std::size_t RandomStream::below(std::size_t count) {

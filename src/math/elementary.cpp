@@ -61,11 +61,12 @@ double arc_tangent(double x) {
 }
 
 double arc_tangent2(double y, double x) {
+    if (std::isnan(x) || std::isnan(y)) return x + y;
     if (x > 0.0) return arc_tangent(y / x);
     if (x < 0.0) return arc_tangent(y / x) + (y < 0.0 ? -kPi : kPi);
     if (y > 0.0) return kPi / 2;
     if (y < 0.0) return -kPi / 2;
-    return x + y;  // 0, or NaN kept
+    return 0.0;
 }
 
 double exponential(double x) {

@@ -1,0 +1,113 @@
+#include "genome/gene_fields.h"
+
+#include "math/elementary.h"
+#include "math/reflect.h"
+
+#include <array>
+#include <cmath>
+
+namespace cambrian {
+namespace {
+
+using namespace gene_range;
+
+double log_uniform(double low, double high, RandomStream& stream) {
+    return low * power(high / low, stream.uniform());
+}
+
+// Evolution.md 1.7, items 1, 4 and 6.
+double draw_length(const FounderSettings& settings, RandomStream& stream) {
+    return log_uniform(settings.min_length, settings.max_length, stream);
+}
+double draw_width(const FounderSettings& settings, RandomStream& stream) {
+    return log_uniform(settings.min_width, settings.max_width, stream);
+}
+double draw_limit_high(const FounderSettings& /*settings*/, RandomStream& stream) {
+    return stream.uniform(0.2, 1.8);
+}
+double draw_limit_low(const FounderSettings& settings, RandomStream& stream) {
+    return -draw_limit_high(settings, stream);
+}
+double draw_position(const FounderSettings& /*settings*/, RandomStream& stream) {
+    return stream.uniform();
+}
+double draw_edge_angle(const FounderSettings& /*settings*/, RandomStream& stream) {
+    return stream.uniform(-1.2, 1.2);
+}
+double draw_scale(const FounderSettings& /*settings*/, RandomStream& stream) {
+    return stream.chance(0.5) ? 1.0 : stream.uniform(0.6, 1.2);
+}
+double draw_weight(const FounderSettings& /*settings*/, RandomStream& stream) {
+    return stream.uniform(-2.0, 2.0);
+}
+double draw_root_angle(const FounderSettings& /*settings*/, RandomStream& stream) {
+    return stream.chance(0.5) ? 0.0 : stream.uniform(-kPi, kPi);
+}
+
+constexpr std::array<GeneField<NodeGene>, 4> kNodeFields = {{
+    {{"length", "length", kMinSize, kMaxLength, 0.5, false, {0.20, 0.1}, draw_length},
+     &NodeGene::length},
+    {{"width", "width", kMinSize, kMaxWidth, 0.2, false, {0.20, 0.1}, draw_width},
+     &NodeGene::width},
+    {{"low limit", "limits/0", -kMaxLimit, -kMinLimit, -1.0, false, {0.25, 0.2}, draw_limit_low},
+     &NodeGene::limit_low},
+    {{"high limit", "limits/1", kMinLimit, kMaxLimit, 1.0, false, {0.25, 0.2}, draw_limit_high},
+     &NodeGene::limit_high},
+}};
+
+// A position's step is absolute: 0.06 of the outline, in one case of five 0.25.
+constexpr GeneStep kPositionStep = {0.06, 1.0, 0.25 / 0.06, 0.2};
+
+constexpr std::array<GeneField<EdgeGene>, 3> kEdgeFields = {{
+    {{"position", "pos", 0.0, 1.0, 0.0, true, kPositionStep, draw_position}, &EdgeGene::position},
+    {{"angle", "angle", -kMaxEdgeAngle, kMaxEdgeAngle, 0.0, false, {0.25, 0.3}, draw_edge_angle},
+     &EdgeGene::angle},
+    {{"scale", "scale", kMinScale, kMaxScale, 1.0, false, {0.15, 0.3}, draw_scale},
+     &EdgeGene::scale},
+}};
+
+constexpr std::array<GeneField<InputGene>, 1> kInputFields = {{
+    {{"weight", "w", -kMaxWeight, kMaxWeight, 1.0, false, {0.3, 0.2}, draw_weight},
+     &InputGene::weight},
+}};
+
+constexpr std::array<GeneField<Genome>, 1> kGenomeFields = {{
+    {{"root angle", "rootAngle", -kPi, kPi, 0.0, true, {0.3, 0.3}, draw_root_angle},
+     &Genome::root_angle},
+}};
+
+}  // namespace
+
+std::span<const GeneField<NodeGene>> node_fields() {
+    return kNodeFields;
+}
+std::span<const GeneField<EdgeGene>> edge_fields() {
+    return kEdgeFields;
+}
+std::span<const GeneField<InputGene>> input_fields() {
+    return kInputFields;
+}
+std::span<const GeneField<Genome>> genome_fields() {
+    return kGenomeFields;
+}
+
+bool in_range(double x, const FieldRule& rule) {
+    return x >= rule.low && (rule.wraps ? x < rule.high : x <= rule.high);
+}
+
+double fit(double x, const FieldRule& rule) {
+    if (!std::isfinite(x)) return rule.fallback;
+    if (in_range(x, rule)) return x;
+    if (!rule.wraps) return reflect(x, rule.low, rule.high);
+    const double width = rule.high - rule.low;
+    const double wrapped = x - width * std::floor((x - rule.low) / width);
+    return in_range(wrapped, rule) ? wrapped : rule.low;
+}
+
+double perturb(double x, const FieldRule& rule, const GeneStep& step, RandomStream& stream) {
+    const double gauss = stream.gauss();
+    const double factor = stream.chance(step.long_share) ? step.long_factor : 1.0;
+    return fit(x + gauss * factor * step.relative * std::fmax(std::fabs(x), step.floor), rule);
+}
+
+}  // namespace cambrian

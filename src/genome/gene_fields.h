@@ -1,0 +1,54 @@
+#pragma once
+
+// The one table of the genes' scalar fields: range, mutation step and founders' distribution of
+// each. Validation, repair, random genomes and mutation read it and name no field themselves, so a
+// body of three dimensions is a few more rows here.
+
+#include "core/random.h"
+#include "genome/founder_settings.h"
+#include "genome/genome.h"
+
+#include <span>
+
+namespace cambrian {
+
+// A perturbation adds gauss() * m * relative * max(|x|, floor), where m is long_factor with
+// probability long_share, else 1 (evolution.md 4.3).
+struct GeneStep {
+    double relative = 0.2;
+    double floor = 0.1;
+    double long_factor = 4.0;
+    double long_share = 0.15;
+};
+
+struct FieldRule {
+    const char* name;    // in words: "low limit"
+    const char* key;     // in files, below its gene: "limits/0"
+    double low;          // range, both ends included
+    double high;         // excluded if the field wraps
+    double fallback;     // replaces what is not a number
+    bool wraps = false;  // the range is a circle: reduce modulo its width instead of reflecting
+    GeneStep step = {};
+    double (*draw)(const FounderSettings& settings, RandomStream& stream) = nullptr;
+};
+
+template <class Gene>
+struct GeneField {
+    FieldRule rule;
+    double Gene::*value;
+};
+
+std::span<const GeneField<NodeGene>> node_fields();
+std::span<const GeneField<EdgeGene>> edge_fields();
+std::span<const GeneField<InputGene>> input_fields();  // the weight
+std::span<const GeneField<Genome>> genome_fields();    // the root's angle
+
+bool in_range(double x, const FieldRule& rule);
+
+// x itself if in range; otherwise reflected or wrapped into it; the fallback if not finite.
+double fit(double x, const FieldRule& rule);
+
+// One mutation step from x, inside the range.
+double perturb(double x, const FieldRule& rule, const GeneStep& step, RandomStream& stream);
+
+}  // namespace cambrian

@@ -1,0 +1,83 @@
+#include "genome/genome.h"
+
+#include "core/hash.h"
+
+namespace cambrian {
+namespace {
+
+// Adding 0 makes -0 and 0, which are equal genes, one.
+void add_real(Hash64& hash, double number) {
+    hash.add(number + 0.0);
+}
+
+void add_input(Hash64& hash, const InputGene& input) {
+    hash.add_byte(static_cast<std::uint8_t>(input.source.kind));
+    hash.add_byte(input.source.index);
+    hash.add_byte(input.source.child);
+    hash.add_byte(input.source.node);
+    hash.add_byte(input.source.instance);
+    add_real(hash, input.weight);
+}
+
+void add_neurons(Hash64& hash, const std::vector<NeuronGene>& neurons) {
+    hash.add(std::uint64_t{neurons.size()});
+    for (const NeuronGene& neuron : neurons) {
+        hash.add_byte(neuron.function);
+        hash.add(std::uint64_t{neuron.inputs.size()});
+        for (const InputGene& input : neuron.inputs)
+            add_input(hash, input);
+    }
+}
+
+void add_edge(Hash64& hash, const EdgeGene& edge) {
+    hash.add_byte(edge.target);
+    add_real(hash, edge.position);
+    add_real(hash, edge.angle);
+    add_real(hash, edge.scale);
+    hash.add_byte(edge.reflect ? 1 : 0);
+    hash.add_byte(edge.terminal_only ? 1 : 0);
+}
+
+void add_node(Hash64& hash, const NodeGene& node) {
+    add_real(hash, node.length);
+    add_real(hash, node.width);
+    hash.add_byte(node.joint);
+    add_real(hash, node.limit_low);
+    add_real(hash, node.limit_high);
+    hash.add_byte(static_cast<std::uint8_t>(node.recursion_limit));
+    hash.add_byte(node.symmetric ? 1 : 0);
+    hash.add_byte(static_cast<std::uint8_t>(node.mirror_axis));
+    add_input(hash, node.effector);
+    add_neurons(hash, node.neurons);
+    hash.add(std::uint64_t{node.edges.size()});
+    for (const EdgeGene& edge : node.edges)
+        add_edge(hash, edge);
+}
+
+}  // namespace
+
+bool operator==(const NodeGene& a, const NodeGene& b) {
+    return a.length == b.length && a.width == b.width && a.joint == b.joint &&
+           a.limit_low == b.limit_low && a.limit_high == b.limit_high &&
+           a.recursion_limit == b.recursion_limit && a.symmetric == b.symmetric &&
+           a.mirror_axis == b.mirror_axis && a.effector == b.effector && a.neurons == b.neurons &&
+           a.edges == b.edges;
+}
+
+bool operator==(const Genome& a, const Genome& b) {
+    return a.nodes == b.nodes && a.brain == b.brain && a.root_angle == b.root_angle &&
+           a.reproduction == b.reproduction;
+}
+
+std::uint64_t genome_hash(const Genome& genome) {
+    Hash64 hash;
+    hash.add(std::uint64_t{genome.nodes.size()});
+    for (const NodeGene& node : genome.nodes)
+        add_node(hash, node);
+    add_neurons(hash, genome.brain);
+    add_real(hash, genome.root_angle);
+    hash.add_byte(static_cast<std::uint8_t>(genome.reproduction));
+    return hash.value();
+}
+
+}  // namespace cambrian

@@ -1,0 +1,123 @@
+#include "genome/random_gene.h"
+
+#include "genome/enabled_kinds.h"
+#include "genome/gene_fields.h"
+
+#include <algorithm>
+#include <array>
+
+namespace cambrian {
+namespace {
+
+// Shares of the kinds of source, in the order of SourceKind.
+using SourceShares = std::array<double, kSourceKindCount>;
+constexpr SourceShares kPartShares = {.30, .25, .17, .10, .04, .05, .03, .06, 0, 0};
+constexpr SourceShares kBrainShares = {.25, 0, 0, 0, 0, 0, 0, .45, .15, .15};
+
+constexpr double kReflectShare = 0.2;
+constexpr double kTerminalShare = 0.15;
+constexpr double kSingleOccurrenceShare = 0.6;  // of nodes with recursion limit 1
+constexpr double kFounderEffectorShare = 0.6;   // of effectors listening to a local neuron
+
+template <class Gene>
+void draw_fields(Gene& gene, std::span<const GeneField<Gene>> fields,
+                 const FounderSettings& settings, RandomStream& stream) {
+    for (const GeneField<Gene>& field : fields)
+        gene.*field.value = fit(field.rule.draw(settings, stream), field.rule);
+}
+
+std::uint8_t random_reference(RandomStream& stream) {
+    return static_cast<std::uint8_t>(stream.below(gene_range::kMaxReference + 1));
+}
+
+}  // namespace
+
+SourceRef random_source(SourceScope scope, const GenePool& pool, RandomStream& stream) {
+    SourceShares shares = scope == SourceScope::kPart ? kPartShares : kBrainShares;
+    for (std::size_t kind = 0; pool.catalog.channels.empty() && kind < shares.size(); ++kind) {
+        if (source_rule(SourceKind(kind)).reads == SourceReads::kSensor) shares[kind] = 0.0;
+    }
+    SourceRef source;
+    source.kind = SourceKind(stream.weighted(shares));
+    source.index = source_rule(source.kind).reads == SourceReads::kSensor
+                       ? static_cast<std::uint8_t>(stream.below(pool.catalog.channels.size()))
+                       : random_reference(stream);
+    source.child = random_reference(stream);
+    source.node = random_reference(stream);
+    source.instance = random_reference(stream);
+    return canonical(source, scope);
+}
+
+InputGene random_input(SourceScope scope, const GenePool& pool, RandomStream& stream) {
+    InputGene input;
+    input.source = random_source(scope, pool, stream);
+    draw_fields(input, input_fields(), pool.settings, stream);
+    return input;
+}
+
+InputGene random_function_input(std::size_t function, std::size_t input, SourceScope scope,
+                                const GenePool& pool, RandomStream& stream) {
+    const auto& hints = pool.catalog.functions[function].founder_inputs;
+    if (input < hints.size() && stream.chance(hints[input].probability)) {
+        return {.source = {}, .weight = stream.uniform(hints[input].low, hints[input].high)};
+    }
+    return random_input(scope, pool, stream);
+}
+
+NeuronGene random_neuron(SourceScope scope, const GenePool& pool, RandomStream& stream) {
+    const auto functions = enabled_functions(pool.settings, pool.catalog);
+    NeuronGene neuron;
+    neuron.function = stream.pick(functions);
+    const auto arity = static_cast<std::size_t>(pool.catalog.functions[neuron.function].arity);
+    for (std::size_t i = 0; i < arity; ++i)
+        neuron.inputs.push_back(random_function_input(neuron.function, i, scope, pool, stream));
+    return neuron;
+}
+
+SourceRef random_effector_source(const NodeGene& node, double local_neuron_share,
+                                 const GenePool& pool, RandomStream& stream) {
+    if (!node.neurons.empty() && stream.chance(local_neuron_share)) {
+        return own_neuron(SourceScope::kPart, stream.below(node.neurons.size()));
+    }
+    return random_source(SourceScope::kPart, pool, stream);
+}
+
+std::uint8_t random_joint(const GenePool& pool, RandomStream& stream) {
+    std::vector<std::uint8_t> moving;
+    std::vector<std::uint8_t> rigid;
+    for (const std::uint8_t joint : enabled_joints(pool.settings, pool.catalog)) {
+        (pool.catalog.joints[joint].degrees_of_freedom > 0 ? moving : rigid).push_back(joint);
+    }
+    const bool moves = stream.chance(pool.settings.rotary_share);
+    if (rigid.empty() || (moves && !moving.empty())) return stream.pick(moving);
+    return stream.pick(rigid);
+}
+
+NodeGene random_node(const GenePool& pool, RandomStream& stream) {
+    const FounderSettings& settings = pool.settings;
+    NodeGene node;
+    draw_fields(node, node_fields(), settings, stream);
+    node.joint = random_joint(pool, stream);
+    const int most = std::clamp(settings.max_recursion, 1, gene_range::kMaxRecursion);
+    node.recursion_limit = stream.chance(kSingleOccurrenceShare) ? 1 : stream.between(1, most);
+    node.symmetric = stream.chance(settings.symmetric_share);
+    node.mirror_axis = stream.chance(0.5) ? MirrorAxis::kAlong : MirrorAxis::kAcross;
+    const int neurons = stream.between(0, std::max(settings.max_node_neurons, 0));
+    for (int i = 0; i < neurons; ++i)
+        node.neurons.push_back(random_neuron(SourceScope::kPart, pool, stream));
+    draw_fields(node.effector, input_fields(), settings, stream);
+    node.effector.source = random_effector_source(node, kFounderEffectorShare, pool, stream);
+    node.uid = static_cast<std::uint32_t>(stream.bits() >> 32);
+    return node;
+}
+
+EdgeGene random_edge(std::size_t target, const GenePool& pool, RandomStream& stream) {
+    EdgeGene edge;
+    edge.target = static_cast<std::uint8_t>(target);
+    draw_fields(edge, edge_fields(), pool.settings, stream);
+    edge.reflect = stream.chance(kReflectShare);
+    edge.terminal_only = stream.chance(kTerminalShare);
+    return edge;
+}
+
+}  // namespace cambrian

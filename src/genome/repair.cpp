@@ -1,0 +1,92 @@
+#include "genome/gene_fields.h"
+#include "genome/genome.h"
+#include "genome/genome_graph.h"
+#include "genome/source_rules.h"
+#include "math/reflect.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cambrian {
+namespace {
+
+constexpr std::size_t kMaxName = 64;  // bytes
+
+template <class Gene>
+void fit_fields(Gene& gene, std::span<const GeneField<Gene>> fields) {
+    for (const GeneField<Gene>& field : fields)
+        gene.*field.value = fit(gene.*field.value, field.rule);
+}
+
+template <class Item>
+void trim(std::vector<Item>& items, std::size_t limit) {
+    if (items.size() > limit)
+        items.erase(items.begin() + static_cast<std::ptrdiff_t>(limit), items.end());
+}
+
+void repair_input(InputGene& input, SourceScope scope) {
+    fit_fields(input, input_fields());
+    input.source = canonical(input.source, scope);
+}
+
+void repair_neuron(NeuronGene& neuron, SourceScope scope, const KindCatalog& catalog) {
+    if (neuron.function >= catalog.functions.size()) neuron.function = 0;
+    const auto arity = static_cast<std::size_t>(catalog.functions[neuron.function].arity);
+    neuron.inputs.resize(arity, InputGene{.source = {}, .weight = 0.0});
+    for (InputGene& input : neuron.inputs)
+        repair_input(input, scope);
+}
+
+void repair_neurons(std::vector<NeuronGene>& neurons, std::size_t limit, SourceScope scope,
+                    const KindCatalog& catalog) {
+    trim(neurons, limit);
+    for (NeuronGene& neuron : neurons)
+        repair_neuron(neuron, scope, catalog);
+}
+
+int reflect_recursion(int limit) {
+    return static_cast<int>(reflect(limit, 1, gene_range::kMaxRecursion));
+}
+
+void repair_node(NodeGene& node, std::size_t node_count, const KindCatalog& catalog) {
+    std::erase_if(node.edges, [&](const EdgeGene& edge) { return edge.target >= node_count; });
+    fit_fields(node, node_fields());
+    node.recursion_limit = reflect_recursion(node.recursion_limit);
+    if (node.joint >= catalog.joints.size()) {
+        node.joint =
+            std::min(NodeGene{}.joint, static_cast<std::uint8_t>(catalog.joints.size() - 1));
+    }
+    if (node.mirror_axis > MirrorAxis::kAcross) node.mirror_axis = MirrorAxis::kAlong;
+    repair_input(node.effector, SourceScope::kPart);
+    repair_neurons(node.neurons, gene_range::kMaxNodeNeurons, SourceScope::kPart, catalog);
+    trim(node.edges, gene_range::kMaxEdges);
+    for (EdgeGene& edge : node.edges)
+        fit_fields(edge, edge_fields());
+}
+
+// A node found late in the search has no descendants found before it, so cutting the end of the
+// canonical order leaves every other node reachable.
+void restore_canonical_order(Genome& genome) {
+    std::vector<std::size_t> order = breadth_first(genome, 0);
+    trim(order, gene_range::kMaxNodes);
+    keep_nodes(genome, order);
+}
+
+}  // namespace
+
+void repair(Genome& genome, const KindCatalog& catalog) {
+    CAMBRIAN_ASSERT(!catalog.functions.empty() && !catalog.joints.empty(), "a filled catalog");
+    if (genome.nodes.empty()) genome.nodes.emplace_back();
+    for (NodeGene& node : genome.nodes)
+        repair_node(node, genome.nodes.size(), catalog);
+    repair_neurons(genome.brain, gene_range::kMaxBrainNeurons, SourceScope::kBrain, catalog);
+    fit_fields(genome, genome_fields());
+    if (genome.reproduction > Reproduction::kGrafting) genome.reproduction = Reproduction::kInherit;
+    if (!std::isfinite(genome.hue)) genome.hue = 0.0;
+    genome.hue -= std::floor(genome.hue);
+    if (genome.hue >= 1.0) genome.hue = 0.0;
+    if (genome.name.size() > kMaxName) genome.name.resize(kMaxName);
+    restore_canonical_order(genome);
+}
+
+}  // namespace cambrian

@@ -1,0 +1,46 @@
+#pragma once
+
+// What each kind of SourceRef reads, which of its fields count and where it may stand
+// (evolution.md 1.5).
+
+#include "genome/gene.h"
+
+#include <cstdint>
+
+namespace cambrian {
+
+// Whose input a reference is: a part's neurons and effector, or the central brain's neurons.
+enum class SourceScope : std::uint8_t { kPart, kBrain };
+
+enum class SourceReads : std::uint8_t { kConstant, kNeuron, kSensor };
+
+struct SourceRule {
+    SourceReads reads = SourceReads::kConstant;
+    bool in_parts = true;
+    bool in_brain = true;
+    bool uses_child = false;
+    bool uses_instance = false;  // node and instance
+};
+
+inline constexpr int kSourceKindCount = 10;
+
+inline bool is_known(SourceKind kind) {
+    return static_cast<int>(kind) < kSourceKindCount;
+}
+
+// The rule of a known kind.
+SourceRule source_rule(SourceKind kind);
+
+bool is_allowed(SourceKind kind, SourceScope scope);
+
+// The reference with the fields its kind does not use at 0 and the others within 0 to 15 (channels
+// keep their number); kinds unknown or not allowed in the scope become constants.
+SourceRef canonical(const SourceRef& source, SourceScope scope);
+
+// The reference, from within a list of neurons, to the neuron of that same list.
+SourceRef own_neuron(SourceScope scope, std::size_t neuron);
+inline SourceKind own_neuron_kind(SourceScope scope) {
+    return scope == SourceScope::kPart ? SourceKind::kLocalNeuron : SourceKind::kBrainNeuron;
+}
+
+}  // namespace cambrian

@@ -1,0 +1,139 @@
+#include "genome/gene_fields.h"
+#include "genome/genome.h"
+#include "genome/genome_graph.h"
+#include "genome/source_rules.h"
+#include "genome/words.h"
+
+#include <string_view>
+
+namespace cambrian {
+namespace {
+
+// Collects complaints, each with the place it is about.
+class Validator {
+public:
+    Validator(const Genome& genome, const KindCatalog& catalog)
+        : genome_(genome), catalog_(catalog) {}
+
+    std::vector<std::string> run() {
+        check_size("/nodes", genome_.nodes.size(), 1, gene_range::kMaxNodes);
+        check_size("/brain", genome_.brain.size(), 0, gene_range::kMaxBrainNeurons);
+        check_fields("", genome_, genome_fields());
+        if (genome_.reproduction > Reproduction::kGrafting) {
+            complain("/reproduction", "is not a known method");
+        }
+        check_neurons("/brain", genome_.brain, SourceScope::kBrain);
+        for (std::size_t i = 0; i < genome_.nodes.size(); ++i)
+            check_node("/nodes/" + std::to_string(i), genome_.nodes[i]);
+        if (!genome_.nodes.empty()) check_order();
+        return std::move(complaints_);
+    }
+
+private:
+    void complain(const std::string& place, const std::string& what) {
+        complaints_.push_back(place + ": " + what);
+    }
+
+    void check_size(const std::string& place, std::size_t size, std::size_t low, std::size_t high) {
+        if (size >= low && size <= high) return;
+        complain(place, std::to_string(size) + " entries, allowed are " + std::to_string(low) +
+                            " to " + std::to_string(high));
+    }
+
+    template <class Gene>
+    void check_fields(const std::string& place, const Gene& gene,
+                      std::span<const GeneField<Gene>> fields) {
+        for (const GeneField<Gene>& field : fields) {
+            const double x = gene.*field.value;
+            if (in_range(x, field.rule)) continue;
+            complain(place + "/" + field.rule.key,
+                     in_words(x) + " is outside [" + in_words(field.rule.low) + ", " +
+                         in_words(field.rule.high) + (field.rule.wraps ? ")" : "]"));
+        }
+    }
+
+    void check_input(const std::string& place, const InputGene& input, SourceScope scope) {
+        check_fields(place, input, input_fields());
+        if (!is_known(input.source.kind)) {
+            complain(place + "/from/kind", "is not a known kind of source");
+        } else if (!is_allowed(input.source.kind, scope)) {
+            complain(place + "/from/kind", scope == SourceScope::kPart
+                                               ? "is only for central neurons"
+                                               : "is only for part neurons");
+        } else if (canonical(input.source, scope) != input.source) {
+            complain(place + "/from", "a number is above 15 or not used by this kind of source");
+        }
+    }
+
+    void check_neurons(const std::string& place, const std::vector<NeuronGene>& neurons,
+                       SourceScope scope) {
+        for (std::size_t i = 0; i < neurons.size(); ++i)
+            check_neuron(place + "/" + std::to_string(i), neurons[i], scope);
+    }
+
+    void check_neuron(const std::string& place, const NeuronGene& neuron, SourceScope scope) {
+        if (neuron.function >= catalog_.functions.size()) {
+            complain(place + "/fn", "is not a known function");
+            return;
+        }
+        const FunctionEntry& function = catalog_.functions[neuron.function];
+        if (neuron.inputs.size() != static_cast<std::size_t>(function.arity)) {
+            complain(place + "/in", "function \"" + function.id + "\" needs " +
+                                        std::to_string(function.arity) + " inputs, found " +
+                                        std::to_string(neuron.inputs.size()));
+        }
+        for (std::size_t i = 0; i < neuron.inputs.size(); ++i)
+            check_input(place + "/in/" + std::to_string(i), neuron.inputs[i], scope);
+    }
+
+    void check_node(const std::string& place, const NodeGene& node) {
+        check_fields(place, node, node_fields());
+        if (node.joint >= catalog_.joints.size())
+            complain(place + "/joint", "is not a known joint");
+        if (node.recursion_limit < 1 || node.recursion_limit > gene_range::kMaxRecursion) {
+            complain(place + "/recursionLimit",
+                     std::to_string(node.recursion_limit) + " is outside [1, " +
+                         std::to_string(gene_range::kMaxRecursion) + "]");
+        }
+        if (node.mirror_axis > MirrorAxis::kAcross) complain(place + "/mirrorAxis", "is unknown");
+        check_input(place + "/effector", node.effector, SourceScope::kPart);
+        check_size(place + "/neurons", node.neurons.size(), 0, gene_range::kMaxNodeNeurons);
+        check_neurons(place + "/neurons", node.neurons, SourceScope::kPart);
+        check_size(place + "/edges", node.edges.size(), 0, gene_range::kMaxEdges);
+        for (std::size_t i = 0; i < node.edges.size(); ++i)
+            check_edge(place + "/edges/" + std::to_string(i), node.edges[i]);
+    }
+
+    void check_edge(const std::string& place, const EdgeGene& edge) {
+        check_fields(place, edge, edge_fields());
+        if (edge.target >= genome_.nodes.size()) {
+            complain(place + "/target", std::to_string(edge.target) + ", but there are " +
+                                            std::to_string(genome_.nodes.size()) + " nodes");
+        }
+    }
+
+    void check_order() {
+        const std::vector<std::size_t> order = breadth_first(genome_, 0);
+        if (order.size() < genome_.nodes.size()) {
+            complain("/nodes", std::to_string(genome_.nodes.size() - order.size()) +
+                                   " cannot be reached from the root");
+        }
+        for (std::size_t i = 0; i < order.size(); ++i) {
+            if (order[i] == i) continue;
+            complain("/nodes", "are not in breadth-first order from the root");
+            return;
+        }
+    }
+
+    const Genome& genome_;
+    const KindCatalog& catalog_;
+    std::vector<std::string> complaints_;
+};
+
+}  // namespace
+
+std::vector<std::string> validate(const Genome& genome, const KindCatalog& catalog) {
+    return Validator(genome, catalog).run();
+}
+
+}  // namespace cambrian

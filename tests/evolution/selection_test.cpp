@@ -1,0 +1,115 @@
+#include "evolution/selection.h"
+
+#include "support/catch.h"
+#include "support/individuals.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <set>
+
+using namespace cambrian;
+
+namespace {
+
+std::vector<IndividualPtr> descending(std::size_t count) {
+    std::vector<double> fitness;
+    for (std::size_t i = 0; i < count; ++i)
+        fitness.push_back(static_cast<double>(count - i));
+    return test::individuals(fitness);
+}
+
+SelectionResult select(const std::vector<IndividualPtr>& ranked, const ExperimentSettings& settings,
+                       std::uint64_t seed = 3) {
+    RandomStream stream(seed);
+    return builtin_selections().find("truncation")->select(ranked, settings, stream);
+}
+
+ExperimentSettings of_size(int size) {
+    ExperimentSettings settings;
+    settings.population.size = size;
+    return settings;
+}
+
+}  // namespace
+
+TEST_CASE("universal sampling gives everyone floor or ceiling of its share", "[evolution]") {
+    RandomStream stream(11);
+    for (int trial = 0; trial < 2000; ++trial) {
+        std::vector<double> weights(1 + stream.below(30));
+        for (double& weight : weights)
+            weight = stream.uniform();
+        weights[stream.below(weights.size())] += 0.5;
+        const std::size_t count = stream.below(200);
+        const double total = std::accumulate(weights.begin(), weights.end(), 0.0);
+        const auto picks = universal_sampling(weights, count, stream);
+        REQUIRE(picks.size() == count);
+        for (std::size_t i = 0; i < weights.size(); ++i) {
+            const double share = weights[i] / total * static_cast<double>(count);
+            const auto got = static_cast<double>(std::count(picks.begin(), picks.end(), i));
+            REQUIRE(got >= std::floor(share - 1e-9));
+            REQUIRE(got <= std::ceil(share + 1e-9));
+        }
+    }
+}
+
+TEST_CASE("truncation keeps the best fifth and fills the rest with offspring", "[evolution]") {
+    const auto ranked = descending(100);
+    const SelectionResult result = select(ranked, of_size(100));
+    CHECK(result.survivors.size() == 20);
+    CHECK(result.survivors.front() == 0);
+    CHECK(result.survivors.back() == 19);
+    CHECK(result.first_parents.size() == 80);
+    CHECK(*std::max_element(result.first_parents.begin(), result.first_parents.end()) <= 19);
+}
+
+TEST_CASE("the best survivor breeds six times as often as the worst", "[evolution]") {
+    const SelectionResult result = select(descending(100), of_size(100));
+    CHECK(result.partner_weights[0] == Approx(6.0 * result.partner_weights[19]));
+    CHECK(result.partner_weights[20] == 0.0);
+}
+
+TEST_CASE("equal fitness breeds equally", "[evolution]") {
+    const auto ranked = test::individuals(std::vector<double>(50, 0.0));
+    const SelectionResult result = select(ranked, of_size(50));
+    std::set<std::size_t> parents(result.first_parents.begin(), result.first_parents.end());
+    CHECK(parents.size() == 10);
+}
+
+TEST_CASE("at most max_clones copies of one genome survive", "[evolution]") {
+    auto ranked = descending(50);
+    for (std::size_t i = 1; i < 20; ++i) {
+        Individual clone = *ranked[0];
+        clone.uid = 100 + i;
+        ranked[i] = std::make_shared<const Individual>(clone);
+    }
+    const SelectionResult result = select(ranked, of_size(50));
+    CHECK(result.survivors.size() == 10);
+    CHECK(std::count_if(result.survivors.begin(), result.survivors.end(),
+                        [&](std::size_t i) { return ranked[i]->genome_hash == 0; }) == 2);
+}
+
+TEST_CASE("a population of two still has a survivor and an offspring", "[evolution]") {
+    const SelectionResult result = select(descending(2), of_size(2));
+    CHECK(result.survivors.size() == 1);
+    CHECK(result.first_parents.size() == 1);
+}
+
+TEST_CASE("newcomers take offspring places", "[evolution]") {
+    ExperimentSettings settings = of_size(100);
+    settings.population.immigrants = 30;
+    CHECK(select(descending(100), settings).first_parents.size() == 50);
+    settings.population.immigrants = 1000;
+    CHECK(select(descending(100), settings).first_parents.empty());
+}
+
+TEST_CASE("the order of merit is total and puts invalid creatures last", "[evolution]") {
+    auto all = test::individuals({1.0, 2.0, 2.0, 5.0});
+    Individual cheat = *all[3];
+    cheat.result.outcome = Outcome::kCheated;
+    CHECK(better(*all[1], *all[0]));
+    CHECK(better(*all[1], *all[2]));
+    CHECK_FALSE(better(*all[2], *all[1]));
+    CHECK(better(*all[0], cheat));
+    CHECK_FALSE(better(cheat, *all[0]));
+}

@@ -1,0 +1,2 @@
+// Carries the precompiled header the suites share.
+#include "support/catch.h"

@@ -1,0 +1,44 @@
+#pragma once
+
+// An evaluation back-end without physics: fitness is a formula of the genome, and the work can be
+// made to stop after a number of evaluations.
+
+#include "evolution/evaluation_backend.h"
+
+#include <functional>
+
+namespace cambrian::test {
+
+inline double total_length(const Genome& genome) {
+    double sum = 0.0;
+    for (const NodeGene& node : genome.nodes)
+        sum += node.length;
+    return sum;
+}
+
+class FakeBackend final : public EvaluationBackend {
+public:
+    std::function<double(const Genome&)> fitness = total_length;
+    int stop_after = -1;  // evaluations of the next call; -1 never
+    int evaluations = 0;
+
+    bool evaluate(std::span<const EvaluationRequest> requests,
+                  std::span<std::optional<EvaluationResult>> results, const ExperimentSettings&,
+                  EvaluationProgress& progress, std::stop_token stop) override {
+        progress.total = static_cast<std::uint32_t>(requests.size());
+        int left = std::exchange(stop_after, -1);
+        for (std::size_t i = 0; i < requests.size(); ++i) {
+            if (results[i]) continue;
+            if (stop.stop_requested() || left == 0) return false;
+            --left;
+            EvaluationResult result;
+            result.fitness = fitness(*requests[i].genome);
+            results[i] = result;
+            ++evaluations;
+            progress.done = static_cast<std::uint32_t>(i + 1);
+        }
+        return true;
+    }
+};
+
+}  // namespace cambrian::test

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "evolution/individual.h"
+
+#include <memory>
+#include <vector>
+
+namespace cambrian::test {
+
+// Creatures with the given fitness, in that order, each of a genome of its own.
+inline std::vector<IndividualPtr> individuals(const std::vector<double>& fitness) {
+    std::vector<IndividualPtr> all;
+    for (std::size_t i = 0; i < fitness.size(); ++i) {
+        Genome genome;
+        genome.nodes.resize(1);
+        genome.nodes[0].length = 0.1 + 0.001 * static_cast<double>(i);
+        Individual individual;
+        individual.uid = i + 1;
+        individual.genome = std::make_shared<const Genome>(genome);
+        individual.genome_hash = i;
+        individual.evaluated = true;
+        individual.result.fitness = fitness[i];
+        all.push_back(std::make_shared<const Individual>(individual));
+    }
+    return all;
+}
+
+}  // namespace cambrian::test

@@ -1,0 +1,32 @@
+#pragma once
+
+// Trial records made by formula, for tests of scoring.
+
+#include "simulator/trial_record.h"
+#include "simulator/trial_settings.h"
+
+#include <functional>
+
+namespace cambrian::test {
+
+// A box of the given size whose centre follows the path over `duration` seconds, sampled every 0.1
+// s.
+inline TrialRecord moving_box(double duration, double length, double height,
+                              const std::function<Vec3(double time)>& path) {
+    TrialRecord record;
+    record.duration = duration;
+    record.body_length = length;
+    record.mass = length * height;
+    const int samples = static_cast<int>(duration * 10.0 + 0.5);
+    for (int i = 0; i <= samples; ++i) {
+        const double time = 0.1 * i;
+        const Vec3 center = path(time);
+        MotionSample sample{time, center, {}};
+        sample.bounds.add(center + Vec3(0.5 * length, 0.5 * height, 0.0));
+        sample.bounds.add(center - Vec3(0.5 * length, 0.5 * height, 0.0));
+        record.samples.push_back(sample);
+    }
+    return record;
+}
+
+}  // namespace cambrian::test
