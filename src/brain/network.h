@@ -7,6 +7,7 @@
 // one slot a neuron.
 
 #include "brain/neuron_function.h"
+#include "brain/signal.h"
 
 #include <array>
 #include <cstddef>
@@ -14,8 +15,6 @@
 #include <vector>
 
 namespace cambrian {
-
-inline constexpr double kSignalLimit = 10.0;  // inputs and outputs stay within +- this
 
 using Slot = std::uint32_t;
 

@@ -35,18 +35,23 @@ struct BodyPart {
     std::uint32_t neuron_count = 0;
 };
 
-// A sensor channel some live neuron or effector reads; entry i fills network sensor slot i.
+// A sensor channel some live neuron or effector reads; entry i fills network sensor slot i with
+// scale times the reading.
 struct WiredSensor {
     std::uint16_t part = 0;
     std::uint8_t kind = 0;     // index in the sensor registry
     std::uint8_t channel = 0;  // of that kind
+    int handedness = 1;        // the part's, or +1 for a sliding joint, which no mirror turns round
+    double scale = 1.0;        // 1 / length of the part for a sliding joint, else 1
 };
 
 struct Phenotype {
     std::vector<BodyPart> parts;
     BodyPlan plan;  // plan.parts[i] is parts[i]'s body
     std::vector<WiredSensor> sensors;
-    Network network;  // output j drives the joint of part effector_parts[j]
+    // Output j drives the joint of part effector_parts[j]; its weight is the effector gene's,
+    // turned round on mirrored parts and, for sliding joints, from lengths of the part into m.
+    Network network;
     std::vector<std::uint16_t> effector_parts;  // parts whose joint moves, in part order
     std::uint32_t first_brain_neuron = 0;       // central neurons follow the parts' ones
 

@@ -26,6 +26,9 @@ struct SensorKind {
     std::string label;
     std::vector<SensorChannel> channels;
     Read read = nullptr;
+    // The reading is the joint's coordinate: genes want it in lengths of the part where the joint
+    // slides (evolution.md 11), and sliding has no handedness.
+    bool reads_joint = false;
 };
 
 using SensorRegistry = Registry<SensorKind>;

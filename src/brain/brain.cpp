@@ -1,0 +1,51 @@
+#include "brain/brain.h"
+
+#include <algorithm>
+
+namespace cambrian {
+
+Brain::Brain(const Network& network, const NeuronFunctionRegistry& functions)
+    : network_(&network), values_(network.slot_count()), memory_(network.memory_size) {
+    evaluate_.reserve(network.neurons.size());
+    for (const NetworkNeuron& neuron : network.neurons)
+        evaluate_.push_back(functions[neuron.function].evaluate);
+    reset();
+}
+
+void Brain::reset() {
+    std::fill(values_.begin(), values_.end(), 0.0);
+    std::fill(memory_.begin(), memory_.end(), 0.0);
+    values_[network_->constant_slot()] = 1.0;
+}
+
+void Brain::think(double dt) {
+    for (const std::uint32_t index : network_->order) {
+        const NetworkNeuron& neuron = network_->neurons[index];
+        std::array<double, 3> inputs{};
+        for (std::size_t i = 0; i < neuron.arity; ++i) {
+            inputs[i] = limit_signal(neuron.inputs[i].weight * values_[neuron.inputs[i].slot]);
+        }
+        const double result = evaluate_[index](inputs.data(), memory_.data() + neuron.memory, dt);
+        values_[network_->neuron_slot(index)] = limit_signal(result);
+    }
+    for (const auto& [neuron, value] : forced_)
+        values_[network_->neuron_slot(neuron)] = value;
+}
+
+double Brain::output(std::size_t index) const {
+    CAMBRIAN_TICK_ASSERT(index < network_->outputs.size(), "an output of the network");
+    const NetworkInput& output = network_->outputs[index];
+    return limit_signal(output.weight * values_[output.slot]);
+}
+
+void Brain::force(std::size_t neuron, double value) {
+    CAMBRIAN_ASSERT(neuron < network_->neurons.size(), "a neuron of the network");
+    release(neuron);
+    forced_.emplace_back(neuron, limit_signal(value));
+}
+
+void Brain::release(std::size_t neuron) {
+    std::erase_if(forced_, [&](const auto& forced) { return forced.first == neuron; });
+}
+
+}  // namespace cambrian

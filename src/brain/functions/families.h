@@ -1,0 +1,16 @@
+#pragma once
+
+// The families of neuron functions; each adds its own (evolution.md 3.2). In their formulas a, b
+// and c are the inputs.
+
+#include "brain/neuron_function.h"
+
+namespace cambrian {
+
+void add_arithmetic_functions(NeuronFunctionRegistry& functions);
+void add_logic_functions(NeuronFunctionRegistry& functions);
+void add_analytic_functions(NeuronFunctionRegistry& functions);
+void add_temporal_functions(NeuronFunctionRegistry& functions);
+void add_oscillators(NeuronFunctionRegistry& functions);
+
+}  // namespace cambrian

@@ -1,0 +1,70 @@
+// Lazy evaluation, compiled (evolution.md 3.3). Asked for its value, a neuron not yet asked this
+// tick first asks its inputs in order, then computes; asked again, it answers with what it has. The
+// order in which neurons complete is that of this walk and the same every tick, so it is fixed
+// once. An input complete before its reader stands earlier in the order and holds this tick's
+// value; one still in progress (a cycle) stands later and holds the last tick's, as it should.
+
+#include "brain/network.h"
+
+namespace cambrian {
+namespace {
+
+class Walk {
+public:
+    explicit Walk(const Network& network) : network_(network), asked_(network.neurons.size()) {}
+
+    void ask(Slot slot) {
+        enter(slot);
+        while (!pending_.empty())
+            advance();
+    }
+    std::vector<std::uint32_t> take_order() { return std::move(order_); }
+
+private:
+    struct Visit {
+        std::size_t neuron;
+        std::size_t next_input;
+    };
+
+    // One step of a depth-first walk on its own stack, so that no network exhausts the thread's.
+    void advance() {
+        Visit& visit = pending_.back();
+        const NetworkNeuron& neuron = network_.neurons[visit.neuron];
+        if (visit.next_input < neuron.arity) {
+            enter(neuron.inputs[visit.next_input++].slot);
+            return;
+        }
+        order_.push_back(static_cast<std::uint32_t>(visit.neuron));
+        pending_.pop_back();
+    }
+
+    void enter(Slot slot) {
+        if (slot < network_.neuron_slot(0)) return;
+        const std::size_t neuron = slot - network_.neuron_slot(0);
+        CAMBRIAN_ASSERT(neuron < asked_.size(), "an input names an existing slot");
+        if (asked_[neuron]) return;
+        asked_[neuron] = true;
+        pending_.push_back({neuron, 0});
+    }
+
+    const Network& network_;
+    std::vector<bool> asked_;
+    std::vector<Visit> pending_;
+    std::vector<std::uint32_t> order_;
+};
+
+}  // namespace
+
+void compile(Network& network, const NeuronFunctionRegistry& functions) {
+    Walk walk(network);
+    for (const NetworkInput& output : network.outputs)
+        walk.ask(output.slot);
+    network.order = walk.take_order();
+    network.memory_size = 0;
+    for (NetworkNeuron& neuron : network.neurons) {
+        neuron.memory = static_cast<std::uint32_t>(network.memory_size);
+        network.memory_size += static_cast<std::size_t>(functions[neuron.function].memory_size);
+    }
+}
+
+}  // namespace cambrian

@@ -1,0 +1,32 @@
+#include "creature/kinds.h"
+
+#include <utility>
+
+namespace cambrian {
+namespace {
+
+FunctionEntry catalog_entry(const NeuronFunctionKind& function) {
+    FunctionEntry entry{function.id, function.label, function.arity, {}};
+    for (const NeuronFunctionKind::InputHint& hint : function.input_hints)
+        entry.founder_inputs.push_back({hint.probability, hint.low, hint.high});
+    return entry;
+}
+
+}  // namespace
+
+Kinds make_kinds(NeuronFunctionRegistry functions, SensorRegistry sensors,
+                 EffectorRegistry effectors, SceneKind scene) {
+    KindCatalog catalog;
+    for (const NeuronFunctionKind& function : functions.all())
+        catalog.functions.push_back(catalog_entry(function));
+    for (const JointEntry& joint : scene.joints)
+        catalog.joints.push_back({joint.id, joint.label, joint.degrees_of_freedom});
+    for (const SensorKind& sensor : sensors.all()) {
+        for (const SensorChannel& channel : sensor.channels)
+            catalog.channels.push_back({channel.id, channel.label});
+    }
+    return {std::move(functions), std::move(sensors), std::move(effectors), std::move(scene),
+            std::move(catalog)};
+}
+
+}  // namespace cambrian

@@ -1,0 +1,217 @@
+#include "creature/morphogenesis.h"
+
+#include "creature/placement.h"
+#include "genome/genome_graph.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+
+namespace cambrian {
+namespace {
+
+constexpr double kMaxExtension = 0.9;  // of a sliding part's length, either way
+
+// What only growth needs to know of a part.
+struct Growing {
+    double scale = 1.0;
+    // Copies of each node on the path from the root, itself included.
+    std::array<std::uint8_t, gene_range::kMaxNodes> occurrences{};
+};
+
+// A part that may be placed.
+struct Bud {
+    BodyPart part;
+    PlannedPart body;
+    Growing growing;
+};
+
+class Growth {
+public:
+    Growth(const Genome& genome, const Kinds& kinds, const ExpressionSettings& settings,
+           const SceneSettings& scene, Phenotype& phenotype)
+        : genome_(genome),
+          scene_kind_(kinds.scene),
+          settings_(settings),
+          scene_(scene),
+          phenotype_(phenotype),
+          reaches_(reachability(genome)),
+          neurons_(genome.brain.size()) {}
+
+    void run() {
+        add(root());
+        for (std::size_t parent = 0; parent < phenotype_.parts.size(); ++parent)
+            sprout(parent);
+    }
+
+private:
+    using Edges = std::vector<const EdgeGene*>;
+
+    const NodeGene& gene(const BodyPart& part) const { return genome_.nodes[part.node]; }
+
+    Bud root() const {
+        const NodeGene& node = genome_.nodes[0];
+        Bud bud;
+        bud.part.length = node.length;
+        bud.part.width = node.width;
+        bud.body = place_root(node.length, node.width, genome_.root_angle);
+        bud.growing.occurrences[0] = 1;
+        return bud;
+    }
+
+    Edges followable(std::size_t parent, bool terminal) const {
+        const BodyPart& part = phenotype_.parts[parent];
+        Edges edges;
+        if (part.depth >= settings_.max_depth) return edges;
+        for (const EdgeGene& edge : gene(part).edges) {
+            const int occurrences = growing_[parent].occurrences[edge.target];
+            const bool open = occurrences < genome_.nodes[edge.target].recursion_limit;
+            if (open && edge.terminal_only == terminal) edges.push_back(&edge);
+        }
+        return edges;
+    }
+
+    // Terminal edges are followed where no normal edge leads back to this node.
+    void sprout(std::size_t parent) {
+        const Edges normal = followable(parent, false);
+        const std::uint8_t node = phenotype_.parts[parent].node;
+        const bool recursed = std::any_of(normal.begin(), normal.end(), [&](const EdgeGene* edge) {
+            return reaches_[edge->target][node];
+        });
+        follow(parent, normal);
+        if (!recursed) follow(parent, followable(parent, true));
+    }
+
+    // Edges to a symmetric node are taken in pairs, both at the place of the first; an odd one out
+    // stands alone.
+    void follow(std::size_t parent, const Edges& edges) {
+        std::vector<bool> paired(edges.size(), false);
+        for (std::size_t i = 0; i < edges.size(); ++i) {
+            if (paired[i]) continue;
+            const NodeGene& target = genome_.nodes[edges[i]->target];
+            const Attachment place = attachment_of(parent, *edges[i]);
+            std::vector<Bud> buds = {bud(parent, *edges[i], edges[i]->scale, place)};
+            const std::size_t partner = target.symmetric ? partner_of(i, edges) : edges.size();
+            if (partner < edges.size()) {
+                paired[partner] = true;
+                buds.push_back(bud(parent, *edges[partner], edges[i]->scale,
+                                   mirrored(place, target.mirror_axis)));
+                buds.back().part.handedness *= -1;
+            }
+            try_add(buds);
+        }
+    }
+
+    // The next edge to the same node; edges.size() if none.
+    static std::size_t partner_of(std::size_t first, const Edges& edges) {
+        std::size_t next = first + 1;
+        while (next < edges.size() && edges[next]->target != edges[first]->target)
+            ++next;
+        return next;
+    }
+
+    Attachment attachment_of(std::size_t parent, const EdgeGene& edge) const {
+        const BodyPart& part = phenotype_.parts[parent];
+        return attachment(edge, part.length, part.width);
+    }
+
+    Bud bud(std::size_t parent, const EdgeGene& edge, double scale, const Attachment& place) const {
+        const NodeGene& node = genome_.nodes[edge.target];
+        const BodyPart& from = phenotype_.parts[parent];
+        Bud bud;
+        bud.growing = growing_[parent];
+        bud.growing.scale *= scale;
+        ++bud.growing.occurrences[edge.target];
+        bud.part.node = edge.target;
+        bud.part.parent = static_cast<int>(parent);
+        bud.part.depth = from.depth + 1;
+        bud.part.handedness = from.handedness * (edge.reflect ? -1 : 1);
+        bud.part.length = std::clamp(bud.growing.scale * node.length, gene_range::kMinSize,
+                                     gene_range::kMaxLength);
+        bud.part.width =
+            std::clamp(bud.growing.scale * node.width, gene_range::kMinSize, gene_range::kMaxWidth);
+        bud.body = place_child(phenotype_.plan.parts[parent], from.handedness, place,
+                               bud.part.length, bud.part.width);
+        return bud;
+    }
+
+    // All or none.
+    void try_add(std::span<const Bud> buds) {
+        if (!has_room(buds)) return;
+        for (std::size_t i = 0; i < buds.size(); ++i) {
+            if (buried(buds[i]) || (i > 0 && is_buried(buds[i].body, buds[0].body))) return;
+        }
+        for (const Bud& bud : buds)
+            add(bud);
+    }
+
+    bool has_room(std::span<const Bud> buds) const {
+        std::size_t neurons = neurons_;
+        for (const Bud& bud : buds)
+            neurons += gene(bud.part).neurons.size();
+        return phenotype_.parts.size() + buds.size() <=
+                   static_cast<std::size_t>(settings_.max_parts) &&
+               neurons <= static_cast<std::size_t>(settings_.max_neurons);
+    }
+
+    bool buried(const Bud& bud) const {
+        for (std::size_t i = 0; i < phenotype_.parts.size(); ++i) {
+            const bool is_parent = static_cast<int>(i) == bud.part.parent;
+            if (!is_parent && is_buried(bud.body, phenotype_.plan.parts[i])) return true;
+        }
+        return false;
+    }
+
+    void add(Bud bud) {
+        bud.part.instance = instances_[bud.part.node]++;
+        bud.body.parent = bud.part.parent;
+        if (bud.part.parent >= 0) set_joint(bud.part, bud.body);
+        neurons_ += gene(bud.part).neurons.size();
+        phenotype_.parts.push_back(bud.part);
+        phenotype_.plan.parts.push_back(bud.body);
+        growing_.push_back(bud.growing);
+    }
+
+    // Strength grows with the narrower section of the two parts: its square for a torque, which a
+    // thicker muscle also exerts on a longer lever, itself for a force.
+    void set_joint(const BodyPart& part, PlannedPart& body) const {
+        const NodeGene& node = gene(part);
+        body.joint_kind = node.joint;
+        if (scene_kind_.joints[node.joint].degrees_of_freedom == 0) return;
+        const double parent_width = phenotype_.parts[static_cast<std::size_t>(part.parent)].width;
+        const double width = std::fmin(part.width, parent_width);
+        if (slides(body, scene_kind_)) {
+            body.limit_low = std::fmax(node.limit_low, -kMaxExtension) * part.length;
+            body.limit_high = std::fmin(node.limit_high, kMaxExtension) * part.length;
+            body.max_effort = scene_.muscle_strength * width;
+            return;
+        }
+        body.limit_low = part.handedness > 0 ? node.limit_low : -node.limit_high;
+        body.limit_high = part.handedness > 0 ? node.limit_high : -node.limit_low;
+        body.max_effort = scene_.muscle_strength * width * width;
+    }
+
+    const Genome& genome_;
+    const SceneKind& scene_kind_;
+    const ExpressionSettings& settings_;
+    const SceneSettings& scene_;
+    Phenotype& phenotype_;
+    Reachability reaches_;
+    std::vector<Growing> growing_;  // one a part
+    std::array<std::uint8_t, gene_range::kMaxNodes> instances_{};
+    std::size_t neurons_;  // expressed so far, central ones included
+};
+
+}  // namespace
+
+void grow(const Genome& genome, const Kinds& kinds, const ExpressionSettings& settings,
+          const SceneSettings& scene, Phenotype& phenotype) {
+    Growth(genome, kinds, settings, scene, phenotype).run();
+}
+
+bool slides(const PlannedPart& part, const SceneKind& scene) {
+    return scene.joints[part.joint_kind].unit == "m";
+}
+
+}  // namespace cambrian

@@ -1,0 +1,17 @@
+#pragma once
+
+// Grows a genome's parts breadth-first from the root (evolution.md 2.1 to 2.4).
+
+#include "creature/phenotype.h"
+
+namespace cambrian {
+
+// Parts and body plan of a valid genome; neurons are left to the wiring.
+void grow(const Genome& genome, const Kinds& kinds, const ExpressionSettings& settings,
+          const SceneSettings& scene, Phenotype& phenotype);
+
+// Whether a part's joint slides along the part instead of turning: its genes count in lengths of
+// the part and are not mirrored.
+bool slides(const PlannedPart& part, const SceneKind& scene);
+
+}  // namespace cambrian

@@ -1,0 +1,42 @@
+#include "creature/phenotype.h"
+
+#include "creature/morphogenesis.h"
+#include "creature/wiring.h"
+
+#include <cmath>
+
+namespace cambrian {
+
+double Phenotype::mass(double density) const {
+    double area = 0.0;
+    for (const BodyPart& part : parts)
+        area += part.length * part.width;
+    return density * area;
+}
+
+double Phenotype::rest_length() const {
+    std::vector<Vec3> corners;
+    for (const PlannedPart& part : plan.parts) {
+        for (const double x : {-part.half_extents.x(), part.half_extents.x()}) {
+            for (const double y : {-part.half_extents.y(), part.half_extents.y()})
+                corners.push_back(transform(part.rest_pose, Vec3(x, y, 0.0)));
+        }
+    }
+    double greatest = 0.0;  // m^2
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        for (std::size_t j = 0; j < i; ++j)
+            greatest = std::fmax(greatest, (corners[i] - corners[j]).squaredNorm());
+    }
+    return std::sqrt(greatest);
+}
+
+Phenotype express(const Genome& genome, const Kinds& kinds, const ExpressionSettings& settings,
+                  const SceneSettings& scene) {
+    CAMBRIAN_ASSERT(!genome.nodes.empty(), "a valid genome has a root");
+    Phenotype phenotype;
+    grow(genome, kinds, settings, scene, phenotype);
+    wire(genome, kinds, phenotype);
+    return phenotype;
+}
+
+}  // namespace cambrian

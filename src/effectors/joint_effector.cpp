@@ -1,0 +1,48 @@
+// The muscle of a joint (evolution.md 2.6): the signal, read in the joint's unit, is held to the
+// joint's limits before any force exists, then smoothed,
+//     y <- y + (target - y) (1 - exp(-dt / tau)),
+// and the joint's motor follows y.
+
+#include "effectors/kinds.h"
+#include "math/elementary.h"
+
+#include <cmath>
+
+namespace cambrian {
+namespace {
+
+double clamp(double x, double low, double high) {
+    return std::fmin(std::fmax(x, low), high);
+}
+
+// What the motor is asked for, in the units of its mode.
+double motor_target(const PlannedPart& part, double signal, const SceneSettings& settings) {
+    switch (part.motor_mode) {
+        case MotorMode::kVelocity:
+            return clamp(signal, -settings.motor_speed_limit, settings.motor_speed_limit);
+        case MotorMode::kTorque:
+            return clamp(signal / kPi, -1.0, 1.0);
+        case MotorMode::kPosition:
+            break;
+    }
+    return clamp(signal, part.limit_low, part.limit_high);
+}
+
+double smoothing_share(double dt, double time_constant) {
+    return time_constant > 0.0 ? 1.0 - exponential(-dt / time_constant) : 1.0;
+}
+
+void drive_joint(const PlannedPart& part, std::size_t part_index, double signal, double dt,
+                 const SceneSettings& settings, double& memory, PhysicsScene& scene) {
+    const double target = motor_target(part, signal, settings);
+    memory += (target - memory) * smoothing_share(dt, settings.target_smoothing);
+    scene.set_target(part_index, memory);
+}
+
+}  // namespace
+
+void add_joint_effector(EffectorRegistry& effectors) {
+    effectors.add({.id = "joint", .label = "Joint", .drive = drive_joint});
+}
+
+}  // namespace cambrian

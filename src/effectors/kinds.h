@@ -1,0 +1,11 @@
+#pragma once
+
+// The effector kinds; one file each.
+
+#include "effectors/effector.h"
+
+namespace cambrian {
+
+void add_joint_effector(EffectorRegistry& effectors);
+
+}  // namespace cambrian

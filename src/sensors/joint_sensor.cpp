@@ -1,0 +1,23 @@
+// Coordinate of the joint to the parent: how far from rest, in rad or m. On a mirrored part the
+// same bend reads the same as on its partner.
+
+#include "sensors/kinds.h"
+
+namespace cambrian {
+namespace {
+
+double read_joint(const BodyView& body, std::size_t part, std::size_t /*channel*/, int handedness) {
+    return handedness * body.joint_coordinate(part);
+}
+
+}  // namespace
+
+void add_joint_sensor(SensorRegistry& sensors) {
+    sensors.add({.id = "joint",
+                 .label = "Joint",
+                 .channels = {{"joint", "Joint"}},
+                 .read = read_joint,
+                 .reads_joint = true});
+}
+
+}  // namespace cambrian

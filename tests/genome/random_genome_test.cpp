@@ -1,0 +1,94 @@
+#include "genome/random_genome.h"
+
+#include "genome/enabled_kinds.h"
+#include "genome/small_catalog.h"
+#include "support/catch.h"
+
+using namespace cambrian;
+
+namespace {
+
+std::vector<Genome> founders(const FounderSettings& settings, int count) {
+    const KindCatalog catalog = small_catalog();
+    std::vector<Genome> genomes;
+    for (int i = 0; i < count; ++i) {
+        RandomStream stream(stream_seed(1, 0, static_cast<std::uint64_t>(i), Purpose::kTest));
+        genomes.push_back(random_genome(settings, catalog, stream));
+    }
+    return genomes;
+}
+
+}  // namespace
+
+TEST_CASE("random genomes are valid and within the user's limits", "[genome][random]") {
+    FounderSettings settings;
+    settings.min_nodes = 3;
+    settings.max_nodes = 7;
+    settings.max_length = 0.6;
+    settings.max_node_neurons = 2;
+    settings.functions = {"sum", "abs"};
+    for (const Genome& genome : founders(settings, 3000)) {
+        REQUIRE(validate(genome, small_catalog()).empty());
+        REQUIRE(genome.nodes.size() >= 3);
+        REQUIRE(genome.nodes.size() <= 7);
+        for (const NodeGene& node : genome.nodes) {
+            REQUIRE(node.length >= settings.min_length);
+            REQUIRE(node.length <= settings.max_length);
+            REQUIRE(node.neurons.size() <= 2);
+            for (const NeuronGene& neuron : node.neurons)
+                REQUIRE((neuron.function == 0 || neuron.function == 2));
+        }
+    }
+}
+
+TEST_CASE("random genomes use rigid and rotary joints unless others are named",
+          "[genome][random]") {
+    FounderSettings settings;
+    CHECK(enabled_joints(settings, small_catalog()) == std::vector<std::uint8_t>{0, 1});
+    std::size_t rotary = 0;
+    std::size_t nodes = 0;
+    for (const Genome& genome : founders(settings, 2000)) {
+        for (const NodeGene& node : genome.nodes) {
+            REQUIRE(node.joint <= 1);
+            rotary += node.joint;
+            ++nodes;
+        }
+    }
+    CHECK(static_cast<double>(rotary) / static_cast<double>(nodes) == Approx(0.8).margin(0.03));
+    settings.joints = {"linear"};
+    for (const Genome& genome : founders(settings, 50))
+        CHECK(genome.nodes.back().joint == 2);
+}
+
+TEST_CASE("the same stream draws the same founder, another one another", "[genome][random]") {
+    const std::vector<Genome> genomes = founders({}, 2);
+    CHECK(genomes[0] == founders({}, 1)[0]);
+    CHECK_FALSE(genomes[0] == genomes[1]);
+}
+
+TEST_CASE("contradictory limits still give a valid genome", "[genome][random]") {
+    FounderSettings settings;
+    settings.min_nodes = 40;
+    settings.max_nodes = -3;
+    settings.max_recursion = 0;
+    settings.max_length = 10.0;
+    settings.max_brain_neurons = -1;
+    for (const Genome& genome : founders(settings, 200))
+        REQUIRE(validate(genome, small_catalog()).empty());
+}
+
+TEST_CASE("founders' oscillators mostly get constants in the suggested range", "[genome][random]") {
+    FounderSettings settings;
+    settings.functions = {"oscillate-wave"};
+    int suggested = 0;
+    int all = 0;
+    for (const Genome& genome : founders(settings, 1000)) {
+        for (const NeuronGene& neuron : genome.brain) {
+            const InputGene& frequency = neuron.inputs[0];
+            suggested += frequency.source.kind == SourceKind::kConstant &&
+                         frequency.weight >= 0.3 && frequency.weight <= 2.0;
+            ++all;
+        }
+    }
+    CHECK(static_cast<double>(suggested) / all > 0.78);
+}

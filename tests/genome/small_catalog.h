@@ -1,0 +1,25 @@
+#pragma once
+
+#include "genome/kind_catalog.h"
+
+namespace cambrian {
+
+// Functions of every arity, one with founders' ranges, the planar joints and channels.
+inline KindCatalog small_catalog() {
+    KindCatalog catalog;
+    catalog.functions = {
+        {"sum", "Sum", 3, {}},
+        {"product", "Product", 2, {}},
+        {"abs", "Absolute", 1, {}},
+        {"oscillate-wave", "Wave", 2, {{0.8, 0.3, 2.0}, {0.8, -0.5, 0.5}}},
+    };
+    catalog.joints = {{"rigid", "Rigid", 0}, {"rotary", "Rotary", 1}, {"linear", "Linear", 1}};
+    catalog.channels = {{"joint", "Joint"},
+                        {"contact-distal", "Distal"},
+                        {"contact-left", "Left"},
+                        {"contact-proximal", "Proximal"},
+                        {"contact-right", "Right"}};
+    return catalog;
+}
+
+}  // namespace cambrian
