@@ -12,7 +12,7 @@ struct MutationSettings {
     // whole unit draws the scheme's count once more, a fraction does so with that probability.
     double rate = 1.0;
     // Relative weight of each operator by id; operators not named keep their default weight.
-    std::map<std::string, double> weights;
+    std::map<std::string, double> weights = {};
 
     friend bool operator==(const MutationSettings&, const MutationSettings&) = default;
 };
