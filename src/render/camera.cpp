@@ -32,8 +32,7 @@ void Camera::pan(const Vec2& pixels) {
 void Camera::fit(const WorldWindow& target, double share, const Viewport& viewport) {
     const Vec2 size = (target.high - target.low).cwiseMax(Vec2::Constant(0.01));
     center = 0.5 * (target.low + target.high);
-    const double scale =
-        share * std::min(viewport.width / size.x(), viewport.height / size.y());
+    const double scale = share * std::min(viewport.width / size.x(), viewport.height / size.y());
     pixels_per_metre = std::clamp(scale, kMinScale, kMaxScale);
 }
 

@@ -4,10 +4,9 @@
 
 #include "render/gl.h"
 
-#include <stb/stb_image_write.h>
-
 #include <algorithm>
 #include <cstddef>
+#include <stb/stb_image_write.h>
 
 namespace cambrian {
 

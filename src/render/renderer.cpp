@@ -62,7 +62,8 @@ constexpr double kMargin = 2.0;
 
 bool visible(const Shape& shape, const WorldWindow& window, double pixel) {
     const double reach = shape.half_extents.norm() + shape.blur + kMargin * pixel;
-    return shape.center.x() + reach > window.low.x() && shape.center.x() - reach < window.high.x() &&
+    return shape.center.x() + reach > window.low.x() &&
+           shape.center.x() - reach < window.high.x() &&
            shape.center.y() + reach > window.low.y() && shape.center.y() - reach < window.high.y();
 }
 
@@ -102,7 +103,8 @@ void Renderer::collect(const SceneFrame& frame, const Camera& camera, const View
     const WorldWindow window = camera.window(viewport);
     instances_.clear();
     for (const Shape& shape : frame.shapes) {
-        if (visible(shape, window, camera.pixel())) instances_.push_back(instance_of(shape, camera));
+        if (visible(shape, window, camera.pixel()))
+            instances_.push_back(instance_of(shape, camera));
     }
 }
 
@@ -118,8 +120,7 @@ void Renderer::draw(const SceneFrame& frame, const Camera& camera, const PixelRe
     glEnable(GL_BLEND);
     glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     shader_.use();
-    glUniform2f(scale_uniform_,
-                static_cast<float>(2.0 * camera.pixels_per_metre / viewport.width),
+    glUniform2f(scale_uniform_, static_cast<float>(2.0 * camera.pixels_per_metre / viewport.width),
                 static_cast<float>(2.0 * camera.pixels_per_metre / viewport.height));
     glUniform1f(pixel_uniform_, static_cast<float>(camera.pixel()));
     buffer_.fill(instances_);

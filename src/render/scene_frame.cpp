@@ -32,8 +32,7 @@ void SceneFrame::add_ring(const Vec2& center, double radius, double width, const
                       .outline = color});
 }
 
-void SceneFrame::add_trail(const std::vector<Vec2>& points, double dot_radius,
-                           const Color& color) {
+void SceneFrame::add_trail(const std::vector<Vec2>& points, double dot_radius, const Color& color) {
     const auto count = static_cast<float>(points.size());
     float age = count;
     for (const Vec2& point : points) {

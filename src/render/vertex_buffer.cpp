@@ -42,8 +42,8 @@ VertexBuffer::~VertexBuffer() {
 void VertexBuffer::fill(std::span<const ShapeInstance> instances) {
     count_ = instances.size();
     glBindBuffer(GL_ARRAY_BUFFER, buffer_);
-    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(instances.size_bytes()),
-                 instances.data(), GL_STREAM_DRAW);
+    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(instances.size_bytes()), instances.data(),
+                 GL_STREAM_DRAW);
 }
 
 void VertexBuffer::draw() const {
