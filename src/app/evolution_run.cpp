@@ -15,6 +15,7 @@
 #include <memory>
 #include <span>
 #include <system_error>
+#include <unistd.h>
 
 namespace cambrian {
 namespace {
@@ -41,7 +42,8 @@ Result<std::filesystem::path> save_champion(const std::filesystem::path& path,
     if (saved) return path;
     std::error_code failure;
     const std::filesystem::path refuge =
-        std::filesystem::temp_directory_path(failure) / path.filename();
+        std::filesystem::temp_directory_path(failure) /
+        ("rescued-" + std::to_string(::getpid()) + "-" + path.filename().string());
     if (failure || !save_creature(refuge, champion, kinds)) return saved.error();
     return Error{saved.error().message + "; the champion is in " + refuge.string()};
 }

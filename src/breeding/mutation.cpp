@@ -1,5 +1,7 @@
 #include "breeding/mutation.h"
 
+#include "breeding/mute_neurons.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -104,8 +106,10 @@ private:
 std::vector<MutationRecord> mutate(Genome& genome, const MutationSettings& settings,
                                    const MutationRegistry& kinds, const MutationContext& context,
                                    RandomStream& stream) {
+    CAMBRIAN_ASSERT(!genome.nodes.empty(), "only valid genomes are mutated");
     const int count = draw_mutation_count(settings, stream);
     auto records = Mutating(genome, settings, kinds, context, stream).run(count);
+    if (settings.collect_mute_neurons) collect_mute_neurons(genome);
     const double hue = genome.hue + kHueStep * static_cast<double>(records.size());
     genome.hue = hue - std::floor(hue);
     return records;

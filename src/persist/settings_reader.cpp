@@ -57,6 +57,10 @@ private:
         const auto field = std::find_if(
             fields_.begin(), fields_.end(),
             [&](const SettingField& each) { return each.table == table && each.key == key; });
+        if (names_table(table.empty() ? key : table + "." + key)) {
+            errors_.error("", line + ", " + place(table, key, false), "expected a table");
+            return;
+        }
         if (field == fields_.end()) {
             const bool is_table = node.is_table();
             errors_.error("", line + ", " + place(table, key, is_table),

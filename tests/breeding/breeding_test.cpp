@@ -41,16 +41,16 @@ std::vector<Genome> with_three_nodes(std::vector<Genome> corpus) {
 
 // Share of children with nodes of both parents.
 double mixed_share(const std::string& method, const std::vector<Genome>& corpus) {
-    constexpr std::size_t kPairs = 1000;
+    constexpr std::size_t pairs = 1000;
     RandomStream stream = test_stream(31);
     double mixed = 0.0;
-    for (std::size_t i = 0; i < kPairs; ++i) {
+    for (std::size_t i = 0; i < pairs; ++i) {
         const std::size_t first = stream.below(corpus.size());
         const std::size_t second = (first + 1 + stream.below(corpus.size() - 1)) % corpus.size();
         const Genome child = breed(method, corpus[first], corpus[second], i);
         mixed += has_nodes_of(child, corpus[first]) && has_nodes_of(child, corpus[second]);
     }
-    return mixed / kPairs;
+    return mixed / pairs;
 }
 
 }  // namespace

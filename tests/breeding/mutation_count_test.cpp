@@ -14,10 +14,10 @@ constexpr double kCritical = 18.42;  // chi-square, 2 degrees of freedom, p = 1e
 
 // Sum over {0, 1, more} of (seen - expected)^2 / expected.
 double chi_square(const std::array<int, 3>& seen) {
-    constexpr std::array<double, 3> kExpected = {0.25 * kDraws, 0.5 * kDraws, 0.25 * kDraws};
+    constexpr std::array<double, 3> expected = {0.25 * kDraws, 0.5 * kDraws, 0.25 * kDraws};
     double sum = 0.0;
     for (std::size_t i = 0; i < 3; ++i)
-        sum += (seen[i] - kExpected[i]) * (seen[i] - kExpected[i]) / kExpected[i];
+        sum += (seen[i] - expected[i]) * (seen[i] - expected[i]) / expected[i];
     return sum;
 }
 

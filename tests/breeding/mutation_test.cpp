@@ -21,16 +21,23 @@ MutationSettings only(const std::string& id) {
 
 }  // namespace
 
-TEST_CASE("long chains of mutations keep genomes valid and canonical", "[breeding][mutation]") {
-    for (std::uint64_t chain = 0; chain < 100; ++chain) {
-        RandomStream stream = test_stream(chain);
-        Genome genome = random_genome(default_founders(), full_catalog(), stream);
-        for (int i = 0; i < 60; ++i) {
-            mutate(genome, {.rate = 1.5}, mutations(), default_context(), stream);
-            const auto complaints = validate(genome, full_catalog());
-            INFO(chain << " " << i << ": " << (complaints.empty() ? "" : complaints.front()));
-            REQUIRE(complaints.empty());
-        }
+TEST_CASE("thousands of breedings and mutations in a row keep genomes valid and canonical",
+          "[breeding][mutation]") {
+    const BreedingRegistry methods = builtin_breeding();
+    std::vector<Genome> population = founder_corpus(60);
+    RandomStream stream = test_stream(6);
+    for (int i = 0; i < 15000; ++i) {
+        const std::size_t method = stream.below(methods.size());
+        Genome child = methods[method].breed(stream.pick(population), stream.pick(population),
+                                             full_catalog(), stream);
+        mutate(child, {.rate = 1.5}, mutations(), default_context(), stream);
+        const auto complaints = validate(child, full_catalog());
+        INFO(i << ": " << (complaints.empty() ? "" : complaints.front()));
+        REQUIRE(complaints.empty());
+        Genome repaired = child;
+        repair(repaired, full_catalog());
+        REQUIRE(repaired == child);
+        stream.pick(population) = std::move(child);
     }
 }
 

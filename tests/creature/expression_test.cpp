@@ -2,6 +2,7 @@
 
 #include "brain/lazy_brain.h"
 #include "breeding/mutation.h"
+#include "breeding/mute_neurons.h"
 #include "creature/builders.h"
 #include "creature/creature.h"
 #include "support/catch.h"
@@ -163,6 +164,32 @@ TEST_CASE("a reflected subtree in a mirrored world does the mirrored thing",
         check_mirrored(body, mirrored);
         check_mirrored_motion(body, mirrored, stream);
     }
+}
+
+TEST_CASE("collecting mute neurons never changes the compiled brain", "[creature][expression]") {
+    RandomStream stream(stream_seed(7, 0, 0, Purpose::kTest));
+    std::size_t removed = 0;
+    for (const Genome& genome : evolved(500)) {
+        Genome collected = genome;
+        collect_mute_neurons(collected);
+        REQUIRE(validate(collected, kinds().catalog).empty());
+        const Phenotype before = express(genome);
+        const Phenotype after = express(collected);
+        REQUIRE(after.network.order.size() == before.network.order.size());
+        REQUIRE(after.network.sensor_count == before.network.sensor_count);
+        Brain first(before.network, kinds().functions);
+        Brain second(after.network, kinds().functions);
+        for (int tick = 0; tick < 50; ++tick) {
+            for (std::size_t s = 0; s < before.network.sensor_count; ++s)
+                first.sensors()[s] = second.sensors()[s] = stream.uniform(-1.5, 1.5);
+            first.think(1.0 / 60.0);
+            second.think(1.0 / 60.0);
+            for (std::size_t o = 0; o < before.network.outputs.size(); ++o)
+                REQUIRE(second.output(o) == first.output(o));
+        }
+        removed += before.network.neurons.size() - after.network.neurons.size();
+    }
+    CHECK(removed > 1000);
 }
 
 TEST_CASE("founders have a movable joint almost always and five or six parts on average",

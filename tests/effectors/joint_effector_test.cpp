@@ -16,7 +16,7 @@ struct Muscle {
 
     double drive(double signal, double dt) {
         static const EffectorRegistry effectors = builtin_effectors();
-        effectors[0].drive(part, 1, signal, dt, settings, memory, scene);
+        effectors[0].drive({part, 1}, signal, dt, settings, memory, scene);
         return scene.targets[1];
     }
 };

@@ -34,13 +34,13 @@ TEST_CASE("the joint sensor reads the coordinate, turned round on mirrored parts
 
 TEST_CASE("each contact channel reads its own face, sides exchanged on mirrored parts",
           "[sensors]") {
-    constexpr std::array<std::size_t, 4> kMirrored = {0, 3, 2, 1};
+    constexpr std::array<std::size_t, 4> mirrored = {0, 3, 2, 1};
     for (std::size_t face = 0; face < kFaceCount; ++face) {
         FakeScene scene(1);
         scene.touched[0][face] = true;
         for (std::size_t channel = 0; channel < kFaceCount; ++channel) {
             CHECK(read(scene, 1, channel, 1) == (channel == face ? 1.0 : -1.0));
-            CHECK(read(scene, 1, channel, -1) == (kMirrored[channel] == face ? 1.0 : -1.0));
+            CHECK(read(scene, 1, channel, -1) == (mirrored[channel] == face ? 1.0 : -1.0));
         }
     }
 }

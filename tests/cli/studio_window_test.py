@@ -1,0 +1,172 @@
+"""The studio in a real X window: mouse and keys from outside, its status log to see what came."""
+
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+import time
+import unittest
+
+from program import CAMBRIAN, DONE, SMALL, ProgramTest
+
+PICTURES = pathlib.Path(os.environ.get("CAMBRIAN_PICTURES", "pictures"))
+PATIENCE = 120  # s; for anything to happen on a busy machine
+
+
+class Display:
+    """A virtual X display of its own, so that tests can run side by side."""
+
+    def __init__(self, width, height):
+        reading, writing = os.pipe()
+        self.server = subprocess.Popen(
+            ["Xvfb", "-displayfd", str(writing), "-screen", "0", f"{width}x{height}x24",
+             "-nolisten", "tcp"], pass_fds=[writing], stderr=subprocess.DEVNULL)
+        os.close(writing)
+        with os.fdopen(reading) as numbers:
+            self.name = ":" + numbers.readline().strip()
+        self.environment = dict(os.environ, DISPLAY=self.name, LIBGL_ALWAYS_SOFTWARE="1")
+
+    def tool(self, *arguments):
+        return subprocess.run(["xdotool", *map(str, arguments)], env=self.environment, check=True,
+                              stdout=subprocess.PIPE, encoding="utf-8", timeout=PATIENCE).stdout
+
+    def picture(self, name):
+        PICTURES.mkdir(parents=True, exist_ok=True)
+        path = PICTURES / name
+        subprocess.run(["import", "-window", "root", str(path)], env=self.environment, check=True,
+                       timeout=PATIENCE)
+        return path
+
+    def close(self):
+        self.server.terminate()
+        self.server.wait(PATIENCE)
+
+
+class StudioTest(ProgramTest):
+    def open_display(self, width=1280, height=800):
+        display = Display(width, height)
+        self.addCleanup(display.close)
+        return display
+
+    def start(self, display, *arguments):
+        """Starts the studio and waits for its first frame."""
+        self.log = self.folder / "status.log"
+        self.log.unlink(missing_ok=True)
+        self.display = display
+        self.studio = subprocess.Popen(
+            [CAMBRIAN, "studio", "--status-log", str(self.log), "--state-dir",
+             str(self.folder / "state"), "--threads", "1", *map(str, arguments)],
+            cwd=self.folder, env=display.environment, stdout=subprocess.DEVNULL,
+            stderr=subprocess.PIPE, encoding="utf-8")
+        self.addCleanup(self.stop)
+        self.wait_for("started")
+        self.window = display.tool("search", "--sync", "--name", "Cambrian").split()[0]
+        display.tool("windowfocus", self.window)
+
+    def stop(self):
+        if self.studio.poll() is None:
+            self.studio.kill()
+        self.studio.communicate()
+
+    def events(self):
+        if not self.log.exists():
+            return []
+        whole_lines = self.log.read_text().split("\n")[:-1]
+        return [json.loads(line) for line in whole_lines]
+
+    def wait_for(self, event, after=0, **fields):
+        """The first such event at or after that place in the log; its successor's place too."""
+        end = time.monotonic() + PATIENCE
+        while time.monotonic() < end:
+            for place, found in enumerate(self.events()):
+                if place >= after and found["event"] == event and fields.items() <= found.items():
+                    return found, place + 1
+            self.assertIsNone(self.studio.poll(), f"the studio ended before '{event}'")
+            time.sleep(0.05)
+        return self.fail(f"no '{event}' {fields} in {self.events()[after:]}")
+
+    def place_of(self, name):
+        """The middle of a control, on the screen."""
+        found = self.wait_for("place", name=name)[0]
+        lines = self.display.tool("getwindowgeometry", "--shell", self.window).split()
+        origin = dict(line.split("=") for line in lines)
+        return (int(origin["X"]) + int(found["x"] + found["width"] / 2),
+                int(origin["Y"]) + int(found["y"] + found["height"] / 2))
+
+    def click(self, name):
+        x, y = self.place_of(name)
+        # A moment between the movement and the button, as a hand has, so that each is a frame.
+        self.display.tool("mousemove", x, y, "sleep", 0.2, "mousedown", 1, "sleep", 0.1,
+                          "mouseup", 1)
+
+    def press(self, key):
+        self.display.tool("keydown", key, "sleep", 0.1, "keyup", key)
+
+    def quit(self):
+        self.display.tool("key", "ctrl+q")
+        self.wait_for("quit")
+        self.assertEqual(self.studio.wait(PATIENCE), DONE)
+
+
+@unittest.skipUnless(shutil.which("Xvfb") and shutil.which("xdotool"), "needs Xvfb and xdotool")
+class StudioWindow(StudioTest):
+    def test_a_person_evolves_pauses_saves_quits_and_comes_back(self):
+        self.write("small.toml", SMALL)
+        display = self.open_display()
+        self.start(display, "small.toml")
+        self.click("Evolve")
+        self.wait_for("running")
+        _, after = self.wait_for("generation", number=1)
+        self.press("space")
+        self.wait_for("paused", after=after)
+        self.assert_painted(display.picture("evolved-1280x800.png"))
+        display.tool("key", "ctrl+s")
+        time.sleep(1.0)
+        display.tool("key", "ctrl+a", "type", "--delay", "30", str(self.folder / "kept"))
+        display.tool("key", "Return")
+        saved, _ = self.wait_for("saved")
+        self.assertEqual(saved["path"], str(self.folder / "kept.creature.json"))
+        self.quit()
+        self.run_well("verify", "kept.creature.json")
+
+        self.start(display, "kept.creature.json")
+        loaded, _ = self.wait_for("loaded")
+        self.assertIn("kept.creature.json", loaded["path"])
+        self.wait_for("shown")
+        self.quit()
+
+    def test_a_damaged_file_is_a_message_and_the_studio_goes_on(self):
+        self.write("cut.creature.json", '{"format": "cambrian-creature", "ver')
+        display = self.open_display()
+        self.start(display, "cut.creature.json")
+        notice, _ = self.wait_for("notice", problem=True)
+        self.assertIn("cut.creature.json", notice["text"])
+        self.assertIn("E01 line 1", notice["text"])
+        display.tool("key", "g")
+        self.wait_for("running")
+        self.assert_painted(display.picture("damaged-file-1280x800.png"))
+        self.quit()
+
+    def test_a_large_window_is_painted_whole(self):
+        display = self.open_display(1920, 1080)
+        self.start(display, "--width", 1920, "--height", 1080)
+        time.sleep(2.0)
+        self.assert_painted(display.picture("studio-1920x1080.png"))
+        self.quit()
+
+    def assert_painted(self, picture):
+        """More than a blank or a flat picture: many colors, in each of its four quarters."""
+        size = subprocess.run(["identify", "-format", "%w %h", str(picture)], check=True,
+                              stdout=subprocess.PIPE, encoding="utf-8").stdout
+        width, height = (int(length) // 2 for length in size.split())
+        for x in [0, width]:
+            for y in [0, height]:
+                colors = subprocess.run(
+                    ["convert", str(picture), "-crop", f"{width}x{height}+{x}+{y}", "-format",
+                     "%k", "info:"], check=True, stdout=subprocess.PIPE, encoding="utf-8").stdout
+                self.assertGreater(int(colors), 16, f"the quarter at {x}, {y}")
+
+
+if __name__ == "__main__":
+    unittest.main()
