@@ -15,7 +15,7 @@ Result<std::filesystem::path> output_path(const std::string& asked, const std::s
     }
     if (std::filesystem::is_directory(path, failure)) path /= name;
     if (const Status writable = check_writable(path); !writable) return writable.error();
-    return path;
+    return path.lexically_normal();
 }
 
 }  // namespace cambrian
