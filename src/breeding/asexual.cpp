@@ -11,6 +11,7 @@ Genome breed_asexual(const Genome& first, const Genome& /*second*/, const KindCa
 }  // namespace
 
 Genome child_of(const Genome& parent) {
+    CAMBRIAN_ASSERT(!parent.nodes.empty(), "a parent is a valid genome");
     Genome child = parent;
     child.name.clear();
     return child;

@@ -15,6 +15,8 @@ std::size_t append_section(Genome& child, const Genome& donor, std::size_t start
     Genome section = donor;
     keep_nodes(section, breadth_first(donor, start));
     const std::size_t base = child.nodes.size();
+    CAMBRIAN_ASSERT(base + section.nodes.size() <= 2 * gene_range::kMaxNodes,
+                    "edges can name every node of two valid genomes");
     for (NodeGene& node : section.nodes) {
         for (EdgeGene& edge : node.edges)
             edge.target = static_cast<std::uint8_t>(edge.target + base);

@@ -106,6 +106,7 @@ private:
 std::vector<MutationRecord> mutate(Genome& genome, const MutationSettings& settings,
                                    const MutationRegistry& kinds, const MutationContext& context,
                                    RandomStream& stream) {
+    CAMBRIAN_ASSERT(!genome.nodes.empty(), "only valid genomes are mutated");
     const int count = draw_mutation_count(settings, stream);
     auto records = Mutating(genome, settings, kinds, context, stream).run(count);
     if (settings.collect_mute_neurons) collect_mute_neurons(genome);

@@ -54,6 +54,33 @@ TEST_CASE("a mirror pair is grown whole or not at all", "[creature][morphogenesi
     CHECK(nodes_of(express(genome, {.max_parts = 3})) == std::vector<int>{0, 1});
 }
 
+TEST_CASE("an odd edge to a symmetric part grows alone", "[creature][morphogenesis]") {
+    NodeGene leg;
+    leg.symmetric = true;
+    const NodeGene body = node_with({edge_to(1, 0.3), edge_to(1, 0.3), edge_to(1, 0.6)});
+    const Phenotype grown = express(genome_of({body, leg}));
+    REQUIRE(grown.parts.size() == 4);
+    CHECK(grown.parts[2].handedness == -1);
+    CHECK(grown.parts[3].handedness == 1);
+}
+
+TEST_CASE("a pair whose members would coincide is not grown", "[creature][morphogenesis]") {
+    NodeGene leg;
+    leg.symmetric = true;
+    Genome genome = genome_of({node_with({edge_to(1, 0.125), edge_to(1, 0.125)}), leg});
+    CHECK(express(genome).parts.size() == 1);
+    genome.nodes[0].edges[0].angle = 0.5;
+    CHECK(express(genome).parts.size() == 3);
+}
+
+TEST_CASE("growth ends at the depth limit", "[creature][morphogenesis]") {
+    const NodeGene first = node_with({edge_to(1)}, 6);
+    const NodeGene second = node_with({edge_to(0)}, 6);
+    const Phenotype chain = express(genome_of({first, second}));
+    CHECK(chain.parts.size() == 11);
+    CHECK(chain.parts.back().depth == 10);
+}
+
 TEST_CASE("reflect turns a curl into a zigzag", "[creature][morphogenesis]") {
     Genome genome = genome_of({node_with({edge_to(0, 0.125, 0.5)}, 4)});
     const Phenotype curl = express(genome);

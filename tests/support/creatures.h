@@ -79,16 +79,16 @@ private:
 
 constexpr double kHalfPi = 1.5707963267948966;
 
-// A body with two sine-driven legs, a quarter turn out of phase.
+// A body with a sine-driven leg at either end, a quarter turn out of phase.
 inline GenomePtr crawler(const KindCatalog& catalog) {
     CreatureBuilder builder(catalog);
     const auto body = builder.part(0.8, 0.2);
     const auto front = builder.part(0.4, 0.14);
     const auto back = builder.part(0.4, 0.14);
-    builder.attach(body, front, 0.95, 0.3);
-    builder.attach(body, back, 0.80, -0.3);
-    builder.swing(front, 1.0, 0.0, 0.7);
-    builder.swing(back, 1.0, 0.25, 0.7);
+    builder.attach(body, front, 0.12, -1.3);
+    builder.attach(body, back, 0.63, 1.3);
+    builder.swing(front, 0.7, 0.0, 1.0);
+    builder.swing(back, 0.7, 0.25, 1.0);
     return builder.build();
 }
 
