@@ -1,0 +1,42 @@
+#pragma once
+
+// Which part of the world is seen. Screen coordinates are pixels from the top left of the viewport,
+// y down.
+
+#include "math/types.h"
+
+namespace cambrian {
+
+struct Viewport {
+    double width = 1.0;  // pixels
+    double height = 1.0;
+};
+
+struct WorldWindow {
+    Vec2 low = Vec2::Zero();  // m
+    Vec2 high = Vec2::Zero();
+};
+
+struct Camera {
+    static constexpr double kMinScale = 4.0;
+    static constexpr double kMaxScale = 4000.0;
+
+    Vec2 center = Vec2::Zero();       // m, shown in the middle
+    double pixels_per_metre = 100.0;  // kMinScale to kMaxScale
+
+    double pixel() const { return 1.0 / pixels_per_metre; }  // m
+    Vec2 to_screen(const Vec2& world, const Viewport& viewport) const;
+    Vec2 to_world(const Vec2& screen, const Viewport& viewport) const;
+    WorldWindow window(const Viewport& viewport) const;
+
+    // The world point under the cursor stays there; factor over 1 comes closer.
+    void zoom_about(const Vec2& cursor, double factor, const Viewport& viewport);
+    // Moves the world along with a drag of so many pixels.
+    void pan(const Vec2& pixels);
+    // Shows all of a world rectangle filling at most `share` of the viewport.
+    void fit(const WorldWindow& target, double share, const Viewport& viewport);
+    // Moves towards a point, reaching 63 % of the way in `lag` seconds.
+    void approach(const Vec2& target, double elapsed, double lag);
+};
+
+}  // namespace cambrian

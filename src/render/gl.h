@@ -1,0 +1,4 @@
+#pragma once
+
+// The only include of the OpenGL loader.
+#include <glad/gl.h>

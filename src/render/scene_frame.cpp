@@ -1,0 +1,45 @@
+#include "render/scene_frame.h"
+
+#include <cmath>
+
+namespace cambrian {
+
+void SceneFrame::add_box(const Vec2& center, const Vec2& half_extents, const Color& fill) {
+    shapes.push_back({.center = center, .half_extents = half_extents, .fill = fill});
+}
+
+void SceneFrame::add_line(const Vec2& from, const Vec2& to, double width, const Color& color) {
+    const Vec2 along = to - from;
+    const double half_width = 0.5 * width;
+    shapes.push_back({.center = 0.5 * (from + to),
+                      .half_extents = {0.5 * along.norm() + half_width, half_width},
+                      .angle = std::atan2(along.y(), along.x()),
+                      .radius = half_width,
+                      .fill = color});
+}
+
+void SceneFrame::add_circle(const Vec2& center, double radius, const Color& fill) {
+    shapes.push_back(
+        {.center = center, .half_extents = {radius, radius}, .radius = radius, .fill = fill});
+}
+
+void SceneFrame::add_ring(const Vec2& center, double radius, double width, const Color& color) {
+    shapes.push_back({.center = center,
+                      .half_extents = {radius, radius},
+                      .radius = radius,
+                      .outline_width = width,
+                      .fill = with_alpha(color, 0.0F),
+                      .outline = color});
+}
+
+void SceneFrame::add_trail(const std::vector<Vec2>& points, double dot_radius, const Color& color) {
+    const auto count = static_cast<float>(points.size());
+    float age = count;
+    for (const Vec2& point : points) {
+        const float share = 1.0F - age / count;
+        add_circle(point, dot_radius, with_alpha(color, color.a * share));
+        age -= 1.0F;
+    }
+}
+
+}  // namespace cambrian

@@ -1,0 +1,37 @@
+#pragma once
+
+// What to draw this frame. Everything is one primitive, a rounded box: a circle is one whose radius
+// fills it, a line one that is thin. World units are metres, y up.
+
+#include "math/types.h"
+#include "render/color.h"
+
+#include <vector>
+
+namespace cambrian {
+
+struct Shape {
+    Vec2 center = Vec2::Zero();        // m
+    Vec2 half_extents = Vec2::Zero();  // m
+    double angle = 0.0;                // rad, counter-clockwise
+    double radius = 0.0;               // m, of the corners
+    double outline_width = 0.0;        // m, inside the edge
+    double blur = 0.0;                 // m, over which the edge fades; 0 is one pixel
+    Color fill = {};
+    Color outline = {};
+};
+
+struct SceneFrame {
+    Color background;
+    std::vector<Shape> shapes;  // back to front
+
+    void add_box(const Vec2& center, const Vec2& half_extents, const Color& fill);
+    void add_line(const Vec2& from, const Vec2& to, double width, const Color& color);
+    void add_circle(const Vec2& center, double radius, const Color& fill);
+    void add_ring(const Vec2& center, double radius, double width, const Color& color);
+    // Dots along a path, older ones fainter; points oldest first.
+    void add_trail(const std::vector<Vec2>& points, double dot_radius, const Color& color);
+    void clear() { shapes.clear(); }
+};
+
+}  // namespace cambrian

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "core/result.h"
+
+namespace cambrian {
+
+// A linked program of a vertex and a fragment shader. Needs a current OpenGL context from birth to
+// death.
+class Shader {
+public:
+    static Result<Shader> compile(const char* vertex_source, const char* fragment_source);
+    ~Shader();
+    Shader(Shader&& other) noexcept : program_(other.program_) { other.program_ = 0; }
+    Shader& operator=(Shader&&) = delete;
+
+    void use() const;
+    int uniform(const char* name) const;
+
+private:
+    explicit Shader(unsigned program) : program_(program) {}
+
+    unsigned program_ = 0;
+};
+
+}  // namespace cambrian

@@ -1,0 +1,50 @@
+#pragma once
+
+#include "creature/phenotype.h"
+#include "evolution/experiment_settings.h"
+#include "evolution/individual.h"
+#include "goals/goal.h"
+#include "simulator/trial.h"
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace cambrian {
+
+// Where a creature on show comes from.
+enum class ExhibitSource : std::uint8_t { kSample, kFile, kChampion, kPopulation };
+
+// A creature on show, in the world it is judged in.
+struct Exhibit {
+    GenomePtr genome;
+    TrialWorld world;
+    std::string goal;  // id
+    ExpressionSettings expression;
+    ExhibitSource source = ExhibitSource::kSample;
+    std::string title;  // "Champion of generation 12"
+    std::uint64_t seed = 0;
+    std::uint32_t generation = 0;
+    std::string uid;  // as files name it
+    std::string method;
+    std::vector<std::string> parents;
+    std::vector<MutationRecord> mutations;
+    std::optional<EvaluationResult> result;  // as evaluated, if it was
+};
+
+// How a creature scores in its world, from a trial of its own.
+struct ScoreReport {
+    TrialRecord record;
+    Score score;
+    std::string unit;
+};
+
+// A uid as sixteen hexadecimal digits; empty for 0.
+std::string uid_text(std::uint64_t uid);
+
+Exhibit exhibit_of(const Individual& individual, const ExperimentSettings& settings,
+                   std::uint32_t generation, ExhibitSource source);
+
+}  // namespace cambrian

@@ -1,0 +1,53 @@
+#include "studio/file_browser.h"
+
+#include <algorithm>
+#include <string_view>
+#include <system_error>
+
+namespace cambrian {
+namespace {
+
+bool suits(std::string_view name, FileTask task) {
+    const bool creature = name.ends_with(".creature.json");
+    const bool settings = name.ends_with(".toml");
+    switch (task) {
+        case FileTask::kOpen:
+            return creature || settings;
+        case FileTask::kSaveCreature:
+            return creature;
+        case FileTask::kSaveSettings:
+            break;
+    }
+    return settings;
+}
+
+}  // namespace
+
+FolderListing list_folder(const std::filesystem::path& folder, FileTask task) {
+    namespace fs = std::filesystem;
+    FolderListing listing;
+    std::error_code error;
+    listing.folder = fs::weakly_canonical(folder, error);
+    if (error) listing.folder = folder;
+    auto entry = fs::directory_iterator(listing.folder, error);
+    if (error) {
+        listing.problem = "The folder cannot be read: " + error.message();
+        return listing;
+    }
+    for (const auto end = fs::directory_iterator(); entry != end; entry.increment(error)) {
+        if (error) break;
+        const std::string name = entry->path().filename().string();
+        if (name.starts_with('.')) continue;
+        std::error_code unknown;
+        if (entry->is_directory(unknown)) {
+            listing.folders.push_back(name);
+        } else if (suits(name, task)) {
+            listing.files.push_back(name);
+        }
+    }
+    std::sort(listing.folders.begin(), listing.folders.end());
+    std::sort(listing.files.begin(), listing.files.end());
+    return listing;
+}
+
+}  // namespace cambrian

@@ -1,0 +1,74 @@
+#include "studio/file_desk.h"
+
+#include "core/file_io.h"
+#include "persist/settings_file.h"
+
+#include <utility>
+
+namespace cambrian {
+namespace {
+
+FileEvent saved(const std::filesystem::path& path, const Status& status) {
+    if (status) return FileSaved{path};
+    return FileFailed{path, status.error().message};
+}
+
+}  // namespace
+
+FileEvent load_file(const std::filesystem::path& path, const EvolutionKinds& kinds) {
+    const std::string name = path.filename().string();
+    if (name.ends_with(".toml")) {
+        auto settings = load_settings(path, kinds);
+        if (settings) return SettingsLoaded{path, std::move(*settings)};
+        return FileFailed{path, settings.error().message};
+    }
+    if (name.ends_with(".json")) {
+        auto document = load_creature(path, kinds);
+        if (document) return CreatureLoaded{path, std::move(*document)};
+        return FileFailed{path, document.error().message};
+    }
+    return FileFailed{path, path.string() +
+                                " is not a file the studio opens; expected *.creature.json or "
+                                "settings *.toml"};
+}
+
+template <class Work>
+void FileDesk::run(Work work) {
+    worker_.submit([this, work = std::move(work)](std::stop_token) {
+        auto event = std::make_shared<FileEvent>(work());
+        return [this, event] { events_.push_back(std::move(*event)); };
+    });
+}
+
+void FileDesk::load(const std::filesystem::path& path) {
+    run([path, &kinds = kinds_] { return load_file(path, kinds); });
+}
+
+void FileDesk::save_creature(const std::filesystem::path& path, CreatureDocument document) {
+    run([path, document = std::move(document), &kinds = kinds_] {
+        return saved(path, cambrian::save_creature(path, document, kinds));
+    });
+}
+
+void FileDesk::save_settings(const std::filesystem::path& path,
+                             const ExperimentSettings& settings) {
+    run([path, settings, &kinds = kinds_] {
+        return saved(path, cambrian::save_settings(path, settings, kinds));
+    });
+}
+
+void FileDesk::save_picture(const std::filesystem::path& path, Image image) {
+    run([path, image = std::move(image)] {
+        return saved(path, write_file(path, encode_png(image)));
+    });
+}
+
+void FileDesk::list(const std::filesystem::path& folder, FileTask task) {
+    run([folder, task] { return FileEvent(FolderListed{list_folder(folder, task)}); });
+}
+
+std::vector<FileEvent> FileDesk::take_events() {
+    return std::exchange(events_, {});
+}
+
+}  // namespace cambrian

@@ -1,0 +1,41 @@
+#pragma once
+
+// What a panel may see this frame; all const.
+
+#include "evolution/setting_field.h"
+#include "evolution/snapshot.h"
+#include "studio/file_browser.h"
+#include "studio/notices.h"
+#include "studio/playback.h"
+#include "studio/settings_editor.h"
+#include "studio/view_state.h"
+
+#include <string>
+#include <vector>
+
+namespace cambrian {
+
+// How far the generation in flight is.
+struct ProgressView {
+    std::uint32_t done = 0;
+    std::uint32_t total = 0;
+    double per_second = 0.0;    // creatures evaluated; 0 if unknown
+    double seconds_left = 0.0;  // of the generation; negative if unknown
+};
+
+struct FrameContext {
+    const EvolutionKinds& kinds;
+    const std::vector<SettingField>& fields;
+    const EvolutionSnapshot& snapshot;
+    const ProgressView& progress;
+    const SettingsEditor& editor;
+    const Playback& playback;
+    const ScoreReport* score = nullptr;  // of the creature on show, once computed
+    const ViewState& view;
+    const FileBrowser& files;
+    const Notice* notice = nullptr;
+    bool help_shown = false;
+    Highlight highlight = {};
+};
+
+}  // namespace cambrian

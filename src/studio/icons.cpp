@@ -1,0 +1,122 @@
+#include "studio/icons.h"
+
+#include "math/elementary.h"
+
+#include <array>
+#include <cstddef>
+
+namespace cambrian {
+namespace {
+
+// A pen in a square from -1 to 1, y down.
+struct Pen {
+    ImDrawList& list;
+    ImVec2 center;
+    float half;
+    ImU32 color;
+    float width;
+
+    ImVec2 at(float x, float y) const { return {center.x + x * half, center.y + y * half}; }
+    void triangle(const ImVec2& a, const ImVec2& b, const ImVec2& c) const {
+        list.AddTriangleFilled(a, b, c, color);
+    }
+    void bar(float x, float y, float x2, float y2) const {
+        list.AddRectFilled(at(x, y), at(x2, y2), color, 0.12F * half);
+    }
+    void line(float x, float y, float x2, float y2) const {
+        list.AddLine(at(x, y), at(x2, y2), color, width);
+    }
+};
+
+void draw_restart(const Pen& pen) {
+    constexpr auto kQuarter = static_cast<float>(kPi) / 2.0F;
+    pen.list.PathArcTo(pen.center, 0.75F * pen.half, -0.6F * kQuarter, 2.6F * kQuarter, 24);
+    pen.list.PathStroke(pen.color, ImDrawFlags_None, pen.width);
+    pen.triangle(pen.at(0.12F, -0.62F), pen.at(0.95F, -0.95F), pen.at(0.9F, -0.08F));
+}
+
+void draw_follow(const Pen& pen) {
+    pen.list.AddCircle(pen.center, 0.6F * pen.half, pen.color, 24, pen.width);
+    pen.list.AddCircleFilled(pen.center, 0.2F * pen.half, pen.color, 12);
+    pen.line(0.0F, -1.0F, 0.0F, -0.6F);
+    pen.line(0.0F, 0.6F, 0.0F, 1.0F);
+    pen.line(-1.0F, 0.0F, -0.6F, 0.0F);
+    pen.line(0.6F, 0.0F, 1.0F, 0.0F);
+}
+
+void draw_fit(const Pen& pen) {
+    for (const float sx : {-1.0F, 1.0F}) {
+        for (const float sy : {-1.0F, 1.0F}) {
+            pen.line(0.85F * sx, 0.85F * sy, 0.3F * sx, 0.85F * sy);
+            pen.line(0.85F * sx, 0.85F * sy, 0.85F * sx, 0.3F * sy);
+        }
+    }
+}
+
+void draw_folder(const Pen& pen) {
+    pen.list.AddRectFilled(pen.at(-0.9F, -0.7F), pen.at(0.0F, 0.0F), pen.color, 0.2F * pen.half);
+    pen.list.AddRectFilled(pen.at(-0.9F, -0.4F), pen.at(0.9F, 0.75F), pen.color, 0.2F * pen.half);
+}
+
+void draw_file(const Pen& pen) {
+    const std::array<ImVec2, 5> sheet = {pen.at(-0.6F, -0.85F), pen.at(0.15F, -0.85F),
+                                         pen.at(0.65F, -0.35F), pen.at(0.65F, 0.85F),
+                                         pen.at(-0.6F, 0.85F)};
+    pen.list.AddPolyline(sheet.data(), static_cast<int>(sheet.size()), pen.color,
+                         ImDrawFlags_Closed, pen.width);
+}
+
+}  // namespace
+
+void draw_icon(ImDrawList& list, Icon icon, const ImVec2& center, float size, const Color& color) {
+    const Pen pen{list, center, 0.5F * size, pack(color), size / 9.0F};
+    switch (icon) {
+        case Icon::kNone:
+            break;
+        case Icon::kPlay:
+            pen.triangle(pen.at(-0.6F, -0.85F), pen.at(0.9F, 0.0F), pen.at(-0.6F, 0.85F));
+            break;
+        case Icon::kPause:
+            pen.bar(-0.7F, -0.8F, -0.2F, 0.8F);
+            pen.bar(0.2F, -0.8F, 0.7F, 0.8F);
+            break;
+        case Icon::kStep:
+            pen.triangle(pen.at(-0.75F, -0.8F), pen.at(0.4F, 0.0F), pen.at(-0.75F, 0.8F));
+            pen.bar(0.5F, -0.8F, 0.85F, 0.8F);
+            break;
+        case Icon::kRestart:
+            draw_restart(pen);
+            break;
+        case Icon::kFollow:
+            draw_follow(pen);
+            break;
+        case Icon::kFit:
+            draw_fit(pen);
+            break;
+        case Icon::kChevronDown:
+            pen.line(-0.6F, -0.3F, 0.0F, 0.35F);
+            pen.line(0.0F, 0.35F, 0.6F, -0.3F);
+            break;
+        case Icon::kChevronRight:
+            pen.line(-0.3F, -0.6F, 0.35F, 0.0F);
+            pen.line(0.35F, 0.0F, -0.3F, 0.6F);
+            break;
+        case Icon::kClose:
+            pen.line(-0.6F, -0.6F, 0.6F, 0.6F);
+            pen.line(-0.6F, 0.6F, 0.6F, -0.6F);
+            break;
+        case Icon::kFolder:
+            draw_folder(pen);
+            break;
+        case Icon::kFile:
+            draw_file(pen);
+            break;
+        case Icon::kUp:
+            pen.line(-0.6F, 0.0F, 0.0F, -0.7F);
+            pen.line(0.0F, -0.7F, 0.6F, 0.0F);
+            pen.line(0.0F, -0.7F, 0.0F, 0.8F);
+            break;
+    }
+}
+
+}  // namespace cambrian

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "render/color.h"
+
+#include <imgui.h>
+
+namespace cambrian {
+
+enum class Icon : unsigned char {
+    kNone,
+    kPlay,
+    kPause,
+    kStep,
+    kRestart,
+    kFollow,
+    kFit,
+    kChevronDown,
+    kChevronRight,
+    kClose,
+    kFolder,
+    kFile,
+    kUp,
+};
+
+// Drawn, not a font: centred, `size` pixels across.
+void draw_icon(ImDrawList& list, Icon icon, const ImVec2& center, float size, const Color& color);
+
+}  // namespace cambrian

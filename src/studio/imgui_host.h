@@ -1,0 +1,34 @@
+#pragma once
+
+// Dear ImGui's context, its back-ends, fonts and style.
+
+#include "studio/ui_context.h"
+
+#include <vector>
+
+namespace cambrian {
+
+class Window;
+struct KeyPress;
+
+class ImGuiHost {
+public:
+    // The window's OpenGL context must be current and stay so.
+    ImGuiHost(Window& window, float scale, ThemeKind theme);
+    ~ImGuiHost();
+    ImGuiHost(const ImGuiHost&) = delete;
+    ImGuiHost& operator=(const ImGuiHost&) = delete;
+
+    // Keys pressed since the last frame count even if they were let go again at once.
+    void begin_frame(const std::vector<KeyPress>& pressed);
+    // Draws everything into the window's framebuffer of the given size.
+    void end_frame(int width, int height);
+    void set_theme(ThemeKind theme);
+    const UiContext& context() const { return context_; }
+
+private:
+    Window& window_;
+    UiContext context_;
+};
+
+}  // namespace cambrian

@@ -1,0 +1,94 @@
+#include "studio/main_window.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cambrian {
+namespace {
+
+void draw_in(const char* name, const Rect& rect, Panel& panel, const FrameContext& frame,
+             Requests& out) {
+    if (rect.width < 1.0F || rect.height < 1.0F) return;
+    begin_place(name, rect);
+    panel.draw(frame, out);
+    end_place();
+}
+
+// A card over the viewport.
+void begin_card(const char* name, const Rect& over, float width, float height) {
+    const float w = std::min(px(width), over.width - px(24));
+    const float h = std::min(px(height), over.height - px(24));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, px(10));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0F);
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, paint(mix(colors().panel, colors().raised, 0.35F)));
+    ImGui::SetNextWindowPos(
+        {std::round(over.center().x - 0.5F * w), std::round(over.center().y - 0.5F * h)});
+    ImGui::SetNextWindowSize({w, h});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(px(20), px(18)));
+    ImGui::Begin(
+        name, nullptr,
+        ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings);
+}
+
+void end_card() {
+    ImGui::End();
+    ImGui::PopStyleVar(3);
+    ImGui::PopStyleColor();
+}
+
+Rect notice_place(const Rect& viewport, const std::string& text) {
+    const float wide = std::min(px(620), viewport.width - px(32));
+    const ImVec2 size = ImGui::CalcTextSize(text.c_str(), nullptr, false, wide - px(74));
+    const float height = std::min(size.y + px(20), viewport.height);
+    const float width = std::min(wide, size.x + px(84));
+    return {std::round(viewport.center().x - 0.5F * width),
+            std::round(viewport.y + viewport.height - height - px(14)), std::round(width),
+            std::round(height)};
+}
+
+}  // namespace
+
+void MainWindow::draw(const FrameContext& frame, int framebuffer_height, Requests& out) {
+    const ImVec2 size = ImGui::GetIO().DisplaySize;
+    const Layout layout = divide_window(size.x, size.y, frame.view, ui().scale);
+    viewport_.set_framebuffer_height(framebuffer_height);
+    draw_gaps(layout);
+    begin_place("bar", layout.bar, px(12), px(10));
+    bar_.draw(frame, out);
+    end_place();
+    draw_in("experiment", layout.experiment, experiment_, frame, out);
+    begin_place("viewport", layout.viewport, 0, 0);
+    viewport_.draw(frame, out);
+    end_place();
+    begin_place("transport", layout.transport, px(10), px(8));
+    transport_.draw(frame, out);
+    end_place();
+    draw_in("inspector", layout.inspector, inspector_, frame, out);
+    draw_in("timeline", layout.timeline, timeline_, frame, out);
+    draw_in("population", layout.population, population_, frame, out);
+    ViewState view = frame.view;
+    if (drag_gaps(layout, view)) out.ask(ChangeView{view});
+    draw_overlays(frame, layout, out);
+}
+
+void MainWindow::draw_overlays(const FrameContext& frame, const Layout& layout, Requests& out) {
+    const ImVec2 size = ImGui::GetIO().DisplaySize;
+    const Rect whole = {0, 0, size.x, size.y};
+    if (frame.files.open) {
+        begin_card("files", whole, 620, 560);
+        files_.draw(frame, out);
+        end_card();
+    }
+    if (frame.help_shown) {
+        begin_card("help", whole, 560, 640);
+        help_.draw(frame, out);
+        end_card();
+    }
+    if (frame.notice == nullptr) return;
+    const Rect strip = notice_place(layout.viewport, frame.notice->text);
+    begin_place("notice", strip, px(18), px(10));
+    notice_.draw(frame, out);
+    end_place();
+}
+
+}  // namespace cambrian

@@ -1,0 +1,42 @@
+#pragma once
+
+// All panels in their places.
+
+#include "studio/layout.h"
+#include "studio/panels/evolve_bar.h"
+#include "studio/panels/experiment_panel.h"
+#include "studio/panels/file_panel.h"
+#include "studio/panels/help_panel.h"
+#include "studio/panels/inspector_panel.h"
+#include "studio/panels/notice_strip.h"
+#include "studio/panels/population_panel.h"
+#include "studio/panels/timeline_panel.h"
+#include "studio/panels/transport_bar.h"
+#include "studio/panels/viewport_panel.h"
+
+namespace cambrian {
+
+class MainWindow {
+public:
+    explicit MainWindow(Renderer* renderer) : viewport_(renderer) {}
+
+    // Between the host's begin_frame and end_frame.
+    void draw(const FrameContext& frame, int framebuffer_height, Requests& out);
+    void fit() { viewport_.fit(); }
+
+private:
+    void draw_overlays(const FrameContext& frame, const Layout& layout, Requests& out);
+
+    EvolveBar bar_;
+    ExperimentPanel experiment_;
+    ViewportPanel viewport_;
+    TransportBar transport_;
+    InspectorPanel inspector_;
+    TimelinePanel timeline_;
+    PopulationPanel population_;
+    FilePanel files_;
+    HelpPanel help_;
+    NoticeStrip notice_;
+};
+
+}  // namespace cambrian

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace cambrian {
+
+enum class NoticeKind : unsigned char { kDone, kProblem };
+
+struct Notice {
+    NoticeKind kind = NoticeKind::kDone;
+    std::string text;
+    double shown_since = 0.0;  // s, of the window's clock
+};
+
+// The one strip of words at a time: what was done, or what went wrong and what to do next. Done
+// fades by itself, problems stay until dismissed or replaced.
+class Notices {
+public:
+    void tell(NoticeKind kind, std::string text, double now) {
+        notice_ = Notice{kind, std::move(text), now};
+    }
+    void dismiss() { notice_.reset(); }
+    const Notice* current(double now) {
+        constexpr double kDoneSeconds = 6.0;
+        if (notice_ && notice_->kind == NoticeKind::kDone &&
+            now - notice_->shown_since > kDoneSeconds) {
+            notice_.reset();
+        }
+        return notice_ ? &*notice_ : nullptr;
+    }
+
+private:
+    std::optional<Notice> notice_;
+};
+
+}  // namespace cambrian

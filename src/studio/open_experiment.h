@@ -1,0 +1,66 @@
+#pragma once
+
+// The experiment being worked on: the engine and the settings as edited.
+
+#include "core/stopwatch.h"
+#include "evolution/engine.h"
+#include "studio/frame_context.h"
+#include "studio/settings_editor.h"
+
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <vector>
+
+namespace cambrian {
+
+class OpenExperiment {
+public:
+    // Settings must pass check_settings. Uses `workers` threads to evaluate.
+    OpenExperiment(ExperimentSettings settings, const EvolutionKinds& kinds, std::size_t workers);
+
+    // Once a frame: sends what waited for room and measures progress.
+    void poll();
+    const EvolutionSnapshot& snapshot() const { return *snapshot_; }
+    const ProgressView& progress() const { return progress_; }
+    const std::vector<SettingField>& fields() const { return fields_; }
+    const SettingsEditor& editor() const { return editor_; }
+    bool running() const { return snapshot_->status == EngineStatus::kRunning; }
+    // Nothing was evaluated yet, so that everything may still be edited.
+    bool fresh() const;
+
+    void toggle();
+    void pause() { send(PauseEvolution{}); }
+    void step() { send(StepGeneration{}); }
+    void edit(ExperimentSettings settings, const std::string& field);
+    // The engine gets what was edited: all of it while fresh, live fields otherwise.
+    Status commit();
+    void undo();
+    void redo();
+    void drop_structural_edits();
+    // Generation 0 anew with the draft.
+    Status start_new_run(bool keep_population);
+    // Generation 0 anew with other settings.
+    Status replace(const ExperimentSettings& settings);
+
+private:
+    void send(Command command);
+    void measure();
+
+    const EvolutionKinds& kinds_;
+    std::vector<SettingField> fields_;
+    SettingsEditor editor_;
+    EvolutionEngine engine_;
+    std::deque<Command> unsent_;  // the engine's inbox was full
+    std::shared_ptr<const EvolutionSnapshot> snapshot_;
+    ProgressView progress_;
+    // For the rate: what was done when, within the present generation.
+    Stopwatch since_mark_;
+    std::uint32_t marked_done_ = 0;
+    std::uint32_t marked_generation_ = 0;
+};
+
+// All fields written out, so that maps name every kind and equal settings compare equal.
+ExperimentSettings completed(ExperimentSettings settings, const std::vector<SettingField>& fields);
+
+}  // namespace cambrian

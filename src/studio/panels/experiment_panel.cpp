@@ -1,0 +1,186 @@
+#include "studio/panels/experiment_panel.h"
+
+#include "studio/environment_presets.h"
+#include "studio/setting_row.h"
+#include "studio/text.h"
+#include "studio/widgets.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+
+namespace cambrian {
+namespace {
+
+struct GroupName {
+    std::string_view table;
+    std::string_view title;
+    bool open;  // at first
+};
+
+// In the order shown; tables not named here follow under their own name.
+constexpr std::array kGroups = {
+    GroupName{"goal", "Goal", true},
+    GroupName{"environment", "Environment", true},
+    GroupName{"population", "Population", true},
+    GroupName{"selection", "Selection", true},
+    GroupName{"breeding", "Breeding", false},
+    GroupName{"mutation", "Mutation", true},
+    GroupName{"mutation.weights", "Mutation weights", false},
+    GroupName{"body", "Body and brain", false},
+    GroupName{"simulation", "Physics", false},
+    GroupName{"trial", "Trial", false},
+    GroupName{"run", "Run", false},
+};
+
+const GroupName* named(std::string_view table) {
+    const auto found = std::find_if(kGroups.begin(), kGroups.end(),
+                                    [table](const GroupName& each) { return each.table == table; });
+    return found == kGroups.end() ? nullptr : &*found;
+}
+
+std::size_t rank_of(std::string_view table) {
+    const GroupName* group = named(table);
+    return group == nullptr ? kGroups.size() : static_cast<std::size_t>(group - kGroups.data());
+}
+
+// A goal brings the world it makes sense in.
+void adopt_goal_world(ExperimentSettings& settings, const EvolutionKinds& kinds) {
+    const GoalKind* goal = kinds.goals.find(settings.goal);
+    if (goal == nullptr || goal->default_environment == nullptr) return;
+    const double density = settings.world.environment.density;
+    settings.world.environment = goal->default_environment();
+    settings.world.environment.density = density;
+}
+
+void draw_presets(const ExperimentSettings& draft, Requests& out) {
+    const Environment& present = draft.world.environment;
+    const char* shown = "Own world";
+    for (const EnvironmentPreset& preset : environment_presets()) {
+        if (preset.apply(present) == present) shown = preset.label;
+    }
+    const bool open = begin_choice("##preset", shown, ImGui::GetContentRegionAvail().x);
+    if (!open) {
+        note_place("environment preset");
+        return;
+    }
+    for (const EnvironmentPreset& preset : environment_presets()) {
+        if (ImGui::Selectable(preset.label, preset.label == std::string_view(shown))) {
+            ExperimentSettings edited = draft;
+            edited.world.environment = preset.apply(present);
+            out.ask(EditSettings{std::move(edited), "environment"});
+            out.ask(FinishEdit{});
+        }
+        note_place(preset.label);
+        tooltip(preset.help);
+    }
+    ImGui::EndCombo();
+}
+
+std::string goal_help(const FrameContext& frame) {
+    const GoalKind* goal = frame.kinds.goals.find(frame.editor.draft().goal);
+    return goal == nullptr ? std::string() : goal->help;
+}
+
+}  // namespace
+
+std::vector<ExperimentPanel::Group> ExperimentPanel::list_groups(
+    const FrameContext& frame, ExperimentSettings& draft, ExperimentSettings& defaults) const {
+    std::vector<Group> groups;
+    for (const SettingField& field : frame.fields) {
+        auto group = std::find_if(groups.begin(), groups.end(), [&field](const Group& each) {
+            return each.table == field.table;
+        });
+        if (group == groups.end()) {
+            const GroupName* name = named(field.table);
+            groups.push_back({field.table, name != nullptr ? std::string(name->title)
+                                                           : capitalized(field.table)});
+            group = groups.end() - 1;
+        }
+        if (!same_value(field, draft, defaults)) ++group->changed;
+    }
+    std::stable_sort(groups.begin(), groups.end(), [](const Group& a, const Group& b) {
+        return rank_of(a.table) < rank_of(b.table);
+    });
+    return groups;
+}
+
+void ExperimentPanel::draw(const FrameContext& frame, Requests& out) {
+    panel_title("Experiment");
+    draw_run_warning(frame, out);
+    ExperimentSettings draft = frame.editor.draft();
+    ExperimentSettings defaults;
+    ImGui::BeginChild("settings", {0, 0}, false, ImGuiWindowFlags_NoBackground);
+    for (const Group& group : list_groups(frame, draft, defaults))
+        draw_group(group, frame, out);
+    ImGui::EndChild();
+}
+
+void ExperimentPanel::draw_run_warning(const FrameContext& frame, Requests& out) {
+    const std::vector<std::string> waiting =
+        structural_changes(*frame.snapshot.settings, frame.editor.draft(), frame.fields);
+    const bool fresh = frame.snapshot.generation == 0 && frame.snapshot.population.empty();
+    if (waiting.empty() || fresh) return;
+    std::string names = waiting.front();
+    for (std::size_t i = 1; i < waiting.size(); ++i)
+        names += ", " + waiting[i];
+    muted_text(names + (waiting.size() == 1 ? " takes" : " take") + " effect in a new run.");
+    if (push_button("New run", {.look = ButtonLook::kPrimary, .tooltip = "From random creatures."}))
+        out.ask(StartNewRun{false});
+    ImGui::SameLine();
+    if (push_button("Keep creatures", {.tooltip = "A new run from the present population."}))
+        out.ask(StartNewRun{true});
+    ImGui::SameLine();
+    if (push_button("Undo##run", {.look = ButtonLook::kGhost,
+                                  .icon = Icon::kClose,
+                                  .label_shown = false,
+                                  .tooltip = "Back to what is running."}))
+        out.ask(DropStructuralEdits{});
+}
+
+bool ExperimentPanel::draw_header(const Group& group) {
+    const GroupName* name = named(group.table);
+    bool& open = open_.try_emplace(group.table, name != nullptr && name->open).first->second;
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const ImVec2 size = {ImGui::GetContentRegionAvail().x, px(32)};
+    if (ImGui::InvisibleButton(group.title.c_str(), size)) open = !open;
+    note_place("group " + group.table);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const bool hovered = ImGui::IsItemHovered();
+    list.AddLine(at, {at.x + size.x, at.y}, paint(colors().border));
+    const float middle = at.y + 0.5F * size.y;
+    draw_icon(list, open ? Icon::kChevronDown : Icon::kChevronRight, {at.x + px(7), middle}, px(10),
+              hovered ? colors().text : colors().muted);
+    const WithFont font(ui().fonts.strong);
+    const float text_y = std::floor(middle - 0.5F * ImGui::GetFontSize());
+    list.AddText({at.x + px(22), text_y}, paint(colors().text), group.title.c_str());
+    if (group.changed > 0) {
+        const std::string count = std::to_string(group.changed);
+        const float width = ImGui::CalcTextSize(count.c_str()).x;
+        list.AddText({at.x + size.x - width - px(6), text_y}, paint(colors().accent),
+                     count.c_str());
+    }
+    return open;
+}
+
+void ExperimentPanel::draw_group(const Group& group, const FrameContext& frame, Requests& out) {
+    if (!draw_header(group)) return;
+    ImGui::PushID(group.table.c_str());
+    if (group.table == "environment") draw_presets(frame.editor.draft(), out);
+    ExperimentSettings defaults;
+    ExperimentSettings edited = frame.editor.draft();
+    for (const SettingField& field : frame.fields) {
+        if (field.table != group.table) continue;
+        const RowEvent event = setting_row(field, edited, defaults);
+        if (event == RowEvent::kNone) continue;
+        if (field.table == "goal") adopt_goal_world(edited, frame.kinds);
+        out.ask(EditSettings{edited, field.table + "." + field.key});
+        if (event == RowEvent::kFinished) out.ask(FinishEdit{});
+    }
+    if (group.table == "goal") muted_text(goal_help(frame));
+    ImGui::Dummy({0, px(4)});
+    ImGui::PopID();
+}
+
+}  // namespace cambrian

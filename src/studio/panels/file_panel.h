@@ -1,0 +1,26 @@
+#pragma once
+
+#include "studio/panel.h"
+
+#include <array>
+
+namespace cambrian {
+
+// Chooses a file to open or a name to save under; drawn by the studio itself, over the viewport,
+// without stopping anything else.
+class FilePanel final : public Panel {
+public:
+    void draw(const FrameContext& frame, Requests& out) override;
+
+private:
+    void draw_places(const FrameContext& frame, Requests& out);
+    void draw_entries(const FrameContext& frame, Requests& out);
+    void draw_name(const FrameContext& frame, Requests& out);
+    void confirm(const FrameContext& frame, Requests& out) const;
+
+    unsigned opening_ = 0;           // the opening its fields were last reset for
+    std::array<char, 1024> name_{};  // of the file
+    bool focus_wanted_ = false;
+};
+
+}  // namespace cambrian

@@ -1,0 +1,32 @@
+#include "studio/panels/inspector_panel.h"
+
+#include "studio/panels/tabs/brain_tab.h"
+#include "studio/panels/tabs/creature_tab.h"
+#include "studio/panels/tabs/genotype_tab.h"
+#include "studio/widgets.h"
+
+namespace cambrian {
+
+InspectorPanel::InspectorPanel() {
+    tabs_.push_back({"Creature", std::make_unique<CreatureTab>()});
+    tabs_.push_back({"Brain", std::make_unique<BrainTab>()});
+    tabs_.push_back({"Genotype", std::make_unique<GenotypeTab>()});
+}
+
+void InspectorPanel::draw(const FrameContext& frame, Requests& out) {
+    std::vector<std::string> titles;
+    for (const Tab& tab : tabs_)
+        titles.push_back(tab.title);
+    const int pressed = segmented("inspector", titles, chosen_);
+    if (pressed >= 0) chosen_ = pressed;
+    ImGui::Dummy({0, px(2)});
+    if (frame.playback.empty()) {
+        muted_text("Nothing on show yet. Open a creature (Ctrl+O) or press Evolve.");
+        return;
+    }
+    ImGui::BeginChild("tab", {0, 0}, false, ImGuiWindowFlags_NoBackground);
+    tabs_[static_cast<std::size_t>(chosen_)].panel->draw(frame, out);
+    ImGui::EndChild();
+}
+
+}  // namespace cambrian

@@ -1,0 +1,114 @@
+#include "studio/panels/main_menu.h"
+
+#include "studio/widgets.h"
+
+#include <array>
+
+namespace cambrian {
+namespace {
+
+bool item(const char* label, const char* keys, bool enabled = true, bool chosen = false) {
+    const bool pressed = ImGui::MenuItem(label, keys, chosen, enabled);
+    note_place(label);
+    return pressed;
+}
+
+void draw_file_menu(const FrameContext& frame, Requests& out) {
+    const bool any = !frame.playback.empty();
+    if (item("Open…", "Ctrl+O")) out.ask(OpenFilePanel{FileTask::kOpen});
+    ImGui::Separator();
+    if (item("Save creature…", "Ctrl+S", any)) out.ask(OpenFilePanel{FileTask::kSaveCreature});
+    if (item("Save settings…", "Ctrl+Shift+S")) out.ask(OpenFilePanel{FileTask::kSaveSettings});
+    if (item("Save picture of the window", "F12")) out.ask(SaveScreenshot{});
+    ImGui::Separator();
+    if (item("Quit", "Ctrl+Q")) out.ask(QuitStudio{});
+}
+
+void draw_edit_menu(const FrameContext& frame, Requests& out) {
+    if (item("Undo", "Ctrl+Z", frame.editor.can_undo())) out.ask(UndoEdit{});
+    if (item("Redo", "Ctrl+Shift+Z", frame.editor.can_redo())) out.ask(RedoEdit{});
+    ImGui::Separator();
+    if (item("New run", nullptr)) out.ask(StartNewRun{false});
+    const bool any = !frame.snapshot.population.empty();
+    if (item("New run from these creatures", nullptr, any)) out.ask(StartNewRun{true});
+}
+
+void view_item(const char* label, const char* keys, bool ViewState::*flag,
+               const FrameContext& frame, Requests& out) {
+    if (!item(label, keys, true, frame.view.*flag)) return;
+    ViewState view = frame.view;
+    view.*flag = !(view.*flag);
+    out.ask(ChangeView{view});
+}
+
+void draw_view_menu(const FrameContext& frame, Requests& out) {
+    view_item("Experiment", nullptr, &ViewState::left_panel, frame, out);
+    view_item("Inspector", nullptr, &ViewState::right_panel, frame, out);
+    view_item("Timeline and population", nullptr, &ViewState::bottom_panel, frame, out);
+    ImGui::Separator();
+    view_item("Follow the creature", "F", &ViewState::follow, frame, out);
+    view_item("Show each new champion", nullptr, &ViewState::newest_champion, frame, out);
+    if (item("Fit into view", "Home")) out.ask(FitView{});
+    ImGui::Separator();
+    view_item("Grid", nullptr, &ViewState::grid, frame, out);
+    view_item("Trail", nullptr, &ViewState::trail, frame, out);
+    view_item("Touching faces", nullptr, &ViewState::contacts, frame, out);
+    view_item("Part numbers", nullptr, &ViewState::names, frame, out);
+    ImGui::Separator();
+    const bool light = frame.view.theme == ThemeKind::kLight;
+    if (item("Light theme", nullptr, true, light)) {
+        ViewState view = frame.view;
+        view.theme = light ? ThemeKind::kDark : ThemeKind::kLight;
+        out.ask(ChangeView{view});
+    }
+}
+
+void draw_help_menu(const FrameContext&, Requests& out) {
+    if (item("Keys and first steps", "F1")) out.ask(ToggleHelp{});
+}
+
+struct Menu {
+    const char* title;
+    void (*draw)(const FrameContext& frame, Requests& out);
+};
+constexpr std::array kMenus = {Menu{"File", draw_file_menu}, Menu{"Edit", draw_edit_menu},
+                               Menu{"View", draw_view_menu}, Menu{"Help", draw_help_menu}};
+
+bool any_menu_open() {
+    for (const Menu& menu : kMenus) {
+        if (ImGui::IsPopupOpen(menu.title)) return true;
+    }
+    return false;
+}
+
+}  // namespace
+
+void draw_main_menu(const FrameContext& frame, Requests& out) {
+    const bool browsing = any_menu_open();
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(px(2), px(8)));
+    for (const Menu& menu : kMenus) {
+        ButtonStyle style;
+        style.look = ImGui::IsPopupOpen(menu.title) ? ButtonLook::kSelected : ButtonLook::kGhost;
+        style.width = ImGui::CalcTextSize(menu.title).x + px(20);
+        style.height = px(34);
+        const bool pressed = push_button(menu.title, style);
+        const bool slid_over =
+            browsing && ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenBlockedByPopup);
+        if (pressed || slid_over) ImGui::OpenPopup(menu.title);
+        const ImVec2 below = {ImGui::GetItemRectMin().x, ImGui::GetItemRectMax().y + px(4)};
+        ImGui::SameLine();
+        ImGui::SetNextWindowPos(below);
+        ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(px(10), px(8)));
+        ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(px(18), px(8)));
+        if (ImGui::BeginPopup(menu.title)) {
+            menu.draw(frame, out);
+            ImGui::EndPopup();
+        }
+        ImGui::PopStyleVar(2);
+    }
+    ImGui::PopStyleVar();
+    ImGui::NewLine();
+    ImGui::SameLine();
+}
+
+}  // namespace cambrian

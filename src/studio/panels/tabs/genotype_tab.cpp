@@ -1,0 +1,192 @@
+#include "studio/panels/tabs/genotype_tab.h"
+
+#include "math/angle.h"
+#include "studio/scene_builder.h"
+#include "studio/text.h"
+#include "studio/widgets.h"
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+
+namespace cambrian {
+namespace {
+
+constexpr float kRowHeight = 74.0F;
+constexpr float kFactsHeight = 190.0F;
+constexpr std::size_t kMostInRow = 4;
+
+ImVec2 half_size(const NodeGene& node) {
+    constexpr float kScale = 44.0F;  // units a metre
+    const float length = std::clamp(static_cast<float>(node.length) * kScale, 22.0F, 60.0F);
+    const float width = std::clamp(static_cast<float>(node.width) * kScale, 18.0F, 36.0F);
+    return {0.5F * px(length), 0.5F * px(width)};
+}
+
+// A loop beside a node, for an edge to itself.
+void draw_loop(ImDrawList& list, const ImVec2& at, const ImVec2& half, const Color& color,
+               int times) {
+    const ImVec2 center = {at.x + half.x + px(7), at.y};
+    list.AddCircle(center, px(9), paint(color), 20, px(1.5F));
+    if (times < 2) return;
+    const std::string text = format("×%d", times);
+    list.AddText(ui().fonts.small, 13.0F * ui().scale, {center.x + px(12), at.y - px(8)},
+                 paint(colors().muted), text.c_str());
+}
+
+// A curve whose end points at its target.
+void draw_arrow(ImDrawList& list, const ImVec2& from, const ImVec2& to, const Color& color) {
+    const float bend = 0.4F * std::fabs(to.y - from.y) + px(10);
+    const float down = to.y >= from.y ? 1.0F : -1.0F;
+    list.AddBezierCubic(from, {from.x, from.y + down * bend}, {to.x, to.y - down * bend}, to,
+                        paint(color), px(1.5F), 18);
+    list.AddTriangleFilled({to.x - px(4), to.y - down * px(8)}, {to.x + px(4), to.y - down * px(8)},
+                           to, paint(color));
+}
+
+Color edge_color(const EdgeGene& edge) {
+    if (edge.terminal_only) return colors().plot_median;
+    if (edge.reflect) return colors().plot_best;
+    return colors().muted;
+}
+
+std::string degrees_text(double low, double high) {
+    return pretty_number(std::round(to_degrees(low))) + "° to " +
+           pretty_number(std::round(to_degrees(high))) + "°";
+}
+
+}  // namespace
+
+std::vector<std::size_t> steps_from_root(const Genome& genome) {
+    constexpr auto kUnreached = static_cast<std::size_t>(-1);
+    std::vector<std::size_t> steps(genome.nodes.size(), kUnreached);
+    std::deque<std::size_t> next = {0};
+    steps[0] = 0;
+    std::size_t deepest = 0;
+    while (!next.empty()) {
+        const std::size_t node = next.front();
+        next.pop_front();
+        deepest = std::max(deepest, steps[node]);
+        for (const EdgeGene& edge : genome.nodes[node].edges) {
+            if (steps[edge.target] != kUnreached) continue;
+            steps[edge.target] = steps[node] + 1;
+            next.push_back(edge.target);
+        }
+    }
+    std::replace(steps.begin(), steps.end(), kUnreached, deepest + 1);
+    return steps;
+}
+
+void GenotypeTab::rebuild(const GenomePtr& genome) {
+    genome_ = genome;
+    chosen_ = 0;
+    std::vector<GraphEdge> edges;
+    for (std::size_t i = 0; i < genome->nodes.size(); ++i) {
+        for (const EdgeGene& edge : genome->nodes[i].edges)
+            edges.push_back({i, edge.target});
+    }
+    points_ = place_in_rows(steps_from_root(*genome), edges, kMostInRow);
+    std::vector<float> levels;
+    for (const GraphPoint& point : points_)
+        levels.push_back(point.y);
+    std::sort(levels.begin(), levels.end());
+    row_count_ =
+        static_cast<std::size_t>(std::unique(levels.begin(), levels.end()) - levels.begin());
+}
+
+ImVec2 GenotypeTab::point_of(std::size_t node) const {
+    return {area_.x + points_[node].x * area_.width, area_.y + points_[node].y * area_.height};
+}
+
+void GenotypeTab::draw(const FrameContext& frame, Requests& out) {
+    if (genome_ != frame.playback.exhibit().genome) rebuild(frame.playback.exhibit().genome);
+    caption("Part genes and what follows what; loops repeat.");
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const ImVec2 room = ImGui::GetContentRegionAvail();
+    const float wanted = static_cast<float>(row_count_) * px(kRowHeight);
+    const float height = std::max(wanted, std::min(room.y - px(kFactsHeight), 1.4F * wanted));
+    area_ = {at.x, at.y, room.x - px(10), height};
+    draw_edges();
+    draw_nodes(frame, out);
+    ImGui::SetCursorScreenPos({at.x, at.y + height});
+    draw_facts(frame);
+}
+
+void GenotypeTab::draw_edges() const {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    for (std::size_t i = 0; i < genome_->nodes.size(); ++i) {
+        const NodeGene& node = genome_->nodes[i];
+        const ImVec2 half = half_size(node);
+        const ImVec2 from = point_of(i);
+        for (const EdgeGene& edge : node.edges) {
+            const Color color = edge_color(edge);
+            if (edge.target == i) {
+                draw_loop(list, from, half, color, node.recursion_limit);
+                continue;
+            }
+            const ImVec2 to = point_of(edge.target);
+            const float target_half = half_size(genome_->nodes[edge.target]).y;
+            const float down = to.y >= from.y ? 1.0F : -1.0F;
+            draw_arrow(list, {from.x, from.y + down * half.y},
+                       {to.x, to.y - down * (target_half + px(2))}, color);
+        }
+    }
+}
+
+void GenotypeTab::draw_nodes(const FrameContext& frame, Requests& out) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const auto& parts = frame.playback.phenotype().parts;
+    for (std::size_t i = 0; i < genome_->nodes.size(); ++i) {
+        const ImVec2 half = half_size(genome_->nodes[i]);
+        const ImVec2 at = point_of(i);
+        const ImVec2 low = {at.x - half.x, at.y - half.y};
+        const ImVec2 high = {at.x + half.x, at.y + half.y};
+        ImGui::SetCursorScreenPos(low);
+        ImGui::PushID(static_cast<int>(i));
+        ImGui::InvisibleButton("gene", {2 * half.x, 2 * half.y});
+        ImGui::PopID();
+        note_place("gene " + std::to_string(i));
+        if (ImGui::IsItemHovered()) {
+            chosen_ = i;
+            out.ask(ShowHighlight{{.node = static_cast<int>(i)}});
+        }
+        BodyPart part;
+        part.node = static_cast<std::uint8_t>(i);
+        const bool grown = std::any_of(parts.begin(), parts.end(),
+                                       [i](const BodyPart& each) { return each.node == i; });
+        const int lit_part = frame.highlight.part;
+        const bool lit = frame.highlight.node == static_cast<int>(i) ||
+                         (lit_part >= 0 && parts[static_cast<std::size_t>(lit_part)].node == i);
+        const Color fill = part_color(part, genome_->hue);
+        list.AddRectFilled(low, high, paint(with_alpha(fill, grown ? 1.0F : 0.25F)), px(6));
+        const bool strong = lit || i == chosen_;
+        list.AddRect(low, high, paint(strong ? colors().text : mix(fill, colors().window, 0.4F)),
+                     px(6), ImDrawFlags_None, strong ? px(2) : px(1));
+        const std::string label = std::to_string(i);
+        const ImVec2 size = ImGui::CalcTextSize(label.c_str());
+        list.AddText({at.x - 0.5F * size.x, at.y - 0.5F * size.y}, paint(color_of(0x0B0E12)),
+                     label.c_str());
+    }
+}
+
+void GenotypeTab::draw_facts(const FrameContext& frame) const {
+    if (chosen_ >= genome_->nodes.size()) return;
+    const NodeGene& node = genome_->nodes[chosen_];
+    const auto& parts = frame.playback.phenotype().parts;
+    const auto grown = std::count_if(parts.begin(), parts.end(),
+                                     [this](const BodyPart& part) { return part.node == chosen_; });
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(px(8), px(4)));
+    panel_title(chosen_ == 0 ? "Gene 0, the root" : "Gene " + std::to_string(chosen_));
+    fact("Parts grown from it", std::to_string(grown));
+    fact("Size", pretty_number(node.length) + " × " + with_unit(node.width, "m"));
+    if (chosen_ > 0) {
+        fact("Joint", frame.kinds.creature.catalog.joints[node.joint].label);
+        fact("Limits", degrees_text(node.limit_low, node.limit_high));
+    }
+    fact("Repeats at most", std::to_string(node.recursion_limit));
+    fact("Mirror pairs", node.symmetric ? "yes" : "no");
+    fact("Neurons", std::to_string(node.neurons.size()));
+    ImGui::PopStyleVar();
+}
+
+}  // namespace cambrian

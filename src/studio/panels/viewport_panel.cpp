@@ -1,0 +1,247 @@
+#include "studio/panels/viewport_panel.h"
+
+#include "studio/scene_builder.h"
+#include "studio/text.h"
+#include "studio/widgets.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cambrian {
+namespace {
+
+constexpr double kFollowLag = 0.25;     // s
+constexpr double kFitShare = 0.42;      // of the viewport filled by a body that is fitted
+constexpr double kHorizonShare = 0.24;  // of the viewport's height below the ground
+constexpr double kWheelFactor = 1.15;   // a notch
+
+WorldWindow bounds_of(const Phenotype& phenotype, const std::vector<Pose>& poses) {
+    WorldWindow window{Vec2::Constant(1e9), Vec2::Constant(-1e9)};
+    for (std::size_t i = 0; i < poses.size(); ++i) {
+        const double reach = phenotype.plan.parts[i].half_extents.head<2>().norm();
+        const Vec2 at = poses[i].position.head<2>();
+        window.low = window.low.cwiseMin(at - Vec2::Constant(reach));
+        window.high = window.high.cwiseMax(at + Vec2::Constant(reach));
+    }
+    return window;
+}
+
+void shadowed_text(ImDrawList& list, ImFont* font, float size, const ImVec2& at, const Color& color,
+                   const std::string& text) {
+    list.AddText(font, size, {at.x, at.y + 1.0F}, paint(with_alpha(colors().sky, 0.9F)),
+                 text.c_str());
+    list.AddText(font, size, at, paint(color), text.c_str());
+}
+
+std::string second_line(const FrameContext& frame) {
+    const Exhibit& exhibit = frame.playback.exhibit();
+    const GoalKind* goal = frame.kinds.goals.find(exhibit.goal);
+    std::string line = goal == nullptr ? std::string() : goal->label;
+    if (goal != nullptr && frame.score != nullptr) {
+        line += "  ·  " + measured(frame.score->score.value, goal->unit);
+    }
+    const Trial& trial = frame.playback.trial();
+    const std::string clock = trial.settling() ? "settling" : format("%.1f s", trial.time());
+    line += (line.empty() ? "" : "  ·  ") + clock;
+    if (trial.finished()) line += " (trial over, still playing)";
+    return line;
+}
+
+}  // namespace
+
+void ViewportPanel::draw(const FrameContext& frame, Requests& out) {
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const ImVec2 room = ImGui::GetContentRegionAvail();
+    canvas_.area = {at.x, at.y, room.x, room.y};
+    size_ = {std::max(1.0, static_cast<double>(room.x)),
+             std::max(1.0, static_cast<double>(room.y))};
+    ImGui::InvisibleButton("viewport", {std::max(1.0F, room.x), std::max(1.0F, room.y)},
+                           ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
+                               ImGuiButtonFlags_MouseButtonMiddle);
+    note_place("viewport");
+    canvas_.frame.clear();
+    canvas_.frame.background = colors().sky;
+    if (!frame.playback.empty()) {
+        handle_mouse(frame, out);
+        place_camera(frame);
+        build_scene(frame);
+    }
+    canvas_.add_to(*ImGui::GetWindowDrawList());
+    if (frame.playback.empty()) return;
+    draw_marks(frame);
+    if (frame.view.names) draw_part_numbers(frame);
+    draw_words(frame);
+}
+
+Vec2 ViewportPanel::mouse_in_world() const {
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    return canvas_.camera.to_world({static_cast<double>(mouse.x - canvas_.area.x),
+                                    static_cast<double>(mouse.y - canvas_.area.y)},
+                                   size_);
+}
+
+Vec2 ViewportPanel::follow_target(const FrameContext& frame) const {
+    const Vec2 center = frame.playback.center_of_mass().head<2>();
+    if (!frame.playback.environment().has_ground) return center;
+    // The ground stays where it is on screen unless the creature rises out of sight.
+    const double height = size_.height * canvas_.camera.pixel();
+    const double level = (0.5 - kHorizonShare) * height;
+    return {center.x(), std::max(level, center.y() - 0.2 * height)};
+}
+
+void ViewportPanel::fit_now(const FrameContext& frame) {
+    fit_wanted_ = false;
+    const WorldWindow bounds = bounds_of(frame.playback.phenotype(), frame.playback.poses());
+    canvas_.camera.fit(bounds, kFitShare, size_);
+    canvas_.camera.center = follow_target(frame);
+}
+
+void ViewportPanel::place_camera(const FrameContext& frame) {
+    const bool changed = seen_ != &frame.playback.phenotype();
+    seen_ = &frame.playback.phenotype();
+    if (changed && !fit_wanted_) {
+        // Another creature keeps the scale, so that sizes compare, unless it would not be seen.
+        const WorldWindow bounds = bounds_of(*seen_, frame.playback.poses());
+        const Vec2 pixels = (bounds.high - bounds.low) * canvas_.camera.pixels_per_metre;
+        const double share = std::max(pixels.x() / size_.width, pixels.y() / size_.height);
+        fit_wanted_ = share > 0.85 || share < 0.08;
+        if (frame.view.follow) canvas_.camera.center = follow_target(frame);
+    }
+    if (fit_wanted_) {
+        fit_now(frame);
+    } else if (frame.view.follow) {
+        const double elapsed = static_cast<double>(ImGui::GetIO().DeltaTime);
+        canvas_.camera.approach(follow_target(frame), elapsed, kFollowLag);
+    }
+}
+
+void ViewportPanel::handle_mouse(const FrameContext& frame, Requests& out) {
+    const ImGuiIO& io = ImGui::GetIO();
+    const bool hovered = ImGui::IsItemHovered();
+    if (hovered && io.MouseWheel != 0.0F) {
+        const Vec2 cursor = frame.view.follow
+                                ? Vec2(0.5 * size_.width, 0.5 * size_.height)
+                                : Vec2(static_cast<double>(io.MousePos.x - canvas_.area.x),
+                                       static_cast<double>(io.MousePos.y - canvas_.area.y));
+        canvas_.camera.zoom_about(
+            cursor, std::pow(kWheelFactor, static_cast<double>(io.MouseWheel)), size_);
+        if (frame.view.follow) canvas_.camera.center = follow_target(frame);
+    }
+    const bool dragged = ImGui::IsItemActive() && (ImGui::IsMouseDragging(ImGuiMouseButton_Right) ||
+                                                   ImGui::IsMouseDragging(ImGuiMouseButton_Middle));
+    if (dragged) {
+        canvas_.camera.pan(
+            {static_cast<double>(io.MouseDelta.x), static_cast<double>(io.MouseDelta.y)});
+        if (frame.view.follow && !panning_) {
+            ViewState view = frame.view;
+            view.follow = false;
+            out.ask(ChangeView{view});
+        }
+    }
+    panning_ = dragged;
+    handle_poke(frame, out);
+    const int under =
+        hovered ? part_at(frame.playback.phenotype(), frame.playback.poses(), mouse_in_world())
+                : -1;
+    if (under >= 0) out.ask(ShowHighlight{{.part = under}});
+}
+
+// The left button takes hold of a part where it is pressed and pulls while held.
+void ViewportPanel::handle_poke(const FrameContext& frame, Requests& out) {
+    const Vec2 mouse = mouse_in_world();
+    const Vec3 target(mouse.x(), mouse.y(), 0.0);
+    const int held = frame.playback.poked_part();
+    if (held >= 0) {
+        if (ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
+            out.ask(PokePart{static_cast<std::size_t>(held), frame.playback.poke_point(), target});
+        } else {
+            out.ask(ReleasePoke{});
+        }
+        return;
+    }
+    if (!ImGui::IsItemActive() || !ImGui::IsMouseClicked(ImGuiMouseButton_Left)) return;
+    const int part = part_at(frame.playback.phenotype(), frame.playback.poses(), mouse);
+    if (part < 0) return;
+    const Pose& pose = frame.playback.poses()[static_cast<std::size_t>(part)];
+    const Vec3 inside = pose.orientation.conjugate() * (target - pose.position);
+    out.ask(PokePart{static_cast<std::size_t>(part), inside, target});
+}
+
+void ViewportPanel::build_scene(const FrameContext& frame) {
+    const Playback& playback = frame.playback;
+    const Palette& palette = colors();
+    SceneFrame& scene = canvas_.frame;
+    const CreatureLook look{playback.phenotype(), playback.poses(),
+                            frame.view.contacts ? &playback.trial().scene() : nullptr,
+                            playback.exhibit().genome->hue, frame.highlight};
+    if (frame.view.grid) add_grid(scene, palette, canvas_.camera, size_);
+    if (playback.environment().has_ground) {
+        add_ground(scene, palette, canvas_.camera, size_);
+        add_shadow(scene, look);
+    }
+    if (frame.view.trail) {
+        scene.add_trail(playback.trail(), 2.2 * canvas_.camera.pixel(),
+                        with_alpha(palette.accent, 0.8F));
+    }
+    add_creature(scene, palette, canvas_.camera, look);
+    if (playback.poked_part() < 0) return;
+    const auto held = static_cast<std::size_t>(playback.poked_part());
+    const Vec3 from = transform(playback.poses()[held], playback.poke_point());
+    scene.add_line(from.head<2>(), playback.poke_target().head<2>(), 2.0 * canvas_.camera.pixel(),
+                   palette.danger);
+}
+
+void ViewportPanel::draw_marks(const FrameContext& frame) {
+    if (!frame.playback.environment().has_ground) return;
+    const Camera& camera = canvas_.camera;
+    const WorldWindow window = camera.window(size_);
+    if (window.low.y() > 0.0) return;
+    const double spacing = mark_spacing(camera, 70.0);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const WithFont font(ui().fonts.small);
+    for (double i = std::ceil(window.low.x() / spacing); i * spacing < window.high.x(); i += 1.0) {
+        const std::string label = with_unit(i * spacing, "m");
+        const Vec2 at = camera.to_screen({i * spacing, 0.0}, size_);
+        const float width = ImGui::CalcTextSize(label.c_str()).x;
+        list.AddText({std::round(canvas_.area.x + static_cast<float>(at.x()) - 0.5F * width),
+                      std::round(canvas_.area.y + static_cast<float>(at.y()) + px(10))},
+                     paint(colors().muted), label.c_str());
+    }
+}
+
+void ViewportPanel::draw_part_numbers(const FrameContext& frame) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const WithFont font(ui().fonts.small);
+    for (std::size_t i = 0; i < frame.playback.poses().size(); ++i) {
+        const Vec2 at =
+            canvas_.camera.to_screen(frame.playback.poses()[i].position.head<2>(), size_);
+        const std::string label = std::to_string(i);
+        const ImVec2 size = ImGui::CalcTextSize(label.c_str());
+        list.AddText({std::round(canvas_.area.x + static_cast<float>(at.x()) - 0.5F * size.x),
+                      std::round(canvas_.area.y + static_cast<float>(at.y()) - 0.5F * size.y)},
+                     paint(color_of(0x0B0E12)), label.c_str());
+    }
+}
+
+void ViewportPanel::draw_words(const FrameContext& frame) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const Fonts& fonts = ui().fonts;
+    const Exhibit& exhibit = frame.playback.exhibit();
+    ImVec2 at = {canvas_.area.x + px(16), canvas_.area.y + px(12)};
+    const std::string& name = exhibit.genome->name;
+    const std::string title =
+        name.empty() || exhibit.source == ExhibitSource::kChampion ? exhibit.title : name;
+    shadowed_text(list, fonts.title, px(20), at, colors().text, title);
+    at.y += px(27);
+    shadowed_text(list, fonts.body, px(15), at, colors().muted, second_line(frame));
+    at.y += px(22);
+    if (frame.playback.diverged()) {
+        shadowed_text(list, fonts.body, px(15), at, colors().danger,
+                      "The motion diverged; press R to restart");
+    } else if (frame.playback.disturbed()) {
+        shadowed_text(list, fonts.body, px(15), at, colors().plot_best,
+                      "Disturbed by hand; press R to restart");
+    }
+}
+
+}  // namespace cambrian

@@ -1,0 +1,103 @@
+#include "studio/remembered.h"
+
+#include "core/file_io.h"
+#include "persist/settings_file.h"
+#include "studio/text.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <sstream>
+
+namespace cambrian {
+namespace {
+
+constexpr std::size_t kMostBytes = 100'000;
+
+struct Flag {
+    const char* name;
+    bool ViewState::*place;
+};
+constexpr std::array kFlags = {
+    Flag{"follow", &ViewState::follow},
+    Flag{"trail", &ViewState::trail},
+    Flag{"contacts", &ViewState::contacts},
+    Flag{"grid", &ViewState::grid},
+    Flag{"names", &ViewState::names},
+    Flag{"experiment-panel", &ViewState::left_panel},
+    Flag{"inspector-panel", &ViewState::right_panel},
+    Flag{"bottom-panel", &ViewState::bottom_panel},
+};
+
+struct Size {
+    const char* name;
+    float ViewState::*place;
+};
+constexpr std::array kSizes = {
+    Size{"experiment-width", &ViewState::left_width},
+    Size{"inspector-width", &ViewState::right_width},
+    Size{"bottom-height", &ViewState::bottom_height},
+};
+constexpr float kMostSize = 4000.0F;
+
+void read_line(const std::string& name, const std::string& value, ViewState& view) {
+    for (const Flag& flag : kFlags) {
+        if (name == flag.name) view.*flag.place = value == "yes";
+    }
+    for (const Size& size : kSizes) {
+        const float units = std::strtof(value.c_str(), nullptr);
+        if (name == size.name && units >= 0.0F && units < kMostSize) view.*size.place = units;
+    }
+    if (name == "theme") view.theme = value == "light" ? ThemeKind::kLight : ThemeKind::kDark;
+    if (name != "speed") return;
+    const double speed = std::strtod(value.c_str(), nullptr);
+    if (std::find(kPlaybackSpeeds.begin(), kPlaybackSpeeds.end(), speed) != kPlaybackSpeeds.end())
+        view.speed = speed;
+}
+
+}  // namespace
+
+std::string write_view(const ViewState& view) {
+    std::string text;
+    for (const Flag& flag : kFlags)
+        text += std::string(flag.name) + " = " + (view.*flag.place ? "yes" : "no") + "\n";
+    for (const Size& size : kSizes)
+        text += format("%s = %.0f\n", size.name, static_cast<double>(view.*size.place));
+    text += std::string("theme = ") + (view.theme == ThemeKind::kLight ? "light" : "dark") + "\n";
+    return text + format("speed = %g\n", view.speed);
+}
+
+ViewState parse_view(std::string_view text) {
+    ViewState view;
+    std::istringstream lines{std::string(text)};
+    std::string name;
+    std::string equals;
+    std::string value;
+    for (std::string line; std::getline(lines, line);) {
+        std::istringstream words(line);
+        if (words >> name >> equals >> value && equals == "=") read_line(name, value, view);
+    }
+    return view;
+}
+
+Remembered recall(const std::filesystem::path& folder, const EvolutionKinds& kinds) {
+    Remembered remembered;
+    if (folder.empty()) return remembered;
+    if (const auto view = read_file(folder / "view.conf", kMostBytes))
+        remembered.view = parse_view(*view);
+    if (auto settings = load_settings(folder / "experiment.toml", kinds))
+        remembered.settings = std::move(*settings);
+    return remembered;
+}
+
+Status remember(const std::filesystem::path& folder, const Remembered& remembered,
+                const EvolutionKinds& kinds) {
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (error) return Error{folder.string() + " cannot be made: " + error.message()};
+    if (Status status = write_file(folder / "view.conf", write_view(remembered.view)); !status)
+        return status;
+    return save_settings(folder / "experiment.toml", remembered.settings, kinds);
+}
+
+}  // namespace cambrian

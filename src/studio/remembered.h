@@ -1,0 +1,34 @@
+#pragma once
+
+// What the studio remembers between two runs of the program: its arrangement and the experiment's
+// settings.
+
+#include "core/result.h"
+#include "evolution/evolution_kinds.h"
+#include "evolution/experiment_settings.h"
+#include "studio/view_state.h"
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace cambrian {
+
+struct Remembered {
+    ViewState view;
+    ExperimentSettings settings;
+
+    friend bool operator==(const Remembered&, const Remembered&) = default;
+};
+
+// What was kept in a folder; whatever is missing or damaged is as at first.
+Remembered recall(const std::filesystem::path& folder, const EvolutionKinds& kinds);
+// Makes the folder if need be.
+Status remember(const std::filesystem::path& folder, const Remembered& remembered,
+                const EvolutionKinds& kinds);
+
+// The arrangement as text, "name = value" a line. Lines that are not understood are passed over.
+std::string write_view(const ViewState& view);
+ViewState parse_view(std::string_view text);
+
+}  // namespace cambrian

@@ -1,0 +1,105 @@
+#pragma once
+
+// What a panel may ask for: commands for the engine and actions of the studio. Collected while the
+// panels draw, carried out after.
+
+#include "evolution/command.h"
+#include "evolution/individual.h"
+#include "studio/highlight.h"
+#include "studio/view_state.h"
+
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace cambrian {
+
+struct ToggleEvolution {};
+struct RunOneGeneration {};
+
+// The draft replaced after an edit of one field ("environment.gravity").
+struct EditSettings {
+    ExperimentSettings settings;
+    std::string field;
+};
+struct FinishEdit {};  // the control was let go: the engine gets the draft
+struct UndoEdit {};
+struct RedoEdit {};
+// Generation 0 anew with the draft, from random creatures or the present population.
+struct StartNewRun {
+    bool keep_population = false;
+};
+struct DropStructuralEdits {};  // back to what is running
+
+struct TogglePlayback {};
+struct RestartPlayback {};
+struct StepPlayback {};
+struct ChangeView {
+    ViewState view;
+};
+struct FitView {};
+struct PokePart {
+    std::size_t part = 0;
+    Vec3 point_in_part = Vec3::Zero();
+    Vec3 target = Vec3::Zero();
+};
+struct ReleasePoke {};
+// For the next frame, in viewport, brain and genotype alike.
+struct ShowHighlight {
+    Highlight highlight;
+};
+
+struct ShowChampion {
+    std::uint32_t generation = 0;
+};
+struct ShowIndividual {
+    IndividualPtr individual;
+};
+struct ShowNewest {};
+
+enum class FileTask : std::uint8_t { kOpen, kSaveCreature, kSaveSettings };
+struct OpenFilePanel {
+    FileTask task = FileTask::kOpen;
+};
+struct CloseFilePanel {};
+struct ListFolder {
+    std::filesystem::path folder;
+};
+struct LoadFile {
+    std::filesystem::path path;
+};
+struct SaveCreatureFile {
+    std::filesystem::path path;
+};
+struct SaveSettingsFile {
+    std::filesystem::path path;
+};
+struct SaveScreenshot {
+    std::filesystem::path path;  // empty: a new name in the present folder
+};
+
+struct DismissNotice {};
+struct ToggleHelp {};
+struct QuitStudio {};
+
+using StudioAction =
+    std::variant<ToggleEvolution, RunOneGeneration, EditSettings, FinishEdit, UndoEdit, RedoEdit,
+                 StartNewRun, DropStructuralEdits, TogglePlayback, RestartPlayback, StepPlayback,
+                 ChangeView, FitView, PokePart, ReleasePoke, ShowHighlight, ShowChampion,
+                 ShowIndividual, ShowNewest, OpenFilePanel, CloseFilePanel, ListFolder, LoadFile,
+                 SaveCreatureFile, SaveSettingsFile, SaveScreenshot, DismissNotice, ToggleHelp,
+                 QuitStudio>;
+
+class Requests {
+public:
+    void ask(StudioAction action) { actions_.push_back(std::move(action)); }
+    const std::vector<StudioAction>& actions() const { return actions_; }
+    std::vector<StudioAction> take() { return std::exchange(actions_, {}); }
+
+private:
+    std::vector<StudioAction> actions_;
+};
+
+}  // namespace cambrian

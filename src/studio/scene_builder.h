@@ -1,0 +1,46 @@
+#pragma once
+
+// A creature and its world as shapes to draw.
+
+#include "creature/phenotype.h"
+#include "render/camera.h"
+#include "render/scene_frame.h"
+#include "studio/highlight.h"
+#include "studio/theme.h"
+#include "world/body_view.h"
+
+#include <span>
+#include <vector>
+
+namespace cambrian {
+
+// What to draw of a creature. The plan's parts are at `poses`; `body` tells which faces touch and
+// may be null.
+struct CreatureLook {
+    const Phenotype& phenotype;
+    std::span<const Pose> poses;
+    const BodyView* body = nullptr;
+    double hue = 0.0;  // of its lineage, in turns
+    Highlight highlight = {};
+};
+
+// The colour of one part: the lineage's hue, moved a little for each gene node, lighter outwards.
+Color part_color(const BodyPart& part, double hue);
+
+// Grid of metres, behind everything; finer lines as the camera comes closer.
+void add_grid(SceneFrame& frame, const Palette& palette, const Camera& camera,
+              const Viewport& viewport);
+void add_ground(SceneFrame& frame, const Palette& palette, const Camera& camera,
+                const Viewport& viewport);
+void add_shadow(SceneFrame& frame, const CreatureLook& look);
+void add_creature(SceneFrame& frame, const Palette& palette, const Camera& camera,
+                  const CreatureLook& look);
+
+// Metres between labelled marks so that they stand at least `least_pixels` apart: 1, 2 or 5 times
+// a power of ten.
+double mark_spacing(const Camera& camera, double least_pixels);
+
+// The front-most part under a point of the world, or -1.
+int part_at(const Phenotype& phenotype, std::span<const Pose> poses, const Vec2& point);
+
+}  // namespace cambrian

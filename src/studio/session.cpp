@@ -1,0 +1,244 @@
+#include "studio/session.h"
+
+#include "core/random.h"
+#include "core/stopwatch.h"
+#include "genome/random_genome.h"
+#include "studio/text.h"
+
+#include <utility>
+#include <variant>
+
+namespace cambrian {
+namespace {
+
+constexpr double kPlaybackBudget = 0.006;  // s a frame
+constexpr double kMemoryInterval = 2.0;    // s
+constexpr double kLeastStay = 3.0;         // s a champion is watched before the next may come
+
+}  // namespace
+
+Session::Session(Remembered remembered, const EvolutionKinds& kinds, std::size_t workers,
+                 const std::filesystem::path& status_log)
+    : kinds_(kinds),
+      log_(status_log),
+      desk_(worker_, kinds),
+      stage_(worker_, kinds),
+      experiment_(std::move(remembered.settings), kinds, workers),
+      view_(remembered.view),
+      kept_{view_, experiment_.editor().draft()} {
+    stage_.playback().set_speed(view_.speed);
+    files_.listing.folder = std::filesystem::current_path();
+}
+
+void Session::open_now(const std::filesystem::path& path, ExhibitSource source) {
+    FileEvent event = load_file(path, kinds_);
+    if (auto* creature = std::get_if<CreatureLoaded>(&event)) {
+        show(exhibit_from(creature->document, source, path));
+        if (source == ExhibitSource::kFile) log_.write("loaded", {{"path", path.string()}});
+        return;
+    }
+    std::visit([this](auto& each) { receive(each); }, event);
+}
+
+void Session::show_newcomer() {
+    const ExperimentSettings& settings = experiment_.editor().draft();
+    RandomStream stream(settings.seed);
+    Exhibit exhibit;
+    exhibit.genome = std::make_shared<const Genome>(
+        random_genome(settings.founders, kinds_.creature.catalog, stream));
+    exhibit.world = settings.world;
+    exhibit.goal = settings.goal;
+    exhibit.expression = settings.expression;
+    exhibit.title = "A random creature";
+    exhibit.method = "random";
+    show(std::move(exhibit));
+}
+
+void Session::update(double now, double elapsed) {
+    now_ = now;
+    worker_.deliver();
+    for (FileEvent& event : desk_.take_events())
+        std::visit([this](auto& each) { receive(each); }, event);
+    experiment_.poll();
+    follow_engine();
+    const Stopwatch spent;
+    stage_.playback().advance(elapsed, kPlaybackBudget);
+    playback_seconds_ = spent.seconds();
+    notice_ = notices_.current(now);
+    if (now - kept_at_ > kMemoryInterval) keep_memory();
+}
+
+void Session::carry_out(Requests& requests) {
+    highlight_ = {};
+    for (const StudioAction& action : requests.take())
+        std::visit([this](const auto& each) { apply(each); }, action);
+}
+
+FrameContext Session::frame_context() const {
+    return {.kinds = kinds_,
+            .fields = experiment_.fields(),
+            .snapshot = experiment_.snapshot(),
+            .progress = experiment_.progress(),
+            .editor = experiment_.editor(),
+            .playback = stage_.playback(),
+            .score = stage_.score(),
+            .view = view_,
+            .files = files_,
+            .notice = notice_,
+            .help_shown = help_shown_,
+            .highlight = highlight_};
+}
+
+bool Session::animating() const {
+    const bool playing = stage_.playback().playing() && !stage_.playback().empty();
+    return playing || experiment_.running() || !worker_.idle() || notice_ != nullptr;
+}
+
+void Session::tell(NoticeKind kind, const std::string& text) {
+    notices_.tell(kind, text, now_);
+    log_.write("notice", {{"text", text}, {"problem", kind == NoticeKind::kProblem}});
+}
+
+void Session::report(const Status& status) {
+    if (!status) tell(NoticeKind::kProblem, status.error().message);
+}
+
+void Session::follow_engine() {
+    const EvolutionSnapshot& snapshot = experiment_.snapshot();
+    if (snapshot.experiment != seen_experiment_) {
+        seen_experiment_ = snapshot.experiment;
+        seen_champions_ = 0;
+    }
+    for (std::size_t i = seen_champions_; i < snapshot.champions.size(); ++i) {
+        const ChampionRecord& champion = snapshot.champions[i];
+        log_.write("generation", {{"number", static_cast<double>(champion.generation)},
+                                  {"best", champion.individual->result.fitness}});
+    }
+    seen_champions_ = snapshot.champions.size();
+    if (snapshot.status != seen_status_) follow_status();
+    if (view_.newest_champion && !snapshot.champions.empty()) follow_champion();
+}
+
+void Session::follow_status() {
+    const EvolutionSnapshot& snapshot = experiment_.snapshot();
+    seen_status_ = snapshot.status;
+    switch (seen_status_) {
+        case EngineStatus::kRunning:
+            log_.write("running");
+            break;
+        case EngineStatus::kPaused:
+            log_.write("paused");
+            break;
+        case EngineStatus::kFailed:
+            tell(NoticeKind::kProblem, "Evolution stopped: " + snapshot.failure +
+                                           ". Start a new run from the Edit menu.");
+            break;
+    }
+}
+
+// The newest champion comes on as soon as the one before it was watched for a while; the first one
+// at once.
+void Session::follow_champion() {
+    const Playback& playback = stage_.playback();
+    if (playback.poked_part() >= 0) return;
+    const ChampionRecord& newest = experiment_.snapshot().champions.back();
+    const bool first = playback.empty() || playback.exhibit().source != ExhibitSource::kChampion;
+    const bool same = !first && playback.exhibit().genome == newest.individual->genome;
+    if (!same && (first || now_ - shown_since_ > kLeastStay)) show_champion(newest);
+}
+
+void Session::show(Exhibit exhibit) {
+    const std::string title = exhibit.title;
+    const std::string uid = exhibit.uid;
+    if (Status status = stage_.show(std::move(exhibit)); !status) return report(status);
+    shown_since_ = now_;
+    log_.write("shown", {{"title", title}, {"uid", uid}});
+}
+
+void Session::show_champion(const ChampionRecord& champion) {
+    show(exhibit_of(*champion.individual, *champion.settings, champion.generation,
+                    ExhibitSource::kChampion));
+}
+
+void Session::commit_settings() {
+    report(experiment_.commit());
+    stage_.playback().set_environment(experiment_.editor().draft().world.environment);
+}
+
+void Session::apply(const ToggleEvolution&) {
+    experiment_.toggle();
+}
+
+void Session::apply(const RunOneGeneration&) {
+    if (!experiment_.running()) experiment_.step();
+}
+
+void Session::apply(const EditSettings& action) {
+    experiment_.edit(action.settings, action.field);
+    stage_.playback().set_environment(action.settings.world.environment);
+    log_.write("edited", {{"field", action.field}});
+}
+
+void Session::apply(const FinishEdit&) {
+    commit_settings();
+}
+
+void Session::apply(const UndoEdit&) {
+    experiment_.undo();
+    commit_settings();
+}
+
+void Session::apply(const RedoEdit&) {
+    experiment_.redo();
+    commit_settings();
+}
+
+void Session::apply(const StartNewRun& action) {
+    report(experiment_.start_new_run(action.keep_population));
+    log_.write("new run");
+}
+
+void Session::apply(const DropStructuralEdits&) {
+    experiment_.drop_structural_edits();
+}
+
+void Session::apply(const TogglePlayback&) {
+    stage_.playback().set_playing(!stage_.playback().playing());
+}
+
+void Session::apply(const ChangeView& action) {
+    view_ = action.view;
+    stage_.playback().set_speed(view_.speed);
+}
+
+void Session::apply(const PokePart& action) {
+    stage_.playback().poke(action.part, action.point_in_part, action.target);
+}
+
+void Session::apply(const ShowChampion& action) {
+    view_.newest_champion = false;
+    for (const ChampionRecord& champion : experiment_.snapshot().champions) {
+        if (champion.generation != action.generation) continue;
+        const bool shown = stage_.playback().exhibit().source == ExhibitSource::kChampion &&
+                           stage_.playback().exhibit().generation == action.generation;
+        if (!shown) show_champion(champion);
+        return;
+    }
+}
+
+void Session::apply(const ShowIndividual& action) {
+    view_.newest_champion = false;
+    const EvolutionSnapshot& snapshot = experiment_.snapshot();
+    if (snapshot.champions.empty()) return;
+    const ChampionRecord& newest = snapshot.champions.back();
+    show(exhibit_of(*action.individual, *newest.settings, newest.generation,
+                    ExhibitSource::kPopulation));
+}
+
+void Session::apply(const ShowNewest&) {
+    view_.newest_champion = true;
+    if (!experiment_.snapshot().champions.empty())
+        show_champion(experiment_.snapshot().champions.back());
+}
+
+}  // namespace cambrian

@@ -1,0 +1,125 @@
+#pragma once
+
+// The studio without its window: the open experiment, what is on show, files, notices, and what
+// each request of a panel does to them.
+
+#include "studio/file_desk.h"
+#include "studio/notices.h"
+#include "studio/open_experiment.h"
+#include "studio/remembered.h"
+#include "studio/stage.h"
+#include "studio/status_log.h"
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+
+namespace cambrian {
+
+class Session {
+public:
+    // kinds must outlive it. `clock` is in seconds, for notices.
+    Session(Remembered remembered, const EvolutionKinds& kinds, std::size_t workers,
+            const std::filesystem::path& status_log);
+
+    // From now on, keeps arrangement and settings in a folder whenever they changed.
+    void remember_in(const std::filesystem::path& folder) { memory_ = folder; }
+    void keep_memory();
+    // Puts a file on show or in force at once, before the first frame.
+    void open_now(const std::filesystem::path& path, ExhibitSource source);
+    // A random creature takes the stage, so that it is never empty.
+    void show_newcomer();
+    // Once a frame, before drawing: news of engine and files, then `elapsed` seconds of playback.
+    void update(double now, double elapsed);
+    void carry_out(Requests& requests);
+    FrameContext frame_context() const;
+
+    const ViewState& view() const { return view_; }
+    StatusLog& log() { return log_; }
+    bool quit_wanted() const { return quit_wanted_; }
+    bool animating() const;  // whether the next frame differs even without input
+    double playback_seconds() const { return playback_seconds_; }  // spent in the last update
+    void drop(const std::filesystem::path& path) { apply(LoadFile{path}); }
+    void tell(NoticeKind kind, const std::string& text);
+    void keep_picture(const std::filesystem::path& path, Image image);
+    // Requests that concern the window alone, for the window to take.
+    bool take_fit() { return std::exchange(fit_wanted_, false); }
+    std::optional<std::filesystem::path> take_picture_request() {
+        return std::exchange(picture_wanted_, std::nullopt);
+    }
+
+private:
+    void apply(const ToggleEvolution&);
+    void apply(const RunOneGeneration&);
+    void apply(const EditSettings& action);
+    void apply(const FinishEdit&);
+    void apply(const UndoEdit&);
+    void apply(const RedoEdit&);
+    void apply(const StartNewRun& action);
+    void apply(const DropStructuralEdits&);
+    void apply(const TogglePlayback&);
+    void apply(const RestartPlayback&) { stage_.playback().restart(); }
+    void apply(const StepPlayback&) { stage_.playback().step(); }
+    void apply(const ChangeView& action);
+    void apply(const FitView&) { fit_wanted_ = true; }
+    void apply(const PokePart& action);
+    void apply(const ReleasePoke&) { stage_.playback().release(); }
+    void apply(const ShowHighlight& action) { highlight_ = action.highlight; }
+    void apply(const ShowChampion& action);
+    void apply(const ShowIndividual& action);
+    void apply(const ShowNewest&);
+    void apply(const OpenFilePanel& action);
+    void apply(const CloseFilePanel&) { files_.open = false; }
+    void apply(const ListFolder& action) { desk_.list(action.folder, files_.task); }
+    void apply(const LoadFile& action) { desk_.load(action.path); }
+    void apply(const SaveCreatureFile& action);
+    void apply(const SaveSettingsFile& action);
+    void apply(const SaveScreenshot& action) { picture_wanted_ = action.path; }
+    void apply(const DismissNotice&) { notices_.dismiss(); }
+    void apply(const ToggleHelp&) { help_shown_ = !help_shown_; }
+    void apply(const QuitStudio&) { quit_wanted_ = true; }
+
+    void receive(CreatureLoaded& event);
+    void receive(const SettingsLoaded& event);
+    void receive(const FileSaved& event);
+    void receive(FolderListed& event) { files_.listing = std::move(event.listing); }
+    void receive(const FileFailed& event);
+
+    void follow_engine();
+    void follow_status();
+    void follow_champion();
+    void show(Exhibit exhibit);
+    void show_champion(const ChampionRecord& champion);
+    void commit_settings();
+    void report(const Status& status);
+    Exhibit exhibit_from(const CreatureDocument& document, ExhibitSource source,
+                         const std::filesystem::path& path) const;
+    CreatureDocument document_on_show() const;
+
+    const EvolutionKinds& kinds_;
+    StatusLog log_;
+    BackgroundWorker worker_;
+    FileDesk desk_;
+    Stage stage_;
+    OpenExperiment experiment_;
+    ViewState view_;
+    std::filesystem::path memory_;  // folder; empty remembers nothing
+    Remembered kept_;
+    double kept_at_ = 0.0;  // s
+    FileBrowser files_;
+    Notices notices_;
+    double now_ = 0.0;
+    const Notice* notice_ = nullptr;
+    bool help_shown_ = false;
+    bool quit_wanted_ = false;
+    bool fit_wanted_ = false;
+    std::optional<std::filesystem::path> picture_wanted_;
+    Highlight highlight_;
+    double playback_seconds_ = 0.0;
+    double shown_since_ = 0.0;  // s, of the creature on show
+    std::uint64_t seen_experiment_ = 0;
+    std::size_t seen_champions_ = 0;
+    EngineStatus seen_status_ = EngineStatus::kPaused;
+};
+
+}  // namespace cambrian

@@ -1,0 +1,147 @@
+// What a session does with files.
+
+#include "studio/session.h"
+#include "studio/text.h"
+
+#include <algorithm>
+#include <cctype>
+#include <utility>
+
+namespace cambrian {
+namespace {
+
+// Words fit for a file name: letters, digits and dashes.
+std::string file_stem(const std::string& words) {
+    std::string stem;
+    for (const char letter : words) {
+        const auto byte = static_cast<unsigned char>(letter);
+        if (std::isalnum(byte) != 0) {
+            stem += static_cast<char>(std::tolower(byte));
+        } else if (!stem.empty() && stem.back() != '-') {
+            stem += '-';
+        }
+    }
+    while (!stem.empty() && stem.back() == '-')
+        stem.pop_back();
+    return stem.empty() ? "creature" : stem;
+}
+
+}  // namespace
+
+Exhibit Session::exhibit_from(const CreatureDocument& document, ExhibitSource source,
+                              const std::filesystem::path& path) const {
+    ExperimentSettings settings = experiment_.editor().draft();
+    if (document.scored) settings = settings_of(*document.scored);
+    Exhibit exhibit;
+    exhibit.genome = std::make_shared<const Genome>(document.genome);
+    exhibit.world = settings.world;
+    exhibit.goal = settings.goal;
+    exhibit.expression = settings.expression;
+    exhibit.source = source;
+    std::string stem = path.filename().string();
+    exhibit.title = capitalized(stem.substr(0, stem.find('.')));
+    if (!document.genome.name.empty()) exhibit.title = document.genome.name;
+    exhibit.seed = settings.seed;
+    exhibit.uid = document.uid;
+    exhibit.method = document.method;
+    exhibit.parents = document.parents;
+    if (document.scored) {
+        EvaluationResult result;
+        result.fitness = document.scored->fitness;
+        result.digest = document.scored->trajectory;
+        exhibit.result = result;
+    }
+    return exhibit;
+}
+
+CreatureDocument Session::document_on_show() const {
+    const Exhibit& exhibit = stage_.playback().exhibit();
+    CreatureDocument document;
+    document.genome = *exhibit.genome;
+    document.uid = exhibit.uid;
+    document.parents = exhibit.parents;
+    document.method = exhibit.method;
+    const GoalKind* goal = kinds_.goals.find(exhibit.goal);
+    const ScoreReport* score = stage_.score();
+    if (goal == nullptr || (!exhibit.result && score == nullptr)) return document;
+    ScoredRecord scored;
+    scored.world = exhibit.world;
+    scored.expression = exhibit.expression;
+    scored.goal = exhibit.goal;
+    scored.seed = exhibit.seed;
+    scored.fitness = exhibit.result ? exhibit.result->fitness : score->score.value;
+    scored.unit = goal->unit;
+    scored.trajectory = exhibit.result ? exhibit.result->digest : score->record.digest;
+    document.scored = std::move(scored);
+    return document;
+}
+
+void Session::keep_memory() {
+    kept_at_ = now_;
+    Remembered present{view_, experiment_.editor().draft()};
+    if (memory_.empty() || present == kept_) return;
+    kept_ = present;
+    worker_.submit([this, folder = memory_, present = std::move(present)](std::stop_token) {
+        const Status status = remember(folder, present, kinds_);
+        return [this, status] { report(status); };
+    });
+}
+
+void Session::apply(const OpenFilePanel& action) {
+    if (action.task == FileTask::kSaveCreature && stage_.playback().empty()) {
+        tell(NoticeKind::kProblem, "There is no creature on show to save.");
+        return;
+    }
+    files_.open = true;
+    files_.task = action.task;
+    ++files_.opened;
+    files_.suggested_name.clear();
+    if (action.task == FileTask::kSaveCreature) {
+        const Exhibit& exhibit = stage_.playback().exhibit();
+        files_.suggested_name = file_stem(exhibit.title) + ".creature.json";
+    }
+    if (action.task == FileTask::kSaveSettings) files_.suggested_name = "experiment.toml";
+    desk_.list(files_.listing.folder, files_.task);
+}
+
+void Session::apply(const SaveCreatureFile& action) {
+    if (stage_.playback().empty()) return;
+    desk_.save_creature(action.path, document_on_show());
+}
+
+void Session::apply(const SaveSettingsFile& action) {
+    desk_.save_settings(action.path, experiment_.editor().draft());
+}
+
+void Session::keep_picture(const std::filesystem::path& path, Image image) {
+    desk_.save_picture(path, std::move(image));
+}
+
+void Session::receive(CreatureLoaded& event) {
+    view_.newest_champion = false;
+    show(exhibit_from(event.document, ExhibitSource::kFile, event.path));
+    log_.write("loaded", {{"path", event.path.string()}});
+    std::string text = "Opened " + event.path.filename().string() + ".";
+    if (!event.document.warnings.empty()) text += " " + event.document.warnings.front();
+    tell(NoticeKind::kDone, text);
+}
+
+void Session::receive(const SettingsLoaded& event) {
+    const Status status = experiment_.replace(event.settings);
+    if (!status) return report(status);
+    log_.write("loaded", {{"path", event.path.string()}});
+    tell(NoticeKind::kDone, "Opened " + event.path.filename().string() +
+                                ". Press Evolve to begin with these settings.");
+}
+
+void Session::receive(const FileSaved& event) {
+    log_.write("saved", {{"path", event.path.string()}});
+    tell(NoticeKind::kDone, "Saved " + event.path.string());
+}
+
+void Session::receive(const FileFailed& event) {
+    log_.write("failed", {{"path", event.path.string()}});
+    tell(NoticeKind::kProblem, event.message);
+}
+
+}  // namespace cambrian

@@ -1,0 +1,29 @@
+#pragma once
+
+// One setting as a row: name, control with unit, tooltip, mark when changed, right-click to reset.
+
+#include "evolution/setting_field.h"
+#include "studio/ui_context.h"
+
+#include <string>
+
+namespace cambrian {
+
+// The part of a number's range that its slider covers; beyond it numbers can be typed.
+struct SliderRange {
+    double low = 0.0;
+    double high = 1.0;
+};
+SliderRange slider_range(const SettingField& field, double standard, double present);
+
+enum class RowEvent : unsigned char {
+    kNone,
+    kEdited,   // the settings were changed; more may follow as a drag goes on
+    kFinished  // the control was let go
+};
+
+// Draws the row and edits `settings` in place.
+RowEvent setting_row(const SettingField& field, ExperimentSettings& settings,
+                     ExperimentSettings& defaults);
+
+}  // namespace cambrian

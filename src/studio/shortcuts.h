@@ -1,0 +1,32 @@
+#pragma once
+
+// Keys and what they ask for: one table, used by the window, the menus and the help panel.
+
+#include "studio/frame_context.h"
+#include "studio/requests.h"
+
+#include <span>
+
+namespace cambrian {
+
+struct KeyPress {
+    int key = 0;  // GLFW's number
+    bool control = false;
+    bool shift = false;
+
+    friend bool operator==(const KeyPress&, const KeyPress&) = default;
+};
+
+struct Shortcut {
+    KeyPress press;
+    const char* keys;  // as shown: "Ctrl+S"
+    const char* what;  // "Save the creature on show"
+    void (*ask)(const FrameContext& frame, Requests& out);
+};
+
+std::span<const Shortcut> shortcuts();
+
+// Asks for what the key means, if anything. While text is typed, only keys with Ctrl count.
+void press_shortcut(const KeyPress& press, bool typing, const FrameContext& frame, Requests& out);
+
+}  // namespace cambrian

@@ -1,0 +1,152 @@
+#include "studio/studio.h"
+
+#include "core/stopwatch.h"
+#include "core/thread_pool.h"
+#include "render/renderer.h"
+#include "studio/frame_log.h"
+#include "studio/imgui_host.h"
+#include "studio/main_window.h"
+#include "studio/session.h"
+#include "studio/shortcuts.h"
+
+#include <cmath>
+#include <utility>
+
+namespace cambrian {
+namespace {
+
+constexpr double kFrameTime = 1.0 / 60.0;  // s, where the display does not set the pace
+constexpr double kIdleSleep = 0.25;        // s between frames while nothing moves
+constexpr int kSettledFrames = 3;          // frames after the last activity, for hover and layout
+
+class Studio {
+public:
+    Studio(const StudioOptions& options, const EvolutionKinds& kinds, Window& window,
+           Renderer& renderer)
+        : options_(options),
+          window_(window),
+          session_(recall(options.state_dir, kinds), kinds,
+                   options.workers > 0 ? options.workers : ThreadPool::default_workers(),
+                   options.status_log),
+          host_(window, options.scale > 0.0 ? static_cast<float>(options.scale) : window.scale(),
+                session_.view().theme),
+          main_window_(&renderer),
+          frame_log_(options.frame_log) {
+        session_.remember_in(options.state_dir);
+        open_first_files();
+    }
+
+    void run() {
+        const Stopwatch clock;
+        double last_start = 0.0;
+        while (!window_.close_wanted() && !session_.quit_wanted()) {
+            wait_for_frame(clock, last_start);
+            const double now = clock.seconds();
+            frame(now, now - last_start);
+            const double work = clock.seconds() - now;
+            window_.show_frame();
+            frame_log_.write(now - last_start, work, session_.playback_seconds());
+            last_start = now;
+            if (options_.quit_after > 0.0 && now > options_.quit_after) break;
+        }
+        session_.keep_memory();
+        session_.log().write("quit");
+        if (!options_.screenshot.empty()) take_picture(options_.screenshot);
+    }
+
+private:
+    void open_first_files() {
+        const std::filesystem::path& file = options_.open_file;
+        if (!options_.sample_creature.empty() && !file.string().ends_with(".json"))
+            session_.open_now(options_.sample_creature, ExhibitSource::kSample);
+        if (!file.empty()) session_.open_now(file, ExhibitSource::kFile);
+        if (session_.frame_context().playback.empty()) session_.show_newcomer();
+        if (options_.evolve) {
+            Requests requests;
+            requests.ask(ToggleEvolution{});
+            session_.carry_out(requests);
+        }
+    }
+
+    // Displays pace the loop by themselves where they can; elsewhere this does.
+    void wait_for_frame(const Stopwatch& clock, double last_start) {
+        if (window_.take_activity() || session_.animating()) quiet_frames_ = 0;
+        const bool idle = ++quiet_frames_ > kSettledFrames;
+        const double due = last_start + (idle ? kIdleSleep : kFrameTime);
+        window_.poll(0.0);
+        for (double left = due - clock.seconds(); left > 0.0; left = due - clock.seconds()) {
+            window_.poll(left);
+            if (idle && window_.take_activity()) break;
+        }
+    }
+
+    void frame(double now, double elapsed) {
+        session_.update(now, elapsed);
+        const FrameContext context = session_.frame_context();
+        Requests requests;
+        if (host_.context().theme != session_.view().theme) host_.set_theme(session_.view().theme);
+        const std::vector<KeyPress> pressed = window_.take_keys();
+        host_.begin_frame(pressed);
+        for (const KeyPress& press : pressed)
+            press_shortcut(press, ImGui::GetIO().WantTextInput, context, requests);
+        for (const std::filesystem::path& path : window_.take_dropped_files())
+            session_.drop(path);
+        const int height = window_.framebuffer_height();
+        if (session_.take_fit()) main_window_.fit();
+        main_window_.draw(context, height, requests);
+        host_.end_frame(window_.framebuffer_width(), height);
+        if (const auto path = session_.take_picture_request()) keep_picture(*path);
+        session_.carry_out(requests);
+        if (!places_logged_) log_places();
+    }
+
+    // Where the main buttons are, for tests that press them.
+    void log_places() {
+        places_logged_ = true;
+        for (const auto& [name, place] : host_.context().places) {
+            session_.log().write("place", {{"name", name},
+                                           {"x", static_cast<double>(place.x)},
+                                           {"y", static_cast<double>(place.y)},
+                                           {"width", static_cast<double>(place.width)},
+                                           {"height", static_cast<double>(place.height)}});
+        }
+        session_.log().write("started");
+    }
+
+    Image picture() {
+        return read_pixels(window_.framebuffer_width(), window_.framebuffer_height());
+    }
+
+    void keep_picture(std::filesystem::path path) {
+        for (int number = 1; path.empty() || std::filesystem::exists(path); ++number)
+            path = "cambrian-" + std::to_string(number) + ".png";
+        session_.keep_picture(std::filesystem::absolute(path), picture());
+    }
+
+    void take_picture(const std::filesystem::path& path) {
+        frame(1e9, 0.0);
+        session_.keep_picture(path, picture());
+    }
+
+    const StudioOptions& options_;
+    Window& window_;
+    Session session_;
+    ImGuiHost host_;
+    MainWindow main_window_;
+    FrameLog frame_log_;
+    int quiet_frames_ = 0;
+    bool places_logged_ = false;
+};
+
+}  // namespace
+
+Status run_studio(const StudioOptions& options, const EvolutionKinds& kinds) {
+    auto window = Window::open(options.width, options.height, "Cambrian");
+    if (!window) return window.error();
+    auto renderer = Renderer::create();
+    if (!renderer) return renderer.error();
+    Studio(options, kinds, **window, **renderer).run();
+    return {};
+}
+
+}  // namespace cambrian

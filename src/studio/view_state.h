@@ -1,0 +1,33 @@
+#pragma once
+
+#include "studio/theme.h"
+
+#include <array>
+
+namespace cambrian {
+
+// Speeds of playback offered; 1 is real time.
+inline constexpr std::array kPlaybackSpeeds = {0.1, 0.25, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0};
+
+// How the window is arranged and what is overlaid; remembered between runs of the program.
+struct ViewState {
+    ThemeKind theme = ThemeKind::kDark;
+    bool follow = true;  // the camera keeps to the creature
+    bool trail = true;
+    bool contacts = true;
+    bool grid = true;
+    bool names = false;  // numbers of the parts
+    bool left_panel = true;
+    bool right_panel = true;
+    bool bottom_panel = true;
+    // Sizes given by hand, in units of 1/96 inch; 0 follows the window.
+    float left_width = 0.0F;
+    float right_width = 0.0F;
+    float bottom_height = 0.0F;
+    double speed = 1.0;           // of playback
+    bool newest_champion = true;  // the best of each finished generation takes the stage
+
+    friend bool operator==(const ViewState&, const ViewState&) = default;
+};
+
+}  // namespace cambrian

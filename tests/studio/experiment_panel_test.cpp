@@ -1,0 +1,90 @@
+#include "studio/panels/experiment_panel.h"
+
+#include "studio_fixture.h"
+#include "support/null_imgui.h"
+
+namespace cambrian {
+namespace {
+
+struct PanelRun {
+    NullImGui gui{400.0F, 3000.0F};
+    test::StudioFixture studio;
+    ExperimentPanel panel;
+    Requests out;
+
+    void click(const std::string& name, int button = 0) {
+        gui.click(
+            name, [this] { panel.draw(studio.frame(), out); }, button);
+    }
+    void frame() {
+        gui.frame([this] { panel.draw(studio.frame(), out); });
+    }
+};
+
+TEST_CASE("once its groups are open, every setting has a control", "[studio][experiment_panel]") {
+    PanelRun run;
+    run.frame();
+    const auto fields = setting_fields(test::kinds());
+    for (const SettingField& field : fields) {
+        if (!run.gui.has(field.table + "." + field.key)) run.click("group " + field.table);
+        run.frame();
+        INFO(field.table << "." << field.key);
+        CHECK(run.gui.has(field.table + "." + field.key));
+    }
+}
+
+TEST_CASE("an edit asks for the whole settings with that field changed",
+          "[studio][experiment_panel]") {
+    PanelRun run;
+    run.click("environment.ground");
+    const auto& edit = test::asked<EditSettings>(run.out);
+    CHECK(edit.field == "environment.ground");
+    CHECK_FALSE(edit.settings.world.environment.has_ground);
+    CHECK(edit.settings.population == run.studio.editor().draft().population);
+    CHECK(test::was_asked<FinishEdit>(run.out));
+}
+
+TEST_CASE("choosing a goal brings the world it makes sense in", "[studio][experiment_panel]") {
+    PanelRun run;
+    run.click("goal.behavior");
+    run.click("goal.behavior=swimming");
+    const auto& edit = test::asked<EditSettings>(run.out);
+    CHECK(edit.settings.goal == "swimming");
+    CHECK_FALSE(edit.settings.world.environment.has_ground);
+}
+
+TEST_CASE("a preset changes the world and keeps the bodies' density",
+          "[studio][experiment_panel]") {
+    PanelRun run;
+    ExperimentSettings dense = run.studio.editor().draft();
+    dense.world.environment.density = 3.0;
+    run.studio.editor().replace(dense);
+    run.click("environment preset");
+    run.click("Moon");
+    const auto& edit = test::asked<EditSettings>(run.out);
+    CHECK(edit.settings.world.environment.gravity == Approx(1.62));
+    CHECK(edit.settings.world.environment.density == 3.0);
+}
+
+TEST_CASE("a structural edit of a running experiment offers a new run",
+          "[studio][experiment_panel]") {
+    PanelRun run;
+    run.studio.finish_generation(1.0);
+    ExperimentSettings changed = run.studio.editor().draft();
+    changed.seed = 1234;
+    run.studio.editor().edit(changed, "run.seed");
+    run.click("Keep creatures");
+    CHECK(test::asked<StartNewRun>(run.out).keep_population);
+}
+
+TEST_CASE("before the first generation nothing needs a new run", "[studio][experiment_panel]") {
+    PanelRun run;
+    ExperimentSettings changed = run.studio.editor().draft();
+    changed.seed = 1234;
+    run.studio.editor().edit(changed, "run.seed");
+    run.frame();
+    CHECK_FALSE(run.gui.has("New run"));
+}
+
+}  // namespace
+}  // namespace cambrian

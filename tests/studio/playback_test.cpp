@@ -1,0 +1,108 @@
+#include "studio/playback.h"
+
+#include "studio_fixture.h"
+#include "support/catch.h"
+
+namespace cambrian {
+namespace {
+
+Exhibit crawler_exhibit() {
+    Exhibit exhibit;
+    exhibit.genome = test::crawler(test::kinds().creature.catalog);
+    exhibit.goal = "walking";
+    exhibit.world.trial.duration = 1.0;
+    exhibit.world.trial.settle_limit = 0.2;
+    return exhibit;
+}
+
+constexpr double kPlenty = 1e3;  // s of budget
+
+TEST_CASE("what is watched is what is scored, to the last bit", "[studio][playback]") {
+    Playback playback(test::kinds().creature);
+    const Exhibit exhibit = crawler_exhibit();
+    REQUIRE(playback.show(exhibit));
+    while (!playback.trial().finished())
+        playback.advance(1.0 / 60.0, kPlenty);
+    const auto phenotype =
+        std::make_shared<const Phenotype>(express(*exhibit.genome, test::kinds().creature, {}, {}));
+    const auto record = run_trial(phenotype, test::kinds().creature, exhibit.world);
+    REQUIRE(record);
+    CHECK(playback.trial().record().digest == record->digest);
+}
+
+TEST_CASE("playing twice as fast plays twice as far", "[studio][playback]") {
+    Playback playback(test::kinds().creature);
+    REQUIRE(playback.show(crawler_exhibit()));
+    playback.set_speed(2.0);
+    for (int i = 0; i < 20; ++i)
+        playback.advance(kBrainTick, kPlenty);
+    CHECK(playback.trial().ticks() >= 39);
+    CHECK(playback.trial().ticks() <= 40);
+}
+
+TEST_CASE("a spent budget leaves the rest for later", "[studio][playback]") {
+    Playback playback(test::kinds().creature);
+    REQUIRE(playback.show(crawler_exhibit()));
+    playback.advance(0.1, 0.0);
+    CHECK(playback.trial().ticks() == 0);
+}
+
+TEST_CASE("paused, only single ticks move the creature", "[studio][playback]") {
+    Playback playback(test::kinds().creature);
+    REQUIRE(playback.show(crawler_exhibit()));
+    playback.set_playing(false);
+    playback.advance(1.0, kPlenty);
+    CHECK(playback.trial().ticks() == 0);
+    playback.step();
+    CHECK(playback.trial().ticks() == 1);
+}
+
+TEST_CASE("less gravity makes a creature in the air fall slower at once", "[studio][playback]") {
+    Exhibit exhibit = crawler_exhibit();
+    exhibit.world.environment.has_ground = false;
+    double fallen[2] = {0.0, 0.0};
+    for (const int moon : {0, 1}) {
+        Playback playback(test::kinds().creature);
+        REQUIRE(playback.show(exhibit));
+        Environment world = exhibit.world.environment;
+        if (moon == 1) world.gravity = 1.62;
+        playback.set_environment(world);
+        for (int i = 0; i < 30; ++i)
+            playback.step();
+        fallen[moon] = -playback.trial().scene().center_of_mass().y();
+    }
+    CHECK(fallen[0] == Approx(0.5 * 9.81 * 0.25).epsilon(0.02));
+    CHECK(fallen[1] == Approx(0.5 * 1.62 * 0.25).epsilon(0.02));
+}
+
+TEST_CASE("restarting forgets a poke and keeps a changed world", "[studio][playback]") {
+    Playback playback(test::kinds().creature);
+    REQUIRE(playback.show(crawler_exhibit()));
+    Environment moon;
+    moon.gravity = 1.62;
+    playback.set_environment(moon);
+    playback.poke(0, Vec3::Zero(), Vec3(0.0, 5.0, 0.0));
+    playback.step();
+    CHECK(playback.disturbed());
+    playback.restart();
+    CHECK_FALSE(playback.disturbed());
+    CHECK(playback.trial().ticks() == 0);
+    CHECK(playback.environment() == moon);
+}
+
+TEST_CASE("a poke pulls the creature towards the mouse", "[studio][playback]") {
+    Exhibit exhibit = crawler_exhibit();
+    exhibit.world.environment.has_ground = false;
+    exhibit.world.environment.gravity = 0.0;
+    Playback playback(test::kinds().creature);
+    REQUIRE(playback.show(exhibit));
+    const double before = playback.trial().scene().center_of_mass().x();
+    for (int i = 0; i < 20; ++i) {
+        playback.poke(0, Vec3::Zero(), Vec3(2.0, 0.0, 0.0));
+        playback.step();
+    }
+    CHECK(playback.trial().scene().center_of_mass().x() > before + 0.1);
+}
+
+}  // namespace
+}  // namespace cambrian

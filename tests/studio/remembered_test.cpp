@@ -1,0 +1,38 @@
+#include "studio/remembered.h"
+
+#include "support/catch.h"
+#include "support/kinds.h"
+#include "support/temporary_directory.h"
+
+namespace cambrian {
+namespace {
+
+TEST_CASE("the arrangement and the settings come back as they were left", "[studio][remembered]") {
+    const TemporaryDirectory folder;
+    Remembered left;
+    left.view.theme = ThemeKind::kLight;
+    left.view.speed = 0.25;
+    left.view.bottom_panel = false;
+    left.view.left_width = 312.0F;
+    left.settings.world.environment.gravity = 1.62;
+    left.settings.seed = 99;
+    REQUIRE(remember(folder.path() / "new", left, test::kinds()));
+    const Remembered found = recall(folder.path() / "new", test::kinds());
+    CHECK(found.view == left.view);
+    CHECK(found.settings.world.environment == left.settings.world.environment);
+    CHECK(found.settings.seed == 99);
+}
+
+TEST_CASE("nothing kept, or nonsense, gives a studio as at first", "[studio][remembered]") {
+    const TemporaryDirectory folder;
+    CHECK(recall(folder.path(), test::kinds()) == Remembered{});
+    CHECK(recall({}, test::kinds()) == Remembered{});
+    put_text(folder / "view.conf", "theme\n= = =\nspeed = 1e300\nfollow = ?\n\xff\xfe\n");
+    put_text(folder / "experiment.toml", "[environment]\ngravity = \"heavy\"\n");
+    const Remembered found = recall(folder.path(), test::kinds());
+    CHECK(found.view.speed == 1.0);
+    CHECK(found.settings == ExperimentSettings{});
+}
+
+}  // namespace
+}  // namespace cambrian

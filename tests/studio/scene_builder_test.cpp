@@ -1,0 +1,96 @@
+#include "studio/scene_builder.h"
+
+#include "support/catch.h"
+#include "support/creatures.h"
+#include "support/kinds.h"
+
+#include <algorithm>
+
+namespace cambrian {
+namespace {
+
+const Palette kPalette = palette_of(ThemeKind::kDark);
+const Camera kCamera{.center = {0.0, 0.5}, .pixels_per_metre = 100.0};
+constexpr Viewport kView{800.0, 600.0};
+
+Phenotype grown_crawler() {
+    const auto genome = test::crawler(test::kinds().creature.catalog);
+    return express(*genome, test::kinds().creature, {}, {});
+}
+std::vector<Pose> rest_poses(const Phenotype& phenotype) {
+    std::vector<Pose> poses;
+    for (const PlannedPart& part : phenotype.plan.parts)
+        poses.push_back(part.rest_pose);
+    return poses;
+}
+
+TEST_CASE("every part is drawn at its pose in its size", "[studio][scene_builder]") {
+    const Phenotype phenotype = grown_crawler();
+    const auto poses = rest_poses(phenotype);
+    SceneFrame frame;
+    add_creature(frame, kPalette, kCamera, {phenotype, poses});
+    for (std::size_t i = 0; i < poses.size(); ++i) {
+        const auto& part = phenotype.plan.parts[i];
+        const bool drawn =
+            std::any_of(frame.shapes.begin(), frame.shapes.end(), [&](const Shape& shape) {
+                return (shape.center - poses[i].position.head<2>()).norm() < 1e-9 &&
+                       (shape.half_extents - part.half_extents.head<2>()).norm() < 1e-9;
+            });
+        CHECK(drawn);
+    }
+}
+
+TEST_CASE("the root is drawn over its limbs and each moving joint has a pivot",
+          "[studio][scene_builder]") {
+    const Phenotype phenotype = grown_crawler();
+    const auto poses = rest_poses(phenotype);
+    SceneFrame frame;
+    add_creature(frame, kPalette, kCamera, {phenotype, poses});
+    const std::size_t parts = phenotype.parts.size();
+    CHECK(frame.shapes.size() == parts + 2 * phenotype.effector_parts.size());
+    CHECK((frame.shapes[parts - 1].center - poses[0].position.head<2>()).norm() < 1e-9);
+}
+
+TEST_CASE("a highlighted node lights every part grown from it", "[studio][scene_builder]") {
+    const Phenotype phenotype = grown_crawler();
+    const auto poses = rest_poses(phenotype);
+    SceneFrame plain;
+    SceneFrame lit;
+    add_creature(plain, kPalette, kCamera, {phenotype, poses});
+    add_creature(lit, kPalette, kCamera, {phenotype, poses, nullptr, 0.0, {.node = 1}});
+    std::ptrdiff_t changed = 0;
+    for (std::size_t i = 0; i < plain.shapes.size(); ++i)
+        changed += plain.shapes[i].fill == lit.shapes[i].fill ? 0 : 1;
+    const auto of_node = std::count_if(phenotype.parts.begin(), phenotype.parts.end(),
+                                       [](const BodyPart& part) { return part.node == 1; });
+    CHECK(changed == of_node);
+}
+
+TEST_CASE("the part under a point is found, and none beside the body", "[studio][scene_builder]") {
+    const Phenotype phenotype = grown_crawler();
+    const auto poses = rest_poses(phenotype);
+    CHECK(part_at(phenotype, poses, poses[0].position.head<2>()) == 0);
+    CHECK(part_at(phenotype, poses, {50.0, 50.0}) == -1);
+}
+
+TEST_CASE("marks stand at 1, 2 or 5 times a power of ten, far enough apart",
+          "[studio][scene_builder]") {
+    for (double scale = 5.0; scale < 4000.0; scale *= 1.3) {
+        const Camera camera{.pixels_per_metre = scale};
+        const double spacing = mark_spacing(camera, 60.0);
+        CHECK(spacing * scale >= 60.0 * (1.0 - 1e-12));
+        CHECK(spacing * scale <= 60.0 * 2.5 * (1.0 + 1e-12));
+    }
+}
+
+TEST_CASE("no ground is drawn when it is out of sight", "[studio][scene_builder]") {
+    SceneFrame frame;
+    const Camera high{.center = {0.0, 100.0}};
+    add_ground(frame, kPalette, high, kView);
+    CHECK(frame.shapes.empty());
+    add_ground(frame, kPalette, kCamera, kView);
+    CHECK_FALSE(frame.shapes.empty());
+}
+
+}  // namespace
+}  // namespace cambrian
