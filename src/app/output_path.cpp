@@ -7,7 +7,7 @@
 namespace cambrian {
 
 Result<std::filesystem::path> output_path(const std::string& asked, const std::string& name) {
-    std::filesystem::path path = asked.empty() ? "." : asked.c_str();
+    std::filesystem::path path = asked.empty() ? name : asked;
     std::error_code failure;
     if (!asked.empty() && asked.back() == '/') {
         std::filesystem::create_directories(path, failure);
@@ -15,7 +15,7 @@ Result<std::filesystem::path> output_path(const std::string& asked, const std::s
     }
     if (std::filesystem::is_directory(path, failure)) path /= name;
     if (const Status writable = check_writable(path); !writable) return writable.error();
-    return path.lexically_normal();
+    return path;
 }
 
 }  // namespace cambrian
