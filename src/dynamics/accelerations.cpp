@@ -32,13 +32,12 @@ double pull_power(const HeldForce& pull, const Kinematics& k) {
            pull.force_y * (k.velocity_y[a] + k.spin[a] * arm_x);
 }
 
-void load_motors(const PlanarModel& model, const Motion& motion, const Frame& frame, Loads& loads,
-                 MotionRate& rate) {
+void load_motors(const PlanarModel& model, const Motion& motion, Frame& frame, MotionRate& rate) {
     double net = 0.0;
     double gross = 0.0;
-    loads.effort[0] = 0.0;
+    frame.loads.effort[0] = 0.0;
     for (int i = 1; i < model.body_count; ++i) {
-        loads.effort[i] = frame.motor_effort[i];
+        frame.loads.effort[i] = frame.motor_effort[i];
         const double power = frame.motor_effort[i] * joint_rate(model, motion, frame.kinematics, i);
         net += power;
         gross += std::fabs(power);
@@ -59,7 +58,8 @@ void add_held_forces(const PlanarModel& model, const Forcing& forcing, const Kin
 }
 
 void compute_loads(const PlanarModel& model, const Forcing& forcing, const Motion& motion,
-                   double tick_share, Frame& frame, Loads& loads, MotionRate& rate) {
+                   double tick_share, Frame& frame, MotionRate& rate) {
+    Loads& loads = frame.loads;
     compute_motor_efforts(model, forcing.drive, tick_share, motion, frame.kinematics,
                           frame.motor_effort);
     const Medium& medium = forcing.medium;
@@ -68,7 +68,7 @@ void compute_loads(const PlanarModel& model, const Forcing& forcing, const Motio
         loads.force_y[i] = model.mass[i] * medium.gravity_y;
         loads.torque[i] = 0.0;
     }
-    load_motors(model, motion, frame, loads, rate);
+    load_motors(model, motion, frame, rate);
     const bool dragged = medium.drag_linear > 0.0 || medium.drag_quadratic > 0.0;
     rate.power[kDragWork] = dragged ? add_drag(model, medium, frame.kinematics, loads) : 0.0;
     rate.power[kPullWork] = 0.0;
@@ -81,10 +81,9 @@ void compute_loads(const PlanarModel& model, const Forcing& forcing, const Motio
 
 void evaluate_accelerations(const PlanarModel& model, const Forcing& forcing, const Motion& motion,
                             double tick_share, Frame& frame, MotionRate& rate) {
-    Loads loads;
     compute_kinematics(model, motion, frame.kinematics);
-    compute_loads(model, forcing, motion, tick_share, frame, loads, rate);
-    solve_accelerations(model, frame.kinematics, loads, frame.factors, frame.response);
+    compute_loads(model, forcing, motion, tick_share, frame, rate);
+    solve_accelerations(model, frame.kinematics, frame.loads, frame.factors, frame.response);
     for (int c = 0; c < coordinate_count(model); ++c)
         rate.acceleration[c] = frame.response.coordinate[c];
 }

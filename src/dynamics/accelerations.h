@@ -10,6 +10,7 @@ namespace cambrian {
 // One evaluation with all that can be reused of it.
 struct Frame {
     Kinematics kinematics;
+    Loads loads;
     Factors factors;
     BodyResponse response;  // accelerations
     PerBody motor_effort;   // N m or N
@@ -19,10 +20,10 @@ struct Frame {
 void evaluate_accelerations(const PlanarModel& model, const Forcing& forcing, const Motion& motion,
                             double tick_share, Frame& frame, MotionRate& rate);
 
-// All explicit forces and efforts, with their powers in rate; the frame's kinematics are given and
-// its motor efforts are filled.
+// All explicit forces and efforts into the frame, with their powers into rate; the frame's
+// kinematics are given.
 void compute_loads(const PlanarModel& model, const Forcing& forcing, const Motion& motion,
-                   double tick_share, Frame& frame, Loads& loads, MotionRate& rate);
+                   double tick_share, Frame& frame, MotionRate& rate);
 
 // Adds the held contact forces and limit efforts to loads, at the frame's arms.
 void add_held_forces(const PlanarModel& model, const Forcing& forcing, const Kinematics& kinematics,

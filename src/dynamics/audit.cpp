@@ -4,6 +4,11 @@
 #include <cmath>
 
 namespace cambrian {
+namespace {
+
+constexpr double kScaleHeight = 0.01;  // m
+
+}  // namespace
 
 double mechanical_energy(const PlanarModel& model, const Medium& medium, const Motion& motion,
                          const Kinematics& kinematics) {
@@ -51,7 +56,6 @@ void close_books(const PlanarModel& model, const Medium& medium, SceneMoment& mo
     audit.energy_residual = energy - moment.energy_reference - explained;
     const double gravity =
         std::sqrt(medium.gravity_x * medium.gravity_x + medium.gravity_y * medium.gravity_y);
-    constexpr double kScaleHeight = 0.01;  // m
     audit.energy_scale = audit.gross_motor_work + model.total_mass * gravity * kScaleHeight;
 }
 

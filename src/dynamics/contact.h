@@ -28,11 +28,17 @@ struct Contact {
     double closing_speed = 0.0;             // m/s, along the normal, positive when approaching
 };
 
+// Number of the flat face a contact belongs to: all of one body's on the ground, or both of a pair
+// of boxes. Their friction acts along one line.
+inline int friction_group(const Contact& contact) {
+    if (contact.part_b < 0) return contact.body_a;
+    return kMaxBodies + (contact.id - kGroundContactIds) / kIdsPerPair;
+}
+
 // Whether two contacts are of the same pair: a corner and the ground, or two boxes.
 inline bool same_pair(const Contact& first, const Contact& second) {
     if (first.part_b < 0 || second.part_b < 0) return first.id == second.id;
-    return (first.id - kGroundContactIds) / kIdsPerPair ==
-           (second.id - kGroundContactIds) / kIdsPerPair;
+    return friction_group(first) == friction_group(second);
 }
 
 struct ContactSet {

@@ -28,17 +28,16 @@ double impact_scale(const RowSystem& rows) {
     return scale;
 }
 
-int find_stops(const PlanarModel& model, const Motion& motion, const Kinematics& kinematics,
-               LimitCandidate* limits) {
-    int count = 0;
+void find_stops(const PlanarModel& model, const Motion& motion, const Kinematics& kinematics,
+                LimitSet& limits) {
+    limits.count = 0;
     for (int i = 1; i < model.body_count; ++i) {
         const double angle = joint_coordinate(model, motion, kinematics, i);
         const double low = angle - model.limit_low[i];
         const double high = model.limit_high[i] - angle;
-        if (low < kStopBand) limits[count++] = {i, 1.0, low};
-        if (high < kStopBand) limits[count++] = {i, -1.0, high};
+        if (low < kStopBand) limits.add({i, 1.0, low});
+        if (high < kStopBand) limits.add({i, -1.0, high});
     }
-    return count;
 }
 
 }  // namespace
@@ -58,8 +57,8 @@ ImpactResult ContactSolver::strike(const PlanarModel& model, const ContactLaw& l
     for (int c = 0; c < near_.count; ++c) {
         if (near_.items[c].gap < kContactBand) chosen_.add(near_.items[c]);
     }
-    limit_count_ = find_stops(model, motion, frame.kinematics, limits_);
-    build_rows(model, motion, frame, chosen_, limits_, limit_count_, law.friction > 0.0, rows_);
+    find_stops(model, motion, frame.kinematics, limits_);
+    build_rows(model, motion, frame, {chosen_, limits_, law.friction > 0.0}, rows_);
     ImpactResult result;
     const auto solve = [&](double kept) {
         for (int row = 0; row < rows_.count; ++row)

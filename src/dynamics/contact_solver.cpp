@@ -76,14 +76,14 @@ bool ContactSolver::choose(const PlanarModel& model, const ContactLaw& law, cons
         if (contact.gap < kContactBand || (slow && contact.gap < reach)) chosen_.add(contact);
     }
     choose_limits(model, motion, frame, h);
-    if (chosen_.count == 0 && limit_count_ == 0) return false;
-    build_rows(model, motion, frame, chosen_, limits_, limit_count_, law.friction > 0.0, rows_);
+    if (chosen_.count == 0 && limits_.count == 0) return false;
+    build_rows(model, motion, frame, {chosen_, limits_, law.friction > 0.0}, rows_);
     return true;
 }
 
 void ContactSolver::choose_limits(const PlanarModel& model, const Motion& motion,
                                   const Frame& frame, double h) {
-    limit_count_ = 0;
+    limits_.count = 0;
     for (int i = 1; i < model.body_count; ++i) {
         const double angle = joint_coordinate(model, motion, frame.kinematics, i);
         const double rate = joint_rate(model, motion, frame.kinematics, i);
@@ -93,7 +93,7 @@ void ContactSolver::choose_limits(const PlanarModel& model, const Motion& motion
         const auto consider = [&](double sign, double gap) {
             const double reach = kLimitBand + 1.5 * h * std::max(0.0, -sign * rate) +
                                  h * h * std::max(0.0, -sign * acceleration);
-            if (gap < reach) limits_[limit_count_++] = {i, sign, gap};
+            if (gap < reach) limits_.add({i, sign, gap});
         };
         consider(1.0, angle - model.limit_low[i]);
         consider(-1.0, model.limit_high[i] - angle);
@@ -108,7 +108,7 @@ void ContactSolver::set_resting_bias(double h, double* bias) const {
             bias[row] +=
                 row_slack(chosen_.items[rows_.source[row]].gap - kRestingGap, rate, h, kPushSpeed);
         if (rows_.kind[row] == RowKind::kLimit)
-            bias[row] += row_slack(limits_[rows_.source[row]].gap, rate, h, kLimitPushSpeed);
+            bias[row] += row_slack(limits_.items[rows_.source[row]].gap, rate, h, kLimitPushSpeed);
     }
 }
 
@@ -155,11 +155,12 @@ void ContactSolver::load_warm_start(double h, const WarmStart& warm) {
             rows_.impulse[row] = h * std::max(0.0, effort);
             continue;
         }
-        const int id = chosen_.items[rows_.source[row]].id;
+        const Contact& contact = chosen_.items[rows_.source[row]];
+        const bool normal = rows_.kind[row] == RowKind::kNormal;
         for (int w = 0; w < warm.count; ++w) {
-            if (warm.id[w] != id) continue;
-            const bool normal = rows_.kind[row] == RowKind::kNormal;
-            rows_.impulse[row] = h * (normal ? warm.normal[w] : warm.friction[w]);
+            if (normal && warm.id[w] == contact.id) rows_.impulse[row] = h * warm.normal[w];
+            if (!normal && warm.group[w] == friction_group(contact))
+                rows_.impulse[row] += h * warm.friction[w];
         }
     }
 }
@@ -167,10 +168,11 @@ void ContactSolver::load_warm_start(double h, const WarmStart& warm) {
 void ContactSolver::store_forces(double h, WarmStart& warm, Forcing& forcing) {
     warm.count = chosen_.count;
     forcing.contact_count = chosen_.count;
-    forcing.limits_active = limit_count_ > 0;
+    forcing.limits_active = limits_.count > 0;
     for (int c = 0; c < chosen_.count; ++c) {
         const Contact& contact = chosen_.items[c];
         warm.id[c] = contact.id;
+        warm.group[c] = friction_group(contact);
         warm.normal[c] = 0.0;
         warm.friction[c] = 0.0;
         forcing.contacts[c] = {

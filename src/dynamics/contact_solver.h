@@ -20,6 +20,7 @@ struct ContactLaw {
 struct WarmStart {
     int count = 0;
     int id[kMaxContacts] = {};
+    int group[kMaxContacts] = {};        // friction_group
     double normal[kMaxContacts] = {};    // N
     double friction[kMaxContacts] = {};  // N
     PerBody limit = {};                  // N m or N, signed as the effort
@@ -85,8 +86,7 @@ private:
     PairList pair_list_;
     ContactSet near_;
     ContactSet chosen_;
-    LimitCandidate limits_[2 * kMaxBodies];
-    int limit_count_ = 0;
+    LimitSet limits_;
     RowSystem rows_;
     RowSolver solver_;
     double bias_[kMaxRows];

@@ -134,9 +134,12 @@ inline void solve_root(const Factors& factors, double f_x, double f_y, double t,
     response.coordinate[2] = response.spin[0];
 }
 
+enum class Load { kForce, kImpulse };
+
 // Body i's response from its parent's; gamma is 0 for impulses.
+template <Load kLoad>
 inline void follow_parent(const PlanarModel& model, const Kinematics& k, const Factors& factors,
-                          const double* u, int i, bool accelerations, BodyResponse& response) {
+                          const double* u, int i, BodyResponse& response) {
     const int p = model.parent[i];
     const double spin = response.spin[p];
     double x = response.x[p] + spin * k.z_x[i];
@@ -145,7 +148,7 @@ inline void follow_parent(const PlanarModel& model, const Kinematics& k, const F
     const bool linear = model.joint[i] == JointType::kLinear;
     if (linear) rest -= factors.w_3[i] * spin;
     const double coordinate = rest * factors.inverse_d[i];
-    if (accelerations) {
+    if constexpr (kLoad == Load::kForce) {
         x += k.gamma_x[i];
         y += k.gamma_y[i];
     }
@@ -182,7 +185,7 @@ void solve_accelerations(const PlanarModel& model, const Kinematics& kinematics,
     invert_root(c, factors);
     solve_root(factors, c.f_x[0], c.f_y[0], c.t[0], response);
     for (int i = 1; i < model.body_count; ++i)
-        follow_parent(model, kinematics, factors, c.u, i, true, response);
+        follow_parent<Load::kForce>(model, kinematics, factors, c.u, i, response);
     move_center(model, loads, response);
 }
 
@@ -212,7 +215,7 @@ void solve_impulse(const PlanarModel& model, const Kinematics& k, const Factors&
     }
     solve_root(factors, f_x[0], f_y[0], t[0], response);
     for (int i = 1; i < model.body_count; ++i)
-        follow_parent(model, k, factors, u, i, false, response);
+        follow_parent<Load::kImpulse>(model, k, factors, u, i, response);
     move_center(model, impulses, response);
 }
 

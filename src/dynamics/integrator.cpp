@@ -3,10 +3,14 @@
 #include <cmath>
 
 namespace cambrian {
+namespace {
+
+constexpr double kPerPosition = 10.0;  // 1 / (0.1 m or rad)
+
+}  // namespace
 
 double step_error(int coordinates, const PerCoordinate& position_error,
                   const PerCoordinate& speed_error, const PerCoordinate& speed, double tolerance) {
-    constexpr double kPerPosition = 10.0;  // 1 / (0.1 m or rad)
     double sum = 0.0;
     for (int c = 0; c < coordinates; ++c) {
         const double position = position_error[c] * kPerPosition;

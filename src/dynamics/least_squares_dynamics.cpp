@@ -11,15 +11,15 @@ Vec2 perp(const Vec2& v) {
     return {-v.y(), v.x()};
 }
 
-Vec2 turned(const Kinematics& k, int body, double x, double y) {
+Vec2 turned(const Kinematics& k, Eigen::Index body, double x, double y) {
     return {k.cosine[body] * x - k.sine[body] * y, k.sine[body] * x + k.cosine[body] * y};
 }
 
-Vec2 place(const Kinematics& k, int body) {
+Vec2 place(const Kinematics& k, Eigen::Index body) {
     return {k.x[body], k.y[body]};
 }
 
-Vec2 velocity(const Kinematics& k, int body) {
+Vec2 velocity(const Kinematics& k, Eigen::Index body) {
     return {k.velocity_x[body], k.velocity_y[body]};
 }
 
@@ -27,10 +27,11 @@ Vec2 velocity(const Kinematics& k, int body) {
 
 LeastSquaresDynamics::LeastSquaresDynamics(const PlanarModel& model, double time_constant)
     : model_(model), time_constant_(time_constant) {
-    const int columns = 3 * model.body_count;
-    const int rows = 2 * (model.body_count - 1);
+    const Eigen::Index bodies = model.body_count;
+    const Eigen::Index columns = 3 * bodies;
+    const Eigen::Index rows = 2 * (bodies - 1);
     inverse_mass_.resize(columns);
-    for (int i = 0; i < model.body_count; ++i)
+    for (Eigen::Index i = 0; i < bodies; ++i)
         inverse_mass_.segment<3>(3 * i) << 1.0 / model.mass[i], 1.0 / model.mass[i],
             1.0 / model.inertia[i];
     force_.resize(columns);
@@ -42,9 +43,10 @@ LeastSquaresDynamics::LeastSquaresDynamics(const PlanarModel& model, double time
 }
 
 // D = c_p + r_p - c_i - r_c.
-void LeastSquaresDynamics::add_rotary(const Kinematics& k, int i, double effort) {
-    const int p = model_.parent[i];
-    const int row = 2 * (i - 1);
+void LeastSquaresDynamics::add_rotary(const Kinematics& k, int body, double effort) {
+    const Eigen::Index i = body;
+    const Eigen::Index p = model_.parent[i];
+    const Eigen::Index row = 2 * (i - 1);
     const Vec2 parent_arm = turned(k, p, model_.parent_anchor_x[i], model_.parent_anchor_y[i]);
     const Vec2 child_arm = turned(k, i, model_.child_anchor_x[i], model_.child_anchor_y[i]);
     jacobian_.block<2, 2>(row, 3 * p).setIdentity();
@@ -58,9 +60,10 @@ void LeastSquaresDynamics::add_rotary(const Kinematics& k, int i, double effort)
 }
 
 // With delta = c_i + r_c - c_p - r_p and m = perp(axis): D = (m delta, theta_i - theta_p - theta0).
-void LeastSquaresDynamics::add_linear(const Kinematics& k, int i, double effort) {
-    const int p = model_.parent[i];
-    const int row = 2 * (i - 1);
+void LeastSquaresDynamics::add_linear(const Kinematics& k, int body, double effort) {
+    const Eigen::Index i = body;
+    const Eigen::Index p = model_.parent[i];
+    const Eigen::Index row = 2 * (i - 1);
     const Vec2 axis = turned(k, p, model_.axis_x[i], model_.axis_y[i]);
     const Vec2 across = perp(axis);
     const Vec2 parent_arm = turned(k, p, model_.parent_anchor_x[i], model_.parent_anchor_y[i]);
@@ -91,7 +94,7 @@ void LeastSquaresDynamics::add_linear(const Kinematics& k, int i, double effort)
 const Eigen::VectorXd& LeastSquaresDynamics::solve(const Kinematics& bodies, const Loads& loads) {
     Eigen::VectorXd speeds(force_.size());
     jacobian_.setZero();
-    for (int i = 0; i < model_.body_count; ++i) {
+    for (Eigen::Index i = 0; i < model_.body_count; ++i) {
         force_.segment<3>(3 * i) << loads.force_x[i], loads.force_y[i], loads.torque[i];
         speeds.segment<3>(3 * i) << bodies.velocity_x[i], bodies.velocity_y[i], bodies.spin[i];
     }

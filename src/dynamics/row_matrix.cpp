@@ -14,6 +14,10 @@ struct LaneWork {
 };
 
 using BodySet = std::uint32_t;  // one bit a body
+constexpr BodySet kRoot = 1;
+
+constexpr double kRelativeSoftness = 1e-7;
+constexpr double kFreeShare = 0.02;
 
 inline int first_of(BodySet set) {
     return std::countr_zero(set);
@@ -63,7 +67,6 @@ void put_unit_impulse(const RowSystem& rows, int row, int lane, LaneWork& work) 
 // their impulses on, moved ones get their velocities.
 void respond(const PlanarModel& model, const Frame& frame, BodySet pushed, BodySet moved,
              LaneWork& work) {
-    constexpr BodySet kRoot = 1;
     const Kinematics& k = frame.kinematics;
     const Factors& factors = frame.factors;
     for (BodySet left = pushed & ~kRoot; left != 0; left ^= BodySet{1} << last_of(left)) {
@@ -124,16 +127,14 @@ void read_rates(const RowSystem& rows, int row, const LaneWork& work, Lanes& rat
 // A contact on a body that the mechanism hardly lets move would answer a millimetre with a huge
 // impulse; the diagonal is kept above 2 % of that of the bodies set free.
 double regularization(const PlanarModel& model, const RowSystem& rows, int row) {
-    constexpr double kRelative = 1e-7;
-    constexpr double kFreeShare = 0.02;
     const double diagonal = rows.coupling(row, row);
-    if (rows.kind[row] == RowKind::kLimit) return kRelative * diagonal;
+    if (rows.kind[row] == RowKind::kLimit) return kRelativeSoftness * diagonal;
     const int a = rows.body_a[row];
     const int b = rows.body_b[row];
     double free = 1.0 / model.mass[a] + rows.moment_a[row] * rows.moment_a[row] / model.inertia[a];
     if (b >= 0)
         free += 1.0 / model.mass[b] + rows.moment_b[row] * rows.moment_b[row] / model.inertia[b];
-    return std::max(kRelative * free, kFreeShare * free - diagonal);
+    return std::max(kRelativeSoftness * free, kFreeShare * free - diagonal);
 }
 
 }  // namespace
@@ -151,7 +152,7 @@ void compute_row_matrix(const PlanarModel& model, const Frame& frame, RowSystem&
         for (int row = first; row < rows.count; ++row) {
             Lanes rates;
             read_rates(rows, row, work, rates);
-            std::memcpy(rows.matrix + row * rows.stride + first, &rates, sizeof(rates));
+            std::memcpy(&rows.matrix[row * rows.stride + first], &rates, sizeof(rates));
             for (int lane = 0; lane < lanes; ++lane)
                 rows.matrix[(first + lane) * rows.stride + row] = rates[lane];
         }

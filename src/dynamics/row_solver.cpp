@@ -13,18 +13,28 @@ constexpr double kSweepTolerance = 1e-3;  // m/s
 constexpr double kRateTolerance = 1e-9;   // m/s
 constexpr double kPivotTolerance = 1e-7;  // of the diagonal
 
+// Normal impulse that every friction row's cone stands on.
+void sum_loads(const RowSystem& rows, double* load) {
+    for (int row = 0; row < rows.count; ++row)
+        load[row] = 0.0;
+    for (int row = 0; row < rows.count; ++row) {
+        if (rows.friction_of[row] >= 0) load[rows.friction_of[row]] += rows.impulse[row];
+    }
+}
+
 // One projected Gauss-Seidel sweep; the largest change of a row's rate, m/s.
-double sweep(RowSystem& rows, const double* bias, double friction) {
+double sweep(RowSystem& rows, const double* bias, double friction, double* load) {
     double change = 0.0;
     for (int row = 0; row < rows.count; ++row) {
         const double diagonal = rows.coupling(row, row);
         const double old = rows.impulse[row];
         double impulse = old - (bias[row] + rows.product(row)) / diagonal;
         if (rows.kind[row] == RowKind::kFriction) {
-            const double cap = friction * rows.impulse[rows.normal[row]];
+            const double cap = friction * std::max(0.0, load[row]);
             impulse = std::clamp(impulse, -cap, cap);
         } else {
             impulse = std::max(impulse, 0.0);
+            if (rows.friction_of[row] >= 0) load[rows.friction_of[row]] += impulse - old;
         }
         rows.impulse[row] = impulse;
         change = std::max(change, std::fabs(impulse - old) * diagonal);
@@ -33,16 +43,19 @@ double sweep(RowSystem& rows, const double* bias, double friction) {
 }
 
 void iterate(RowSystem& rows, const double* bias, double friction) {
+    double load[kMaxRows];
+    sum_loads(rows, load);
     for (int i = 0; i < kSweeps; ++i) {
-        if (sweep(rows, bias, friction) < kSweepTolerance) return;
+        if (sweep(rows, bias, friction, load) < kSweepTolerance) return;
     }
 }
 
 }  // namespace
 
 bool RowSolver::solve(RowSystem& rows, const double* bias, double friction) {
+    sum_loads(rows, load_);
     for (int i = 0; i < kGuessSweeps; ++i)
-        sweep(rows, bias, friction);
+        sweep(rows, bias, friction, load_);
     double guess[kMaxRows];
     for (int row = 0; row < rows.count; ++row)
         guess[row] = rows.impulse[row];
@@ -67,7 +80,7 @@ void RowSolver::guess_states(const RowSystem& rows, double friction) {
             state_[row] = impulse > 0.0 ? State::kActive : State::kOff;
             continue;
         }
-        const double cap = friction * rows.impulse[rows.normal[row]];
+        const double cap = friction * load_[row];
         if (cap <= 0.0)
             state_[row] = State::kOff;
         else if (std::fabs(impulse) < cap)
@@ -95,13 +108,10 @@ int RowSolver::gather_active(const RowSystem& rows, const double* bias, double f
     }
     for (int j = 0; j < count; ++j) {
         const int column = active_[j];
-        const int mate = column + 1;
+        const int mate = rows.friction_of[column];
         double slide = 0.0;
-        if (rows.kind[column] == RowKind::kNormal && mate < rows.count &&
-            rows.kind[mate] == RowKind::kFriction) {
-            if (state_[mate] == State::kSlidePlus) slide = friction;
-            if (state_[mate] == State::kSlideMinus) slide = -friction;
-        }
+        if (mate >= 0 && state_[mate] == State::kSlidePlus) slide = friction;
+        if (mate >= 0 && state_[mate] == State::kSlideMinus) slide = -friction;
         for (int i = 0; i < count; ++i) {
             double entry = rows.coupling(active_[i], column);
             if (slide != 0.0) entry += slide * rows.coupling(active_[i], mate);
@@ -137,16 +147,15 @@ bool RowSolver::eliminate(int count) {
     return true;
 }
 
-void RowSolver::scatter_active(RowSystem& rows, double friction, int count) const {
+void RowSolver::scatter_active(RowSystem& rows, double friction, int count) {
     for (int row = 0; row < rows.count; ++row)
         rows.impulse[row] = 0.0;
     for (int j = 0; j < count; ++j)
         rows.impulse[active_[j]] = right_[j];
+    sum_loads(rows, load_);
     for (int row = 0; row < rows.count; ++row) {
-        if (state_[row] == State::kSlidePlus)
-            rows.impulse[row] = friction * rows.impulse[rows.normal[row]];
-        if (state_[row] == State::kSlideMinus)
-            rows.impulse[row] = -friction * rows.impulse[rows.normal[row]];
+        if (state_[row] == State::kSlidePlus) rows.impulse[row] = friction * load_[row];
+        if (state_[row] == State::kSlideMinus) rows.impulse[row] = -friction * load_[row];
     }
 }
 
@@ -154,35 +163,42 @@ void RowSolver::scatter_active(RowSystem& rows, double friction, int count) cons
 // their sign asks for.
 bool RowSolver::update_states(const RowSystem& rows, const double* bias, double friction) {
     bool settled = true;
-    const auto move = [&](int row, State state) {
-        state_[row] = state;
-        settled = false;
-    };
+    bool loaded[kMaxRows] = {};
     for (int row = 0; row < rows.count; ++row) {
-        const double impulse = rows.impulse[row];
+        if (rows.kind[row] == RowKind::kFriction) continue;
         const State state = state_[row];
-        if (rows.kind[row] != RowKind::kFriction) {
-            if (state == State::kActive && impulse < 0.0) move(row, State::kOff);
-            if (state == State::kOff && bias[row] + rows.product(row) < -kRateTolerance)
-                move(row, State::kActive);
-            continue;
-        }
-        const bool loaded = state_[rows.normal[row]] == State::kActive;
-        const double cap = friction * rows.impulse[rows.normal[row]];
-        if (!loaded) {
-            state_[row] = State::kOff;
-        } else if (state == State::kOff) {
-            move(row, State::kActive);
-        } else if (state == State::kActive) {
-            if (std::fabs(impulse) > cap)
-                move(row, impulse > 0.0 ? State::kSlidePlus : State::kSlideMinus);
-        } else {
-            const double rate = bias[row] + rows.product(row);
-            const double against = state == State::kSlidePlus ? rate : -rate;
-            if (against > kRateTolerance) move(row, State::kActive);
-        }
+        if (state == State::kActive && rows.impulse[row] < 0.0) state_[row] = State::kOff;
+        if (state == State::kOff && bias[row] + rows.product(row) < -kRateTolerance)
+            state_[row] = State::kActive;
+        settled = settled && state_[row] == state;
+        if (state_[row] == State::kActive && rows.friction_of[row] >= 0)
+            loaded[rows.friction_of[row]] = true;
+    }
+    for (int row = 0; row < rows.count; ++row) {
+        if (rows.kind[row] != RowKind::kFriction) continue;
+        const State state = state_[row];
+        state_[row] =
+            loaded[row] ? next_friction_state(rows, row, bias[row], friction) : State::kOff;
+        settled = settled && (!loaded[row] || state_[row] == state);
     }
     return settled;
+}
+
+RowSolver::State RowSolver::next_friction_state(const RowSystem& rows, int row, double bias,
+                                                double friction) const {
+    const double impulse = rows.impulse[row];
+    switch (state_[row]) {
+        case State::kOff:
+            return State::kActive;
+        case State::kActive:
+            if (std::fabs(impulse) <= friction * load_[row]) return State::kActive;
+            return impulse > 0.0 ? State::kSlidePlus : State::kSlideMinus;
+        case State::kSlidePlus:
+            return bias + rows.product(row) > kRateTolerance ? State::kActive : State::kSlidePlus;
+        case State::kSlideMinus:
+            return bias + rows.product(row) < -kRateTolerance ? State::kActive : State::kSlideMinus;
+    }
+    return State::kOff;
 }
 
 }  // namespace cambrian

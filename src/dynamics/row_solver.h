@@ -2,7 +2,8 @@
 
 // Complementarity solver for the rows of one moment (physics.md 7.5). With y = bias + W p:
 //     normal and limit rows:  p >= 0, y >= 0, p y = 0
-//     friction rows:          |p| <= mu p_n, y = 0 inside, y against p on the cone's edge.
+//     friction rows:          |p| <= mu times the sum of their normals' p, y = 0 inside, y against
+//     p on the cone's edge.
 
 #include "dynamics/rows.h"
 
@@ -24,10 +25,13 @@ private:
     bool solve_active(RowSystem& rows, const double* bias, double friction);
     int gather_active(const RowSystem& rows, const double* bias, double friction);
     bool eliminate(int count);
-    void scatter_active(RowSystem& rows, double friction, int count) const;
+    void scatter_active(RowSystem& rows, double friction, int count);
     bool update_states(const RowSystem& rows, const double* bias, double friction);
 
+    State next_friction_state(const RowSystem& rows, int row, double bias, double friction) const;
+
     State state_[kMaxRows];
+    double load_[kMaxRows];  // normal impulse of every friction row
     int active_[kMaxRows];
     double right_[kMaxRows];
     double pivot_scale_[kMaxRows];

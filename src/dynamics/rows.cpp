@@ -45,26 +45,42 @@ double turning(const RowSystem& rows, int row, const Contact& c, const Kinematic
            2.0 * k.spin[b] * (x * sliding_y - y * sliding_x);
 }
 
-int add_contact_row(const Contact& c, int source, RowKind kind, RowSystem& rows) {
-    const int row = rows.count++;
-    const bool normal = kind == RowKind::kNormal;
-    rows.kind[row] = kind;
+void set_contact_row(const Contact& c, int source, int row, RowSystem& rows) {
+    const bool normal = rows.kind[row] == RowKind::kNormal;
     rows.source[row] = source;
-    rows.normal[row] = normal ? row : row - 1;
+    rows.friction_of[row] = -1;
     rows.body_a[row] = c.body_a;
     rows.body_b[row] = c.body_b;
     rows.dir_x[row] = normal ? c.normal_x : -c.normal_y;
     rows.dir_y[row] = normal ? c.normal_y : c.normal_x;
     rows.moment_a[row] = c.arm_ax * rows.dir_y[row] - c.arm_ay * rows.dir_x[row];
     rows.moment_b[row] = c.arm_bx * rows.dir_y[row] - c.arm_by * rows.dir_x[row];
+}
+
+int add_row(RowKind kind, RowSystem& rows) {
+    rows.kind[rows.count] = kind;
+    return rows.count++;
+}
+
+// The friction row of a contact's group, which acts at its nearest contact.
+int join_friction(const ContactSet& contacts, int source, RowSystem& rows) {
+    const Contact& contact = contacts.items[source];
+    for (int row = 0; row < rows.count; ++row) {
+        if (rows.kind[row] != RowKind::kFriction) continue;
+        const Contact& other = contacts.items[rows.source[row]];
+        if (friction_group(other) != friction_group(contact)) continue;
+        if (contact.gap < other.gap) set_contact_row(contact, source, row, rows);
+        return row;
+    }
+    const int row = add_row(RowKind::kFriction, rows);
+    set_contact_row(contact, source, row, rows);
     return row;
 }
 
 void add_limit_row(const LimitCandidate& limit, int source, RowSystem& rows) {
-    const int row = rows.count++;
-    rows.kind[row] = RowKind::kLimit;
+    const int row = add_row(RowKind::kLimit, rows);
     rows.source[row] = source;
-    rows.normal[row] = row;
+    rows.friction_of[row] = -1;
     rows.body_a[row] = limit.body;
     rows.body_b[row] = -1;
     rows.dir_x[row] = limit.sign;
@@ -73,18 +89,22 @@ void add_limit_row(const LimitCandidate& limit, int source, RowSystem& rows) {
     rows.moment_b[row] = 0.0;
 }
 
+void add_rows(const RowSources& sources, RowSystem& rows) {
+    rows.count = 0;
+    for (int c = 0; c < sources.contacts.count; ++c) {
+        const int row = add_row(RowKind::kNormal, rows);
+        set_contact_row(sources.contacts.items[c], c, row, rows);
+        if (sources.with_friction) rows.friction_of[row] = join_friction(sources.contacts, c, rows);
+    }
+    for (int l = 0; l < sources.limits.count; ++l)
+        add_limit_row(sources.limits.items[l], l, rows);
+}
+
 }  // namespace
 
 void build_rows(const PlanarModel& model, const Motion& motion, const Frame& frame,
-                const ContactSet& contacts, const LimitCandidate* limits, int limit_count,
-                bool with_friction, RowSystem& rows) {
-    rows.count = 0;
-    for (int c = 0; c < contacts.count; ++c) {
-        add_contact_row(contacts.items[c], c, RowKind::kNormal, rows);
-        if (with_friction) add_contact_row(contacts.items[c], c, RowKind::kFriction, rows);
-    }
-    for (int l = 0; l < limit_count; ++l)
-        add_limit_row(limits[l], l, rows);
+                const RowSources& sources, RowSystem& rows) {
+    add_rows(sources, rows);
     const Kinematics& k = frame.kinematics;
     const BodyMotion speeds{k.velocity_x, k.velocity_y, k.spin, motion.speed};
     const BodyResponse& free = frame.response;
@@ -93,7 +113,8 @@ void build_rows(const PlanarModel& model, const Motion& motion, const Frame& fra
         rows.rate[row] = row_rate(model, rows, row, speeds);
         rows.acceleration[row] = row_rate(model, rows, row, accelerations);
         if (rows.kind[row] != RowKind::kLimit)
-            rows.acceleration[row] += turning(rows, row, contacts.items[rows.source[row]], k);
+            rows.acceleration[row] +=
+                turning(rows, row, sources.contacts.items[rows.source[row]], k);
     }
     compute_row_matrix(model, frame, rows);
 }

@@ -21,12 +21,20 @@ struct LimitCandidate {
     double gap = 0.0;   // rad or m
 };
 
+struct LimitSet {
+    int count = 0;
+    LimitCandidate items[2 * kMaxBodies];
+
+    void add(const LimitCandidate& limit) { items[count++] = limit; }
+};
+
 struct RowSystem {
     int count = 0;
     int stride = 0;  // of the matrix, doubles
     RowKind kind[kMaxRows];
     int source[kMaxRows];  // index of the contact or limit
-    int normal[kMaxRows];  // friction rows: their normal row
+    // Normal rows: the friction row they load, or -1. The contacts of one friction group share one.
+    int friction_of[kMaxRows];
     // Wrench of a unit impulse on bodies a and b (contacts), or joint and sign (limits).
     int body_a[kMaxRows], body_b[kMaxRows];
     double dir_x[kMaxRows], dir_y[kMaxRows], moment_a[kMaxRows], moment_b[kMaxRows];
@@ -39,14 +47,22 @@ struct RowSystem {
 
     double coupling(int row, int column) const { return matrix[row * stride + column]; }
     // Regularized matrix times impulse, for one row.
-    double product(int row) const { return lane_product(matrix + row * stride, impulse, stride); }
+    double product(int row) const {
+        return lane_product(matrix + std::ptrdiff_t{row} * stride, impulse, stride);
+    }
 };
 
-// Rows of all contacts (with friction rows if there is friction) and limits, with rates and
-// contact-free accelerations taken from the frame. Impulses are left unset.
+// What rows are made of.
+struct RowSources {
+    const ContactSet& contacts;
+    const LimitSet& limits;
+    bool with_friction = false;
+};
+
+// Rows of all sources, with rates and contact-free accelerations taken from the frame. Impulses are
+// left unset.
 void build_rows(const PlanarModel& model, const Motion& motion, const Frame& frame,
-                const ContactSet& contacts, const LimitCandidate* limits, int limit_count,
-                bool with_friction, RowSystem& rows);
+                const RowSources& sources, RowSystem& rows);
 
 // Adds impulse * scale of every row to the loads.
 void add_row_impulses(const RowSystem& rows, double scale, Loads& loads);

@@ -8,10 +8,10 @@ namespace {
 
 struct BogackiShampine {
     static constexpr std::size_t kStages = 4;
-    static constexpr double c[4] = {0.0, 1.0 / 2, 3.0 / 4, 1.0};
-    static constexpr double a[4][3] = {
+    static constexpr double kNodes[4] = {0.0, 1.0 / 2, 3.0 / 4, 1.0};
+    static constexpr double kRows[4][3] = {
         {0.0, 0.0, 0.0}, {1.0 / 2, 0.0, 0.0}, {0.0, 3.0 / 4, 0.0}, {2.0 / 9, 1.0 / 3, 4.0 / 9}};
-    static constexpr double e[4] = {-5.0 / 72, 1.0 / 12, 1.0 / 9, -1.0 / 8};
+    static constexpr double kErrors[4] = {-5.0 / 72, 1.0 / 12, 1.0 / 9, -1.0 / 8};
 };
 
 }  // namespace

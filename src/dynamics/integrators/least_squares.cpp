@@ -9,22 +9,24 @@ namespace cambrian {
 namespace {
 
 constexpr double kTimeConstant = 1.0 / 20;  // s
+constexpr double kNode[4] = {0.0, 0.5, 0.5, 1.0};
+constexpr double kWeight[4] = {1.0 / 6, 1.0 / 3, 1.0 / 3, 1.0 / 6};
 
 struct FreeBodies {
     Eigen::VectorXd place, speed;  // x, y, angle of every body
 };
 
-FreeBodies separate(int bodies, const Kinematics& k) {
+FreeBodies separate(Eigen::Index bodies, const Kinematics& k) {
     FreeBodies free{Eigen::VectorXd(3 * bodies), Eigen::VectorXd(3 * bodies)};
-    for (int i = 0; i < bodies; ++i) {
+    for (Eigen::Index i = 0; i < bodies; ++i) {
         free.place.segment<3>(3 * i) << k.x[i], k.y[i], k.angle[i];
         free.speed.segment<3>(3 * i) << k.velocity_x[i], k.velocity_y[i], k.spin[i];
     }
     return free;
 }
 
-void place_bodies(int bodies, const FreeBodies& free, Kinematics& k) {
-    for (int i = 0; i < bodies; ++i) {
+void place_bodies(Eigen::Index bodies, const FreeBodies& free, Kinematics& k) {
+    for (Eigen::Index i = 0; i < bodies; ++i) {
         k.x[i] = free.place(3 * i);
         k.y[i] = free.place(3 * i + 1);
         k.angle[i] = free.place(3 * i + 2);
@@ -83,10 +85,8 @@ void join(const PlanarModel& model, const Kinematics& k, Motion& motion) {
 
 void attempt_least_squares_step(const MotionSystem& system, const StepRequest& request,
                                 Frame& frame, StepResult& result) {
-    constexpr double kNode[4] = {0.0, 0.5, 0.5, 1.0};
-    constexpr double kWeight[4] = {1.0 / 6, 1.0 / 3, 1.0 / 3, 1.0 / 6};
     const PlanarModel& model = system.model;
-    const int bodies = model.body_count;
+    const Eigen::Index bodies = model.body_count;
     const double h = request.length;
     LeastSquaresDynamics dynamics(model, kTimeConstant);
     Frame stage;
@@ -102,11 +102,10 @@ void attempt_least_squares_step(const MotionSystem& system, const StepRequest& r
         place_bodies(bodies, moved, stage.kinematics);
         Motion motion;
         join(model, stage.kinematics, motion);
-        Loads loads;
         MotionRate powers;
         compute_loads(model, system.forcing, motion, (request.time + reach) / system.tick_length,
-                      stage, loads, powers);
-        rate = {moved.speed, dynamics.solve(stage.kinematics, loads)};
+                      stage, powers);
+        rate = {moved.speed, dynamics.solve(stage.kinematics, stage.loads)};
         sum.place += kWeight[s] * rate.place;
         sum.speed += kWeight[s] * rate.speed;
         for (int w = 0; w < kWorkCount; ++w)
