@@ -7,7 +7,7 @@
 namespace cambrian {
 
 Result<std::filesystem::path> output_path(const std::string& asked, const std::string& name) {
-    std::filesystem::path path = asked.empty() ? "." : asked.c_str();
+    std::filesystem::path path = asked.empty() ? name : asked;
     std::error_code failure;
     if (!asked.empty() && asked.back() == '/') {
         std::filesystem::create_directories(path, failure);

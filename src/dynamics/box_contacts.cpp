@@ -1,5 +1,6 @@
 #include "dynamics/box_contacts.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace cambrian {
@@ -14,20 +15,29 @@ struct SeparatingAxis {
     bool along_length = true;
 };
 
-// Tries both axes of one box; false if one of them separates by more than the margin.
-bool try_axes(const PlacedBox& own, const PlacedBox& other, bool of_first, double margin,
-              SeparatingAxis& best) {
+// Gaps between the projections on both axes of one box.
+struct AxisGaps {
+    double length, width;  // m
+};
+
+inline AxisGaps axis_gaps(const PlacedBox& own, const PlacedBox& other) {
     const double along = std::fabs(own.axis_x * other.axis_x + own.axis_y * other.axis_y);
     const double across = std::fabs(own.axis_x * other.axis_y - own.axis_y * other.axis_x);
     const double x = other.x - own.x;
     const double y = other.y - own.y;
-    const double length_gap = std::fabs(own.axis_x * x + own.axis_y * y) - own.half_length -
-                              along * other.half_length - across * other.half_width;
-    const double width_gap = std::fabs(own.axis_x * y - own.axis_y * x) - own.half_width -
-                             across * other.half_length - along * other.half_width;
-    if (length_gap > margin || width_gap > margin) return false;
-    if (length_gap > best.gap + kAxisPreference) best = {length_gap, of_first, true};
-    if (width_gap > best.gap + kAxisPreference) best = {width_gap, of_first, false};
+    return {std::fabs(own.axis_x * x + own.axis_y * y) - own.half_length -
+                along * other.half_length - across * other.half_width,
+            std::fabs(own.axis_x * y - own.axis_y * x) - own.half_width -
+                across * other.half_length - along * other.half_width};
+}
+
+// Tries both axes of one box; false if one of them separates by more than the margin.
+bool try_axes(const PlacedBox& own, const PlacedBox& other, bool of_first, double margin,
+              SeparatingAxis& best) {
+    const AxisGaps gaps = axis_gaps(own, other);
+    if (gaps.length > margin || gaps.width > margin) return false;
+    if (gaps.length > best.gap + kAxisPreference) best = {gaps.length, of_first, true};
+    if (gaps.width > best.gap + kAxisPreference) best = {gaps.width, of_first, false};
     return true;
 }
 
@@ -98,8 +108,8 @@ BoxManifold collide_boxes(const PlacedBox& first, const PlacedBox& second, doubl
     double tangential[2];
     for (int i = 0; i < 2; ++i)
         tangential[i] = normal_x * (ends[i].y - reference.y) - normal_y * (ends[i].x - reference.x);
-    if (std::fmin(tangential[0], tangential[1]) > edge ||
-        std::fmax(tangential[0], tangential[1]) < -edge)
+    if (std::min(tangential[0], tangential[1]) > edge ||
+        std::max(tangential[0], tangential[1]) < -edge)
         return manifold;
     clip(1.0, edge, tangential, ends);
     clip(-1.0, edge, tangential, ends);

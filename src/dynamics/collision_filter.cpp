@@ -2,6 +2,7 @@
 
 #include "math/elementary.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace cambrian {
@@ -29,7 +30,7 @@ double gap_along_axes(const RestBox& a, const RestBox& b) {
                          along * b.half_length - across * b.half_width;
     const double gap_y = std::fabs(a.cosine * y - a.sine * x) - a.half_width -
                          across * b.half_length - along * b.half_width;
-    return std::fmax(gap_x, gap_y);
+    return std::max(gap_x, gap_y);
 }
 
 bool share_joint(const PlanarModel& model, int a, int b) {
@@ -49,7 +50,7 @@ std::vector<PartPair> find_colliding_pairs(const PlanarModel& model, const BodyP
             const int b = model.part_body[j];
             if (a == b || share_joint(model, a, b)) continue;
             const double gap =
-                std::fmax(gap_along_axes(boxes[i], boxes[j]), gap_along_axes(boxes[j], boxes[i]));
+                std::max(gap_along_axes(boxes[i], boxes[j]), gap_along_axes(boxes[j], boxes[i]));
             if (gap < kRestClearance) continue;
             pairs.push_back({static_cast<std::uint8_t>(i), static_cast<std::uint8_t>(j)});
         }

@@ -2,6 +2,7 @@
 
 #include "dynamics/ground_contacts.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace cambrian {
@@ -16,11 +17,15 @@ constexpr double kWorkAllowance = 1e-3;     // J per (kg m/s^2): M g (1 m) * thi
 constexpr double kReferenceGravity = 9.81;  // m/s^2
 
 // How far above its demand r + W p >= 0 a row may stay: lands at gap 0 with rate 0 in two steps,
-// does not push what is leaving, and backs out of penetration gently.
+// does not push what is leaving, and backs out of penetration with a force that stays bounded as h
+// shrinks.
 double row_slack(double gap, double rate, double h, double push_speed) {
-    if (gap < 0.0) return -std::fmin(push_speed, -kPushShare * gap / kNominalStep);
-    if (rate <= 0.0) return std::fmax(0.0, gap / h + 0.5 * rate);
-    return std::fmax(0.0, 2.0 * gap / h + rate);
+    if (gap < 0.0) {
+        const double push = std::min(push_speed, -kPushShare * gap / kNominalStep);
+        return -push * std::min(1.0, h / kNominalStep);
+    }
+    if (rate <= 0.0) return std::max(0.0, gap / h + 0.5 * rate);
+    return std::max(0.0, 2.0 * gap / h + rate);
 }
 
 }  // namespace
@@ -65,8 +70,8 @@ bool ContactSolver::choose(const PlanarModel& model, const ContactLaw& law, cons
             acceleration -= contact.normal_x * (free.x[b] - free.spin[b] * contact.arm_by) +
                             contact.normal_y * (free.y[b] + free.spin[b] * contact.arm_bx);
         }
-        const double reach = kContactBand + 1.5 * h * std::fmax(0.0, contact.closing_speed) +
-                             h * h * std::fmax(0.0, -acceleration);
+        const double reach = kContactBand + 1.5 * h * std::max(0.0, contact.closing_speed) +
+                             h * h * std::max(0.0, -acceleration);
         const bool slow = contact.closing_speed <= kRestingSpeed;
         if (contact.gap < kContactBand || (slow && contact.gap < reach)) chosen_.add(contact);
     }
@@ -86,8 +91,8 @@ void ContactSolver::choose_limits(const PlanarModel& model, const Motion& motion
         if (model.joint[i] == JointType::kRotary)
             acceleration -= frame.response.spin[model.parent[i]];
         const auto consider = [&](double sign, double gap) {
-            const double reach = kLimitBand + 1.5 * h * std::fmax(0.0, -sign * rate) +
-                                 h * h * std::fmax(0.0, -sign * acceleration);
+            const double reach = kLimitBand + 1.5 * h * std::max(0.0, -sign * rate) +
+                                 h * h * std::max(0.0, -sign * acceleration);
             if (gap < reach) limits_[limit_count_++] = {i, sign, gap};
         };
         consider(1.0, angle - model.limit_low[i]);
@@ -116,6 +121,11 @@ bool ContactSolver::hold(const PlanarModel& model, const ContactLaw& law, double
     return solved;
 }
 
+void ContactSolver::let_go() {
+    for (int c = 0; c < chosen_.count; ++c)
+        normal_force_[c] = 0.0;
+}
+
 bool ContactSolver::solve_resting(const PlanarModel& model, const ContactLaw& law, double h) {
     const double allowance = kWorkAllowance * model.total_mass * kReferenceGravity;
     bool solved = solver_.solve(rows_, bias_, law.friction);
@@ -142,7 +152,7 @@ void ContactSolver::load_warm_start(double h, const WarmStart& warm) {
         rows_.impulse[row] = 0.0;
         if (rows_.kind[row] == RowKind::kLimit) {
             const double effort = rows_.dir_x[row] * warm.limit[rows_.body_a[row]];
-            rows_.impulse[row] = h * std::fmax(0.0, effort);
+            rows_.impulse[row] = h * std::max(0.0, effort);
             continue;
         }
         const int id = chosen_.items[rows_.source[row]].id;
@@ -214,7 +224,7 @@ HeldWork ContactSolver::held_work(const PlanarModel& model, const Forcing& forci
                     held.force_y * (end.y[b] - begin.y[b] + turn * arm_x);
         }
         work.contact += done;
-        work.positive += std::fmax(0.0, done);
+        work.positive += std::max(0.0, done);
     }
     if (!forcing.limits_active) return work;
     for (int i = 1; i < model.body_count; ++i) {
@@ -223,7 +233,7 @@ HeldWork ContactSolver::held_work(const PlanarModel& model, const Forcing& forci
         const double done = effort * (joint_coordinate(model, end_motion, end, i) -
                                       joint_coordinate(model, start_motion, begin, i));
         work.limit += done;
-        work.positive += std::fmax(0.0, done);
+        work.positive += std::max(0.0, done);
     }
     return work;
 }

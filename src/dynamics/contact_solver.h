@@ -62,6 +62,8 @@ public:
     // active set failed and a fallback was taken.
     bool hold(const PlanarModel& model, const ContactLaw& law, double h, WarmStart& warm,
               Forcing& forcing);
+    // Instead of hold(): the chosen rows exert nothing.
+    void let_go();
     // Normal force of a chosen contact after hold(), N.
     double held_normal(int contact) const { return normal_force_[contact]; }
 

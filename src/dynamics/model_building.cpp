@@ -116,6 +116,8 @@ private:
             ++model_.body_count;
             leader_[body] = index;
             model_.parent[body] = parent_body;
+            const std::uint32_t path = body == 0 ? 0 : model_.root_path[parent_body];
+            model_.root_path[body] = path | (std::uint32_t{1} << body);
         }
         model_.part_body[index] = body;
         for (int child = index + 1; child < model_.part_count; ++child) {

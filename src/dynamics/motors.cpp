@@ -5,13 +5,14 @@
 
 #include "dynamics/motors.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace cambrian {
 namespace {
 
 inline double clamp_size(double value, double size) {
-    return std::fmin(std::fmax(value, -size), size);
+    return std::clamp(value, -size, size);
 }
 
 }  // namespace

@@ -40,7 +40,8 @@ struct PlanarModel {
     // The joint of a body to its parent; unused on body 0.
     JointType joint[kMaxBodies] = {};
     int parent[kMaxBodies] = {};
-    int joint_part[kMaxBodies] = {};                     // plan part that carries this joint
+    std::uint32_t root_path[kMaxBodies] = {};  // bit of every body from this one to the root
+    int joint_part[kMaxBodies] = {};           // plan part that carries this joint
     PerBody parent_anchor_x = {}, parent_anchor_y = {};  // m, in the parent's frame from its centre
     PerBody child_anchor_x = {}, child_anchor_y = {};    // m, in the body's frame from its centre
     PerBody rest_angle = {};                             // rad, relative to the parent

@@ -8,6 +8,7 @@
 #include "dynamics/step_control.h"
 #include "math/angle.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -55,7 +56,7 @@ public:
         return {moment_.motion.speed[0], moment_.motion.speed[1], 0.0};
     }
     double kinetic_energy() const override {
-        return cambrian::kinetic_energy(model_, moment_.frame.kinematics);
+        return cambrian::kinetic_energy(model_, moment_.frame().kinematics);
     }
     Bounds bounds() const override;
 
@@ -72,7 +73,8 @@ public:
     }
     void restore(const SceneState& state) override;
     double energy() const override {
-        return mechanical_energy(model_, forcing_.medium, moment_.motion, moment_.frame.kinematics);
+        return mechanical_energy(model_, forcing_.medium, moment_.motion,
+                                 moment_.frame().kinematics);
     }
     const SceneAudit& audit() const override { return moment_.audit; }
     void restart_audit() override { open_books(model_, forcing_.medium, moment_); }
@@ -104,7 +106,7 @@ private:
 
 Vec2 PlanarScene::arm_of(std::size_t part, double x, double y) const {
     const int b = body_of(part);
-    const Kinematics& k = moment_.frame.kinematics;
+    const Kinematics& k = moment_.frame().kinematics;
     const double body_x =
         model_.part_x[part] + model_.part_cosine[part] * x - model_.part_sine[part] * y;
     const double body_y =
@@ -114,14 +116,14 @@ Vec2 PlanarScene::arm_of(std::size_t part, double x, double y) const {
 
 Pose PlanarScene::part_pose(std::size_t part) const {
     const int b = body_of(part);
-    const Kinematics& k = moment_.frame.kinematics;
+    const Kinematics& k = moment_.frame().kinematics;
     const Vec2 arm = arm_of(part, 0.0, 0.0);
     return planar_pose(k.x[b] + arm.x(), k.y[b] + arm.y(), k.angle[b] + model_.part_angle[part]);
 }
 
 Twist PlanarScene::part_twist(std::size_t part) const {
     const int b = body_of(part);
-    const Kinematics& k = moment_.frame.kinematics;
+    const Kinematics& k = moment_.frame().kinematics;
     const Vec2 arm = arm_of(part, 0.0, 0.0);
     return {Vec3(k.velocity_x[b] - k.spin[b] * arm.y(), k.velocity_y[b] + k.spin[b] * arm.x(), 0.0),
             Vec3(0.0, 0.0, k.spin[b])};
@@ -130,18 +132,18 @@ Twist PlanarScene::part_twist(std::size_t part) const {
 double PlanarScene::joint_coordinate(std::size_t part) const {
     const int joint = joint_of(part);
     if (joint < 0) return 0.0;
-    return cambrian::joint_coordinate(model_, moment_.motion, moment_.frame.kinematics, joint);
+    return cambrian::joint_coordinate(model_, moment_.motion, moment_.frame().kinematics, joint);
 }
 
 double PlanarScene::joint_rate(std::size_t part) const {
     const int joint = joint_of(part);
     if (joint < 0) return 0.0;
-    return cambrian::joint_rate(model_, moment_.motion, moment_.frame.kinematics, joint);
+    return cambrian::joint_rate(model_, moment_.motion, moment_.frame().kinematics, joint);
 }
 
 double PlanarScene::joint_effort(std::size_t part) const {
     const int joint = joint_of(part);
-    return joint < 0 ? 0.0 : moment_.frame.motor_effort[joint];
+    return joint < 0 ? 0.0 : moment_.frame().motor_effort[joint];
 }
 
 bool PlanarScene::face_touched(std::size_t part, Face face) const {
@@ -151,7 +153,7 @@ bool PlanarScene::face_touched(std::size_t part, Face face) const {
 
 Bounds PlanarScene::bounds() const {
     Bounds bounds;
-    const Kinematics& k = moment_.frame.kinematics;
+    const Kinematics& k = moment_.frame().kinematics;
     for (std::size_t part = 0; part < part_count(); ++part) {
         const int b = body_of(part);
         for (int corner = 0; corner < 4; ++corner) {
@@ -170,7 +172,7 @@ void PlanarScene::set_target(std::size_t part, double target) {
     if (joint < 0) return;
     if (!std::isfinite(target)) target = 0.0;
     if (model_.motor_mode[joint] == MotorMode::kPosition)
-        target = std::fmin(std::fmax(target, model_.limit_low[joint]), model_.limit_high[joint]);
+        target = std::clamp(target, model_.limit_low[joint], model_.limit_high[joint]);
     moment_.drive_end[joint] = target;
 }
 
@@ -206,7 +208,8 @@ void PlanarScene::use_environment(const Environment& environment) {
 void PlanarScene::evaluate_here() {
     forcing_.contact_count = 0;
     forcing_.limits_active = false;
-    evaluate_accelerations(model_, forcing_, moment_.motion, 0.0, moment_.frame, moment_.free_rate);
+    evaluate_accelerations(model_, forcing_, moment_.motion, 0.0, moment_.frame(),
+                           moment_.free_rate);
 }
 
 void PlanarScene::set_environment(const Environment& environment) {
@@ -250,7 +253,7 @@ void PlanarScene::restore(const SceneState& state) {
 
 void PlanarScene::list_contacts(std::vector<SceneContact>& contacts) const {
     contacts.clear();
-    const Kinematics& k = moment_.frame.kinematics;
+    const Kinematics& k = moment_.frame().kinematics;
     for (int c = 0; c < moment_.held_count; ++c) {
         const HeldContact& held = moment_.held[c];
         const int a = held.body_a;

@@ -1,12 +1,11 @@
 #include "dynamics/row_matrix.h"
 
-#include <cmath>
+#include <algorithm>
+#include <bit>
+#include <cstring>
 
 namespace cambrian {
 namespace {
-
-constexpr int kLanes = 4;
-using Lanes = double __attribute__((vector_size(kLanes * sizeof(double))));
 
 // Four impulses and the velocity jumps they cause.
 struct LaneWork {
@@ -14,13 +13,33 @@ struct LaneWork {
     Lanes x[kMaxBodies], y[kMaxBodies], spin[kMaxBodies], coordinate[kMaxBodies];
 };
 
-void clear(int bodies, LaneWork& work) {
+using BodySet = std::uint32_t;  // one bit a body
+
+inline int first_of(BodySet set) {
+    return std::countr_zero(set);
+}
+inline int last_of(BodySet set) {
+    return 31 - std::countl_zero(set);
+}
+
+BodySet bodies_of(const PlanarModel& model, const RowSystem& rows, int first, int end) {
+    BodySet bodies = 0;
+    for (int row = first; row < end; ++row) {
+        bodies |= model.root_path[rows.body_a[row]];
+        if (rows.body_b[row] >= 0) bodies |= model.root_path[rows.body_b[row]];
+    }
+    return bodies;
+}
+
+void clear(BodySet bodies, LaneWork& work) {
     const Lanes zero = {};
-    for (int i = 0; i < bodies; ++i) {
+    for (; bodies != 0; bodies &= bodies - 1) {
+        const int i = first_of(bodies);
         work.f_x[i] = zero;
         work.f_y[i] = zero;
         work.t[i] = zero;
         work.effort[i] = zero;
+        work.u[i] = zero;
     }
 }
 
@@ -40,11 +59,15 @@ void put_unit_impulse(const RowSystem& rows, int row, int lane, LaneWork& work) 
     work.t[b][lane] = -rows.moment_b[row];
 }
 
-// As solve_impulse, on four right-hand sides.
-void respond(const PlanarModel& model, const Frame& frame, LaneWork& work) {
+// As solve_impulse, on four right-hand sides: pushed bodies (with their paths to the root) pass
+// their impulses on, moved ones get their velocities.
+void respond(const PlanarModel& model, const Frame& frame, BodySet pushed, BodySet moved,
+             LaneWork& work) {
+    constexpr BodySet kRoot = 1;
     const Kinematics& k = frame.kinematics;
     const Factors& factors = frame.factors;
-    for (int i = model.body_count - 1; i > 0; --i) {
+    for (BodySet left = pushed & ~kRoot; left != 0; left ^= BodySet{1} << last_of(left)) {
+        const int i = last_of(left);
         const int p = model.parent[i];
         const bool linear = model.joint[i] == JointType::kLinear;
         Lanes u = k.s_x[i] * work.f_x[i] + k.s_y[i] * work.f_y[i] + work.effort[i];
@@ -67,7 +90,8 @@ void respond(const PlanarModel& model, const Frame& frame, LaneWork& work) {
     work.x[0] = factors.root_xx * f_x + factors.root_xy * f_y + factors.root_xt * t;
     work.y[0] = factors.root_xy * f_x + factors.root_yy * f_y + factors.root_yt * t;
     work.spin[0] = factors.root_xt * f_x + factors.root_yt * f_y + factors.root_tt * t;
-    for (int i = 1; i < model.body_count; ++i) {
+    for (BodySet left = moved & ~kRoot; left != 0; left &= left - 1) {
+        const int i = first_of(left);
         const int p = model.parent[i];
         const bool linear = model.joint[i] == JointType::kLinear;
         const Lanes x = work.x[p] + k.z_x[i] * work.spin[p];
@@ -109,33 +133,37 @@ double regularization(const PlanarModel& model, const RowSystem& rows, int row) 
     double free = 1.0 / model.mass[a] + rows.moment_a[row] * rows.moment_a[row] / model.inertia[a];
     if (b >= 0)
         free += 1.0 / model.mass[b] + rows.moment_b[row] * rows.moment_b[row] / model.inertia[b];
-    return std::fmax(kRelative * free, kFreeShare * free - diagonal);
+    return std::max(kRelative * free, kFreeShare * free - diagonal);
 }
 
 }  // namespace
 
 void compute_row_matrix(const PlanarModel& model, const Frame& frame, RowSystem& rows) {
-    rows.stride = (rows.count + kLanes - 1) / kLanes * kLanes;
+    rows.stride = round_up_to_lanes(rows.count);
+    const BodySet moved = bodies_of(model, rows, 0, rows.count);
     LaneWork work;
     for (int first = 0; first < rows.count; first += kLanes) {
-        const int lanes = rows.count - first < kLanes ? rows.count - first : kLanes;
-        clear(model.body_count, work);
+        const int lanes = std::min(rows.count - first, kLanes);
+        clear(moved, work);
         for (int lane = 0; lane < lanes; ++lane)
             put_unit_impulse(rows, first + lane, lane, work);
-        respond(model, frame, work);
+        respond(model, frame, bodies_of(model, rows, first, first + lanes), moved, work);
         for (int row = first; row < rows.count; ++row) {
             Lanes rates;
             read_rates(rows, row, work, rates);
-            for (int lane = 0; lane < lanes; ++lane) {
-                rows.matrix[row * rows.stride + first + lane] = rates[lane];
+            std::memcpy(rows.matrix + row * rows.stride + first, &rates, sizeof(rates));
+            for (int lane = 0; lane < lanes; ++lane)
                 rows.matrix[(first + lane) * rows.stride + row] = rates[lane];
-            }
         }
     }
     for (int row = 0; row < rows.count; ++row) {
+        for (int pad = rows.count; pad < rows.stride; ++pad)
+            rows.matrix[row * rows.stride + pad] = 0.0;
         rows.regularization[row] = regularization(model, rows, row);
         rows.matrix[row * rows.stride + row] += rows.regularization[row];
     }
+    for (int pad = rows.count; pad < rows.stride; ++pad)
+        rows.impulse[pad] = 0.0;
 }
 
 }  // namespace cambrian

@@ -1,5 +1,6 @@
 #include "dynamics/row_solver.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace cambrian {
@@ -12,29 +13,21 @@ constexpr double kSweepTolerance = 1e-3;  // m/s
 constexpr double kRateTolerance = 1e-9;   // m/s
 constexpr double kPivotTolerance = 1e-7;  // of the diagonal
 
-double row_product(const RowSystem& rows, int row) {
-    const double* line = rows.matrix + row * rows.stride;
-    double sum = 0.0;
-    for (int column = 0; column < rows.count; ++column)
-        sum += line[column] * rows.impulse[column];
-    return sum;
-}
-
 // One projected Gauss-Seidel sweep; the largest change of a row's rate, m/s.
 double sweep(RowSystem& rows, const double* bias, double friction) {
     double change = 0.0;
     for (int row = 0; row < rows.count; ++row) {
         const double diagonal = rows.coupling(row, row);
         const double old = rows.impulse[row];
-        double impulse = old - (bias[row] + row_product(rows, row)) / diagonal;
+        double impulse = old - (bias[row] + rows.product(row)) / diagonal;
         if (rows.kind[row] == RowKind::kFriction) {
             const double cap = friction * rows.impulse[rows.normal[row]];
-            impulse = std::fmin(std::fmax(impulse, -cap), cap);
+            impulse = std::clamp(impulse, -cap, cap);
         } else {
-            impulse = std::fmax(impulse, 0.0);
+            impulse = std::max(impulse, 0.0);
         }
         rows.impulse[row] = impulse;
-        change = std::fmax(change, std::fabs(impulse - old) * diagonal);
+        change = std::max(change, std::fabs(impulse - old) * diagonal);
     }
     return change;
 }
@@ -170,7 +163,7 @@ bool RowSolver::update_states(const RowSystem& rows, const double* bias, double 
         const State state = state_[row];
         if (rows.kind[row] != RowKind::kFriction) {
             if (state == State::kActive && impulse < 0.0) move(row, State::kOff);
-            if (state == State::kOff && bias[row] + row_product(rows, row) < -kRateTolerance)
+            if (state == State::kOff && bias[row] + rows.product(row) < -kRateTolerance)
                 move(row, State::kActive);
             continue;
         }
@@ -184,7 +177,7 @@ bool RowSolver::update_states(const RowSystem& rows, const double* bias, double 
             if (std::fabs(impulse) > cap)
                 move(row, impulse > 0.0 ? State::kSlidePlus : State::kSlideMinus);
         } else {
-            const double rate = bias[row] + row_product(rows, row);
+            const double rate = bias[row] + rows.product(row);
             const double against = state == State::kSlidePlus ? rate : -rate;
             if (against > kRateTolerance) move(row, State::kActive);
         }

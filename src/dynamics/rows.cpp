@@ -118,10 +118,7 @@ void add_row_impulses(const RowSystem& rows, double scale, Loads& loads) {
 }
 
 double impulse_effect(const RowSystem& rows, int row) {
-    double effect = -rows.regularization[row] * rows.impulse[row];
-    for (int column = 0; column < rows.count; ++column)
-        effect += rows.coupling(row, column) * rows.impulse[column];
-    return effect;
+    return rows.product(row) - rows.regularization[row] * rows.impulse[row];
 }
 
 }  // namespace cambrian

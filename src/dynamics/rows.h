@@ -5,6 +5,7 @@
 
 #include "dynamics/accelerations.h"
 #include "dynamics/contact.h"
+#include "dynamics/lanes.h"
 
 namespace cambrian {
 
@@ -32,10 +33,13 @@ struct RowSystem {
     double rate[kMaxRows];            // J v
     double acceleration[kMaxRows];    // J a + J' v without contact
     double regularization[kMaxRows];  // included in the matrix's diagonal
-    double impulse[kMaxRows];
+    // Zero beyond count, as are the columns of the matrix, up to the stride.
+    alignas(64) double impulse[kMaxRows];
     alignas(64) double matrix[kMaxRows * kMaxRows];
 
     double coupling(int row, int column) const { return matrix[row * stride + column]; }
+    // Regularized matrix times impulse, for one row.
+    double product(int row) const { return lane_product(matrix + row * stride, impulse, stride); }
 };
 
 // Rows of all contacts (with friction rows if there is friction) and limits, with rates and

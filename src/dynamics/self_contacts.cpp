@@ -2,6 +2,7 @@
 
 #include "dynamics/box_contacts.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace cambrian {
@@ -86,7 +87,7 @@ bool PairList::has_expired(const PlanarModel& model, const PartPlaces& places) c
     for (int part = 1; part < model.part_count; ++part) {
         const double x = places.x[part] - places.x[0] - built_x_[part];
         const double y = places.y[part] - places.y[0] - built_y_[part];
-        farthest = std::fmax(farthest, x * x + y * y);
+        farthest = std::max(farthest, x * x + y * y);
     }
     return farthest > 0.25 * kSpare * kSpare;
 }

@@ -5,6 +5,7 @@
 #include "dynamics/time_of_impact.h"
 #include "math/elementary.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace cambrian {
@@ -13,7 +14,7 @@ namespace {
 constexpr double kContactStep = 1.0 / 120;  // s; longest step with active rows
 constexpr double kCollapseStep = kContactStep / 16;
 constexpr double kPatientStep = kContactStep / 8;
-constexpr int kPatience = 4;                // collapses in a row before a step is forced
+constexpr int kPatience = 4;                // collapses in a row before a step without held forces
 constexpr double kHalvingStep = 1.0 / 960;  // s; shorter ones are not halved for their work
 constexpr double kWorkAllowance = 3e-4;     // J per (kg m/s^2)
 constexpr double kReferenceGravity = 9.81;  // m/s^2
@@ -29,8 +30,8 @@ constexpr double kMaxSpeed = 1e4;     // m/s and rad/s
 // Change of step that would make the error just acceptable, clipped.
 double step_factor(double error, double exponent) {
     if (!std::isfinite(error)) return kShrinkMost;
-    const double factor = kSafety * power(std::fmax(error, 1e-12), -exponent);
-    return std::fmin(std::fmax(factor, kShrinkMost), kGrowMost);
+    const double factor = kSafety * power(std::max(error, 1e-12), -exponent);
+    return std::clamp(factor, kShrinkMost, kGrowMost);
 }
 
 }  // namespace
@@ -55,7 +56,7 @@ void StepControl::advance(const PlanarModel& model, const ContactLaw& law, Forci
 // One accepted step or one impact. False if no sound motion was found.
 bool StepControl::step(Tick& tick) {
     make_current(tick);
-    contacts_.collect(tick.model, tick.law, tick.moment.frame.kinematics);
+    if (!tick.collected) contacts_.collect(tick.model, tick.law, tick.moment.frame().kinematics);
     if (tick.impacts < kMaxImpacts && contacts_.has_impact()) {
         strike(tick, tick.law.elasticity);
         return is_sound(tick);
@@ -71,12 +72,13 @@ bool StepControl::step(Tick& tick) {
             break;
     }
     tick.collapses = 0;
-    contacts_.collect(tick.model, tick.law, end_frame_.kinematics);
+    Kinematics& end = tick.moment.spare_frame().kinematics;
+    contacts_.collect(tick.model, tick.law, end);
+    tick.collected = true;
     if (tick.impacts < kMaxImpacts && has_new_impact(contacts_)) {
         const StepEnds ends{tick.moment.motion, start_rate_, result_.end, result_.end_rate, h};
         Motion motion;
-        const double share =
-            find_impact(tick.model, tick.law, ends, contacts_, motion, end_frame_.kinematics);
+        const double share = find_impact(tick.model, tick.law, ends, contacts_, motion, end);
         result_.end = motion;
         accept_part(tick, h, share);
     } else {
@@ -92,7 +94,7 @@ void StepControl::make_current(Tick& tick) {
     tick.forcing.contact_count = 0;
     tick.forcing.limits_active = false;
     const MotionSystem system{tick.model, tick.forcing, tick.length};
-    system.evaluate(moment.motion, tick.time, moment.frame, moment.free_rate);
+    system.evaluate(moment.motion, tick.time, moment.frame(), moment.free_rate);
     ++moment.audit.evaluations;
     moment.frame_is_current = true;
 }
@@ -100,13 +102,14 @@ void StepControl::make_current(Tick& tick) {
 void StepControl::strike(Tick& tick, double elasticity) {
     SceneMoment& moment = tick.moment;
     const ImpactResult impact =
-        contacts_.strike(tick.model, tick.law, elasticity, moment.frame, moment.motion);
+        contacts_.strike(tick.model, tick.law, elasticity, moment.frame(), moment.motion);
     moment.audit.impulse_work += impact.work;
-    moment.audit.positive_work += std::fmax(0.0, impact.work);
+    moment.audit.positive_work += std::max(0.0, impact.work);
     moment.audit.fallbacks += impact.fell_back ? 1U : 0U;
     ++moment.audit.events;
     ++tick.impacts;
     moment.frame_is_current = false;
+    tick.collected = false;
     const ContactSet& struck = contacts_.chosen();
     for (int c = 0; c < struck.count; ++c) {
         const Contact& contact = struck.items[c];
@@ -119,12 +122,17 @@ void StepControl::strike(Tick& tick, double elasticity) {
 // What is left of the tick is split evenly rather than leaving a sliver.
 double StepControl::choose_length(Tick& tick, bool& has_rows) {
     const SceneMoment& moment = tick.moment;
-    double h = std::fmin(moment.proposed_step, integrator_->max_step);
-    has_rows = contacts_.choose(tick.model, tick.law, moment.motion, moment.frame, h);
-    if (has_rows) h = std::fmin(h, kContactStep);
+    double h = std::min(moment.proposed_step, integrator_->max_step);
+    has_rows = contacts_.choose(tick.model, tick.law, moment.motion, moment.frame(), h);
+    if (has_rows) h = std::min(h, kContactStep);
+    if (tick.collapses >= kPatience) {
+        has_rows = false;
+        contacts_.let_go();
+        h = std::min(h, kPatientStep);
+    }
     const double rest = tick.length - tick.time;
     const double steps = std::ceil(rest / h * (1.0 - 1e-9));
-    return rest / std::fmax(1.0, steps);
+    return rest / std::max(1.0, steps);
 }
 
 StepControl::Attempt StepControl::attempt(Tick& tick, bool has_rows, double& h) {
@@ -135,19 +143,18 @@ StepControl::Attempt StepControl::attempt(Tick& tick, bool has_rows, double& h) 
             ++moment.audit.fallbacks;
         set_start_rate(tick, has_rows);
         integrator_->attempt(system, {moment.motion, start_rate_, tick.time, h, tolerance_},
-                             end_frame_, result_);
+                             moment.spare_frame(), result_);
         moment.audit.evaluations += static_cast<std::uint64_t>(result_.evaluations);
         const double factor = step_factor(result_.error, integrator_->error_exponent);
-        const bool forced = tick.collapses > kPatience && std::isfinite(result_.error);
-        if (!(result_.error <= 1.0) && !forced) {
+        if (!(result_.error <= 1.0)) {
             ++moment.audit.rejections;
-            h *= std::fmin(factor, 0.9);
+            h *= std::min(factor, 0.9);
             moment.proposed_step = h;
             if (h < kMinStep) return Attempt::kFailed;
             if (!has_rows || h >= kCollapseStep) continue;
             ++tick.collapses;
             strike(tick, 0.0);
-            moment.proposed_step = tick.collapses >= kPatience ? kPatientStep : kContactStep;
+            moment.proposed_step = kContactStep;
             return Attempt::kCollapsed;
         }
         if (must_halve(tick, has_rows, h)) {
@@ -156,8 +163,8 @@ StepControl::Attempt StepControl::attempt(Tick& tick, bool has_rows, double& h) 
             continue;
         }
         const bool truncated = h < moment.proposed_step;
-        moment.proposed_step = truncated ? std::fmax(moment.proposed_step, h * factor) : h * factor;
-        moment.proposed_step = std::fmin(moment.proposed_step, integrator_->max_step);
+        moment.proposed_step = truncated ? std::max(moment.proposed_step, h * factor) : h * factor;
+        moment.proposed_step = std::min(moment.proposed_step, integrator_->max_step);
         return Attempt::kAccepted;
     }
 }
@@ -170,7 +177,7 @@ void StepControl::set_start_rate(Tick& tick, bool has_rows) {
         tick.forcing.limits_active = false;
         return;
     }
-    const Frame& frame = tick.moment.frame;
+    const Frame& frame = tick.moment.frame();
     Loads loads;
     BodyResponse response;
     clear_loads(tick.model, loads);
@@ -184,28 +191,28 @@ void StepControl::set_start_rate(Tick& tick, bool has_rows) {
 bool StepControl::must_halve(const Tick& tick, bool has_rows, double h) {
     work_ = {};
     if (!has_rows) return false;
-    work_ = contacts_.held_work(tick.model, tick.forcing, tick.moment.frame, tick.moment.motion,
-                                end_frame_.kinematics, result_.end);
+    work_ = contacts_.held_work(tick.model, tick.forcing, tick.moment.frame(), tick.moment.motion,
+                                tick.moment.spare_frame().kinematics, result_.end);
     const double allowance = kWorkAllowance * tick.model.total_mass * kReferenceGravity;
     return work_.positive > allowance && h > kHalvingStep;
 }
 
 void StepControl::accept(Tick& tick, bool has_rows, double h) {
     SceneMoment& moment = tick.moment;
-    keep_books(tick, end_frame_.kinematics);
+    keep_books(tick, moment.spare_frame().kinematics);
     moment.motion = result_.end;
-    moment.frame = end_frame_;
+    moment.current_frame = 1 - moment.current_frame;
     moment.free_rate = result_.end_rate;
     release_forces(tick, has_rows);
     tick.time += h;
 }
 
-// Up to the impact found within the step; result_ and end_frame_ hold the motion there.
+// Up to the impact found within the step; result_ and the spare frame hold the motion there.
 void StepControl::accept_part(Tick& tick, double h, double share) {
     SceneMoment& moment = tick.moment;
-    work_ = contacts_.held_work(tick.model, tick.forcing, moment.frame, moment.motion,
-                                end_frame_.kinematics, result_.end);
-    keep_books(tick, end_frame_.kinematics);
+    work_ = contacts_.held_work(tick.model, tick.forcing, moment.frame(), moment.motion,
+                                tick.moment.spare_frame().kinematics, result_.end);
+    keep_books(tick, moment.spare_frame().kinematics);
     moment.motion = result_.end;
     moment.frame_is_current = false;
     tick.time += share * h;
@@ -218,16 +225,16 @@ void StepControl::release_forces(Tick& tick, bool has_rows) {
     Loads loads;
     BodyResponse response;
     clear_loads(tick.model, loads);
-    add_held_forces(tick.model, tick.forcing, moment.frame.kinematics, loads);
-    solve_impulse(tick.model, moment.frame.kinematics, moment.frame.factors, loads, response);
+    add_held_forces(tick.model, tick.forcing, moment.frame().kinematics, loads);
+    solve_impulse(tick.model, moment.frame().kinematics, moment.frame().factors, loads, response);
     for (int c = 0; c < coordinate_count(tick.model); ++c) {
         moment.free_rate.acceleration[c] -= response.coordinate[c];
-        moment.frame.response.coordinate[c] -= response.coordinate[c];
+        moment.frame().response.coordinate[c] -= response.coordinate[c];
     }
     for (int i = 0; i < tick.model.body_count; ++i) {
-        moment.frame.response.x[i] -= response.x[i];
-        moment.frame.response.y[i] -= response.y[i];
-        moment.frame.response.spin[i] -= response.spin[i];
+        moment.frame().response.x[i] -= response.x[i];
+        moment.frame().response.y[i] -= response.y[i];
+        moment.frame().response.spin[i] -= response.spin[i];
     }
 }
 

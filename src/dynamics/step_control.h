@@ -22,8 +22,9 @@ struct SceneMoment {
     Motion motion;
     double time = 0.0;  // s
     SceneStatus status = SceneStatus::kRunning;
-    Frame frame = {};      // of the motion, with accelerations free of contact
-    MotionRate free_rate;  // of the same
+    Frame frames[2] = {};  // one of the motion, with accelerations free of contact; one to work in
+    int current_frame = 0;
+    MotionRate free_rate;  // of the motion, free of contact
     bool frame_is_current = false;
     double proposed_step = 1.0 / 120;  // s
     WarmStart warm;
@@ -33,6 +34,10 @@ struct SceneMoment {
     HeldContact held[kMaxContacts];
     SceneAudit audit;
     double energy_reference = 0.0;  // J, when the books began
+
+    Frame& frame() { return frames[current_frame]; }
+    const Frame& frame() const { return frames[current_frame]; }
+    Frame& spare_frame() { return frames[1 - current_frame]; }
 };
 
 class StepControl {
@@ -53,7 +58,8 @@ private:
         double length = 0.0;  // s
         double time = 0.0;    // s, since its start
         int impacts = 0;
-        int collapses = 0;  // in a row
+        int collapses = 0;       // in a row
+        bool collected = false;  // contacts_ has looked at the moment
     };
     enum class Attempt { kAccepted, kCollapsed, kFailed };
 
@@ -74,7 +80,6 @@ private:
     const IntegratorKind* integrator_;
     double tolerance_;
     ContactSolver contacts_;
-    Frame end_frame_;
     MotionRate start_rate_;
     StepResult result_;
     HeldWork work_;

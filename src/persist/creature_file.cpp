@@ -26,13 +26,14 @@ KindNames names_of(const KindCatalog& catalog) {
     return names;
 }
 
-// Of [body] only the limits of growth: the others are about founders.
+constexpr std::array kScoreTables = {"goal", "environment", "simulation", "trial"};
+// Of [body]; the others are about founders.
+constexpr std::array kGrowthKeys = {"max-parts", "max-depth", "max-neurons"};
+
 bool decides_a_score(const SettingField& field) {
-    constexpr std::array kGrowth = {"max-parts", "max-depth", "max-neurons"};
     if (field.table == "body")
-        return std::find(kGrowth.begin(), kGrowth.end(), field.key) != kGrowth.end();
-    constexpr std::array kTables = {"goal", "environment", "simulation", "trial"};
-    return std::find(kTables.begin(), kTables.end(), field.table) != kTables.end();
+        return std::find(kGrowthKeys.begin(), kGrowthKeys.end(), field.key) != kGrowthKeys.end();
+    return std::find(kScoreTables.begin(), kScoreTables.end(), field.table) != kScoreTables.end();
 }
 
 std::vector<ScoreTable> score_tables(const EvolutionKinds& kinds) {

@@ -129,11 +129,12 @@ void describe_genes(Archive& archive, Genes& genome, const KindNames& names) {
                  });
 }
 
+inline constexpr FieldRule kHue{
+    .name = "hue", .key = "hue", .low = 0.0, .high = 1.0, .fallback = 0.0, .wraps = true};
+
 template <class Archive, class Document>
 void describe_identity(Archive& archive, Document& document) {
     auto& genome = document.genome;
-    static const FieldRule kHue{
-        .name = "hue", .key = "hue", .low = 0.0, .high = 1.0, .fallback = 0.0, .wraps = true};
     if (archive.has("name")) archive.text("name", genome.name, kMaxName);
     if (archive.has("uid")) archive.text("uid", document.uid, kMaxUid);
     if (archive.has("parents")) archive.texts("parents", document.parents, 2, kMaxUid);

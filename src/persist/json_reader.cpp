@@ -11,6 +11,9 @@
 namespace cambrian {
 namespace {
 
+constexpr double kLargestWhole = 9e15;  // doubles above may be no whole numbers
+constexpr double kAnySize = 1e300;
+
 std::string range_message(double number, double low, double high, bool open = false) {
     return short_text(number) + " is outside [" + short_text(low) + ", " + short_text(high) +
            (open ? ")" : "]");
@@ -23,7 +26,6 @@ SettingValue setting_value(const JsonValue& value) {
         case JsonValue::Kind::kReal:
             return value.number;
         case JsonValue::Kind::kInteger: {
-            constexpr double kLargestWhole = 9e15;  // doubles above may be no whole numbers
             if (std::fabs(value.number) > kLargestWhole) return value.number;
             return static_cast<std::int64_t>(value.number);
         }
@@ -126,8 +128,7 @@ std::optional<double> JsonReader::whole_number(const char* key, double low, doub
 
 std::optional<double> JsonReader::index_number(const char* key, std::size_t count,
                                                const char* of_what) {
-    constexpr double kAny = 1e300;
-    const auto number = whole_number(key, -kAny, kAny);
+    const auto number = whole_number(key, -kAnySize, kAnySize);
     if (!number || (*number >= 0.0 && *number < static_cast<double>(count))) return number;
     errors_.error("E09", place(key),
                   short_text(*number) + ", but there are " + std::to_string(count) + " " + of_what);

@@ -3,6 +3,8 @@
 namespace cambrian {
 namespace {
 
+constexpr const char* kDigits = "0123456789abcdef";
+
 // The length of the UTF-8 character at the beginning, 0 if there is none.
 std::size_t utf8_length(std::string_view text) {
     const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
@@ -20,7 +22,6 @@ std::size_t utf8_length(std::string_view text) {
 }
 
 void append_ascii(std::string& result, char letter) {
-    constexpr const char* kDigits = "0123456789abcdef";
     const auto code = static_cast<unsigned char>(letter);
     if (letter == '"' || letter == '\\') {
         result += '\\';

@@ -12,15 +12,13 @@
 namespace cambrian {
 namespace {
 
-const char* found_in_words(const SettingValue& value) {
-    constexpr const char* kWords[] = {"something else", "true or false", "a whole number",
-                                      "a number", "a text"};
-    return kWords[value.index()];
-}
+// In the order of SettingValue.
+constexpr const char* kFound[] = {"something else", "true or false", "a whole number", "a number",
+                                  "a text"};
 
 SettingCheck wrong_type(const char* expected, const SettingValue& value) {
     return {SettingFault::kType,
-            std::string("expected ") + expected + ", found " + found_in_words(value)};
+            std::string("expected ") + expected + ", found " + kFound[value.index()]};
 }
 
 SettingCheck check_range(const SettingField& field, double number) {

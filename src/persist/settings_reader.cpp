@@ -23,6 +23,15 @@ SettingValue setting_value(const toml::node& node) {
     return {};
 }
 
+// The path of a key or table inside a table; the file itself has none.
+std::string joined(const std::string& table, const std::string& key) {
+    if (table.empty()) return key;
+    std::string path = table;
+    path += '.';
+    path += key;
+    return path;
+}
+
 // Walks the file's tables and stores what it finds in the settings.
 class SettingsReader {
 public:
@@ -34,7 +43,7 @@ public:
     void read(const toml::table& table, const std::string& path = "") {
         for (const auto& [key, node] : table) {
             const std::string name(key.str());
-            const std::string inner = path.empty() ? name : path + "." + name;
+            const std::string inner = joined(path, name);
             if (node.is_table() && names_table(inner)) {
                 read(*node.as_table(), inner);
             } else {
@@ -57,7 +66,7 @@ private:
         const auto field = std::find_if(
             fields_.begin(), fields_.end(),
             [&](const SettingField& each) { return each.table == table && each.key == key; });
-        if (names_table(table.empty() ? key : table + "." + key)) {
+        if (names_table(joined(table, key))) {
             errors_.error("", line + ", " + place(table, key, false), "expected a table");
             return;
         }
@@ -73,7 +82,7 @@ private:
     }
 
     static std::string place(const std::string& table, const std::string& key, bool is_table) {
-        if (is_table) return "[" + (table.empty() ? "" : table + ".") + shown(key) + "]";
+        if (is_table) return "[" + joined(table, shown(key)) + "]";
         return table.empty() ? shown(key) : "[" + table + "] " + shown(key);
     }
 
@@ -81,7 +90,7 @@ private:
         std::vector<std::string> tables;
         for (const SettingField& field : fields_)
             tables.push_back(field.table);
-        const std::string near = nearest_name(table.empty() ? key : table + "." + key, tables);
+        const std::string near = nearest_name(joined(table, key), tables);
         return near.empty() ? "unknown table" : "unknown table; did you mean [" + near + "]?";
     }
 

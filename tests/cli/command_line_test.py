@@ -2,7 +2,7 @@
 
 import unittest
 
-from program import BAD_INPUT, DONE, FAILED, ProgramTest
+from program import BAD_INPUT, DONE, FAILED, ROOT, ProgramTest
 
 SUBCOMMANDS = ["studio", "evolve", "simulate", "verify", "settings"]
 
@@ -54,6 +54,12 @@ class CommandLine(ProgramTest):
         self.assertIn("gravity = 9.81 ", text)
         self.write("all.toml", text)
         self.assertEqual(self.run_well("settings", "all.toml").stdout, text)
+
+    def test_the_sample_settings_are_as_the_program_writes_them(self):
+        samples = sorted((ROOT / "assets/settings").glob("*.toml"))
+        self.assertGreaterEqual(len(samples), 3)
+        for sample in samples:
+            self.assertEqual(self.run_well("settings", sample).stdout, sample.read_text())
 
     def test_settings_of_a_goal_come_with_its_world(self):
         self.run_well("settings", "--goal", "swimming", "--out", "swim.toml")

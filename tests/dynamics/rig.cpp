@@ -36,7 +36,7 @@ Rig::Rig(const BodyPlan& plan, const Environment& environment, const std::string
 }
 
 void Rig::begin() {
-    evaluate_accelerations(model, forcing, moment.motion, 0.0, moment.frame, moment.free_rate);
+    evaluate_accelerations(model, forcing, moment.motion, 0.0, moment.frame(), moment.free_rate);
     open_books(model, forcing.medium, moment);
 }
 
@@ -50,11 +50,11 @@ bool Rig::run(double duration) {
 }
 
 double Rig::energy() const {
-    return mechanical_energy(model, forcing.medium, moment.motion, moment.frame.kinematics);
+    return mechanical_energy(model, forcing.medium, moment.motion, moment.frame().kinematics);
 }
 
 double Rig::angular_momentum() const {
-    const Kinematics& k = moment.frame.kinematics;
+    const Kinematics& k = moment.frame().kinematics;
     double sum = 0.0;
     for (int i = 0; i < model.body_count; ++i)
         sum += model.inertia[i] * k.spin[i] +
