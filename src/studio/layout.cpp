@@ -53,7 +53,7 @@ float drag_strip(const char* name, const Rect& strip, bool sideways) {
 
 Layout divide_window(float width, float height, const ViewState& view, float scale) {
     const float gap = std::round(kGap * scale);
-    const float left = panel_size(view.left_panel, view.left_width, 0.235F * width,
+    const float left = panel_size(view.left_panel, view.left_width, 0.25F * width,
                                   {270 * scale, 350 * scale, 0.4F * width}, scale);
     const float right = panel_size(view.right_panel, view.right_width, 0.225F * width,
                                    {260 * scale, 360 * scale, 0.4F * width}, scale);

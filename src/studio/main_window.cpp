@@ -14,26 +14,37 @@ void draw_in(const char* name, const Rect& rect, Panel& panel, const FrameContex
     end_place();
 }
 
-// A card over the viewport.
-void begin_card(const char* name, const Rect& over, float width, float height) {
-    const float w = std::min(px(width), over.width - px(24));
-    const float h = std::min(px(height), over.height - px(24));
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, px(10));
+// A window over the panels.
+void begin_overlay(const char* name, const Rect& rect, const ImVec2& padding, float rounding) {
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, rounding);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0F);
-    ImGui::PushStyleColor(ImGuiCol_WindowBg, paint(mix(colors().panel, colors().raised, 0.35F)));
-    ImGui::SetNextWindowPos(
-        {std::round(over.center().x - 0.5F * w), std::round(over.center().y - 0.5F * h)});
-    ImGui::SetNextWindowSize({w, h});
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(px(20), px(18)));
-    ImGui::Begin(
-        name, nullptr,
-        ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, padding);
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, paint(mix(colors().panel, colors().raised, 0.45F)));
+    ImGui::SetNextWindowPos(rect.low());
+    ImGui::SetNextWindowSize({rect.width, rect.height});
+    ImGui::Begin(name, nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing);
 }
 
-void end_card() {
+void end_overlay() {
     ImGui::End();
     ImGui::PopStyleVar(3);
     ImGui::PopStyleColor();
+}
+
+// A card in the middle of the window.
+Rect card_place(const Rect& over, float width, float height) {
+    const float w = std::min(px(width), over.width - px(24));
+    const float h = std::min(px(height), over.height - px(24));
+    return {std::round(over.center().x - 0.5F * w), std::round(over.center().y - 0.5F * h), w, h};
+}
+
+void draw_card(const char* name, const Rect& rect, Panel& panel, const FrameContext& frame,
+               Requests& out) {
+    begin_overlay(name, rect, {px(20), px(18)}, px(10));
+    panel.draw(frame, out);
+    end_overlay();
 }
 
 Rect notice_place(const Rect& viewport, const std::string& text) {
@@ -74,21 +85,13 @@ void MainWindow::draw(const FrameContext& frame, int framebuffer_height, Request
 void MainWindow::draw_overlays(const FrameContext& frame, const Layout& layout, Requests& out) {
     const ImVec2 size = ImGui::GetIO().DisplaySize;
     const Rect whole = {0, 0, size.x, size.y};
-    if (frame.files.open) {
-        begin_card("files", whole, 620, 560);
-        files_.draw(frame, out);
-        end_card();
-    }
-    if (frame.help_shown) {
-        begin_card("help", whole, 560, 640);
-        help_.draw(frame, out);
-        end_card();
-    }
+    if (frame.files.open) draw_card("files", card_place(whole, 620, 560), files_, frame, out);
+    if (frame.help_shown) draw_card("help", card_place(whole, 560, 600), help_, frame, out);
     if (frame.notice == nullptr) return;
-    const Rect strip = notice_place(layout.viewport, frame.notice->text);
-    begin_place("notice", strip, px(18), px(10));
+    begin_overlay("notice", notice_place(layout.viewport, frame.notice->text), {px(18), px(10)},
+                  px(4));
     notice_.draw(frame, out);
-    end_place();
+    end_overlay();
 }
 
 }  // namespace cambrian

@@ -57,7 +57,7 @@ void OpenExperiment::measure() {
     progress_.done = engine_.progress().done.load(std::memory_order_relaxed);
     progress_.total = engine_.progress().total.load(std::memory_order_relaxed);
     const double elapsed = since_mark_.seconds();
-    if (!running()) {
+    if (!running() || snapshot_->generation < marked_generation_) {
         progress_.per_second = 0.0;
         progress_.seconds_left = -1.0;
         marked_generation_ = snapshot_->generation;

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kPlaybackBudget = 0.006;  // s a frame
 constexpr double kMemoryInterval = 2.0;    // s
-constexpr double kLeastStay = 3.0;         // s a champion is watched before the next may come
+constexpr double kLeastStay = 5.0;         // s a champion is watched before the next may come
 
 }  // namespace
 
@@ -162,20 +162,29 @@ void Session::show_champion(const ChampionRecord& champion) {
 
 void Session::commit_settings() {
     report(experiment_.commit());
-    stage_.playback().set_environment(experiment_.editor().draft().world.environment);
+}
+
+// A world changed by hand is felt on stage at once; any other edit leaves the stage alone.
+void Session::follow_world(const Environment& before) {
+    const Environment& after = experiment_.editor().draft().world.environment;
+    if (!(after == before)) stage_.playback().set_environment(after);
 }
 
 void Session::apply(const ToggleEvolution&) {
+    if (!experiment_.running()) view_.newest_champion = true;
     experiment_.toggle();
 }
 
 void Session::apply(const RunOneGeneration&) {
-    if (!experiment_.running()) experiment_.step();
+    if (experiment_.running()) return;
+    view_.newest_champion = true;
+    experiment_.step();
 }
 
 void Session::apply(const EditSettings& action) {
+    const Environment before = experiment_.editor().draft().world.environment;
     experiment_.edit(action.settings, action.field);
-    stage_.playback().set_environment(action.settings.world.environment);
+    follow_world(before);
     log_.write("edited", {{"field", action.field}});
 }
 
@@ -184,12 +193,16 @@ void Session::apply(const FinishEdit&) {
 }
 
 void Session::apply(const UndoEdit&) {
+    const Environment before = experiment_.editor().draft().world.environment;
     experiment_.undo();
+    follow_world(before);
     commit_settings();
 }
 
 void Session::apply(const RedoEdit&) {
+    const Environment before = experiment_.editor().draft().world.environment;
     experiment_.redo();
+    follow_world(before);
     commit_settings();
 }
 

@@ -91,6 +91,7 @@ private:
     void show(Exhibit exhibit);
     void show_champion(const ChampionRecord& champion);
     void commit_settings();
+    void follow_world(const Environment& before);
     void report(const Status& status);
     Exhibit exhibit_from(const CreatureDocument& document, ExhibitSource source,
                          const std::filesystem::path& path) const;

@@ -11,7 +11,7 @@
 namespace cambrian {
 namespace {
 
-constexpr float kLabelShare = 0.46F;
+constexpr float kLabelShare = 0.5F;
 
 std::string value_text(const SettingField& field, const SettingRef& ref) {
     return std::visit(

@@ -57,9 +57,9 @@ public:
 private:
     void open_first_files() {
         const std::filesystem::path& file = options_.open_file;
-        if (!options_.sample_creature.empty() && !file.string().ends_with(".json"))
-            session_.open_now(options_.sample_creature, ExhibitSource::kSample);
         if (!file.empty()) session_.open_now(file, ExhibitSource::kFile);
+        if (session_.frame_context().playback.empty() && !options_.sample_creature.empty())
+            session_.open_now(options_.sample_creature, ExhibitSource::kSample);
         if (session_.frame_context().playback.empty()) session_.show_newcomer();
         if (options_.evolve) {
             Requests requests;

@@ -22,7 +22,8 @@ std::string grouped(long long whole) {
     std::string digits = std::to_string(std::llabs(whole));
     for (std::size_t end = digits.size(); end > 3; end -= 3)
         digits.insert(end - 3, " ");
-    return (whole < 0 ? "−" : "") + digits;
+    if (whole < 0) digits.insert(0, "−");
+    return digits;
 }
 
 }  // namespace
@@ -55,7 +56,8 @@ std::string pretty_number(double value) {
     while (text.back() == '0')
         text.pop_back();
     if (text.back() == '.') text.pop_back();
-    return (value < 0.0 ? "−" : "") + text;
+    if (value < 0.0) text.insert(0, "−");
+    return text;
 }
 
 std::string with_unit(double value, const std::string& unit) {

@@ -167,6 +167,11 @@ void tooltip(const std::string& text) {
         context.hovered_since = ImGui::GetTime();
     }
     if (ImGui::GetTime() - context.hovered_since < kDelay) return;
+    // Beneath the control, which stays in sight; above it near the window's foot.
+    const float foot = ImGui::GetItemRectMax().y;
+    const bool above = foot > ImGui::GetIO().DisplaySize.y - px(160);
+    const ImVec2 at = {ImGui::GetIO().MousePos.x, above ? low.y - px(6) : foot + px(6)};
+    ImGui::SetNextWindowPos(at, ImGuiCond_Always, {0.0F, above ? 1.0F : 0.0F});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(px(12), px(9)));
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(px(320));

@@ -116,6 +116,23 @@ TEST_CASE("an edited world is felt on stage at once and by the engine once let g
     CHECK(run.session.frame_context().snapshot.journal.size() == 2);
 }
 
+TEST_CASE("an edit of anything but the world leaves the stage's world alone", "[studio][session]") {
+    SessionRun run;
+    run.session.show_newcomer();
+    ExperimentSettings moon = run.session.frame_context().editor.draft();
+    moon.world.environment.gravity = 1.62;
+    run.ask(EditSettings{moon, "environment.gravity"});
+    run.ask(FinishEdit{});
+    run.session.show_newcomer();
+    const Environment before = run.session.frame_context().playback.environment();
+    ExperimentSettings larger = run.session.frame_context().editor.draft();
+    larger.population.size = 12;
+    run.ask(EditSettings{larger, "population.size"});
+    run.ask(FinishEdit{});
+    CHECK(run.session.frame_context().playback.environment() == before);
+    CHECK(before.gravity == 1.62);
+}
+
 TEST_CASE("a new run from the present creatures begins with them", "[studio][session]") {
     SessionRun run;
     run.ask(RunOneGeneration{});

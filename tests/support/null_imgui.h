@@ -39,6 +39,7 @@ public:
     void frame(Draw draw) {
         ImGui::NewFrame();
         ImGui::SetNextWindowPos({0, 0});
+        ImGui::SetNextWindowPos({0, 0});
         ImGui::SetNextWindowSize(ImGui::GetIO().DisplaySize);
         ImGui::Begin("test", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove);
         draw();

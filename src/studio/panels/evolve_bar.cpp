@@ -74,7 +74,7 @@ void EvolveBar::draw_numbers(const FrameContext& frame) {
         x += std::fmax(px(least), draw_reading({x, y}, value, name) + px(22));
     };
     reading(pretty_number(frame.snapshot.generation), "generation", 96);
-    reading(best_text(frame), "best so far", 110);
+    reading(best_text(frame), "best fitness", 110);
     const float speed_width = px(178);
     const float bar_width = std::fmin(right - x - speed_width, px(420));
     if (bar_width < px(60)) return;

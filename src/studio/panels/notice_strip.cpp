@@ -10,8 +10,6 @@ void NoticeStrip::draw(const FrameContext& frame, Requests& out) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImVec2 low = ImGui::GetWindowPos();
     const ImVec2 size = ImGui::GetWindowSize();
-    list.AddRectFilled(low, {low.x + size.x, low.y + size.y},
-                       paint(mix(colors().panel, colors().raised, 0.8F)), px(4));
     list.AddRectFilled(low, {low.x + px(4), low.y + size.y},
                        paint(problem ? colors().danger : colors().accent));
     const float text_width = ImGui::GetContentRegionAvail().x - px(44);

@@ -48,7 +48,8 @@ std::string difference(const FrameContext& frame, const ExperimentSettings& befo
     std::string text;
     for (const SettingField& field : frame.fields) {
         if (same_value(field, a, b)) continue;
-        text += "\n" + field.label;
+        text += '\n';
+        text += field.label;
         const SettingRef from = field.at(a);
         const SettingRef to = field.at(b);
         if (auto* const* number = std::get_if<double*>(&from)) {
@@ -66,7 +67,8 @@ std::string change_at(const FrameContext& frame, std::uint32_t generation) {
         if (journal[i].generation != generation) continue;
         text += difference(frame, *journal[i - 1].settings, *journal[i].settings);
     }
-    return text.empty() ? text : "\n\nChanged here:" + text;
+    if (!text.empty()) text.insert(0, "\n\nChanged here:");
+    return text;
 }
 
 }  // namespace

@@ -44,8 +44,16 @@ void TransportBar::draw(const FrameContext& frame, Requests& out) {
     if (icon_button("One tick", Icon::kStep, "One tick of 1/60 s (.)")) out.ask(StepPlayback{});
     ImGui::SameLine(0, px(16));
     draw_speeds(frame, out);
+    const float newest_width = px(78);
     const float right = ImGui::GetWindowContentRegionMax().x;
-    ImGui::SameLine(right - px(34) * 2 - px(4));
+    ImGui::SameLine(right - px(34) * 2 - px(4) * 4 - newest_width);
+    const bool newest = frame.view.newest_champion;
+    if (push_button("Newest",
+                    {.look = newest ? ButtonLook::kSelected : ButtonLook::kGhost,
+                     .width = newest_width,
+                     .tooltip = "The best of each finished generation takes the stage (N)"}))
+        out.ask(ShowNewest{});
+    ImGui::SameLine(0, px(12));
     if (icon_button("Follow", Icon::kFollow, "Follow the creature (F)", frame.view.follow)) {
         ViewState view = frame.view;
         view.follow = !view.follow;

@@ -104,7 +104,7 @@ void ViewportPanel::place_camera(const FrameContext& frame) {
         const WorldWindow bounds = bounds_of(*seen_, frame.playback.poses());
         const Vec2 pixels = (bounds.high - bounds.low) * canvas_.camera.pixels_per_metre;
         const double share = std::max(pixels.x() / size_.width, pixels.y() / size_.height);
-        fit_wanted_ = share > 0.85 || share < 0.08;
+        fit_wanted_ = share > 0.85 || share < 0.2;
         if (frame.view.follow) canvas_.camera.center = follow_target(frame);
     }
     if (fit_wanted_) {

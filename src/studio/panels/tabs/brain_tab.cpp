@@ -80,7 +80,7 @@ ImVec2 BrainTab::point_of(const Rect& area, std::size_t node) const {
 void BrainTab::draw(const FrameContext& frame, Requests& out) {
     if (phenotype_ != frame.playback.shared_phenotype()) rebuild(frame);
     watch(frame);
-    caption("Sensors on top, joints at the bottom; orange is positive, blue negative.");
+    muted_text("Sensors on top, joints at the bottom. Orange is positive, blue negative.");
     const ImVec2 room = ImGui::GetContentRegionAvail();
     const float rows = static_cast<float>(graph_.row_count);
     const float height = std::max(room.y - px(kHistoryHeight + 30), rows * px(30));

@@ -12,14 +12,14 @@
 namespace cambrian {
 namespace {
 
-constexpr float kRowHeight = 74.0F;
+constexpr float kRowHeight = 84.0F;
 constexpr float kFactsHeight = 190.0F;
 constexpr std::size_t kMostInRow = 4;
 
 ImVec2 half_size(const NodeGene& node) {
-    constexpr float kScale = 44.0F;  // units a metre
-    const float length = std::clamp(static_cast<float>(node.length) * kScale, 22.0F, 60.0F);
-    const float width = std::clamp(static_cast<float>(node.width) * kScale, 18.0F, 36.0F);
+    constexpr float kScale = 60.0F;  // units a metre
+    const float length = std::clamp(static_cast<float>(node.length) * kScale, 26.0F, 76.0F);
+    const float width = std::clamp(static_cast<float>(node.width) * kScale, 22.0F, 42.0F);
     return {0.5F * px(length), 0.5F * px(width)};
 }
 
@@ -100,7 +100,8 @@ ImVec2 GenotypeTab::point_of(std::size_t node) const {
 
 void GenotypeTab::draw(const FrameContext& frame, Requests& out) {
     if (genome_ != frame.playback.exhibit().genome) rebuild(frame.playback.exhibit().genome);
-    caption("Part genes and what follows what; loops repeat.");
+    muted_text(
+        "What grows from what. Loops repeat; orange mirrors; blue grows at the end of a chain.");
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const ImVec2 room = ImGui::GetContentRegionAvail();
     const float wanted = static_cast<float>(row_count_) * px(kRowHeight);

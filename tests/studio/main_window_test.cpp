@@ -1,0 +1,73 @@
+#include "studio/main_window.h"
+
+#include "studio_fixture.h"
+#include "support/null_imgui.h"
+
+namespace cambrian {
+namespace {
+
+// Frames of the whole window; it opens windows of its own.
+void draw_whole(NullImGui& gui, MainWindow& window, const FrameContext& frame, Requests& out) {
+    gui.frame([&] { window.draw(frame, 720, out); });
+}
+
+bool inside(const Rect& rect, float width, float height) {
+    return rect.x >= 0 && rect.y >= 0 && rect.x + rect.width <= width &&
+           rect.y + rect.height <= height;
+}
+
+TEST_CASE("the main controls stand inside a window of 1280 by 720", "[studio][main_window]") {
+    NullImGui gui(1280, 720);
+    MainWindow window(nullptr);
+    test::StudioFixture studio;
+    studio.show_crawler();
+    studio.finish_generation(1.0);
+    Requests out;
+    draw_whole(gui, window, studio.frame(), out);
+    for (const char* name :
+         {"File", "Evolve", "Step one generation", "goal.behavior", "Restart", "Play", "16×",
+          "Newest", "Follow", "Fit", "Brain", "timeline", "tile 0"}) {
+        INFO(name);
+        CHECK(inside(gui.place(name), 1280, 720));
+    }
+    CHECK(out.actions().empty());
+}
+
+TEST_CASE("the transport's controls do not overlap in a small window", "[studio][main_window]") {
+    NullImGui gui(1280, 720);
+    MainWindow window(nullptr);
+    test::StudioFixture studio;
+    studio.show_crawler();
+    Requests out;
+    draw_whole(gui, window, studio.frame(), out);
+    const Rect& fastest = gui.place("16×");
+    CHECK(fastest.x + fastest.width < gui.place("Newest").x);
+}
+
+TEST_CASE("a notice lies over the viewport and can be dismissed", "[studio][main_window]") {
+    NullImGui gui(1280, 720);
+    MainWindow window(nullptr);
+    test::StudioFixture studio;
+    studio.show_crawler();
+    const Notice notice{NoticeKind::kProblem, "The disk is full; free some room and save again."};
+    FrameContext frame = studio.frame();
+    frame.notice = &notice;
+    Requests out;
+    gui.click("Dismiss", [&] { window.draw(frame, 720, out); });
+    CHECK(test::was_asked<DismissNotice>(out));
+}
+
+TEST_CASE("files lie over the panels and can be cancelled", "[studio][main_window]") {
+    NullImGui gui(1280, 720);
+    MainWindow window(nullptr);
+    test::StudioFixture studio;
+    studio.show_crawler();
+    studio.files().open = true;
+    studio.files().opened = 1;
+    Requests out;
+    gui.click("Cancel", [&] { window.draw(studio.frame(), 720, out); });
+    CHECK(test::was_asked<CloseFilePanel>(out));
+}
+
+}  // namespace
+}  // namespace cambrian
