@@ -25,7 +25,7 @@ target_compile_options(cambrian_warnings INTERFACE
 # vectors and variants where there are none as soon as it optimises; clang-tidy's analyzer looks for them
 # instead.
 target_compile_options(cambrian_warnings INTERFACE
-  $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized;-Wno-restrict;-Wno-stringop-overflow>)
+  $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized;-Wno-restrict;-Wno-stringop-overflow;-Wno-array-bounds>)
 
 # cambrian_layer(<name> SOURCES <file>... [DEPENDS <layer or third_party target>...])
 # declares the library cambrian_<name>; includes are written from src/.
