@@ -54,20 +54,21 @@ class StudioTest(ProgramTest):
         self.log = self.folder / "status.log"
         self.log.unlink(missing_ok=True)
         self.display = display
-        self.studio = subprocess.Popen(
+        studio = subprocess.Popen(
             [CAMBRIAN, "studio", "--status-log", str(self.log), "--state-dir",
              str(self.folder / "state"), "--threads", "1", *map(str, arguments)],
             cwd=self.folder, env=display.environment, stdout=subprocess.DEVNULL,
-            stderr=subprocess.PIPE, encoding="utf-8")
-        self.addCleanup(self.stop)
+            stderr=subprocess.DEVNULL)
+        self.addCleanup(self.stop, studio)
+        self.studio = studio
         self.wait_for("started")
         self.window = display.tool("search", "--sync", "--name", "Cambrian").split()[0]
         display.tool("windowfocus", self.window)
 
-    def stop(self):
-        if self.studio.poll() is None:
-            self.studio.kill()
-        self.studio.communicate()
+    def stop(self, studio):
+        if studio.poll() is None:
+            studio.kill()
+        studio.wait(PATIENCE)
 
     def events(self):
         if not self.log.exists():

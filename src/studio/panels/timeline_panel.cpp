@@ -53,8 +53,10 @@ std::string difference(const FrameContext& frame, const ExperimentSettings& befo
         const SettingRef from = field.at(a);
         const SettingRef to = field.at(b);
         if (auto* const* number = std::get_if<double*>(&from)) {
-            text += " " + pretty_number(**number) + " → " +
-                    with_unit(**std::get_if<double*>(&to), field.unit);
+            text += ' ';
+            text += pretty_number(**number);
+            text += " → ";
+            text += with_unit(**std::get_if<double*>(&to), field.unit);
         }
     }
     return text;
