@@ -170,4 +170,4 @@ class StudioWindow(StudioTest):
 
 
 if __name__ == "__main__":
-    unittest.main()
+    unittest.main(verbosity=2)
