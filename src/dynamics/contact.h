@@ -1,0 +1,38 @@
+#pragma once
+
+// Touching or nearly touching points of boxes, with the ground or each other.
+
+#include "dynamics/forcing.h"
+
+#include <cstdint>
+
+namespace cambrian {
+
+inline constexpr double kContactBand = 1e-3;    // m; nearer than this is touching
+inline constexpr double kRestingGap = 0.5e-3;   // m; where resting contacts settle
+inline constexpr double kRestingSpeed = 0.3;    // m/s; slower closing does not bounce
+inline constexpr double kContactMargin = 0.02;  // m; farther points are not looked at
+inline constexpr int kGroundContactIds = 4 * kMaxParts;
+
+struct Contact {
+    int id = 0;  // the same for the same feature from step to step
+    int body_a = 0, body_b = -1;
+    int part_a = 0, part_b = -1;            // -1: the ground
+    std::uint8_t face_a = 0, face_b = 0;    // Face that touches
+    double point_x = 0.0, point_y = 0.0;    // m, material point in body a's frame
+    double normal_x = 0.0, normal_y = 1.0;  // unit, from b to a
+    double arm_ax = 0.0, arm_ay = 0.0;      // m, world, from a's centre of mass to the point
+    double arm_bx = 0.0, arm_by = 0.0;      // m, world, from b's
+    double gap = 0.0;                       // m; negative is penetration
+    double closing_speed = 0.0;             // m/s, along the normal, positive when approaching
+};
+
+struct ContactSet {
+    int count = 0;
+    Contact items[kMaxContacts];
+
+    // When full, the farthest contact makes room for a nearer one.
+    void add(const Contact& contact);
+};
+
+}  // namespace cambrian

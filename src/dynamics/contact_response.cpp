@@ -1,0 +1,87 @@
+// Simultaneous impact of everything that touches, with restitution and friction (physics.md 7.4):
+//     u+ = u- + W p,   normal rows that close fast: u+ >= -e u-,   all others: u+ >= 0.
+// The energy change is exactly p (u- + u+) / 2; friction can make it positive, which no surface
+// can: the problem is then solved again without restitution, and last without friction.
+
+#include "dynamics/contact_solver.h"
+
+#include <cmath>
+
+namespace cambrian {
+namespace {
+
+constexpr double kStopBand = 1e-3;       // rad or m; joints this near a stop join the impact
+constexpr double kWorkTolerance = 1e-6;  // of the impulses' size times their closing speeds
+
+void set_impact_bias(const RowSystem& rows, double elasticity, double* bias) {
+    for (int row = 0; row < rows.count; ++row) {
+        const double rate = rows.rate[row];
+        const bool bounces = rows.kind[row] == RowKind::kNormal && rate < -kRestingSpeed;
+        bias[row] = bounces ? (1.0 + elasticity) * rate : rate;
+    }
+}
+
+double impact_scale(const RowSystem& rows) {
+    double scale = 0.0;
+    for (int row = 0; row < rows.count; ++row)
+        scale += std::fabs(rows.impulse[row] * rows.rate[row]);
+    return scale;
+}
+
+int find_stops(const PlanarModel& model, const Motion& motion, const Kinematics& kinematics,
+               LimitCandidate* limits) {
+    int count = 0;
+    for (int i = 1; i < model.body_count; ++i) {
+        const double angle = joint_coordinate(model, motion, kinematics, i);
+        const double low = angle - model.limit_low[i];
+        const double high = model.limit_high[i] - angle;
+        if (low < kStopBand) limits[count++] = {i, 1.0, low};
+        if (high < kStopBand) limits[count++] = {i, -1.0, high};
+    }
+    return count;
+}
+
+}  // namespace
+
+double ContactSolver::impact_work() const {
+    double work = 0.0;
+    for (int row = 0; row < rows_.count; ++row) {
+        if (rows_.impulse[row] == 0.0) continue;
+        work += rows_.impulse[row] * (rows_.rate[row] + 0.5 * impulse_effect(rows_, row));
+    }
+    return work;
+}
+
+ImpactResult ContactSolver::strike(const PlanarModel& model, const ContactLaw& law,
+                                   double elasticity, const Frame& frame, Motion& motion) {
+    chosen_.count = 0;
+    for (int c = 0; c < near_.count; ++c) {
+        if (near_.items[c].gap < kContactBand) chosen_.add(near_.items[c]);
+    }
+    limit_count_ = find_stops(model, motion, frame.kinematics, limits_);
+    build_rows(model, motion, frame, chosen_, limits_, limit_count_, law.friction > 0.0, rows_);
+    ImpactResult result;
+    const auto solve = [&](double kept) {
+        for (int row = 0; row < rows_.count; ++row)
+            rows_.impulse[row] = 0.0;
+        set_impact_bias(rows_, kept, bias_);
+        if (!solver_.solve(rows_, bias_, law.friction)) result.fell_back = true;
+        result.work = impact_work();
+        return result.work <= kWorkTolerance * impact_scale(rows_);
+    };
+    if (!solve(elasticity) && !solve(0.0)) {
+        result.fell_back = true;
+        solver_.iterate_from_zero(rows_, bias_, 0.0);
+        result.work = impact_work();
+    }
+    Loads loads;
+    BodyResponse jump;
+    clear_loads(model, loads);
+    add_row_impulses(rows_, 1.0, loads);
+    solve_impulse(model, frame.kinematics, frame.factors, loads, jump);
+    for (int c = 0; c < coordinate_count(model); ++c)
+        motion.speed[c] += jump.coordinate[c];
+    return result;
+}
+
+}  // namespace cambrian

@@ -1,0 +1,92 @@
+#pragma once
+
+// Contacts and joint stops of one moment: impacts as impulses, resting and sliding as forces held
+// over a step (physics.md 7.3, 7.4).
+
+#include "dynamics/contact.h"
+#include "dynamics/row_solver.h"
+#include "dynamics/rows.h"
+
+namespace cambrian {
+
+struct ContactLaw {
+    double friction = 0.0;    // Coulomb
+    double elasticity = 0.0;  // share of the normal speed kept
+    bool has_ground = true;
+};
+
+// Forces of the last solved step; first guess of the next.
+struct WarmStart {
+    int count = 0;
+    int id[kMaxContacts] = {};
+    double normal[kMaxContacts] = {};    // N
+    double friction[kMaxContacts] = {};  // N
+    PerBody limit = {};                  // N m or N, signed as the effort
+};
+
+// Works of the held forces over a step, J.
+struct HeldWork {
+    double contact = 0.0;
+    double limit = 0.0;
+    double positive = 0.0;  // sum of every contact's and stop's positive work
+};
+
+struct ImpactResult {
+    double work = 0.0;  // J
+    bool fell_back = false;
+};
+
+class ContactSolver {
+public:
+    // Looks for everything near at the given place.
+    void collect(const PlanarModel& model, const ContactLaw& law, const Kinematics& kinematics);
+    const ContactSet& near() const { return near_; }
+
+    // Whether a touching contact closes faster than kRestingSpeed.
+    bool has_impact() const;
+
+    // Solves the impact of everything that touches: changes the motion's speeds. The frame must be
+    // that of the motion.
+    ImpactResult strike(const PlanarModel& model, const ContactLaw& law, double elasticity,
+                        const Frame& frame, Motion& motion);
+
+    // Chooses the rows of a step of length h from what is near. False if there are none.
+    bool choose(const PlanarModel& model, const ContactLaw& law, const Motion& motion,
+                const Frame& frame, double h);
+    // Contacts of the last choose() or strike().
+    const ContactSet& chosen() const { return chosen_; }
+    bool is_chosen(int id) const;
+
+    // Solves the chosen rows for a step of length h and writes the held forces. False if the
+    // active set failed and a fallback was taken.
+    bool hold(const PlanarModel& model, const ContactLaw& law, double h, WarmStart& warm,
+              Forcing& forcing);
+    // Normal force of a chosen contact after hold(), N.
+    double held_normal(int contact) const { return normal_force_[contact]; }
+
+    // Work of the held forces between two places.
+    HeldWork held_work(const PlanarModel& model, const Forcing& forcing, const Frame& start,
+                       const Motion& start_motion, const Kinematics& end,
+                       const Motion& end_motion) const;
+
+private:
+    void choose_limits(const PlanarModel& model, const Motion& motion, const Frame& frame,
+                       double h);
+    void set_resting_bias(double h, double* bias) const;
+    bool solve_resting(const PlanarModel& model, const ContactLaw& law, double h);
+    double resting_work(double h) const;
+    double impact_work() const;
+    void load_warm_start(double h, const WarmStart& warm);
+    void store_forces(double h, WarmStart& warm, Forcing& forcing);
+
+    ContactSet near_;
+    ContactSet chosen_;
+    LimitCandidate limits_[2 * kMaxBodies];
+    int limit_count_ = 0;
+    RowSystem rows_;
+    RowSolver solver_;
+    double bias_[kMaxRows];
+    double normal_force_[kMaxContacts];
+};
+
+}  // namespace cambrian

@@ -1,0 +1,40 @@
+#pragma once
+
+// The constraint-force equation of a tree of joints, solved exactly in O(n) by eliminating the
+// bodies from the leaves to the root (physics.md 4.2, 4.3).
+
+#include "dynamics/kinematics.h"
+
+namespace cambrian {
+
+// Explicit forces (never constraint forces) on the bodies, or impulses; and joint efforts, which
+// act on the child and back on its parent.
+struct Loads {
+    PerBody force_x, force_y;  // N, at the centre of mass
+    PerBody torque;            // N m
+    PerBody effort;            // N m or N, along the joint's coordinate
+};
+
+// Factorisation of a moment's equation, good for any load.
+struct Factors {
+    PerBody w_x, w_y, w_3, inverse_d;
+    double root_xx, root_xy, root_yy, root_xt, root_yt, root_tt;  // inverse of the root's inertia
+};
+
+// Accelerations, or velocity jumps, of every body and joint.
+struct BodyResponse {
+    PerBody x, y, spin;
+    PerCoordinate coordinate;
+};
+
+// Accelerations under the loads; leaves the factors behind for solve_impulse.
+void solve_accelerations(const PlanarModel& model, const Kinematics& kinematics, const Loads& loads,
+                         Factors& factors, BodyResponse& response);
+
+// Velocity jumps under the loads taken as impulses.
+void solve_impulse(const PlanarModel& model, const Kinematics& kinematics, const Factors& factors,
+                   const Loads& impulses, BodyResponse& response);
+
+void clear_loads(const PlanarModel& model, Loads& loads);
+
+}  // namespace cambrian

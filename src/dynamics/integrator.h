@@ -1,0 +1,53 @@
+#pragma once
+
+// The seam of integration methods: one attempt at a step, with an estimate of its error. Who
+// accepts and resizes steps is StepControl.
+
+#include "dynamics/accelerations.h"
+
+#include <string>
+
+namespace cambrian {
+
+// The motion's differential equation during one tick.
+struct MotionSystem {
+    const PlanarModel& model;
+    const Forcing& forcing;
+    double tick_length = 0.0;  // s
+
+    // time: s since the tick's start.
+    void evaluate(const Motion& motion, double time, Frame& frame, MotionRate& rate) const {
+        evaluate_accelerations(model, forcing, motion, time / tick_length, frame, rate);
+    }
+};
+
+struct StepRequest {
+    const Motion& start;
+    const MotionRate& start_rate;
+    double time = 0.0;       // s since the tick's start
+    double length = 0.0;     // s
+    double tolerance = 0.0;  // of SceneSettings
+};
+
+struct StepResult {
+    Motion end;
+    MotionRate end_rate;  // at the end, under the same forcing
+    double error = 0.0;   // of the step, in tolerances; at most 1 is acceptable
+    int evaluations = 0;
+};
+
+struct IntegratorKind {
+    std::string id;
+    // One attempt; frame is left at the step's end.
+    void (*attempt)(const MotionSystem& system, const StepRequest& request, Frame& frame,
+                    StepResult& result) = nullptr;
+    double error_exponent = 0.0;  // 1 / order of the error in the step's length
+    double max_step = 0.0;        // s
+};
+
+// RMS over all coordinates of the errors of position / (0.1 m or rad) and of speed / (1 + |speed|),
+// in tolerances.
+double step_error(int coordinates, const PerCoordinate& position_error,
+                  const PerCoordinate& speed_error, const PerCoordinate& speed, double tolerance);
+
+}  // namespace cambrian

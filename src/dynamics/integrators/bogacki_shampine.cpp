@@ -1,0 +1,23 @@
+// P. Bogacki, L. F. Shampine, A 3(2) pair of Runge-Kutta formulas, Appl. Math. Lett. 2 (1989).
+
+#include "dynamics/builtin_integrators.h"
+#include "dynamics/integrators/embedded_runge_kutta.h"
+
+namespace cambrian {
+namespace {
+
+struct BogackiShampine {
+    static constexpr std::size_t kStages = 4;
+    static constexpr double c[4] = {0.0, 1.0 / 2, 3.0 / 4, 1.0};
+    static constexpr double a[4][3] = {
+        {0.0, 0.0, 0.0}, {1.0 / 2, 0.0, 0.0}, {0.0, 3.0 / 4, 0.0}, {2.0 / 9, 1.0 / 3, 4.0 / 9}};
+    static constexpr double e[4] = {-5.0 / 72, 1.0 / 12, 1.0 / 9, -1.0 / 8};
+};
+
+}  // namespace
+
+IntegratorKind bogacki_shampine() {
+    return {"bogacki-shampine", attempt_embedded_step<BogackiShampine>, 1.0 / 3, 1.0 / 60};
+}
+
+}  // namespace cambrian

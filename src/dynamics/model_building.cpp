@@ -1,0 +1,250 @@
+#include "dynamics/model_building.h"
+
+#include "dynamics/collision_filter.h"
+#include "dynamics/elimination.h"
+#include "math/elementary.h"
+
+#include <cmath>
+#include <string>
+
+namespace cambrian {
+namespace {
+
+constexpr double kMinHalfExtent = 0.01;    // m
+constexpr double kMinMassShare = 1e-4;     // of the whole body
+constexpr double kRateLengthShare = 0.25;  // child lengths a second, per rad/s of a motor's limit
+
+Error part_error(std::size_t part, const std::string& problem) {
+    return {"body plan, part " + std::to_string(part) + ": " + problem};
+}
+
+bool is_finite(const PlannedPart& part) {
+    const double numbers[] = {part.half_extents.x(),
+                              part.half_extents.y(),
+                              part.rest_pose.position.x(),
+                              part.rest_pose.position.y(),
+                              part.rest_angle,
+                              part.anchor_in_parent.x(),
+                              part.anchor_in_parent.y(),
+                              part.anchor_in_child.x(),
+                              part.anchor_in_child.y(),
+                              part.limit_low,
+                              part.limit_high,
+                              part.max_effort};
+    for (const double number : numbers) {
+        if (!std::isfinite(number)) return false;
+    }
+    return true;
+}
+
+Status check_part(const BodyPlan& plan, std::size_t index) {
+    const PlannedPart& part = plan.parts[index];
+    if (!is_finite(part)) return part_error(index, "a number is not finite");
+    if (part.half_extents.x() < kMinHalfExtent || part.half_extents.y() < kMinHalfExtent)
+        return part_error(index, "thinner than 2 cm");
+    const bool is_root = part.parent < 0;
+    if (is_root != (index == 0) || part.parent >= static_cast<int>(index))
+        return part_error(index, "only part 0 is a root, and parents stand before children");
+    if (is_root) return {};
+    if (part.joint_kind > static_cast<std::uint8_t>(JointType::kLinear))
+        return part_error(index, "unknown joint kind " + std::to_string(part.joint_kind));
+    if (!(part.limit_low <= part.limit_high)) return part_error(index, "limits in wrong order");
+    if (part.max_effort < 0.0) return part_error(index, "negative motor effort");
+    return {};
+}
+
+Status check_plan(const BodyPlan& plan, double density) {
+    if (plan.parts.empty()) return Error{"body plan: no parts"};
+    if (plan.parts.size() > kMaxParts)
+        return Error{"body plan: " + std::to_string(plan.parts.size()) + " parts, at most " +
+                     std::to_string(kMaxParts) + " expected"};
+    if (!(density > 0.0) || !std::isfinite(density))
+        return Error{"environment: density must be above 0"};
+    for (std::size_t i = 0; i < plan.parts.size(); ++i) {
+        if (Status status = check_part(plan, i); !status) return status;
+    }
+    return {};
+}
+
+// Works on the plan and fills the model step by step.
+class ModelBuilder {
+public:
+    ModelBuilder(const BodyPlan& plan, double density) : plan_(plan) {
+        model_.density = density;
+        model_.part_count = static_cast<int>(plan.parts.size());
+    }
+
+    Result<PlanarModel> build() {
+        if (!weld())
+            return Error{"body plan: over " + std::to_string(kMaxBodies) + " moving bodies"};
+        for (int i = 0; i < model_.part_count; ++i)
+            add_mass(i);
+        for (int b = 0; b < model_.body_count; ++b) {
+            if (model_.mass[b] < kMinMassShare * model_.total_mass)
+                return part_error(static_cast<std::size_t>(leader_[b]),
+                                  "lighter than 1e-4 of the body");
+        }
+        center_bodies();
+        for (int i = 0; i < model_.part_count; ++i)
+            place_box(i);
+        for (int b = 1; b < model_.body_count; ++b)
+            place_joint(b);
+        set_rest_center();
+        set_effective_inertia();
+        model_.colliding_pairs = find_colliding_pairs(model_, plan_);
+        return std::move(model_);
+    }
+
+private:
+    const PlannedPart& part(int i) const { return plan_.parts[static_cast<std::size_t>(i)]; }
+
+    // Numbers the bodies depth first; false if there are too many.
+    bool weld() {
+        if (!visit(0, -1)) return false;
+        model_.total_mass = 0.0;
+        return true;
+    }
+
+    // A part that does not move against its parent joins its body; else it leads a new one, and
+    // its rigid relatives and their subtrees follow.
+    bool visit(int index, int parent_body) {
+        const bool welded = index > 0 && type_of(index) == JointType::kRigid;
+        int body = parent_body;
+        if (!welded) {
+            body = model_.body_count;
+            if (body >= kMaxBodies) return false;
+            ++model_.body_count;
+            leader_[body] = index;
+            model_.parent[body] = parent_body;
+        }
+        model_.part_body[index] = body;
+        for (int child = index + 1; child < model_.part_count; ++child) {
+            if (part(child).parent == index && !visit(child, body)) return false;
+        }
+        return true;
+    }
+
+    JointType type_of(int index) const { return static_cast<JointType>(part(index).joint_kind); }
+
+    double area_mass(int index) const {
+        return 4.0 * model_.density * part(index).half_extents.x() * part(index).half_extents.y();
+    }
+
+    void add_mass(int index) {
+        const int b = model_.part_body[index];
+        const double mass = area_mass(index);
+        model_.mass[b] += mass;
+        model_.total_mass += mass;
+        center_x_[b] += mass * part(index).rest_pose.position.x();
+        center_y_[b] += mass * part(index).rest_pose.position.y();
+    }
+
+    void center_bodies() {
+        for (int b = 0; b < model_.body_count; ++b) {
+            center_x_[b] /= model_.mass[b];
+            center_y_[b] /= model_.mass[b];
+            rest_turn_[b] = sine_cosine(part(leader_[b]).rest_angle);
+        }
+    }
+
+    // World to body frame, in the rest pose.
+    Vec2 to_body(int b, double x, double y) const {
+        const double dx = x - center_x_[b];
+        const double dy = y - center_y_[b];
+        return {rest_turn_[b].cosine * dx + rest_turn_[b].sine * dy,
+                rest_turn_[b].cosine * dy - rest_turn_[b].sine * dx};
+    }
+
+    // Point of a part's frame to its body's frame.
+    Vec2 part_point(int index, const Vec3& point) const {
+        return {model_.part_x[index] + model_.part_cosine[index] * point.x() -
+                    model_.part_sine[index] * point.y(),
+                model_.part_y[index] + model_.part_sine[index] * point.x() +
+                    model_.part_cosine[index] * point.y()};
+    }
+
+    void place_box(int index) {
+        const PlannedPart& box = part(index);
+        const int b = model_.part_body[index];
+        const Vec2 offset = to_body(b, box.rest_pose.position.x(), box.rest_pose.position.y());
+        const double angle = box.rest_angle - part(leader_[b]).rest_angle;
+        const SineCosine turn = sine_cosine(angle);
+        model_.part_x[index] = offset.x();
+        model_.part_y[index] = offset.y();
+        model_.part_angle[index] = angle;
+        model_.part_cosine[index] = turn.cosine;
+        model_.part_sine[index] = turn.sine;
+        const double hx = box.half_extents.x();
+        const double hy = box.half_extents.y();
+        model_.half_length[index] = hx;
+        model_.half_width[index] = hy;
+        model_.inertia[b] += area_mass(index) * ((hx * hx + hy * hy) / 3.0 + offset.squaredNorm());
+    }
+
+    void place_joint(int b) {
+        const int index = leader_[b];
+        const PlannedPart& child = part(index);
+        const int p = model_.parent[b];
+        const Vec2 in_parent = part_point(child.parent, child.anchor_in_parent);
+        const Vec2 in_child = part_point(index, child.anchor_in_child);
+        model_.joint[b] = type_of(index);
+        model_.joint_part[b] = index;
+        model_.parent_anchor_x[b] = in_parent.x();
+        model_.parent_anchor_y[b] = in_parent.y();
+        model_.child_anchor_x[b] = in_child.x();
+        model_.child_anchor_y[b] = in_child.y();
+        model_.rest_angle[b] = child.rest_angle - part(leader_[p]).rest_angle;
+        const SineCosine turn = sine_cosine(model_.rest_angle[b]);
+        model_.axis_x[b] = turn.cosine;  // a linear joint slides along its child's length
+        model_.axis_y[b] = turn.sine;
+        model_.limit_low[b] = child.limit_low;
+        model_.limit_high[b] = child.limit_high;
+        model_.max_effort[b] = child.max_effort;
+        model_.motor_mode[b] = child.motor_mode;
+        const bool linear = model_.joint[b] == JointType::kLinear;
+        model_.rate_scale[b] = linear ? kRateLengthShare * 2.0 * child.half_extents.x() : 1.0;
+    }
+
+    void set_rest_center() {
+        for (int b = 0; b < model_.body_count; ++b) {
+            model_.rest_center_x += model_.mass[b] * center_x_[b] / model_.total_mass;
+            model_.rest_center_y += model_.mass[b] * center_y_[b] / model_.total_mass;
+        }
+        model_.rest_root_angle = part(0).rest_angle;
+    }
+
+    // I_eff = 1 / (relative acceleration under a unit effort at this joint alone).
+    void set_effective_inertia() {
+        Motion rest = rest_motion(model_);
+        Kinematics kinematics;
+        Factors factors;
+        BodyResponse response;
+        Loads loads;
+        clear_loads(model_, loads);
+        compute_kinematics(model_, rest, kinematics);
+        solve_accelerations(model_, kinematics, loads, factors, response);
+        for (int b = 1; b < model_.body_count; ++b) {
+            loads.effort[b] = 1.0;
+            solve_impulse(model_, kinematics, factors, loads, response);
+            loads.effort[b] = 0.0;
+            double jump = response.coordinate[coordinate_of(b)];
+            if (model_.joint[b] == JointType::kRotary) jump -= response.spin[model_.parent[b]];
+            model_.effective_inertia[b] = 1.0 / jump;
+        }
+    }
+
+    const BodyPlan& plan_;
+    PlanarModel model_;
+    int leader_[kMaxBodies] = {};
+    PerBody center_x_ = {}, center_y_ = {};
+    SineCosine rest_turn_[kMaxBodies] = {};
+};
+
+}  // namespace
+
+Result<PlanarModel> build_planar_model(const BodyPlan& plan, double density) {
+    if (Status status = check_plan(plan, density); !status) return status.error();
+    return ModelBuilder(plan, density).build();
+}
+
+}  // namespace cambrian

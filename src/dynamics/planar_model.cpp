@@ -1,0 +1,16 @@
+#include "dynamics/planar_model.h"
+
+namespace cambrian {
+
+void change_density(PlanarModel& model, double density) {
+    const double ratio = density / model.density;
+    model.density = density;
+    model.total_mass *= ratio;
+    for (int i = 0; i < model.body_count; ++i) {
+        model.mass[i] *= ratio;
+        model.inertia[i] *= ratio;
+        model.effective_inertia[i] *= ratio;
+    }
+}
+
+}  // namespace cambrian

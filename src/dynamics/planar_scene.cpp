@@ -1,0 +1,309 @@
+#include "dynamics/planar_scene.h"
+
+#include "core/assert.h"
+#include "core/nearest_name.h"
+#include "dynamics/audit.h"
+#include "dynamics/builtin_integrators.h"
+#include "dynamics/model_building.h"
+#include "dynamics/step_control.h"
+#include "math/angle.h"
+
+#include <cmath>
+#include <utility>
+
+namespace cambrian {
+namespace {
+
+struct SavedMoment : SceneState {
+    explicit SavedMoment(const SceneMoment& saved, const Environment& surroundings)
+        : moment(saved), environment(surroundings) {}
+    SceneMoment moment;
+    Environment environment;
+};
+
+Medium medium_of(const Environment& environment) {
+    const SineCosine turn = sine_cosine(to_radians(environment.gravity_direction));
+    return {environment.gravity * turn.cosine, environment.gravity * turn.sine,
+            environment.viscosity_linear, environment.viscosity_quadratic};
+}
+
+class PlanarScene final : public PhysicsScene {
+public:
+    PlanarScene(PlanarModel model, const Environment& environment, const SceneSettings& settings,
+                const IntegratorKind& integrator)
+        : model_(std::move(model)), control_(integrator, settings.tolerance) {
+        forcing_.drive.frequency = settings.motor_frequency;
+        forcing_.drive.speed_limit = settings.motor_speed_limit;
+        moment_.motion = rest_motion(model_);
+        use_environment(environment);
+        evaluate_here();
+        open_books(model_, forcing_.medium, moment_);
+    }
+
+    std::size_t part_count() const override { return static_cast<std::size_t>(model_.part_count); }
+    Pose part_pose(std::size_t part) const override;
+    Twist part_twist(std::size_t part) const override;
+    double joint_coordinate(std::size_t part) const override;
+    double joint_rate(std::size_t part) const override;
+    double joint_effort(std::size_t part) const override;
+    bool face_touched(std::size_t part, Face face) const override;
+    double mass() const override { return model_.total_mass; }
+    Vec3 center_of_mass() const override {
+        return {moment_.motion.position[0], moment_.motion.position[1], 0.0};
+    }
+    Vec3 center_of_mass_velocity() const override {
+        return {moment_.motion.speed[0], moment_.motion.speed[1], 0.0};
+    }
+    double kinetic_energy() const override {
+        return cambrian::kinetic_energy(model_, moment_.frame.kinematics);
+    }
+    Bounds bounds() const override;
+
+    void set_target(std::size_t part, double target) override;
+    double target(std::size_t part) const override;
+    SceneStatus advance(double duration) override;
+    SceneStatus status() const override { return moment_.status; }
+    double time() const override { return moment_.time; }
+    void set_environment(const Environment& environment) override;
+    void translate(const Vec3& offset) override;
+    void pull(std::size_t part, const Vec3& point_in_part, const Vec3& force) override;
+    std::unique_ptr<SceneState> save() const override {
+        return std::make_unique<SavedMoment>(moment_, environment_);
+    }
+    void restore(const SceneState& state) override;
+    double energy() const override {
+        return mechanical_energy(model_, forcing_.medium, moment_.motion, moment_.frame.kinematics);
+    }
+    const SceneAudit& audit() const override { return moment_.audit; }
+    void restart_audit() override { open_books(model_, forcing_.medium, moment_); }
+    void list_contacts(std::vector<SceneContact>& contacts) const override;
+    void add_to_digest(Hash64& digest) const override;
+
+private:
+    // Body whose joint a part carries, or -1 if the part is the root or welded to its parent.
+    int joint_of(std::size_t part) const {
+        const int b = body_of(part);
+        return b > 0 && model_.joint_part[b] == static_cast<int>(part) ? b : -1;
+    }
+    int body_of(std::size_t part) const {
+        CAMBRIAN_ASSERT(part < part_count(), "part index in range");
+        return model_.part_body[part];
+    }
+    // World offset of a point of a part from its body's centre of mass.
+    Vec2 arm_of(std::size_t part, double x, double y) const;
+    void use_environment(const Environment& environment);
+    void evaluate_here();
+
+    PlanarModel model_;
+    Environment environment_;
+    ContactLaw law_;
+    Forcing forcing_;
+    StepControl control_;
+    SceneMoment moment_;
+};
+
+Vec2 PlanarScene::arm_of(std::size_t part, double x, double y) const {
+    const int b = body_of(part);
+    const Kinematics& k = moment_.frame.kinematics;
+    const double body_x =
+        model_.part_x[part] + model_.part_cosine[part] * x - model_.part_sine[part] * y;
+    const double body_y =
+        model_.part_y[part] + model_.part_sine[part] * x + model_.part_cosine[part] * y;
+    return {k.cosine[b] * body_x - k.sine[b] * body_y, k.sine[b] * body_x + k.cosine[b] * body_y};
+}
+
+Pose PlanarScene::part_pose(std::size_t part) const {
+    const int b = body_of(part);
+    const Kinematics& k = moment_.frame.kinematics;
+    const Vec2 arm = arm_of(part, 0.0, 0.0);
+    return planar_pose(k.x[b] + arm.x(), k.y[b] + arm.y(), k.angle[b] + model_.part_angle[part]);
+}
+
+Twist PlanarScene::part_twist(std::size_t part) const {
+    const int b = body_of(part);
+    const Kinematics& k = moment_.frame.kinematics;
+    const Vec2 arm = arm_of(part, 0.0, 0.0);
+    return {Vec3(k.velocity_x[b] - k.spin[b] * arm.y(), k.velocity_y[b] + k.spin[b] * arm.x(), 0.0),
+            Vec3(0.0, 0.0, k.spin[b])};
+}
+
+double PlanarScene::joint_coordinate(std::size_t part) const {
+    const int joint = joint_of(part);
+    if (joint < 0) return 0.0;
+    return cambrian::joint_coordinate(model_, moment_.motion, moment_.frame.kinematics, joint);
+}
+
+double PlanarScene::joint_rate(std::size_t part) const {
+    const int joint = joint_of(part);
+    if (joint < 0) return 0.0;
+    return cambrian::joint_rate(model_, moment_.motion, moment_.frame.kinematics, joint);
+}
+
+double PlanarScene::joint_effort(std::size_t part) const {
+    const int joint = joint_of(part);
+    return joint < 0 ? 0.0 : moment_.frame.motor_effort[joint];
+}
+
+bool PlanarScene::face_touched(std::size_t part, Face face) const {
+    CAMBRIAN_ASSERT(part < part_count(), "part index in range");
+    return ((moment_.touched[part] >> static_cast<unsigned>(face)) & 1U) != 0;
+}
+
+Bounds PlanarScene::bounds() const {
+    Bounds bounds;
+    const Kinematics& k = moment_.frame.kinematics;
+    for (std::size_t part = 0; part < part_count(); ++part) {
+        const int b = body_of(part);
+        for (int corner = 0; corner < 4; ++corner) {
+            const double x = (corner & 1) != 0 ? 1.0 : -1.0;
+            const double y = (corner & 2) != 0 ? 1.0 : -1.0;
+            const Vec2 arm =
+                arm_of(part, x * model_.half_length[part], y * model_.half_width[part]);
+            bounds.add(Vec3(k.x[b] + arm.x(), k.y[b] + arm.y(), 0.0));
+        }
+    }
+    return bounds;
+}
+
+void PlanarScene::set_target(std::size_t part, double target) {
+    const int joint = joint_of(part);
+    if (joint < 0) return;
+    if (!std::isfinite(target)) target = 0.0;
+    if (model_.motor_mode[joint] == MotorMode::kPosition)
+        target = std::fmin(std::fmax(target, model_.limit_low[joint]), model_.limit_high[joint]);
+    moment_.drive_end[joint] = target;
+}
+
+double PlanarScene::target(std::size_t part) const {
+    const int joint = joint_of(part);
+    return joint < 0 ? 0.0 : moment_.drive_end[joint];
+}
+
+SceneStatus PlanarScene::advance(double duration) {
+    CAMBRIAN_ASSERT(duration > 0.0, "a tick takes time");
+    if (moment_.status == SceneStatus::kInvalid) return moment_.status;
+    for (int i = 0; i < model_.body_count; ++i) {
+        forcing_.drive.start[i] = moment_.drive_start[i];
+        forcing_.drive.end[i] = moment_.drive_end[i];
+    }
+    control_.advance(model_, law_, forcing_, duration, moment_);
+    for (int i = 0; i < model_.body_count; ++i)
+        moment_.drive_start[i] = moment_.drive_end[i];
+    if (forcing_.pulled) moment_.frame_is_current = false;
+    forcing_.pulled = false;
+    return moment_.status;
+}
+
+void PlanarScene::use_environment(const Environment& environment) {
+    environment_ = environment;
+    if (environment.density != model_.density) change_density(model_, environment.density);
+    forcing_.medium = medium_of(environment);
+    law_ = {environment.friction, environment.elasticity, environment.has_ground};
+    moment_.frame_is_current = false;
+}
+
+// Fills the frame for the views, without time passing.
+void PlanarScene::evaluate_here() {
+    forcing_.contact_count = 0;
+    forcing_.limits_active = false;
+    evaluate_accelerations(model_, forcing_, moment_.motion, 0.0, moment_.frame, moment_.free_rate);
+}
+
+void PlanarScene::set_environment(const Environment& environment) {
+    const double before = energy();
+    use_environment(environment);
+    moment_.energy_reference += energy() - before;
+}
+
+void PlanarScene::translate(const Vec3& offset) {
+    const double before = energy();
+    moment_.motion.position[0] += offset.x();
+    moment_.motion.position[1] += offset.y();
+    evaluate_here();
+    moment_.frame_is_current = false;
+    moment_.energy_reference += energy() - before;
+}
+
+void PlanarScene::pull(std::size_t part, const Vec3& point_in_part, const Vec3& force) {
+    const double x = point_in_part.x();
+    const double y = point_in_part.y();
+    forcing_.pull.body_a = body_of(part);
+    forcing_.pull.body_b = -1;
+    forcing_.pull.point_x =
+        model_.part_x[part] + model_.part_cosine[part] * x - model_.part_sine[part] * y;
+    forcing_.pull.point_y =
+        model_.part_y[part] + model_.part_sine[part] * x + model_.part_cosine[part] * y;
+    forcing_.pull.force_x = force.x();
+    forcing_.pull.force_y = force.y();
+    forcing_.pulled = true;
+    moment_.frame_is_current = false;
+}
+
+void PlanarScene::restore(const SceneState& state) {
+    const auto* saved = dynamic_cast<const SavedMoment*>(&state);
+    CAMBRIAN_ASSERT(saved != nullptr, "a moment saved by a planar scene");
+    moment_ = saved->moment;
+    forcing_.pulled = false;
+    if (saved->environment == environment_) return;
+    moment_.frame_is_current = false;
+}
+
+void PlanarScene::list_contacts(std::vector<SceneContact>& contacts) const {
+    contacts.clear();
+    const Kinematics& k = moment_.frame.kinematics;
+    for (int c = 0; c < moment_.held_count; ++c) {
+        const HeldContact& held = moment_.held[c];
+        const int a = held.body_a;
+        const double x = k.x[a] + k.cosine[a] * held.point_x - k.sine[a] * held.point_y;
+        const double y = k.y[a] + k.sine[a] * held.point_x + k.cosine[a] * held.point_y;
+        contacts.push_back({Vec3(x, y, 0.0), Vec3(held.normal_x, held.normal_y, 0.0), held.force});
+    }
+}
+
+void PlanarScene::add_to_digest(Hash64& digest) const {
+    for (int c = 0; c < coordinate_count(model_); ++c) {
+        digest.add(moment_.motion.position[c]);
+        digest.add(moment_.motion.speed[c]);
+    }
+}
+
+Status check_surroundings(const Environment& environment, const SceneSettings& settings) {
+    const double numbers[] = {environment.gravity,          environment.gravity_direction,
+                              environment.friction,         environment.elasticity,
+                              environment.viscosity_linear, environment.viscosity_quadratic,
+                              settings.motor_speed_limit,   settings.motor_frequency};
+    for (const double number : numbers) {
+        if (!std::isfinite(number)) return Error{"environment: a number is not finite"};
+    }
+    if (!(settings.tolerance > 0.0)) return Error{"scene settings: tolerance must be above 0"};
+    return {};
+}
+
+Result<std::unique_ptr<PhysicsScene>> make_planar_scene(const BodyPlan& plan,
+                                                        const Environment& environment,
+                                                        const SceneSettings& settings) {
+    const IntegratorKind* integrator = builtin_integrators().find(settings.integrator);
+    if (integrator == nullptr)
+        return Error{"scene settings: unknown integrator \"" + settings.integrator + "\""};
+    if (Status status = check_surroundings(environment, settings); !status) return status.error();
+    Result<PlanarModel> model = build_planar_model(plan, environment.density);
+    if (!model) return model.error();
+    return std::unique_ptr<PhysicsScene>(
+        std::make_unique<PlanarScene>(std::move(*model), environment, settings, *integrator));
+}
+
+}  // namespace
+
+SceneKind planar_scene_kind() {
+    SceneKind kind;
+    kind.id = "planar";
+    kind.label = "Planar articulated bodies";
+    kind.joints = {
+        {"rigid", "Rigid", 0, ""}, {"rotary", "Rotary", 1, "rad"}, {"linear", "Linear", 1, "m"}};
+    for (const IntegratorKind& integrator : builtin_integrators().all())
+        kind.integrators.push_back(integrator.id);
+    kind.make = make_planar_scene;
+    return kind;
+}
+
+}  // namespace cambrian

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "world/scene_kind.h"
+
+namespace cambrian {
+
+// Planar articulated-body physics: motion in x and y and about z. Joint kinds "rigid", "rotary"
+// (rad) and "linear" (m, along the child's length), in that order.
+SceneKind planar_scene_kind();
+
+}  // namespace cambrian

@@ -1,0 +1,122 @@
+#include "dynamics/rows.h"
+
+#include "dynamics/row_matrix.h"
+
+namespace cambrian {
+namespace {
+
+struct BodyMotion {
+    const PerBody& x;
+    const PerBody& y;
+    const PerBody& spin;
+    const PerCoordinate& coordinate;
+};
+
+double row_rate(const PlanarModel& model, const RowSystem& rows, int row,
+                const BodyMotion& motion) {
+    const int a = rows.body_a[row];
+    if (rows.kind[row] == RowKind::kLimit) {
+        double rate = motion.coordinate[coordinate_of(a)];
+        if (model.joint[a] == JointType::kRotary) rate -= motion.spin[model.parent[a]];
+        return rows.dir_x[row] * rate;
+    }
+    double rate = rows.dir_x[row] * motion.x[a] + rows.dir_y[row] * motion.y[a] +
+                  rows.moment_a[row] * motion.spin[a];
+    const int b = rows.body_b[row];
+    if (b >= 0)
+        rate -= rows.dir_x[row] * motion.x[b] + rows.dir_y[row] * motion.y[b] +
+                rows.moment_b[row] * motion.spin[b];
+    return rate;
+}
+
+// J' v: the turning of the arms.
+double turning(const RowSystem& rows, int row, const Contact& c, const PerBody& spin) {
+    const int a = c.body_a;
+    double acceleration =
+        -spin[a] * spin[a] * (rows.dir_x[row] * c.arm_ax + rows.dir_y[row] * c.arm_ay);
+    if (c.body_b >= 0)
+        acceleration += spin[c.body_b] * spin[c.body_b] *
+                        (rows.dir_x[row] * c.arm_bx + rows.dir_y[row] * c.arm_by);
+    return acceleration;
+}
+
+int add_contact_row(const Contact& c, int source, RowKind kind, RowSystem& rows) {
+    const int row = rows.count++;
+    const bool normal = kind == RowKind::kNormal;
+    rows.kind[row] = kind;
+    rows.source[row] = source;
+    rows.normal[row] = normal ? row : row - 1;
+    rows.body_a[row] = c.body_a;
+    rows.body_b[row] = c.body_b;
+    rows.dir_x[row] = normal ? c.normal_x : -c.normal_y;
+    rows.dir_y[row] = normal ? c.normal_y : c.normal_x;
+    rows.moment_a[row] = c.arm_ax * rows.dir_y[row] - c.arm_ay * rows.dir_x[row];
+    rows.moment_b[row] = c.arm_bx * rows.dir_y[row] - c.arm_by * rows.dir_x[row];
+    return row;
+}
+
+void add_limit_row(const LimitCandidate& limit, int source, RowSystem& rows) {
+    const int row = rows.count++;
+    rows.kind[row] = RowKind::kLimit;
+    rows.source[row] = source;
+    rows.normal[row] = row;
+    rows.body_a[row] = limit.body;
+    rows.body_b[row] = -1;
+    rows.dir_x[row] = limit.sign;
+    rows.dir_y[row] = 0.0;
+    rows.moment_a[row] = 0.0;
+    rows.moment_b[row] = 0.0;
+}
+
+}  // namespace
+
+void build_rows(const PlanarModel& model, const Motion& motion, const Frame& frame,
+                const ContactSet& contacts, const LimitCandidate* limits, int limit_count,
+                bool with_friction, RowSystem& rows) {
+    rows.count = 0;
+    for (int c = 0; c < contacts.count; ++c) {
+        add_contact_row(contacts.items[c], c, RowKind::kNormal, rows);
+        if (with_friction) add_contact_row(contacts.items[c], c, RowKind::kFriction, rows);
+    }
+    for (int l = 0; l < limit_count; ++l)
+        add_limit_row(limits[l], l, rows);
+    const Kinematics& k = frame.kinematics;
+    const BodyMotion speeds{k.velocity_x, k.velocity_y, k.spin, motion.speed};
+    const BodyResponse& free = frame.response;
+    const BodyMotion accelerations{free.x, free.y, free.spin, free.coordinate};
+    for (int row = 0; row < rows.count; ++row) {
+        rows.rate[row] = row_rate(model, rows, row, speeds);
+        rows.acceleration[row] = row_rate(model, rows, row, accelerations);
+        if (rows.kind[row] != RowKind::kLimit)
+            rows.acceleration[row] += turning(rows, row, contacts.items[rows.source[row]], k.spin);
+    }
+    compute_row_matrix(model, frame, rows);
+}
+
+void add_row_impulses(const RowSystem& rows, double scale, Loads& loads) {
+    for (int row = 0; row < rows.count; ++row) {
+        const double impulse = scale * rows.impulse[row];
+        const int a = rows.body_a[row];
+        if (rows.kind[row] == RowKind::kLimit) {
+            loads.effort[a] += rows.dir_x[row] * impulse;
+            continue;
+        }
+        loads.force_x[a] += rows.dir_x[row] * impulse;
+        loads.force_y[a] += rows.dir_y[row] * impulse;
+        loads.torque[a] += rows.moment_a[row] * impulse;
+        const int b = rows.body_b[row];
+        if (b < 0) continue;
+        loads.force_x[b] -= rows.dir_x[row] * impulse;
+        loads.force_y[b] -= rows.dir_y[row] * impulse;
+        loads.torque[b] -= rows.moment_b[row] * impulse;
+    }
+}
+
+double impulse_effect(const RowSystem& rows, int row) {
+    double effect = -rows.regularization[row] * rows.impulse[row];
+    for (int column = 0; column < rows.count; ++column)
+        effect += rows.coupling(row, column) * rows.impulse[column];
+    return effect;
+}
+
+}  // namespace cambrian

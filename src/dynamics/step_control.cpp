@@ -1,0 +1,275 @@
+#include "dynamics/step_control.h"
+
+#include "dynamics/audit.h"
+#include "dynamics/dense_output.h"
+#include "dynamics/time_of_impact.h"
+#include "math/elementary.h"
+
+#include <cmath>
+
+namespace cambrian {
+namespace {
+
+constexpr double kContactStep = 1.0 / 120;  // s; longest step with active rows
+constexpr double kCollapseStep = kContactStep / 16;
+constexpr double kPatientStep = kContactStep / 8;
+constexpr int kPatience = 4;                // collapses in a row before a step is forced
+constexpr double kHalvingStep = 1.0 / 960;  // s; shorter ones are not halved for their work
+constexpr double kWorkAllowance = 3e-4;     // J per (kg m/s^2)
+constexpr double kReferenceGravity = 9.81;  // m/s^2
+constexpr double kMinStep = 1e-6;           // s
+constexpr double kSliver = 1e-9;            // s; what may be left of a tick
+constexpr int kMaxImpacts = 8;              // a tick; later ones count as slow contacts
+constexpr double kSafety = 0.9;
+constexpr double kShrinkMost = 0.2;
+constexpr double kGrowMost = 3.0;
+constexpr double kMaxDistance = 1e6;  // m; also rad, where sine_cosine_reduced ends
+constexpr double kMaxSpeed = 1e4;     // m/s and rad/s
+
+// Change of step that would make the error just acceptable, clipped.
+double step_factor(double error, double exponent) {
+    if (!std::isfinite(error)) return kShrinkMost;
+    const double factor = kSafety * power(std::fmax(error, 1e-12), -exponent);
+    return std::fmin(std::fmax(factor, kShrinkMost), kGrowMost);
+}
+
+}  // namespace
+
+void StepControl::advance(const PlanarModel& model, const ContactLaw& law, Forcing& forcing,
+                          double duration, SceneMoment& moment) {
+    for (std::uint8_t& faces : moment.touched)
+        faces = 0;
+    Tick tick{model, law, forcing, moment, duration};
+    while (tick.length - tick.time > kSliver) {
+        if (step(tick)) continue;
+        moment.status = SceneStatus::kInvalid;
+        return;
+    }
+    tick.time = tick.length;
+    make_current(tick);
+    moment.time += duration;
+    remember_contacts(tick);
+    close_books(model, forcing.medium, moment);
+}
+
+// One accepted step or one impact. False if no sound motion was found.
+bool StepControl::step(Tick& tick) {
+    make_current(tick);
+    contacts_.collect(tick.model, tick.law, tick.moment.frame.kinematics);
+    if (tick.impacts < kMaxImpacts && contacts_.has_impact()) {
+        strike(tick, tick.law.elasticity);
+        return is_sound(tick);
+    }
+    bool has_rows = false;
+    double h = choose_length(tick, has_rows);
+    switch (attempt(tick, has_rows, h)) {
+        case Attempt::kFailed:
+            return false;
+        case Attempt::kCollapsed:
+            return is_sound(tick);
+        case Attempt::kAccepted:
+            break;
+    }
+    tick.collapses = 0;
+    contacts_.collect(tick.model, tick.law, end_frame_.kinematics);
+    if (tick.impacts < kMaxImpacts && has_new_impact(contacts_)) {
+        const StepEnds ends{tick.moment.motion, start_rate_, result_.end, result_.end_rate, h};
+        Motion motion;
+        const double share =
+            find_impact(tick.model, tick.law, ends, contacts_, motion, end_frame_.kinematics);
+        result_.end = motion;
+        accept_part(tick, h, share);
+    } else {
+        accept(tick, has_rows, h);
+    }
+    return is_sound(tick);
+}
+
+// Contact-free accelerations at the moment, unless the last step left them.
+void StepControl::make_current(Tick& tick) {
+    SceneMoment& moment = tick.moment;
+    if (moment.frame_is_current) return;
+    tick.forcing.contact_count = 0;
+    tick.forcing.limits_active = false;
+    const MotionSystem system{tick.model, tick.forcing, tick.length};
+    system.evaluate(moment.motion, tick.time, moment.frame, moment.free_rate);
+    ++moment.audit.evaluations;
+    moment.frame_is_current = true;
+}
+
+void StepControl::strike(Tick& tick, double elasticity) {
+    SceneMoment& moment = tick.moment;
+    const ImpactResult impact =
+        contacts_.strike(tick.model, tick.law, elasticity, moment.frame, moment.motion);
+    moment.audit.impulse_work += impact.work;
+    moment.audit.positive_work += std::fmax(0.0, impact.work);
+    moment.audit.fallbacks += impact.fell_back ? 1U : 0U;
+    ++moment.audit.events;
+    ++tick.impacts;
+    moment.frame_is_current = false;
+    const ContactSet& struck = contacts_.chosen();
+    for (int c = 0; c < struck.count; ++c) {
+        const Contact& contact = struck.items[c];
+        moment.touched[contact.part_a] |= static_cast<std::uint8_t>(1U << contact.face_a);
+        if (contact.part_b >= 0)
+            moment.touched[contact.part_b] |= static_cast<std::uint8_t>(1U << contact.face_b);
+    }
+}
+
+// What is left of the tick is split evenly rather than leaving a sliver.
+double StepControl::choose_length(Tick& tick, bool& has_rows) {
+    const SceneMoment& moment = tick.moment;
+    double h = std::fmin(moment.proposed_step, integrator_->max_step);
+    has_rows = contacts_.choose(tick.model, tick.law, moment.motion, moment.frame, h);
+    if (has_rows) h = std::fmin(h, kContactStep);
+    const double rest = tick.length - tick.time;
+    const double steps = std::ceil(rest / h * (1.0 - 1e-9));
+    return rest / std::fmax(1.0, steps);
+}
+
+StepControl::Attempt StepControl::attempt(Tick& tick, bool has_rows, double& h) {
+    SceneMoment& moment = tick.moment;
+    const MotionSystem system{tick.model, tick.forcing, tick.length};
+    for (;;) {
+        if (has_rows && !contacts_.hold(tick.model, tick.law, h, moment.warm, tick.forcing))
+            ++moment.audit.fallbacks;
+        set_start_rate(tick, has_rows);
+        integrator_->attempt(system, {moment.motion, start_rate_, tick.time, h, tolerance_},
+                             end_frame_, result_);
+        moment.audit.evaluations += static_cast<std::uint64_t>(result_.evaluations);
+        const double factor = step_factor(result_.error, integrator_->error_exponent);
+        const bool forced = tick.collapses > kPatience && std::isfinite(result_.error);
+        if (!(result_.error <= 1.0) && !forced) {
+            ++moment.audit.rejections;
+            h *= std::fmin(factor, 0.9);
+            moment.proposed_step = h;
+            if (h < kMinStep) return Attempt::kFailed;
+            if (!has_rows || h >= kCollapseStep) continue;
+            ++tick.collapses;
+            strike(tick, 0.0);
+            moment.proposed_step = tick.collapses >= kPatience ? kPatientStep : kContactStep;
+            return Attempt::kCollapsed;
+        }
+        if (must_halve(tick, has_rows, h)) {
+            ++moment.audit.rejections;
+            h *= 0.5;
+            continue;
+        }
+        const bool truncated = h < moment.proposed_step;
+        moment.proposed_step = truncated ? std::fmax(moment.proposed_step, h * factor) : h * factor;
+        moment.proposed_step = std::fmin(moment.proposed_step, integrator_->max_step);
+        return Attempt::kAccepted;
+    }
+}
+
+// Accelerations at the start under the held forces: the contact-free ones and a response.
+void StepControl::set_start_rate(Tick& tick, bool has_rows) {
+    start_rate_ = tick.moment.free_rate;
+    if (!has_rows) {
+        tick.forcing.contact_count = 0;
+        tick.forcing.limits_active = false;
+        return;
+    }
+    const Frame& frame = tick.moment.frame;
+    Loads loads;
+    BodyResponse response;
+    clear_loads(tick.model, loads);
+    add_held_forces(tick.model, tick.forcing, frame.kinematics, loads);
+    solve_impulse(tick.model, frame.kinematics, frame.factors, loads, response);
+    for (int c = 0; c < coordinate_count(tick.model); ++c)
+        start_rate_.acceleration[c] += response.coordinate[c];
+}
+
+// Contacts and stops that do work are a sign of a step too long for constant forces.
+bool StepControl::must_halve(const Tick& tick, bool has_rows, double h) {
+    work_ = {};
+    if (!has_rows) return false;
+    work_ = contacts_.held_work(tick.model, tick.forcing, tick.moment.frame, tick.moment.motion,
+                                end_frame_.kinematics, result_.end);
+    const double allowance = kWorkAllowance * tick.model.total_mass * kReferenceGravity;
+    return work_.positive > allowance && h > kHalvingStep;
+}
+
+void StepControl::accept(Tick& tick, bool has_rows, double h) {
+    SceneMoment& moment = tick.moment;
+    keep_books(tick, end_frame_.kinematics);
+    moment.motion = result_.end;
+    moment.frame = end_frame_;
+    moment.free_rate = result_.end_rate;
+    release_forces(tick, has_rows);
+    tick.time += h;
+}
+
+// Up to the impact found within the step; result_ and end_frame_ hold the motion there.
+void StepControl::accept_part(Tick& tick, double h, double share) {
+    SceneMoment& moment = tick.moment;
+    work_ = contacts_.held_work(tick.model, tick.forcing, moment.frame, moment.motion,
+                                end_frame_.kinematics, result_.end);
+    keep_books(tick, end_frame_.kinematics);
+    moment.motion = result_.end;
+    moment.frame_is_current = false;
+    tick.time += share * h;
+}
+
+// Takes the held forces' response off the accelerations of the step's end.
+void StepControl::release_forces(Tick& tick, bool has_rows) {
+    if (!has_rows) return;
+    SceneMoment& moment = tick.moment;
+    Loads loads;
+    BodyResponse response;
+    clear_loads(tick.model, loads);
+    add_held_forces(tick.model, tick.forcing, moment.frame.kinematics, loads);
+    solve_impulse(tick.model, moment.frame.kinematics, moment.frame.factors, loads, response);
+    for (int c = 0; c < coordinate_count(tick.model); ++c) {
+        moment.free_rate.acceleration[c] -= response.coordinate[c];
+        moment.frame.response.coordinate[c] -= response.coordinate[c];
+    }
+    for (int i = 0; i < tick.model.body_count; ++i) {
+        moment.frame.response.x[i] -= response.x[i];
+        moment.frame.response.y[i] -= response.y[i];
+        moment.frame.response.spin[i] -= response.spin[i];
+    }
+}
+
+void StepControl::keep_books(Tick& tick, const Kinematics& end) {
+    SceneMoment& moment = tick.moment;
+    SceneAudit& audit = moment.audit;
+    audit.contact_work += work_.contact;
+    audit.limit_work += work_.limit;
+    audit.positive_work += work_.positive;
+    ++audit.steps;
+    note_speeds(tick.model, end, audit);
+    note_depths(tick.model, result_.end, end, contacts_.near(), audit);
+    const ContactSet& chosen = contacts_.chosen();
+    for (int c = 0; c < chosen.count; ++c) {
+        const Contact& contact = chosen.items[c];
+        if (contact.gap >= kContactBand && contacts_.held_normal(c) <= 0.0) continue;
+        moment.touched[contact.part_a] |= static_cast<std::uint8_t>(1U << contact.face_a);
+        if (contact.part_b >= 0)
+            moment.touched[contact.part_b] |= static_cast<std::uint8_t>(1U << contact.face_b);
+    }
+}
+
+void StepControl::remember_contacts(Tick& tick) {
+    SceneMoment& moment = tick.moment;
+    moment.held_count = 0;
+    const ContactSet& chosen = contacts_.chosen();
+    for (int c = 0; c < tick.forcing.contact_count; ++c) {
+        const Contact& contact = chosen.items[c];
+        const double force = contacts_.held_normal(c);
+        if (force <= 0.0) continue;
+        moment.held[moment.held_count++] = {contact.body_a,   contact.point_x,  contact.point_y,
+                                            contact.normal_x, contact.normal_y, force};
+    }
+}
+
+bool StepControl::is_sound(const Tick& tick) const {
+    const Motion& motion = tick.moment.motion;
+    for (int c = 0; c < coordinate_count(tick.model); ++c) {
+        if (!(std::fabs(motion.position[c]) <= kMaxDistance)) return false;
+        if (!(std::fabs(motion.speed[c]) <= kMaxSpeed)) return false;
+    }
+    return true;
+}
+
+}  // namespace cambrian

@@ -1,0 +1,83 @@
+#pragma once
+
+// The time loop of one tick: contact forces, attempts of steps, acceptance, impacts, books
+// (physics.md 8).
+
+#include "dynamics/contact_solver.h"
+#include "dynamics/integrator.h"
+#include "world/physics_scene.h"
+
+namespace cambrian {
+
+// A contact as last solved, for display.
+struct HeldContact {
+    int body_a = 0;
+    double point_x = 0.0, point_y = 0.0;    // m, in body a's frame
+    double normal_x = 0.0, normal_y = 0.0;  // unit, out of the surface touched
+    double force = 0.0;                     // N
+};
+
+// Everything of a scene that changes while time passes; a copy is a saved moment.
+struct SceneMoment {
+    Motion motion;
+    double time = 0.0;  // s
+    SceneStatus status = SceneStatus::kRunning;
+    Frame frame = {};      // of the motion, with accelerations free of contact
+    MotionRate free_rate;  // of the same
+    bool frame_is_current = false;
+    double proposed_step = 1.0 / 120;  // s
+    WarmStart warm;
+    PerBody drive_start = {}, drive_end = {};  // motor targets
+    std::uint8_t touched[kMaxParts] = {};      // bit of every Face that touched in the last tick
+    int held_count = 0;
+    HeldContact held[kMaxContacts];
+    SceneAudit audit;
+    double energy_reference = 0.0;  // J, when the books began
+};
+
+class StepControl {
+public:
+    StepControl(const IntegratorKind& integrator, double tolerance)
+        : integrator_(&integrator), tolerance_(tolerance) {}
+
+    // Moves the moment on by one tick; its status tells whether that went well.
+    void advance(const PlanarModel& model, const ContactLaw& law, Forcing& forcing, double duration,
+                 SceneMoment& moment);
+
+private:
+    struct Tick {
+        const PlanarModel& model;
+        const ContactLaw& law;
+        Forcing& forcing;
+        SceneMoment& moment;
+        double length = 0.0;  // s
+        double time = 0.0;    // s, since its start
+        int impacts = 0;
+        int collapses = 0;  // in a row
+    };
+    enum class Attempt { kAccepted, kCollapsed, kFailed };
+
+    bool step(Tick& tick);
+    void make_current(Tick& tick);
+    void strike(Tick& tick, double elasticity);
+    double choose_length(Tick& tick, bool& has_rows);
+    Attempt attempt(Tick& tick, bool has_rows, double& h);
+    void set_start_rate(Tick& tick, bool has_rows);
+    bool must_halve(const Tick& tick, bool has_rows, double h);
+    void accept(Tick& tick, bool has_rows, double h);
+    void accept_part(Tick& tick, double h, double share);
+    void release_forces(Tick& tick, bool has_rows);
+    void keep_books(Tick& tick, const Kinematics& end);
+    void remember_contacts(Tick& tick);
+    bool is_sound(const Tick& tick) const;
+
+    const IntegratorKind* integrator_;
+    double tolerance_;
+    ContactSolver contacts_;
+    Frame end_frame_;
+    MotionRate start_rate_;
+    StepResult result_;
+    HeldWork work_;
+};
+
+}  // namespace cambrian
