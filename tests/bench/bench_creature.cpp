@@ -129,7 +129,7 @@ BenchCreature passive_chain(std::size_t bodies, std::size_t ticks) {
         if (i > 0)
             attach(creature.plan, part, static_cast<int>(i) - 1, Vec3(kHalfLength, 0.0, 0.0),
                    i % 2 == 1 ? kPi : -kPi);
-        part.max_effort = i == 0 ? 0.0 : 0.03 + 0.01 * static_cast<double>(i * 5 % 7);  // N m
+        part.max_effort = i == 0 ? 0.0 : 0.005 + 0.001 * static_cast<double>(i * 5 % 7);  // N m
         creature.plan.parts.push_back(part);
         for (std::size_t tick = 0; tick < kTwistedTicks; ++tick)
             creature.targets[tick * bodies + i] = i % 3 == 2 ? -1.0 : 1.0;

@@ -39,18 +39,27 @@ void advance_scene_tick(benchmark::State& state) {
     const auto scene = make_scene(creature, workload);
     const auto start = scene->save();
     double digest = 0.0;
+    SceneAudit audit;
     std::size_t tick = 0;
     for (auto _ : state) {
         advance_tick(*scene, creature, tick);
         if (++tick < kTicks) continue;
         state.PauseTiming();
         digest = short_digest(*scene);
+        audit = scene->audit();
         scene->restore(*start);
         tick = 0;
         state.ResumeTiming();
     }
     state.SetLabel(workload.id);
     state.counters["digest"] = digest;
+    // Of the last whole trial, a simulated second; 0 if none was finished.
+    const double seconds = static_cast<double>(kTicks) * kTick;
+    state.counters["evaluations"] = static_cast<double>(audit.evaluations) / seconds;
+    state.counters["steps"] = static_cast<double>(audit.steps) / seconds;
+    state.counters["rejections"] = static_cast<double>(audit.rejections) / seconds;
+    state.counters["events"] = static_cast<double>(audit.events) / seconds;
+    state.counters["fallbacks"] = static_cast<double>(audit.fallbacks) / seconds;
 }
 BENCHMARK(advance_scene_tick)
     ->ArgNames({"workload", "bodies"})
