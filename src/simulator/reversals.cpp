@@ -1,5 +1,7 @@
 #include "simulator/reversals.h"
 
+#include <cmath>
+
 namespace cambrian {
 namespace {
 
@@ -8,21 +10,14 @@ constexpr double kSmallestSwing = 0.05;  // rad
 }  // namespace
 
 void ReversalCounter::watch(double coordinate) {
-    if (direction_ == 0) {
-        const double swing = coordinate - turning_point_;
-        if (swing > kSmallestSwing) direction_ = 1;
-        if (swing < -kSmallestSwing) direction_ = -1;
-        extreme_ = coordinate;
-        return;
-    }
-    if ((coordinate - extreme_) * direction_ >= 0.0) {
-        extreme_ = coordinate;
-    } else if ((extreme_ - coordinate) * direction_ > kSmallestSwing) {
-        turning_point_ = extreme_;
-        extreme_ = coordinate;
-        direction_ = -direction_;
-        ++count_;
-    }
+    low_ = std::fmin(low_, coordinate);
+    high_ = std::fmax(high_, coordinate);
+    const bool up = direction_ <= 0 && coordinate - low_ > kSmallestSwing;
+    const bool down = direction_ >= 0 && high_ - coordinate > kSmallestSwing;
+    if (!up && !down) return;
+    if (direction_ != 0) ++count_;
+    direction_ = up ? 1 : -1;
+    (up ? high_ : low_) = coordinate;
 }
 
 }  // namespace cambrian

@@ -7,16 +7,16 @@ namespace cambrian {
 
 class ReversalCounter {
 public:
-    explicit ReversalCounter(double coordinate)
-        : turning_point_(coordinate), extreme_(coordinate) {}
+    explicit ReversalCounter(double coordinate) : low_(coordinate), high_(coordinate) {}
 
     void watch(double coordinate);
     int count() const { return count_; }
 
 private:
-    double turning_point_;  // rad; where the present swing began
-    double extreme_;        // rad; farthest point of the present swing
-    int direction_ = 0;     // of the present swing; 0 before the first
+    // rad; lowest and highest since the last reversal. The one behind is where the swing began.
+    double low_;
+    double high_;
+    int direction_ = 0;  // of the present swing; 0 before the first
     int count_ = 0;
 };
 

@@ -1,0 +1,13 @@
+#include "breeding/methods.h"
+
+namespace cambrian {
+
+BreedingRegistry builtin_breeding() {
+    BreedingRegistry methods;
+    add_asexual(methods);
+    add_crossover(methods);
+    add_grafting(methods);
+    return methods;
+}
+
+}  // namespace cambrian

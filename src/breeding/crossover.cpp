@@ -1,0 +1,65 @@
+// Crossover (evolution.md 5.2): the parents' nodes are aligned by their canonical order and copied
+// from one parent until a switch point, then from the other. Edges keep the index they point to.
+
+#include "breeding/methods.h"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+
+namespace cambrian {
+namespace {
+
+constexpr std::array<double, 3> kSwitchShares = {0.6, 0.3, 0.1};  // of 1, 2, 3 switch points
+
+std::vector<NodeGene> spliced_nodes(const Genome& first, const Genome& second,
+                                    const std::vector<std::size_t>& switches) {
+    std::vector<NodeGene> nodes;
+    const std::size_t length = std::max(first.nodes.size(), second.nodes.size());
+    const Genome* source = &first;
+    const Genome* other = &second;
+    for (std::size_t i = 0; i < length; ++i) {
+        if (std::binary_search(switches.begin(), switches.end(), i)) std::swap(source, other);
+        if (i >= source->nodes.size()) break;
+        nodes.push_back(source->nodes[i]);
+    }
+    return nodes;
+}
+
+Genome breed_crossover(const Genome& first, const Genome& second, const KindCatalog& catalog,
+                       RandomStream& stream) {
+    Genome child = child_of(first);
+    const std::size_t length = std::max(first.nodes.size(), second.nodes.size());
+    child.nodes = spliced_nodes(first, second, draw_switch_points(length, stream));
+    for (NodeGene& node : child.nodes) {
+        for (EdgeGene& edge : node.edges) {
+            if (edge.target < child.nodes.size()) continue;
+            edge.target = static_cast<std::uint8_t>(stream.below(child.nodes.size()));
+        }
+    }
+    child.brain = stream.chance(0.5) ? first.brain : second.brain;
+    repair(child, catalog);
+    return child;
+}
+
+}  // namespace
+
+std::vector<std::size_t> draw_switch_points(std::size_t length, RandomStream& stream) {
+    const std::size_t count = 1 + stream.weighted(kSwitchShares);
+    std::vector<std::size_t> places(length > 0 ? length - 1 : 0);
+    std::iota(places.begin(), places.end(), std::size_t{1});
+    stream.shuffle(std::span(places));
+    places.resize(std::min(places.size(), count));
+    std::sort(places.begin(), places.end());
+    return places;
+}
+
+void add_crossover(BreedingRegistry& methods) {
+    methods.add({.id = "crossover",
+                 .label = "Crossover",
+                 .parents = 2,
+                 .default_share = 0.3,
+                 .breed = breed_crossover});
+}
+
+}  // namespace cambrian

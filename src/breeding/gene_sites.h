@@ -1,0 +1,59 @@
+#pragma once
+
+// Places in a genome that mutation picks from, each with its name in words.
+
+#include "core/random.h"
+#include "genome/genome.h"
+#include "genome/source_rules.h"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace cambrian {
+
+// A list of neurons and whose inputs it holds: a node's or the central brain.
+struct NeuronListSite {
+    SourceScope scope = SourceScope::kPart;
+    std::size_t node = 0;  // of parts
+
+    std::vector<NeuronGene>& in(Genome& genome) const;
+    std::size_t limit() const;
+    std::string in_words() const;  // "part 2" or "brain"
+};
+
+struct NeuronSite {
+    NeuronListSite list;
+    std::size_t neuron = 0;
+
+    NeuronGene& in(Genome& genome) const { return list.in(genome)[neuron]; }
+    std::string in_words() const;  // "part 2 neuron 0"
+};
+
+// A weighted link into a neuron or an effector.
+struct InputSite {
+    NeuronListSite list;  // the reader's neighbours
+    bool effector = false;
+    std::size_t neuron = 0;  // of other inputs
+    std::size_t input = 0;
+
+    InputGene& in(Genome& genome) const;
+    std::string in_words() const;  // "part 2 neuron 0 input 1" or "part 2 effector"
+};
+
+struct EdgeSite {
+    std::size_t node = 0;
+    std::size_t edge = 0;
+
+    EdgeGene& in(Genome& genome) const { return genome.nodes[node].edges[edge]; }
+    std::string in_words() const;  // "part 2 edge 0"
+};
+
+std::vector<NeuronSite> neuron_sites(const Genome& genome);
+std::vector<InputSite> input_sites(const Genome& genome);
+std::vector<EdgeSite> edge_sites(const Genome& genome);
+
+// Nodes that can take one more edge.
+std::vector<std::size_t> nodes_with_room(const Genome& genome);
+
+}  // namespace cambrian

@@ -1,0 +1,51 @@
+// Grafting (evolution.md 5.3): a random edge of the first parent is turned to a copy of a random
+// part of the second with all that grows from it. The edge keeps its place, so the new organ grows
+// where the old one was; what nothing leads to any more is dropped.
+
+#include "breeding/gene_sites.h"
+#include "breeding/methods.h"
+#include "genome/genome_graph.h"
+#include "genome/random_gene.h"
+
+namespace cambrian {
+namespace {
+
+// Appends the nodes of the donor reachable from one of them and returns the index of its copy.
+std::size_t append_section(Genome& child, const Genome& donor, std::size_t start) {
+    Genome section = donor;
+    keep_nodes(section, breadth_first(donor, start));
+    const std::size_t base = child.nodes.size();
+    for (NodeGene& node : section.nodes) {
+        for (EdgeGene& edge : node.edges)
+            edge.target = static_cast<std::uint8_t>(edge.target + base);
+        child.nodes.push_back(std::move(node));
+    }
+    return base;
+}
+
+Genome breed_grafting(const Genome& first, const Genome& second, const KindCatalog& catalog,
+                      RandomStream& stream) {
+    Genome child = child_of(first);
+    auto sites = edge_sites(child);
+    if (sites.empty()) {
+        child.nodes[0].edges.push_back(random_edge(0, {FounderSettings{}, catalog}, stream));
+        sites = edge_sites(child);
+    }
+    const EdgeSite site = stream.pick(sites);
+    const std::size_t grafted = append_section(child, second, stream.below(second.nodes.size()));
+    site.in(child).target = static_cast<std::uint8_t>(grafted);
+    repair(child, catalog);
+    return child;
+}
+
+}  // namespace
+
+void add_grafting(BreedingRegistry& methods) {
+    methods.add({.id = "grafting",
+                 .label = "Grafting",
+                 .parents = 2,
+                 .default_share = 0.3,
+                 .breed = breed_grafting});
+}
+
+}  // namespace cambrian

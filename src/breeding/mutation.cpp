@@ -1,0 +1,95 @@
+#include "breeding/mutation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace cambrian {
+namespace {
+
+constexpr int kTries = 30;          // of one operator to make a difference
+constexpr double kHueStep = 0.004;  // of the display colour, a mutation
+
+// Draws operators by weight and applies them in the order of their phases.
+class Mutating {
+public:
+    Mutating(Genome& genome, const MutationSettings& settings, const MutationRegistry& kinds,
+             const MutationContext& context, RandomStream& stream)
+        : genome_(genome), kinds_(kinds), context_(context), stream_(stream) {
+        for (const MutationKind& kind : kinds.all()) {
+            const auto named = settings.weights.find(kind.id);
+            const bool is_named = named != settings.weights.end();
+            weights_.push_back(is_named ? std::fmax(named->second, 0.0) : kind.default_weight);
+        }
+    }
+
+    std::vector<MutationRecord> run(int count) {
+        for (; count > 0; --count)
+            draw_operator();
+        while (!pending_.empty())
+            apply_next();
+        return std::move(records_);
+    }
+
+private:
+    // Operators stand in the registry by phase, outer graph first; a new one takes its place.
+    bool applies_before(std::size_t a, std::size_t b) const {
+        return std::pair(kinds_[a].phase, a) < std::pair(kinds_[b].phase, b);
+    }
+
+    void draw_operator() {
+        const bool any = std::any_of(weights_.begin(), weights_.end(),
+                                     [](double weight) { return weight > 0.0; });
+        if (!any) return;
+        const std::size_t drawn = stream_.weighted(weights_);
+        const auto place =
+            std::upper_bound(pending_.begin(), pending_.end(), drawn,
+                             [&](std::size_t a, std::size_t b) { return applies_before(a, b); });
+        pending_.insert(place, drawn);
+    }
+
+    // An operator that cannot make a difference is not drawn again; another takes its place.
+    void apply_next() {
+        const std::size_t next = pending_.front();
+        pending_.erase(pending_.begin());
+        for (int i = 0; i < kTries; ++i) {
+            if (try_apply(kinds_[next])) return;
+        }
+        weights_[next] = 0.0;
+        draw_operator();
+    }
+
+    bool try_apply(const MutationKind& kind) {
+        MutationRecord record;
+        record.operator_id = kind.id;
+        Genome mutated = genome_;
+        if (!kind.apply(mutated, context_, stream_, record)) return false;
+        repair(mutated, context_.catalog);
+        if (genome_hash(mutated) == genome_hash(genome_)) return false;
+        genome_ = std::move(mutated);
+        records_.push_back(std::move(record));
+        return true;
+    }
+
+    Genome& genome_;
+    const MutationRegistry& kinds_;
+    const MutationContext& context_;
+    RandomStream& stream_;
+    std::vector<double> weights_;       // of each operator; 0 once it cannot apply
+    std::vector<std::size_t> pending_;  // in order of application
+    std::vector<MutationRecord> records_;
+};
+
+}  // namespace
+
+std::vector<MutationRecord> mutate(Genome& genome, const MutationSettings& settings,
+                                   const MutationRegistry& kinds, const MutationContext& context,
+                                   RandomStream& stream) {
+    const int count = draw_mutation_count(settings, stream);
+    auto records = Mutating(genome, settings, kinds, context, stream).run(count);
+    const double hue = genome.hue + kHueStep * static_cast<double>(records.size());
+    genome.hue = hue - std::floor(hue);
+    return records;
+}
+
+}  // namespace cambrian

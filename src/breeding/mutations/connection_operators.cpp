@@ -1,0 +1,60 @@
+#include "breeding/gene_sites.h"
+#include "breeding/mutations/operators.h"
+
+namespace cambrian {
+namespace {
+
+constexpr double kDuplicateShare = 0.4;  // of new edges, copies of one of the same node
+
+// A duplicate to a symmetric node stays where it is: that is how pairs of limbs are born.
+EdgeGene duplicate_of(const EdgeGene& original, const Genome& genome,
+                      const MutationContext& context, RandomStream& stream) {
+    EdgeGene copy = original;
+    if (!genome.nodes[copy.target].symmetric) {
+        copy.position = random_edge(copy.target, pool_of(context), stream).position;
+    }
+    return copy;
+}
+
+bool add_edge(Genome& genome, const MutationContext& context, RandomStream& stream,
+              MutationRecord& record) {
+    const bool duplicate = stream.chance(kDuplicateShare);
+    auto nodes = nodes_with_room(genome);
+    if (duplicate) {
+        std::erase_if(nodes, [&](std::size_t node) { return genome.nodes[node].edges.empty(); });
+    }
+    if (nodes.empty()) return false;
+    const std::size_t node = stream.pick(nodes);
+    std::vector<EdgeGene>& edges = genome.nodes[node].edges;
+    const EdgeGene edge =
+        duplicate ? duplicate_of(stream.pick(edges), genome, context, stream)
+                  : random_edge(stream.below(genome.nodes.size()), pool_of(context), stream);
+    edges.push_back(edge);
+    record.place = "part " + std::to_string(node);
+    record.to =
+        (duplicate ? "second edge to part " : "new edge to part ") + std::to_string(edge.target);
+    return true;
+}
+
+bool remove_edge(Genome& genome, const MutationContext& /*context*/, RandomStream& stream,
+                 MutationRecord& record) {
+    const auto sites = edge_sites(genome);
+    if (sites.empty()) return false;
+    const EdgeSite& site = stream.pick(sites);
+    record.place = site.in_words();
+    record.from = "to part " + std::to_string(site.in(genome).target);
+    record.to = "removed";
+    std::vector<EdgeGene>& edges = genome.nodes[site.node].edges;
+    edges.erase(edges.begin() + static_cast<std::ptrdiff_t>(site.edge));
+    return true;
+}
+
+}  // namespace
+
+void add_connection_operators(MutationRegistry& mutations) {
+    mutations.add({"add-edge", "New attachment", MutationPhase::kConnections, 6, add_edge});
+    mutations.add(
+        {"remove-edge", "Removed attachment", MutationPhase::kConnections, 5, remove_edge});
+}
+
+}  // namespace cambrian

@@ -1,0 +1,64 @@
+#include "breeding/gene_sites.h"
+#include "breeding/mutations/operators.h"
+#include "genome/gene_fields.h"
+#include "genome/words.h"
+
+namespace cambrian {
+namespace {
+
+constexpr double kReflectShare = 0.6;  // of flag changes; the rest toggle terminal-only
+
+bool mutate_edge_scalar(Genome& genome, const MutationContext& /*context*/, RandomStream& stream,
+                        MutationRecord& record) {
+    const auto sites = edge_sites(genome);
+    if (sites.empty()) return false;
+    const EdgeSite& site = stream.pick(sites);
+    const auto fields = edge_fields();
+    const GeneField<EdgeGene>& field = stream.pick(fields);
+    double& x = site.in(genome).*field.value;
+    record.place = site.in_words() + " " + field.rule.name;
+    record.from = in_words(x);
+    x = perturb(x, field.rule, field.rule.step, stream);
+    record.to = in_words(x);
+    return true;
+}
+
+bool mutate_edge_flag(Genome& genome, const MutationContext& /*context*/, RandomStream& stream,
+                      MutationRecord& record) {
+    const auto sites = edge_sites(genome);
+    if (sites.empty()) return false;
+    const EdgeSite& site = stream.pick(sites);
+    const bool reflects = stream.chance(kReflectShare);
+    bool& flag = reflects ? site.in(genome).reflect : site.in(genome).terminal_only;
+    record.place = site.in_words() + (reflects ? " reflect" : " terminal only");
+    record.from = flag ? "on" : "off";
+    flag = !flag;
+    record.to = flag ? "on" : "off";
+    return true;
+}
+
+bool retarget(Genome& genome, const MutationContext& /*context*/, RandomStream& stream,
+              MutationRecord& record) {
+    const auto sites = edge_sites(genome);
+    if (sites.empty() || genome.nodes.size() < 2) return false;
+    const EdgeSite& site = stream.pick(sites);
+    EdgeGene& edge = site.in(genome);
+    const std::size_t step = 1 + stream.below(genome.nodes.size() - 1);
+    record.place = site.in_words() + " target";
+    record.from = "part " + std::to_string(edge.target);
+    edge.target = static_cast<std::uint8_t>((edge.target + step) % genome.nodes.size());
+    record.to = "part " + std::to_string(edge.target);
+    return true;
+}
+
+}  // namespace
+
+void add_edge_operators(MutationRegistry& mutations) {
+    mutations.add(
+        {"edge-scalar", "Attachment place", MutationPhase::kConnections, 14, mutate_edge_scalar});
+    mutations.add(
+        {"edge-flag", "Attachment mirroring", MutationPhase::kConnections, 3, mutate_edge_flag});
+    mutations.add({"retarget", "Attachment target", MutationPhase::kConnections, 3, retarget});
+}
+
+}  // namespace cambrian

@@ -1,0 +1,199 @@
+#include "persist/creature_file.h"
+
+#include "core/file_io.h"
+#include "core/number_text.h"
+#include "persist/creature_format.h"
+#include "persist/digest_text.h"
+#include "persist/json_reader.h"
+
+#include <array>
+
+namespace cambrian {
+namespace {
+
+using namespace creature_format;
+
+constexpr std::size_t kMaxFormat = 4096;  // bytes; only to be quoted
+
+KindNames names_of(const KindCatalog& catalog) {
+    KindNames names;
+    for (const FunctionEntry& function : catalog.functions) {
+        names.functions.push_back(function.id);
+        names.arities.push_back(function.arity);
+    }
+    for (const JointChoice& joint : catalog.joints)
+        names.joints.push_back(joint.id);
+    return names;
+}
+
+// Of [body] only the limits of growth: the others are about founders.
+bool decides_a_score(const SettingField& field) {
+    constexpr std::array kGrowth = {"max-parts", "max-depth", "max-neurons"};
+    if (field.table == "body")
+        return std::find(kGrowth.begin(), kGrowth.end(), field.key) != kGrowth.end();
+    constexpr std::array kTables = {"goal", "environment", "simulation", "trial"};
+    return std::find(kTables.begin(), kTables.end(), field.table) != kTables.end();
+}
+
+std::vector<ScoreTable> score_tables(const EvolutionKinds& kinds) {
+    std::vector<ScoreTable> tables;
+    for (SettingField& field : setting_fields(kinds)) {
+        if (!decides_a_score(field)) continue;
+        if (tables.empty() || tables.back().name != field.table)
+            tables.push_back({field.table, {}});
+        tables.back().fields.push_back(std::move(field));
+    }
+    return tables;
+}
+
+void read_scored(JsonReader& reader, ScoredRecord& scored, const EvolutionKinds& kinds) {
+    ExperimentSettings settings;
+    describe_scored(reader, scored, settings, score_tables(kinds));
+    scored.world = settings.world;
+    scored.expression = settings.expression;
+    scored.goal = settings.goal;
+}
+
+// What kind of file this is and whether we know the version; only then is it worth reading on.
+bool read_header(const JsonValue& root, JsonReader& reader, ErrorList& errors) {
+    std::string format;
+    if (!reader.has("format")) {
+        errors.error("E03", "/format", "missing, expected " + in_quotes(kFormat));
+        return false;
+    }
+    reader.text("format", format, kMaxFormat);
+    if (errors.empty() && format != kFormat) {
+        errors.error("E03", "/format",
+                     "this is a " + in_quotes(format) + ", expected " + in_quotes(kFormat));
+    }
+    if (!errors.empty()) return false;
+    double version = 1.0;
+    reader.plain_real("version", version);
+    const JsonValue* found = root.find("version");
+    if (version > kVersion) {
+        errors.error(
+            "E04", "/version",
+            short_text(version) + " is newer than this program (" + std::to_string(kVersion) + ")");
+    } else if (found != nullptr && found->number != kVersion) {
+        errors.error("E04", "/version", "not a positive whole number");
+    }
+    return errors.empty();
+}
+
+void read_document(JsonReader& reader, CreatureDocument& document, std::uint64_t& check,
+                   const EvolutionKinds& kinds) {
+    describe_identity(reader, document);
+    describe_genes(reader, document.genome, names_of(kinds.creature.catalog));
+    if (reader.has("scored")) {
+        reader.object("scored", Layout::kLines, [&](JsonReader& inner) {
+            read_scored(inner, document.scored.emplace(), kinds);
+        });
+    }
+    if (reader.has("check")) reader.digest("check", check);
+    reader.end();
+}
+
+// Removes what cannot be reached (W02) and compares the check (W03, unless 0).
+void finish_genome(Genome& genome, std::uint64_t check, const KindCatalog& catalog,
+                   ErrorList& errors) {
+    const bool unchanged = check == 0 || check == genome_hash(genome);
+    const std::size_t nodes = genome.nodes.size();
+    repair(genome, catalog);
+    if (genome.nodes.size() < nodes) {
+        const std::size_t removed = nodes - genome.nodes.size();
+        errors.warn("W02", "/nodes",
+                    std::to_string(removed) + (removed == 1 ? " node" : " nodes") +
+                        " cannot be reached from the root, removed");
+    }
+    if (!unchanged) {
+        errors.warn("W03", "/check", "does not match: the creature was changed by hand");
+    }
+    // Only should a gene have a rule the reader does not know.
+    for (const std::string& fault : validate(genome, catalog))
+        errors.error("E07", "", fault);
+}
+
+}  // namespace
+
+Result<CreatureDocument> parse_creature(std::string_view text, std::string_view source,
+                                        const EvolutionKinds& kinds) {
+    ErrorList errors;
+    CreatureDocument document;
+    std::uint64_t check = 0;
+    const auto root = parse_json(text, {}, errors);
+    if (!root) return errors.as_error(source);
+    if (root->kind != JsonValue::Kind::kObject) {
+        errors.error("E06", "", std::string("expected an object, found ") + root->kind_in_words());
+        return errors.as_error(source);
+    }
+    JsonReader reader(*root, "", errors);
+    if (!read_header(*root, reader, errors)) return errors.as_error(source);
+    read_document(reader, document, check, kinds);
+    if (!errors.empty()) return errors.as_error(source);
+    finish_genome(document.genome, check, kinds.creature.catalog, errors);
+    if (!errors.empty()) return errors.as_error(source);
+    document.warnings = errors.warnings();
+    return document;
+}
+
+std::string write_creature(const CreatureDocument& document, const EvolutionKinds& kinds) {
+    std::string text;
+    JsonWriter writer(text);
+    writer.text("format", kFormat, kMaxWord);
+    writer.integer("version", kVersion, 1, kVersion);
+    describe_identity(writer, document);
+    describe_genes(writer, document.genome, names_of(kinds.creature.catalog));
+    if (document.scored) {
+        const ExperimentSettings settings = settings_of(*document.scored);
+        writer.object("scored", Layout::kLines, [&](JsonWriter& inner) {
+            describe_scored(inner, *document.scored, settings, score_tables(kinds));
+        });
+    }
+    writer.digest("check", genome_hash(document.genome));
+    writer.end();
+    return text + "\n";
+}
+
+Result<CreatureDocument> load_creature(const std::filesystem::path& path,
+                                       const EvolutionKinds& kinds) {
+    const Result<std::string> text = read_file(path, JsonLimits{}.bytes);
+    if (!text) return text.error();
+    return parse_creature(*text, path.string(), kinds);
+}
+
+Status save_creature(const std::filesystem::path& path, const CreatureDocument& document,
+                     const EvolutionKinds& kinds) {
+    return write_file(path, write_creature(document, kinds));
+}
+
+CreatureDocument creature_document(const Individual& individual, const ExperimentSettings& settings,
+                                   const EvolutionKinds& kinds) {
+    CreatureDocument document;
+    document.genome = *individual.genome;
+    document.uid = hex_text(individual.uid);
+    document.method = individual.method;
+    for (const std::uint64_t parent : individual.parents) {
+        if (parent != 0) document.parents.push_back(hex_text(parent));
+    }
+    if (!individual.evaluated) return document;
+    const GoalKind* goal = kinds.goals.find(settings.goal);
+    document.scored = ScoredRecord{.world = settings.world,
+                                   .expression = settings.expression,
+                                   .goal = settings.goal,
+                                   .seed = settings.seed,
+                                   .fitness = individual.result.fitness,
+                                   .unit = goal == nullptr ? std::string() : goal->unit,
+                                   .trajectory = individual.result.digest};
+    return document;
+}
+
+ExperimentSettings settings_of(const ScoredRecord& scored) {
+    ExperimentSettings settings;
+    settings.seed = scored.seed;
+    settings.goal = scored.goal;
+    settings.world = scored.world;
+    settings.expression = scored.expression;
+    return settings;
+}
+
+}  // namespace cambrian

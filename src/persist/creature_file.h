@@ -1,0 +1,66 @@
+#pragma once
+
+// Creature files, *.creature.json (evolution.md 10): one genotype, where it comes from and the
+// trial that scored it. Text from anywhere is safe to read: it gives a valid genome or a message.
+
+#include "core/result.h"
+#include "evolution/evolution_kinds.h"
+#include "evolution/experiment_settings.h"
+#include "evolution/individual.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace cambrian {
+
+// Raised whenever the same genome and settings would move differently.
+inline constexpr std::string_view kSimulatorVersion = "1.0";
+
+// The trial that scored the creature: all that is needed to run it again.
+struct ScoredRecord {
+    TrialWorld world;
+    ExpressionSettings expression;
+    std::string goal;              // id
+    std::uint64_t seed = 0;        // of the experiment
+    double fitness = 0.0;          // in `unit`
+    std::string unit;              // of the goal's score: "BL/s"
+    std::uint64_t trajectory = 0;  // digest of the motion
+    std::string simulator{kSimulatorVersion};
+
+    friend bool operator==(const ScoredRecord&, const ScoredRecord&) = default;
+};
+
+struct CreatureDocument {
+    Genome genome;
+    std::string uid;                   // 16 hexadecimal digits, or empty
+    std::vector<std::string> parents;  // uids, at most 2
+    std::string method;                // how it was bred
+    std::optional<ScoredRecord> scored;
+    // Of reading only: what was odd but did no harm (W01 to W03).
+    std::vector<std::string> warnings;
+};
+
+// The message names the file and the first error; further ones follow, a line each.
+Result<CreatureDocument> load_creature(const std::filesystem::path& path,
+                                       const EvolutionKinds& kinds);
+Status save_creature(const std::filesystem::path& path, const CreatureDocument& document,
+                     const EvolutionKinds& kinds);
+
+// The same for text; source names it in messages.
+Result<CreatureDocument> parse_creature(std::string_view text, std::string_view source,
+                                        const EvolutionKinds& kinds);
+// The genome must be valid.
+std::string write_creature(const CreatureDocument& document, const EvolutionKinds& kinds);
+
+// What to save of an individual judged under the settings.
+CreatureDocument creature_document(const Individual& individual, const ExperimentSettings& settings,
+                                   const EvolutionKinds& kinds);
+
+// Settings under which the scored trial can be run again; everything else is at its default.
+ExperimentSettings settings_of(const ScoredRecord& scored);
+
+}  // namespace cambrian

@@ -1,0 +1,37 @@
+#include "persist/digest_text.h"
+
+#include <charconv>
+
+namespace cambrian {
+namespace {
+
+constexpr std::string_view kPrefix = "fnv1a64:";
+constexpr std::size_t kDigits = 16;
+
+}  // namespace
+
+std::string hex_text(std::uint64_t number) {
+    std::string text(kDigits, '0');
+    for (std::size_t i = kDigits; i-- > 0; number >>= 4)
+        text[i] = "0123456789abcdef"[number & 15];
+    return text;
+}
+
+std::optional<std::uint64_t> parse_hex(std::string_view text) {
+    std::uint64_t number = 0;
+    const char* const end = text.data() + text.size();
+    const auto [stop, failure] = std::from_chars(text.data(), end, number, 16);
+    if (failure != std::errc() || stop != end || text.size() > kDigits) return std::nullopt;
+    return number;
+}
+
+std::string digest_text(std::uint64_t digest) {
+    return std::string(kPrefix) + hex_text(digest);
+}
+
+std::optional<std::uint64_t> parse_digest(std::string_view text) {
+    if (text.substr(0, kPrefix.size()) != kPrefix) return std::nullopt;
+    return parse_hex(text.substr(kPrefix.size()));
+}
+
+}  // namespace cambrian

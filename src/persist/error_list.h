@@ -1,0 +1,38 @@
+#pragma once
+
+// What is wrong with one file: errors and warnings, each with its code, its place and what was
+// found and allowed (evolution.md 10.3).
+
+#include "core/result.h"
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace cambrian {
+
+// Text from a file made fit for a message: short, without control characters; and in quotes.
+std::string shown(std::string_view text);
+std::string in_quotes(std::string_view text);
+
+class ErrorList {
+public:
+    static constexpr std::size_t kLimit = 20;  // more are counted as one
+
+    // place: a JSON pointer, or "line 3, [table] key"; empty if the message says where.
+    void error(std::string_view code, std::string_view place, std::string_view message);
+    void warn(std::string_view code, std::string_view place, std::string_view message);
+
+    bool empty() const { return errors_.empty(); }
+    bool full() const { return errors_.size() >= kLimit; }
+    const std::vector<std::string>& warnings() const { return warnings_; }
+    // One message: the source's name and the first error, then one line for each further one.
+    Error as_error(std::string_view source) const;
+
+private:
+    std::vector<std::string> errors_;
+    std::vector<std::string> warnings_;
+};
+
+}  // namespace cambrian

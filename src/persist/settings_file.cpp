@@ -1,0 +1,24 @@
+#include "persist/settings_file.h"
+
+#include "core/file_io.h"
+
+namespace cambrian {
+namespace {
+
+constexpr std::size_t kMaxBytes = 1'000'000;
+
+}  // namespace
+
+Result<ExperimentSettings> load_settings(const std::filesystem::path& path,
+                                         const EvolutionKinds& kinds) {
+    const Result<std::string> text = read_file(path, kMaxBytes);
+    if (!text) return text.error();
+    return parse_settings(*text, path.string(), kinds);
+}
+
+Status save_settings(const std::filesystem::path& path, const ExperimentSettings& settings,
+                     const EvolutionKinds& kinds) {
+    return write_file(path, write_settings(settings, kinds));
+}
+
+}  // namespace cambrian

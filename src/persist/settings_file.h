@@ -1,0 +1,29 @@
+#pragma once
+
+// Settings files, *.toml: every setting of an experiment as a person edits it, each with its unit,
+// range, default and help beside it. Which settings there are is said by setting_fields() alone.
+
+#include "core/result.h"
+#include "evolution/evolution_kinds.h"
+#include "evolution/experiment_settings.h"
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace cambrian {
+
+// Keys left out have their defaults, so an empty file is a valid experiment. Unknown keys, wrong
+// types and values out of range are errors; the message names the file, the line, the key and what
+// was expected, one line for each. What is loaded passes check_settings.
+Result<ExperimentSettings> load_settings(const std::filesystem::path& path,
+                                         const EvolutionKinds& kinds);
+Status save_settings(const std::filesystem::path& path, const ExperimentSettings& settings,
+                     const EvolutionKinds& kinds);
+
+// The same for text; source names it in messages.
+Result<ExperimentSettings> parse_settings(std::string_view text, std::string_view source,
+                                          const EvolutionKinds& kinds);
+std::string write_settings(const ExperimentSettings& settings, const EvolutionKinds& kinds);
+
+}  // namespace cambrian

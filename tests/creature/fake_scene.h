@@ -1,0 +1,63 @@
+#pragma once
+
+#include "world/physics_scene.h"
+#include "world/scene_kind.h"
+
+#include <vector>
+
+namespace cambrian {
+
+// A scene without physics: joints stand wherever a test puts them, targets are remembered.
+class FakeScene final : public PhysicsScene {
+public:
+    explicit FakeScene(std::size_t parts)
+        : coordinates(parts, 0.0), targets(parts, 0.0), touched(parts) {}
+
+    std::size_t part_count() const override { return coordinates.size(); }
+    Pose part_pose(std::size_t) const override { return {}; }
+    Twist part_twist(std::size_t) const override { return {}; }
+    double joint_coordinate(std::size_t part) const override { return coordinates[part]; }
+    double joint_rate(std::size_t) const override { return 0.0; }
+    double joint_effort(std::size_t) const override { return 0.0; }
+    bool face_touched(std::size_t part, Face face) const override {
+        return touched[part][static_cast<std::size_t>(face)];
+    }
+    double mass() const override { return 1.0; }
+    Vec3 center_of_mass() const override { return Vec3::Zero(); }
+    Vec3 center_of_mass_velocity() const override { return Vec3::Zero(); }
+    double kinetic_energy() const override { return 0.0; }
+    Bounds bounds() const override { return {}; }
+
+    void set_target(std::size_t part, double target) override { targets[part] = target; }
+    double target(std::size_t part) const override { return targets[part]; }
+    SceneStatus advance(double) override { return SceneStatus::kRunning; }
+    SceneStatus status() const override { return SceneStatus::kRunning; }
+    double time() const override { return 0.0; }
+    void set_environment(const Environment&) override {}
+    void translate(const Vec3&) override {}
+    void pull(std::size_t, const Vec3&, const Vec3&) override {}
+    std::unique_ptr<SceneState> save() const override { return std::make_unique<SceneState>(); }
+    void restore(const SceneState&) override {}
+    double energy() const override { return 0.0; }
+    const SceneAudit& audit() const override { return audit_; }
+    void restart_audit() override {}
+    void list_contacts(std::vector<SceneContact>&) const override {}
+    void add_to_digest(Hash64&) const override {}
+
+    std::vector<double> coordinates;
+    std::vector<double> targets;
+    std::vector<std::array<bool, kFaceCount>> touched;
+
+private:
+    SceneAudit audit_;
+};
+
+inline SceneKind fake_scene_kind() {
+    SceneKind kind;
+    kind.id = "fake";
+    kind.joints = {
+        {"rigid", "Rigid", 0, ""}, {"rotary", "Rotary", 1, "rad"}, {"linear", "Linear", 1, "m"}};
+    return kind;
+}
+
+}  // namespace cambrian

@@ -1,0 +1,99 @@
+#include "simulator/trial.h"
+
+#include "support/catch.h"
+#include "support/creatures.h"
+#include "support/kinds.h"
+
+using namespace cambrian;
+
+namespace {
+
+const Kinds& kinds() {
+    return test::kinds().creature;
+}
+
+std::shared_ptr<const Phenotype> grown(const GenomePtr& genome, const TrialWorld& world = {}) {
+    return std::make_shared<const Phenotype>(
+        express(*genome, kinds(), ExpressionSettings{}, world.scene));
+}
+
+TrialRecord run(const GenomePtr& genome, const TrialWorld& world = {}) {
+    auto record = run_trial(grown(genome), kinds(), world);
+    REQUIRE(record);
+    return *record;
+}
+
+}  // namespace
+
+TEST_CASE("a trial samples every tenth of a second from the start to the end", "[simulator]") {
+    const TrialRecord record = run(test::crawler(kinds().catalog));
+    REQUIRE(record.outcome == Outcome::kCompleted);
+    REQUIRE(record.samples.size() == 151);
+    CHECK(record.samples.front().time == 0.0);
+    CHECK(record.samples.back().time == Approx(15.0));
+    CHECK(record.samples[70].time == Approx(7.0));
+}
+
+TEST_CASE("a creature starts 2 cm above the ground over x = 0", "[simulator]") {
+    auto trial = Trial::start(grown(test::crawler(kinds().catalog)), kinds(), {});
+    REQUIRE(trial);
+    const PhysicsScene& scene = (*trial)->scene();
+    CHECK(scene.bounds().low.y() == Approx(0.02));
+    CHECK(scene.center_of_mass().x() == Approx(0.0).margin(1e-12));
+    CHECK((*trial)->settling());
+}
+
+TEST_CASE("the clock starts only once the creature has settled", "[simulator]") {
+    const TrialRecord record = run(test::crawler(kinds().catalog));
+    CHECK(record.settle_time >= 0.4);
+    CHECK(record.settle_time <= 3.0);
+    CHECK(record.samples.front().bounds.low.y() == Approx(0.0).margin(2e-3));
+}
+
+TEST_CASE("without ground a trial starts at once", "[simulator]") {
+    TrialWorld space;
+    space.environment.has_ground = false;
+    space.environment.gravity = 0.0;
+    const TrialRecord record = run(test::crawler(kinds().catalog), space);
+    CHECK(record.settle_time == 0.0);
+    CHECK(record.samples.front().center_of_mass.norm() < 1e-12);
+    // No outside force: the centre of mass stays where it is.
+    CHECK(record.samples.back().center_of_mass.norm() < 1e-9);
+}
+
+TEST_CASE("the same trial gives the same digest, another world another", "[simulator]") {
+    const GenomePtr genome = test::crawler(kinds().catalog);
+    TrialWorld moon;
+    moon.environment.gravity = 1.62;
+    CHECK(run(genome).digest == run(genome).digest);
+    CHECK(run(genome).digest != run(genome, moon).digest);
+}
+
+TEST_CASE("playing on after the end leaves the record as it was", "[simulator]") {
+    auto trial = Trial::start(grown(test::crawler(kinds().catalog)), kinds(), {});
+    REQUIRE(trial);
+    while ((*trial)->tick()) {
+    }
+    const TrialRecord before = (*trial)->record();
+    for (int i = 0; i < 100; ++i)
+        CHECK_FALSE((*trial)->tick());
+    CHECK((*trial)->record().digest == before.digest);
+    CHECK((*trial)->record().samples.size() == before.samples.size());
+    CHECK((*trial)->time() > 15.0);
+}
+
+TEST_CASE("a trial of no duration is completed at once", "[simulator]") {
+    TrialWorld world;
+    world.trial.duration = 0.0;
+    const TrialRecord record = run(test::crawler(kinds().catalog), world);
+    CHECK(record.outcome == Outcome::kCompleted);
+    CHECK(record.samples.size() == 1);
+}
+
+TEST_CASE("the speed guard stops a creature that is too fast", "[simulator]") {
+    TrialWorld strict;
+    strict.trial.max_part_speed = 0.3;
+    const TrialRecord record = run(test::crawler(kinds().catalog), strict);
+    CHECK(record.outcome == Outcome::kCheated);
+    CHECK(record.reason.find("faster") != std::string::npos);
+}

@@ -1,0 +1,134 @@
+#pragma once
+
+// Hand-made creatures for tests of trials and goals.
+
+#include "genome/genome.h"
+#include "support/catch.h"
+
+#include <algorithm>
+#include <string_view>
+
+namespace cambrian::test {
+
+class CreatureBuilder {
+public:
+    explicit CreatureBuilder(const KindCatalog& catalog) : catalog_(catalog) {}
+
+    // A part; the first is the root. Returns its node index.
+    std::uint8_t part(double length, double width, std::string_view joint = "rotary") {
+        NodeGene node;
+        node.length = length;
+        node.width = width;
+        node.joint = index_of(catalog_.joints, joint);
+        genome_.nodes.push_back(node);
+        return static_cast<std::uint8_t>(genome_.nodes.size() - 1);
+    }
+    void attach(std::uint8_t parent, std::uint8_t child, double position, double angle = 0.0) {
+        EdgeGene edge;
+        edge.target = child;
+        edge.position = position;
+        edge.angle = angle;
+        genome_.nodes[parent].edges.push_back(edge);
+    }
+    // A neuron in a part with constant inputs; returns its index there.
+    std::uint8_t neuron(std::uint8_t node, std::string_view function,
+                        std::vector<InputGene> inputs) {
+        auto& neurons = genome_.nodes[node].neurons;
+        neurons.push_back({index_of(catalog_.functions, function), std::move(inputs)});
+        return static_cast<std::uint8_t>(neurons.size() - 1);
+    }
+    // The part's joint follows a neuron of its own.
+    void drive(std::uint8_t node, std::uint8_t neuron, double weight) {
+        genome_.nodes[node].effector = {from(neuron).source, weight};
+    }
+    // The part's joint swings like a sine.
+    void swing(std::uint8_t node, double frequency, double phase, double amplitude) {
+        drive(node, neuron(node, "oscillate-wave", {constant(frequency), constant(phase)}),
+              amplitude);
+    }
+    void limits(std::uint8_t node, double low, double high) {
+        genome_.nodes[node].limit_low = low;
+        genome_.nodes[node].limit_high = high;
+    }
+    void stand_at(double angle) { genome_.root_angle = angle; }
+
+    static InputGene constant(double value) { return {{}, value}; }
+    static InputGene from(std::uint8_t neuron) {
+        return {{.kind = SourceKind::kLocalNeuron, .index = neuron}, 1.0};
+    }
+
+    GenomePtr build() const {
+        const auto faults = validate(genome_, catalog_);
+        INFO((faults.empty() ? std::string() : faults.front()));
+        REQUIRE(faults.empty());
+        return std::make_shared<const Genome>(genome_);
+    }
+
+private:
+    template <class Entries>
+    static std::uint8_t index_of(const Entries& entries, std::string_view id) {
+        const auto found = std::find_if(entries.begin(), entries.end(),
+                                        [&](const auto& entry) { return entry.id == id; });
+        REQUIRE(found != entries.end());
+        return static_cast<std::uint8_t>(found - entries.begin());
+    }
+
+    const KindCatalog& catalog_;
+    Genome genome_;
+};
+
+constexpr double kHalfPi = 1.5707963267948966;
+
+// A body with two sine-driven legs, a quarter turn out of phase.
+inline GenomePtr crawler(const KindCatalog& catalog) {
+    CreatureBuilder builder(catalog);
+    const auto body = builder.part(0.8, 0.2);
+    const auto front = builder.part(0.4, 0.14);
+    const auto back = builder.part(0.4, 0.14);
+    builder.attach(body, front, 0.95, 0.3);
+    builder.attach(body, back, 0.80, -0.3);
+    builder.swing(front, 1.0, 0.0, 0.7);
+    builder.swing(back, 1.0, 0.25, 0.7);
+    return builder.build();
+}
+
+// Two boxes, one on the other, that cannot move.
+inline GenomePtr rigid_tower(const KindCatalog& catalog) {
+    CreatureBuilder builder(catalog);
+    const auto base = builder.part(1.2, 0.2);
+    const auto top = builder.part(1.0, 0.2, "rigid");
+    builder.attach(base, top, 0.125);
+    builder.stand_at(kHalfPi);
+    return builder.build();
+}
+
+// A tall tower that tips itself over with an arm, `delay` seconds after birth (0 to 15).
+inline GenomePtr falling_tower(const KindCatalog& catalog, double delay) {
+    CreatureBuilder builder(catalog);
+    const auto tower = builder.part(1.6, 0.14);
+    const auto arm = builder.part(0.7, 0.2);
+    builder.attach(tower, arm, 0.125);
+    builder.limits(arm, -2.0, 2.0);
+    builder.stand_at(kHalfPi);
+    const double frequency = 1.0 / 40.0;  // a slow saw tooth is a clock
+    const auto clock = builder.neuron(
+        arm, "oscillate-saw", {CreatureBuilder::constant(frequency), CreatureBuilder::constant(0)});
+    const double threshold = 2.0 * frequency * delay - 1.0;
+    const auto alarm = builder.neuron(
+        arm, "greater-than", {CreatureBuilder::from(clock), CreatureBuilder::constant(threshold)});
+    const auto gate = builder.neuron(arm, "if",
+                                     {CreatureBuilder::from(alarm), CreatureBuilder::constant(1.9),
+                                      CreatureBuilder::constant(0.0)});
+    builder.drive(arm, gate, 1.0);
+    return builder.build();
+}
+
+// One box with an arm that never gets a changing signal.
+inline GenomePtr dreamer(const KindCatalog& catalog) {
+    CreatureBuilder builder(catalog);
+    const auto body = builder.part(0.5, 0.2);
+    builder.attach(body, builder.part(0.3, 0.1), 0.1);
+    return builder.build();
+}
+
+}  // namespace cambrian::test
