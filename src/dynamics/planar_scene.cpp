@@ -279,12 +279,29 @@ Status check_surroundings(const Environment& environment, const SceneSettings& s
     return {};
 }
 
+std::vector<std::string> integrator_ids() {
+    std::vector<std::string> ids;
+    for (const IntegratorKind& integrator : builtin_integrators().all())
+        ids.push_back(integrator.id);
+    return ids;
+}
+
+Error unknown_integrator(const std::string& id) {
+    const std::vector<std::string> known = integrator_ids();
+    const std::string nearest = nearest_name(id, known);
+    std::string message = "scene settings: unknown integrator \"" + id + "\"";
+    message += nearest.empty() ? "; known are" : "; did you mean \"" + nearest + "\"?";
+    if (!nearest.empty()) return {message};
+    for (const std::string& name : known)
+        message += " \"" + name + "\"";
+    return {message};
+}
+
 Result<std::unique_ptr<PhysicsScene>> make_planar_scene(const BodyPlan& plan,
                                                         const Environment& environment,
                                                         const SceneSettings& settings) {
     const IntegratorKind* integrator = builtin_integrators().find(settings.integrator);
-    if (integrator == nullptr)
-        return Error{"scene settings: unknown integrator \"" + settings.integrator + "\""};
+    if (integrator == nullptr) return unknown_integrator(settings.integrator);
     if (Status status = check_surroundings(environment, settings); !status) return status.error();
     Result<PlanarModel> model = build_planar_model(plan, environment.density);
     if (!model) return model.error();
@@ -300,8 +317,7 @@ SceneKind planar_scene_kind() {
     kind.label = "Planar articulated bodies";
     kind.joints = {
         {"rigid", "Rigid", 0, ""}, {"rotary", "Rotary", 1, "rad"}, {"linear", "Linear", 1, "m"}};
-    for (const IntegratorKind& integrator : builtin_integrators().all())
-        kind.integrators.push_back(integrator.id);
+    kind.integrators = integrator_ids();
     kind.make = make_planar_scene;
     return kind;
 }

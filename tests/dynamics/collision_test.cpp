@@ -1,0 +1,132 @@
+#include "dynamics/rig.h"
+#include "support/catch.h"
+
+#include <cmath>
+#include <vector>
+
+using namespace cambrian;
+
+namespace {
+
+constexpr double kHalf = 0.1;  // m
+
+// Heights of a box's first two apexes above its resting place, dropped flat from 1 m.
+std::vector<double> apexes(double elasticity, SceneAudit* audit = nullptr) {
+    Environment environment;
+    environment.elasticity = elasticity;
+    const auto scene = make_scene(one_box(0.2, kHalf, 0.0, 1.0 + kHalf), environment);
+    std::vector<double> heights;
+    double highest = 0.0;
+    bool rising = false;
+    for (int tick = 0; tick < 60 * 20 && heights.size() < 2; ++tick) {
+        if (scene->advance(1.0 / 480) != SceneStatus::kRunning) break;
+        const double speed = scene->center_of_mass_velocity().y();
+        // The apex of the current parabola, from the state.
+        const double apex = scene->center_of_mass().y() - kHalf + speed * speed / (2 * 9.81);
+        if (rising && speed < 0.0) heights.push_back(highest);
+        if (speed > 0.0) highest = apex;
+        rising = speed > 0.0;
+    }
+    if (audit != nullptr) *audit = scene->audit();
+    return heights;
+}
+
+}  // namespace
+
+TEST_CASE("a box bounces to the elasticity squared of its height", "[dynamics][collision]") {
+    for (const double e : {0.5, 0.8, 1.0}) {
+        const std::vector<double> heights = apexes(e);
+        REQUIRE(heights.size() == 2);
+        CHECK(heights[0] == Approx(e * e).margin(1e-3));
+        CHECK(heights[1] == Approx(e * e * e * e).margin(1e-3));
+    }
+}
+
+TEST_CASE("a box without elasticity does not bounce", "[dynamics][collision]") {
+    Environment environment;
+    environment.elasticity = 0.0;
+    const auto scene = make_scene(one_box(0.2, kHalf, 0.0, 1.0 + kHalf), environment);
+    REQUIRE(run(*scene, 1.0));
+    CHECK(scene->center_of_mass().y() == Approx(kHalf).margin(1e-3));
+    CHECK(scene->center_of_mass_velocity().norm() < 1e-3);
+}
+
+TEST_CASE("a perfectly elastic bounce does no work", "[dynamics][collision]") {
+    SceneAudit audit;
+    REQUIRE(apexes(1.0, &audit).size() == 2);
+    CHECK(audit.events >= 2);
+    CHECK(std::fabs(audit.impulse_work) < 1e-3 * 0.08 * 9.81);
+    CHECK(std::fabs(audit.energy_residual) < 1e-6);
+}
+
+TEST_CASE("an inelastic landing takes the whole energy of the fall", "[dynamics][collision]") {
+    Environment environment;
+    environment.elasticity = 0.0;
+    const auto scene = make_scene(one_box(0.2, kHalf, 0.0, 1.0 + kHalf), environment);
+    REQUIRE(run(*scene, 2.0));
+    CHECK(scene->audit().impulse_work == Approx(-scene->mass() * 9.81).epsilon(2e-3));
+    CHECK(std::fabs(scene->audit().energy_residual) < 1e-6);
+}
+
+TEST_CASE("a sliding box stops where friction says", "[dynamics][collision]") {
+    Environment environment;
+    environment.friction = 0.5;
+    Rig rig(one_box(0.2, kHalf, 0.0, kHalf + kRestingGap), environment);
+    rig.moment.motion.speed[0] = 3.0;
+    rig.begin();
+    REQUIRE(rig.run(2.0));
+    CHECK(rig.moment.motion.position[0] == Approx(9.0 / (2 * 0.5 * 9.81)).epsilon(2e-4));
+    CHECK(std::fabs(rig.moment.motion.position[2]) < 1e-5);
+    CHECK(rig.moment.audit.contact_work == Approx(-0.5 * 0.08 * 9.0).epsilon(2e-4));
+}
+
+TEST_CASE("a box on a slope creeps below the friction angle and slides above it",
+          "[dynamics][collision]") {
+    for (const double share : {0.5, 0.9, 1.1, 1.5}) {
+        const double slope = share * 0.5;  // tan alpha
+        const double cosine = 1.0 / std::sqrt(1.0 + slope * slope);
+        Environment environment;
+        environment.friction = 0.5;
+        environment.gravity_direction = -90.0 + arc_tangent(slope) * 180.0 / kPi;
+        Rig rig(one_box(0.3, kHalf, 0.0, kHalf + kRestingGap), environment);
+        rig.begin();
+        REQUIRE(rig.run(1.0));
+        const double start = rig.moment.motion.position[0];
+        const double speed = rig.moment.motion.speed[0];
+        REQUIRE(rig.run(4.0));
+        if (share < 1.0) {
+            CHECK(std::fabs(rig.moment.motion.position[0] - start) < 1e-5);
+        } else {
+            const double expected = 9.81 * cosine * (slope - 0.5);
+            CHECK((rig.moment.motion.speed[0] - speed) / 4.0 == Approx(expected).epsilon(1e-4));
+        }
+    }
+}
+
+TEST_CASE("a box dropped on its edge comes to rest for good", "[dynamics][collision]") {
+    for (const double angle : {0.1, 0.5, 0.78}) {
+        Environment environment;
+        environment.elasticity = 0.3;
+        const auto scene = make_scene(one_box(0.2, kHalf, 0.0, 1.0, angle), environment);
+        REQUIRE(run(*scene, 5.0));
+        const Vec3 place = scene->center_of_mass();
+        const std::uint64_t evaluations = scene->audit().evaluations;
+        REQUIRE(run(*scene, 5.0));
+        CHECK(scene->center_of_mass_velocity().norm() < 1e-4);
+        CHECK((scene->center_of_mass() - place).norm() < 1e-5);
+        CHECK(scene->audit().events <= 50);
+        CHECK(scene->audit().evaluations - evaluations <= 5 * 400);
+    }
+}
+
+TEST_CASE("a limp chain dropped on the ground settles", "[dynamics][collision]") {
+    Environment environment;
+    environment.elasticity = 0.3;
+    Rig rig(chain(6, 1.0, 0.0, 1.5), environment);
+    rig.begin();
+    REQUIRE(rig.run(20.0));
+    const double fallen = rig.model.total_mass * 9.81 * 1.5;
+    CHECK(rig.speed() < 1e-4);
+    CHECK(std::fabs(rig.moment.audit.energy_residual) < 1e-3 * fallen);
+    CHECK(rig.moment.audit.positive_work < 1e-3 * fallen);
+}

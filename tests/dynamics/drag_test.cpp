@@ -1,0 +1,75 @@
+#include "dynamics/drag.h"
+
+#include "dynamics/rig.h"
+#include "support/catch.h"
+
+#include <cmath>
+
+using namespace cambrian;
+
+namespace {
+
+Environment water(double linear, double quadratic, double gravity) {
+    Environment environment;
+    environment.has_ground = false;
+    environment.gravity = gravity;
+    environment.viscosity_linear = linear;
+    environment.viscosity_quadratic = quadratic;
+    return environment;
+}
+
+}  // namespace
+
+TEST_CASE("a plate sinks at its terminal velocity", "[dynamics][drag]") {
+    const double half_length = 0.4;
+    const auto scene = make_scene(one_box(half_length, 0.02, 0.0, 0.0), water(0.0, 5.0, 9.81));
+    REQUIRE(run(*scene, 10.0));
+    const double terminal = std::sqrt(scene->mass() * 9.81 / (5.0 * 2 * half_length));
+    CHECK(-scene->center_of_mass_velocity().y() == Approx(terminal).epsilon(1e-5));
+}
+
+TEST_CASE("linear drag slows a glide exponentially", "[dynamics][drag]") {
+    Rig rig(one_box(0.3, 0.1, 0.0, 0.0), water(0.5, 0.0, 0.0), "bogacki-shampine", 1e-6);
+    rig.moment.motion.speed[0] = 2.0;  // end-on: the short faces resist
+    rig.begin();
+    REQUIRE(rig.run(1.0));
+    const double rate = 0.5 * 0.2 / rig.model.total_mass;
+    CHECK(rig.moment.motion.speed[0] == Approx(2.0 * exponential(-rate)).epsilon(1e-6));
+    CHECK(rig.moment.audit.drag_work ==
+          Approx(rig.energy() - 0.5 * rig.model.total_mass * 4.0).epsilon(1e-5));
+}
+
+TEST_CASE("linear drag slows a spin exponentially", "[dynamics][drag]") {
+    Rig rig(one_box(0.3, 0.1, 0.0, 0.0), water(0.5, 0.0, 0.0), "bogacki-shampine", 1e-6);
+    rig.moment.motion.speed[2] = 3.0;
+    rig.begin();
+    REQUIRE(rig.run(1.0));
+    const double moment = 0.5 * (2.0 / 3.0) * (0.3 * 0.3 * 0.3 + 0.1 * 0.1 * 0.1);
+    const double expected = 3.0 * exponential(-moment / rig.model.inertia[0]);
+    CHECK(rig.moment.motion.speed[2] == Approx(expected).epsilon(1e-6));
+}
+
+TEST_CASE("drag never does positive work", "[dynamics][drag]") {
+    RandomStream random(stream_seed({8, 8}));
+    const PlanarModel model = *build_planar_model(random_tree(random, 8, 0.3, 1.0, 0.0), 1.0);
+    const Medium medium{0.0, 0.0, 0.5, 5.0};
+    for (int i = 0; i < 1000; ++i) {
+        Motion motion = rest_motion(model);
+        for (int c = 0; c < coordinate_count(model); ++c) {
+            motion.position[c] += random.gauss();
+            motion.speed[c] = 5.0 * random.gauss();
+        }
+        Kinematics kinematics;
+        compute_kinematics(model, motion, kinematics);
+        Loads loads;
+        clear_loads(model, loads);
+        const double power = add_drag(model, medium, kinematics, loads);
+        double done = 0.0;
+        for (int b = 0; b < model.body_count; ++b)
+            done += loads.force_x[b] * kinematics.velocity_x[b] +
+                    loads.force_y[b] * kinematics.velocity_y[b] +
+                    loads.torque[b] * kinematics.spin[b];
+        CHECK(power <= 0.0);
+        CHECK(done == Approx(power).epsilon(1e-9));
+    }
+}

@@ -1,0 +1,63 @@
+#include "dynamics/bodies.h"
+#include "support/catch.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+using namespace cambrian;
+
+TEST_CASE("a joint thrown against its stop stays there", "[dynamics][limit]") {
+    BodyPlan plan = chain(2, 0.5);
+    plan.parts[1].max_effort = 0.05;
+    plan.parts[1].motor_mode = MotorMode::kTorque;
+    const auto scene = make_scene(plan, empty_space());
+    scene->set_target(1, 1.0);
+    REQUIRE(run(*scene, 3.0));
+    CHECK(scene->joint_coordinate(1) == Approx(0.5).margin(1e-4));
+    CHECK(std::fabs(scene->joint_rate(1)) < 1e-6);
+    CHECK(scene->audit().max_limit_overrun < 1e-2);
+}
+
+TEST_CASE("stops take energy and never give any", "[dynamics][limit]") {
+    BodyPlan plan = chain(2, 0.5);
+    plan.parts[1].max_effort = 0.05;
+    plan.parts[1].motor_mode = MotorMode::kTorque;
+    const auto scene = make_scene(plan, empty_space());
+    scene->set_target(1, 1.0);
+    REQUIRE(run(*scene, 3.0));
+    const SceneAudit& audit = scene->audit();
+    CHECK(audit.limit_work == Approx(-audit.motor_work).epsilon(1e-2));
+    CHECK(audit.positive_work < 1e-2 * audit.gross_motor_work);
+}
+
+TEST_CASE("a slide stops at its ends", "[dynamics][limit]") {
+    BodyPlan plan = one_box(0.3, 0.1, 0.0, 0.0);
+    PlannedPart& slide = attach(plan, 0, Vec3(0.3, 0.0, 0.0), 0.0, kLinearJoint);
+    slide.limit_low = -0.1;
+    slide.limit_high = 0.1;
+    slide.max_effort = 1.0;
+    slide.motor_mode = MotorMode::kTorque;
+    const auto scene = make_scene(plan, empty_space());
+    scene->set_target(1, -1.0);
+    REQUIRE(run(*scene, 2.0));
+    CHECK(scene->joint_coordinate(1) == Approx(-0.1).margin(1e-4));
+    CHECK(scene->kinetic_energy() < 1e-12);
+}
+
+TEST_CASE("violent motors overrun limits by little", "[dynamics][limit]") {
+    std::vector<double> overruns;
+    for (std::uint64_t seed = 0; seed < 40; ++seed) {
+        RandomStream random(stream_seed({seed, 77}));
+        const BodyPlan plan = random_tree(random, 3 + static_cast<int>(seed % 10), 0.2, 100.0, 0.0);
+        const auto scene = make_scene(plan, empty_space());
+        for (int tick = 0; tick < 180; ++tick) {
+            flail(*scene, plan, 6.0);
+            REQUIRE(scene->advance(kTestTick) == SceneStatus::kRunning);
+        }
+        overruns.push_back(scene->audit().max_limit_overrun);
+    }
+    std::sort(overruns.begin(), overruns.end());
+    CHECK(overruns.back() < 0.1);
+    CHECK(overruns[overruns.size() / 2] < 0.01);
+}

@@ -1,0 +1,109 @@
+#include "dynamics/model_building.h"
+
+#include "dynamics/bodies.h"
+#include "support/catch.h"
+
+#include <limits>
+#include <string>
+
+using namespace cambrian;
+
+namespace {
+
+bool refused(const BodyPlan& plan, const std::string& reason) {
+    const auto model = build_planar_model(plan, 1.0);
+    return !model && model.error().message.find(reason) != std::string::npos;
+}
+
+bool may_collide(const PlanarModel& model, int a, int b) {
+    for (const PartPair& pair : model.colliding_pairs) {
+        if (pair.first == a && pair.second == b) return true;
+    }
+    return false;
+}
+
+}  // namespace
+
+TEST_CASE("rigid joints weld parts into one body", "[dynamics][model]") {
+    BodyPlan plan = one_box(0.2, 0.1, 1.0, 2.0);
+    attach(plan, 0, Vec3(0.2, 0.0, 0.0), 0.0, kRigidJoint, 0.2, 0.1);
+    const auto model = build_planar_model(plan, 2.0);
+    REQUIRE(model);
+    REQUIRE(model->body_count == 1);
+    // Two boxes end to end are one box of twice the length.
+    CHECK(model->mass[0] == Approx(2.0 * 0.8 * 0.2));
+    CHECK(model->inertia[0] == Approx(model->mass[0] * (0.4 * 0.4 + 0.1 * 0.1) / 3.0));
+    CHECK(model->rest_center_x == Approx(1.2));
+    CHECK(model->part_x[0] == Approx(-0.2));
+    CHECK(model->part_x[1] == Approx(0.2));
+}
+
+TEST_CASE("bodies stand depth first", "[dynamics][model]") {
+    BodyPlan plan = one_box(0.2, 0.1, 0.0, 0.0);
+    attach(plan, 0, Vec3(0.2, 0.0, 0.0), 0.0, kRotaryJoint);
+    attach(plan, 0, Vec3(-0.2, 0.0, 0.0), kPi, kRotaryJoint);
+    attach(plan, 1, Vec3(0.2, 0.0, 0.0), 0.0, kRotaryJoint);
+    const auto model = build_planar_model(plan, 1.0);
+    REQUIRE(model);
+    CHECK(model->part_body[3] == 2);
+    CHECK(model->parent[2] == 1);
+    CHECK(model->part_body[2] == 3);
+    CHECK(model->parent[3] == 0);
+}
+
+TEST_CASE("the model stands where the plan says", "[dynamics][model]") {
+    RandomStream random(stream_seed({31}));
+    for (int round = 0; round < 50; ++round) {
+        BodyPlan plan = random_tree(random, 10, 0.3, 1.0, 1.0);
+        for (std::size_t i = 1; i < plan.parts.size(); i += 3)
+            plan.parts[i].joint_kind = kRigidJoint;
+        const auto scene = make_scene(plan, empty_space());
+        for (std::size_t i = 0; i < plan.parts.size(); ++i) {
+            const Pose pose = scene->part_pose(i);
+            CHECK((pose.position - plan.parts[i].rest_pose.position).norm() < 1e-12);
+            CHECK(pose.orientation.angularDistance(plan.parts[i].rest_pose.orientation) < 1e-7);
+            CHECK(scene->joint_coordinate(i) == Approx(0.0).margin(1e-12));
+        }
+    }
+}
+
+TEST_CASE("jointed, overlapping and welded boxes never collide", "[dynamics][model]") {
+    BodyPlan plan = chain(4, 1.0);
+    attach(plan, 0, Vec3(0.0, 0.05, 0.0), 0.0, kRotaryJoint, 0.3, 0.04);
+    const auto model = build_planar_model(plan, 1.0);
+    REQUIRE(model);
+    CHECK(!may_collide(*model, 0, 1));  // share a joint
+    CHECK(may_collide(*model, 0, 2));   // one apart
+    CHECK(may_collide(*model, 0, 3));
+    CHECK(!may_collide(*model, 1, 4));  // lie over each other
+    plan.parts[3].joint_kind = kRigidJoint;
+    const auto welded = build_planar_model(plan, 1.0);
+    CHECK(!may_collide(*welded, 1, 3));  // now one body with part 2
+}
+
+TEST_CASE("bodies that physics cannot move are refused by name", "[dynamics][model]") {
+    CHECK(refused({}, "no parts"));
+    BodyPlan thin = one_box(0.2, 0.005, 0.0, 0.0);
+    CHECK(refused(thin, "part 0: thinner"));
+    BodyPlan light = one_box(4.0, 4.0, 0.0, 0.0);
+    attach(light, 0, Vec3(4.0, 0.0, 0.0), 0.0, kRotaryJoint, 0.02, 0.01);
+    CHECK(refused(light, "part 1: lighter"));
+    BodyPlan infinite = chain(2, 1.0);
+    infinite.parts[1].anchor_in_parent.x() = std::numeric_limits<double>::infinity();
+    CHECK(refused(infinite, "part 1: a number is not finite"));
+    CHECK(refused(chain(33, 1.0), "over 32 moving bodies"));
+    BodyPlan orphan = chain(3, 1.0);
+    orphan.parts[2].parent = 2;
+    CHECK(refused(orphan, "part 2: only part 0 is a root"));
+    BodyPlan swapped = chain(2, 1.0);
+    swapped.parts[1].limit_low = 2.0;
+    CHECK(refused(swapped, "part 1: limits"));
+}
+
+TEST_CASE("an unknown integrator is refused by name", "[dynamics][model]") {
+    SceneSettings settings;
+    settings.integrator = "bogacki-shampin";
+    const auto scene = planar_scene_kind().make(chain(2, 1.0), {}, settings);
+    REQUIRE(!scene);
+    CHECK(scene.error().message.find("bogacki-shampine") != std::string::npos);
+}

@@ -1,0 +1,72 @@
+#include "dynamics/rig.h"
+
+#include "math/angle.h"
+#include "support/catch.h"
+
+#include <cmath>
+
+namespace cambrian {
+namespace {
+
+PlanarModel built(const BodyPlan& plan, double density) {
+    auto model = build_planar_model(plan, density);
+    REQUIRE(model);
+    return *model;
+}
+
+const IntegratorKind& found(const std::string& id) {
+    const IntegratorKind* kind = builtin_integrators().find(id);
+    REQUIRE(kind != nullptr);
+    return *kind;
+}
+
+}  // namespace
+
+Rig::Rig(const BodyPlan& plan, const Environment& environment, const std::string& integrator,
+         double tolerance)
+    : model(built(plan, environment.density)),
+      law{environment.friction, environment.elasticity, environment.has_ground},
+      control(found(integrator), tolerance) {
+    const SineCosine turn = sine_cosine(to_radians(environment.gravity_direction));
+    forcing.medium = {environment.gravity * turn.cosine, environment.gravity * turn.sine,
+                      environment.viscosity_linear, environment.viscosity_quadratic};
+    forcing.drive.frequency = SceneSettings{}.motor_frequency;
+    forcing.drive.speed_limit = SceneSettings{}.motor_speed_limit;
+    moment.motion = rest_motion(model);
+}
+
+void Rig::begin() {
+    evaluate_accelerations(model, forcing, moment.motion, 0.0, moment.frame, moment.free_rate);
+    open_books(model, forcing.medium, moment);
+}
+
+bool Rig::run(double duration) {
+    const int ticks = static_cast<int>(std::lround(duration / kTestTick));
+    for (int i = 0; i < ticks; ++i) {
+        control.advance(model, law, forcing, kTestTick, moment);
+        if (moment.status != SceneStatus::kRunning) return false;
+    }
+    return true;
+}
+
+double Rig::energy() const {
+    return mechanical_energy(model, forcing.medium, moment.motion, moment.frame.kinematics);
+}
+
+double Rig::angular_momentum() const {
+    const Kinematics& k = moment.frame.kinematics;
+    double sum = 0.0;
+    for (int i = 0; i < model.body_count; ++i)
+        sum += model.inertia[i] * k.spin[i] +
+               model.mass[i] * (k.x[i] * k.velocity_y[i] - k.y[i] * k.velocity_x[i]);
+    return sum;
+}
+
+double Rig::speed() const {
+    double largest = 0.0;
+    for (int c = 0; c < coordinate_count(model); ++c)
+        largest = std::fmax(largest, std::fabs(moment.motion.speed[c]));
+    return largest;
+}
+
+}  // namespace cambrian

@@ -1,0 +1,31 @@
+#pragma once
+
+// Physics without the scene around it, so that tests can choose speeds.
+
+#include "dynamics/audit.h"
+#include "dynamics/bodies.h"
+#include "dynamics/builtin_integrators.h"
+#include "dynamics/model_building.h"
+
+namespace cambrian {
+
+struct Rig {
+    Rig(const BodyPlan& plan, const Environment& environment,
+        const std::string& integrator = "bogacki-shampine", double tolerance = 1e-3);
+
+    // Works and energies are counted from here.
+    void begin();
+    bool run(double duration);
+
+    double energy() const;
+    double angular_momentum() const;  // kg m^2/s, about the origin
+    double speed() const;             // largest |speed| of any coordinate
+
+    PlanarModel model;
+    Forcing forcing;
+    ContactLaw law;
+    SceneMoment moment;
+    StepControl control;
+};
+
+}  // namespace cambrian
