@@ -112,26 +112,26 @@ BenchCreature random_creature(std::size_t bodies, std::uint64_t seed, std::size_
 }
 
 BenchCreature passive_chain(std::size_t bodies, std::size_t ticks) {
-    constexpr double kHalfLength = 0.2;        // m
-    constexpr double kHalfWidth = 0.03;        // m
-    constexpr double kFree = 100.0;            // rad; limits it never meets
-    constexpr std::size_t kTwistedTicks = 12;  // 0.2 s
+    constexpr double half_length = 0.2;        // m
+    constexpr double half_width = 0.03;        // m
+    constexpr double free_range = 100.0;       // rad; limits it never meets
+    constexpr std::size_t twisted_ticks = 12;  // 0.2 s
     BenchCreature creature;
     creature.targets.assign(ticks * bodies, 0.0);
     for (std::size_t i = 0; i < bodies; ++i) {
         PlannedPart part;
-        part.half_extents = Vec3(kHalfLength, kHalfWidth, 0.0);
+        part.half_extents = Vec3(half_length, half_width, 0.0);
         part.joint_kind = rotary_joint();
         part.motor_mode = MotorMode::kTorque;
-        part.limit_low = -kFree;
-        part.limit_high = kFree;
+        part.limit_low = -free_range;
+        part.limit_high = free_range;
         // Folded flat: parts that overlap at rest never collide.
         if (i > 0)
-            attach(creature.plan, part, static_cast<int>(i) - 1, Vec3(kHalfLength, 0.0, 0.0),
+            attach(creature.plan, part, static_cast<int>(i) - 1, Vec3(half_length, 0.0, 0.0),
                    i % 2 == 1 ? kPi : -kPi);
-        part.max_effort = i == 0 ? 0.0 : 0.005 + 0.001 * static_cast<double>(i * 5 % 7);  // N m
+        part.max_effort = i == 0 ? 0.0 : 0.01 + 0.002 * static_cast<double>(i * 5 % 7);  // N m
         creature.plan.parts.push_back(part);
-        for (std::size_t tick = 0; tick < kTwistedTicks; ++tick)
+        for (std::size_t tick = 0; tick < twisted_ticks; ++tick)
             creature.targets[tick * bodies + i] = i % 3 == 2 ? -1.0 : 1.0;
     }
     return creature;

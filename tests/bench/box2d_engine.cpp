@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <box2d/box2d.h>
 #include <cmath>
+#include <cstdint>
 #include <utility>
 
 namespace cambrian::bench {
@@ -149,10 +150,10 @@ private:
     }
 
     void add_ground() {
-        constexpr float kReach = 1000.0F;  // m
+        constexpr float reach = 1000.0F;  // m
         const b2BodyDef definition;
         b2EdgeShape edge;
-        edge.SetTwoSided({-kReach, 0.0F}, {kReach, 0.0F});
+        edge.SetTwoSided({-reach, 0.0F}, {reach, 0.0F});
         b2FixtureDef fixture = surface(plan_.parts.size());
         fixture.shape = &edge;
         world_.CreateBody(&definition)->CreateFixture(&fixture);

@@ -14,6 +14,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <exception>
 #include <limits>
 #include <string>
 
@@ -101,9 +102,9 @@ void measure_time(const Options& options, const std::vector<EngineKind>& engines
     for (std::size_t round = 0; round < options.rounds; ++round) {
         const RoundTimes times = time_round(engines, creatures, environment, options.ticks());
         for (std::size_t e = 0; e < engines.size(); ++e) {
-            constexpr double kMicro = 1e6;
-            micros[e].push_back(kMicro * times.advance[e] / (count * options.seconds));
-            build[e].push_back(kMicro * times.build[e] / count);
+            constexpr double micro = 1e6;
+            micros[e].push_back(micro * times.advance[e] / (count * options.seconds));
+            build[e].push_back(micro * times.build[e] / count);
             ratios[e].push_back(times.advance[e] / times.advance[0]);
         }
     }
@@ -194,7 +195,7 @@ int advance_only(const Options& options) {
 }  // namespace
 }  // namespace cambrian::bench
 
-int main(int argc, char** argv) {
+int main(int argc, char** argv) try {
     cambrian::bench::Options options;
     CLI::App app("Times the same creatures in Cambrian's physics, Box2D and MuJoCo");
     app.add_option("--engine", options.engines, "cambrian, box2d, mujoco; all by default");
@@ -212,4 +213,7 @@ int main(int argc, char** argv) {
     CLI11_PARSE(app, argc, argv);
     return options.advance_only ? cambrian::bench::advance_only(options)
                                 : cambrian::bench::compare(options);
+} catch (const std::exception& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return EXIT_FAILURE;
 }

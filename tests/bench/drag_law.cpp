@@ -13,16 +13,16 @@ struct FaceLoad {
 };
 
 FaceLoad integrate_face(double speed, double slope, double half, const Environment& medium) {
-    constexpr double kNodes[] = {-0.7745966692414834, 0.0, 0.7745966692414834};
-    constexpr double kWeights[] = {5.0 / 9, 8.0 / 9, 5.0 / 9};
+    constexpr double nodes[] = {-0.7745966692414834, 0.0, 0.7745966692414834};
+    constexpr double weights[] = {5.0 / 9, 8.0 / 9, 5.0 / 9};
     FaceLoad load{0.0, 0.0};
     for (int i = 0; i < 3; ++i) {
-        const double station = half * kNodes[i];
+        const double station = half * nodes[i];
         const double u = speed + slope * station;
         const double pressure =
             -(medium.viscosity_linear + medium.viscosity_quadratic * std::fabs(u)) * u;
-        load.force += half * kWeights[i] * pressure;
-        load.moment += half * kWeights[i] * pressure * station;
+        load.force += half * weights[i] * pressure;
+        load.moment += half * weights[i] * pressure * station;
     }
     return load;
 }

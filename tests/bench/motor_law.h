@@ -11,11 +11,10 @@ namespace cambrian::bench {
 
 // rad/s, of a joint in position or velocity mode.
 inline double wanted_rate(MotorMode mode, double target, double coordinate) {
-    constexpr double kHalf = 0.5;
     const SceneSettings motors;
     const double rate = mode == MotorMode::kVelocity
                             ? target
-                            : kHalf * motors.motor_frequency * (target - coordinate);
+                            : 0.5 * motors.motor_frequency * (target - coordinate);
     return std::clamp(rate, -motors.motor_speed_limit, motors.motor_speed_limit);
 }
 

@@ -13,6 +13,9 @@
 namespace cambrian::bench {
 namespace {
 
+class MujocoEngine;
+thread_local const MujocoEngine* driven_engine = nullptr;  // the one advancing
+
 class MujocoEngine final : public BenchEngine {
 public:
     MujocoEngine(const BodyPlan& plan, const Environment& environment,
@@ -40,7 +43,7 @@ public:
 
     void advance_tick() override {
         tick_start_ = data_->time;
-        driven_ = this;
+        driven_engine = this;
         mjcb_control = &MujocoEngine::drive_motors;
         for (int step = 0; step < settings_.steps_per_tick; ++step) {
             if (books_ == Books::kOpen) before_.assign(data_->qvel, data_->qvel + model_->nv);
@@ -65,7 +68,7 @@ public:
 private:
     // MuJoCo asks for controls through one callback of the process, at every stage of a step.
     static void drive_motors(const mjModel*, mjData* data) {
-        const MujocoEngine& engine = *driven_;
+        const MujocoEngine& engine = *driven_engine;
         const double share = (data->time - engine.tick_start_) / kTick;
         for (std::size_t i = 1; i < engine.plan_.parts.size(); ++i) {
             const MotorMode mode = engine.plan_.parts[i].motor_mode;
@@ -123,8 +126,6 @@ private:
         }
     }
 
-    static thread_local const MujocoEngine* driven_;
-
     BodyPlan plan_;
     Environment environment_;
     MujocoSettings settings_;
@@ -138,8 +139,6 @@ private:
     double tick_start_ = 0.0;     // s
     double work_ = 0.0;           // J
 };
-
-thread_local const MujocoEngine* MujocoEngine::driven_ = nullptr;
 
 }  // namespace
 

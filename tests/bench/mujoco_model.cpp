@@ -34,8 +34,8 @@ class ModelText {
 public:
     ModelText(const BodyPlan& plan, const Environment& environment, const MujocoSettings& settings)
         : plan_(plan), environment_(environment) {
-        constexpr int kDigits = 17;
-        text_.precision(kDigits);
+        constexpr int digits = 17;
+        text_.precision(digits);
         text_ << "<mujoco><compiler angle='radian' inertiafromgeom='true'/>";
         write_options(settings);
         text_ << "<size njmax='1000' nconmax='250'/>";
@@ -170,9 +170,9 @@ MujocoModel build_mujoco_model(const BodyPlan& plan, const Environment& environm
     mj_defaultVFS(files.get());
     mj_makeEmptyFileVFS(files.get(), kFile, static_cast<int>(text.size()));
     text.copy(static_cast<char*>(files->filedata[0]), text.size());
-    constexpr int kMessageSize = 1000;
-    char message[kMessageSize] = "";
-    MujocoModel model(mj_loadXML(kFile, files.get(), message, kMessageSize));
+    constexpr int message_size = 1000;
+    char message[message_size] = "";
+    MujocoModel model(mj_loadXML(kFile, files.get(), message, message_size));
     mj_deleteVFS(files.get());
     if (!model) {
         std::fprintf(stderr, "MuJoCo refuses the model: %s\n", message);

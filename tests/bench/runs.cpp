@@ -25,8 +25,8 @@ double mass_of(const PlannedPart& part, double density) {
 double thread_cpu_time() {
     timespec now{};
     clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-    constexpr double kNano = 1e-9;
-    return static_cast<double>(now.tv_sec) + kNano * static_cast<double>(now.tv_nsec);
+    constexpr double nano = 1e-9;
+    return static_cast<double>(now.tv_sec) + nano * static_cast<double>(now.tv_nsec);
 }
 
 [[gnu::noinline]] std::unique_ptr<BenchEngine> build_scene(const EngineKind& kind,

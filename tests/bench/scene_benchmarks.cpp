@@ -41,7 +41,7 @@ void advance_scene_tick(benchmark::State& state) {
     double digest = 0.0;
     SceneAudit audit;
     std::size_t tick = 0;
-    for (auto _ : state) {
+    while (state.KeepRunning()) {
         advance_tick(*scene, creature, tick);
         if (++tick < kTicks) continue;
         state.PauseTiming();
@@ -69,7 +69,7 @@ BENCHMARK(advance_scene_tick)
 void build_scene(benchmark::State& state) {
     const Workload workload = all_workloads().back();
     const BenchCreature creature = random_creature(static_cast<std::size_t>(state.range(0)), 1, 1);
-    for (auto _ : state)
+    while (state.KeepRunning())
         benchmark::DoNotOptimize(make_scene(creature, workload));
 }
 BENCHMARK(build_scene)
