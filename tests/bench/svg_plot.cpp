@@ -82,7 +82,7 @@ std::string grid(const Axis& x, const Axis& y) {
 
 std::string marker(std::size_t index, double x, double y) {
     const char* color = kColors[index % kColors.size()];
-    switch (index % 4) {
+    switch (index % 5) {
         case 0:
             return format("<circle cx='%.1f' cy='%.1f' r='4' fill='%s'/>\n", x, y, color);
         case 1:
@@ -90,9 +90,13 @@ std::string marker(std::size_t index, double x, double y) {
                           y - 3.5, color);
         case 2:
             return format("<path d='M%.1f %.1fl4.5 8h-9z' fill='%s'/>\n", x, y - 5, color);
-        default:
+        case 3:
             return format("<path d='M%.1f %.1fl4.8 4.8l-4.8 4.8l-4.8-4.8z' fill='%s'/>\n", x,
                           y - 4.8, color);
+        default:
+            return format(
+                "<circle cx='%.1f' cy='%.1f' r='3.4' fill='#fff' stroke='%s' stroke-width='2'/>\n",
+                x, y, color);
     }
 }
 

@@ -21,7 +21,7 @@ struct Plot {
     std::string title;
     std::string x_label;
     std::string y_label;
-    std::vector<PlotSeries> series;  // up to eight stay apart by colour and marker
+    std::vector<PlotSeries> series;  // colour and marker together tell up to 40 apart
 };
 
 std::string to_svg(const Plot& plot);
