@@ -58,13 +58,11 @@ void add_held_forces(const PlanarModel& model, const Forcing& forcing, const Kin
         loads.effort[i] += forcing.limit_effort[i];
 }
 
-void evaluate_accelerations(const PlanarModel& model, const Forcing& forcing, const Motion& motion,
-                            double tick_share, Frame& frame, MotionRate& rate) {
-    compute_kinematics(model, motion, frame.kinematics);
+void compute_loads(const PlanarModel& model, const Forcing& forcing, const Motion& motion,
+                   double tick_share, Frame& frame, Loads& loads, MotionRate& rate) {
     compute_motor_efforts(model, forcing.drive, tick_share, motion, frame.kinematics,
                           frame.motor_effort);
     const Medium& medium = forcing.medium;
-    Loads loads;
     for (int i = 0; i < model.body_count; ++i) {
         loads.force_x[i] = model.mass[i] * medium.gravity_x;
         loads.force_y[i] = model.mass[i] * medium.gravity_y;
@@ -79,6 +77,13 @@ void evaluate_accelerations(const PlanarModel& model, const Forcing& forcing, co
         rate.power[kPullWork] = pull_power(forcing.pull, frame.kinematics);
     }
     add_held_forces(model, forcing, frame.kinematics, loads);
+}
+
+void evaluate_accelerations(const PlanarModel& model, const Forcing& forcing, const Motion& motion,
+                            double tick_share, Frame& frame, MotionRate& rate) {
+    Loads loads;
+    compute_kinematics(model, motion, frame.kinematics);
+    compute_loads(model, forcing, motion, tick_share, frame, loads, rate);
     solve_accelerations(model, frame.kinematics, loads, frame.factors, frame.response);
     for (int c = 0; c < coordinate_count(model); ++c)
         rate.acceleration[c] = frame.response.coordinate[c];

@@ -19,6 +19,11 @@ struct Frame {
 void evaluate_accelerations(const PlanarModel& model, const Forcing& forcing, const Motion& motion,
                             double tick_share, Frame& frame, MotionRate& rate);
 
+// All explicit forces and efforts, with their powers in rate; the frame's kinematics are given and
+// its motor efforts are filled.
+void compute_loads(const PlanarModel& model, const Forcing& forcing, const Motion& motion,
+                   double tick_share, Frame& frame, Loads& loads, MotionRate& rate);
+
 // Adds the held contact forces and limit efforts to loads, at the frame's arms.
 void add_held_forces(const PlanarModel& model, const Forcing& forcing, const Kinematics& kinematics,
                      Loads& loads);

@@ -6,6 +6,10 @@ const Registry<IntegratorKind>& builtin_integrators() {
     static const Registry<IntegratorKind> registry = [] {
         Registry<IntegratorKind> kinds;
         kinds.add(bogacki_shampine());
+        kinds.add(dormand_prince());
+        kinds.add(cash_karp());
+        kinds.add(semi_implicit());
+        kinds.add(least_squares());
         return kinds;
     }();
     return registry;

@@ -13,6 +13,7 @@ inline constexpr double kRestingGap = 0.5e-3;   // m; where resting contacts set
 inline constexpr double kRestingSpeed = 0.3;    // m/s; slower closing does not bounce
 inline constexpr double kContactMargin = 0.02;  // m; farther points are not looked at
 inline constexpr int kGroundContactIds = 4 * kMaxParts;
+inline constexpr int kIdsPerPair = 8;
 
 struct Contact {
     int id = 0;  // the same for the same feature from step to step
@@ -27,6 +28,13 @@ struct Contact {
     double closing_speed = 0.0;             // m/s, along the normal, positive when approaching
 };
 
+// Whether two contacts are of the same pair: a corner and the ground, or two boxes.
+inline bool same_pair(const Contact& first, const Contact& second) {
+    if (first.part_b < 0 || second.part_b < 0) return first.id == second.id;
+    return (first.id - kGroundContactIds) / kIdsPerPair ==
+           (second.id - kGroundContactIds) / kIdsPerPair;
+}
+
 struct ContactSet {
     int count = 0;
     Contact items[kMaxContacts];
@@ -34,5 +42,8 @@ struct ContactSet {
     // When full, the farthest contact makes room for a nearer one.
     void add(const Contact& contact);
 };
+
+// Of the four faces of a box, the one that looks most along a direction given in the box's frame.
+Face face_toward(double x, double y);
 
 }  // namespace cambrian

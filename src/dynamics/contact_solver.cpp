@@ -28,7 +28,10 @@ double row_slack(double gap, double rate, double h, double push_speed) {
 void ContactSolver::collect(const PlanarModel& model, const ContactLaw& law,
                             const Kinematics& kinematics) {
     near_.count = 0;
-    if (law.has_ground) collect_ground_contacts(model, kinematics, near_);
+    PartPlaces places;
+    place_parts(model, kinematics, places);
+    if (law.has_ground) collect_ground_contacts(model, kinematics, places, near_);
+    pair_list_.collect(model, kinematics, places, near_);
 }
 
 bool ContactSolver::has_impact() const {
@@ -39,9 +42,9 @@ bool ContactSolver::has_impact() const {
     return false;
 }
 
-bool ContactSolver::is_chosen(int id) const {
+bool ContactSolver::covers(const Contact& contact) const {
     for (int c = 0; c < chosen_.count; ++c) {
-        if (chosen_.items[c].id == id) return true;
+        if (same_pair(chosen_.items[c], contact)) return true;
     }
     return false;
 }

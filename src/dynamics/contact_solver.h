@@ -6,6 +6,7 @@
 #include "dynamics/contact.h"
 #include "dynamics/row_solver.h"
 #include "dynamics/rows.h"
+#include "dynamics/self_contacts.h"
 
 namespace cambrian {
 
@@ -55,7 +56,7 @@ public:
                 const Frame& frame, double h);
     // Contacts of the last choose() or strike().
     const ContactSet& chosen() const { return chosen_; }
-    bool is_chosen(int id) const;
+    bool covers(const Contact& contact) const;  // whether one of its pair was chosen
 
     // Solves the chosen rows for a step of length h and writes the held forces. False if the
     // active set failed and a fallback was taken.
@@ -79,6 +80,7 @@ private:
     void load_warm_start(double h, const WarmStart& warm);
     void store_forces(double h, WarmStart& warm, Forcing& forcing);
 
+    PairList pair_list_;
     ContactSet near_;
     ContactSet chosen_;
     LimitCandidate limits_[2 * kMaxBodies];

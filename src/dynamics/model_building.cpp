@@ -178,6 +178,7 @@ private:
         const double hy = box.half_extents.y();
         model_.half_length[index] = hx;
         model_.half_width[index] = hy;
+        model_.radius[index] = std::sqrt(hx * hx + hy * hy);
         model_.inertia[b] += area_mass(index) * ((hx * hx + hy * hy) / 3.0 + offset.squaredNorm());
     }
 

@@ -57,6 +57,7 @@ struct PlanarModel {
     PerPart part_angle = {};                    // rad, relative to the body
     PerPart part_cosine = {}, part_sine = {};   // of part_angle
     PerPart half_length = {}, half_width = {};  // m, along the box's x and y
+    PerPart radius = {};                        // m, of the circle around the box
     std::vector<PartPair> colliding_pairs;      // boxes of different bodies that may touch
 
     double rest_center_x = 0.0, rest_center_y = 0.0;  // m, centre of mass of the plan's rest pose

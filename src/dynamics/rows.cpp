@@ -29,15 +29,20 @@ double row_rate(const PlanarModel& model, const RowSystem& rows, int row,
     return rate;
 }
 
-// J' v: the turning of the arms.
-double turning(const RowSystem& rows, int row, const Contact& c, const PerBody& spin) {
+// J' v: the turning of the arms, and of the direction with body b while a slides along it.
+double turning(const RowSystem& rows, int row, const Contact& c, const Kinematics& k) {
     const int a = c.body_a;
-    double acceleration =
-        -spin[a] * spin[a] * (rows.dir_x[row] * c.arm_ax + rows.dir_y[row] * c.arm_ay);
-    if (c.body_b >= 0)
-        acceleration += spin[c.body_b] * spin[c.body_b] *
-                        (rows.dir_x[row] * c.arm_bx + rows.dir_y[row] * c.arm_by);
-    return acceleration;
+    const int b = c.body_b;
+    const double x = rows.dir_x[row];
+    const double y = rows.dir_y[row];
+    const double arms = -k.spin[a] * k.spin[a] * (x * c.arm_ax + y * c.arm_ay);
+    if (b < 0) return arms;
+    const double sliding_x =
+        k.velocity_x[a] - k.spin[a] * c.arm_ay - k.velocity_x[b] + k.spin[b] * c.arm_by;
+    const double sliding_y =
+        k.velocity_y[a] + k.spin[a] * c.arm_ax - k.velocity_y[b] - k.spin[b] * c.arm_bx;
+    return arms + k.spin[b] * k.spin[b] * (x * c.arm_bx + y * c.arm_by) +
+           2.0 * k.spin[b] * (x * sliding_y - y * sliding_x);
 }
 
 int add_contact_row(const Contact& c, int source, RowKind kind, RowSystem& rows) {
@@ -88,7 +93,7 @@ void build_rows(const PlanarModel& model, const Motion& motion, const Frame& fra
         rows.rate[row] = row_rate(model, rows, row, speeds);
         rows.acceleration[row] = row_rate(model, rows, row, accelerations);
         if (rows.kind[row] != RowKind::kLimit)
-            rows.acceleration[row] += turning(rows, row, contacts.items[rows.source[row]], k.spin);
+            rows.acceleration[row] += turning(rows, row, contacts.items[rows.source[row]], k);
     }
     compute_row_matrix(model, frame, rows);
 }

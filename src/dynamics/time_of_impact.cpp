@@ -20,7 +20,7 @@ NewContact deepest_new_contact(const ContactSolver& contacts) {
     for (int c = 0; c < near.count; ++c) {
         const Contact& contact = near.items[c];
         if (contact.closing_speed <= kRestingSpeed || contact.gap >= deepest.gap) continue;
-        if (contacts.is_chosen(contact.id)) continue;
+        if (contacts.covers(contact)) continue;
         deepest = {true, contact.gap, contact.closing_speed};
     }
     return deepest;

@@ -78,6 +78,11 @@ std::unique_ptr<PhysicsScene> make_scene(const BodyPlan& plan, const Environment
     return std::move(*scene);
 }
 
+void stand_on_ground(PhysicsScene& scene) {
+    scene.translate(Vec3(0.0, 0.02 - scene.bounds().low.y(), 0.0));
+    scene.restart_audit();
+}
+
 bool run(PhysicsScene& scene, double duration) {
     const int ticks = static_cast<int>(std::lround(duration / kTestTick));
     for (int i = 0; i < ticks; ++i) {

@@ -35,6 +35,9 @@ Environment empty_space();  // no gravity, ground or medium
 std::unique_ptr<PhysicsScene> make_scene(const BodyPlan& plan, const Environment& environment,
                                          const SceneSettings& settings = {});
 
+// Lifts the lowest corner 2 cm above the ground and starts the books.
+void stand_on_ground(PhysicsScene& scene);
+
 // Advances tick by tick; false if the scene became invalid.
 bool run(PhysicsScene& scene, double duration);
 

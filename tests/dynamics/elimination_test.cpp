@@ -1,10 +1,9 @@
 #include "dynamics/elimination.h"
 
 #include "dynamics/bodies.h"
+#include "dynamics/least_squares_dynamics.h"
 #include "dynamics/model_building.h"
 #include "support/catch.h"
-
-#include <Eigen/Dense>
 
 #include <cmath>
 
@@ -36,65 +35,15 @@ RandomState random_state(RandomStream& random) {
     return state;
 }
 
-// The constraint-force equation as it is written (physics.md 4.1): dense, in three coordinates a
-// body, solved by least squares; tau terms vanish because the joints are together.
-Eigen::VectorXd dense_accelerations(const RandomState& state) {
-    const PlanarModel& m = state.model;
-    const Kinematics& k = state.kinematics;
-    const int n = m.body_count;
-    Eigen::MatrixXd jacobian = Eigen::MatrixXd::Zero(2 * (n - 1), 3 * n);
-    Eigen::VectorXd beta = Eigen::VectorXd::Zero(2 * (n - 1));
-    Eigen::VectorXd inverse_mass(3 * n);
-    Eigen::VectorXd force(3 * n);
-    for (int i = 0; i < n; ++i) {
-        inverse_mass.segment<3>(3 * i) << 1 / m.mass[i], 1 / m.mass[i], 1 / m.inertia[i];
-        force.segment<3>(3 * i) << state.loads.force_x[i], state.loads.force_y[i],
-            state.loads.torque[i];
-    }
-    for (int i = 1; i < n; ++i) {
-        const int p = m.parent[i];
-        const int row = 2 * (i - 1);
-        const Vec2 z(k.z_x[i], k.z_y[i]);
-        const Vec2 s(k.s_x[i], k.s_y[i]);
-        const Vec2 gamma(k.gamma_x[i], k.gamma_y[i]);
-        const double effort = state.loads.effort[i];
-        if (m.joint[i] == JointType::kRotary) {
-            // a_i - a_p - z alpha_p - s alpha_i = gamma
-            jacobian.block<2, 2>(row, 3 * i).setIdentity();
-            jacobian.block<2, 2>(row, 3 * p) = -Mat2::Identity();
-            jacobian.block<2, 1>(row, 3 * p + 2) = -z;
-            jacobian.block<2, 1>(row, 3 * i + 2) = -s;
-            beta.segment<2>(row) = -gamma;
-            force(3 * i + 2) += effort;
-            force(3 * p + 2) -= effort;
-        } else {
-            // Across the axis, and no turning against the parent.
-            const Vec2 across(-s.y(), s.x());
-            jacobian.block<1, 2>(row, 3 * i) = across.transpose();
-            jacobian.block<1, 2>(row, 3 * p) = -across.transpose();
-            jacobian(row, 3 * p + 2) = -across.dot(z);
-            beta(row) = -across.dot(gamma);
-            jacobian(row + 1, 3 * i + 2) = 1.0;
-            jacobian(row + 1, 3 * p + 2) = -1.0;
-            force.segment<2>(3 * i) += effort * s;
-            force.segment<2>(3 * p) -= effort * s;
-            force(3 * p + 2) -= effort * z.dot(s);
-        }
-    }
-    const Eigen::MatrixXd weighted = jacobian * inverse_mass.asDiagonal();
-    const Eigen::VectorXd right = -(weighted * force + beta);
-    const Eigen::VectorXd lambda =
-        (weighted * jacobian.transpose()).completeOrthogonalDecomposition().solve(right);
-    return inverse_mass.cwiseProduct(force + jacobian.transpose() * lambda);
-}
-
 }  // namespace
 
 TEST_CASE("tree elimination agrees with dense least squares", "[dynamics][elimination]") {
     RandomStream random(stream_seed({21}));
     for (int round = 0; round < 200; ++round) {
         const RandomState state = random_state(random);
-        const Eigen::VectorXd dense = dense_accelerations(state);
+        LeastSquaresDynamics reference(state.model, 1.0 / 30);
+        const Eigen::VectorXd dense = reference.solve(state.kinematics, state.loads);
+        CHECK(reference.deviation().norm() < 1e-12);
         Factors factors;
         BodyResponse response;
         solve_accelerations(state.model, state.kinematics, state.loads, factors, response);
@@ -138,4 +87,28 @@ TEST_CASE("the mean of the bodies' accelerations is that of the centre",
             mean += state.model.mass[i] * response.x[i] / state.model.total_mass;
         CHECK(mean == Approx(response.coordinate[0]).epsilon(1e-8).margin(1e-8));
     }
+}
+
+TEST_CASE("the reference mode walks the same way", "[dynamics][elimination]") {
+    BodyPlan plan = chain(4, 1.0);
+    attach(plan, 1, Vec3(0.2, 0.0, 0.0), 0.5, kLinearJoint);
+    plan.parts[4].limit_low = -0.1;
+    plan.parts[4].limit_high = 0.1;
+    for (PlannedPart& part : plan.parts)
+        part.max_effort = 0.2;
+    const auto end_of = [&](const std::string& integrator) {
+        SceneSettings settings;
+        settings.integrator = integrator;
+        settings.tolerance = 1e-7;
+        auto scene = make_scene(plan, empty_space(), settings);
+        for (int tick = 0; tick < 40; ++tick) {
+            flail(*scene, plan, 1.0);
+            REQUIRE(scene->advance(kTestTick) == SceneStatus::kRunning);
+        }
+        return scene;
+    };
+    const auto tree = end_of("dormand-prince");
+    const auto reference = end_of("least-squares");
+    for (std::size_t i = 0; i < plan.parts.size(); ++i)
+        CHECK((tree->part_pose(i).position - reference->part_pose(i).position).norm() < 1e-4);
 }

@@ -1,0 +1,119 @@
+#include "dynamics/box_contacts.h"
+
+#include <cmath>
+
+namespace cambrian {
+namespace {
+
+// Another axis must be this much better to be preferred, so that parallel faces do not take turns.
+constexpr double kAxisPreference = 1e-4;  // m
+
+struct SeparatingAxis {
+    double gap = -1e9;  // m, between the boxes' projections
+    bool of_first = true;
+    bool along_length = true;
+};
+
+// Tries both axes of one box; false if one of them separates by more than the margin.
+bool try_axes(const PlacedBox& own, const PlacedBox& other, bool of_first, double margin,
+              SeparatingAxis& best) {
+    const double along = std::fabs(own.axis_x * other.axis_x + own.axis_y * other.axis_y);
+    const double across = std::fabs(own.axis_x * other.axis_y - own.axis_y * other.axis_x);
+    const double x = other.x - own.x;
+    const double y = other.y - own.y;
+    const double length_gap = std::fabs(own.axis_x * x + own.axis_y * y) - own.half_length -
+                              along * other.half_length - across * other.half_width;
+    const double width_gap = std::fabs(own.axis_x * y - own.axis_y * x) - own.half_width -
+                             across * other.half_length - along * other.half_width;
+    if (length_gap > margin || width_gap > margin) return false;
+    if (length_gap > best.gap + kAxisPreference) best = {length_gap, of_first, true};
+    if (width_gap > best.gap + kAxisPreference) best = {width_gap, of_first, false};
+    return true;
+}
+
+struct Vertex {
+    double x, y;
+    int corner;
+};
+
+Vertex vertex_of(const PlacedBox& box, int corner) {
+    const double along = (corner & 1) != 0 ? box.half_length : -box.half_length;
+    const double across = (corner & 2) != 0 ? box.half_width : -box.half_width;
+    return {box.x + box.axis_x * along - box.axis_y * across,
+            box.y + box.axis_y * along + box.axis_x * across, corner};
+}
+
+// Ends of the face that looks most against the normal.
+void incident_face(const PlacedBox& box, double normal_x, double normal_y, Vertex (&ends)[2]) {
+    const double along = normal_x * box.axis_x + normal_y * box.axis_y;
+    const double across = normal_y * box.axis_x - normal_x * box.axis_y;
+    if (std::fabs(along) > std::fabs(across)) {
+        const int side = along < 0.0 ? 1 : 0;
+        ends[0] = vertex_of(box, side);
+        ends[1] = vertex_of(box, side + 2);
+    } else {
+        const int side = across < 0.0 ? 2 : 0;
+        ends[0] = vertex_of(box, side);
+        ends[1] = vertex_of(box, side + 1);
+    }
+}
+
+// Cuts an end of the face off where it passes the tangential coordinate `edge` on the given side.
+void clip(double side, double edge, double (&tangential)[2], Vertex (&ends)[2]) {
+    for (int i = 0; i < 2; ++i) {
+        const double excess = side * tangential[i] - edge;
+        if (excess <= 0.0) continue;
+        const int other = 1 - i;
+        const double share = excess / (side * (tangential[i] - tangential[other]));
+        ends[i].x += share * (ends[other].x - ends[i].x);
+        ends[i].y += share * (ends[other].y - ends[i].y);
+        tangential[i] = side * edge;
+    }
+}
+
+}  // namespace
+
+BoxManifold collide_boxes(const PlacedBox& first, const PlacedBox& second, double margin) {
+    BoxManifold manifold;
+    SeparatingAxis axis;
+    if (!try_axes(first, second, true, margin, axis)) return manifold;
+    if (!try_axes(second, first, false, margin, axis)) return manifold;
+    manifold.first_is_incident = !axis.of_first;
+    const PlacedBox& reference = axis.of_first ? first : second;
+    const PlacedBox& incident = axis.of_first ? second : first;
+    double normal_x = axis.along_length ? reference.axis_x : -reference.axis_y;
+    double normal_y = axis.along_length ? reference.axis_y : reference.axis_x;
+    const double x = incident.x - reference.x;
+    const double y = incident.y - reference.y;
+    if (normal_x * x + normal_y * y < 0.0) {
+        normal_x = -normal_x;
+        normal_y = -normal_y;
+    }
+    manifold.normal_x = normal_x;
+    manifold.normal_y = normal_y;
+    const double face = axis.along_length ? reference.half_length : reference.half_width;
+    const double edge = axis.along_length ? reference.half_width : reference.half_length;
+    Vertex ends[2];
+    incident_face(incident, normal_x, normal_y, ends);
+    double tangential[2];
+    for (int i = 0; i < 2; ++i)
+        tangential[i] = normal_x * (ends[i].y - reference.y) - normal_y * (ends[i].x - reference.x);
+    if (std::fmin(tangential[0], tangential[1]) > edge ||
+        std::fmax(tangential[0], tangential[1]) < -edge)
+        return manifold;
+    clip(1.0, edge, tangential, ends);
+    clip(-1.0, edge, tangential, ends);
+    for (const Vertex& end : ends) {
+        const double gap =
+            normal_x * (end.x - reference.x) + normal_y * (end.y - reference.y) - face;
+        if (gap > margin) continue;
+        manifold.corner[manifold.count] = end.corner;
+        manifold.x[manifold.count] = end.x;
+        manifold.y[manifold.count] = end.y;
+        manifold.gap[manifold.count] = gap;
+        ++manifold.count;
+    }
+    return manifold;
+}
+
+}  // namespace cambrian

@@ -1,0 +1,28 @@
+#pragma once
+
+// Contact points of two boxes: the axis of least penetration gives the reference face; the
+// incident face of the other box is clipped to it (physics.md 7.1).
+
+#include <cstdint>
+
+namespace cambrian {
+
+struct PlacedBox {
+    double x, y;            // m
+    double axis_x, axis_y;  // unit, along the length
+    double half_length, half_width;
+};
+
+struct BoxManifold {
+    bool first_is_incident = false;         // whose points these are
+    double normal_x = 0.0, normal_y = 0.0;  // unit, from the reference box to the incident one
+    int count = 0;                          // 0 to 2
+    int corner[2] = {};                     // of the incident box: bit 0 is +x, bit 1 is +y
+    double x[2] = {}, y[2] = {};            // m, world, on the incident face
+    double gap[2] = {};                     // m, along the normal
+};
+
+// No points where the boxes are farther apart than margin.
+BoxManifold collide_boxes(const PlacedBox& first, const PlacedBox& second, double margin);
+
+}  // namespace cambrian

@@ -1,0 +1,116 @@
+#include "dynamics/least_squares_dynamics.h"
+
+#include "math/types.h"
+
+#include <Eigen/QR>
+
+namespace cambrian {
+namespace {
+
+Vec2 perp(const Vec2& v) {
+    return {-v.y(), v.x()};
+}
+
+Vec2 turned(const Kinematics& k, int body, double x, double y) {
+    return {k.cosine[body] * x - k.sine[body] * y, k.sine[body] * x + k.cosine[body] * y};
+}
+
+Vec2 place(const Kinematics& k, int body) {
+    return {k.x[body], k.y[body]};
+}
+
+Vec2 velocity(const Kinematics& k, int body) {
+    return {k.velocity_x[body], k.velocity_y[body]};
+}
+
+}  // namespace
+
+LeastSquaresDynamics::LeastSquaresDynamics(const PlanarModel& model, double time_constant)
+    : model_(model), time_constant_(time_constant) {
+    const int columns = 3 * model.body_count;
+    const int rows = 2 * (model.body_count - 1);
+    inverse_mass_.resize(columns);
+    for (int i = 0; i < model.body_count; ++i)
+        inverse_mass_.segment<3>(3 * i) << 1.0 / model.mass[i], 1.0 / model.mass[i],
+            1.0 / model.inertia[i];
+    force_.resize(columns);
+    accelerations_.resize(columns);
+    jacobian_.resize(rows, columns);
+    deviation_.resize(rows);
+    rate_.resize(rows);
+    bias_.resize(rows);
+}
+
+// D = c_p + r_p - c_i - r_c.
+void LeastSquaresDynamics::add_rotary(const Kinematics& k, int i, double effort) {
+    const int p = model_.parent[i];
+    const int row = 2 * (i - 1);
+    const Vec2 parent_arm = turned(k, p, model_.parent_anchor_x[i], model_.parent_anchor_y[i]);
+    const Vec2 child_arm = turned(k, i, model_.child_anchor_x[i], model_.child_anchor_y[i]);
+    jacobian_.block<2, 2>(row, 3 * p).setIdentity();
+    jacobian_.block<2, 1>(row, 3 * p + 2) = perp(parent_arm);
+    jacobian_.block<2, 2>(row, 3 * i) = -Mat2::Identity();
+    jacobian_.block<2, 1>(row, 3 * i + 2) = -perp(child_arm);
+    deviation_.segment<2>(row) = place(k, p) + parent_arm - place(k, i) - child_arm;
+    bias_.segment<2>(row) = k.spin[i] * k.spin[i] * child_arm - k.spin[p] * k.spin[p] * parent_arm;
+    force_(3 * i + 2) += effort;
+    force_(3 * p + 2) -= effort;
+}
+
+// With delta = c_i + r_c - c_p - r_p and m = perp(axis): D = (m delta, theta_i - theta_p - theta0).
+void LeastSquaresDynamics::add_linear(const Kinematics& k, int i, double effort) {
+    const int p = model_.parent[i];
+    const int row = 2 * (i - 1);
+    const Vec2 axis = turned(k, p, model_.axis_x[i], model_.axis_y[i]);
+    const Vec2 across = perp(axis);
+    const Vec2 parent_arm = turned(k, p, model_.parent_anchor_x[i], model_.parent_anchor_y[i]);
+    const Vec2 child_arm = turned(k, i, model_.child_anchor_x[i], model_.child_anchor_y[i]);
+    const Vec2 delta = place(k, i) + child_arm - place(k, p) - parent_arm;
+    const Vec2 delta_rate = velocity(k, i) + k.spin[i] * perp(child_arm) - velocity(k, p) -
+                            k.spin[p] * perp(parent_arm);
+    const double spin = k.spin[p];
+    jacobian_.block<1, 2>(row, 3 * i) = across.transpose();
+    jacobian_(row, 3 * i + 2) = across.dot(perp(child_arm));
+    jacobian_.block<1, 2>(row, 3 * p) = -across.transpose();
+    jacobian_(row, 3 * p + 2) = perp(across).dot(delta) - across.dot(perp(parent_arm));
+    jacobian_(row + 1, 3 * i + 2) = 1.0;
+    jacobian_(row + 1, 3 * p + 2) = -1.0;
+    deviation_(row) = across.dot(delta);
+    deviation_(row + 1) = k.angle[i] - k.angle[p] - model_.rest_angle[i];
+    bias_(row) = 2.0 * spin * perp(across).dot(delta_rate) - spin * spin * across.dot(delta) +
+                 across.dot(spin * spin * parent_arm - k.spin[i] * k.spin[i] * child_arm);
+    bias_(row + 1) = 0.0;
+    // The force acts along the axis on the line through the child's centre.
+    const Vec2 push = effort * axis;
+    force_.segment<2>(3 * i) += push;
+    force_.segment<2>(3 * p) -= push;
+    force_(3 * p + 2) -= perp(place(k, i) - place(k, p)).dot(push);
+}
+
+// (J M^-1 J') lambda = -(J M^-1 F + beta + 2/tau D' + D/tau^2).
+const Eigen::VectorXd& LeastSquaresDynamics::solve(const Kinematics& bodies, const Loads& loads) {
+    Eigen::VectorXd speeds(force_.size());
+    jacobian_.setZero();
+    for (int i = 0; i < model_.body_count; ++i) {
+        force_.segment<3>(3 * i) << loads.force_x[i], loads.force_y[i], loads.torque[i];
+        speeds.segment<3>(3 * i) << bodies.velocity_x[i], bodies.velocity_y[i], bodies.spin[i];
+    }
+    for (int i = 1; i < model_.body_count; ++i) {
+        if (model_.joint[i] == JointType::kLinear)
+            add_linear(bodies, i, loads.effort[i]);
+        else
+            add_rotary(bodies, i, loads.effort[i]);
+    }
+    accelerations_ = inverse_mass_.cwiseProduct(force_);
+    if (model_.body_count == 1) return accelerations_;
+    rate_ = jacobian_ * speeds;
+    const Eigen::VectorXd right =
+        -(jacobian_ * accelerations_ + bias_ + 2.0 / time_constant_ * rate_ +
+          deviation_ / (time_constant_ * time_constant_));
+    const Eigen::MatrixXd matrix = jacobian_ * inverse_mass_.asDiagonal() * jacobian_.transpose();
+    const Eigen::VectorXd lambda = matrix.completeOrthogonalDecomposition().solve(right);
+    accelerations_ += inverse_mass_.cwiseProduct(jacobian_.transpose() * lambda);
+    return accelerations_;
+}
+
+}  // namespace cambrian
