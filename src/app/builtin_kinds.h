@@ -4,7 +4,7 @@
 
 namespace cambrian {
 
-// Every concrete kind of this program, from every layer; the only place that names them all.
+// Every concrete kind of everything; the only place that names the physics.
 EvolutionKinds builtin_kinds();
 
 }  // namespace cambrian

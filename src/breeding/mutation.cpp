@@ -1,5 +1,7 @@
 #include "breeding/mutation.h"
 
+#include "breeding/mute_neurons.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -15,7 +17,12 @@ class Mutating {
 public:
     Mutating(Genome& genome, const MutationSettings& settings, const MutationRegistry& kinds,
              const MutationContext& context, RandomStream& stream)
-        : genome_(genome), kinds_(kinds), context_(context), stream_(stream) {
+        : genome_(genome),
+          kinds_(kinds),
+          context_(context),
+          stream_(stream),
+          first_hash_(genome_hash(genome)),
+          hash_(first_hash_) {
         for (const MutationKind& kind : kinds.all()) {
             const auto named = settings.weights.find(kind.id);
             const bool is_named = named != settings.weights.end();
@@ -25,7 +32,7 @@ public:
 
     std::vector<MutationRecord> run(int count) {
         for (; count > 0; --count)
-            draw_operator();
+            draw_operator(MutationPhase::kParameters);
         while (!pending_.empty())
             apply_next();
         return std::move(records_);
@@ -37,15 +44,24 @@ private:
         return std::pair(kinds_[a].phase, a) < std::pair(kinds_[b].phase, b);
     }
 
-    void draw_operator() {
-        const bool any = std::any_of(weights_.begin(), weights_.end(),
-                                     [](double weight) { return weight > 0.0; });
-        if (!any) return;
-        const std::size_t drawn = stream_.weighted(weights_);
+    // One of the given phase or a later one, if any is enabled; otherwise any.
+    void draw_operator(MutationPhase earliest) {
+        std::vector<double> weights = weights_;
+        for (std::size_t i = 0; i < weights.size(); ++i) {
+            if (kinds_[i].phase < earliest) weights[i] = 0.0;
+        }
+        if (none_enabled(weights)) weights = weights_;
+        if (none_enabled(weights)) return;
+        const std::size_t drawn = stream_.weighted(weights);
         const auto place =
             std::upper_bound(pending_.begin(), pending_.end(), drawn,
                              [&](std::size_t a, std::size_t b) { return applies_before(a, b); });
         pending_.insert(place, drawn);
+    }
+
+    static bool none_enabled(const std::vector<double>& weights) {
+        return std::none_of(weights.begin(), weights.end(),
+                            [](double weight) { return weight > 0.0; });
     }
 
     // An operator that cannot make a difference is not drawn again; another takes its place.
@@ -56,17 +72,20 @@ private:
             if (try_apply(kinds_[next])) return;
         }
         weights_[next] = 0.0;
-        draw_operator();
+        draw_operator(kinds_[next].phase);
     }
 
+    // A mutation counts if it changes the genome and does not just undo the ones before.
     bool try_apply(const MutationKind& kind) {
         MutationRecord record;
         record.operator_id = kind.id;
         Genome mutated = genome_;
         if (!kind.apply(mutated, context_, stream_, record)) return false;
         repair(mutated, context_.catalog);
-        if (genome_hash(mutated) == genome_hash(genome_)) return false;
+        const std::uint64_t hash = genome_hash(mutated);
+        if (hash == hash_ || hash == first_hash_) return false;
         genome_ = std::move(mutated);
+        hash_ = hash;
         records_.push_back(std::move(record));
         return true;
     }
@@ -75,6 +94,8 @@ private:
     const MutationRegistry& kinds_;
     const MutationContext& context_;
     RandomStream& stream_;
+    std::uint64_t first_hash_;
+    std::uint64_t hash_;                // of the genome at present
     std::vector<double> weights_;       // of each operator; 0 once it cannot apply
     std::vector<std::size_t> pending_;  // in order of application
     std::vector<MutationRecord> records_;
@@ -87,6 +108,7 @@ std::vector<MutationRecord> mutate(Genome& genome, const MutationSettings& setti
                                    RandomStream& stream) {
     const int count = draw_mutation_count(settings, stream);
     auto records = Mutating(genome, settings, kinds, context, stream).run(count);
+    if (settings.collect_mute_neurons) collect_mute_neurons(genome);
     const double hue = genome.hue + kHueStep * static_cast<double>(records.size());
     genome.hue = hue - std::floor(hue);
     return records;

@@ -12,7 +12,10 @@ struct MutationSettings {
     // whole unit draws the scheme's count once more, a fraction does so with that probability.
     double rate = 1.0;
     // Relative weight of each operator by id; operators not named keep their default weight.
-    std::map<std::string, double> weights;
+    std::map<std::string, double> weights = {};
+    // Also remove neurons no effector can hear; kept by default, since they cost nothing and a
+    // later mutation may connect them.
+    bool collect_mute_neurons = false;
 
     friend bool operator==(const MutationSettings&, const MutationSettings&) = default;
 };

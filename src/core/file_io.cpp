@@ -83,6 +83,29 @@ int replace_file(const std::filesystem::path& target, std::string_view bytes) {
     return failure;
 }
 
+// What a path stands for: links followed, and whether it is written to as it is.
+struct Target {
+    std::filesystem::path path;
+    bool device = false;
+    bool folder = false;
+};
+
+Target target_of(const std::filesystem::path& path) {
+    std::error_code unresolved;
+    Target target{.path = std::filesystem::canonical(path, unresolved)};
+    if (unresolved) target.path = path;  // not there yet
+    struct stat facts {};
+    if (::stat(target.path.c_str(), &facts) != 0) return target;
+    target.folder = S_ISDIR(facts.st_mode);
+    target.device = !target.folder && !S_ISREG(facts.st_mode);
+    return target;
+}
+
+Status outcome(int failure, const std::filesystem::path& path) {
+    if (failure == 0) return {};
+    return Error{"cannot write " + path.string() + ": " + system_message(failure)};
+}
+
 }  // namespace
 
 Result<std::string> read_file(const std::filesystem::path& path, std::size_t max_bytes) {
@@ -111,15 +134,19 @@ Result<std::string> read_file(const std::filesystem::path& path, std::size_t max
 }
 
 Status write_file(const std::filesystem::path& path, std::string_view bytes) {
-    std::error_code unresolved;
-    std::filesystem::path target = std::filesystem::canonical(path, unresolved);
-    if (unresolved) target = path;  // not there yet
-    struct stat facts {};
-    const bool exists = ::stat(target.c_str(), &facts) == 0;
-    const bool device = exists && !S_ISREG(facts.st_mode) && !S_ISDIR(facts.st_mode);
-    const int failure = device ? write_device(target, bytes) : replace_file(target, bytes);
-    if (failure == 0) return {};
-    return Error{"cannot write " + path.string() + ": " + system_message(failure)};
+    const Target target = target_of(path);
+    return outcome(
+        target.device ? write_device(target.path, bytes) : replace_file(target.path, bytes), path);
+}
+
+Status check_writable(const std::filesystem::path& path) {
+    const Target target = target_of(path);
+    if (target.folder) return outcome(EISDIR, path);
+    if (target.device) return outcome(::access(target.path.c_str(), W_OK) == 0 ? 0 : errno, path);
+    const std::filesystem::path trial = temporary_beside(target.path);
+    const int failure = write_new_file(trial, "");
+    if (failure == 0) ::unlink(trial.c_str());
+    return outcome(failure, path);
 }
 
 }  // namespace cambrian

@@ -20,4 +20,8 @@ Result<std::string> read_file(const std::filesystem::path& path, std::size_t max
 // and pipes are written to as they are.
 Status write_file(const std::filesystem::path& path, std::string_view bytes);
 
+// Whether write_file could succeed now, found out by trying beside the target; leaves nothing
+// behind. The message is the one write_file would give.
+Status check_writable(const std::filesystem::path& path);
+
 }  // namespace cambrian

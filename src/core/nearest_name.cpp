@@ -1,18 +1,18 @@
 #include "core/nearest_name.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <numeric>
-#include <vector>
 
 namespace cambrian {
 namespace {
 
 constexpr std::size_t kLongestName = 64;  // bounds the work; no known name is as long
 
-// Levenshtein distance with one row of memory.
+// Levenshtein distance with one row of memory; both texts no longer than the longest name.
 std::size_t edit_distance(std::string_view from, std::string_view to) {
-    std::vector<std::size_t> row(to.size() + 1);
+    std::array<std::size_t, kLongestName + 1> row{};
     std::iota(row.begin(), row.end(), std::size_t{0});
     for (std::size_t i = 1; i <= from.size(); ++i) {
         std::size_t diagonal = row[0];
@@ -23,7 +23,7 @@ std::size_t edit_distance(std::string_view from, std::string_view to) {
             row[j] = std::min({row[j] + 1, row[j - 1] + 1, substituted});
         }
     }
-    return row.back();
+    return row[to.size()];
 }
 
 }  // namespace
@@ -33,6 +33,7 @@ std::string nearest_name(std::string_view name, std::span<const std::string> kno
     std::string best;
     std::size_t best_distance = 0;
     for (const std::string& candidate : known) {
+        if (candidate.size() > kLongestName) continue;
         const std::size_t distance = edit_distance(name, candidate);
         const std::size_t allowed =
             std::max<std::size_t>(1, std::max(name.size(), candidate.size()) / 3);

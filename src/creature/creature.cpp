@@ -33,7 +33,7 @@ void Creature::act(PhysicsScene& scene, double dt) {
     const EffectorKind& effector = kinds_->effectors[kJointEffector];
     for (std::size_t i = 0; i < effector_memory_.size(); ++i) {
         const std::size_t part = phenotype_->effector_parts[i];
-        effector.drive(phenotype_->plan.parts[part], part, brain_.output(i), dt, *settings_,
+        effector.drive({phenotype_->plan.parts[part], part}, brain_.output(i), dt, *settings_,
                        effector_memory_[i], scene);
     }
 }

@@ -7,7 +7,8 @@
 namespace cambrian {
 namespace {
 
-constexpr std::size_t kBrain = static_cast<std::size_t>(-1);  // a reader that is no part
+constexpr std::size_t kBrain = static_cast<std::size_t>(-1);    // a reader that is no part
+constexpr std::size_t kNowhere = static_cast<std::size_t>(-2);  // a part that does not exist
 
 // While references are resolved, every channel of every part has a sensor slot; the unheard ones
 // are taken out at the end.
@@ -107,9 +108,6 @@ private:
         }
         return network_.zero_slot();
     }
-
-    // kNowhere stands for a part that does not exist.
-    static constexpr std::size_t kNowhere = static_cast<std::size_t>(-2);
 
     static std::size_t nth(const std::vector<std::size_t>& parts, std::size_t number) {
         return parts.empty() ? kNowhere : parts[number % parts.size()];

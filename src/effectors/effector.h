@@ -13,12 +13,17 @@
 
 namespace cambrian {
 
+// The part an effector belongs to.
+struct EffectorSite {
+    const PlannedPart& part;
+    std::size_t index;
+};
+
 struct EffectorKind {
     // Drives the part's joint from `signal` (within +-10, already mirrored). `memory` is one value,
     // the smoothed target, 0 (rest) at birth.
-    using Drive = void (*)(const PlannedPart& part, std::size_t part_index, double signal,
-                           double dt, const SceneSettings& settings, double& memory,
-                           PhysicsScene& scene);
+    using Drive = void (*)(const EffectorSite& site, double signal, double dt,
+                           const SceneSettings& settings, double& memory, PhysicsScene& scene);
 
     std::string id;
     std::string label;

@@ -32,11 +32,11 @@ double smoothing_share(double dt, double time_constant) {
     return time_constant > 0.0 ? 1.0 - exponential(-dt / time_constant) : 1.0;
 }
 
-void drive_joint(const PlannedPart& part, std::size_t part_index, double signal, double dt,
-                 const SceneSettings& settings, double& memory, PhysicsScene& scene) {
-    const double target = motor_target(part, signal, settings);
+void drive_joint(const EffectorSite& site, double signal, double dt, const SceneSettings& settings,
+                 double& memory, PhysicsScene& scene) {
+    const double target = motor_target(site.part, signal, settings);
     memory += (target - memory) * smoothing_share(dt, settings.target_smoothing);
-    scene.set_target(part_index, memory);
+    scene.set_target(site.index, memory);
 }
 
 }  // namespace

@@ -18,9 +18,9 @@ struct FounderSettings {
     int max_node_neurons = 3;
     int max_brain_neurons = 2;
     int max_recursion = 4;
-    // Empty: everything in the catalog. Otherwise ids.
-    std::vector<std::string> functions;
-    std::vector<std::string> joints;
+    // Ids of what may be used. Empty: every function of the catalog; "rigid" and "rotary" joints.
+    std::vector<std::string> functions = {};
+    std::vector<std::string> joints = {};
 
     friend bool operator==(const FounderSettings&, const FounderSettings&) = default;
 };

@@ -11,6 +11,7 @@ namespace {
 constexpr int kRedraws = 20;              // for a movable joint
 constexpr double kSecondLimbShare = 0.6;  // of symmetric nodes, given a second edge at once
 constexpr int kMaxExtraEdges = 2;
+constexpr int kMostNodes = static_cast<int>(gene_range::kMaxNodes);
 
 bool has_room(const NodeGene& node) {
     return node.edges.size() < gene_range::kMaxEdges;
@@ -41,9 +42,8 @@ void connect(Genome& genome, const GenePool& pool, RandomStream& stream) {
 }
 
 Genome draw_genome(const GenePool& pool, RandomStream& stream) {
-    constexpr int kMost = static_cast<int>(gene_range::kMaxNodes);
-    const int least = std::clamp(pool.settings.min_nodes, 1, kMost);
-    const int most = std::clamp(pool.settings.max_nodes, least, kMost);
+    const int least = std::clamp(pool.settings.min_nodes, 1, kMostNodes);
+    const int most = std::clamp(pool.settings.max_nodes, least, kMostNodes);
     Genome genome;
     for (int count = stream.between(least, most); count > 0; --count)
         genome.nodes.push_back(random_node(pool, stream));

@@ -9,6 +9,14 @@ constexpr std::size_t kMaxBytes = 1'000'000;
 
 }  // namespace
 
+ExperimentSettings default_settings(std::string_view goal, const EvolutionKinds& kinds) {
+    ExperimentSettings settings;
+    if (!goal.empty()) settings.goal = goal;
+    if (const GoalKind* kind = kinds.goals.find(settings.goal); kind != nullptr)
+        settings.world.environment = kind->default_environment();
+    return settings;
+}
+
 Result<ExperimentSettings> load_settings(const std::filesystem::path& path,
                                          const EvolutionKinds& kinds) {
     const Result<std::string> text = read_file(path, kMaxBytes);

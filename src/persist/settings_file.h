@@ -13,6 +13,10 @@
 
 namespace cambrian {
 
+// The settings of a file that says no more than the goal (an id, or empty for the usual one): the
+// world is the one the goal makes sense in.
+ExperimentSettings default_settings(std::string_view goal, const EvolutionKinds& kinds);
+
 // Keys left out have their defaults, so an empty file is a valid experiment. Unknown keys, wrong
 // types and values out of range are errors; the message names the file, the line, the key and what
 // was expected, one line for each. What is loaded passes check_settings.

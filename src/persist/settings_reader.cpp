@@ -26,8 +26,10 @@ SettingValue setting_value(const toml::node& node) {
 // Walks the file's tables and stores what it finds in the settings.
 class SettingsReader {
 public:
-    SettingsReader(const EvolutionKinds& kinds, ErrorList& errors)
-        : fields_(setting_fields(kinds)), errors_(errors) {}
+    SettingsReader(const EvolutionKinds& kinds, ErrorList& errors, std::string_view goal)
+        : fields_(setting_fields(kinds)),
+          errors_(errors),
+          settings_(default_settings(goal, kinds)) {}
 
     void read(const toml::table& table, const std::string& path = "") {
         for (const auto& [key, node] : table) {
@@ -55,6 +57,10 @@ private:
         const auto field = std::find_if(
             fields_.begin(), fields_.end(),
             [&](const SettingField& each) { return each.table == table && each.key == key; });
+        if (names_table(table.empty() ? key : table + "." + key)) {
+            errors_.error("", line + ", " + place(table, key, false), "expected a table");
+            return;
+        }
         if (field == fields_.end()) {
             const bool is_table = node.is_table();
             errors_.error("", line + ", " + place(table, key, is_table),
@@ -111,7 +117,8 @@ Result<ExperimentSettings> parse_settings(std::string_view text, std::string_vie
         errors.error("", line_of(document.error().source()), shown(document.error().description()));
         return errors.as_error(source);
     }
-    SettingsReader reader(kinds, errors);
+    const std::string goal = document["goal"]["behavior"].value_or(std::string());
+    SettingsReader reader(kinds, errors, kinds.goals.find(goal) == nullptr ? "" : goal);
     reader.read(document.table());
     if (!errors.empty()) return errors.as_error(source);
     if (const Status contradiction = check_settings(reader.settings(), kinds); !contradiction)

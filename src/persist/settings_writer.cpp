@@ -28,11 +28,12 @@ std::string comment(const SettingField& field, const SettingValue& value,
            ". " + field.help;
 }
 
-std::string line(const SettingField& field, const ExperimentSettings& settings) {
+std::string line(const SettingField& field, const ExperimentSettings& settings,
+                 const ExperimentSettings& defaults) {
     const SettingValue value = value_of(field, settings);
     std::string text = field.key + " = " + setting_text(value) + " ";
     if (text.size() < kCommentColumn) text.resize(kCommentColumn, ' ');
-    return text + comment(field, value, ExperimentSettings{}) + "\n";
+    return text + comment(field, value, defaults) + "\n";
 }
 
 }  // namespace
@@ -40,12 +41,14 @@ std::string line(const SettingField& field, const ExperimentSettings& settings) 
 std::string write_settings(const ExperimentSettings& settings, const EvolutionKinds& kinds) {
     std::string text =
         "# The settings of one experiment: `cambrian evolve THIS-FILE` evolves under them.\n"
-        "# A key left out has its default.\n";
+        "# A key left out has its default; those of [environment] go with the goal.\n";
+    const ExperimentSettings defaults = default_settings(settings.goal, kinds);
     std::string table;
     for (const SettingField& field : setting_fields(kinds)) {
         if (field.table != table) text += "\n[" + field.table + "]\n";
         table = field.table;
-        text += line(field, settings);
+        const bool goal = field.table == "goal";
+        text += line(field, settings, goal ? ExperimentSettings{} : defaults);
     }
     return text;
 }

@@ -148,7 +148,7 @@ TEST_CASE("offspring name their parents, method and mutations", "[evolution]") {
     Evolution evolution(small_settings(), kinds());
     FakeBackend backend;
     run(evolution, backend, 4);
-    std::size_t changed = 0;
+    int changed = 0;
     for (const IndividualPtr& one : evolution.population()) {
         if (one->born == 0) continue;
         CHECK(one->parents[0] != 0);

@@ -9,16 +9,16 @@
 namespace cambrian {
 
 inline double garbage_real(RandomStream& stream) {
-    constexpr double kInfinity = std::numeric_limits<double>::infinity();
-    constexpr std::array<double, 8> kOdd = {0.0,
-                                            -0.0,
-                                            kInfinity,
-                                            -kInfinity,
-                                            std::numeric_limits<double>::quiet_NaN(),
-                                            1e300,
-                                            -1e-300,
-                                            3.14159265358979323846};
-    return stream.chance(0.3) ? stream.pick(kOdd) : stream.uniform(-5.0, 5.0);
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    constexpr std::array<double, 8> odd = {0.0,
+                                           -0.0,
+                                           infinity,
+                                           -infinity,
+                                           std::numeric_limits<double>::quiet_NaN(),
+                                           1e300,
+                                           -1e-300,
+                                           3.14159265358979323846};
+    return stream.chance(0.3) ? stream.pick(odd) : stream.uniform(-5.0, 5.0);
 }
 
 inline std::uint8_t garbage_byte(RandomStream& stream) {

@@ -9,6 +9,7 @@
 namespace cambrian {
 namespace {
 
+constexpr int kReproductionCount = static_cast<int>(Reproduction::kGrafting) + 1;
 constexpr double kReproductionShare = 0.1;  // of discrete changes, where breeding is an attribute
 
 template <class Gene>
@@ -89,9 +90,9 @@ const char* in_words(Reproduction method) {
 void change_reproduction(Genome& genome, RandomStream& stream, MutationRecord& record) {
     record.place = "reproduction";
     record.from = in_words(genome.reproduction);
-    constexpr int kCount = static_cast<int>(Reproduction::kGrafting) + 1;
-    const int next = static_cast<int>(genome.reproduction) + stream.between(1, kCount - 1);
-    genome.reproduction = static_cast<Reproduction>(next % kCount);
+    const int next =
+        static_cast<int>(genome.reproduction) + stream.between(1, kReproductionCount - 1);
+    genome.reproduction = static_cast<Reproduction>(next % kReproductionCount);
     record.to = in_words(genome.reproduction);
 }
 

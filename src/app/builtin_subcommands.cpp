@@ -1,0 +1,16 @@
+#include "app/subcommand.h"
+#include "app/subcommands/subcommands.h"
+
+namespace cambrian {
+
+SubcommandRegistry builtin_subcommands() {
+    SubcommandRegistry subcommands;
+    subcommands.add(studio_subcommand());
+    subcommands.add(evolve_subcommand());
+    subcommands.add(simulate_subcommand());
+    subcommands.add(verify_subcommand());
+    subcommands.add(settings_subcommand());
+    return subcommands;
+}
+
+}  // namespace cambrian

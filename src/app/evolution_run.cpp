@@ -1,0 +1,86 @@
+#include "app/evolution_run.h"
+
+#include "app/evolution_report.h"
+#include "app/interruption.h"
+#include "app/messages.h"
+#include "app/output_path.h"
+#include "app/progress_bar.h"
+#include "core/thread_pool.h"
+#include "evolution/backends/thread_pool_backend.h"
+#include "evolution/evolution.h"
+#include "evolution/setting_field.h"
+#include "persist/creature_file.h"
+#include "persist/settings_file.h"
+
+#include <memory>
+#include <span>
+#include <system_error>
+
+namespace cambrian {
+namespace {
+
+Result<SettingsPtr> settings_of(const EvolutionRun& run, const EvolutionKinds& kinds) {
+    Result<ExperimentSettings> settings = load_settings(run.settings_file, kinds);
+    if (!settings) return settings.error();
+    settings->generations = run.generations.value_or(settings->generations);
+    settings->seed = run.seed.value_or(settings->seed);
+    if (const Status valid = check_settings(*settings, kinds); !valid) return valid.error();
+    return std::make_shared<const ExperimentSettings>(*std::move(settings));
+}
+
+// The evolution's best so far.
+CreatureDocument champion_of(const Evolution& evolution, const EvolutionKinds& kinds) {
+    return creature_document(*evolution.population().front(), evolution.settings(), kinds);
+}
+
+// Where it should go or, if that has become impossible meanwhile, where it is not lost.
+Result<std::filesystem::path> save_champion(const std::filesystem::path& path,
+                                            const CreatureDocument& champion,
+                                            const EvolutionKinds& kinds) {
+    const Status saved = save_creature(path, champion, kinds);
+    if (saved) return path;
+    std::error_code failure;
+    const std::filesystem::path refuge =
+        std::filesystem::temp_directory_path(failure) / path.filename();
+    if (failure || !save_creature(refuge, champion, kinds)) return saved.error();
+    return Error{saved.error().message + "; the champion is in " + refuge.string()};
+}
+
+// Evaluates and breeds until the last generation or an interruption. True if interrupted.
+bool evolve(Evolution& evolution, EvaluationBackend& backend, const std::string& unit, bool json) {
+    const Interruption interruption;
+    EvaluationProgress progress;
+    const auto generations = static_cast<std::uint32_t>(evolution.settings().generations);
+    ProgressBar bar(progress, generations);
+    for (;;) {
+        evolution.evaluate(backend, progress, {});
+        bar.finish_generation(generation_line(evolution.history().back(), unit, json));
+        if (evolution.history().size() >= generations) return false;
+        if (interruption.requested()) return true;
+        evolution.breed();
+    }
+}
+
+}  // namespace
+
+ExitStatus run_evolution(const EvolutionRun& run, const EvolutionKinds& kinds) {
+    const Result<SettingsPtr> settings = settings_of(run, kinds);
+    if (!settings) return fail(settings.error());
+    const Result<std::filesystem::path> path =
+        output_path(run.out, "champion-" + (*settings)->goal + "-seed" +
+                                 std::to_string((*settings)->seed) + ".creature.json");
+    if (!path) return fail(path.error());
+
+    const auto backend =
+        make_thread_pool_backend(kinds, run.threads.value_or(ThreadPool::default_workers()));
+    const std::string unit = kinds.goals.find((*settings)->goal)->unit;
+    Evolution evolution(*settings, kinds);
+    const bool interrupted = evolve(evolution, *backend, unit, run.json);
+
+    const auto saved = save_champion(*path, champion_of(evolution, kinds), kinds);
+    if (!saved) return fail(saved.error(), ExitStatus::kFailed);
+    print_line(final_line(evolution.history(), unit, *saved, interrupted, run.json));
+    return ExitStatus::kDone;
+}
+
+}  // namespace cambrian

@@ -1,0 +1,29 @@
+#pragma once
+
+// An unattended evolution: generation after generation with a report of each, and the champion's
+// file at the end. What `cambrian evolve` does, and `cambrian studio` where there is no display.
+
+#include "app/exit_status.h"
+#include "evolution/evolution_kinds.h"
+#include "evolution/experiment_settings.h"
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace cambrian {
+
+struct EvolutionRun {
+    std::string settings_file;
+    std::optional<int> generations;      // instead of the file's
+    std::optional<std::uint64_t> seed;   // instead of the file's
+    std::optional<std::size_t> threads;  // one a core if absent; never changes a result
+    std::string out;                     // file or folder; empty: the current folder
+    bool json = false;                   // a JSON object a line instead of words
+};
+
+// Says what goes wrong itself.
+ExitStatus run_evolution(const EvolutionRun& run, const EvolutionKinds& kinds);
+
+}  // namespace cambrian

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "app/exit_status.h"
+#include "core/result.h"
+
+#include <string>
+#include <string_view>
+
+namespace cambrian {
+
+// One message on standard error, with the program's name before it.
+void say(std::string_view message);
+
+// Says the error and returns the status, so that a subcommand can end with it.
+ExitStatus fail(const Error& error, ExitStatus status = ExitStatus::kBadInput);
+
+// One line on standard output, at once.
+void print_line(std::string_view line);
+
+}  // namespace cambrian

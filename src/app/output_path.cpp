@@ -1,0 +1,21 @@
+#include "app/output_path.h"
+
+#include "core/file_io.h"
+
+#include <system_error>
+
+namespace cambrian {
+
+Result<std::filesystem::path> output_path(const std::string& asked, const std::string& name) {
+    std::filesystem::path path = asked.empty() ? "." : asked.c_str();
+    std::error_code failure;
+    if (!asked.empty() && asked.back() == '/') {
+        std::filesystem::create_directories(path, failure);
+        if (failure) return Error{"cannot make the folder " + asked + ": " + failure.message()};
+    }
+    if (std::filesystem::is_directory(path, failure)) path /= name;
+    if (const Status writable = check_writable(path); !writable) return writable.error();
+    return path;
+}
+
+}  // namespace cambrian

@@ -1,0 +1,60 @@
+#include "app/messages.h"
+#include "app/output_path.h"
+#include "app/subcommands/subcommands.h"
+#include "core/file_io.h"
+#include "persist/quoted_text.h"
+#include "persist/settings_file.h"
+
+#include <CLI/CLI.hpp>
+
+#include <cstdio>
+
+namespace cambrian {
+namespace {
+
+class SettingsSubcommand final : public Subcommand {
+public:
+    void add_options(CLI::App& app) override {
+        app.add_option("settings", file_, "Settings file to complete; without one, the defaults");
+        app.add_option("-g,--goal", goal_, "What is selected for, with the world it makes sense in")
+            ->excludes("settings");
+        app.add_option("-o,--out", out_, "File or folder to write to, instead of the screen");
+    }
+    ExitStatus run(const EvolutionKinds& kinds) override {
+        const Result<ExperimentSettings> settings =
+            file_.empty() ? parse_settings(starting_text(), "--goal", kinds)
+                          : load_settings(file_, kinds);
+        if (!settings) return fail(settings.error());
+        const std::string text = write_settings(*settings, kinds);
+        if (out_.empty()) {
+            std::fputs(text.c_str(), stdout);
+            return ExitStatus::kDone;
+        }
+        const auto path = output_path(out_, settings->goal + ".toml");
+        if (!path) return fail(path.error());
+        const Status written = write_file(*path, text);
+        return written ? ExitStatus::kDone : fail(written.error(), ExitStatus::kFailed);
+    }
+
+private:
+    std::string starting_text() const {
+        return goal_.empty() ? "" : "[goal]\nbehavior = " + quoted_text(goal_) + "\n";
+    }
+
+    std::string file_;
+    std::string goal_;
+    std::string out_;
+};
+
+}  // namespace
+
+SubcommandKind settings_subcommand() {
+    return {.id = "settings",
+            .summary = "Write a settings file with every setting, its unit, range and meaning.",
+            .example = "cambrian settings --goal swimming --out swimming.toml",
+            .make = []() -> std::unique_ptr<Subcommand> {
+                return std::make_unique<SettingsSubcommand>();
+            }};
+}
+
+}  // namespace cambrian

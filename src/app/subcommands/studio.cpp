@@ -1,0 +1,78 @@
+#include "studio/studio.h"
+
+#include "app/subcommands/subcommands.h"
+#include "app/without_window.h"
+
+#include <CLI/CLI.hpp>
+
+#include <cstdlib>
+
+namespace cambrian {
+namespace {
+
+// Where programs keep what they remember (XDG base directories); empty if nowhere.
+std::filesystem::path usual_state_dir() {
+    // Read before any thread starts.
+    const char* state = std::getenv("XDG_STATE_HOME");  // NOLINT(concurrency-mt-unsafe)
+    if (state != nullptr && *state == '/') return std::filesystem::path(state) / "cambrian";
+    const char* home = std::getenv("HOME");  // NOLINT(concurrency-mt-unsafe)
+    if (home == nullptr || *home != '/') return {};
+    return std::filesystem::path(home) / ".local/state/cambrian";
+}
+
+class StudioSubcommand final : public Subcommand {
+public:
+    StudioSubcommand() {
+        options_.state_dir = usual_state_dir();
+        const std::filesystem::path sample = CAMBRIAN_ASSETS "/creatures/walker.creature.json";
+        std::error_code ignored;
+        if (std::filesystem::exists(sample, ignored)) options_.sample_creature = sample;
+    }
+    void add_options(CLI::App& app) override {
+        app.add_option("file", options_.open_file, "Creature or settings file to open");
+        app.add_flag("--evolve", options_.evolve, "Begin to evolve at once");
+        app.add_option("-t,--threads", options_.workers,
+                       "Threads that evaluate; one a core unless given")
+            ->check(CLI::Range(1, 1024));
+        app.add_option("--width", options_.width, "Width of the window")
+            ->check(CLI::Range(320, 16384));
+        app.add_option("--height", options_.height, "Height of the window")
+            ->check(CLI::Range(240, 16384));
+        app.add_option("--scale", options_.scale,
+                       "Size of everything drawn; the display's unless given")
+            ->check(CLI::Range(0.5, 4.0));
+        app.add_option("--state-dir", options_.state_dir,
+                       "Folder of what is remembered from one start to the next; \"\" for nothing");
+        app.add_option("--status-log", options_.status_log,
+                       "Append what happens to this file, one JSON object a line");
+        app.add_option("--frame-log", options_.frame_log,
+                       "Write the time of every frame to this file");
+        app.add_option("--screenshot", options_.screenshot,
+                       "Write a picture of the window at the end");
+        app.add_option("--quit-after", options_.quit_after,
+                       "Close the window after so many seconds")
+            ->check(CLI::NonNegativeNumber);
+        without_window_.add_options(app);
+    }
+    ExitStatus run(const EvolutionKinds& kinds) override {
+        const Status shown = run_studio(options_, kinds);
+        return shown ? ExitStatus::kDone : without_window_.run(shown.error(), kinds);
+    }
+
+private:
+    StudioOptions options_;
+    WithoutWindow without_window_;
+};
+
+}  // namespace
+
+SubcommandKind studio_subcommand() {
+    return {.id = "studio",
+            .summary = "Open the studio: watch, steer and pick while creatures evolve.",
+            .example = "cambrian studio champion-walking-seed7.creature.json",
+            .make = []() -> std::unique_ptr<Subcommand> {
+                return std::make_unique<StudioSubcommand>();
+            }};
+}
+
+}  // namespace cambrian

@@ -1,0 +1,34 @@
+// The studio's subcommand in a program built without its window.
+#include "app/subcommands/subcommands.h"
+#include "app/without_window.h"
+
+#include <CLI/CLI.hpp>
+
+namespace cambrian {
+namespace {
+
+class MissingStudio final : public Subcommand {
+public:
+    void add_options(CLI::App& app) override {
+        app.allow_extras();  // the window's options and files
+        without_window_.add_options(app);
+    }
+    ExitStatus run(const EvolutionKinds& kinds) override {
+        return without_window_.run({"this program was built without its window"}, kinds);
+    }
+
+private:
+    WithoutWindow without_window_;
+};
+
+}  // namespace
+
+SubcommandKind studio_subcommand() {
+    return {
+        .id = "studio",
+        .summary = "Open the studio; this program was built without it.",
+        .example = "cambrian studio --if-no-display assets/settings/walking.toml",
+        .make = []() -> std::unique_ptr<Subcommand> { return std::make_unique<MissingStudio>(); }};
+}
+
+}  // namespace cambrian

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "app/subcommand.h"
+
+namespace cambrian {
+
+SubcommandKind evolve_subcommand();
+SubcommandKind settings_subcommand();
+SubcommandKind simulate_subcommand();
+SubcommandKind studio_subcommand();
+SubcommandKind verify_subcommand();
+
+}  // namespace cambrian

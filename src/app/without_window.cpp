@@ -1,0 +1,26 @@
+#include "app/without_window.h"
+
+#include "app/evolution_run.h"
+#include "app/messages.h"
+
+#include <CLI/CLI.hpp>
+
+namespace cambrian {
+
+void WithoutWindow::add_options(CLI::App& app) {
+    app.add_option("--if-no-display", settings_,
+                   "Where no window can be opened, evolve these settings instead");
+}
+
+ExitStatus WithoutWindow::run(const Error& reason, const EvolutionKinds& kinds) const {
+    if (settings_.empty()) {
+        say(reason.message + "; `cambrian evolve SETTINGS.toml` works without a window");
+        return ExitStatus::kFailed;
+    }
+    say(reason.message + "; evolving " + settings_ + " without a window");
+    EvolutionRun run;
+    run.settings_file = settings_;
+    return run_evolution(run, kinds);
+}
+
+}  // namespace cambrian

@@ -1,0 +1,66 @@
+"""Usage: help, versions and mistakes."""
+
+import unittest
+
+from program import BAD_INPUT, DONE, FAILED, ProgramTest
+
+SUBCOMMANDS = ["studio", "evolve", "simulate", "verify", "settings"]
+
+
+class CommandLine(ProgramTest):
+    def test_help_names_every_subcommand(self):
+        text = self.run_well("--help").stdout
+        for name in SUBCOMMANDS:
+            self.assertIn(name, text)
+
+    def test_each_subcommand_explains_itself_with_an_example(self):
+        for name in SUBCOMMANDS:
+            text = self.run_well(name, "--help").stdout
+            self.assertIn("Example:\n  cambrian " + name, text)
+
+    def test_the_version_is_told(self):
+        self.assertRegex(self.run_well("--version").stdout, r"^cambrian \d+\.\d+\.\d+\n$")
+
+    def test_bad_usage_is_status_2_and_a_message(self):
+        for arguments in [["fly"], ["evolve"], ["evolve", "--speed", "3", "a.toml"],
+                          ["evolve", "a.toml", "--generations", "0"],
+                          ["evolve", "a.toml", "--generations", "many"],
+                          ["evolve", "a.toml", "--threads", "0"],
+                          ["evolve", "a.toml", "--seed", "-1"], ["simulate"], ["verify"]]:
+            result = self.run_program(*arguments)
+            self.assertEqual(result.returncode, BAD_INPUT, arguments)
+            self.assertNotEqual(result.stderr, "")
+            self.assertEqual(result.stdout, "")
+
+    def test_without_a_display_the_studio_says_so(self):
+        environment = {"DISPLAY": "", "WAYLAND_DISPLAY": ""}
+        result = self.run_program(env=environment)
+        self.assertEqual(result.returncode, FAILED)
+        self.assertEqual(result.stderr.count("\n"), 1)
+        self.assertIn("cambrian evolve", result.stderr)
+
+    def test_without_a_display_the_studio_can_evolve_instead(self):
+        self.write("small.toml", "[run]\ngenerations = 2\n[population]\nsize = 6\n"
+                                 "[trial]\nduration = 1\n")
+        result = self.run_program("studio", "--if-no-display", "small.toml",
+                                  env={"DISPLAY": "", "WAYLAND_DISPLAY": ""})
+        self.assertEqual(result.returncode, DONE, result.stderr)
+        self.assertEqual(result.stderr.count("\n"), 1)
+        self.assertIn("without a window", result.stderr)
+        self.assertIn("champion-walking-seed1.creature.json", self.files())
+
+    def test_settings_are_written_complete_and_read_again(self):
+        text = self.run_well("settings").stdout
+        self.assertIn("gravity = 9.81 ", text)
+        self.write("all.toml", text)
+        self.assertEqual(self.run_well("settings", "all.toml").stdout, text)
+
+    def test_settings_of_a_goal_come_with_its_world(self):
+        self.run_well("settings", "--goal", "swimming", "--out", "swim.toml")
+        self.assertIn("gravity = 0.0 ", (self.folder / "swim.toml").read_text())
+        self.assert_refused(self.run_program("settings", "--goal", "sleeping"), "sleeping",
+                            "walking")
+
+
+if __name__ == "__main__":
+    unittest.main()

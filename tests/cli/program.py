@@ -1,0 +1,66 @@
+"""Runs the real program as a person would, for the tests of this folder."""
+
+import os
+import pathlib
+import subprocess
+import tempfile
+import unittest
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+CAMBRIAN = os.environ.get("CAMBRIAN", str(ROOT / "build/release/bin/cambrian"))
+
+DONE, FAILED, BAD_INPUT = 0, 1, 2
+
+# A short trial of few creatures: seconds, not minutes, on one core of any build.
+SMALL = """
+[run]
+generations = 3
+[population]
+size = 12
+[trial]
+duration = 2
+"""
+
+
+class ProgramTest(unittest.TestCase):
+    """Each test has an empty folder to itself, which is also where the program runs."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory(prefix="cambrian-cli-")
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def write(self, name, content):
+        path = self.folder / name
+        path.write_bytes(content if isinstance(content, bytes) else content.encode())
+        return path
+
+    def run_program(self, *arguments, **options):
+        """The finished process; output as text. Never hangs: two minutes are far too long."""
+        environment = dict(os.environ, **options.pop("env", {}))
+        return subprocess.run(
+            [CAMBRIAN, *map(str, arguments)], cwd=self.folder, env=environment,
+            stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+            encoding="utf-8", timeout=600, check=False, **options)
+
+    def run_well(self, *arguments, **options):
+        result = self.run_program(*arguments, **options)
+        self.assertEqual(result.returncode, DONE, result.stderr)
+        return result
+
+    def assert_refused(self, result, *parts, status=BAD_INPUT):
+        """One clear message on standard error with these parts, nothing on standard output."""
+        self.assertEqual(result.returncode, status, result.stdout + result.stderr)
+        self.assertEqual(result.stdout, "")
+        for part in parts:
+            self.assertIn(part, result.stderr)
+        self.assertTrue(result.stderr.startswith("cambrian: "), result.stderr)
+
+    def files(self):
+        return sorted(path.name for path in self.folder.iterdir())
+
+    def evolve_champion(self, name="champion.creature.json", settings=SMALL):
+        """A small evolution's champion."""
+        self.write("small.toml", settings)
+        self.run_well("evolve", "small.toml", "--out", name)
+        return self.folder / name

@@ -1,0 +1,69 @@
+"""cambrian simulate and verify: a saved creature does again what it did."""
+
+import csv
+import json
+import unittest
+
+from program import DONE, FAILED, ProgramTest
+
+
+class Simulate(ProgramTest):
+    def test_a_champion_scores_again_what_its_file_says(self):
+        creature = json.loads(self.evolve_champion().read_text())
+        report = json.loads(
+            self.run_well("simulate", "champion.creature.json", "--json").stdout)
+        self.assertEqual(report["fitness"], creature["scored"]["fitness"])
+        self.assertEqual(report["trajectory"], creature["scored"]["trajectory"])
+        self.assertEqual(report["outcome"], "completed")
+
+    def test_a_replay_is_verified(self):
+        self.evolve_champion()
+        result = self.run_well("verify", "champion.creature.json")
+        self.assertIn("replay verified", result.stdout)
+
+    def test_a_creature_changed_by_hand_is_found_out(self):
+        path = self.evolve_champion()
+        creature = json.loads(path.read_text())
+        creature["scored"]["fitness"] += 1e-9
+        path.write_text(json.dumps(creature))
+        result = self.run_program("verify", path.name)
+        self.assertEqual(result.returncode, FAILED)
+        self.assertIn("the replay differs", result.stderr)
+
+    def test_a_creature_without_a_score_cannot_be_verified(self):
+        path = self.evolve_champion()
+        creature = json.loads(path.read_text())
+        del creature["scored"]
+        path.write_text(json.dumps(creature))
+        self.assert_refused(self.run_program("verify", path.name), "holds no score")
+        self.assertEqual(self.run_program("simulate", path.name).returncode, DONE)
+
+    def test_a_trace_has_a_row_a_tick_and_four_columns_a_part(self):
+        self.evolve_champion()
+        self.run_well("simulate", "champion.creature.json", "--trace", "motion.csv")
+        with open(self.folder / "motion.csv", newline="") as file:
+            rows = list(csv.reader(file))
+        parts = json.loads(
+            self.run_well("simulate", "champion.creature.json", "--json").stdout)["parts"]
+        self.assertEqual(len(rows[0]), 3 + 4 * parts)
+        self.assertEqual(len(rows), 1 + 2 * 60 + 1)  # header, 2 s of ticks, the start
+        self.assertEqual(float(rows[1][0]), 0.0)
+        self.assertAlmostEqual(float(rows[-1][0]), 2.0)
+        self.assertTrue(all(len(row) == len(rows[0]) for row in rows))
+
+    def test_a_creature_can_be_put_in_another_world(self):
+        self.evolve_champion()
+        self.write("moon.toml", "[environment]\ngravity = 1.62\n[trial]\nduration = 2\n")
+        here = json.loads(self.run_well("simulate", "champion.creature.json", "--json").stdout)
+        there = json.loads(self.run_well("simulate", "champion.creature.json", "--json",
+                                         "--environment", "moon.toml").stdout)
+        self.assertNotEqual(here["trajectory"], there["trajectory"])
+
+    def test_a_trace_that_cannot_be_written_is_refused(self):
+        self.evolve_champion()
+        result = self.run_program("simulate", "champion.creature.json", "--trace", "no/such/t.csv")
+        self.assert_refused(result, "cannot write no/such/t.csv")
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,202 @@
+// One case a code of evolution.md 10.3: what is wrong with the file and how the message says so.
+
+#include "persist/sample_creature.h"
+#include "support/catch.h"
+#include "support/temporary_directory.h"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+using namespace cambrian;
+using namespace cambrian::test;
+
+namespace {
+
+// The sample with the first occurrence of one text replaced by another.
+std::string changed(std::string_view from, std::string_view to) {
+    std::string text = sample_text();
+    const std::size_t place = text.find(from);
+    REQUIRE(place != std::string::npos);
+    return text.replace(place, from.size(), to);
+}
+
+std::string message_of(const std::string& text) {
+    const auto loaded = parse_creature(text, "some.creature.json", kinds());
+    return loaded ? "no error" : loaded.error().message;
+}
+
+std::vector<std::string> warnings_of(const std::string& text) {
+    const auto loaded = parse_creature(text, "some.creature.json", kinds());
+    REQUIRE(loaded);
+    return loaded->warnings;
+}
+
+}  // namespace
+
+TEST_CASE("E01: text that is no JSON is located by line and column", "[persist][creature_error]") {
+    CHECK(message_of("") == "some.creature.json: E01 the file is empty");
+    CHECK_THAT(message_of(changed("\"version\": 1,", "\"version\": 1")),
+               Catch::Contains("E01 line 4, column 3: ") && Catch::Contains("expected '}'"));
+    CHECK_THAT(message_of(changed("two-link", "two\xff-link")), Catch::Contains("E01 line 4"));
+    CHECK_THAT(message_of("# TOML\n[run]\n"), Catch::Contains("E01 line 1, column 1"));
+    CHECK_THAT(message_of(sample_text() + "}"), Catch::Contains("E01 line"));
+    CHECK_THAT(message_of("[]"), Catch::Contains("expected an object, found a list"));
+}
+
+TEST_CASE("E02: a file too large or too deep is refused", "[persist][creature_error]") {
+    CHECK(message_of(std::string(9'100'000, ' ')) ==
+          "some.creature.json: E02 file too large: 9.1 MB, limit 4.0 MB");
+    CHECK_THAT(message_of(std::string(1000, '[')),
+               Catch::Contains("E02 nested deeper than 32 levels"));
+    std::string many = "[0";
+    for (int i = 0; i < 200'000; ++i)
+        many += ",0";
+    CHECK_THAT(message_of(many + "]"), Catch::Contains("E02") && Catch::Contains("100000 values"));
+}
+
+TEST_CASE("E03: a file of another kind is named", "[persist][creature_error]") {
+    CHECK(message_of(changed("cambrian-creature", "cambrian-settings")) ==
+          "some.creature.json: E03 /format: this is a \"cambrian-settings\", expected "
+          "\"cambrian-creature\"");
+    CHECK(message_of("{}") ==
+          "some.creature.json: E03 /format: missing, expected \"cambrian-creature\"");
+}
+
+TEST_CASE("E04: a version from the future or none at all is refused", "[persist][creature_error]") {
+    CHECK(message_of(changed("\"version\": 1", "\"version\": 3")) ==
+          "some.creature.json: E04 /version: 3 is newer than this program (1)");
+    CHECK_THAT(message_of(changed("\"version\": 1", "\"version\": 0")), Catch::Contains("E04"));
+    CHECK_THAT(message_of(changed("\"version\": 1", "\"version\": -1.5")), Catch::Contains("E04"));
+    CHECK_THAT(message_of(changed("\"version\": 1", "\"version\": \"1\"")),
+               Catch::Contains("/version"));
+}
+
+TEST_CASE("E05: a missing key is pointed at", "[persist][creature_error]") {
+    CHECK(message_of(changed("\"width\": 0.2,", "")) ==
+          "some.creature.json: E05 /nodes/0/width: missing");
+    CHECK_THAT(
+        message_of(changed("\"kind\": \"localNeuron\", \"k\": 0", "\"kind\": \"localNeuron\"")),
+        Catch::Contains("E05 /nodes/1/effector/source/k: missing"));
+}
+
+TEST_CASE("E06: a value of the wrong type is shown", "[persist][creature_error]") {
+    CHECK(message_of(changed("\"length\": 0.5", "\"length\": \"long\"")) ==
+          "some.creature.json: E06 /nodes/0/length: expected a number, found \"long\"");
+    CHECK_THAT(message_of(changed("\"symmetric\": false", "\"symmetric\": 0")),
+               Catch::Contains("E06 /nodes/0/symmetric: expected true or false, found a number"));
+    CHECK_THAT(message_of(changed("\"recursionLimit\": 1", "\"recursionLimit\": 1.5")),
+               Catch::Contains("E06 /nodes/0/recursionLimit: expected a whole number, found 1.5"));
+    CHECK_THAT(message_of(changed("\"limits\": [-1.0, 1.0]", "\"limits\": [-1.0]")),
+               Catch::Contains("E06 /nodes/0/limits"));
+}
+
+TEST_CASE("E07: a number outside its range names the range", "[persist][creature_error]") {
+    CHECK(message_of(changed("[-1.0, 1.0]", "[0.4, 1.0]")) ==
+          "some.creature.json: E07 /nodes/0/limits/0: 0.4 is outside [-2.6, -0.05]");
+    CHECK_THAT(message_of(changed("\"pos\": 0.125", "\"pos\": 1")),
+               Catch::Contains("E07 /nodes/0/edges/0/pos: 1 is outside [0, 1)"));
+    CHECK_THAT(message_of(changed("\"length\": 0.5", "\"length\": 1e999")),
+               Catch::Contains("E07 /nodes/0/length: 1e999 is not a finite number"));
+    CHECK_THAT(message_of(changed("\"gravity\": 9.81", "\"gravity\": -1")),
+               Catch::Contains("E07 /scored/environment/gravity: -1 is outside [0, 1000] m/s^2"));
+    CHECK_THAT(message_of(changed("\"length\": 0.5", "\"length\": NaN")), Catch::Contains("E01"));
+}
+
+TEST_CASE("E08: an unknown name brings the nearest known one", "[persist][creature_error]") {
+    CHECK(message_of(changed("oscillate-wave", "oscilate-wave")) ==
+          "some.creature.json: E08 /nodes/1/neurons/0/fn: unknown function \"oscilate-wave\"; did "
+          "you mean \"oscillate-wave\"?");
+    CHECK_THAT(message_of(changed("\"across\"", "\"acros\"")),
+               Catch::Contains("E08 /nodes/1/mirrorAxis: unknown axis \"acros\""));
+    CHECK_THAT(message_of(changed("\"behavior\": \"walking\"", "\"behavior\": \"walkin\"")),
+               Catch::Contains("E08 /scored/goal/behavior"));
+}
+
+TEST_CASE("E09: a target beyond the nodes counts them", "[persist][creature_error]") {
+    CHECK(message_of(changed("\"target\": 1", "\"target\": 7")) ==
+          "some.creature.json: E09 /nodes/0/edges/0/target: 7, but there are 2 nodes");
+    CHECK_THAT(message_of(changed("\"target\": 1", "\"target\": -1")), Catch::Contains("E09"));
+    CHECK_THAT(message_of(changed("\"target\": 1", "\"target\": 1e18")), Catch::Contains("E09"));
+}
+
+TEST_CASE("E10: a list too long or too short says its limit", "[persist][creature_error]") {
+    std::string nodes = "{";
+    for (int i = 0; i < 40; ++i)
+        nodes += "}, {";
+    CHECK_THAT(message_of(changed("\"nodes\": [", "\"nodes\": [" + nodes + "},")),
+               Catch::Contains("E10 /nodes: 43 entries, limit 16"));
+    CHECK_THAT(message_of(changed("two-link crawler", std::string(65, 'x'))),
+               Catch::Contains("E10 /name: 65 bytes, limit 64"));
+    CHECK_THAT(message_of("{\"format\": \"cambrian-creature\", \"version\": 1, \"nodes\": [], "
+                          "\"brain\": []}"),
+               Catch::Contains("E10 /nodes: 0 entries, at least 1"));
+}
+
+TEST_CASE("E11: a neuron with too few inputs says what it needs", "[persist][creature_error]") {
+    CHECK(message_of(changed("\"fn\": \"abs\"", "\"fn\": \"if\"")) ==
+          "some.creature.json: E11 /brain/0/in: function \"if\" needs 3 inputs, found 1");
+}
+
+TEST_CASE("E12: a source in the wrong place says where it belongs", "[persist][creature_error]") {
+    CHECK(message_of(changed("\"kind\": \"partSensor\", \"n\": 1, \"i\": 1, \"ch\": 2",
+                             "\"kind\": \"parentNeuron\", \"k\": 0")) ==
+          "some.creature.json: E12 /brain/0/in/0/from/kind: \"parentNeuron\" is only for part "
+          "neurons");
+}
+
+TEST_CASE("E13: a key that appears twice is named", "[persist][creature_error]") {
+    CHECK(message_of(changed("\"length\": 0.5,", "\"length\": 0.5, \"length\": 0.6,")) ==
+          "some.creature.json: E13 /nodes/0: key \"length\" appears twice");
+}
+
+TEST_CASE("several errors come together, the first with the file's name",
+          "[persist][creature_error]") {
+    std::string text = changed("\"length\": 0.5", "\"length\": 9");
+    text.replace(text.find("\"target\": 1"), 11, "\"target\": 5");
+    CHECK(message_of(text) ==
+          "some.creature.json: E07 /nodes/0/length: 9 is outside [0.08, 1.6]\n"
+          "  E09 /nodes/0/edges/0/target: 5, but there are 2 nodes");
+}
+
+TEST_CASE("after twenty errors no more are listed", "[persist][creature_error]") {
+    std::string nodes = "[{}";
+    for (int i = 0; i < 10; ++i)
+        nodes += ", {}";
+    const std::string message =
+        message_of("{\"format\": \"cambrian-creature\", \"version\": 1, \"nodes\": " + nodes +
+                   "], \"brain\": []}");
+    CHECK(std::count(message.begin(), message.end(), '\n') == 20);
+    CHECK_THAT(message, Catch::EndsWith("no more errors are looked for after 20"));
+}
+
+TEST_CASE("W01: an unknown key is ignored with a warning", "[persist][creature_error]") {
+    const auto warnings = warnings_of(changed("\"uid\": 1,", "\"uid\": 1, \"colour\": \"red\","));
+    REQUIRE(warnings.size() == 1);
+    CHECK(warnings[0] == "W01 /nodes/0/colour: unknown key, ignored");
+}
+
+TEST_CASE("W02: a node nobody can reach is removed with a warning", "[persist][creature_error]") {
+    const std::string text = changed("\"target\": 1", "\"target\": 0");
+    const auto loaded = parse_creature(text, "some.creature.json", kinds());
+    REQUIRE(loaded);
+    CHECK(loaded->genome.nodes.size() == 1);
+    REQUIRE(loaded->warnings.size() == 2);
+    CHECK(loaded->warnings[0] == "W02 /nodes: 1 node cannot be reached from the root, removed");
+}
+
+TEST_CASE("W03: a creature changed by hand is loaded with a warning", "[persist][creature_error]") {
+    const auto warnings = warnings_of(changed("\"length\": 0.5", "\"length\": 0.6"));
+    REQUIRE(warnings.size() == 1);
+    CHECK_THAT(warnings[0], Catch::StartsWith("W03 /check"));
+}
+
+TEST_CASE("a creature file of 100 MB is refused unread", "[persist][creature_error]") {
+    const TemporaryDirectory folder;
+    put_text(folder / "huge.creature.json", "{");
+    std::filesystem::resize_file(folder / "huge.creature.json", 100'000'000);
+    const auto loaded = load_creature(folder / "huge.creature.json", kinds());
+    REQUIRE_FALSE(loaded);
+    CHECK_THAT(loaded.error().message,
+               Catch::EndsWith("huge.creature.json: file too large: 100.0 MB, limit 4.0 MB"));
+}

@@ -1,0 +1,111 @@
+#include "persist/creature_file.h"
+
+#include "core/random.h"
+#include "genome/random_genome.h"
+#include "persist/sample_creature.h"
+#include "support/catch.h"
+#include "support/temporary_directory.h"
+
+using namespace cambrian;
+using namespace cambrian::test;
+
+TEST_CASE("a saved creature loads as it was", "[persist][creature_file]") {
+    const TemporaryDirectory folder;
+    const CreatureDocument saved = sample_document();
+    REQUIRE(save_creature(folder / "a.creature.json", saved, kinds()));
+    const auto loaded = load_creature(folder / "a.creature.json", kinds());
+    REQUIRE(loaded);
+    CHECK(loaded->genome == saved.genome);
+    CHECK(loaded->genome.name == saved.genome.name);
+    CHECK(loaded->genome.hue == saved.genome.hue);
+    CHECK(loaded->genome.nodes[1].uid == 2);
+    CHECK(loaded->uid == saved.uid);
+    CHECK(loaded->parents == saved.parents);
+    CHECK(loaded->method == saved.method);
+    CHECK(loaded->scored == saved.scored);
+    CHECK(loaded->warnings.empty());
+}
+
+TEST_CASE("random creatures are saved, loaded and saved again to the same bytes",
+          "[persist][creature_file]") {
+    RandomStream stream(61);
+    CreatureDocument document;
+    for (int i = 0; i < 3000; ++i) {
+        document.genome = random_genome(FounderSettings{}, kinds().creature.catalog, stream);
+        const std::string text = write_creature(document, kinds());
+        const auto loaded = parse_creature(text, "test", kinds());
+        REQUIRE(loaded);
+        REQUIRE(loaded->warnings.empty());
+        REQUIRE(loaded->genome == document.genome);
+        REQUIRE(write_creature(*loaded, kinds()) == text);
+    }
+}
+
+TEST_CASE("the settings of a score survive whatever they are", "[persist][creature_file]") {
+    CreatureDocument document = sample_document();
+    document.scored->world.environment.gravity = 0.1 + 0.2;
+    document.scored->world.environment.has_ground = false;
+    document.scored->world.scene.tolerance = 3e-5;
+    document.scored->world.trial.duration = 7.5;
+    document.scored->expression.max_parts = 9;
+    document.scored->goal = "swimming";
+    const auto loaded = parse_creature(write_creature(document, kinds()), "test", kinds());
+    REQUIRE(loaded);
+    CHECK(loaded->scored == document.scored);
+    CHECK(settings_of(*loaded->scored).world == document.scored->world);
+}
+
+TEST_CASE("a creature without a score or parents is complete", "[persist][creature_file]") {
+    CreatureDocument document = sample_document();
+    document.scored.reset();
+    document.parents.clear();
+    const auto loaded = parse_creature(write_creature(document, kinds()), "test", kinds());
+    REQUIRE(loaded);
+    CHECK_FALSE(loaded->scored);
+    CHECK(loaded->parents.empty());
+}
+
+TEST_CASE("a name may hold any text and comes back readable", "[persist][creature_file]") {
+    CreatureDocument document = sample_document();
+    for (const std::string name : {"", "\"\\/\n\t\x01", "žába 蛙", "🦎"}) {
+        document.genome.name = name;
+        const auto loaded = parse_creature(write_creature(document, kinds()), "test", kinds());
+        REQUIRE(loaded);
+        CHECK(loaded->genome.name == name);
+    }
+    document.genome.name = "cut in a character \xe8";
+    const auto loaded = parse_creature(write_creature(document, kinds()), "test", kinds());
+    REQUIRE(loaded);
+    CHECK(loaded->genome.name == "cut in a character ?");
+}
+
+TEST_CASE("a failed save keeps the old file", "[persist][creature_file]") {
+    const TemporaryDirectory folder;
+    CHECK_FALSE(save_creature(folder / "no/such/folder/a", sample_document(), kinds()));
+    std::filesystem::create_directory(folder / "taken");
+    const Status saved = save_creature(folder / "taken", sample_document(), kinds());
+    REQUIRE_FALSE(saved);
+    CHECK_THAT(saved.error().message, Catch::Contains("taken"));
+    CHECK(folder.size() == 1);
+}
+
+TEST_CASE("an individual's file tells how it was bred and scored", "[persist][creature_file]") {
+    Individual individual;
+    individual.uid = 0xab;
+    individual.genome = std::make_shared<const Genome>(sample_document().genome);
+    individual.parents = {0xcd, 0};
+    individual.method = "asexual";
+    individual.evaluated = true;
+    individual.result.fitness = 1.5;
+    individual.result.digest = 99;
+    ExperimentSettings settings;
+    settings.seed = 3;
+    const CreatureDocument document = creature_document(individual, settings, kinds());
+    CHECK(document.uid == "00000000000000ab");
+    CHECK(document.parents == std::vector<std::string>{"00000000000000cd"});
+    REQUIRE(document.scored);
+    CHECK(document.scored->fitness == 1.5);
+    CHECK(document.scored->unit == "BL/s");
+    CHECK(document.scored->trajectory == 99);
+    CHECK(document.scored->seed == 3);
+}
