@@ -21,7 +21,7 @@ struct Plot {
     std::string title;
     std::string x_label;
     std::string y_label;
-    std::vector<PlotSeries> series;  // colour and marker together tell up to 40 apart
+    std::vector<PlotSeries> series;  // colour and marker together tell up to 45 apart
 };
 
 std::string to_svg(const Plot& plot);
