@@ -53,13 +53,14 @@ inline SineCosine sine_cosine_reduced(double x) {
                                                                  z * (1.0 / 20922789888000.0))))));
     const double c = 1.0 - (0.5 * z - z * z * cosine_tail);
     // quadrant 0: (s, c), 1: (c, -s), 2: (-s, -c), 3: (-c, s)
-    const bool swap = (quadrant & 1) != 0;
+    const std::uint64_t swap = 0 - (quadrant & 1);  // all bits, or none
     const std::uint64_t sine_sign = (quadrant & 2) << 62;
     const std::uint64_t cosine_sign = ((quadrant + 1) & 2) << 62;
-    const double sine_size = swap ? c : s;
-    const double cosine_size = swap ? s : c;
-    return {std::bit_cast<double>(std::bit_cast<std::uint64_t>(sine_size) ^ sine_sign),
-            std::bit_cast<double>(std::bit_cast<std::uint64_t>(cosine_size) ^ cosine_sign)};
+    const auto s_bits = std::bit_cast<std::uint64_t>(s);
+    const auto c_bits = std::bit_cast<std::uint64_t>(c);
+    const std::uint64_t exchanged = (s_bits ^ c_bits) & swap;
+    return {std::bit_cast<double>(s_bits ^ exchanged ^ sine_sign),
+            std::bit_cast<double>(c_bits ^ exchanged ^ cosine_sign)};
 }
 
 SineCosine sine_cosine(double x);  // any finite x; NaN for infinities
