@@ -1,0 +1,54 @@
+// Ours. Its books are always open: the audit is part of every trial.
+
+#include "bench/engine_kinds.h"
+#include "bench/workload.h"
+#include "core/assert.h"
+#include "dynamics/planar_scene.h"
+
+#include <utility>
+
+namespace cambrian::bench {
+namespace {
+
+class PlanarEngine final : public BenchEngine {
+public:
+    explicit PlanarEngine(std::unique_ptr<PhysicsScene> scene) : scene_(std::move(scene)) {}
+
+    void set_target(std::size_t part, double target) override { scene_->set_target(part, target); }
+    void advance_tick() override { scene_->advance(kTick); }
+
+    void read_motion(std::vector<PartMotion>& parts) override {
+        parts.clear();
+        for (std::size_t i = 0; i < scene_->part_count(); ++i) {
+            const Pose pose = scene_->part_pose(i);
+            const Twist twist = scene_->part_twist(i);
+            parts.push_back({pose.position.x(), pose.position.y(), planar_angle(pose),
+                             twist.linear.x(), twist.linear.y(), twist.angular.z()});
+        }
+    }
+
+    double explained_work() const override {
+        const SceneAudit& audit = scene_->audit();
+        return audit.motor_work + audit.drag_work + audit.contact_work + audit.limit_work +
+               audit.impulse_work;
+    }
+
+private:
+    std::unique_ptr<PhysicsScene> scene_;
+};
+
+}  // namespace
+
+EngineKind planar_engine(std::string id, const SceneSettings& settings) {
+    EngineKind kind;
+    kind.id = std::move(id);
+    kind.label = "Cambrian, " + settings.integrator;
+    kind.make = [settings](const BodyPlan& plan, const Environment& environment, Books) {
+        auto scene = planar_scene_kind().make(plan, environment, settings);
+        CAMBRIAN_ASSERT(scene.has_value(), "benchmark bodies are valid");
+        return std::make_unique<PlanarEngine>(std::move(scene).value());
+    };
+    return kind;
+}
+
+}  // namespace cambrian::bench

@@ -1,0 +1,29 @@
+#pragma once
+
+// A small picture of curves on two logarithmic axes, as SVG text.
+
+#include <string>
+#include <vector>
+
+namespace cambrian::bench {
+
+struct PlotPoint {
+    double x = 1.0;  // above 0
+    double y = 1.0;  // above 0
+};
+
+struct PlotSeries {
+    std::string label;
+    std::vector<PlotPoint> points;
+};
+
+struct Plot {
+    std::string title;
+    std::string x_label;
+    std::string y_label;
+    std::vector<PlotSeries> series;  // colour and marker together tell up to 45 apart
+};
+
+std::string to_svg(const Plot& plot);
+
+}  // namespace cambrian::bench
