@@ -2,7 +2,7 @@
 # All the set-up in one command: installs the missing packages, configures, builds, and starts.
 #   sh third_party/bootstrap.sh run [ARGUMENT...]   the studio, or `cambrian ARGUMENT...`
 #   sh third_party/bootstrap.sh test [ARGUMENT...]  the whole test suite, as `ctest ARGUMENT...`
-#   sh third_party/bootstrap.sh packages            the packages only
+#   sh third_party/bootstrap.sh packages [GROUP]    the packages only, those of tests or benchmarks too
 # Works from any folder; what was done before and is still good is not done again.
 set -eu
 
@@ -16,9 +16,9 @@ die() {
     exit 1
 }
 
-# The packages of packages.txt, those under '# -- tests' only if asked for with "tests".
+# The packages of packages.txt to build the program with, and those of the group $1.
 packages_needed() {
-    awk -v wanted="$1" '/^# -- /{ group = $3 } !/^#/ && NF && (group != "tests" || wanted == "tests") { print $1 }' \
+    awk -v wanted="$1" '/^# -- /{ group = $3 } !/^#/ && NF && (group == "building" || group == "libraries" || group == wanted) { print $1 }' \
         "$root/third_party/packages.txt"
 }
 
@@ -106,7 +106,7 @@ shift
 case $command in
 run) run_program "$@" ;;
 test) run_tests "$@" ;;
-packages) install_packages tests ;;
+packages) install_packages "${1:-tests}" ;;
 *)
     sed -n 's/^# \{0,1\}//; 2,6p' "$0" >&2
     exit 2
