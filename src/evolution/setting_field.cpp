@@ -223,9 +223,10 @@ void add_mutation(std::vector<SettingField>& fields, const EvolutionKinds& kinds
         "Scales the mutations of an offspring; 1 means none in 25 %, one in 50 % and "
         "more in 25 % of them.",
         [](Settings & s) -> auto& { return s.mutation.rate; });
-    mutation.flag("collect-mute-neurons", "Collect mute neurons",
-                  "Removes neurons that no joint can hear; otherwise they wait for a connection.",
-                  [](Settings& s) -> auto& { return s.mutation.collect_mute_neurons; });
+    mutation.flag(
+        "collect-mute-neurons", "Collect mute neurons",
+        "Removes neurons that no joint can hear; otherwise they wait for a connection.",
+        [](Settings & s) -> auto& { return s.mutation.collect_mute_neurons; });
     TableBuilder weights(fields, "mutation.weights");
     for (const MutationKind& kind : kinds.mutations.all()) {
         weights.number(
