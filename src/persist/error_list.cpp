@@ -3,8 +3,6 @@
 namespace cambrian {
 namespace {
 
-constexpr std::size_t kLongestQuote = 48;
-
 std::string line_of(std::string_view code, std::string_view place, std::string_view message) {
     std::string line(code);
     if (!line.empty()) line += ' ';
@@ -16,13 +14,13 @@ std::string line_of(std::string_view code, std::string_view place, std::string_v
 
 }  // namespace
 
-std::string shown(std::string_view text) {
+std::string shown(std::string_view text, std::size_t longest) {
     std::string result;
-    for (const char letter : text.substr(0, kLongestQuote)) {
+    for (const char letter : text.substr(0, longest)) {
         const bool printable = static_cast<unsigned char>(letter) >= 0x20 && letter != 0x7f;
         result += printable ? letter : '?';
     }
-    return text.size() > kLongestQuote ? result + "..." : result;
+    return text.size() > longest ? result + "..." : result;
 }
 
 std::string in_quotes(std::string_view text) {

@@ -12,8 +12,11 @@
 
 namespace cambrian {
 
+inline constexpr std::size_t kLongestQuote = 48;    // bytes
+inline constexpr std::size_t kLongestReason = 400;  // of another library's message
+
 // Text from a file made fit for a message: short, without control characters; and in quotes.
-std::string shown(std::string_view text);
+std::string shown(std::string_view text, std::size_t longest = kLongestQuote);
 std::string in_quotes(std::string_view text);
 
 class ErrorList {

@@ -190,6 +190,12 @@ std::optional<JsonValue> parse_json(std::string_view text, const JsonLimits& lim
         errors.error("E01", "", "the file is empty");
         return std::nullopt;
     }
+    const std::size_t start = std::min(text.find_first_not_of(" \t\r\n"), text.size());
+    if (start == text.size() || (text[start] != '{' && text[start] != '[')) {
+        errors.error("E01", line_and_column(text, start + 1),
+                     "this is not a JSON object, as creature files are");
+        return std::nullopt;
+    }
     TreeBuilder builder(text, limits, errors);
     if (!nlohmann::json::sax_parse(text, &builder)) return std::nullopt;
     return builder.take_root();

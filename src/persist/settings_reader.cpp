@@ -123,7 +123,8 @@ Result<ExperimentSettings> parse_settings(std::string_view text, std::string_vie
     ErrorList errors;
     const toml::parse_result document = toml::parse(text);
     if (!document) {
-        errors.error("", line_of(document.error().source()), shown(document.error().description()));
+        errors.error("", line_of(document.error().source()),
+                     shown(document.error().description(), kLongestReason));
         return errors.as_error(source);
     }
     const std::string goal = document["goal"]["behavior"].value_or(std::string());
