@@ -49,7 +49,7 @@ std::uint64_t reference_split_mix(std::uint64_t& x) {
 
 }  // namespace
 
-TEST_CASE("uniform numbers fill [0, 1) evenly", "[core][random]") {
+TEST_CASE("uniform numbers fill the range from 0 to 1 evenly", "[core][random]") {
     RandomStream stream(1);
     const Moments moments = moments_of([&] { return stream.uniform(); });
     CHECK(moments.mean == Approx(0.5).margin(0.003));

@@ -1,32 +1,10 @@
-// Counts every allocation of this test program.
-
 #include "creature/builders.h"
 #include "creature/creature.h"
+#include "support/allocation_count.h"
 #include "support/catch.h"
 
-#include <atomic>
-#include <cstdlib>
-#include <new>
-
-namespace {
-
-std::atomic<std::size_t> allocations = 0;
-
-}  // namespace
-
-void* operator new(std::size_t size) {
-    ++allocations;
-    if (void* memory = std::malloc(size)) return memory;
-    throw std::bad_alloc();
-}
-void operator delete(void* memory) noexcept {
-    std::free(memory);
-}
-void operator delete(void* memory, std::size_t /*size*/) noexcept {
-    std::free(memory);
-}
-
 using namespace cambrian;
+using test::allocation_count;
 
 TEST_CASE("a tick of control allocates nothing", "[creature]") {
     const SceneSettings settings;
@@ -35,12 +13,12 @@ TEST_CASE("a tick of control allocates nothing", "[creature]") {
         const Phenotype phenotype = express(random_genome({}, kinds().catalog, stream));
         Creature creature(phenotype, kinds(), settings);
         FakeScene scene(phenotype.parts.size());
-        const std::size_t before = allocations;
+        const std::size_t before = allocation_count();
         for (int tick = 0; tick < 10; ++tick)
             creature.act(scene, 1.0 / 60.0);
         creature.hold_rest(scene);
-        const std::size_t after = allocations;
+        const std::size_t after = allocation_count();
         REQUIRE(after == before);
     }
-    CHECK(allocations > 0);
+    CHECK(allocation_count() > 0);
 }
