@@ -95,11 +95,11 @@ class Evolve(ProgramTest):
         refuge = self.folder / "refuge"
         refuge.mkdir()
         process = subprocess.Popen(
-            [CAMBRIAN, "evolve", "small.toml", "-n", "1", "-o", "gone/a.creature.json"],
+            [CAMBRIAN, "evolve", "small.toml", "-n", "20", "-o", "gone/a.creature.json"],
             cwd=self.folder, env=dict(os.environ, TMPDIR=str(refuge)), stdout=subprocess.PIPE,
             stderr=subprocess.PIPE, encoding="utf-8")
-        process.stdout.readline()  # generation 0; the champion is written after it
-        (self.folder / "gone").rmdir()
+        process.stdout.readline()  # generation 0; the champion is written after the last one
+        (self.folder / "gone").rename(self.folder / "elsewhere")
         _, messages = process.communicate(timeout=600)
         if process.returncode == DONE:
             self.skipTest("the champion was written before the folder could be removed")
