@@ -22,7 +22,7 @@ ThreadPool::ThreadPool(std::size_t workers) {
     CAMBRIAN_ASSERT(workers >= 1, "a pool has at least the calling thread");
     threads_.reserve(workers - 1);
     for (std::size_t worker = 1; worker < workers; ++worker) {
-        threads_.emplace_back([this, worker](std::stop_token stop) { serve(stop, worker); });
+        threads_.emplace_back([this, worker](const std::stop_token& stop) { serve(stop, worker); });
     }
 }
 
@@ -51,7 +51,7 @@ void ThreadPool::take_part(Range& range, std::size_t worker) {
     range.abandoned = true;
 }
 
-void ThreadPool::serve(std::stop_token stop, std::size_t worker) {
+void ThreadPool::serve(const std::stop_token& stop, std::size_t worker) {
     std::size_t seen_round = 0;
     std::unique_lock lock(mutex_);
     while (wake_.wait(lock, stop, [&] { return range_ != nullptr && round_ != seen_round; })) {

@@ -36,7 +36,7 @@ public:
 
 private:
     struct Range;
-    void serve(std::stop_token stop, std::size_t worker);
+    void serve(const std::stop_token& stop, std::size_t worker);
     static void take_part(Range& range, std::size_t worker);
 
     std::mutex mutex_;

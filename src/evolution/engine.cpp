@@ -15,7 +15,7 @@ EvolutionEngine::EvolutionEngine(SettingsPtr settings, const EvolutionKinds& kin
     : kinds_(kinds), backend_(std::move(backend)) {
     apply(StartExperiment{std::move(settings), {}});
     publish();
-    thread_ = std::jthread([this](std::stop_token stop) { run(std::move(stop)); });
+    thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
 }
 
 EvolutionEngine::~EvolutionEngine() {
@@ -39,7 +39,7 @@ const std::shared_ptr<const EvolutionSnapshot>& EvolutionEngine::latest() {
     return snapshots_.latest();
 }
 
-void EvolutionEngine::run(std::stop_token stop) {
+void EvolutionEngine::run(const std::stop_token& stop) {
     while (!stop.stop_requested()) {
         if (apply_commands()) publish();
         if (generations_to_run_ == 0) {
@@ -57,7 +57,7 @@ void EvolutionEngine::run(std::stop_token stop) {
     }
 }
 
-void EvolutionEngine::run_generation(std::stop_token stop) {
+void EvolutionEngine::run_generation(const std::stop_token& stop) {
     std::stop_token interrupted;
     {
         const std::lock_guard lock(wake_mutex_);

@@ -33,8 +33,8 @@ public:
     const EvaluationProgress& progress() const { return progress_; }
 
 private:
-    void run(std::stop_token stop);
-    void run_generation(std::stop_token stop);
+    void run(const std::stop_token& stop);
+    void run_generation(const std::stop_token& stop);
     void record_generation();
     bool apply_commands();
     void apply(PauseEvolution command);

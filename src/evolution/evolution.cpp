@@ -18,7 +18,7 @@ bool same_judgement(const ExperimentSettings& a, const ExperimentSettings& b) {
 }  // namespace
 
 Evolution::Evolution(SettingsPtr settings, const EvolutionKinds& kinds,
-                     std::vector<GenomePtr> founders)
+                     const std::vector<GenomePtr>& founders)
     : settings_(std::move(settings)), kinds_(&kinds) {
     const auto size = static_cast<std::size_t>(settings_->population.size);
     for (std::size_t slot = 0; slot < size; ++slot) {

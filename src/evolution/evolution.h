@@ -21,7 +21,7 @@ public:
     // Settings must pass check_settings. founders: genomes to begin with (repeated as mutants to
     // fill the population); empty for random ones.
     Evolution(SettingsPtr settings, const EvolutionKinds& kinds,
-              std::vector<GenomePtr> founders = {});
+              const std::vector<GenomePtr>& founders = {});
 
     // Evaluates the present generation. False if stopped; trials already done are kept and the call
     // may be repeated.

@@ -10,6 +10,11 @@ namespace {
 
 using Settings = ExperimentSettings;
 
+struct Range {
+    double low = 0.0;
+    double high = 0.0;
+};
+
 // Collects the fields of one table.
 class TableBuilder {
 public:
@@ -18,36 +23,36 @@ public:
 
     // A number. The accessor is a callable from Settings& to the place.
     template <class At>
-    SettingField& number(std::string key, std::string label, std::string unit, double low,
-                         double high, std::string help, At at) {
-        return append(std::move(key), std::move(label), std::move(unit), low, high, std::move(help),
+    SettingField& number(std::string key, std::string label, std::string unit, Range range,
+                         std::string help, At at) {
+        return append(std::move(key), std::move(label), std::move(unit), range, std::move(help),
                       at);
     }
     template <class At>
     SettingField& flag(std::string key, std::string label, std::string help, At at) {
-        return append(std::move(key), std::move(label), "", 0.0, 1.0, std::move(help), at);
+        return append(std::move(key), std::move(label), "", Range{0.0, 1.0}, std::move(help), at);
     }
     template <class At>
     SettingField& choice(std::string key, std::string label, std::vector<std::string> choices,
                          std::string help, At at) {
         SettingField& field =
-            append(std::move(key), std::move(label), "", 0.0, 0.0, std::move(help), at);
+            append(std::move(key), std::move(label), "", Range{}, std::move(help), at);
         field.choices = std::move(choices);
         return field;
     }
 
 private:
     template <class At>
-    SettingField& append(std::string key, std::string label, std::string unit, double low,
-                         double high, std::string help, At at) {
+    SettingField& append(std::string key, std::string label, std::string unit, Range range,
+                         std::string help, At at) {
         SettingField field;
         field.table = table_;
         field.key = std::move(key);
         field.label = std::move(label);
         field.unit = std::move(unit);
         field.help = std::move(help);
-        field.low = low;
-        field.high = high;
+        field.low = range.low;
+        field.high = range.high;
         field.at = [at](Settings& settings) { return SettingRef(&at(settings)); };
         fields_.push_back(std::move(field));
         return fields_.back();
@@ -68,12 +73,12 @@ std::vector<std::string> ids_of(const Registry<Kind>& registry) {
 void add_run(std::vector<SettingField>& fields) {
     TableBuilder run(fields, "run");
     run.number(
-           "seed", "Seed", "", 0, 1e15,
+           "seed", "Seed", "", Range{0, 1e15},
            "Every random choice follows from it: same seed, same evolution.",
            [](Settings & s) -> auto& { return s.seed; })
         .live = false;
     run.number(
-        "generations", "Generations", "", 1, 1e9,
+        "generations", "Generations", "", Range{1, 1e9},
         "An unattended run stops after this many generations.",
         [](Settings & s) -> auto& { return s.generations; });
 }
@@ -88,34 +93,34 @@ void add_goal(std::vector<SettingField>& fields, const EvolutionKinds& kinds) {
 void add_environment(std::vector<SettingField>& fields) {
     TableBuilder world(fields, "environment");
     world.number(
-        "gravity", "Gravity", "m/s^2", 0, 1000,
+        "gravity", "Gravity", "m/s^2", Range{0, 1000},
         "Pull of the world: Earth 9.81, Mars 3.71, Moon 1.62, a swimmer's water 0.",
         [](Settings & s) -> auto& { return s.world.environment.gravity; });
     world.number(
-        "gravity-direction", "Gravity direction", "deg", -180, 180,
+        "gravity-direction", "Gravity direction", "deg", Range{-180, 180},
         "Where the pull points, counter-clockwise from right; -90 is straight down.",
         [](Settings & s) -> auto& { return s.world.environment.gravity_direction; });
     world.flag(
         "ground", "Ground", "A flat endless floor at height 0.",
         [](Settings & s) -> auto& { return s.world.environment.has_ground; });
     world.number(
-        "friction", "Friction", "", 0, 100,
+        "friction", "Friction", "", Range{0, 100},
         "Grip of the ground and of parts on each other; ice 0.05, rubber 1.",
         [](Settings & s) -> auto& { return s.world.environment.friction; });
     world.number(
-        "elasticity", "Elasticity", "", 0, 1,
+        "elasticity", "Elasticity", "", Range{0, 1},
         "Share of the speed kept in a bounce: clay 0, a hard ball 0.9.",
         [](Settings & s) -> auto& { return s.world.environment.elasticity; });
     world.number(
-        "viscosity-linear", "Viscosity, linear", "N s/m^2", 0, 1e4,
+        "viscosity-linear", "Viscosity, linear", "N s/m^2", Range{0, 1e4},
         "Drag that grows with a face's speed, as in treacle.",
         [](Settings & s) -> auto& { return s.world.environment.viscosity_linear; });
     world.number(
-        "viscosity-quadratic", "Viscosity, quadratic", "kg/m^2", 0, 1e4,
+        "viscosity-quadratic", "Viscosity, quadratic", "kg/m^2", Range{0, 1e4},
         "Drag that grows with the square of a face's speed, as in water.",
         [](Settings & s) -> auto& { return s.world.environment.viscosity_quadratic; });
     world.number(
-        "density", "Body density", "kg/m^2", 1e-3, 1e4,
+        "density", "Body density", "kg/m^2", Range{1e-3, 1e4},
         "Mass of a body part for each square metre of it.",
         [](Settings & s) -> auto& { return s.world.environment.density; });
 }
@@ -128,24 +133,24 @@ void add_simulation(std::vector<SettingField>& fields, const EvolutionKinds& kin
         [](Settings & s) -> auto& { return s.world.scene.integrator; });
     table
         .number(
-            "tolerance", "Tolerance", "", 1e-8, 1e-1,
+            "tolerance", "Tolerance", "", Range{1e-8, 1e-1},
             "Error allowed in a step; smaller is more exact and slower.",
             [](Settings & s) -> auto& { return s.world.scene.tolerance; })
         .logarithmic = true;
     table.number(
-        "muscle-strength", "Muscle strength", "N/m", 0, 1e4,
+        "muscle-strength", "Muscle strength", "N/m", Range{0, 1e4},
         "Strongest torque of a joint for each square metre of its narrower part's width.",
         [](Settings & s) -> auto& { return s.world.scene.muscle_strength; });
     table.number(
-        "target-smoothing", "Muscle smoothing", "s", 0, 10,
+        "target-smoothing", "Muscle smoothing", "s", Range{0, 10},
         "Time a joint takes to follow its brain; larger is calmer.",
         [](Settings & s) -> auto& { return s.world.scene.target_smoothing; });
     table.number(
-        "motor-speed-limit", "Joint speed limit", "rad/s", 0, 100,
+        "motor-speed-limit", "Joint speed limit", "rad/s", Range{0, 100},
         "Fastest turn a joint's muscle asks for.",
         [](Settings & s) -> auto& { return s.world.scene.motor_speed_limit; });
     table.number(
-        "motor-frequency", "Muscle stiffness", "rad/s", 0.1, 200,
+        "motor-frequency", "Muscle stiffness", "rad/s", Range{0.1, 200},
         "How sharply a muscle corrects a joint that is off its target.",
         [](Settings & s) -> auto& { return s.world.scene.motor_frequency; });
 }
@@ -153,26 +158,26 @@ void add_simulation(std::vector<SettingField>& fields, const EvolutionKinds& kin
 void add_trial(std::vector<SettingField>& fields) {
     TableBuilder table(fields, "trial");
     table.number(
-        "duration", "Duration", "s", 0, 1e4, "Time in which a creature is judged.",
+        "duration", "Duration", "s", Range{0, 1e4}, "Time in which a creature is judged.",
         [](Settings & s) -> auto& { return s.world.trial.duration; });
     table.number(
-        "settle-limit", "Settling", "s", 0, 60,
+        "settle-limit", "Settling", "s", Range{0, 60},
         "Longest time a creature may come to rest on the ground before it is judged.",
         [](Settings & s) -> auto& { return s.world.trial.settle_limit; });
     table.number(
-        "max-part-speed", "Speed guard", "m/s", 1, 1e4,
+        "max-part-speed", "Speed guard", "m/s", Range{1, 1e4},
         "A creature with a part faster than this is disqualified.",
         [](Settings & s) -> auto& { return s.world.trial.max_part_speed; });
     table.number(
-        "max-part-spin", "Spin guard", "rad/s", 1, 1e4,
+        "max-part-spin", "Spin guard", "rad/s", Range{1, 1e4},
         "A creature with a part that spins faster than this is disqualified.",
         [](Settings & s) -> auto& { return s.world.trial.max_part_spin; });
     table.number(
-        "max-ground-depth", "Ground guard", "m", 1e-3, 10,
+        "max-ground-depth", "Ground guard", "m", Range{1e-3, 10},
         "A creature that stays deeper in the ground than this is disqualified.",
         [](Settings & s) -> auto& { return s.world.trial.max_ground_depth; });
     table.number(
-        "max-reversal-rate", "Shaking guard", "Hz", 0.1, 1e3,
+        "max-reversal-rate", "Shaking guard", "Hz", Range{0.1, 1e3},
         "Joints that shake faster than this have their score scaled down.",
         [](Settings & s) -> auto& { return s.world.trial.max_reversal_rate; });
 }
@@ -180,10 +185,10 @@ void add_trial(std::vector<SettingField>& fields) {
 void add_population(std::vector<SettingField>& fields, const EvolutionKinds& kinds) {
     TableBuilder table(fields, "population");
     table.number(
-        "size", "Population size", "creatures", 2, 20000, "Creatures a generation.",
+        "size", "Population size", "creatures", Range{2, 20000}, "Creatures a generation.",
         [](Settings & s) -> auto& { return s.population.size; });
     table.number(
-        "immigrants", "Newcomers", "creatures", 0, 20000,
+        "immigrants", "Newcomers", "creatures", Range{0, 20000},
         "Places of each generation given to new random creatures.",
         [](Settings & s) -> auto& { return s.population.immigrants; });
     TableBuilder selection(fields, "selection");
@@ -191,11 +196,11 @@ void add_population(std::vector<SettingField>& fields, const EvolutionKinds& kin
         "method", "Method", ids_of(kinds.selections), "Who survives and who breeds how often.",
         [](Settings & s) -> auto& { return s.selection.method; });
     selection.number(
-        "survival", "Survivors", "", 0.01, 1,
+        "survival", "Survivors", "", Range{0.01, 1},
         "Share of a generation that survives and breeds; smaller is harsher.",
         [](Settings & s) -> auto& { return s.population.survival; });
     selection.number(
-        "max-clones", "Clones kept", "", 1, 1000,
+        "max-clones", "Clones kept", "", Range{1, 1000},
         "Copies of one genotype that may survive together.",
         [](Settings & s) -> auto& { return s.population.max_clones; });
 }
@@ -204,7 +209,7 @@ void add_breeding(std::vector<SettingField>& fields, const EvolutionKinds& kinds
     TableBuilder breeding(fields, "breeding");
     for (const BreedingKind& kind : kinds.breeding.all()) {
         breeding.number(
-            kind.id, kind.label, "", 0, 1,
+            kind.id, kind.label, "", Range{0, 1},
             "Share of the offspring made this way, relative to the other ways.",
             [ id = kind.id, standard = kind.default_share ](Settings & s) -> auto& {
                 return s.breeding.shares.try_emplace(id, standard).first->second;
@@ -219,7 +224,7 @@ void add_mutation(std::vector<SettingField>& fields, const EvolutionKinds& kinds
         "How the number of mutations of an offspring is drawn.",
         [](Settings & s) -> auto& { return s.mutation.scheme; });
     mutation.number(
-        "rate", "Mutation rate", "x", 0, 8,
+        "rate", "Mutation rate", "x", Range{0, 8},
         "Scales the mutations of an offspring; 1 means none in 25 %, one in 50 % and "
         "more in 25 % of them.",
         [](Settings & s) -> auto& { return s.mutation.rate; });
@@ -230,7 +235,7 @@ void add_mutation(std::vector<SettingField>& fields, const EvolutionKinds& kinds
     TableBuilder weights(fields, "mutation.weights");
     for (const MutationKind& kind : kinds.mutations.all()) {
         weights.number(
-            kind.id, kind.label, "", 0, 1000,
+            kind.id, kind.label, "", Range{0, 1000},
             "How often this kind of mutation is drawn, relative to the others.",
             [ id = kind.id, standard = kind.default_weight ](Settings & s) -> auto& {
                 return s.mutation.weights.try_emplace(id, standard).first->second;
@@ -244,50 +249,54 @@ void add_body(std::vector<SettingField>& fields) {
         body.number(std::forward<decltype(arguments)>(arguments)...).live = false;
     };
     structural(
-        "max-parts", "Parts at most", "", 2, 32, "A grown body stops at this many parts.",
+        "max-parts", "Parts at most", "", Range{2, 32}, "A grown body stops at this many parts.",
         [](Settings & s) -> auto& { return s.expression.max_parts; });
     structural(
-        "max-depth", "Depth at most", "", 1, 32, "Joints between the root and the farthest part.",
+        "max-depth", "Depth at most", "", Range{1, 32},
+        "Joints between the root and the farthest part.",
         [](Settings & s) -> auto& { return s.expression.max_depth; });
     structural(
-        "max-neurons", "Neurons at most", "", 1, 4096, "A grown brain stops at this many neurons.",
+        "max-neurons", "Neurons at most", "", Range{1, 4096},
+        "A grown brain stops at this many neurons.",
         [](Settings & s) -> auto& { return s.expression.max_neurons; });
     structural(
-        "min-nodes", "Founder nodes, least", "", 1, 16,
+        "min-nodes", "Founder nodes, least", "", Range{1, 16},
         "Part genes of a random creature, at least.",
         [](Settings & s) -> auto& { return s.founders.min_nodes; });
     structural(
-        "max-nodes", "Founder nodes, most", "", 1, 16, "Part genes of a random creature, at most.",
+        "max-nodes", "Founder nodes, most", "", Range{1, 16},
+        "Part genes of a random creature, at most.",
         [](Settings & s) -> auto& { return s.founders.max_nodes; });
     structural(
-        "min-length", "Founder length, least", "m", 0.08, 1.6, "Shortest random part.",
+        "min-length", "Founder length, least", "m", Range{0.08, 1.6}, "Shortest random part.",
         [](Settings & s) -> auto& { return s.founders.min_length; });
     structural(
-        "max-length", "Founder length, most", "m", 0.08, 1.6, "Longest random part.",
+        "max-length", "Founder length, most", "m", Range{0.08, 1.6}, "Longest random part.",
         [](Settings & s) -> auto& { return s.founders.max_length; });
     structural(
-        "min-width", "Founder width, least", "m", 0.08, 0.96, "Thinnest random part.",
+        "min-width", "Founder width, least", "m", Range{0.08, 0.96}, "Thinnest random part.",
         [](Settings & s) -> auto& { return s.founders.min_width; });
     structural(
-        "max-width", "Founder width, most", "m", 0.08, 0.96, "Thickest random part.",
+        "max-width", "Founder width, most", "m", Range{0.08, 0.96}, "Thickest random part.",
         [](Settings & s) -> auto& { return s.founders.max_width; });
     structural(
-        "moving-share", "Moving joints", "", 0, 1, "Share of a random creature's joints that move.",
+        "moving-share", "Moving joints", "", Range{0, 1},
+        "Share of a random creature's joints that move.",
         [](Settings & s) -> auto& { return s.founders.rotary_share; });
     structural(
-        "symmetric-share", "Symmetry", "", 0, 1,
+        "symmetric-share", "Symmetry", "", Range{0, 1},
         "Share of a random creature's parts that grow as mirror pairs.",
         [](Settings & s) -> auto& { return s.founders.symmetric_share; });
     structural(
-        "max-recursion", "Founder recursion", "", 1, 6,
+        "max-recursion", "Founder recursion", "", Range{1, 6},
         "How often a random part may repeat along a limb.",
         [](Settings & s) -> auto& { return s.founders.max_recursion; });
     structural(
-        "node-neurons", "Founder neurons a part", "", 0, 8,
+        "node-neurons", "Founder neurons a part", "", Range{0, 8},
         "Neurons in each part of a random creature, at most.",
         [](Settings & s) -> auto& { return s.founders.max_node_neurons; });
     structural(
-        "brain-neurons", "Founder central neurons", "", 0, 16,
+        "brain-neurons", "Founder central neurons", "", Range{0, 16},
         "Central neurons of a random creature, at most.",
         [](Settings & s) -> auto& { return s.founders.max_brain_neurons; });
 }

@@ -16,6 +16,8 @@ constexpr double kLog2E = 0x1.71547652b82fep+0;
 constexpr double kSqrtHalf = 0x1.6a09e667f3bcdp-1;
 constexpr std::uint64_t kMantissaMask = 0x000fffffffffffffULL;
 constexpr int kExponentBias = 1023;
+constexpr double kSqrt3 = 1.7320508075688772;
+constexpr double kTanPi12 = 0.2679491924311227;
 
 // 2^k for k in [-1022, 1023].
 double power_of_two(int k) {
@@ -25,8 +27,6 @@ double power_of_two(int k) {
 // Arc tangent for 0 <= t <= 1: one turn by pi/6 leaves |t| <= tan(pi/12) = 0.268, where the Taylor
 // series to t^27 is exact to the last bit.
 double arc_tangent_unit(double t) {
-    constexpr double kSqrt3 = 1.7320508075688772;
-    constexpr double kTanPi12 = 0.2679491924311227;
     const bool turned = t > kTanPi12;
     if (turned) t = (t * kSqrt3 - 1.0) / (kSqrt3 + t);
     const double z = t * t;
