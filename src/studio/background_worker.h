@@ -33,7 +33,7 @@ public:
     bool idle() const { return unfinished_ == 0; }
 
 private:
-    void run(std::stop_token stop);
+    void run(const std::stop_token& stop);
     void send_waiting();
 
     std::deque<Job> waiting_;  // window's thread: not yet in the queue

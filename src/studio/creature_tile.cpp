@@ -34,10 +34,10 @@ void draw_creature_tile(ImDrawList& list, const Rect& area, const Phenotype& phe
     const Bounds bounds = bounds_at_rest(phenotype.plan);
     const Vec3 size = bounds.high - bounds.low;
     const Vec3 middle = 0.5 * (bounds.low + bounds.high);
-    constexpr double kMostScale = 60.0;  // pixels a metre, before the display's scale
+    constexpr double most_scale = 60.0;  // pixels a metre, before the display's scale
     const double scale = std::min({static_cast<double>(area.width) / std::max(0.01, size.x()),
                                    static_cast<double>(area.height) / std::max(0.01, size.y()),
-                                   kMostScale * static_cast<double>(ui().scale)});
+                                   most_scale * static_cast<double>(ui().scale)});
     for (std::size_t i = phenotype.plan.parts.size(); i-- > 0;) {
         const PlannedPart& part = phenotype.plan.parts[i];
         std::array<ImVec2, 4> outline;

@@ -29,8 +29,8 @@ struct Pen {
 };
 
 void draw_restart(const Pen& pen) {
-    constexpr auto kQuarter = static_cast<float>(kPi) / 2.0F;
-    pen.list.PathArcTo(pen.center, 0.75F * pen.half, -0.6F * kQuarter, 2.6F * kQuarter, 24);
+    constexpr auto quarter = static_cast<float>(kPi) / 2.0F;
+    pen.list.PathArcTo(pen.center, 0.75F * pen.half, -0.6F * quarter, 2.6F * quarter, 24);
     pen.list.PathStroke(pen.color, ImDrawFlags_None, pen.width);
     pen.triangle(pen.at(0.12F, -0.62F), pen.at(0.95F, -0.95F), pen.at(0.9F, -0.08F));
 }

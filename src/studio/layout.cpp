@@ -120,7 +120,7 @@ void draw_gaps(const Layout& layout) {
 }
 
 void begin_place(const char* name, const Rect& rect, float padding_x, float padding_y) {
-    constexpr ImGuiWindowFlags kFlags =
+    constexpr ImGuiWindowFlags flags =
         ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoResize |
         ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
         ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollbar |
@@ -131,7 +131,7 @@ void begin_place(const char* name, const Rect& rect, float padding_x, float padd
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(padding_x < 0 ? usual.x : padding_x,
                                                             padding_y < 0 ? usual.y : padding_y));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1, 1));
-    ImGui::Begin(name, nullptr, kFlags);
+    ImGui::Begin(name, nullptr, flags);
     ImGui::PopStyleVar(2);
 }
 

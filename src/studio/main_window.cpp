@@ -49,9 +49,9 @@ void draw_card(const char* name, const Rect& rect, Panel& panel, const FrameCont
 
 Rect notice_place(const Rect& viewport, const std::string& text) {
     const float wide = std::min(px(620), viewport.width - px(32));
-    const ImVec2 size = ImGui::CalcTextSize(text.c_str(), nullptr, false, wide - px(74));
+    const ImVec2 size = ImGui::CalcTextSize(text.c_str(), nullptr, false, wide - px(94));
     const float height = std::min(size.y + px(20), viewport.height);
-    const float width = std::min(wide, size.x + px(84));
+    const float width = std::min(wide, size.x + px(104));
     return {std::round(viewport.center().x - 0.5F * width),
             std::round(viewport.y + viewport.height - height - px(14)), std::round(width),
             std::round(height)};

@@ -23,9 +23,9 @@ public:
     }
     void dismiss() { notice_.reset(); }
     const Notice* current(double now) {
-        constexpr double kDoneSeconds = 6.0;
+        constexpr double done_seconds = 6.0;
         if (notice_ && notice_->kind == NoticeKind::kDone &&
-            now - notice_->shown_since > kDoneSeconds) {
+            now - notice_->shown_since > done_seconds) {
             notice_.reset();
         }
         return notice_ ? &*notice_ : nullptr;

@@ -175,9 +175,9 @@ void draw_label(const SettingField& field, bool changed, float width) {
 
 SliderRange slider_range(const SettingField& field, double standard, double present) {
     if (field.logarithmic) return {field.low, field.high};
-    constexpr double kComfort = 4.0;         // times the default
-    constexpr double kComfortFromZero = 10;  // where the default is 0
-    double high = standard == 0.0 ? kComfortFromZero : kComfort * std::fabs(standard);
+    constexpr double comfort = 4.0;           // times the default
+    constexpr double comfort_from_zero = 10;  // where the default is 0
+    double high = standard == 0.0 ? comfort_from_zero : comfort * std::fabs(standard);
     // Ranges not much wider than that are shown whole.
     if (field.high <= 2.5 * high) high = field.high;
     high = std::max({std::min(high, field.high), present, field.low});

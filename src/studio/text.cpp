@@ -68,8 +68,8 @@ std::string with_unit(double value, const std::string& unit) {
 }
 
 std::string measured(double value, const std::string& unit) {
-    constexpr double kNothing = 5e-4;
-    return with_unit(std::fabs(value) < kNothing ? 0.0 : value, unit);
+    constexpr double nothing = 5e-4;
+    return with_unit(std::fabs(value) < nothing ? 0.0 : value, unit);
 }
 
 std::string pretty_time(double seconds) {

@@ -158,7 +158,7 @@ void progress_bar(float share, float width, float height) {
 }
 
 void tooltip(const std::string& text) {
-    constexpr double kDelay = 0.45;  // s under the mouse
+    constexpr double delay = 0.45;  // s under the mouse
     if (!ImGui::IsItemHovered() || ImGui::GetIO().MouseDown[0]) return;
     const ImVec2 low = ImGui::GetItemRectMin();
     UiContext& context = ui();
@@ -166,7 +166,7 @@ void tooltip(const std::string& text) {
         context.hovered = low;
         context.hovered_since = ImGui::GetTime();
     }
-    if (ImGui::GetTime() - context.hovered_since < kDelay) return;
+    if (ImGui::GetTime() - context.hovered_since < delay) return;
     // Beneath the control, which stays in sight; above it near the window's foot.
     const float foot = ImGui::GetItemRectMax().y;
     const bool above = foot > ImGui::GetIO().DisplaySize.y - px(160);

@@ -7,11 +7,12 @@ namespace cambrian {
 void NoticeStrip::draw(const FrameContext& frame, Requests& out) {
     if (frame.notice == nullptr) return;
     const bool problem = frame.notice->kind == NoticeKind::kProblem;
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    const ImVec2 low = ImGui::GetWindowPos();
-    const ImVec2 size = ImGui::GetWindowSize();
-    list.AddRectFilled(low, {low.x + px(4), low.y + size.y},
-                       paint(problem ? colors().danger : colors().accent));
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    ImGui::GetWindowDrawList()->AddCircleFilled({at.x + px(4), at.y + 0.5F * ImGui::GetFontSize()},
+                                                px(4),
+                                                paint(problem ? colors().danger : colors().accent));
+    ImGui::Dummy({px(8), ImGui::GetFontSize()});
+    ImGui::SameLine(0, px(10));
     const float text_width = ImGui::GetContentRegionAvail().x - px(44);
     ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + text_width);
     ImGui::TextUnformatted(frame.notice->text.c_str());

@@ -12,7 +12,7 @@ namespace {
 constexpr float kTileWidth = 74.0F;
 constexpr float kTileHeight = 76.0F;
 constexpr float kTileGap = 6.0F;
-constexpr int kGrownAFrame = 6;
+constexpr int kGrownAFrame = 20;
 
 std::string tile_words(const Individual& individual, std::size_t rank) {
     const EvaluationResult& result = individual.result;

@@ -17,13 +17,13 @@ bool icon_button(const char* name, Icon icon, const char* hint, bool chosen = fa
 }
 
 void draw_speeds(const FrameContext& frame, Requests& out) {
-    static const std::vector<std::string> kLabels = {"0.1×", "¼×", "½×", "1×",
-                                                     "2×",   "4×", "8×", "16×"};
+    static const std::vector<std::string> labels = {"0.1×", "¼×", "½×", "1×",
+                                                    "2×",   "4×", "8×", "16×"};
     int chosen = -1;
     for (std::size_t i = 0; i < kPlaybackSpeeds.size(); ++i) {
         if (kPlaybackSpeeds[i] == frame.view.speed) chosen = static_cast<int>(i);
     }
-    const int pressed = segmented("speed", kLabels, chosen);
+    const int pressed = segmented("speed", labels, chosen);
     if (pressed < 0) return;
     ViewState view = frame.view;
     view.speed = kPlaybackSpeeds[static_cast<std::size_t>(pressed)];

@@ -11,7 +11,7 @@ namespace cambrian {
 namespace {
 
 constexpr double kFollowLag = 0.25;     // s
-constexpr double kFitShare = 0.42;      // of the viewport filled by a body that is fitted
+constexpr double kFitShare = 0.32;      // of the viewport filled by a body that is fitted
 constexpr double kHorizonShare = 0.24;  // of the viewport's height below the ground
 constexpr double kWheelFactor = 1.15;   // a notch
 
@@ -104,7 +104,7 @@ void ViewportPanel::place_camera(const FrameContext& frame) {
         const WorldWindow bounds = bounds_of(*seen_, frame.playback.poses());
         const Vec2 pixels = (bounds.high - bounds.low) * canvas_.camera.pixels_per_metre;
         const double share = std::max(pixels.x() / size_.width, pixels.y() / size_.height);
-        fit_wanted_ = share > 0.85 || share < 0.2;
+        fit_wanted_ = share > 0.7 || share < 0.12;
         if (frame.view.follow) canvas_.camera.center = follow_target(frame);
     }
     if (fit_wanted_) {

@@ -17,9 +17,9 @@ constexpr float kFactsHeight = 190.0F;
 constexpr std::size_t kMostInRow = 4;
 
 ImVec2 half_size(const NodeGene& node) {
-    constexpr float kScale = 60.0F;  // units a metre
-    const float length = std::clamp(static_cast<float>(node.length) * kScale, 26.0F, 76.0F);
-    const float width = std::clamp(static_cast<float>(node.width) * kScale, 22.0F, 42.0F);
+    constexpr float units_a_metre = 60.0F;
+    const float length = std::clamp(static_cast<float>(node.length) * units_a_metre, 26.0F, 76.0F);
+    const float width = std::clamp(static_cast<float>(node.width) * units_a_metre, 22.0F, 42.0F);
     return {0.5F * px(length), 0.5F * px(width)};
 }
 
@@ -58,8 +58,8 @@ std::string degrees_text(double low, double high) {
 }  // namespace
 
 std::vector<std::size_t> steps_from_root(const Genome& genome) {
-    constexpr auto kUnreached = static_cast<std::size_t>(-1);
-    std::vector<std::size_t> steps(genome.nodes.size(), kUnreached);
+    constexpr auto unreached = static_cast<std::size_t>(-1);
+    std::vector<std::size_t> steps(genome.nodes.size(), unreached);
     std::deque<std::size_t> next = {0};
     steps[0] = 0;
     std::size_t deepest = 0;
@@ -68,12 +68,12 @@ std::vector<std::size_t> steps_from_root(const Genome& genome) {
         next.pop_front();
         deepest = std::max(deepest, steps[node]);
         for (const EdgeGene& edge : genome.nodes[node].edges) {
-            if (steps[edge.target] != kUnreached) continue;
+            if (steps[edge.target] != unreached) continue;
             steps[edge.target] = steps[node] + 1;
             next.push_back(edge.target);
         }
     }
-    std::replace(steps.begin(), steps.end(), kUnreached, deepest + 1);
+    std::replace(steps.begin(), steps.end(), unreached, deepest + 1);
     return steps;
 }
 
