@@ -137,6 +137,18 @@ void add_simulation(std::vector<SettingField>& fields, const EvolutionKinds& kin
             "Error allowed in a step; smaller is more exact and slower.",
             [](Settings & s) -> auto& { return s.world.scene.tolerance; })
         .logarithmic = true;
+    table
+        .number(
+            "contact-step", "Contact step", "s", Range{1e-4, 1.0 / 60},
+            "Longest step while parts touch anything or joints meet their limits.",
+            [](Settings & s) -> auto& { return s.world.scene.contact_step; })
+        .logarithmic = true;
+    table
+        .number(
+            "max-evaluations", "Work limit", "evaluations/s", Range{1e3, 1e6},
+            "A trial whose motion takes more computing for each simulated second is given up.",
+            [](Settings & s) -> auto& { return s.world.scene.max_evaluations; })
+        .logarithmic = true;
     table.number(
         "muscle-strength", "Muscle strength", "N/m", Range{0, 1e4},
         "Strongest torque of a joint for each square metre of its narrower part's width.",
