@@ -3,8 +3,6 @@
 #include "dynamics/drag.h"
 #include "dynamics/motors.h"
 
-#include <cmath>
-
 namespace cambrian {
 namespace {
 
@@ -32,18 +30,15 @@ double pull_power(const HeldForce& pull, const Kinematics& k) {
            pull.force_y * (k.velocity_y[a] + k.spin[a] * arm_x);
 }
 
-void load_motors(const PlanarModel& model, const Motion& motion, Frame& frame, MotionRate& rate) {
-    double net = 0.0;
-    double gross = 0.0;
-    frame.loads.effort[0] = 0.0;
-    for (int i = 1; i < model.body_count; ++i) {
-        frame.loads.effort[i] = frame.motor_effort[i];
-        const double power = frame.motor_effort[i] * joint_rate(model, motion, frame.kinematics, i);
-        net += power;
-        gross += std::fabs(power);
+CAMBRIAN_INLINE bool is_dragged(const Medium& medium) {
+    return medium.drag_linear > 0.0 || medium.drag_quadratic > 0.0;
+}
+
+CAMBRIAN_INLINE bool holds_pairs(const Forcing& forcing) {
+    for (int c = 0; c < forcing.contact_count; ++c) {
+        if (forcing.contacts[c].body_b >= 0) return true;
     }
-    rate.power[kMotorWork] = net;
-    rate.power[kGrossMotorWork] = gross;
+    return false;
 }
 
 }  // namespace
@@ -57,20 +52,23 @@ void add_held_forces(const PlanarModel& model, const Forcing& forcing, const Kin
         loads.effort[i] += forcing.limit_effort[i];
 }
 
-void compute_loads(const PlanarModel& model, const Forcing& forcing, const Motion& motion,
-                   double tick_share, Frame& frame, MotionRate& rate) {
+CAMBRIAN_WIDE void compute_loads(const PlanarModel& model, const Forcing& forcing,
+                                 double tick_share, Frame& frame, MotionRate& rate) {
     Loads& loads = frame.loads;
-    compute_motor_efforts(model, forcing.drive, tick_share, motion, frame.kinematics,
-                          frame.motor_effort);
+    const MotorPower motors = compute_motor_efforts(model, forcing.drive, tick_share,
+                                                    frame.kinematics, frame.motor_effort);
+    rate.power[kMotorWork] = motors.net;
+    rate.power[kGrossMotorWork] = motors.gross;
     const Medium& medium = forcing.medium;
-    for (int i = 0; i < model.body_count; ++i) {
-        loads.force_x[i] = model.mass[i] * medium.gravity_x;
-        loads.force_y[i] = model.mass[i] * medium.gravity_y;
-        loads.torque[i] = 0.0;
+    for (int i = 0; i < model.body_count; i += kLanes) {
+        const Lanes mass = load_lanes(model.mass + i);
+        store_lanes(loads.force_x + i, mass * medium.gravity_x);
+        store_lanes(loads.force_y + i, mass * medium.gravity_y);
+        store_lanes(loads.torque + i, Lanes{});
+        store_lanes(loads.effort + i, load_lanes(frame.motor_effort + i));
     }
-    load_motors(model, motion, frame, rate);
-    const bool dragged = medium.drag_linear > 0.0 || medium.drag_quadratic > 0.0;
-    rate.power[kDragWork] = dragged ? add_drag(model, medium, frame.kinematics, loads) : 0.0;
+    rate.power[kDragWork] =
+        is_dragged(medium) ? add_drag(model, medium, frame.kinematics, loads) : 0.0;
     rate.power[kPullWork] = 0.0;
     if (forcing.pulled) {
         add_held_force(forcing.pull, frame.kinematics, loads);
@@ -79,13 +77,19 @@ void compute_loads(const PlanarModel& model, const Forcing& forcing, const Motio
     add_held_forces(model, forcing, frame.kinematics, loads);
 }
 
-void evaluate_accelerations(const PlanarModel& model, const Forcing& forcing, const Motion& motion,
-                            double tick_share, Frame& frame, MotionRate& rate) {
-    compute_kinematics(model, motion, frame.kinematics);
-    compute_loads(model, forcing, motion, tick_share, frame, rate);
+CAMBRIAN_WIDE void evaluate_accelerations(const PlanarModel& model, const Forcing& forcing,
+                                          const Motion& motion, double tick_share,
+                                          FrameDetail detail, Frame& frame, MotionRate& rate) {
+    const bool all = detail == FrameDetail::kEverything;
+    compute_joints(model, motion, frame.kinematics);
+    if (all || forcing.pulled || is_dragged(forcing.medium))
+        compute_velocities(model, motion, frame.kinematics);
+    if (all || holds_pairs(forcing)) compute_places(model, motion, frame.kinematics);
+    compute_loads(model, forcing, tick_share, frame, rate);
     solve_accelerations(model, frame.kinematics, frame.loads, frame.factors, frame.response);
-    for (int c = 0; c < coordinate_count(model); ++c)
-        rate.acceleration[c] = frame.response.coordinate[c];
+    const int count = coordinate_count(model);
+    for (int c = 0; c < count; c += kLanes)
+        store_lanes(rate.acceleration + c, load_lanes(frame.response.coordinate + c));
 }
 
 }  // namespace cambrian

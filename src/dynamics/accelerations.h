@@ -16,14 +16,18 @@ struct Frame {
     PerBody motor_effort;   // N m or N
 };
 
+// What of the kinematics is to be left in the frame: what this forcing needs for the accelerations,
+// or all of it.
+enum class FrameDetail : std::uint8_t { kAccelerations, kEverything };
+
 // tick_share: where in the tick, 0 to 1, for the motors' targets.
 void evaluate_accelerations(const PlanarModel& model, const Forcing& forcing, const Motion& motion,
-                            double tick_share, Frame& frame, MotionRate& rate);
+                            double tick_share, FrameDetail detail, Frame& frame, MotionRate& rate);
 
 // All explicit forces and efforts into the frame, with their powers into rate; the frame's
 // kinematics are given.
-void compute_loads(const PlanarModel& model, const Forcing& forcing, const Motion& motion,
-                   double tick_share, Frame& frame, MotionRate& rate);
+void compute_loads(const PlanarModel& model, const Forcing& forcing, double tick_share,
+                   Frame& frame, MotionRate& rate);
 
 // Adds the held contact forces and limit efforts to loads, at the frame's arms.
 void add_held_forces(const PlanarModel& model, const Forcing& forcing, const Kinematics& kinematics,

@@ -12,35 +12,45 @@ constexpr double kScaleHeight = 0.01;  // m
 
 double mechanical_energy(const PlanarModel& model, const Medium& medium, const Motion& motion,
                          const Kinematics& kinematics) {
-    return kinetic_energy(model, kinematics) -
-           model.total_mass *
-               (medium.gravity_x * motion.position[0] + medium.gravity_y * motion.position[1]);
+    double energy = kinetic_energy(model, kinematics);
+    for (int t = 0; t < model.tree_count; ++t)
+        energy -=
+            model.tree_mass[t] * (medium.gravity_x * motion.position[center_of(model, t)] +
+                                  medium.gravity_y * motion.position[center_of(model, t) + 1]);
+    return energy;
 }
 
-void note_speeds(const PlanarModel& model, const Kinematics& k, SceneAudit& audit) {
-    double fastest = 0.0;
-    for (int part = 0; part < model.part_count; ++part) {
-        const int b = model.part_body[part];
-        const double arm_x = k.cosine[b] * model.part_x[part] - k.sine[b] * model.part_y[part];
-        const double arm_y = k.sine[b] * model.part_x[part] + k.cosine[b] * model.part_y[part];
-        const double x = k.velocity_x[b] - k.spin[b] * arm_y;
-        const double y = k.velocity_y[b] + k.spin[b] * arm_x;
-        fastest = std::max(fastest, x * x + y * y);
+CAMBRIAN_WIDE void note_speeds(const PlanarModel& model, const Kinematics& k, SceneAudit& audit) {
+    Lanes fastest = {};
+    for (int first = 0; first < model.part_count; first += kLanes) {
+        const int* bodies = model.part_body + first;
+        const Lanes cosine = gather(k.cosine, bodies);
+        const Lanes sine = gather(k.sine, bodies);
+        const Lanes spin = gather(k.spin, bodies);
+        const Lanes part_x = load_lanes(model.part_x + first);
+        const Lanes part_y = load_lanes(model.part_y + first);
+        const Lanes x = gather(k.velocity_x, bodies) - spin * (sine * part_x + cosine * part_y);
+        const Lanes y = gather(k.velocity_y, bodies) + spin * (cosine * part_x - sine * part_y);
+        fastest = greater(fastest, x * x + y * y);
     }
-    audit.max_part_speed = std::max(audit.max_part_speed, std::sqrt(fastest));
-    for (int b = 0; b < model.body_count; ++b)
-        audit.max_part_spin = std::max(audit.max_part_spin, std::fabs(k.spin[b]));
+    audit.max_part_speed = std::max(audit.max_part_speed, std::sqrt(largest_of(fastest)));
+    Lanes spin = {};
+    for (int i = 0; i < model.body_count; i += kLanes)
+        spin = greater(spin, magnitude(load_lanes(k.spin + i)));
+    audit.max_part_spin = std::max(audit.max_part_spin, largest_of(spin));
 }
 
-void note_depths(const PlanarModel& model, const Motion& motion, const Kinematics& kinematics,
-                 const ContactSet& contacts, SceneAudit& audit) {
+CAMBRIAN_WIDE void note_depths(const PlanarModel& model, const Kinematics& kinematics,
+                               const ContactSet& contacts, SceneAudit& audit) {
     for (int c = 0; c < contacts.count; ++c)
         audit.max_penetration = std::max(audit.max_penetration, -contacts.items[c].gap);
-    for (int i = 1; i < model.body_count; ++i) {
-        const double angle = joint_coordinate(model, motion, kinematics, i);
-        const double overrun = std::max(model.limit_low[i] - angle, angle - model.limit_high[i]);
-        audit.max_limit_overrun = std::max(audit.max_limit_overrun, overrun);
+    Lanes overrun = {};
+    for (int i = 0; i < model.body_count; i += kLanes) {
+        const Lanes angle = load_lanes(kinematics.joint_position + i);
+        overrun = greater(overrun, load_lanes(model.limit_low + i) - angle);
+        overrun = greater(overrun, angle - load_lanes(model.limit_high + i));
     }
+    audit.max_limit_overrun = std::max(audit.max_limit_overrun, largest_of(overrun));
 }
 
 void close_books(const PlanarModel& model, const Medium& medium, SceneMoment& moment) {

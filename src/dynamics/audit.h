@@ -14,8 +14,8 @@ double mechanical_energy(const PlanarModel& model, const Medium& medium, const M
 void note_speeds(const PlanarModel& model, const Kinematics& kinematics, SceneAudit& audit);
 
 // Deepest penetration and widest limit overrun.
-void note_depths(const PlanarModel& model, const Motion& motion, const Kinematics& kinematics,
-                 const ContactSet& contacts, SceneAudit& audit);
+void note_depths(const PlanarModel& model, const Kinematics& kinematics, const ContactSet& contacts,
+                 SceneAudit& audit);
 
 // Brings the works and the residual up to the moment, which must be current.
 void close_books(const PlanarModel& model, const Medium& medium, SceneMoment& moment);

@@ -34,7 +34,7 @@ double gap_along_axes(const RestBox& a, const RestBox& b) {
 }
 
 bool share_joint(const PlanarModel& model, int a, int b) {
-    return (a > 0 && model.parent[a] == b) || (b > 0 && model.parent[b] == a);
+    return model.parent[a] == b || model.parent[b] == a;
 }
 
 }  // namespace

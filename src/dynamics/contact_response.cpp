@@ -28,11 +28,11 @@ double impact_scale(const RowSystem& rows) {
     return scale;
 }
 
-void find_stops(const PlanarModel& model, const Motion& motion, const Kinematics& kinematics,
-                LimitSet& limits) {
+void find_stops(const PlanarModel& model, const Kinematics& kinematics, LimitSet& limits) {
     limits.count = 0;
-    for (int i = 1; i < model.body_count; ++i) {
-        const double angle = joint_coordinate(model, motion, kinematics, i);
+    for (int i = 0; i < model.body_count; ++i) {
+        if (model.parent[i] < 0) continue;
+        const double angle = kinematics.joint_position[i];
         const double low = angle - model.limit_low[i];
         const double high = model.limit_high[i] - angle;
         if (low < kStopBand) limits.add({i, 1.0, low});
@@ -57,7 +57,7 @@ ImpactResult ContactSolver::strike(const PlanarModel& model, const ContactLaw& l
     for (int c = 0; c < near_.count; ++c) {
         if (near_.items[c].gap < kContactBand) chosen_.add(near_.items[c]);
     }
-    find_stops(model, motion, frame.kinematics, limits_);
+    find_stops(model, frame.kinematics, limits_);
     build_rows(model, motion, frame, {chosen_, limits_, law.friction > 0.0}, rows_);
     ImpactResult result;
     const auto solve = [&](double kept) {

@@ -75,28 +75,38 @@ bool ContactSolver::choose(const PlanarModel& model, const ContactLaw& law, cons
         const bool slow = contact.closing_speed <= kRestingSpeed;
         if (contact.gap < kContactBand || (slow && contact.gap < reach)) chosen_.add(contact);
     }
-    choose_limits(model, motion, frame, h);
+    choose_limits(model, frame, h);
     if (chosen_.count == 0 && limits_.count == 0) return false;
     build_rows(model, motion, frame, {chosen_, limits_, law.friction > 0.0}, rows_);
     return true;
 }
 
-void ContactSolver::choose_limits(const PlanarModel& model, const Motion& motion,
-                                  const Frame& frame, double h) {
+// Stops that could be reached within the step.
+CAMBRIAN_WIDE void ContactSolver::choose_limits(const PlanarModel& model, const Frame& frame,
+                                                double h) {
     limits_.count = 0;
-    for (int i = 1; i < model.body_count; ++i) {
-        const double angle = joint_coordinate(model, motion, frame.kinematics, i);
-        const double rate = joint_rate(model, motion, frame.kinematics, i);
-        double acceleration = frame.response.coordinate[coordinate_of(i)];
-        if (model.joint[i] == JointType::kRotary)
-            acceleration -= frame.response.spin[model.parent[i]];
-        const auto consider = [&](double sign, double gap) {
-            const double reach = kLimitBand + 1.5 * h * std::max(0.0, -sign * rate) +
-                                 h * h * std::max(0.0, -sign * acceleration);
-            if (gap < reach) limits_.add({i, sign, gap});
-        };
-        consider(1.0, angle - model.limit_low[i]);
-        consider(-1.0, model.limit_high[i] - angle);
+    const Kinematics& k = frame.kinematics;
+    PerBody low_room;
+    PerBody high_room;
+    for (int i = 0; i < model.body_count; i += kLanes) {
+        const Lanes angle = load_lanes(k.joint_position + i);
+        const Lanes rate = load_lanes(k.joint_rate + i);
+        const Lanes turning = all_lanes(1.0) - load_lanes(model.slides + i);
+        const Lanes acceleration = load_lanes(frame.response.coordinate + i) -
+                                   turning * gather(frame.response.spin, model.parent_slot + i);
+        const Lanes low_reach = kLimitBand + 1.5 * h * greater(-rate, Lanes{}) +
+                                h * h * greater(-acceleration, Lanes{});
+        const Lanes high_reach =
+            kLimitBand + 1.5 * h * greater(rate, Lanes{}) + h * h * greater(acceleration, Lanes{});
+        store_lanes(low_room + i, angle - load_lanes(model.limit_low + i) - low_reach);
+        store_lanes(high_room + i, load_lanes(model.limit_high + i) - angle - high_reach);
+    }
+    for (int i = 0; i < model.body_count; ++i) {
+        if (low_room[i] >= 0.0 && high_room[i] >= 0.0) continue;
+        if (model.parent[i] < 0) continue;
+        const double angle = k.joint_position[i];
+        if (low_room[i] < 0.0) limits_.add({i, 1.0, angle - model.limit_low[i]});
+        if (high_room[i] < 0.0) limits_.add({i, -1.0, model.limit_high[i] - angle});
     }
 }
 
@@ -199,10 +209,8 @@ void ContactSolver::store_forces(double h, WarmStart& warm, Forcing& forcing) {
 }
 
 HeldWork ContactSolver::held_work(const PlanarModel& model, const Forcing& forcing,
-                                  const Frame& start, const Motion& start_motion,
-                                  const Kinematics& end, const Motion& end_motion) const {
+                                  const Kinematics& begin, const Kinematics& end) const {
     HeldWork work;
-    const Kinematics& begin = start.kinematics;
     const auto world = [](const Kinematics& k, const HeldForce& held, double& x, double& y) {
         const int a = held.body_a;
         x = k.x[a] + k.cosine[a] * held.point_x - k.sine[a] * held.point_y;
@@ -229,11 +237,10 @@ HeldWork ContactSolver::held_work(const PlanarModel& model, const Forcing& forci
         work.positive += std::max(0.0, done);
     }
     if (!forcing.limits_active) return work;
-    for (int i = 1; i < model.body_count; ++i) {
+    for (int i = 0; i < model.body_count; ++i) {
         const double effort = forcing.limit_effort[i];
         if (effort == 0.0) continue;
-        const double done = effort * (joint_coordinate(model, end_motion, end, i) -
-                                      joint_coordinate(model, start_motion, begin, i));
+        const double done = effort * (end.joint_position[i] - begin.joint_position[i]);
         work.limit += done;
         work.positive += std::max(0.0, done);
     }

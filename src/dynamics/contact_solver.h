@@ -69,13 +69,11 @@ public:
     double held_normal(int contact) const { return normal_force_[contact]; }
 
     // Work of the held forces between two places.
-    HeldWork held_work(const PlanarModel& model, const Forcing& forcing, const Frame& start,
-                       const Motion& start_motion, const Kinematics& end,
-                       const Motion& end_motion) const;
+    HeldWork held_work(const PlanarModel& model, const Forcing& forcing, const Kinematics& begin,
+                       const Kinematics& end) const;
 
 private:
-    void choose_limits(const PlanarModel& model, const Motion& motion, const Frame& frame,
-                       double h);
+    void choose_limits(const PlanarModel& model, const Frame& frame, double h);
     void set_resting_bias(double h, double* bias) const;
     bool solve_resting(const PlanarModel& model, const ContactLaw& law, double h);
     double resting_work(double h) const;

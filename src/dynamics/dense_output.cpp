@@ -2,7 +2,7 @@
 
 namespace cambrian {
 
-void interpolate_motion(int coordinates, const StepEnds& step, double share, Motion& motion) {
+void interpolate_motion(int slots, const StepEnds& step, double share, Motion& motion) {
     const double h = step.length;
     const double t = share;
     const double t2 = t * t;
@@ -15,7 +15,7 @@ void interpolate_motion(int coordinates, const StepEnds& step, double share, Mot
     const double rate_blend = t2 * (3.0 - 2.0 * t);
     const double rate_start = h * t * (1.0 + t * (-2.0 + t));
     const double rate_end = h * t2 * (t - 1.0);
-    for (int c = 0; c < coordinates; ++c) {
+    for (int c = 0; c < slots; ++c) {
         const double a0 = step.start_rate.acceleration[c];
         const double a1 = step.end_rate.acceleration[c];
         const double v0 = step.start.speed[c];

@@ -16,7 +16,7 @@ struct StepEnds {
     double length = 0.0;  // s
 };
 
-// share: of the step, 0 to 1.
-void interpolate_motion(int coordinates, const StepEnds& step, double share, Motion& motion);
+// slots: coordinates to fill. share: of the step, 0 to 1.
+void interpolate_motion(int slots, const StepEnds& step, double share, Motion& motion);
 
 }  // namespace cambrian

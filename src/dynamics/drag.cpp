@@ -7,8 +7,6 @@
 
 #include "dynamics/drag.h"
 
-#include <cmath>
-
 namespace cambrian {
 namespace {
 
@@ -17,50 +15,78 @@ constexpr double kEndWeight = 5.0 / 9.0;
 constexpr double kMiddleWeight = 8.0 / 9.0;
 
 struct FaceDrag {
-    double force;   // N along the normal
-    double moment;  // N m, first moment of the pressure along the face
+    Lanes force;   // N along the normal
+    Lanes moment;  // N m, first moment of the pressure along the face
 };
 
-inline double pressure(const Medium& medium, double u) {
-    return -(medium.drag_linear + medium.drag_quadratic * std::fabs(u)) * u;
+CAMBRIAN_INLINE Lanes pressure(const Medium& medium, const Lanes& u) {
+    return -(medium.drag_linear + medium.drag_quadratic * magnitude(u)) * u;
 }
 
 // Normal speed at the middle, its slope along the face, and the face's half extent.
-inline FaceDrag integrate_face(const Medium& medium, double u, double slope, double half) {
-    const double low = kEndWeight * pressure(medium, u - slope * kNode * half);
-    const double high = kEndWeight * pressure(medium, u + slope * kNode * half);
-    const double middle = kMiddleWeight * pressure(medium, u);
+CAMBRIAN_INLINE FaceDrag integrate_face(const Medium& medium, const Lanes& u, const Lanes& slope,
+                                        const Lanes& half) {
+    const Lanes reach = slope * kNode * half;
+    const Lanes low = kEndWeight * pressure(medium, u - reach);
+    const Lanes high = kEndWeight * pressure(medium, u + reach);
+    const Lanes middle = kMiddleWeight * pressure(medium, u);
     return {half * (low + middle + high), half * half * kNode * (high - low)};
+}
+
+// Forces on four boxes, as loads of their bodies.
+struct PartDrag {
+    Lanes force_x, force_y, torque;
+    Lanes power;
+};
+
+CAMBRIAN_INLINE PartDrag drag_parts(const PlanarModel& model, const Medium& medium,
+                                    const Kinematics& k, int first) {
+    const int* bodies = model.part_body + first;
+    const Lanes cosine = gather(k.cosine, bodies);
+    const Lanes sine = gather(k.sine, bodies);
+    const Lanes spin = gather(k.spin, bodies);
+    const Lanes part_x = load_lanes(model.part_x + first);
+    const Lanes part_y = load_lanes(model.part_y + first);
+    const Lanes part_cosine = load_lanes(model.part_cosine + first);
+    const Lanes part_sine = load_lanes(model.part_sine + first);
+    const Lanes arm_x = cosine * part_x - sine * part_y;
+    const Lanes arm_y = sine * part_x + cosine * part_y;
+    const Lanes axis_x = cosine * part_cosine - sine * part_sine;
+    const Lanes axis_y = sine * part_cosine + cosine * part_sine;
+    const Lanes velocity_x = gather(k.velocity_x, bodies) - spin * arm_y;
+    const Lanes velocity_y = gather(k.velocity_y, bodies) + spin * arm_x;
+    const Lanes along = axis_x * velocity_x + axis_y * velocity_y;
+    const Lanes across = axis_x * velocity_y - axis_y * velocity_x;
+    const FaceDrag sides =
+        integrate_face(medium, across, spin, load_lanes(model.half_length + first));
+    const FaceDrag ends =
+        integrate_face(medium, along, -spin, load_lanes(model.half_width + first));
+    PartDrag drag;
+    drag.force_x = axis_x * ends.force - axis_y * sides.force;
+    drag.force_y = axis_y * ends.force + axis_x * sides.force;
+    const Lanes moment = sides.moment - ends.moment;
+    drag.torque = moment + arm_x * drag.force_y - arm_y * drag.force_x;
+    drag.power = along * ends.force + across * sides.force + spin * moment;
+    return drag;
 }
 
 }  // namespace
 
-double add_drag(const PlanarModel& model, const Medium& medium, const Kinematics& k, Loads& loads) {
-    double power = 0.0;
-    for (int part = 0; part < model.part_count; ++part) {
-        const int b = model.part_body[part];
-        const double cosine = k.cosine[b];
-        const double sine = k.sine[b];
-        const double arm_x = cosine * model.part_x[part] - sine * model.part_y[part];
-        const double arm_y = sine * model.part_x[part] + cosine * model.part_y[part];
-        const double axis_x = cosine * model.part_cosine[part] - sine * model.part_sine[part];
-        const double axis_y = sine * model.part_cosine[part] + cosine * model.part_sine[part];
-        const double spin = k.spin[b];
-        const double velocity_x = k.velocity_x[b] - spin * arm_y;
-        const double velocity_y = k.velocity_y[b] + spin * arm_x;
-        const double along = axis_x * velocity_x + axis_y * velocity_y;
-        const double across = axis_x * velocity_y - axis_y * velocity_x;
-        const FaceDrag sides = integrate_face(medium, across, spin, model.half_length[part]);
-        const FaceDrag ends = integrate_face(medium, along, -spin, model.half_width[part]);
-        const double force_x = axis_x * ends.force - axis_y * sides.force;
-        const double force_y = axis_y * ends.force + axis_x * sides.force;
-        const double moment = sides.moment - ends.moment;
-        loads.force_x[b] += force_x;
-        loads.force_y[b] += force_y;
-        loads.torque[b] += moment + arm_x * force_y - arm_y * force_x;
-        power += along * ends.force + across * sides.force + spin * moment;
+CAMBRIAN_WIDE double add_drag(const PlanarModel& model, const Medium& medium, const Kinematics& k,
+                              Loads& loads) {
+    Lanes power = {};
+    for (int first = 0; first < model.part_count; first += kLanes) {
+        const PartDrag drag = drag_parts(model, medium, k, first);
+        power += drag.power;
+        const int end = first + kLanes < model.part_count ? kLanes : model.part_count - first;
+        for (int lane = 0; lane < end; ++lane) {
+            const int b = model.part_body[first + lane];
+            loads.force_x[b] += drag.force_x[lane];
+            loads.force_y[b] += drag.force_y[lane];
+            loads.torque[b] += drag.torque[lane];
+        }
     }
-    return power;
+    return sum_of(power);
 }
 
 }  // namespace cambrian

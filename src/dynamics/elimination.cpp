@@ -3,143 +3,119 @@
 namespace cambrian {
 namespace {
 
-// Inertia and load every body carries for its subtree, about its centre of mass: the symmetric
-// matrix [[A, h], [h', j]] and (f, t).
+// Inertia and load a body carries for its subtree, about its centre of mass: the symmetric matrix
+// [[A, h], [h', j]] with A by columns, and (f, t).
 struct Carried {
-    PerBody xx, xy, yy, h_x, h_y, j;
-    PerBody f_x, f_y, t;
-    PerBody u;
+    Pair column_x, column_y, h, f;
+    double j, t;
 };
 
-void load_bodies(const PlanarModel& model, const Loads& loads, Carried& c) {
+CAMBRIAN_INLINE void load_bodies(const PlanarModel& model, const Loads& loads, Carried* carried) {
     for (int i = 0; i < model.body_count; ++i) {
-        c.xx[i] = model.mass[i];
-        c.xy[i] = 0.0;
-        c.yy[i] = model.mass[i];
-        c.h_x[i] = 0.0;
-        c.h_y[i] = 0.0;
-        c.j[i] = model.inertia[i];
-        c.f_x[i] = loads.force_x[i];
-        c.f_y[i] = loads.force_y[i];
-        c.t[i] = loads.torque[i];
+        Carried& c = carried[i];
+        c.column_x = Pair{model.mass[i], 0.0};
+        c.column_y = Pair{0.0, model.mass[i]};
+        c.h = Pair{0.0, 0.0};
+        c.f = Pair{loads.force_x[i], loads.force_y[i]};
+        c.j = model.inertia[i];
+        c.t = loads.torque[i];
     }
 }
 
-// w = h + A s,  d = j + (h + w) s,  u = s f + t + tau - w gamma,
+// Both return u. w = h + A s,  d = j + (h + w) s,  u = s f + t + tau - w gamma,
 // K = A - w w'/d,  pi = A gamma + w u/d - f;
 // parent: A += K, h += K z, j += z K z, f -= pi, t -= z pi + tau.
-inline void eliminate_rotary(const Kinematics& k, double effort, Factors& factors, Carried& c,
-                             int i, int p) {
-    const double s_x = k.s_x[i];
-    const double s_y = k.s_y[i];
-    const double z_x = k.z_x[i];
-    const double z_y = k.z_y[i];
-    const double w_x = c.h_x[i] + c.xx[i] * s_x + c.xy[i] * s_y;
-    const double w_y = c.h_y[i] + c.xy[i] * s_x + c.yy[i] * s_y;
-    const double d = c.j[i] + (c.h_x[i] + w_x) * s_x + (c.h_y[i] + w_y) * s_y;
-    const double inverse_d = 1.0 / d;
-    const double u =
-        s_x * c.f_x[i] + s_y * c.f_y[i] + c.t[i] + effort - w_x * k.gamma_x[i] - w_y * k.gamma_y[i];
-    const double k_xx = c.xx[i] - w_x * w_x * inverse_d;
-    const double k_xy = c.xy[i] - w_x * w_y * inverse_d;
-    const double k_yy = c.yy[i] - w_y * w_y * inverse_d;
-    const double share = u * inverse_d;
-    const double pi_x = c.xx[i] * k.gamma_x[i] + c.xy[i] * k.gamma_y[i] + w_x * share - c.f_x[i];
-    const double pi_y = c.xy[i] * k.gamma_x[i] + c.yy[i] * k.gamma_y[i] + w_y * share - c.f_y[i];
-    const double kz_x = k_xx * z_x + k_xy * z_y;
-    const double kz_y = k_xy * z_x + k_yy * z_y;
-    factors.w_x[i] = w_x;
-    factors.w_y[i] = w_y;
+CAMBRIAN_INLINE double eliminate_rotary(const Kinematics& k, double effort, int i, const Carried& c,
+                                        Factors& factors, Carried& parent) {
+    const Pair s = {k.s_x[i], k.s_y[i]};
+    const Pair z = {k.z_x[i], k.z_y[i]};
+    const Pair gamma = {k.gamma_x[i], k.gamma_y[i]};
+    const Pair w = c.h + (c.column_x * both(s[0]) + c.column_y * both(s[1]));
+    const double inverse_d = 1.0 / (c.j + dot(c.h + w, s));
+    const double u = dot(s, c.f) - dot(w, gamma) + (c.t + effort);
+    const Pair scaled = w * both(inverse_d);
+    const Pair left_x = c.column_x - scaled * both(w[0]);
+    const Pair left_y = c.column_y - scaled * both(w[1]);
+    const Pair pi =
+        c.column_x * both(gamma[0]) + c.column_y * both(gamma[1]) + (scaled * both(u) - c.f);
+    const Pair left_z = left_x * both(z[0]) + left_y * both(z[1]);
+    factors.w_x[i] = w[0];
+    factors.w_y[i] = w[1];
     factors.inverse_d[i] = inverse_d;
-    c.u[i] = u;
-    c.xx[p] += k_xx;
-    c.xy[p] += k_xy;
-    c.yy[p] += k_yy;
-    c.h_x[p] += kz_x;
-    c.h_y[p] += kz_y;
-    c.j[p] += z_x * kz_x + z_y * kz_y;
-    c.f_x[p] -= pi_x;
-    c.f_y[p] -= pi_y;
-    c.t[p] -= z_x * pi_x + z_y * pi_y + effort;
+    parent.column_x += left_x;
+    parent.column_y += left_y;
+    parent.h += left_z;
+    parent.j += dot(z, left_z);
+    parent.f -= pi;
+    parent.t -= dot(z, pi) + effort;
+    return u;
 }
 
 // With s the joint's axis: w = A s, w3 = h s, d = s w, u = s f + F - w gamma,
 // K = A - w w'/d, k = h - w w3/d, kappa = j - w3^2/d, pi_t = h gamma + w3 u/d - t;
 // parent: A += K, h += K z + k, j += z K z + 2 z k + kappa, f -= pi, t -= z pi + pi_t.
-inline void eliminate_linear(const Kinematics& k, double effort, Factors& factors, Carried& c,
-                             int i, int p) {
-    const double s_x = k.s_x[i];
-    const double s_y = k.s_y[i];
-    const double z_x = k.z_x[i];
-    const double z_y = k.z_y[i];
-    const double w_x = c.xx[i] * s_x + c.xy[i] * s_y;
-    const double w_y = c.xy[i] * s_x + c.yy[i] * s_y;
-    const double w_3 = c.h_x[i] * s_x + c.h_y[i] * s_y;
-    const double inverse_d = 1.0 / (s_x * w_x + s_y * w_y);
-    const double u =
-        s_x * c.f_x[i] + s_y * c.f_y[i] + effort - w_x * k.gamma_x[i] - w_y * k.gamma_y[i];
-    const double k_xx = c.xx[i] - w_x * w_x * inverse_d;
-    const double k_xy = c.xy[i] - w_x * w_y * inverse_d;
-    const double k_yy = c.yy[i] - w_y * w_y * inverse_d;
-    const double k_x = c.h_x[i] - w_x * w_3 * inverse_d;
-    const double k_y = c.h_y[i] - w_y * w_3 * inverse_d;
-    const double kappa = c.j[i] - w_3 * w_3 * inverse_d;
-    const double share = u * inverse_d;
-    const double pi_x = c.xx[i] * k.gamma_x[i] + c.xy[i] * k.gamma_y[i] + w_x * share - c.f_x[i];
-    const double pi_y = c.xy[i] * k.gamma_x[i] + c.yy[i] * k.gamma_y[i] + w_y * share - c.f_y[i];
-    const double pi_t = c.h_x[i] * k.gamma_x[i] + c.h_y[i] * k.gamma_y[i] + w_3 * share - c.t[i];
-    const double kz_x = k_xx * z_x + k_xy * z_y;
-    const double kz_y = k_xy * z_x + k_yy * z_y;
-    factors.w_x[i] = w_x;
-    factors.w_y[i] = w_y;
+CAMBRIAN_INLINE double eliminate_linear(const Kinematics& k, double effort, int i, const Carried& c,
+                                        Factors& factors, Carried& parent) {
+    const Pair s = {k.s_x[i], k.s_y[i]};
+    const Pair z = {k.z_x[i], k.z_y[i]};
+    const Pair gamma = {k.gamma_x[i], k.gamma_y[i]};
+    const Pair w = c.column_x * both(s[0]) + c.column_y * both(s[1]);
+    const double w_3 = dot(c.h, s);
+    const double inverse_d = 1.0 / dot(s, w);
+    const double u = dot(s, c.f) - dot(w, gamma) + effort;
+    const Pair scaled = w * both(inverse_d);
+    const Pair left_x = c.column_x - scaled * both(w[0]);
+    const Pair left_y = c.column_y - scaled * both(w[1]);
+    const Pair left_h = c.h - scaled * both(w_3);
+    const double kappa = c.j - w_3 * w_3 * inverse_d;
+    const Pair pi =
+        c.column_x * both(gamma[0]) + c.column_y * both(gamma[1]) + (scaled * both(u) - c.f);
+    const double pi_t = dot(c.h, gamma) + w_3 * (u * inverse_d) - c.t;
+    const Pair left_z = left_x * both(z[0]) + left_y * both(z[1]);
+    factors.w_x[i] = w[0];
+    factors.w_y[i] = w[1];
     factors.w_3[i] = w_3;
     factors.inverse_d[i] = inverse_d;
-    c.u[i] = u;
-    c.xx[p] += k_xx;
-    c.xy[p] += k_xy;
-    c.yy[p] += k_yy;
-    c.h_x[p] += kz_x + k_x;
-    c.h_y[p] += kz_y + k_y;
-    c.j[p] += z_x * kz_x + z_y * kz_y + 2.0 * (z_x * k_x + z_y * k_y) + kappa;
-    c.f_x[p] -= pi_x;
-    c.f_y[p] -= pi_y;
-    c.t[p] -= z_x * pi_x + z_y * pi_y + pi_t;
+    parent.column_x += left_x;
+    parent.column_y += left_y;
+    parent.h += left_z + left_h;
+    parent.j += dot(z, left_z) + 2.0 * dot(z, left_h) + kappa;
+    parent.f -= pi;
+    parent.t -= dot(z, pi) + pi_t;
+    return u;
 }
 
-// Inverse of the root's symmetric 3x3 inertia by cofactors.
-void invert_root(const Carried& c, Factors& factors) {
-    const double xx = c.xx[0];
-    const double xy = c.xy[0];
-    const double yy = c.yy[0];
-    const double xt = c.h_x[0];
-    const double yt = c.h_y[0];
-    const double tt = c.j[0];
+// By cofactors.
+CAMBRIAN_INLINE RootInverse invert_root(const Carried& c) {
+    const double xx = c.column_x[0];
+    const double xy = c.column_x[1];
+    const double yy = c.column_y[1];
+    const double xt = c.h[0];
+    const double yt = c.h[1];
+    const double tt = c.j;
     const double cofactor_xx = yy * tt - yt * yt;
     const double cofactor_xy = xt * yt - xy * tt;
     const double cofactor_xt = xy * yt - yy * xt;
     const double inverse = 1.0 / (xx * cofactor_xx + xy * cofactor_xy + xt * cofactor_xt);
-    factors.root_xx = cofactor_xx * inverse;
-    factors.root_xy = cofactor_xy * inverse;
-    factors.root_xt = cofactor_xt * inverse;
-    factors.root_yy = (xx * tt - xt * xt) * inverse;
-    factors.root_yt = (xy * xt - xx * yt) * inverse;
-    factors.root_tt = (xx * yy - xy * xy) * inverse;
+    return {cofactor_xx * inverse, cofactor_xy * inverse,         (xx * tt - xt * xt) * inverse,
+            cofactor_xt * inverse, (xy * xt - xx * yt) * inverse, (xx * yy - xy * xy) * inverse};
 }
 
-inline void solve_root(const Factors& factors, double f_x, double f_y, double t,
-                       BodyResponse& response) {
-    response.x[0] = factors.root_xx * f_x + factors.root_xy * f_y + factors.root_xt * t;
-    response.y[0] = factors.root_xy * f_x + factors.root_yy * f_y + factors.root_yt * t;
-    response.spin[0] = factors.root_xt * f_x + factors.root_yt * f_y + factors.root_tt * t;
-    response.coordinate[2] = response.spin[0];
+CAMBRIAN_INLINE void solve_root(const RootInverse& inverse, int root, const Pair& f, double t,
+                                BodyResponse& response) {
+    response.x[root] = inverse.xx * f[0] + inverse.xy * f[1] + inverse.xt * t;
+    response.y[root] = inverse.xy * f[0] + inverse.yy * f[1] + inverse.yt * t;
+    response.spin[root] = inverse.xt * f[0] + inverse.yt * f[1] + inverse.tt * t;
+    response.coordinate[root] = response.spin[root];
 }
 
 enum class Load { kForce, kImpulse };
 
 // Body i's response from its parent's; gamma is 0 for impulses.
 template <Load kLoad>
-inline void follow_parent(const PlanarModel& model, const Kinematics& k, const Factors& factors,
-                          const double* u, int i, BodyResponse& response) {
+CAMBRIAN_INLINE void follow_parent(const PlanarModel& model, const Kinematics& k,
+                                   const Factors& factors, const double* u, int i,
+                                   BodyResponse& response) {
     const int p = model.parent[i];
     const double spin = response.spin[p];
     double x = response.x[p] + spin * k.z_x[i];
@@ -155,76 +131,87 @@ inline void follow_parent(const PlanarModel& model, const Kinematics& k, const F
     response.x[i] = x + coordinate * k.s_x[i];
     response.y[i] = y + coordinate * k.s_y[i];
     response.spin[i] = linear ? spin : coordinate;
-    response.coordinate[coordinate_of(i)] = coordinate;
+    response.coordinate[i] = coordinate;
 }
 
-// The centre of mass feels the explicit forces only.
-void move_center(const PlanarModel& model, const Loads& loads, BodyResponse& response) {
-    double x = 0.0;
-    double y = 0.0;
-    for (int i = 0; i < model.body_count; ++i) {
-        x += loads.force_x[i];
-        y += loads.force_y[i];
+// Centres of mass feel the explicit forces only.
+CAMBRIAN_INLINE void move_centers(const PlanarModel& model, const Loads& loads,
+                                  BodyResponse& response) {
+    const int slots = round_up_to_lanes(model.body_count);
+    for (int t = 0; t < model.tree_count; ++t) {
+        const double* members = model.membership[t];
+        const double share = 1.0 / model.tree_mass[t];
+        response.coordinate[center_of(model, t)] =
+            share * lane_product(members, loads.force_x, slots);
+        response.coordinate[center_of(model, t) + 1] =
+            share * lane_product(members, loads.force_y, slots);
     }
-    response.coordinate[0] = x / model.total_mass;
-    response.coordinate[1] = y / model.total_mass;
 }
 
 }  // namespace
 
-void solve_accelerations(const PlanarModel& model, const Kinematics& kinematics, const Loads& loads,
-                         Factors& factors, BodyResponse& response) {
-    Carried c;
-    load_bodies(model, loads, c);
-    for (int i = model.body_count - 1; i > 0; --i) {
-        if (model.joint[i] == JointType::kLinear)
-            eliminate_linear(kinematics, loads.effort[i], factors, c, i, model.parent[i]);
-        else
-            eliminate_rotary(kinematics, loads.effort[i], factors, c, i, model.parent[i]);
+CAMBRIAN_WIDE void solve_accelerations(const PlanarModel& model, const Kinematics& kinematics,
+                                       const Loads& loads, Factors& factors,
+                                       BodyResponse& response) {
+    Carried carried[kMaxBodies];
+    PerBody u;
+    load_bodies(model, loads, carried);
+    for (int tree = model.tree_count - 1; tree >= 0; --tree) {
+        const int root = model.tree_begin[tree];
+        const int end = model.tree_begin[tree + 1];
+        for (int i = end - 1; i > root; --i) {
+            Carried& parent = carried[model.parent[i]];
+            const double effort = loads.effort[i];
+            u[i] = model.joint[i] == JointType::kLinear
+                       ? eliminate_linear(kinematics, effort, i, carried[i], factors, parent)
+                       : eliminate_rotary(kinematics, effort, i, carried[i], factors, parent);
+        }
+        factors.root[tree] = invert_root(carried[root]);
+        solve_root(factors.root[tree], root, carried[root].f, carried[root].t, response);
+        for (int i = root + 1; i < end; ++i)
+            follow_parent<Load::kForce>(model, kinematics, factors, u, i, response);
     }
-    invert_root(c, factors);
-    solve_root(factors, c.f_x[0], c.f_y[0], c.t[0], response);
-    for (int i = 1; i < model.body_count; ++i)
-        follow_parent<Load::kForce>(model, kinematics, factors, c.u, i, response);
-    move_center(model, loads, response);
+    move_centers(model, loads, response);
 }
 
-void solve_impulse(const PlanarModel& model, const Kinematics& k, const Factors& factors,
-                   const Loads& impulses, BodyResponse& response) {
-    PerBody f_x;
-    PerBody f_y;
+CAMBRIAN_WIDE void solve_impulse(const PlanarModel& model, const Kinematics& k,
+                                 const Factors& factors, const Loads& impulses,
+                                 BodyResponse& response) {
+    Pair f[kMaxBodies];
     PerBody t;
     PerBody u;
     for (int i = 0; i < model.body_count; ++i) {
-        f_x[i] = impulses.force_x[i];
-        f_y[i] = impulses.force_y[i];
+        f[i] = Pair{impulses.force_x[i], impulses.force_y[i]};
         t[i] = impulses.torque[i];
     }
-    for (int i = model.body_count - 1; i > 0; --i) {
-        const int p = model.parent[i];
-        const double effort = impulses.effort[i];
-        const bool linear = model.joint[i] == JointType::kLinear;
-        u[i] = k.s_x[i] * f_x[i] + k.s_y[i] * f_y[i] + effort + (linear ? 0.0 : t[i]);
-        const double share = u[i] * factors.inverse_d[i];
-        const double passed_x = f_x[i] - factors.w_x[i] * share;
-        const double passed_y = f_y[i] - factors.w_y[i] * share;
-        f_x[p] += passed_x;
-        f_y[p] += passed_y;
-        t[p] += k.z_x[i] * passed_x + k.z_y[i] * passed_y +
-                (linear ? t[i] - factors.w_3[i] * share : -effort);
+    for (int tree = model.tree_count - 1; tree >= 0; --tree) {
+        const int root = model.tree_begin[tree];
+        const int end = model.tree_begin[tree + 1];
+        for (int i = end - 1; i > root; --i) {
+            const int p = model.parent[i];
+            const double effort = impulses.effort[i];
+            const bool linear = model.joint[i] == JointType::kLinear;
+            const Pair w = {factors.w_x[i], factors.w_y[i]};
+            u[i] = dot(Pair{k.s_x[i], k.s_y[i]}, f[i]) + effort + (linear ? 0.0 : t[i]);
+            const double share = u[i] * factors.inverse_d[i];
+            const Pair passed = f[i] - w * both(share);
+            f[p] += passed;
+            t[p] += dot(Pair{k.z_x[i], k.z_y[i]}, passed) +
+                    (linear ? t[i] - factors.w_3[i] * share : -effort);
+        }
+        solve_root(factors.root[tree], root, f[root], t[root], response);
+        for (int i = root + 1; i < end; ++i)
+            follow_parent<Load::kImpulse>(model, k, factors, u, i, response);
     }
-    solve_root(factors, f_x[0], f_y[0], t[0], response);
-    for (int i = 1; i < model.body_count; ++i)
-        follow_parent<Load::kImpulse>(model, k, factors, u, i, response);
-    move_center(model, impulses, response);
+    move_centers(model, impulses, response);
 }
 
-void clear_loads(const PlanarModel& model, Loads& loads) {
-    for (int i = 0; i < model.body_count; ++i) {
-        loads.force_x[i] = 0.0;
-        loads.force_y[i] = 0.0;
-        loads.torque[i] = 0.0;
-        loads.effort[i] = 0.0;
+CAMBRIAN_WIDE void clear_loads(const PlanarModel& model, Loads& loads) {
+    for (int i = 0; i < model.body_count; i += kLanes) {
+        store_lanes(loads.force_x + i, Lanes{});
+        store_lanes(loads.force_y + i, Lanes{});
+        store_lanes(loads.torque + i, Lanes{});
+        store_lanes(loads.effort + i, Lanes{});
     }
 }
 

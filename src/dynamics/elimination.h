@@ -1,7 +1,7 @@
 #pragma once
 
-// The constraint-force equation of a tree of joints, solved exactly in O(n) by eliminating the
-// bodies from the leaves to the root (physics.md 4.2, 4.3).
+// The constraint-force equation of trees of joints, solved exactly in O(n) by eliminating the
+// bodies from the leaves to the roots (physics.md 4.2, 4.3).
 
 #include "dynamics/kinematics.h"
 
@@ -15,10 +15,15 @@ struct Loads {
     PerBody effort;            // N m or N, along the joint's coordinate
 };
 
+// Inverse of the symmetric inertia a root carries for its tree.
+struct RootInverse {
+    double xx, xy, yy, xt, yt, tt;
+};
+
 // Factorisation of a moment's equation, good for any load.
 struct Factors {
     PerBody w_x, w_y, w_3, inverse_d;
-    double root_xx, root_xy, root_yy, root_xt, root_yt, root_tt;  // inverse of the root's inertia
+    RootInverse root[kMaxTrees];
 };
 
 // Accelerations, or velocity jumps, of every body and joint.

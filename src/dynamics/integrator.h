@@ -16,8 +16,9 @@ struct MotionSystem {
     double tick_length = 0.0;  // s
 
     // time: s since the tick's start.
-    void evaluate(const Motion& motion, double time, Frame& frame, MotionRate& rate) const {
-        evaluate_accelerations(model, forcing, motion, time / tick_length, frame, rate);
+    void evaluate(const Motion& motion, double time, FrameDetail detail, Frame& frame,
+                  MotionRate& rate) const {
+        evaluate_accelerations(model, forcing, motion, time / tick_length, detail, frame, rate);
     }
 };
 
@@ -30,24 +31,19 @@ struct StepRequest {
 };
 
 struct StepResult {
-    Motion end;
-    MotionRate end_rate;  // at the end, under the same forcing
-    double error = 0.0;   // of the step, in tolerances; at most 1 is acceptable
+    Motion end = {};
+    MotionRate end_rate = {};  // at the end, under the same forcing
+    double error = 0.0;        // of the step, in tolerances; at most 1 is acceptable
     int evaluations = 0;
 };
 
 struct IntegratorKind {
     std::string id;
-    // One attempt; frame is left at the step's end.
+    // One attempt; frame is left at the step's end, with everything.
     void (*attempt)(const MotionSystem& system, const StepRequest& request, Frame& frame,
                     StepResult& result) = nullptr;
-    double error_exponent = 0.0;  // 1 / order of the error in the step's length
-    double max_step = 0.0;        // s
+    int error_order = 1;    // of the error in the step's length
+    double max_step = 0.0;  // s
 };
-
-// RMS over all coordinates of the errors of position / (0.1 m or rad) and of speed / (1 + |speed|),
-// in tolerances.
-double step_error(int coordinates, const PerCoordinate& position_error,
-                  const PerCoordinate& speed_error, const PerCoordinate& speed, double tolerance);
 
 }  // namespace cambrian

@@ -16,23 +16,18 @@ struct Kinematics {
     // the joint's own coordinate (s; for linear joints the world axis), and its acceleration at
     // zero coordinate accelerations (gamma).
     PerBody z_x, z_y, s_x, s_y, gamma_x, gamma_y;
+    // Coordinate and rate of the joint as motors, limits and sensors see them: relative to rest.
+    PerBody joint_position, joint_rate;  // rad or m, and a second
 };
 
+// All of it.
 void compute_kinematics(const PlanarModel& model, const Motion& motion, Kinematics& kinematics);
 
-// Coordinate and rate of a joint as motors, limits and sensors see them: relative to rest.
-inline double joint_coordinate(const PlanarModel& model, const Motion& motion,
-                               const Kinematics& kinematics, int body) {
-    if (model.joint[body] == JointType::kLinear) return motion.position[coordinate_of(body)];
-    return kinematics.angle[body] - kinematics.angle[model.parent[body]] - model.rest_angle[body];
-}
-inline double joint_rate(const PlanarModel& model, const Motion& motion,
-                         const Kinematics& kinematics, int body) {
-    if (model.joint[body] == JointType::kLinear) return motion.speed[coordinate_of(body)];
-    return kinematics.spin[body] - kinematics.spin[model.parent[body]];
-}
+// Its parts: angles, spins and joints, which the others need; velocities; places.
+void compute_joints(const PlanarModel& model, const Motion& motion, Kinematics& kinematics);
+void compute_velocities(const PlanarModel& model, const Motion& motion, Kinematics& kinematics);
+void compute_places(const PlanarModel& model, const Motion& motion, Kinematics& kinematics);
 
-// J; potential energy is 0 where the centre of mass is at the origin.
-double kinetic_energy(const PlanarModel& model, const Kinematics& kinematics);
+double kinetic_energy(const PlanarModel& model, const Kinematics& kinematics);  // J
 
 }  // namespace cambrian

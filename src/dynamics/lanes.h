@@ -1,30 +1,89 @@
 #pragma once
 
-// Four doubles worked on at once. Sums over lanes have a fixed order, so that the bits do not
-// depend on the processor's vector width.
+// Numbers worked on side by side: four bodies, parts or coordinates at once, or the two components
+// of a planar vector. Only the four exactly rounded operations and fixed orders of summation, so
+// that the bits do not depend on the processor's vector width.
 
+#include <cstdint>
 #include <cstring>
+
+// On functions worth a second copy for processors with AVX2, chosen when the program starts. What
+// is inlined into them is copied too. No fused multiply-add in either: the same bits.
+#if defined(__x86_64__) && !defined(__SANITIZE_THREAD__) && !defined(__SANITIZE_ADDRESS__) && \
+    !defined(CAMBRIAN_ONE_INSTRUCTION_SET)
+#define CAMBRIAN_WIDE __attribute__((target_clones("avx2", "default")))
+#else
+#define CAMBRIAN_WIDE
+#endif
+// On what works with lanes by value: they must never cross a call between two such copies.
+#define CAMBRIAN_INLINE inline __attribute__((always_inline))
 
 namespace cambrian {
 
 inline constexpr int kLanes = 4;
 using Lanes = double __attribute__((vector_size(kLanes * sizeof(double))));
+using LaneBits = std::int64_t __attribute__((vector_size(kLanes * sizeof(std::int64_t))));
+using Pair = double __attribute__((vector_size(2 * sizeof(double))));
 
 inline constexpr int round_up_to_lanes(int count) {
     return (count + kLanes - 1) / kLanes * kLanes;
 }
 
+CAMBRIAN_INLINE Lanes load_lanes(const double* from) {
+    Lanes lanes;
+    std::memcpy(&lanes, from, sizeof(lanes));
+    return lanes;
+}
+CAMBRIAN_INLINE void store_lanes(double* to, const Lanes& lanes) {
+    std::memcpy(to, &lanes, sizeof(lanes));
+}
+CAMBRIAN_INLINE Lanes all_lanes(double value) {
+    return Lanes{value, value, value, value};
+}
+CAMBRIAN_INLINE Lanes gather(const double* from, const int* index) {
+    return Lanes{from[index[0]], from[index[1]], from[index[2]], from[index[3]]};
+}
+CAMBRIAN_INLINE double sum_of(const Lanes& lanes) {
+    return (lanes[0] + lanes[1]) + (lanes[2] + lanes[3]);
+}
+CAMBRIAN_INLINE Lanes magnitude(const Lanes& lanes) {
+    LaneBits bits;
+    std::memcpy(&bits, &lanes, sizeof(bits));
+    bits &= LaneBits{INT64_MAX, INT64_MAX, INT64_MAX, INT64_MAX};
+    Lanes result;
+    std::memcpy(&result, &bits, sizeof(result));
+    return result;
+}
+CAMBRIAN_INLINE Lanes lesser(const Lanes& a, const Lanes& b) {
+    return a < b ? a : b;
+}
+CAMBRIAN_INLINE Lanes greater(const Lanes& a, const Lanes& b) {
+    return a > b ? a : b;
+}
+// Value kept between -size and size.
+CAMBRIAN_INLINE Lanes clamp_size(const Lanes& value, const Lanes& size) {
+    return greater(lesser(value, size), -size);
+}
+CAMBRIAN_INLINE double largest_of(const Lanes& lanes) {
+    const double low = lanes[0] > lanes[1] ? lanes[0] : lanes[1];
+    const double high = lanes[2] > lanes[3] ? lanes[2] : lanes[3];
+    return low > high ? low : high;
+}
+
 // Sum of products; count is a multiple of kLanes.
-inline double lane_product(const double* first, const double* second, int count) {
+CAMBRIAN_INLINE double lane_product(const double* first, const double* second, int count) {
     Lanes sum = {};
-    for (int i = 0; i < count; i += kLanes) {
-        Lanes a;
-        Lanes b;
-        std::memcpy(&a, first + i, sizeof(a));
-        std::memcpy(&b, second + i, sizeof(b));
-        sum += a * b;
-    }
-    return (sum[0] + sum[1]) + (sum[2] + sum[3]);
+    for (int i = 0; i < count; i += kLanes)
+        sum += load_lanes(first + i) * load_lanes(second + i);
+    return sum_of(sum);
+}
+
+CAMBRIAN_INLINE Pair both(double value) {
+    return Pair{value, value};
+}
+CAMBRIAN_INLINE double dot(const Pair& a, const Pair& b) {
+    const Pair product = a * b;
+    return product[0] + product[1];
 }
 
 }  // namespace cambrian

@@ -29,7 +29,7 @@ LeastSquaresDynamics::LeastSquaresDynamics(const PlanarModel& model, double time
     : model_(model), time_constant_(time_constant) {
     const Eigen::Index bodies = model.body_count;
     const Eigen::Index columns = 3 * bodies;
-    const Eigen::Index rows = 2 * (bodies - 1);
+    const Eigen::Index rows = 2 * (bodies - model.tree_count);
     inverse_mass_.resize(columns);
     for (Eigen::Index i = 0; i < bodies; ++i)
         inverse_mass_.segment<3>(3 * i) << 1.0 / model.mass[i], 1.0 / model.mass[i],
@@ -43,10 +43,10 @@ LeastSquaresDynamics::LeastSquaresDynamics(const PlanarModel& model, double time
 }
 
 // D = c_p + r_p - c_i - r_c.
-void LeastSquaresDynamics::add_rotary(const Kinematics& k, int body, double effort) {
+void LeastSquaresDynamics::add_rotary(const Kinematics& k, Eigen::Index row, int body,
+                                      double effort) {
     const Eigen::Index i = body;
     const Eigen::Index p = model_.parent[i];
-    const Eigen::Index row = 2 * (i - 1);
     const Vec2 parent_arm = turned(k, p, model_.parent_anchor_x[i], model_.parent_anchor_y[i]);
     const Vec2 child_arm = turned(k, i, model_.child_anchor_x[i], model_.child_anchor_y[i]);
     jacobian_.block<2, 2>(row, 3 * p).setIdentity();
@@ -60,10 +60,10 @@ void LeastSquaresDynamics::add_rotary(const Kinematics& k, int body, double effo
 }
 
 // With delta = c_i + r_c - c_p - r_p and m = perp(axis): D = (m delta, theta_i - theta_p - theta0).
-void LeastSquaresDynamics::add_linear(const Kinematics& k, int body, double effort) {
+void LeastSquaresDynamics::add_linear(const Kinematics& k, Eigen::Index row, int body,
+                                      double effort) {
     const Eigen::Index i = body;
     const Eigen::Index p = model_.parent[i];
-    const Eigen::Index row = 2 * (i - 1);
     const Vec2 axis = turned(k, p, model_.axis_x[i], model_.axis_y[i]);
     const Vec2 across = perp(axis);
     const Vec2 parent_arm = turned(k, p, model_.parent_anchor_x[i], model_.parent_anchor_y[i]);
@@ -98,14 +98,17 @@ const Eigen::VectorXd& LeastSquaresDynamics::solve(const Kinematics& bodies, con
         force_.segment<3>(3 * i) << loads.force_x[i], loads.force_y[i], loads.torque[i];
         speeds.segment<3>(3 * i) << bodies.velocity_x[i], bodies.velocity_y[i], bodies.spin[i];
     }
-    for (int i = 1; i < model_.body_count; ++i) {
+    Eigen::Index row = 0;
+    for (int i = 0; i < model_.body_count; ++i) {
+        if (model_.parent[i] < 0) continue;
         if (model_.joint[i] == JointType::kLinear)
-            add_linear(bodies, i, loads.effort[i]);
+            add_linear(bodies, row, i, loads.effort[i]);
         else
-            add_rotary(bodies, i, loads.effort[i]);
+            add_rotary(bodies, row, i, loads.effort[i]);
+        row += 2;
     }
     accelerations_ = inverse_mass_.cwiseProduct(force_);
-    if (model_.body_count == 1) return accelerations_;
+    if (row == 0) return accelerations_;
     rate_ = jacobian_ * speeds;
     const Eigen::VectorXd right =
         -(jacobian_ * accelerations_ + bias_ + 2.0 / time_constant_ * rate_ +

@@ -23,8 +23,8 @@ public:
     const Eigen::VectorXd& deviation() const { return deviation_; }
 
 private:
-    void add_rotary(const Kinematics& bodies, int body, double effort);
-    void add_linear(const Kinematics& bodies, int body, double effort);
+    void add_rotary(const Kinematics& bodies, Eigen::Index row, int body, double effort);
+    void add_linear(const Kinematics& bodies, Eigen::Index row, int body, double effort);
 
     const PlanarModel& model_;
     double time_constant_;

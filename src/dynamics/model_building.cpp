@@ -2,6 +2,7 @@
 
 #include "dynamics/collision_filter.h"
 #include "dynamics/elimination.h"
+#include "dynamics/motors.h"
 #include "math/elementary.h"
 
 #include <cmath>
@@ -43,8 +44,8 @@ Status check_part(const BodyPlan& plan, std::size_t index) {
     if (part.half_extents.x() < kMinHalfExtent || part.half_extents.y() < kMinHalfExtent)
         return part_error(index, "thinner than 2 cm");
     const bool is_root = part.parent < 0;
-    if (is_root != (index == 0) || part.parent >= static_cast<int>(index))
-        return part_error(index, "only part 0 is a root, and parents stand before children");
+    if ((index == 0 && !is_root) || part.parent >= static_cast<int>(index))
+        return part_error(index, "part 0 is a root, and parents stand before children");
     if (is_root) return {};
     if (part.joint_kind > static_cast<std::uint8_t>(JointType::kLinear))
         return part_error(index, "unknown joint kind " + std::to_string(part.joint_kind));
@@ -72,11 +73,12 @@ public:
     ModelBuilder(const BodyPlan& plan, double density) : plan_(plan) {
         model_.density = density;
         model_.part_count = static_cast<int>(plan.parts.size());
+        for (int slot = 0; slot < kMaxBodies; ++slot)
+            model_.parent_slot[slot] = slot;
     }
 
     Result<PlanarModel> build() {
-        if (!weld())
-            return Error{"body plan: over " + std::to_string(kMaxBodies) + " moving bodies"};
+        if (Status status = plant_trees(); !status) return status.error();
         for (int i = 0; i < model_.part_count; ++i)
             add_mass(i);
         for (int b = 0; b < model_.body_count; ++b) {
@@ -87,10 +89,11 @@ public:
         center_bodies();
         for (int i = 0; i < model_.part_count; ++i)
             place_box(i);
-        for (int b = 1; b < model_.body_count; ++b)
+        fill_spare_parts();
+        for (int b = 0; b < model_.body_count; ++b)
             place_joint(b);
-        set_rest_center();
-        set_effective_inertia();
+        weigh_trees();
+        set_motors();
         model_.colliding_pairs = find_colliding_pairs(model_, plan_);
         return std::move(model_);
     }
@@ -98,17 +101,24 @@ public:
 private:
     const PlannedPart& part(int i) const { return plan_.parts[static_cast<std::size_t>(i)]; }
 
-    // Numbers the bodies depth first; false if there are too many.
-    bool weld() {
-        if (!visit(0, -1)) return false;
-        model_.total_mass = 0.0;
-        return true;
+    // Numbers the bodies, tree after tree.
+    Status plant_trees() {
+        for (int i = 0; i < model_.part_count; ++i) {
+            if (part(i).parent >= 0) continue;
+            if (model_.tree_count == kMaxTrees)
+                return Error{"body plan: over " + std::to_string(kMaxTrees) + " separate bodies"};
+            model_.tree_begin[model_.tree_count++] = model_.body_count;
+            if (!visit(i, -1))
+                return Error{"body plan: over " + std::to_string(kMaxBodies) + " moving bodies"};
+            model_.tree_begin[model_.tree_count] = model_.body_count;
+        }
+        return {};
     }
 
     // A part that does not move against its parent joins its body; else it leads a new one, and
     // its rigid relatives and their subtrees follow.
     bool visit(int index, int parent_body) {
-        const bool welded = index > 0 && type_of(index) == JointType::kRigid;
+        const bool welded = parent_body >= 0 && type_of(index) == JointType::kRigid;
         int body = parent_body;
         if (!welded) {
             body = model_.body_count;
@@ -116,7 +126,9 @@ private:
             ++model_.body_count;
             leader_[body] = index;
             model_.parent[body] = parent_body;
-            const std::uint32_t path = body == 0 ? 0 : model_.root_path[parent_body];
+            if (parent_body >= 0) model_.parent_slot[body] = parent_body;
+            const std::uint32_t path = parent_body < 0 ? 0 : model_.root_path[parent_body];
+            if (parent_body < 0) model_.roots |= std::uint32_t{1} << body;
             model_.root_path[body] = path | (std::uint32_t{1} << body);
         }
         model_.part_body[index] = body;
@@ -184,10 +196,20 @@ private:
         model_.inertia[b] += area_mass(index) * ((hx * hx + hy * hy) / 3.0 + offset.squaredNorm());
     }
 
+    // Slots up to whole lanes move as part 0, and have no faces.
+    void fill_spare_parts() {
+        for (int i = model_.part_count; i < round_up_to_lanes(model_.part_count); ++i) {
+            model_.part_body[i] = model_.part_body[0];
+            model_.part_x[i] = model_.part_x[0];
+            model_.part_y[i] = model_.part_y[0];
+        }
+    }
+
     void place_joint(int b) {
+        const int p = model_.parent[b];
+        if (p < 0) return;
         const int index = leader_[b];
         const PlannedPart& child = part(index);
-        const int p = model_.parent[b];
         const Vec2 in_parent = part_point(child.parent, child.anchor_in_parent);
         const Vec2 in_child = part_point(index, child.anchor_in_child);
         model_.joint[b] = type_of(index);
@@ -205,20 +227,30 @@ private:
         model_.max_effort[b] = child.max_effort;
         model_.motor_mode[b] = child.motor_mode;
         const bool linear = model_.joint[b] == JointType::kLinear;
-        model_.rate_scale[b] = linear ? kRateLengthShare * 2.0 * child.half_extents.x() : 1.0;
+        model_.slides[b] = linear ? 1.0 : 0.0;
+        model_.has_linear = model_.has_linear || linear;
     }
 
-    void set_rest_center() {
-        for (int b = 0; b < model_.body_count; ++b) {
-            model_.rest_center_x += model_.mass[b] * center_x_[b] / model_.total_mass;
-            model_.rest_center_y += model_.mass[b] * center_y_[b] / model_.total_mass;
+    void weigh_trees() {
+        for (int t = 0; t < model_.tree_count; ++t) {
+            const int begin = model_.tree_begin[t];
+            const int end = model_.tree_begin[t + 1];
+            for (int b = begin; b < end; ++b)
+                model_.tree_mass[t] += model_.mass[b];
+            for (int b = begin; b < end; ++b) {
+                const double share = model_.mass[b] / model_.tree_mass[t];
+                model_.tree_share[t][b] = share;
+                model_.membership[t][b] = 1.0;
+                model_.rest_center_x[t] += share * center_x_[b];
+                model_.rest_center_y[t] += share * center_y_[b];
+            }
+            model_.rest_root_angle[t] = part(leader_[begin]).rest_angle;
         }
-        model_.rest_root_angle = part(0).rest_angle;
     }
 
     // I_eff = 1 / (relative acceleration under a unit effort at this joint alone).
-    void set_effective_inertia() {
-        Motion rest = rest_motion(model_);
+    void set_motors() {
+        const Motion rest = rest_motion(model_);
         Kinematics kinematics;
         Factors factors;
         BodyResponse response;
@@ -226,13 +258,17 @@ private:
         clear_loads(model_, loads);
         compute_kinematics(model_, rest, kinematics);
         solve_accelerations(model_, kinematics, loads, factors, response);
-        for (int b = 1; b < model_.body_count; ++b) {
+        for (int b = 0; b < model_.body_count; ++b) {
+            if (model_.parent[b] < 0) continue;
             loads.effort[b] = 1.0;
             solve_impulse(model_, kinematics, factors, loads, response);
             loads.effort[b] = 0.0;
-            double jump = response.coordinate[coordinate_of(b)];
-            if (model_.joint[b] == JointType::kRotary) jump -= response.spin[model_.parent[b]];
+            const bool linear = model_.joint[b] == JointType::kLinear;
+            double jump = response.coordinate[b];
+            if (!linear) jump -= response.spin[model_.parent[b]];
             model_.effective_inertia[b] = 1.0 / jump;
+            const double length = 2.0 * part(leader_[b]).half_extents.x();
+            set_motor_law(model_, b, linear ? kRateLengthShare * length : 1.0);
         }
     }
 

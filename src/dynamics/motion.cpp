@@ -3,16 +3,19 @@
 namespace cambrian {
 
 Motion rest_motion(const PlanarModel& model) {
-    Motion motion;
-    motion.position[0] = model.rest_center_x;
-    motion.position[1] = model.rest_center_y;
-    motion.position[2] = model.rest_root_angle;
+    Motion motion = {};
     PerBody angle = {};
-    angle[0] = model.rest_root_angle;
-    for (int i = 1; i < model.body_count; ++i) {
-        angle[i] = angle[model.parent[i]] + model.rest_angle[i];
-        const bool linear = model.joint[i] == JointType::kLinear;
-        motion.position[coordinate_of(i)] = linear ? 0.0 : angle[i];
+    for (int t = 0; t < model.tree_count; ++t) {
+        motion.position[center_of(model, t)] = model.rest_center_x[t];
+        motion.position[center_of(model, t) + 1] = model.rest_center_y[t];
+        const int root = model.tree_begin[t];
+        angle[root] = model.rest_root_angle[t];
+        motion.position[root] = angle[root];
+        for (int i = root + 1; i < model.tree_begin[t + 1]; ++i) {
+            angle[i] = angle[model.parent[i]] + model.rest_angle[i];
+            const bool linear = model.joint[i] == JointType::kLinear;
+            motion.position[i] = linear ? 0.0 : angle[i];
+        }
     }
     return motion;
 }

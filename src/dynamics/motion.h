@@ -1,9 +1,10 @@
 #pragma once
 
-// The state of an articulated body and its rate of change, as the integrators see them
-// (physics.md 2): coordinates (Cx, Cy, s_0 ... s_{n-1}) with C the centre of mass of the whole
-// body, s_0 the root's angle, s_i the ABSOLUTE angle of a body behind a rotary joint or the
-// length of a linear one. Joints cannot come apart in these coordinates.
+// The state of articulated bodies and its rate of change, as the integrators see them
+// (physics.md 2): coordinates (s_0 ... s_{n-1}, Cx and Cy of every tree) with s_i the ABSOLUTE
+// angle of a root or of a body behind a rotary joint, or the length of a linear one, and C the
+// centre of mass of a tree. Joints cannot come apart in these coordinates. Slots beyond the count,
+// up to whole lanes, are 0.
 
 #include "dynamics/planar_model.h"
 
@@ -13,22 +14,26 @@ namespace cambrian {
 enum Work : int { kMotorWork, kGrossMotorWork, kDragWork, kPullWork, kWorkCount };
 
 struct Motion {
-    PerCoordinate position = {};   // m or rad
-    PerCoordinate speed = {};      // m/s or rad/s
-    double work[kWorkCount] = {};  // J
+    PerCoordinate position;   // m or rad
+    PerCoordinate speed;      // m/s or rad/s
+    double work[kWorkCount];  // J
 };
 
 struct MotionRate {
-    PerCoordinate acceleration = {};  // m/s^2 or rad/s^2
-    double power[kWorkCount] = {};    // W
+    PerCoordinate acceleration;  // m/s^2 or rad/s^2
+    double power[kWorkCount];    // W
 };
 
 inline int coordinate_count(const PlanarModel& model) {
-    return model.body_count + 2;
+    return model.body_count + 2 * model.tree_count;
 }
-// Index of the coordinate of a body's joint, or of the root's angle.
-inline int coordinate_of(int body) {
-    return body + 2;
+// The same, up to whole lanes.
+inline int coordinate_slots(const PlanarModel& model) {
+    return round_up_to_lanes(coordinate_count(model));
+}
+// Index of Cx of a tree; Cy follows. The coordinate of a body is its own number.
+inline int center_of(const PlanarModel& model, int tree) {
+    return model.body_count + 2 * tree;
 }
 
 // At rest in the plan's rest pose.

@@ -6,10 +6,13 @@ void change_density(PlanarModel& model, double density) {
     const double ratio = density / model.density;
     model.density = density;
     model.total_mass *= ratio;
+    for (double& mass : model.tree_mass)
+        mass *= ratio;
     for (int i = 0; i < model.body_count; ++i) {
         model.mass[i] *= ratio;
         model.inertia[i] *= ratio;
         model.effective_inertia[i] *= ratio;
+        model.motor.stiffness[i] *= ratio;
     }
 }
 

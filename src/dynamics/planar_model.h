@@ -1,9 +1,11 @@
 #pragma once
 
-// What an articulated body is, once built: masses, joints and boxes in flat arrays, never changed
-// while it moves. Rigidly joined parts are one body; bodies stand in depth-first order, body 0 is
-// the root, and every parent stands before its children. Boxes keep the order of the plan's parts.
+// What articulated bodies are, once built: masses, joints and boxes in flat arrays, never changed
+// while they move. Rigidly joined parts are one body. Bodies joined to each other form a tree; the
+// trees stand one after the other, each depth first from its root. Boxes keep the order of the
+// plan's parts. Slots beyond the counts are 0, so that loops may run on to whole lanes.
 
+#include "dynamics/lanes.h"
 #include "world/body_plan.h"
 
 #include <cstddef>
@@ -14,11 +16,13 @@ namespace cambrian {
 
 inline constexpr int kMaxBodies = 32;
 inline constexpr int kMaxParts = 64;
-inline constexpr int kMaxCoordinates = kMaxBodies + 2;
+inline constexpr int kMaxTrees = 8;
+inline constexpr int kMaxCoordinates = kMaxBodies + 2 * kMaxTrees;
 
 using PerBody = double[kMaxBodies];
 using PerPart = double[kMaxParts];
 using PerCoordinate = double[kMaxCoordinates];
+using PerTree = double[kMaxTrees];
 
 // Also the order of the planar scene's joint kinds.
 enum class JointType : std::uint8_t { kRigid, kRotary, kLinear };
@@ -28,18 +32,38 @@ struct PartPair {
     std::uint8_t second = 0;
 };
 
+// The law of a motor as numbers, the same formula for every mode (motors.cpp); 0 on roots.
+struct MotorLaw {
+    PerBody tracking = {};    // share of the drive's frequency by which a target is approached
+    PerBody direct = {};      // share of the target that is the wanted rate itself
+    PerBody rate_scale = {};  // of the drive's speed limit: 1, or m (linear)
+    PerBody rate_floor = {};  // added to that
+    PerBody stiffness = {};   // kg m^2 or kg; times the drive's frequency is the gain
+    PerBody strength = {};    // N m or N; added to the gain
+    PerBody damping = {};     // share of the joint's rate held against the wanted one
+};
+
 struct PlanarModel {
+    int tree_count = 0;
     int body_count = 0;
     int part_count = 0;
     double density = 1.0;     // kg/m^2, in all masses below
     double total_mass = 0.0;  // kg
 
+    int tree_begin[kMaxTrees + 1] = {};  // bodies of a tree: from its begin to the next one's
+    PerTree tree_mass = {};              // kg
+    PerBody tree_share[kMaxTrees] = {};  // of the tree's mass, by body; 0 for others' bodies
+    PerBody membership[kMaxTrees] = {};  // 1 for a tree's bodies, 0 for others
+
     PerBody mass = {};     // kg
     PerBody inertia = {};  // kg m^2, about the body's centre of mass
 
-    // The joint of a body to its parent; unused on body 0.
+    // The joint of a body to its parent; unused on roots.
     JointType joint[kMaxBodies] = {};
-    int parent[kMaxBodies] = {};
+    bool has_linear = false;
+    int parent[kMaxBodies] = {};               // -1 on roots
+    int parent_slot[kMaxBodies] = {};          // as parent, but the own number of roots and spares
+    std::uint32_t roots = 0;                   // bit of every root
     std::uint32_t root_path[kMaxBodies] = {};  // bit of every body from this one to the root
     int joint_part[kMaxBodies] = {};           // plan part that carries this joint
     PerBody parent_anchor_x = {}, parent_anchor_y = {};  // m, in the parent's frame from its centre
@@ -47,10 +71,11 @@ struct PlanarModel {
     PerBody rest_angle = {};                             // rad, relative to the parent
     PerBody axis_x = {}, axis_y = {};         // linear joints: unit, in the parent's frame
     PerBody limit_low = {}, limit_high = {};  // rad or m
+    PerBody slides = {};                      // 1 on linear joints, else 0
     PerBody max_effort = {};                  // N m or N
-    PerBody rate_scale = {};         // of the motors' speed limit, per rad/s: 1, or m (linear)
     PerBody effective_inertia = {};  // kg m^2 or kg: what a lone effort at this joint feels at rest
     MotorMode motor_mode[kMaxBodies] = {};
+    MotorLaw motor;
 
     // Boxes.
     int part_body[kMaxParts] = {};
@@ -61,8 +86,8 @@ struct PlanarModel {
     PerPart radius = {};                        // m, of the circle around the box
     std::vector<PartPair> colliding_pairs;      // boxes of different bodies that may touch
 
-    double rest_center_x = 0.0, rest_center_y = 0.0;  // m, centre of mass of the plan's rest pose
-    double rest_root_angle = 0.0;                     // rad
+    PerTree rest_center_x = {}, rest_center_y = {};  // m, centres of mass in the plan's rest pose
+    PerTree rest_root_angle = {};                    // rad
 };
 
 // Multiplies all masses so that they belong to another density.

@@ -49,12 +49,8 @@ public:
     double joint_effort(std::size_t part) const override;
     bool face_touched(std::size_t part, Face face) const override;
     double mass() const override { return model_.total_mass; }
-    Vec3 center_of_mass() const override {
-        return {moment_.motion.position[0], moment_.motion.position[1], 0.0};
-    }
-    Vec3 center_of_mass_velocity() const override {
-        return {moment_.motion.speed[0], moment_.motion.speed[1], 0.0};
-    }
+    Vec3 center_of_mass() const override { return mean_of_trees(moment_.motion.position); }
+    Vec3 center_of_mass_velocity() const override { return mean_of_trees(moment_.motion.speed); }
     double kinetic_energy() const override {
         return cambrian::kinetic_energy(model_, moment_.frame().kinematics);
     }
@@ -82,10 +78,11 @@ public:
     void add_to_digest(Hash64& digest) const override;
 
 private:
+    Vec3 mean_of_trees(const PerCoordinate& coordinates) const;
     // Body whose joint a part carries, or -1 if the part is the root or welded to its parent.
     int joint_of(std::size_t part) const {
         const int b = body_of(part);
-        return b > 0 && model_.joint_part[b] == static_cast<int>(part) ? b : -1;
+        return model_.parent[b] >= 0 && model_.joint_part[b] == static_cast<int>(part) ? b : -1;
     }
     int body_of(std::size_t part) const {
         CAMBRIAN_ASSERT(part < part_count(), "part index in range");
@@ -114,6 +111,16 @@ Vec2 PlanarScene::arm_of(std::size_t part, double x, double y) const {
     return {k.cosine[b] * body_x - k.sine[b] * body_y, k.sine[b] * body_x + k.cosine[b] * body_y};
 }
 
+Vec3 PlanarScene::mean_of_trees(const PerCoordinate& coordinates) const {
+    Vec3 mean = Vec3::Zero();
+    for (int t = 0; t < model_.tree_count; ++t) {
+        const int center = center_of(model_, t);
+        const double share = model_.tree_mass[t] / model_.total_mass;
+        mean += share * Vec3(coordinates[center], coordinates[center + 1], 0.0);
+    }
+    return mean;
+}
+
 Pose PlanarScene::part_pose(std::size_t part) const {
     const int b = body_of(part);
     const Kinematics& k = moment_.frame().kinematics;
@@ -132,13 +139,13 @@ Twist PlanarScene::part_twist(std::size_t part) const {
 double PlanarScene::joint_coordinate(std::size_t part) const {
     const int joint = joint_of(part);
     if (joint < 0) return 0.0;
-    return cambrian::joint_coordinate(model_, moment_.motion, moment_.frame().kinematics, joint);
+    return moment_.frame().kinematics.joint_position[joint];
 }
 
 double PlanarScene::joint_rate(std::size_t part) const {
     const int joint = joint_of(part);
     if (joint < 0) return 0.0;
-    return cambrian::joint_rate(model_, moment_.motion, moment_.frame().kinematics, joint);
+    return moment_.frame().kinematics.joint_rate[joint];
 }
 
 double PlanarScene::joint_effort(std::size_t part) const {
@@ -208,8 +215,8 @@ void PlanarScene::use_environment(const Environment& environment) {
 void PlanarScene::evaluate_here() {
     forcing_.contact_count = 0;
     forcing_.limits_active = false;
-    evaluate_accelerations(model_, forcing_, moment_.motion, 0.0, moment_.frame(),
-                           moment_.free_rate);
+    evaluate_accelerations(model_, forcing_, moment_.motion, 0.0, FrameDetail::kEverything,
+                           moment_.frame(), moment_.free_rate);
 }
 
 void PlanarScene::set_environment(const Environment& environment) {
@@ -220,8 +227,10 @@ void PlanarScene::set_environment(const Environment& environment) {
 
 void PlanarScene::translate(const Vec3& offset) {
     const double before = energy();
-    moment_.motion.position[0] += offset.x();
-    moment_.motion.position[1] += offset.y();
+    for (int t = 0; t < model_.tree_count; ++t) {
+        moment_.motion.position[center_of(model_, t)] += offset.x();
+        moment_.motion.position[center_of(model_, t) + 1] += offset.y();
+    }
     evaluate_here();
     moment_.frame_is_current = false;
     moment_.energy_reference += energy() - before;

@@ -14,7 +14,6 @@ struct LaneWork {
 };
 
 using BodySet = std::uint32_t;  // one bit a body
-constexpr BodySet kRoot = 1;
 
 constexpr double kRelativeSoftness = 1e-7;
 constexpr double kFreeShare = 0.02;
@@ -69,7 +68,7 @@ void respond(const PlanarModel& model, const Frame& frame, BodySet pushed, BodyS
              LaneWork& work) {
     const Kinematics& k = frame.kinematics;
     const Factors& factors = frame.factors;
-    for (BodySet left = pushed & ~kRoot; left != 0; left ^= BodySet{1} << last_of(left)) {
+    for (BodySet left = pushed & ~model.roots; left != 0; left ^= BodySet{1} << last_of(left)) {
         const int i = last_of(left);
         const int p = model.parent[i];
         const bool linear = model.joint[i] == JointType::kLinear;
@@ -87,13 +86,17 @@ void respond(const PlanarModel& model, const Frame& frame, BodySet pushed, BodyS
         else
             work.t[p] -= work.effort[i];
     }
-    const Lanes f_x = work.f_x[0];
-    const Lanes f_y = work.f_y[0];
-    const Lanes t = work.t[0];
-    work.x[0] = factors.root_xx * f_x + factors.root_xy * f_y + factors.root_xt * t;
-    work.y[0] = factors.root_xy * f_x + factors.root_yy * f_y + factors.root_yt * t;
-    work.spin[0] = factors.root_xt * f_x + factors.root_yt * f_y + factors.root_tt * t;
-    for (BodySet left = moved & ~kRoot; left != 0; left &= left - 1) {
+    for (int tree = 0; tree < model.tree_count; ++tree) {
+        const int root = model.tree_begin[tree];
+        const RootInverse& inverse = factors.root[tree];
+        const Lanes f_x = work.f_x[root];
+        const Lanes f_y = work.f_y[root];
+        const Lanes t = work.t[root];
+        work.x[root] = inverse.xx * f_x + inverse.xy * f_y + inverse.xt * t;
+        work.y[root] = inverse.xy * f_x + inverse.yy * f_y + inverse.yt * t;
+        work.spin[root] = inverse.xt * f_x + inverse.yt * f_y + inverse.tt * t;
+    }
+    for (BodySet left = moved & ~model.roots; left != 0; left &= left - 1) {
         const int i = first_of(left);
         const int p = model.parent[i];
         const bool linear = model.joint[i] == JointType::kLinear;
@@ -141,7 +144,7 @@ double regularization(const PlanarModel& model, const RowSystem& rows, int row) 
 
 void compute_row_matrix(const PlanarModel& model, const Frame& frame, RowSystem& rows) {
     rows.stride = round_up_to_lanes(rows.count);
-    const BodySet moved = bodies_of(model, rows, 0, rows.count);
+    const BodySet moved = bodies_of(model, rows, 0, rows.count) | model.roots;
     LaneWork work;
     for (int first = 0; first < rows.count; first += kLanes) {
         const int lanes = std::min(rows.count - first, kLanes);

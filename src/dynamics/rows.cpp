@@ -16,7 +16,7 @@ double row_rate(const PlanarModel& model, const RowSystem& rows, int row,
                 const BodyMotion& motion) {
     const int a = rows.body_a[row];
     if (rows.kind[row] == RowKind::kLimit) {
-        double rate = motion.coordinate[coordinate_of(a)];
+        double rate = motion.coordinate[a];
         if (model.joint[a] == JointType::kRotary) rate -= motion.spin[model.parent[a]];
         return rows.dir_x[row] * rate;
     }

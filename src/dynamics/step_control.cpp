@@ -30,9 +30,9 @@ constexpr double kMaxDistance = 1e6;  // m; also rad, where sine_cosine_reduced 
 constexpr double kMaxSpeed = 1e4;     // m/s and rad/s
 
 // Change of step that would make the error just acceptable, clipped.
-double step_factor(double error, double exponent) {
+double step_factor(double error, int order) {
     if (!std::isfinite(error)) return kShrinkMost;
-    const double factor = kSafety * power(std::max(error, 1e-12), -exponent);
+    const double factor = kSafety * inverse_root(std::max(error, 1e-12), order);
     return std::clamp(factor, kShrinkMost, kGrowMost);
 }
 
@@ -116,7 +116,8 @@ void StepControl::make_current(Tick& tick) {
     tick.forcing.contact_count = 0;
     tick.forcing.limits_active = false;
     const MotionSystem system{tick.model, tick.forcing, tick.length};
-    system.evaluate(moment.motion, tick.time, moment.frame(), moment.free_rate);
+    system.evaluate(moment.motion, tick.time, FrameDetail::kEverything, moment.frame(),
+                    moment.free_rate);
     count_evaluations(tick, 1);
     moment.frame_is_current = true;
 }
@@ -173,7 +174,7 @@ StepControl::Attempt StepControl::attempt(Tick& tick, bool has_rows, double& h) 
                              moment.spare_frame(), result_);
         count_evaluations(tick, result_.evaluations);
         if (moment.evaluation_debt > kBudgetTime * max_evaluations_) return Attempt::kOverBudget;
-        const double factor = step_factor(result_.error, integrator_->error_exponent);
+        const double factor = step_factor(result_.error, integrator_->error_order);
         if (!(result_.error <= 1.0)) {
             ++moment.audit.rejections;
             h *= std::min(factor, 0.9);
@@ -221,8 +222,8 @@ void StepControl::set_start_rate(Tick& tick, bool has_rows) {
 bool StepControl::must_halve(const Tick& tick, bool has_rows, double h) {
     work_ = {};
     if (!has_rows) return false;
-    work_ = contacts_.held_work(tick.model, tick.forcing, tick.moment.frame(), tick.moment.motion,
-                                tick.moment.spare_frame().kinematics, result_.end);
+    work_ = contacts_.held_work(tick.model, tick.forcing, tick.moment.frame().kinematics,
+                                tick.moment.spare_frame().kinematics);
     const double allowance = kWorkAllowance * tick.model.total_mass * kReferenceGravity;
     return work_.positive > allowance && h > kHalvingStep;
 }
@@ -240,8 +241,8 @@ void StepControl::accept(Tick& tick, bool has_rows, double h) {
 // Up to the impact found within the step; result_ and the spare frame hold the motion there.
 void StepControl::accept_part(Tick& tick, double h, double share) {
     SceneMoment& moment = tick.moment;
-    work_ = contacts_.held_work(tick.model, tick.forcing, moment.frame(), moment.motion,
-                                tick.moment.spare_frame().kinematics, result_.end);
+    work_ = contacts_.held_work(tick.model, tick.forcing, moment.frame().kinematics,
+                                moment.spare_frame().kinematics);
     keep_books(tick, moment.spare_frame().kinematics);
     moment.motion = result_.end;
     moment.frame_is_current = false;
@@ -276,7 +277,7 @@ void StepControl::keep_books(Tick& tick, const Kinematics& end) {
     audit.positive_work += work_.positive;
     ++audit.steps;
     note_speeds(tick.model, end, audit);
-    note_depths(tick.model, result_.end, end, contacts_.near(), audit);
+    note_depths(tick.model, end, contacts_.near(), audit);
     const ContactSet& chosen = contacts_.chosen();
     for (int c = 0; c < chosen.count; ++c) {
         const Contact& contact = chosen.items[c];

@@ -20,12 +20,12 @@ struct HeldContact {
 
 // Everything of a scene that changes while time passes; a copy is a saved moment.
 struct SceneMoment {
-    Motion motion;
+    Motion motion = {};
     double time = 0.0;  // s
     SceneStatus status = SceneStatus::kRunning;
     Frame frames[2] = {};  // one of the motion, with accelerations free of contact; one to work in
     int current_frame = 0;
-    MotionRate free_rate;  // of the motion, free of contact
+    MotionRate free_rate = {};  // of the motion, free of contact
     bool frame_is_current = false;
     double proposed_step = 1.0 / 120;  // s
     double evaluation_debt = 0.0;      // evaluations that the time passed has not yet paid for
@@ -89,7 +89,7 @@ private:
     double contact_step_;     // s; longest step with active rows
     double max_evaluations_;  // a simulated second
     ContactSolver contacts_;
-    MotionRate start_rate_;
+    MotionRate start_rate_ = {};
     StepResult result_;
     HeldWork work_;
 };

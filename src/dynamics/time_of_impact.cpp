@@ -48,7 +48,7 @@ double find_impact(const PlanarModel& model, const ContactLaw& law, const StepEn
     double high = 1.0;
     double share = next_share(low, high, 1.0, deepest_new_contact(contacts), step.length);
     for (int round = 0; round < kMaxRounds; ++round) {
-        interpolate_motion(coordinate_count(model), step, share, motion);
+        interpolate_motion(coordinate_slots(model), step, share, motion);
         compute_kinematics(model, motion, kinematics);
         contacts.collect(model, law, kinematics);
         const NewContact deepest = deepest_new_contact(contacts);
@@ -56,7 +56,7 @@ double find_impact(const PlanarModel& model, const ContactLaw& law, const StepEn
         (deepest.gap < 0.0 ? high : low) = share;
         share = next_share(low, high, share, deepest, step.length);
     }
-    interpolate_motion(coordinate_count(model), step, high, motion);
+    interpolate_motion(coordinate_slots(model), step, high, motion);
     compute_kinematics(model, motion, kinematics);
     contacts.collect(model, law, kinematics);
     return high;

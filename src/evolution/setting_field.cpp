@@ -1,5 +1,7 @@
 #include "evolution/setting_field.h"
 
+#include "core/number_text.h"
+
 #include <algorithm>
 #include <cmath>
 #include <type_traits>
@@ -317,18 +319,9 @@ std::string place(const SettingField& field) {
     return "[" + field.table + "] " + field.key;
 }
 
-std::string number_text(double value) {
-    std::string text = std::to_string(value);
-    while (text.back() == '0')
-        text.pop_back();
-    if (text.back() == '.') text.pop_back();
-    return text;
-}
-
 Status out_of_range(const SettingField& field, double value) {
-    return Error{place(field) + ": " +
-                 (std::isfinite(value) ? number_text(value) : "not a number") + " is outside [" +
-                 number_text(field.low) + ", " + number_text(field.high) + "]"};
+    return Error{place(field) + ": " + (std::isfinite(value) ? short_text(value) : "not a number") +
+                 " is outside [" + short_text(field.low) + ", " + short_text(field.high) + "]"};
 }
 
 Status check_field(const SettingField& field, const SettingRef& ref) {
@@ -358,8 +351,8 @@ Status check_field(const SettingField& field, const SettingRef& ref) {
 
 Status check_order(double low, double high, const char* low_key, const char* high_key) {
     if (low <= high) return {};
-    return Error{std::string("[body] ") + low_key + ": " + number_text(low) + " is above " +
-                 high_key + ", which is " + number_text(high)};
+    return Error{std::string("[body] ") + low_key + ": " + short_text(low) + " is above " +
+                 high_key + ", which is " + short_text(high)};
 }
 
 // Settings that are each in range but contradict one another.

@@ -13,6 +13,7 @@ constexpr double kTwoPi = 2 * kPi;
 constexpr double kLn2High = 0x1.62e42feep-1;  // 32 significant bits
 constexpr double kLn2Low = 0x1.a39ef35793c76p-33;
 constexpr double kLog2E = 0x1.71547652b82fep+0;
+constexpr std::uint64_t kBitsOfOne = 0x3ff0000000000000ULL;
 constexpr double kSqrtHalf = 0x1.6a09e667f3bcdp-1;
 constexpr std::uint64_t kMantissaMask = 0x000fffffffffffffULL;
 constexpr int kExponentBias = 1023;
@@ -112,6 +113,20 @@ double logarithm(double x) {
 
 double power(double base, double exponent) {
     return exponential(exponent * logarithm(base));
+}
+
+// Newton's iteration for y^-n = x from a first guess made of the exponent's bits.
+double inverse_root(double x, int n) {
+    const auto bits = std::bit_cast<std::uint64_t>(x);
+    const auto order = static_cast<std::uint64_t>(n);
+    double y = std::bit_cast<double>(kBitsOfOne + kBitsOfOne / order - bits / order);
+    for (int round = 0; round < 5; ++round) {
+        double product = x;
+        for (int i = 0; i < n; ++i)
+            product *= y;
+        y += y * (1.0 - product) / n;
+    }
+    return y;
 }
 
 double hyperbolic_tangent(double x) {

@@ -72,11 +72,12 @@ TEST_CASE("a sliding box stops where friction says", "[dynamics][collision]") {
     Environment environment;
     environment.friction = 0.5;
     Rig rig(one_box(0.2, kHalf, 0.0, kHalf + kRestingGap), environment);
-    rig.moment.motion.speed[0] = 3.0;
+    rig.moment.motion.speed[center_of(rig.model, 0)] = 3.0;
     rig.begin();
     REQUIRE(rig.run(2.0));
-    CHECK(rig.moment.motion.position[0] == Approx(9.0 / (2 * 0.5 * 9.81)).epsilon(2e-4));
-    CHECK(std::fabs(rig.moment.motion.position[2]) < 1e-6);
+    CHECK(rig.moment.motion.position[center_of(rig.model, 0)] ==
+          Approx(9.0 / (2 * 0.5 * 9.81)).epsilon(2e-4));
+    CHECK(std::fabs(rig.moment.motion.position[0]) < 1e-6);
     CHECK(rig.moment.audit.contact_work == Approx(-0.5 * 0.08 * 9.0).epsilon(2e-4));
 }
 
@@ -91,14 +92,15 @@ TEST_CASE("a box on a slope creeps below the friction angle and slides above it"
         Rig rig(one_box(0.3, kHalf, 0.0, kHalf + kRestingGap), environment);
         rig.begin();
         REQUIRE(rig.run(1.0));
-        const double start = rig.moment.motion.position[0];
-        const double speed = rig.moment.motion.speed[0];
+        const double start = rig.moment.motion.position[center_of(rig.model, 0)];
+        const double speed = rig.moment.motion.speed[center_of(rig.model, 0)];
         REQUIRE(rig.run(4.0));
         if (share < 1.0) {
-            CHECK(std::fabs(rig.moment.motion.position[0] - start) < 1e-5);
+            CHECK(std::fabs(rig.moment.motion.position[center_of(rig.model, 0)] - start) < 1e-5);
         } else {
             const double expected = 9.81 * cosine * (slope - 0.5);
-            CHECK((rig.moment.motion.speed[0] - speed) / 4.0 == Approx(expected).epsilon(1e-4));
+            CHECK((rig.moment.motion.speed[center_of(rig.model, 0)] - speed) / 4.0 ==
+                  Approx(expected).epsilon(1e-4));
         }
     }
 }
@@ -137,4 +139,27 @@ TEST_CASE("a limp chain dropped on the ground settles", "[dynamics][collision]")
     CHECK(rig.speed() < 1e-4);
     CHECK(std::fabs(rig.moment.audit.energy_residual) < 1e-3 * fallen);
     CHECK(rig.moment.audit.positive_work < 1e-3 * fallen);
+}
+
+TEST_CASE("three boxes on top of each other come to rest", "[dynamics][collision]") {
+    BodyPlan plan = one_box(0.2, 0.1, 0.0, 0.11);
+    for (int level = 1; level < 3; ++level) {
+        PlannedPart box = plan.parts[0];
+        box.rest_pose = planar_pose(0.03 * level, 0.11 + 0.215 * level, 0.0);
+        plan.parts.push_back(box);
+    }
+    Rig rig(plan, {});
+    REQUIRE(rig.model.tree_count == 3);
+    rig.begin();
+    REQUIRE(rig.run(2.0));
+    for (int tick = 0; tick < 60; ++tick) {
+        REQUIRE(rig.run(kTestTick));
+        CHECK(rig.speed() < 1e-4);
+    }
+    for (int level = 0; level < 3; ++level) {
+        const int center = center_of(rig.model, level);
+        CHECK(rig.moment.motion.position[center] == Approx(0.03 * level).margin(1e-3));
+        CHECK(rig.moment.motion.position[center + 1] ==
+              Approx(0.1 + 0.2 * level + (level + 1) * kRestingGap).margin(1e-4));
+    }
 }

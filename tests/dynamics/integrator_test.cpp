@@ -23,11 +23,11 @@ double error_of(const IntegratorKind& kind, int steps) {
     forcing.medium = {0.0, -9.81, 0.5, 0.0};
     const MotionSystem system{model, forcing, 0.1};
     const auto final_state = [&](const IntegratorKind& method, int count) {
-        Frame frame;
-        MotionRate rate;
+        Frame frame = {};
+        MotionRate rate = {};
         StepResult result;
         Motion motion = start_of(model);
-        system.evaluate(motion, 0.0, frame, rate);
+        system.evaluate(motion, 0.0, FrameDetail::kEverything, frame, rate);
         for (int i = 0; i < count; ++i) {
             const double h = 0.1 / count;
             method.attempt(system, {motion, rate, i * h, h, 1e-3}, frame, result);
@@ -92,9 +92,9 @@ TEST_CASE("every integrator moves a walker without runaway energy", "[dynamics][
 TEST_CASE("dense output meets the step's ends and an analytic parabola between",
           "[dynamics][integrator]") {
     const double h = 0.01;
-    Motion start;
-    Motion end;
-    MotionRate rate;
+    Motion start = {};
+    Motion end = {};
+    MotionRate rate = {};
     start.speed[0] = 1.0;
     rate.acceleration[0] = -4.0;
     end.position[0] = h * (1.0 - 2.0 * h);

@@ -28,10 +28,15 @@ struct CashKarp {
                                           0.0};
 };
 
+CAMBRIAN_WIDE void attempt_cash_karp_step(const MotionSystem& system, const StepRequest& request,
+                                          Frame& frame, StepResult& result) {
+    EmbeddedStep<CashKarp>(system, request, frame, result).attempt();
+}
+
 }  // namespace
 
 IntegratorKind cash_karp() {
-    return {"cash-karp", attempt_embedded_step<CashKarp>, 1.0 / 5, 1.0 / 60};
+    return {"cash-karp", attempt_cash_karp_step, 5, 1.0 / 60};
 }
 
 }  // namespace cambrian

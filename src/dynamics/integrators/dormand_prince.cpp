@@ -22,10 +22,16 @@ struct DormandPrince {
                                           -17253.0 / 339200, 22.0 / 525, -1.0 / 40};
 };
 
+CAMBRIAN_WIDE void attempt_dormand_prince_step(const MotionSystem& system,
+                                               const StepRequest& request, Frame& frame,
+                                               StepResult& result) {
+    EmbeddedStep<DormandPrince>(system, request, frame, result).attempt();
+}
+
 }  // namespace
 
 IntegratorKind dormand_prince() {
-    return {"dormand-prince", attempt_embedded_step<DormandPrince>, 1.0 / 5, 1.0 / 60};
+    return {"dormand-prince", attempt_dormand_prince_step, 5, 1.0 / 60};
 }
 
 }  // namespace cambrian

@@ -6,58 +6,107 @@
 
 #include "dynamics/integrator.h"
 
+#include <cmath>
+#include <utility>
+
 namespace cambrian {
 
 template <class Tableau>
-void attempt_embedded_step(const MotionSystem& system, const StepRequest& request, Frame& frame,
-                           StepResult& result) {
-    constexpr std::size_t stages = Tableau::kStages;
-    const int n = coordinate_count(system.model);
-    const double h = request.length;
-    Motion stage[stages];
-    MotionRate rate[stages];
-    const auto speed_of = [&](std::size_t s) -> const PerCoordinate& {
-        return s == 0 ? request.start.speed : stage[s].speed;
-    };
-    const auto rate_of = [&](std::size_t s) -> const MotionRate& {
-        return s == 0 ? request.start_rate : rate[s];
-    };
-    for (std::size_t s = 1; s < stages; ++s) {
-        const bool last = s == stages - 1;
-        Motion& motion = last ? result.end : stage[s];
-        for (int c = 0; c < n; ++c) {
-            double speed = 0.0;
-            double acceleration = 0.0;
-            for (std::size_t j = 0; j < s; ++j) {
-                speed += Tableau::kRows[s][j] * speed_of(j)[c];
-                acceleration += Tableau::kRows[s][j] * rate_of(j).acceleration[c];
-            }
-            motion.position[c] = request.start.position[c] + h * speed;
-            motion.speed[c] = request.start.speed[c] + h * acceleration;
+class EmbeddedStep {
+public:
+    EmbeddedStep(const MotionSystem& system, const StepRequest& request, Frame& frame,
+                 StepResult& result)
+        : system_(system), request_(request), frame_(frame), result_(result) {
+        speeds_[0] = request.start.speed;
+        accelerations_[0] = request.start_rate.acceleration;
+        powers_[0] = request.start_rate.power;
+    }
+
+    CAMBRIAN_INLINE void attempt() {
+        run_stages(std::make_index_sequence<kLast>());
+        constexpr auto kAll = std::make_index_sequence<kStages>();
+        const Lanes work = add_scaled<kLast>(load_lanes(request_.start.work), powers_, 0, kAll);
+        store_lanes(result_.end.work, work);
+        result_.error = error(kAll);
+        result_.evaluations = kLast;
+    }
+
+private:
+    static constexpr std::size_t kStages = Tableau::kStages;
+    static constexpr std::size_t kLast = kStages - 1;
+    static constexpr std::size_t kErrorRow = kStages;  // kErrors, as one more row
+    static constexpr double kPerPosition = 10.0;       // 1 / (0.1 m or rad)
+    static_assert(kWorkCount == kLanes);
+
+    template <std::size_t... kBefore>
+    CAMBRIAN_INLINE void run_stages(std::index_sequence<kBefore...>) {
+        (run_stage<kBefore + 1>(), ...);
+    }
+
+    template <std::size_t kStage>
+    CAMBRIAN_INLINE void run_stage() {
+        constexpr bool kEnd = kStage == kLast;
+        constexpr auto kEarlier = std::make_index_sequence<kStage>();
+        Motion& motion = kEnd ? result_.end : motions_[kStage];
+        MotionRate& rate = kEnd ? result_.end_rate : rates_[kStage];
+        const int slots = coordinate_slots(system_.model);
+        for (int c = 0; c < slots; c += kLanes) {
+            store_lanes(
+                motion.position + c,
+                add_scaled<kStage>(load_lanes(request_.start.position + c), speeds_, c, kEarlier));
+            store_lanes(motion.speed + c, add_scaled<kStage>(load_lanes(request_.start.speed + c),
+                                                             accelerations_, c, kEarlier));
         }
-        system.evaluate(motion, request.time + Tableau::kNodes[s] * h, frame,
-                        last ? result.end_rate : rate[s]);
+        speeds_[kStage] = motion.speed;
+        accelerations_[kStage] = rate.acceleration;
+        powers_[kStage] = rate.power;
+        system_.evaluate(motion, request_.time + Tableau::kNodes[kStage] * request_.length,
+                         kEnd ? FrameDetail::kEverything : FrameDetail::kAccelerations, frame_,
+                         rate);
     }
-    PerCoordinate position_error;
-    PerCoordinate speed_error;
-    for (int c = 0; c < n; ++c) {
-        double position = Tableau::kErrors[stages - 1] * result.end.speed[c];
-        double speed = Tableau::kErrors[stages - 1] * result.end_rate.acceleration[c];
-        for (std::size_t j = 0; j < stages - 1; ++j) {
-            position += Tableau::kErrors[j] * speed_of(j)[c];
-            speed += Tableau::kErrors[j] * rate_of(j).acceleration[c];
+
+    // start + h sum of a row's weights times the stages' values, from slot c on.
+    template <std::size_t kRow, std::size_t... kJ>
+    CAMBRIAN_INLINE Lanes add_scaled(Lanes sum, const double* const* values, int c,
+                                     std::index_sequence<kJ...>) const {
+        (add_term<kRow, kJ>(sum, values[kJ] + c), ...);
+        return sum;
+    }
+    template <std::size_t kRow, std::size_t kJ>
+    CAMBRIAN_INLINE void add_term(Lanes& sum, const double* values) const {
+        constexpr double kWeight =
+            kRow == kErrorRow ? Tableau::kErrors[kJ]
+            : kJ < kLast      ? Tableau::kRows[kRow < kStages ? kRow : 0][kJ < kLast ? kJ : 0]
+                              : 0.0;
+        if constexpr (kWeight != 0.0) sum += (request_.length * kWeight) * load_lanes(values);
+    }
+
+    // RMS over all coordinates of the errors of position / (0.1 m or rad) and of speed /
+    // (1 + |speed|), in tolerances.
+    template <class Stages>
+    CAMBRIAN_INLINE double error(Stages stages) const {
+        const int slots = coordinate_slots(system_.model);
+        Lanes sum = {};
+        for (int c = 0; c < slots; c += kLanes) {
+            const Lanes position =
+                kPerPosition * add_scaled<kErrorRow>(Lanes{}, speeds_, c, stages);
+            const Lanes size = 1.0 + magnitude(load_lanes(result_.end.speed + c));
+            const Lanes speed = add_scaled<kErrorRow>(Lanes{}, accelerations_, c, stages) / size;
+            sum += position * position + speed * speed;
         }
-        position_error[c] = h * position;
-        speed_error[c] = h * speed;
+        const double mean = sum_of(sum) / (2.0 * coordinate_count(system_.model));
+        return std::sqrt(mean) / request_.tolerance;
     }
-    for (int w = 0; w < kWorkCount; ++w) {
-        double power = 0.0;
-        for (std::size_t j = 0; j < stages - 1; ++j)
-            power += Tableau::kRows[stages - 1][j] * rate_of(j).power[w];
-        result.end.work[w] = request.start.work[w] + h * power;
-    }
-    result.error = step_error(n, position_error, speed_error, result.end.speed, request.tolerance);
-    result.evaluations = stages - 1;
-}
+
+    const MotionSystem& system_;
+    const StepRequest& request_;
+    Frame& frame_;
+    StepResult& result_;
+    Motion motions_[kLast];  // of the inner stages; [0] is unused
+    MotionRate rates_[kLast];
+    const double* speeds_[kStages];
+    const double* accelerations_[kStages];
+    const double* powers_[kStages];
+};
 
 }  // namespace cambrian

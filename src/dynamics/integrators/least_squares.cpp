@@ -60,26 +60,36 @@ void measure_slide(const PlanarModel& model, const Kinematics& k, int i, Motion&
         k.velocity_x[i] - k.spin[i] * child_y - k.velocity_x[p] + k.spin[p] * parent_y;
     const double rate_y =
         k.velocity_y[i] + k.spin[i] * child_x - k.velocity_y[p] - k.spin[p] * parent_x;
-    motion.position[coordinate_of(i)] = axis_x * delta_x + axis_y * delta_y;
-    motion.speed[coordinate_of(i)] =
+    motion.position[i] = axis_x * delta_x + axis_y * delta_y;
+    motion.speed[i] =
         axis_x * rate_x + axis_y * rate_y + k.spin[p] * (axis_x * delta_y - axis_y * delta_x);
 }
 
-// The joints' coordinates of bodies that may have come apart a little.
-void join(const PlanarModel& model, const Kinematics& k, Motion& motion) {
-    for (int axis = 0; axis < 2; ++axis) {
-        motion.position[axis] = 0.0;
-        motion.speed[axis] = 0.0;
+// The coordinates of bodies that may have come apart a little, and those of their joints.
+void join(const PlanarModel& model, Kinematics& k, Motion& motion) {
+    for (int t = 0; t < model.tree_count; ++t) {
+        const int center = center_of(model, t);
+        for (int axis = 0; axis < 2; ++axis) {
+            motion.position[center + axis] = 0.0;
+            motion.speed[center + axis] = 0.0;
+        }
+        for (int i = model.tree_begin[t]; i < model.tree_begin[t + 1]; ++i) {
+            const double share = model.tree_share[t][i];
+            motion.position[center] += share * k.x[i];
+            motion.position[center + 1] += share * k.y[i];
+            motion.speed[center] += share * k.velocity_x[i];
+            motion.speed[center + 1] += share * k.velocity_y[i];
+        }
     }
     for (int i = 0; i < model.body_count; ++i) {
-        const double share = model.mass[i] / model.total_mass;
-        motion.position[0] += share * k.x[i];
-        motion.position[1] += share * k.y[i];
-        motion.speed[0] += share * k.velocity_x[i];
-        motion.speed[1] += share * k.velocity_y[i];
-        motion.position[coordinate_of(i)] = k.angle[i];
-        motion.speed[coordinate_of(i)] = k.spin[i];
-        if (model.joint[i] == JointType::kLinear) measure_slide(model, k, i, motion);
+        motion.position[i] = k.angle[i];
+        motion.speed[i] = k.spin[i];
+        const int p = model.parent_slot[i];
+        const bool linear = model.joint[i] == JointType::kLinear;
+        if (linear) measure_slide(model, k, i, motion);
+        k.joint_position[i] =
+            linear ? motion.position[i] : k.angle[i] - k.angle[p] - model.rest_angle[i];
+        k.joint_rate[i] = linear ? motion.speed[i] : k.spin[i] - k.spin[p];
     }
 }
 
@@ -89,7 +99,7 @@ void attempt_least_squares_step(const MotionSystem& system, const StepRequest& r
     const Eigen::Index bodies = model.body_count;
     const double h = request.length;
     LeastSquaresDynamics dynamics(model, kTimeConstant);
-    Frame stage;
+    Frame stage = {};
     compute_kinematics(model, request.start, stage.kinematics);
     const FreeBodies start = separate(bodies, stage.kinematics);
     FreeBodies rate{start.speed, Eigen::VectorXd::Zero(3 * bodies)};
@@ -103,8 +113,8 @@ void attempt_least_squares_step(const MotionSystem& system, const StepRequest& r
         Motion motion;
         join(model, stage.kinematics, motion);
         MotionRate powers;
-        compute_loads(model, system.forcing, motion, (request.time + reach) / system.tick_length,
-                      stage, powers);
+        compute_loads(model, system.forcing, (request.time + reach) / system.tick_length, stage,
+                      powers);
         rate = {moved.speed, dynamics.solve(stage.kinematics, stage.loads)};
         sum.place += kWeight[s] * rate.place;
         sum.speed += kWeight[s] * rate.speed;
@@ -114,7 +124,7 @@ void attempt_least_squares_step(const MotionSystem& system, const StepRequest& r
     place_bodies(bodies, {start.place + h * sum.place, start.speed + h * sum.speed},
                  stage.kinematics);
     join(model, stage.kinematics, result.end);
-    system.evaluate(result.end, request.time + h, frame, result.end_rate);
+    system.evaluate(result.end, request.time + h, FrameDetail::kEverything, frame, result.end_rate);
     result.error = 0.0;
     result.evaluations = 5;
 }
@@ -122,7 +132,7 @@ void attempt_least_squares_step(const MotionSystem& system, const StepRequest& r
 }  // namespace
 
 IntegratorKind least_squares() {
-    return {"least-squares", attempt_least_squares_step, 1.0 / 4, 1.0 / 240};
+    return {"least-squares", attempt_least_squares_step, 4, 1.0 / 240};
 }
 
 }  // namespace cambrian

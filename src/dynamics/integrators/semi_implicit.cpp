@@ -9,11 +9,11 @@ namespace {
 void attempt_semi_implicit_step(const MotionSystem& system, const StepRequest& request,
                                 Frame& frame, StepResult& result) {
     const double h = request.length;
-    for (int c = 0; c < coordinate_count(system.model); ++c) {
+    for (int c = 0; c < coordinate_slots(system.model); ++c) {
         result.end.speed[c] = request.start.speed[c] + h * request.start_rate.acceleration[c];
         result.end.position[c] = request.start.position[c] + h * result.end.speed[c];
     }
-    system.evaluate(result.end, request.time + h, frame, result.end_rate);
+    system.evaluate(result.end, request.time + h, FrameDetail::kEverything, frame, result.end_rate);
     for (int w = 0; w < kWorkCount; ++w)
         result.end.work[w] = request.start.work[w] +
                              0.5 * h * (request.start_rate.power[w] + result.end_rate.power[w]);
@@ -24,7 +24,7 @@ void attempt_semi_implicit_step(const MotionSystem& system, const StepRequest& r
 }  // namespace
 
 IntegratorKind semi_implicit() {
-    return {"semi-implicit", attempt_semi_implicit_step, 1.0, 1.0 / 240};
+    return {"semi-implicit", attempt_semi_implicit_step, 1, 1.0 / 240};
 }
 
 }  // namespace cambrian
