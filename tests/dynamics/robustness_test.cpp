@@ -65,7 +65,7 @@ TEST_CASE("random creatures never break physics", "[dynamics][robustness]") {
 
 TEST_CASE("creatures that hold a pose come to rest", "[dynamics][robustness]") {
     const int creatures = 30;
-    for (const int parts : {3, 6}) {
+    for (const int parts : {3, 6, 12}) {
         int at_rest = 0;
         for (std::uint64_t seed = 0; seed < creatures; ++seed) {
             RandomStream random(stream_seed({seed, 72}));
