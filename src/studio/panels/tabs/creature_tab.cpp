@@ -26,10 +26,11 @@ void draw_headline(const FrameContext& frame) {
     caption(goal == nullptr ? "Fitness" : goal->label);
     const WithFont font(ui().fonts.title);
     const auto& result = frame.playback.exhibit().result;
-    if (frame.score != nullptr) {
-        ImGui::TextUnformatted(measured(frame.score->score.value, unit_of(frame)).c_str());
-    } else if (result) {
+    // What counted, shaking and suspicion included, if it was ever judged.
+    if (result) {
         ImGui::TextUnformatted(measured(result->fitness, unit_of(frame)).c_str());
+    } else if (frame.score != nullptr) {
+        ImGui::TextUnformatted(measured(frame.score->score.value, unit_of(frame)).c_str());
     } else {
         ImGui::TextUnformatted("…");
     }
@@ -113,6 +114,10 @@ void draw_verdict(AuditVerdict verdict) {
         "Suspect: they may have. Invalid: the motion could not be computed.");
 }
 
+std::string share_text(double work, double scale) {
+    return scale > 0.0 ? format("%.2g %%", 100.0 * work / scale) : measured(work, "J");
+}
+
 void draw_audit(const FrameContext& frame) {
     if (frame.score == nullptr) return;
     section("Energy audit");
@@ -121,7 +126,8 @@ void draw_audit(const FrameContext& frame) {
     fact("Muscle work", measured(audit.gross_motor_work, "J"));
     fact("Lost to drag", measured(-audit.drag_work, "J"));
     fact("Lost to contact", measured(-audit.contact_work - audit.impulse_work, "J"));
-    fact("Unexplained", measured(audit.energy_residual, "J"));
+    fact("Unexplained", share_text(audit.energy_residual, audit.energy_scale));
+    fact("Given by contacts", share_text(audit.positive_work, audit.energy_scale));
     fact("Deepest contact", measured(1e3 * audit.max_penetration, "mm"));
     fact("Farthest past a limit", measured(audit.max_limit_overrun, "rad"));
     fact("Fastest part", measured(audit.max_part_speed, "m/s"));
