@@ -126,9 +126,19 @@ bool ContactSolver::hold(const PlanarModel& model, const ContactLaw& law, double
                          Forcing& forcing) {
     set_resting_bias(h, bias_);
     load_warm_start(h, warm);
+    anchor_friction();
     const bool solved = solve_resting(model, law, h);
     store_forces(h, warm, forcing);
     return solved;
+}
+
+// The softness of friction rows pulls towards the last step's force, not towards none: what holds
+// still keeps holding still, without creep.
+void ContactSolver::anchor_friction() {
+    for (int row = 0; row < rows_.count; ++row) {
+        if (rows_.kind[row] == RowKind::kFriction)
+            bias_[row] -= rows_.regularization[row] * rows_.impulse[row];
+    }
 }
 
 void ContactSolver::let_go() {

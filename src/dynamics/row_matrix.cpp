@@ -16,6 +16,7 @@ struct LaneWork {
 using BodySet = std::uint32_t;  // one bit a body
 
 constexpr double kRelativeSoftness = 1e-7;
+constexpr double kFrictionSoftness = 1e-2;
 constexpr double kFreeShare = 0.02;
 
 inline int first_of(BodySet set) {
@@ -34,7 +35,7 @@ BodySet bodies_of(const PlanarModel& model, const RowSystem& rows, int first, in
     return bodies;
 }
 
-void clear(BodySet bodies, LaneWork& work) {
+CAMBRIAN_INLINE void clear(BodySet bodies, LaneWork& work) {
     const Lanes zero = {};
     for (; bodies != 0; bodies &= bodies - 1) {
         const int i = first_of(bodies);
@@ -46,7 +47,7 @@ void clear(BodySet bodies, LaneWork& work) {
     }
 }
 
-void put_unit_impulse(const RowSystem& rows, int row, int lane, LaneWork& work) {
+CAMBRIAN_INLINE void put_unit_impulse(const RowSystem& rows, int row, int lane, LaneWork& work) {
     const int a = rows.body_a[row];
     if (rows.kind[row] == RowKind::kLimit) {
         work.effort[a][lane] = rows.dir_x[row];
@@ -64,8 +65,8 @@ void put_unit_impulse(const RowSystem& rows, int row, int lane, LaneWork& work) 
 
 // As solve_impulse, on four right-hand sides: pushed bodies (with their paths to the root) pass
 // their impulses on, moved ones get their velocities.
-void respond(const PlanarModel& model, const Frame& frame, BodySet pushed, BodySet moved,
-             LaneWork& work) {
+CAMBRIAN_INLINE void respond(const PlanarModel& model, const Frame& frame, BodySet pushed,
+                             BodySet moved, LaneWork& work) {
     const Kinematics& k = frame.kinematics;
     const Factors& factors = frame.factors;
     for (BodySet left = pushed & ~model.roots; left != 0; left ^= BodySet{1} << last_of(left)) {
@@ -113,7 +114,8 @@ void respond(const PlanarModel& model, const Frame& frame, BodySet pushed, BodyS
     }
 }
 
-void read_rates(const RowSystem& rows, int row, const LaneWork& work, Lanes& rates) {
+CAMBRIAN_INLINE void read_rates(const RowSystem& rows, int row, const LaneWork& work,
+                                Lanes& rates) {
     const int a = rows.body_a[row];
     if (rows.kind[row] == RowKind::kLimit) {
         rates = rows.dir_x[row] * work.coordinate[a];
@@ -128,7 +130,8 @@ void read_rates(const RowSystem& rows, int row, const LaneWork& work, Lanes& rat
 }
 
 // A contact on a body that the mechanism hardly lets move would answer a millimetre with a huge
-// impulse; the diagonal is kept above 2 % of that of the bodies set free.
+// impulse; the diagonal is kept above 2 % of that of the bodies set free. Friction rows are softer:
+// two parts that stick and a joint between them would leave their forces undetermined.
 double regularization(const PlanarModel& model, const RowSystem& rows, int row) {
     const double diagonal = rows.coupling(row, row);
     if (rows.kind[row] == RowKind::kLimit) return kRelativeSoftness * diagonal;
@@ -137,12 +140,15 @@ double regularization(const PlanarModel& model, const RowSystem& rows, int row) 
     double free = 1.0 / model.mass[a] + rows.moment_a[row] * rows.moment_a[row] / model.inertia[a];
     if (b >= 0)
         free += 1.0 / model.mass[b] + rows.moment_b[row] * rows.moment_b[row] / model.inertia[b];
-    return std::max(kRelativeSoftness * free, kFreeShare * free - diagonal);
+    const bool rubs = rows.kind[row] == RowKind::kFriction;
+    const double softness = rubs ? kFrictionSoftness : kRelativeSoftness;
+    return std::max(softness * free, kFreeShare * free - diagonal);
 }
 
 }  // namespace
 
-void compute_row_matrix(const PlanarModel& model, const Frame& frame, RowSystem& rows) {
+CAMBRIAN_WIDE void compute_row_matrix(const PlanarModel& model, const Frame& frame,
+                                      RowSystem& rows) {
     rows.stride = round_up_to_lanes(rows.count);
     const BodySet moved = bodies_of(model, rows, 0, rows.count) | model.roots;
     LaneWork work;
