@@ -193,6 +193,13 @@ private:
         model_.half_length[index] = hx;
         model_.half_width[index] = hy;
         model_.radius[index] = std::sqrt(hx * hx + hy * hy);
+        for (int corner = 0; corner < 4; ++corner) {
+            const double x = (corner & 1) != 0 ? hx : -hx;
+            const double y = (corner & 2) != 0 ? hy : -hy;
+            const Vec2 point = part_point(index, Vec3(x, y, 0.0));
+            model_.corner_x[4 * index + corner] = point.x();
+            model_.corner_y[4 * index + corner] = point.y();
+        }
         model_.inertia[b] += area_mass(index) * ((hx * hx + hy * hy) / 3.0 + offset.squaredNorm());
     }
 

@@ -84,6 +84,8 @@ struct PlanarModel {
     PerPart part_cosine = {}, part_sine = {};   // of part_angle
     PerPart half_length = {}, half_width = {};  // m, along the box's x and y
     PerPart radius = {};                        // m, of the circle around the box
+    double corner_x[4 * kMaxParts] = {};        // m, in the body's frame; bit 0 of the corner's
+    double corner_y[4 * kMaxParts] = {};        // number is +x of the box, bit 1 is +y
     std::vector<PartPair> colliding_pairs;      // boxes of different bodies that may touch
 
     PerTree rest_center_x = {}, rest_center_y = {};  // m, centres of mass in the plan's rest pose

@@ -113,14 +113,14 @@ CAMBRIAN_WIDE int RowSolver::gather_active(const RowSystem& rows, const double* 
         if (state_[row] == State::kActive) active_[count++] = row;
     }
     stride_ = round_up_to_lanes(count + 1);
+    for (int j = count; j < stride_; ++j)
+        active_[j] = 0;
     for (int i = 0; i < count; ++i) {
         double* line = system_ + i * stride_;
         const double* couplings = rows.matrix + std::ptrdiff_t{active_[i]} * rows.stride;
-        for (int j = 0; j < count; ++j)
-            line[j] = couplings[active_[j]];
+        for (int j = 0; j < stride_; j += kLanes)
+            store_lanes(line + j, gather(couplings, active_ + j));
         line[count] = -bias[active_[i]];
-        for (int j = count + 1; j < stride_; ++j)
-            line[j] = 0.0;
         pivot_scale_[i] = line[i];
     }
     for (int j = 0; j < count; ++j) {

@@ -37,9 +37,9 @@ private:
 
     State state_[kMaxRows];
     State wanted_[kMaxRows];
-    int wrong_[kMaxRows];    // rows whose wanted state is another
-    double load_[kMaxRows];  // normal impulse of every friction row
-    int active_[kMaxRows];
+    int wrong_[kMaxRows];            // rows whose wanted state is another
+    double load_[kMaxRows];          // normal impulse of every friction row
+    int active_[kMaxRows + kLanes];  // filled up with 0 to the stride
     double pivot_scale_[kMaxRows];
     int stride_ = 0;                                 // of the system
     double system_[kMaxRows * (kMaxRows + kLanes)];  // right-hand side in column `count`
