@@ -93,6 +93,7 @@ public:
         for (int b = 0; b < model_.body_count; ++b)
             place_joint(b);
         weigh_trees();
+        set_inverse_masses(model_);
         set_motors();
         model_.colliding_pairs = find_colliding_pairs(model_, plan_);
         return std::move(model_);

@@ -57,6 +57,7 @@ struct PlanarModel {
 
     PerBody mass = {};     // kg
     PerBody inertia = {};  // kg m^2, about the body's centre of mass
+    PerBody inverse_mass = {}, inverse_inertia = {};
 
     // The joint of a body to its parent; unused on roots.
     JointType joint[kMaxBodies] = {};
@@ -91,6 +92,9 @@ struct PlanarModel {
     PerTree rest_center_x = {}, rest_center_y = {};  // m, centres of mass in the plan's rest pose
     PerTree rest_root_angle = {};                    // rad
 };
+
+// To be called when masses and inertias are known.
+void set_inverse_masses(PlanarModel& model);
 
 // Multiplies all masses so that they belong to another density.
 void change_density(PlanarModel& model, double density);

@@ -7,7 +7,7 @@ namespace cambrian {
 namespace {
 
 constexpr int kBlockRounds = 3;  // rounds in which all wrong rows change at once
-constexpr int kRounds = 16;
+constexpr int kRounds = 12;
 constexpr int kSweeps = 40;
 constexpr double kSweepTolerance = 1e-3;  // m/s
 constexpr double kRateTolerance = 1e-9;   // m/s
