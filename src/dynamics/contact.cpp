@@ -4,16 +4,12 @@
 
 namespace cambrian {
 
-void ContactSet::add(const Contact& contact) {
-    if (count < kMaxContacts) {
-        items[count++] = contact;
-        return;
-    }
+Contact* ContactSet::replace_farthest(double gap) {
     int farthest = 0;
     for (int i = 1; i < count; ++i) {
         if (items[i].gap > items[farthest].gap) farthest = i;
     }
-    if (contact.gap < items[farthest].gap) items[farthest] = contact;
+    return gap < items[farthest].gap ? &items[farthest] : nullptr;
 }
 
 Face face_toward(double x, double y) {

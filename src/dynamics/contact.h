@@ -45,8 +45,14 @@ struct ContactSet {
     int count = 0;
     Contact items[kMaxContacts];
 
-    // When full, the farthest contact makes room for a nearer one.
-    void add(const Contact& contact);
+    // Where to write a contact with this gap: when full, the farthest one makes room. Null if there
+    // is no farther one.
+    Contact* make_room(double gap) {
+        return count < kMaxContacts ? &items[count++] : replace_farthest(gap);
+    }
+
+private:
+    Contact* replace_farthest(double gap);
 };
 
 // Of the four faces of a box, the one that looks most along a direction given in the box's frame.

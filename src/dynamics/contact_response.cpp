@@ -55,7 +55,8 @@ ImpactResult ContactSolver::strike(const PlanarModel& model, const ContactLaw& l
                                    double elasticity, const Frame& frame, Motion& motion) {
     chosen_.count = 0;
     for (int c = 0; c < near_.count; ++c) {
-        if (near_.items[c].gap < kContactBand) chosen_.add(near_.items[c]);
+        const Contact& contact = near_.items[c];
+        if (contact.gap < kContactBand) *chosen_.make_room(contact.gap) = contact;
     }
     find_stops(model, frame.kinematics, limits_);
     build_rows(model, motion, frame, {chosen_, limits_, law.friction > 0.0}, rows_);

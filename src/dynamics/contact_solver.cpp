@@ -28,6 +28,22 @@ double row_slack(double gap, double rate, double h, double push_speed) {
     return std::max(0.0, 2.0 * gap / h + rate);
 }
 
+// Whether a slow contact could reach the band within a step of length h.
+bool may_touch(const Contact& contact, const BodyResponse& free, double h) {
+    if (contact.closing_speed > kRestingSpeed) return false;
+    const int a = contact.body_a;
+    double acceleration = contact.normal_x * (free.x[a] - free.spin[a] * contact.arm_ay) +
+                          contact.normal_y * (free.y[a] + free.spin[a] * contact.arm_ax);
+    if (contact.body_b >= 0) {
+        const int b = contact.body_b;
+        acceleration -= contact.normal_x * (free.x[b] - free.spin[b] * contact.arm_by) +
+                        contact.normal_y * (free.y[b] + free.spin[b] * contact.arm_bx);
+    }
+    const double reach = kContactBand + 1.5 * h * std::max(0.0, contact.closing_speed) +
+                         h * h * std::max(0.0, -acceleration);
+    return contact.gap < reach;
+}
+
 }  // namespace
 
 void ContactSolver::collect(const PlanarModel& model, const ContactLaw& law,
@@ -59,21 +75,10 @@ bool ContactSolver::covers(const Contact& contact) const {
 bool ContactSolver::choose(const PlanarModel& model, const ContactLaw& law, const Motion& motion,
                            const Frame& frame, double h) {
     chosen_.count = 0;
-    const BodyResponse& free = frame.response;
     for (int c = 0; c < near_.count; ++c) {
         const Contact& contact = near_.items[c];
-        const int a = contact.body_a;
-        double acceleration = contact.normal_x * (free.x[a] - free.spin[a] * contact.arm_ay) +
-                              contact.normal_y * (free.y[a] + free.spin[a] * contact.arm_ax);
-        if (contact.body_b >= 0) {
-            const int b = contact.body_b;
-            acceleration -= contact.normal_x * (free.x[b] - free.spin[b] * contact.arm_by) +
-                            contact.normal_y * (free.y[b] + free.spin[b] * contact.arm_bx);
-        }
-        const double reach = kContactBand + 1.5 * h * std::max(0.0, contact.closing_speed) +
-                             h * h * std::max(0.0, -acceleration);
-        const bool slow = contact.closing_speed <= kRestingSpeed;
-        if (contact.gap < kContactBand || (slow && contact.gap < reach)) chosen_.add(contact);
+        if (contact.gap < kContactBand || may_touch(contact, frame.response, h))
+            *chosen_.make_room(contact.gap) = contact;
     }
     choose_limits(model, frame, h);
     if (chosen_.count == 0 && limits_.count == 0) return false;
@@ -126,9 +131,19 @@ bool ContactSolver::hold(const PlanarModel& model, const ContactLaw& law, double
                          Forcing& forcing) {
     set_resting_bias(h, bias_);
     load_warm_start(h, warm);
+    anchor_friction();
     const bool solved = solve_resting(model, law, h);
     store_forces(h, warm, forcing);
     return solved;
+}
+
+// The softness of friction rows pulls towards the last step's force, not towards none: what holds
+// still keeps holding still, without creep.
+void ContactSolver::anchor_friction() {
+    for (int row = 0; row < rows_.count; ++row) {
+        if (rows_.kind[row] == RowKind::kFriction)
+            bias_[row] -= rows_.regularization[row] * rows_.impulse[row];
+    }
 }
 
 void ContactSolver::let_go() {

@@ -1,42 +1,69 @@
 #include "dynamics/ground_contacts.h"
 
-#include <cmath>
-
 namespace cambrian {
 namespace {
 
-void add_corner(const PlanarModel& model, const Kinematics& k, const PartPlaces& places, int part,
-                int corner, ContactSet& contacts) {
+// World offset of a corner from its body's centre, as seen from the box's.
+struct BoxArms {
+    double center_x, center_y;  // the box's centre
+    double along_x, along_y;    // half the box's length
+    double across_x, across_y;  // half its width
+};
+
+void add_corners(const PlanarModel& model, const Kinematics& k, int part, const BoxArms& arms,
+                 std::uint8_t face, ContactSet& contacts) {
     const int b = model.part_body[part];
-    const double along = (corner & 1) != 0 ? model.half_length[part] : -model.half_length[part];
-    const double across = (corner & 2) != 0 ? model.half_width[part] : -model.half_width[part];
-    Contact c;
-    c.point_x =
-        model.part_x[part] + model.part_cosine[part] * along - model.part_sine[part] * across;
-    c.point_y =
-        model.part_y[part] + model.part_sine[part] * along + model.part_cosine[part] * across;
-    c.arm_ax = k.cosine[b] * c.point_x - k.sine[b] * c.point_y;
-    c.arm_ay = k.sine[b] * c.point_x + k.cosine[b] * c.point_y;
-    c.gap = k.y[b] + c.arm_ay;
-    if (c.gap > kContactMargin) return;
-    c.id = 4 * part + corner;
-    c.body_a = b;
-    c.part_a = part;
-    c.face_a = static_cast<std::uint8_t>(face_toward(-places.axis_y[part], -places.axis_x[part]));
-    c.closing_speed = -(k.velocity_y[b] + k.spin[b] * c.arm_ax);
-    contacts.add(c);
+    for (int corner = 0; corner < 4; ++corner) {
+        const double along = (corner & 1) != 0 ? 1.0 : -1.0;
+        const double across = (corner & 2) != 0 ? 1.0 : -1.0;
+        const double arm_y = arms.center_y + along * arms.along_y + across * arms.across_y;
+        const double gap = k.y[b] + arm_y;
+        if (gap > kContactMargin) continue;
+        Contact* contact = contacts.make_room(gap);
+        if (contact == nullptr) continue;
+        Contact& c = *contact;
+        c.id = 4 * part + corner;
+        c.body_a = b;
+        c.body_b = -1;
+        c.part_a = part;
+        c.part_b = -1;
+        c.face_a = face;
+        c.face_b = 0;
+        c.point_x = model.corner_x[c.id];
+        c.point_y = model.corner_y[c.id];
+        c.normal_x = 0.0;
+        c.normal_y = 1.0;
+        c.arm_ax = arms.center_x + along * arms.along_x + across * arms.across_x;
+        c.arm_ay = arm_y;
+        c.arm_bx = 0.0;
+        c.arm_by = 0.0;
+        c.gap = gap;
+        c.closing_speed = -(k.velocity_y[b] + k.spin[b] * c.arm_ax);
+    }
 }
 
 }  // namespace
 
-void collect_ground_contacts(const PlanarModel& model, const Kinematics& kinematics,
-                             const PartPlaces& places, ContactSet& contacts) {
+CAMBRIAN_WIDE void collect_ground_contacts(const PlanarModel& model, const Kinematics& k,
+                                           const PartPlaces& places, ContactSet& contacts) {
+    PerPart lowest;
+    for (int part = 0; part < model.part_count; part += kLanes) {
+        const Lanes reach =
+            magnitude(load_lanes(places.axis_y + part)) * load_lanes(model.half_length + part) +
+            magnitude(load_lanes(places.axis_x + part)) * load_lanes(model.half_width + part);
+        store_lanes(lowest + part, load_lanes(places.y + part) - reach);
+    }
     for (int part = 0; part < model.part_count; ++part) {
-        const double reach = std::fabs(places.axis_y[part]) * model.half_length[part] +
-                             std::fabs(places.axis_x[part]) * model.half_width[part];
-        if (places.y[part] - reach > kContactMargin) continue;
-        for (int corner = 0; corner < 4; ++corner)
-            add_corner(model, kinematics, places, part, corner, contacts);
+        if (lowest[part] > kContactMargin) continue;
+        const int b = model.part_body[part];
+        const double axis_x = places.axis_x[part];
+        const double axis_y = places.axis_y[part];
+        const double length = model.half_length[part];
+        const double width = model.half_width[part];
+        const BoxArms arms{places.x[part] - k.x[b], places.y[part] - k.y[b], axis_x * length,
+                           axis_y * length,         -axis_y * width,         axis_x * width};
+        add_corners(model, k, part, arms, static_cast<std::uint8_t>(face_toward(-axis_y, -axis_x)),
+                    contacts);
     }
 }
 

@@ -93,6 +93,7 @@ public:
         for (int b = 0; b < model_.body_count; ++b)
             place_joint(b);
         weigh_trees();
+        set_inverse_masses(model_);
         set_motors();
         model_.colliding_pairs = find_colliding_pairs(model_, plan_);
         return std::move(model_);
@@ -193,6 +194,13 @@ private:
         model_.half_length[index] = hx;
         model_.half_width[index] = hy;
         model_.radius[index] = std::sqrt(hx * hx + hy * hy);
+        for (int corner = 0; corner < 4; ++corner) {
+            const double x = (corner & 1) != 0 ? hx : -hx;
+            const double y = (corner & 2) != 0 ? hy : -hy;
+            const Vec2 point = part_point(index, Vec3(x, y, 0.0));
+            model_.corner_x[4 * index + corner] = point.x();
+            model_.corner_y[4 * index + corner] = point.y();
+        }
         model_.inertia[b] += area_mass(index) * ((hx * hx + hy * hy) / 3.0 + offset.squaredNorm());
     }
 

@@ -2,6 +2,13 @@
 
 namespace cambrian {
 
+void set_inverse_masses(PlanarModel& model) {
+    for (int i = 0; i < model.body_count; ++i) {
+        model.inverse_mass[i] = 1.0 / model.mass[i];
+        model.inverse_inertia[i] = 1.0 / model.inertia[i];
+    }
+}
+
 void change_density(PlanarModel& model, double density) {
     const double ratio = density / model.density;
     model.density = density;
@@ -14,6 +21,7 @@ void change_density(PlanarModel& model, double density) {
         model.effective_inertia[i] *= ratio;
         model.motor.stiffness[i] *= ratio;
     }
+    set_inverse_masses(model);
 }
 
 }  // namespace cambrian

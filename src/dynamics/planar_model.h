@@ -57,6 +57,7 @@ struct PlanarModel {
 
     PerBody mass = {};     // kg
     PerBody inertia = {};  // kg m^2, about the body's centre of mass
+    PerBody inverse_mass = {}, inverse_inertia = {};
 
     // The joint of a body to its parent; unused on roots.
     JointType joint[kMaxBodies] = {};
@@ -84,11 +85,16 @@ struct PlanarModel {
     PerPart part_cosine = {}, part_sine = {};   // of part_angle
     PerPart half_length = {}, half_width = {};  // m, along the box's x and y
     PerPart radius = {};                        // m, of the circle around the box
+    double corner_x[4 * kMaxParts] = {};        // m, in the body's frame; bit 0 of the corner's
+    double corner_y[4 * kMaxParts] = {};        // number is +x of the box, bit 1 is +y
     std::vector<PartPair> colliding_pairs;      // boxes of different bodies that may touch
 
     PerTree rest_center_x = {}, rest_center_y = {};  // m, centres of mass in the plan's rest pose
     PerTree rest_root_angle = {};                    // rad
 };
+
+// To be called when masses and inertias are known.
+void set_inverse_masses(PlanarModel& model);
 
 // Multiplies all masses so that they belong to another density.
 void change_density(PlanarModel& model, double density);

@@ -1,31 +1,43 @@
+// With every row's unit impulse eliminated from its bodies to the roots, u_i what arrives at joint
+// i and f what arrives at the root,
+//     W_rs = sum over joints of u_ri u_si / d_i  +  f_r Phi f_s,
+// Phi the inverse of the root's inertia: the squares that elimination completes (R. Featherstone,
+// Rigid Body Dynamics Algorithms, 2008, chapter 8: the factors of the joint-space inertia). Only
+// bodies between a row's own and their roots take part.
+
 #include "dynamics/row_matrix.h"
 
 #include <algorithm>
 #include <bit>
-#include <cstring>
 
 namespace cambrian {
 namespace {
 
-// Four impulses and the velocity jumps they cause.
-struct LaneWork {
-    Lanes f_x[kMaxBodies], f_y[kMaxBodies], t[kMaxBodies], effort[kMaxBodies], u[kMaxBodies];
-    Lanes x[kMaxBodies], y[kMaxBodies], spin[kMaxBodies], coordinate[kMaxBodies];
-};
-
 using BodySet = std::uint32_t;  // one bit a body
 
+constexpr int kMaxGroups = kMaxRows / kLanes;
 constexpr double kRelativeSoftness = 1e-7;
+constexpr double kFrictionSoftness = 1e-2;
 constexpr double kFreeShare = 0.02;
 
-inline int first_of(BodySet set) {
-    return std::countr_zero(set);
-}
-inline int last_of(BodySet set) {
+CAMBRIAN_INLINE int last_of(BodySet set) {
     return 31 - std::countl_zero(set);
 }
 
-BodySet bodies_of(const PlanarModel& model, const RowSystem& rows, int first, int end) {
+// What four rows' unit impulses leave at the joints and roots on their way, and its share in the
+// rate of whatever else leaves something there.
+struct Arrivals {
+    BodySet bodies;  // on the way of any of the four
+    Lanes joint[kMaxBodies], joint_share[kMaxBodies];
+    Lanes root[3 * kMaxTrees], root_share[3 * kMaxTrees];
+};
+
+struct Impulses {
+    Lanes f_x[kMaxBodies], f_y[kMaxBodies], t[kMaxBodies], effort[kMaxBodies];
+};
+
+CAMBRIAN_INLINE BodySet bodies_of(const PlanarModel& model, const RowSystem& rows, int first,
+                                  int end) {
     BodySet bodies = 0;
     for (int row = first; row < end; ++row) {
         bodies |= model.root_path[rows.body_a[row]];
@@ -34,135 +46,142 @@ BodySet bodies_of(const PlanarModel& model, const RowSystem& rows, int first, in
     return bodies;
 }
 
-void clear(BodySet bodies, LaneWork& work) {
-    const Lanes zero = {};
+CAMBRIAN_INLINE void clear(BodySet bodies, Impulses& impulses) {
     for (; bodies != 0; bodies &= bodies - 1) {
-        const int i = first_of(bodies);
-        work.f_x[i] = zero;
-        work.f_y[i] = zero;
-        work.t[i] = zero;
-        work.effort[i] = zero;
-        work.u[i] = zero;
+        const int i = std::countr_zero(bodies);
+        impulses.f_x[i] = Lanes{};
+        impulses.f_y[i] = Lanes{};
+        impulses.t[i] = Lanes{};
+        impulses.effort[i] = Lanes{};
     }
 }
 
-void put_unit_impulse(const RowSystem& rows, int row, int lane, LaneWork& work) {
+CAMBRIAN_INLINE void put_unit_impulse(const RowSystem& rows, int row, int lane,
+                                      Impulses& impulses) {
     const int a = rows.body_a[row];
     if (rows.kind[row] == RowKind::kLimit) {
-        work.effort[a][lane] = rows.dir_x[row];
+        impulses.effort[a][lane] = rows.dir_x[row];
         return;
     }
-    work.f_x[a][lane] = rows.dir_x[row];
-    work.f_y[a][lane] = rows.dir_y[row];
-    work.t[a][lane] = rows.moment_a[row];
+    impulses.f_x[a][lane] = rows.dir_x[row];
+    impulses.f_y[a][lane] = rows.dir_y[row];
+    impulses.t[a][lane] = rows.moment_a[row];
     const int b = rows.body_b[row];
     if (b < 0) return;
-    work.f_x[b][lane] = -rows.dir_x[row];
-    work.f_y[b][lane] = -rows.dir_y[row];
-    work.t[b][lane] = -rows.moment_b[row];
+    impulses.f_x[b][lane] = -rows.dir_x[row];
+    impulses.f_y[b][lane] = -rows.dir_y[row];
+    impulses.t[b][lane] = -rows.moment_b[row];
 }
 
-// As solve_impulse, on four right-hand sides: pushed bodies (with their paths to the root) pass
-// their impulses on, moved ones get their velocities.
-void respond(const PlanarModel& model, const Frame& frame, BodySet pushed, BodySet moved,
-             LaneWork& work) {
+CAMBRIAN_INLINE void arrive_at_root(const RootInverse& inverse, const Lanes& x, const Lanes& y,
+                                    const Lanes& t, int channel, Arrivals& arrivals) {
+    arrivals.root[channel] = x;
+    arrivals.root[channel + 1] = y;
+    arrivals.root[channel + 2] = t;
+    arrivals.root_share[channel] = inverse.xx * x + inverse.xy * y + inverse.xt * t;
+    arrivals.root_share[channel + 1] = inverse.xy * x + inverse.yy * y + inverse.yt * t;
+    arrivals.root_share[channel + 2] = inverse.xt * x + inverse.yt * y + inverse.tt * t;
+}
+
+// As solve_impulse's way up, for four impulses.
+CAMBRIAN_INLINE void eliminate(const PlanarModel& model, const Frame& frame, Impulses& impulses,
+                               Arrivals& arrivals) {
     const Kinematics& k = frame.kinematics;
     const Factors& factors = frame.factors;
-    for (BodySet left = pushed & ~model.roots; left != 0; left ^= BodySet{1} << last_of(left)) {
+    const BodySet inner = arrivals.bodies & ~model.roots;
+    for (BodySet left = inner; left != 0; left ^= BodySet{1} << last_of(left)) {
         const int i = last_of(left);
         const int p = model.parent[i];
+        const Lanes f_x = impulses.f_x[i];
+        const Lanes f_y = impulses.f_y[i];
+        const Lanes t = impulses.t[i];
+        const Lanes effort = impulses.effort[i];
         const bool linear = model.joint[i] == JointType::kLinear;
-        Lanes u = k.s_x[i] * work.f_x[i] + k.s_y[i] * work.f_y[i] + work.effort[i];
-        if (!linear) u += work.t[i];
+        Lanes u = k.s_x[i] * f_x + k.s_y[i] * f_y + effort;
+        if (!linear) u += t;
         const Lanes share = u * factors.inverse_d[i];
-        const Lanes passed_x = work.f_x[i] - factors.w_x[i] * share;
-        const Lanes passed_y = work.f_y[i] - factors.w_y[i] * share;
-        work.u[i] = u;
-        work.f_x[p] += passed_x;
-        work.f_y[p] += passed_y;
-        work.t[p] += k.z_x[i] * passed_x + k.z_y[i] * passed_y;
-        if (linear)
-            work.t[p] += work.t[i] - factors.w_3[i] * share;
-        else
-            work.t[p] -= work.effort[i];
+        const Lanes passed_x = f_x - factors.w_x[i] * share;
+        const Lanes passed_y = f_y - factors.w_y[i] * share;
+        impulses.f_x[p] += passed_x;
+        impulses.f_y[p] += passed_y;
+        const Lanes moment = k.z_x[i] * passed_x + k.z_y[i] * passed_y;
+        impulses.t[p] += linear ? moment + t - factors.w_3[i] * share : moment - effort;
+        arrivals.joint[i] = u;
+        arrivals.joint_share[i] = share;
     }
     for (int tree = 0; tree < model.tree_count; ++tree) {
         const int root = model.tree_begin[tree];
-        const RootInverse& inverse = factors.root[tree];
-        const Lanes f_x = work.f_x[root];
-        const Lanes f_y = work.f_y[root];
-        const Lanes t = work.t[root];
-        work.x[root] = inverse.xx * f_x + inverse.xy * f_y + inverse.xt * t;
-        work.y[root] = inverse.xy * f_x + inverse.yy * f_y + inverse.yt * t;
-        work.spin[root] = inverse.xt * f_x + inverse.yt * f_y + inverse.tt * t;
-    }
-    for (BodySet left = moved & ~model.roots; left != 0; left &= left - 1) {
-        const int i = first_of(left);
-        const int p = model.parent[i];
-        const bool linear = model.joint[i] == JointType::kLinear;
-        const Lanes x = work.x[p] + k.z_x[i] * work.spin[p];
-        const Lanes y = work.y[p] + k.z_y[i] * work.spin[p];
-        Lanes rest = work.u[i] - factors.w_x[i] * x - factors.w_y[i] * y;
-        if (linear) rest -= factors.w_3[i] * work.spin[p];
-        const Lanes coordinate = rest * factors.inverse_d[i];
-        work.x[i] = x + k.s_x[i] * coordinate;
-        work.y[i] = y + k.s_y[i] * coordinate;
-        work.spin[i] = linear ? work.spin[p] : coordinate;
-        // What the joint's limit row sees.
-        work.coordinate[i] = linear ? coordinate : coordinate - work.spin[p];
+        const bool reached = ((arrivals.bodies >> root) & 1U) != 0;
+        const Lanes none = {};
+        arrive_at_root(factors.root[tree], reached ? impulses.f_x[root] : none,
+                       reached ? impulses.f_y[root] : none, reached ? impulses.t[root] : none,
+                       3 * tree, arrivals);
     }
 }
 
-void read_rates(const RowSystem& rows, int row, const LaneWork& work, Lanes& rates) {
-    const int a = rows.body_a[row];
-    if (rows.kind[row] == RowKind::kLimit) {
-        rates = rows.dir_x[row] * work.coordinate[a];
-        return;
+// Adds what one channel has in common to a block of 4 x 4 rows.
+CAMBRIAN_INLINE void add_product(const Lanes& share, const Lanes& value, Lanes (&block)[kLanes]) {
+    for (int i = 0; i < kLanes; ++i)
+        block[i] += share[i] * value;
+}
+
+// Rows from `first` on, columns from `second` on, and the same mirrored.
+CAMBRIAN_INLINE void fill_block(const PlanarModel& model, const Arrivals& row,
+                                const Arrivals& column, int first, int second, RowSystem& rows) {
+    Lanes block[kLanes] = {};
+    const BodySet common = row.bodies & column.bodies & ~model.roots;
+    for (BodySet left = common; left != 0; left &= left - 1) {
+        const int i = std::countr_zero(left);
+        add_product(row.joint_share[i], column.joint[i], block);
     }
-    rates = rows.dir_x[row] * work.x[a] + rows.dir_y[row] * work.y[a] +
-            rows.moment_a[row] * work.spin[a];
-    const int b = rows.body_b[row];
-    if (b < 0) return;
-    rates -= rows.dir_x[row] * work.x[b] + rows.dir_y[row] * work.y[b] +
-             rows.moment_b[row] * work.spin[b];
+    for (int channel = 0; channel < 3 * model.tree_count; ++channel)
+        add_product(row.root_share[channel], column.root[channel], block);
+    for (int i = 0; i < kLanes; ++i)
+        store_lanes(rows.matrix + (first + i) * rows.stride + second, block[i]);
+    if (first == second) return;
+    for (int i = 0; i < kLanes; ++i) {
+        for (int j = 0; j < kLanes; ++j)
+            rows.matrix[(second + j) * rows.stride + first + i] = block[i][j];
+    }
 }
 
 // A contact on a body that the mechanism hardly lets move would answer a millimetre with a huge
-// impulse; the diagonal is kept above 2 % of that of the bodies set free.
-double regularization(const PlanarModel& model, const RowSystem& rows, int row) {
+// impulse; the diagonal is kept above 2 % of that of the bodies set free. Friction rows are softer:
+// two parts that stick and a joint between them would leave their forces undetermined.
+CAMBRIAN_INLINE double regularization(const PlanarModel& model, const RowSystem& rows, int row) {
     const double diagonal = rows.coupling(row, row);
     if (rows.kind[row] == RowKind::kLimit) return kRelativeSoftness * diagonal;
     const int a = rows.body_a[row];
     const int b = rows.body_b[row];
-    double free = 1.0 / model.mass[a] + rows.moment_a[row] * rows.moment_a[row] / model.inertia[a];
+    double free =
+        model.inverse_mass[a] + rows.moment_a[row] * rows.moment_a[row] * model.inverse_inertia[a];
     if (b >= 0)
-        free += 1.0 / model.mass[b] + rows.moment_b[row] * rows.moment_b[row] / model.inertia[b];
-    return std::max(kRelativeSoftness * free, kFreeShare * free - diagonal);
+        free += model.inverse_mass[b] +
+                rows.moment_b[row] * rows.moment_b[row] * model.inverse_inertia[b];
+    const bool rubs = rows.kind[row] == RowKind::kFriction;
+    const double softness = rubs ? kFrictionSoftness : kRelativeSoftness;
+    return std::max(softness * free, kFreeShare * free - diagonal);
 }
 
 }  // namespace
 
-void compute_row_matrix(const PlanarModel& model, const Frame& frame, RowSystem& rows) {
+CAMBRIAN_WIDE void compute_row_matrix(const PlanarModel& model, const Frame& frame,
+                                      RowSystem& rows) {
     rows.stride = round_up_to_lanes(rows.count);
-    const BodySet moved = bodies_of(model, rows, 0, rows.count) | model.roots;
-    LaneWork work;
+    Arrivals arrivals[kMaxGroups];
     for (int first = 0; first < rows.count; first += kLanes) {
+        Arrivals& group = arrivals[first / kLanes];
         const int lanes = std::min(rows.count - first, kLanes);
-        clear(moved, work);
+        group.bodies = bodies_of(model, rows, first, first + lanes);
+        Impulses impulses;
+        clear(group.bodies, impulses);
         for (int lane = 0; lane < lanes; ++lane)
-            put_unit_impulse(rows, first + lane, lane, work);
-        respond(model, frame, bodies_of(model, rows, first, first + lanes), moved, work);
-        for (int row = first; row < rows.count; ++row) {
-            Lanes rates;
-            read_rates(rows, row, work, rates);
-            std::memcpy(&rows.matrix[row * rows.stride + first], &rates, sizeof(rates));
-            for (int lane = 0; lane < lanes; ++lane)
-                rows.matrix[(first + lane) * rows.stride + row] = rates[lane];
-        }
+            put_unit_impulse(rows, first + lane, lane, impulses);
+        eliminate(model, frame, impulses, group);
+        for (int column = 0; column <= first; column += kLanes)
+            fill_block(model, group, arrivals[column / kLanes], first, column, rows);
     }
     for (int row = 0; row < rows.count; ++row) {
-        for (int pad = rows.count; pad < rows.stride; ++pad)
-            rows.matrix[row * rows.stride + pad] = 0.0;
         rows.regularization[row] = regularization(model, rows, row);
         rows.matrix[row * rows.stride + row] += rows.regularization[row];
     }

@@ -4,8 +4,7 @@
 
 namespace cambrian {
 
-// Fills the coupling matrix and its regularization: four columns at a time through the factored
-// tree.
+// Fills the coupling matrix and its regularization from the factored trees.
 void compute_row_matrix(const PlanarModel& model, const Frame& frame, RowSystem& rows);
 
 }  // namespace cambrian

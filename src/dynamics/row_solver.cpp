@@ -6,8 +6,8 @@
 namespace cambrian {
 namespace {
 
-constexpr int kGuessSweeps = 2;
-constexpr int kRounds = 6;
+constexpr int kBlockRounds = 3;  // rounds in which all wrong rows change at once
+constexpr int kRounds = 12;
 constexpr int kSweeps = 40;
 constexpr double kSweepTolerance = 1e-3;  // m/s
 constexpr double kRateTolerance = 1e-9;   // m/s
@@ -23,7 +23,7 @@ void sum_loads(const RowSystem& rows, double* load) {
 }
 
 // One projected Gauss-Seidel sweep; the largest change of a row's rate, m/s.
-double sweep(RowSystem& rows, const double* bias, double friction, double* load) {
+CAMBRIAN_WIDE double sweep(RowSystem& rows, const double* bias, double friction, double* load) {
     double change = 0.0;
     for (int row = 0; row < rows.count; ++row) {
         const double diagonal = rows.coupling(row, row);
@@ -46,23 +46,22 @@ void iterate(RowSystem& rows, const double* bias, double friction) {
     double load[kMaxRows];
     sum_loads(rows, load);
     for (int i = 0; i < kSweeps; ++i) {
-        if (sweep(rows, bias, friction, load) < kSweepTolerance) return;
+        if (sweep(rows, bias, friction, load) < kSweepTolerance) break;
     }
+    for (int row = 0; row < rows.count; ++row)
+        rows.response[row] = rows.product(row);
 }
 
 }  // namespace
 
 bool RowSolver::solve(RowSystem& rows, const double* bias, double friction) {
+    for (int row = 0; row < rows.count; ++row)
+        start_[row] = rows.impulse[row];
     sum_loads(rows, load_);
-    for (int i = 0; i < kGuessSweeps; ++i)
-        sweep(rows, bias, friction, load_);
-    double guess[kMaxRows];
+    guess_states(rows, bias, friction);
+    if (settle(rows, bias, friction)) return true;
     for (int row = 0; row < rows.count; ++row)
-        guess[row] = rows.impulse[row];
-    guess_states(rows, friction);
-    if (solve_active(rows, bias, friction)) return true;
-    for (int row = 0; row < rows.count; ++row)
-        rows.impulse[row] = guess[row];
+        rows.impulse[row] = start_[row];
     iterate(rows, bias, friction);
     return false;
 }
@@ -73,132 +72,156 @@ void RowSolver::iterate_from_zero(RowSystem& rows, const double* bias, double fr
     iterate(rows, bias, friction);
 }
 
-void RowSolver::guess_states(const RowSystem& rows, double friction) {
+// As the starting impulses have it; rows without one are active if nothing else keeps them open.
+void RowSolver::guess_states(const RowSystem& rows, const double* bias, double friction) {
     for (int row = 0; row < rows.count; ++row) {
         const double impulse = rows.impulse[row];
         if (rows.kind[row] != RowKind::kFriction) {
-            state_[row] = impulse > 0.0 ? State::kActive : State::kOff;
+            state_[row] = impulse > 0.0 || bias[row] < 0.0 ? State::kActive : State::kOff;
             continue;
         }
         const double cap = friction * load_[row];
-        if (cap <= 0.0)
-            state_[row] = State::kOff;
-        else if (std::fabs(impulse) < cap)
+        if (impulse == 0.0 || std::fabs(impulse) < cap * (1.0 - 1e-9))
             state_[row] = State::kActive;
         else
             state_[row] = impulse > 0.0 ? State::kSlidePlus : State::kSlideMinus;
     }
+    for (int row = 0; row < rows.count; ++row) {
+        if (rows.kind[row] == RowKind::kFriction) match_friction(rows, row);
+    }
 }
 
-bool RowSolver::solve_active(RowSystem& rows, const double* bias, double friction) {
+bool RowSolver::settle(RowSystem& rows, const double* bias, double friction) {
     for (int round = 0; round < kRounds; ++round) {
         const int count = gather_active(rows, bias, friction);
         if (!eliminate(count)) return false;
-        scatter_active(rows, friction, count);
-        if (update_states(rows, bias, friction)) return true;
+        scatter_active(rows, bias, friction, count);
+        const int wrong = find_wrong(rows, bias, friction);
+        if (wrong == 0) return true;
+        const int first = round < kBlockRounds ? 0 : wrong - 1;
+        for (int i = first; i < wrong; ++i)
+            change_state(rows, wrong_[i]);
     }
     return false;
 }
 
 // Equations of the active rows; sliding friction is folded into its normal's column.
-int RowSolver::gather_active(const RowSystem& rows, const double* bias, double friction) {
+CAMBRIAN_WIDE int RowSolver::gather_active(const RowSystem& rows, const double* bias,
+                                           double friction) {
     int count = 0;
     for (int row = 0; row < rows.count; ++row) {
         if (state_[row] == State::kActive) active_[count++] = row;
     }
+    stride_ = round_up_to_lanes(count + 1);
+    for (int j = count; j < stride_; ++j)
+        active_[j] = 0;
+    for (int i = 0; i < count; ++i) {
+        double* line = system_ + i * stride_;
+        const double* couplings = rows.matrix + std::ptrdiff_t{active_[i]} * rows.stride;
+        for (int j = 0; j < stride_; j += kLanes)
+            store_lanes(line + j, gather(couplings, active_ + j));
+        line[count] = -bias[active_[i]];
+        pivot_scale_[i] = line[i];
+    }
     for (int j = 0; j < count; ++j) {
-        const int column = active_[j];
-        const int mate = rows.friction_of[column];
-        double slide = 0.0;
-        if (mate >= 0 && state_[mate] == State::kSlidePlus) slide = friction;
-        if (mate >= 0 && state_[mate] == State::kSlideMinus) slide = -friction;
-        for (int i = 0; i < count; ++i) {
-            double entry = rows.coupling(active_[i], column);
-            if (slide != 0.0) entry += slide * rows.coupling(active_[i], mate);
-            system_[i * count + j] = entry;
-        }
-        right_[j] = -bias[column];
-        pivot_scale_[j] = rows.coupling(column, column);
+        const int mate = rows.friction_of[active_[j]];
+        if (mate < 0 || state_[mate] < State::kSlidePlus) continue;
+        const double slide = state_[mate] == State::kSlidePlus ? friction : -friction;
+        for (int i = 0; i < count; ++i)
+            system_[i * stride_ + j] += slide * rows.coupling(active_[i], mate);
     }
     return count;
 }
 
 // Without pivoting: a lost pivot means contacts that wedge (Painleve), which the caller must not
-// answer with a solution.
-bool RowSolver::eliminate(int count) {
+// answer with a solution. The solution is left in column `count`.
+CAMBRIAN_WIDE bool RowSolver::eliminate(int count) {
     for (int i = 0; i < count; ++i) {
-        const double pivot = system_[i * count + i];
+        double* pivot_line = system_ + i * stride_;
+        const double pivot = pivot_line[i];
         if (!(pivot > kPivotTolerance * pivot_scale_[i])) return false;
         const double inverse = 1.0 / pivot;
+        const int from = (i + 1) / kLanes * kLanes;
         for (int k = i + 1; k < count; ++k) {
-            const double factor = system_[k * count + i] * inverse;
-            if (factor == 0.0) continue;
-            for (int j = i + 1; j < count; ++j)
-                system_[k * count + j] -= factor * system_[i * count + j];
-            right_[k] -= factor * right_[i];
+            double* line = system_ + k * stride_;
+            const double factor = line[i] * inverse;
+            for (int j = from; j < stride_; j += kLanes)
+                store_lanes(line + j, load_lanes(line + j) - factor * load_lanes(pivot_line + j));
         }
+        pivot_line[i] = inverse;
     }
     for (int i = count - 1; i >= 0; --i) {
-        double sum = right_[i];
+        double* line = system_ + i * stride_;
+        double sum = line[count];
         for (int j = i + 1; j < count; ++j)
-            sum -= system_[i * count + j] * right_[j];
-        right_[i] = sum / system_[i * count + i];
+            sum -= line[j] * system_[j * stride_ + count];
+        line[count] = sum * line[i];
     }
     return true;
 }
 
-void RowSolver::scatter_active(RowSystem& rows, double friction, int count) {
+CAMBRIAN_WIDE void RowSolver::scatter_active(RowSystem& rows, const double* bias, double friction,
+                                             int count) {
     for (int row = 0; row < rows.count; ++row)
         rows.impulse[row] = 0.0;
     for (int j = 0; j < count; ++j)
-        rows.impulse[active_[j]] = right_[j];
+        rows.impulse[active_[j]] = system_[j * stride_ + count];
     sum_loads(rows, load_);
     for (int row = 0; row < rows.count; ++row) {
         if (state_[row] == State::kSlidePlus) rows.impulse[row] = friction * load_[row];
         if (state_[row] == State::kSlideMinus) rows.impulse[row] = -friction * load_[row];
     }
+    for (int row = 0; row < rows.count; ++row)
+        rows.response[row] = state_[row] == State::kActive ? -bias[row] : rows.product(row);
 }
 
-// True if the solution obeys every row's law; otherwise moves the offending rows to the state
-// their sign asks for.
-bool RowSolver::update_states(const RowSystem& rows, const double* bias, double friction) {
-    bool settled = true;
-    bool loaded[kMaxRows] = {};
+// Lists the rows whose impulse or rate breaks their law.
+int RowSolver::find_wrong(const RowSystem& rows, const double* bias, double friction) {
+    int count = 0;
     for (int row = 0; row < rows.count; ++row) {
-        if (rows.kind[row] == RowKind::kFriction) continue;
-        const State state = state_[row];
-        if (state == State::kActive && rows.impulse[row] < 0.0) state_[row] = State::kOff;
-        if (state == State::kOff && bias[row] + rows.product(row) < -kRateTolerance)
-            state_[row] = State::kActive;
-        settled = settled && state_[row] == state;
-        if (state_[row] == State::kActive && rows.friction_of[row] >= 0)
-            loaded[rows.friction_of[row]] = true;
+        wanted_[row] = wanted_state(rows, row, bias[row] + rows.response[row], friction);
+        if (wanted_[row] != state_[row]) wrong_[count++] = row;
     }
-    for (int row = 0; row < rows.count; ++row) {
-        if (rows.kind[row] != RowKind::kFriction) continue;
-        const State state = state_[row];
-        state_[row] =
-            loaded[row] ? next_friction_state(rows, row, bias[row], friction) : State::kOff;
-        settled = settled && (!loaded[row] || state_[row] == state);
-    }
-    return settled;
+    return count;
 }
 
-RowSolver::State RowSolver::next_friction_state(const RowSystem& rows, int row, double bias,
-                                                double friction) const {
+RowSolver::State RowSolver::wanted_state(const RowSystem& rows, int row, double rate,
+                                         double friction) const {
     const double impulse = rows.impulse[row];
-    switch (state_[row]) {
+    const State state = state_[row];
+    if (rows.kind[row] != RowKind::kFriction) {
+        if (state == State::kActive) return impulse < 0.0 ? State::kOff : State::kActive;
+        return rate < -kRateTolerance ? State::kActive : State::kOff;
+    }
+    switch (state) {
         case State::kOff:
-            return State::kActive;
+            return State::kOff;
         case State::kActive:
             if (std::fabs(impulse) <= friction * load_[row]) return State::kActive;
             return impulse > 0.0 ? State::kSlidePlus : State::kSlideMinus;
         case State::kSlidePlus:
-            return bias + rows.product(row) > kRateTolerance ? State::kActive : State::kSlidePlus;
+            return rate > kRateTolerance ? State::kActive : State::kSlidePlus;
         case State::kSlideMinus:
-            return bias + rows.product(row) < -kRateTolerance ? State::kActive : State::kSlideMinus;
+            return rate < -kRateTolerance ? State::kActive : State::kSlideMinus;
     }
     return State::kOff;
+}
+
+void RowSolver::change_state(const RowSystem& rows, int row) {
+    state_[row] = wanted_[row];
+    const int friction_row = rows.kind[row] == RowKind::kFriction ? row : rows.friction_of[row];
+    if (friction_row >= 0) match_friction(rows, friction_row);
+}
+
+// Friction is off exactly while none of its normals is active.
+void RowSolver::match_friction(const RowSystem& rows, int friction_row) {
+    bool loaded = false;
+    for (int row = 0; row < rows.count && !loaded; ++row)
+        loaded = rows.friction_of[row] == friction_row && state_[row] == State::kActive;
+    if (!loaded)
+        state_[friction_row] = State::kOff;
+    else if (state_[friction_row] == State::kOff)
+        state_[friction_row] = State::kActive;
 }
 
 }  // namespace cambrian

@@ -4,6 +4,10 @@
 //     normal and limit rows:  p >= 0, y >= 0, p y = 0
 //     friction rows:          |p| <= mu times the sum of their normals' p, y = 0 inside, y against
 //     p on the cone's edge.
+// Every row is in one state, and the states give p by one linear system. Wrong rows change state
+// all at once for a few rounds, then one at a time (J. J. Judice, F. M. Pires, A block principal
+// pivoting algorithm for large-scale strictly monotone linear complementarity problems, Comput.
+// Oper. Res. 21 (1994)).
 
 #include "dynamics/rows.h"
 
@@ -11,8 +15,8 @@ namespace cambrian {
 
 class RowSolver {
 public:
-    // Starts from the impulses in rows and leaves the solution there. False if the active set did
-    // not settle and plain iteration had to do.
+    // Starts from the impulses in rows and leaves the solution there, with its response. False if
+    // the states did not settle and plain iteration had to do.
     bool solve(RowSystem& rows, const double* bias, double friction);
 
     // Projected Gauss-Seidel from zero impulses; friction 0 always has a solution.
@@ -21,21 +25,25 @@ public:
 private:
     enum class State : std::uint8_t { kOff, kActive, kSlidePlus, kSlideMinus };
 
-    void guess_states(const RowSystem& rows, double friction);
-    bool solve_active(RowSystem& rows, const double* bias, double friction);
+    void guess_states(const RowSystem& rows, const double* bias, double friction);
+    bool settle(RowSystem& rows, const double* bias, double friction);
     int gather_active(const RowSystem& rows, const double* bias, double friction);
     bool eliminate(int count);
-    void scatter_active(RowSystem& rows, double friction, int count);
-    bool update_states(const RowSystem& rows, const double* bias, double friction);
-
-    State next_friction_state(const RowSystem& rows, int row, double bias, double friction) const;
+    void scatter_active(RowSystem& rows, const double* bias, double friction, int count);
+    int find_wrong(const RowSystem& rows, const double* bias, double friction);
+    State wanted_state(const RowSystem& rows, int row, double rate, double friction) const;
+    void change_state(const RowSystem& rows, int row);
+    void match_friction(const RowSystem& rows, int friction_row);
 
     State state_[kMaxRows];
-    double load_[kMaxRows];  // normal impulse of every friction row
-    int active_[kMaxRows];
-    double right_[kMaxRows];
+    State wanted_[kMaxRows];
+    int wrong_[kMaxRows];            // rows whose wanted state is another
+    double load_[kMaxRows];          // normal impulse of every friction row
+    int active_[kMaxRows + kLanes];  // filled up with 0 to the stride
     double pivot_scale_[kMaxRows];
-    double system_[kMaxRows * kMaxRows];
+    int stride_ = 0;                                 // of the system
+    double system_[kMaxRows * (kMaxRows + kLanes)];  // right-hand side in column `count`
+    double start_[kMaxRows];                         // impulses to iterate from
 };
 
 }  // namespace cambrian

@@ -138,8 +138,4 @@ void add_row_impulses(const RowSystem& rows, double scale, Loads& loads) {
     }
 }
 
-double impulse_effect(const RowSystem& rows, int row) {
-    return rows.product(row) - rows.regularization[row] * rows.impulse[row];
-}
-
 }  // namespace cambrian

@@ -41,13 +41,14 @@ struct RowSystem {
     double rate[kMaxRows];            // J v
     double acceleration[kMaxRows];    // J a + J' v without contact
     double regularization[kMaxRows];  // included in the matrix's diagonal
+    double response[kMaxRows];        // regularized matrix times impulse, of the last solution
     // Zero beyond count, as are the columns of the matrix, up to the stride.
     alignas(64) double impulse[kMaxRows];
     alignas(64) double matrix[kMaxRows * kMaxRows];
 
     double coupling(int row, int column) const { return matrix[row * stride + column]; }
     // Regularized matrix times impulse, for one row.
-    double product(int row) const {
+    CAMBRIAN_INLINE double product(int row) const {
         return lane_product(matrix + std::ptrdiff_t{row} * stride, impulse, stride);
     }
 };
@@ -67,7 +68,9 @@ void build_rows(const PlanarModel& model, const Motion& motion, const Frame& fra
 // Adds impulse * scale of every row to the loads.
 void add_row_impulses(const RowSystem& rows, double scale, Loads& loads);
 
-// matrix * impulse for one row, without regularization.
-double impulse_effect(const RowSystem& rows, int row);
+// Change of a row's rate by the last solution, without regularization.
+inline double impulse_effect(const RowSystem& rows, int row) {
+    return rows.response[row] - rows.regularization[row] * rows.impulse[row];
+}
 
 }  // namespace cambrian

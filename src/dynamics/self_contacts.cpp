@@ -59,49 +59,54 @@ void add_points(const PlanarModel& model, const Kinematics& k, const PartPlaces&
         const double velocity_y =
             k.velocity_y[a] + k.spin[a] * c.arm_ax - k.velocity_y[b] - k.spin[b] * c.arm_bx;
         c.closing_speed = -(c.normal_x * velocity_x + c.normal_y * velocity_y);
-        contacts.add(c);
+        if (Contact* contact = contacts.make_room(c.gap)) *contact = c;
     }
 }
 
 }  // namespace
 
-void PairList::collect(const PlanarModel& model, const Kinematics& kinematics,
-                       const PartPlaces& places, ContactSet& contacts) {
+// Two boxes may each have come nearer by half the spare, as seen from part 0.
+CAMBRIAN_INLINE bool PairList::has_expired(const PlanarModel& model,
+                                           const PartPlaces& places) const {
+    if (!built_) return true;
+    Lanes farthest = {};
+    for (int part = 0; part < model.part_count; part += kLanes) {
+        const Lanes x = load_lanes(places.x + part) - places.x[0] - load_lanes(built_x_ + part);
+        const Lanes y = load_lanes(places.y + part) - places.y[0] - load_lanes(built_y_ + part);
+        farthest = greater(farthest, x * x + y * y);
+    }
+    return largest_of(farthest) > 0.25 * kSpare * kSpare;
+}
+
+CAMBRIAN_WIDE void PairList::collect(const PlanarModel& model, const Kinematics& kinematics,
+                                     const PartPlaces& places, ContactSet& contacts) {
     if (model.colliding_pairs.empty()) return;
     if (has_expired(model, places)) rebuild(model, places);
     for (int i = 0; i < count_; ++i) {
-        const PartPair pair = model.colliding_pairs[pairs_[i]];
-        if (!circles_near(model, places, pair, kContactMargin)) continue;
+        const NearPair& pair = pairs_[i];
+        const double x = places.x[pair.second] - places.x[pair.first];
+        const double y = places.y[pair.second] - places.y[pair.first];
+        if (x * x + y * y >= pair.reach_squared) continue;
         const BoxManifold manifold =
             collide_boxes(placed_box(model, places, pair.first),
                           placed_box(model, places, pair.second), kContactMargin);
         if (manifold.count > 0)
-            add_points(model, kinematics, places, pairs_[i], manifold, contacts);
+            add_points(model, kinematics, places, pair.index, manifold, contacts);
     }
-}
-
-// Two boxes may each have come nearer by half the spare, as seen from part 0.
-bool PairList::has_expired(const PlanarModel& model, const PartPlaces& places) const {
-    if (!built_) return true;
-    double farthest = 0.0;
-    for (int part = 1; part < model.part_count; ++part) {
-        const double x = places.x[part] - places.x[0] - built_x_[part];
-        const double y = places.y[part] - places.y[0] - built_y_[part];
-        farthest = std::max(farthest, x * x + y * y);
-    }
-    return farthest > 0.25 * kSpare * kSpare;
 }
 
 void PairList::rebuild(const PlanarModel& model, const PartPlaces& places) {
     built_ = true;
-    for (int part = 0; part < model.part_count; ++part) {
+    for (int part = 0; part < round_up_to_lanes(model.part_count); ++part) {
         built_x_[part] = places.x[part] - places.x[0];
         built_y_[part] = places.y[part] - places.y[0];
     }
     count_ = 0;
     for (std::size_t i = 0; i < model.colliding_pairs.size(); ++i) {
-        if (circles_near(model, places, model.colliding_pairs[i], kContactMargin + kSpare))
-            pairs_[count_++] = static_cast<std::uint16_t>(i);
+        const PartPair pair = model.colliding_pairs[i];
+        if (!circles_near(model, places, pair, kContactMargin + kSpare)) continue;
+        const double reach = model.radius[pair.first] + model.radius[pair.second] + kContactMargin;
+        pairs_[count_++] = {static_cast<int>(i), pair.first, pair.second, reach * reach};
     }
 }
 

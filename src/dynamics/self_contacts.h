@@ -19,11 +19,16 @@ private:
     bool has_expired(const PlanarModel& model, const PartPlaces& places) const;
     void rebuild(const PlanarModel& model, const PartPlaces& places);
 
+    struct NearPair {
+        int index;             // of the model's pairs
+        int first, second;     // parts
+        double reach_squared;  // m^2, between the centres
+    };
     static constexpr int kMaxPairs = kMaxParts * (kMaxParts - 1) / 2;
     bool built_ = false;
     int count_ = 0;
-    std::uint16_t pairs_[kMaxPairs];  // indices into the model's
-    PerPart built_x_, built_y_;       // m, relative to part 0
+    NearPair pairs_[kMaxPairs];
+    PerPart built_x_, built_y_;  // m, relative to part 0
 };
 
 }  // namespace cambrian

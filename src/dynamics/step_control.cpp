@@ -98,10 +98,10 @@ SceneStatus StepControl::step(Tick& tick) {
     contacts_.collect(tick.model, tick.law, end);
     tick.collected = true;
     if (tick.impacts < kMaxImpacts && has_new_impact(contacts_)) {
-        const StepEnds ends{tick.moment.motion, start_rate_, result_.end, result_.end_rate, h};
+        const StepEnds ends{tick.moment.motion, *start_rate_, result_.end, result_.end_rate, h};
         Motion motion;
         const double share = find_impact(tick.model, tick.law, ends, contacts_, motion, end);
-        result_.end = motion;
+        copy_motion(tick.model, motion, result_.end);
         accept_part(tick, h, share);
     } else {
         accept(tick, has_rows, h);
@@ -169,8 +169,8 @@ StepControl::Attempt StepControl::attempt(Tick& tick, bool has_rows, double& h) 
     for (;;) {
         if (has_rows && !contacts_.hold(tick.model, tick.law, h, moment.warm, tick.forcing))
             ++moment.audit.fallbacks;
-        set_start_rate(tick, has_rows);
-        integrator_->attempt(system, {moment.motion, start_rate_, tick.time, h, tolerance_},
+        start_rate_ = has_rows ? &held_start_rate(tick) : &free_start_rate(tick);
+        integrator_->attempt(system, {moment.motion, *start_rate_, tick.time, h, tolerance_},
                              moment.spare_frame(), result_);
         count_evaluations(tick, result_.evaluations);
         if (moment.evaluation_debt > kBudgetTime * max_evaluations_) return Attempt::kOverBudget;
@@ -200,22 +200,24 @@ StepControl::Attempt StepControl::attempt(Tick& tick, bool has_rows, double& h) 
     }
 }
 
+const MotionRate& StepControl::free_start_rate(Tick& tick) {
+    tick.forcing.contact_count = 0;
+    tick.forcing.limits_active = false;
+    return tick.moment.free_rate;
+}
+
 // Accelerations at the start under the held forces: the contact-free ones and a response.
-void StepControl::set_start_rate(Tick& tick, bool has_rows) {
-    start_rate_ = tick.moment.free_rate;
-    if (!has_rows) {
-        tick.forcing.contact_count = 0;
-        tick.forcing.limits_active = false;
-        return;
-    }
+const MotionRate& StepControl::held_start_rate(Tick& tick) {
     const Frame& frame = tick.moment.frame();
     Loads loads;
     BodyResponse response;
     clear_loads(tick.model, loads);
     add_held_forces(tick.model, tick.forcing, frame.kinematics, loads);
     solve_impulse(tick.model, frame.kinematics, frame.factors, loads, response);
+    copy_rate(tick.model, tick.moment.free_rate, held_rate_);
     for (int c = 0; c < coordinate_count(tick.model); ++c)
-        start_rate_.acceleration[c] += response.coordinate[c];
+        held_rate_.acceleration[c] += response.coordinate[c];
+    return held_rate_;
 }
 
 // Contacts and stops that do work are a sign of a step too long for constant forces.
@@ -231,9 +233,9 @@ bool StepControl::must_halve(const Tick& tick, bool has_rows, double h) {
 void StepControl::accept(Tick& tick, bool has_rows, double h) {
     SceneMoment& moment = tick.moment;
     keep_books(tick, moment.spare_frame().kinematics);
-    moment.motion = result_.end;
+    copy_motion(tick.model, result_.end, moment.motion);
     moment.current_frame = 1 - moment.current_frame;
-    moment.free_rate = result_.end_rate;
+    copy_rate(tick.model, result_.end_rate, moment.free_rate);
     release_forces(tick, has_rows);
     tick.time += h;
 }
@@ -244,7 +246,7 @@ void StepControl::accept_part(Tick& tick, double h, double share) {
     work_ = contacts_.held_work(tick.model, tick.forcing, moment.frame().kinematics,
                                 moment.spare_frame().kinematics);
     keep_books(tick, moment.spare_frame().kinematics);
-    moment.motion = result_.end;
+    copy_motion(tick.model, result_.end, moment.motion);
     moment.frame_is_current = false;
     tick.time += share * h;
 }

@@ -75,7 +75,8 @@ private:
     void strike(Tick& tick, double elasticity);
     double choose_length(Tick& tick, bool& has_rows);
     Attempt attempt(Tick& tick, bool has_rows, double& h);
-    void set_start_rate(Tick& tick, bool has_rows);
+    static const MotionRate& free_start_rate(Tick& tick);
+    const MotionRate& held_start_rate(Tick& tick);
     bool must_halve(const Tick& tick, bool has_rows, double h);
     void accept(Tick& tick, bool has_rows, double h);
     void accept_part(Tick& tick, double h, double share);
@@ -89,7 +90,8 @@ private:
     double contact_step_;     // s; longest step with active rows
     double max_evaluations_;  // a simulated second
     ContactSolver contacts_;
-    MotionRate start_rate_ = {};
+    MotionRate held_rate_ = {};
+    const MotionRate* start_rate_ = nullptr;  // of the attempt under way
     StepResult result_;
     HeldWork work_;
 };

@@ -120,11 +120,12 @@ double inverse_root(double x, int n) {
     const auto bits = std::bit_cast<std::uint64_t>(x);
     const auto order = static_cast<std::uint64_t>(n);
     double y = std::bit_cast<double>(kBitsOfOne + kBitsOfOne / order - bits / order);
-    for (int round = 0; round < 5; ++round) {
+    const double share = 1.0 / n;
+    for (int round = 0; round < 4; ++round) {
         double product = x;
         for (int i = 0; i < n; ++i)
             product *= y;
-        y += y * (1.0 - product) / n;
+        y += y * (1.0 - product) * share;
     }
     return y;
 }

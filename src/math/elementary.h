@@ -72,7 +72,7 @@ double exponential(double x);             // relative error below 4e-16; 0 and i
 double logarithm(
     double x);  // natural; relative error below 4e-16; x <= 0 gives NaN, 0 gives -infinity
 double power(double base, double exponent);  // base > 0; exp(exponent * ln base)
-// x^(-1/n) for normal x > 0 and n from 1 to 8; relative error below 1e-9. Cheaper than power().
+// x^(-1/n) for normal x > 0 and n from 1 to 8; relative error below 1e-7. Cheaper than power().
 double inverse_root(double x, int n);
 double hyperbolic_tangent(double x);         // absolute error below 4e-16
 
