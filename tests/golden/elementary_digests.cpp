@@ -21,10 +21,10 @@ struct Function {
     double low, high;  // of the grid
 };
 
-double half_power(double x) {
+double power_of_three_halves(double x) {
     return power(x, 1.5);
 }
-double turned_sine(double x) {
+double sine_and_cosine(double x) {
     const SineCosine both = sine_cosine_reduced(x);
     return both.sine - 0.5 * both.cosine;
 }
@@ -42,7 +42,7 @@ constexpr std::array kFunctions = {
     Function{"exponential", exponential, -750.0, 712.0},
     Function{"logarithm", logarithm, 0.0, 100.0},
     Function{"hyperbolic_tangent", hyperbolic_tangent, -20.0, 20.0},
-    Function{"power", half_power, 0.0, 50.0},
+    Function{"power", power_of_three_halves, 0.0, 50.0},
     Function{"wrap_angle", wrapped, -1e3, 1e3},
     Function{"reflect", reflected, -10.0, 10.0},
 };
@@ -81,7 +81,7 @@ std::uint64_t digest_of_reduced_sines() {
     Hash64 hash;
     for (int round = 0; round < 20; ++round) {
         for (std::size_t i = 0; i < sums.size(); ++i)
-            sums[i] += turned_sine(0.37 * static_cast<double>(i) - 50.0 * round);
+            sums[i] += sine_and_cosine(0.37 * static_cast<double>(i) - 50.0 * round);
         for (const double sum : sums)
             hash.add(sum);
     }

@@ -17,7 +17,8 @@ struct Digest {
 
 using Digests = std::vector<Digest>;
 
-// The elementary functions over grids, random bit patterns and the ends of their domains.
+// The elementary functions over grids, random bit patterns and the ends of their domains; and
+// random draws.
 void add_elementary_digests(Digests& digests);
 // Every kind of neuron, fed with ordinary and special values.
 void add_neuron_digests(Digests& digests);
