@@ -79,7 +79,9 @@ bool RandomStream::chance(double probability) {
 }
 
 double RandomStream::gauss() {
-    const double sum = uniform() + uniform() + uniform() + uniform();
+    double sum = uniform();  // one after the other: compilers evaluate operands in any order
+    for (int i = 0; i < 3; ++i)
+        sum += uniform();
     return kSqrt3 * (sum - 2.0);
 }
 

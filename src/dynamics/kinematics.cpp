@@ -35,39 +35,35 @@ CAMBRIAN_INLINE void compute_angles(const PlanarModel& model, const Motion& moti
     }
 }
 
-// z = perp(r_p), s = -perp(r_c), gamma = -w_p^2 r_p + w_i^2 r_c, with the arms r_p and r_c from the
-// parent's and the child's centre to the joint.
+// s = -perp(b), z = perp(a), gamma = -w_p^2 a, with the arms b from the centre to the pivot and a
+// from the parent's pivot to this one.
 CAMBRIAN_INLINE void turn_joints(const PlanarModel& model, Kinematics& k, int first) {
     const int* parents = model.parent_slot + first;
     const Lanes parent_cosine = gather(k.cosine, parents);
     const Lanes parent_sine = gather(k.sine, parents);
     const Lanes parent_spin = gather(k.spin, parents);
-    const Lanes parent_angle = gather(k.angle, parents);
     const Lanes cosine = load_lanes(k.cosine + first);
     const Lanes sine = load_lanes(k.sine + first);
-    const Lanes spin = load_lanes(k.spin + first);
-    const Lanes parent_anchor_x = load_lanes(model.parent_anchor_x + first);
-    const Lanes parent_anchor_y = load_lanes(model.parent_anchor_y + first);
-    const Lanes child_anchor_x = load_lanes(model.child_anchor_x + first);
-    const Lanes child_anchor_y = load_lanes(model.child_anchor_y + first);
-    const Lanes parent_x = parent_cosine * parent_anchor_x - parent_sine * parent_anchor_y;
-    const Lanes parent_y = parent_sine * parent_anchor_x + parent_cosine * parent_anchor_y;
-    const Lanes child_x = cosine * child_anchor_x - sine * child_anchor_y;
-    const Lanes child_y = sine * child_anchor_x + cosine * child_anchor_y;
-    const Lanes parent_square = parent_spin * parent_spin;
-    const Lanes square = spin * spin;
-    store_lanes(k.z_x + first, -parent_y);
-    store_lanes(k.z_y + first, parent_x);
-    store_lanes(k.s_x + first, child_y);
-    store_lanes(k.s_y + first, -child_x);
-    store_lanes(k.gamma_x + first, square * child_x - parent_square * parent_x);
-    store_lanes(k.gamma_y + first, square * child_y - parent_square * parent_y);
-    store_lanes(k.joint_position + first,
-                load_lanes(k.angle + first) - parent_angle - load_lanes(model.rest_angle + first));
-    store_lanes(k.joint_rate + first, spin - parent_spin);
+    const Lanes pivot_x = load_lanes(model.pivot_x + first);
+    const Lanes pivot_y = load_lanes(model.pivot_y + first);
+    const Lanes reach_x = load_lanes(model.reach_x + first);
+    const Lanes reach_y = load_lanes(model.reach_y + first);
+    const Lanes arm_x = parent_cosine * reach_x - parent_sine * reach_y;
+    const Lanes arm_y = parent_sine * reach_x + parent_cosine * reach_y;
+    const Lanes square = parent_spin * parent_spin;
+    store_lanes(k.s_x + first, sine * pivot_x + cosine * pivot_y);
+    store_lanes(k.s_y + first, sine * pivot_y - cosine * pivot_x);
+    store_lanes(k.z_x + first, -arm_y);
+    store_lanes(k.z_y + first, arm_x);
+    store_lanes(k.gamma_x + first, -square * arm_x);
+    store_lanes(k.gamma_y + first, -square * arm_y);
+    store_lanes(k.joint_position + first, load_lanes(k.angle + first) - gather(k.angle, parents) -
+                                              load_lanes(model.rest_angle + first));
+    store_lanes(k.joint_rate + first, load_lanes(k.spin + first) - parent_spin);
 }
 
-// rho = R_p (a + s e) - R_i b, z = perp(rho), s = n, gamma = -w_p^2 rho + 2 w_p s' perp(n).
+// With the slide s and the arm a = R_p (reach + s e) - R_i b to the centre: z = perp(a),
+// gamma = -w_p^2 a + 2 w_p s' perp(axis).
 CAMBRIAN_INLINE void slide_joint(const PlanarModel& model, const Motion& motion, Kinematics& k,
                                  int i) {
     const int p = model.parent[i];
@@ -75,46 +71,45 @@ CAMBRIAN_INLINE void slide_joint(const PlanarModel& model, const Motion& motion,
     const double rate = motion.speed[i];
     const double axis_x = k.cosine[p] * model.axis_x[i] - k.sine[p] * model.axis_y[i];
     const double axis_y = k.sine[p] * model.axis_x[i] + k.cosine[p] * model.axis_y[i];
-    const double anchor_x = model.parent_anchor_x[i];
-    const double anchor_y = model.parent_anchor_y[i];
-    const double rho_x =
-        k.cosine[p] * anchor_x - k.sine[p] * anchor_y + slide * axis_x -
+    const double arm_x =
+        k.z_y[i] + slide * axis_x -
         (k.cosine[i] * model.child_anchor_x[i] - k.sine[i] * model.child_anchor_y[i]);
-    const double rho_y =
-        k.sine[p] * anchor_x + k.cosine[p] * anchor_y + slide * axis_y -
+    const double arm_y =
+        -k.z_x[i] + slide * axis_y -
         (k.sine[i] * model.child_anchor_x[i] + k.cosine[i] * model.child_anchor_y[i]);
     const double spin = k.spin[p];
-    k.z_x[i] = -rho_y;
-    k.z_y[i] = rho_x;
-    k.s_x[i] = axis_x;
-    k.s_y[i] = axis_y;
-    k.gamma_x[i] = -spin * spin * rho_x - 2.0 * spin * rate * axis_y;
-    k.gamma_y[i] = -spin * spin * rho_y + 2.0 * spin * rate * axis_x;
+    k.axis_x[i] = axis_x;
+    k.axis_y[i] = axis_y;
+    k.z_x[i] = -arm_y;
+    k.z_y[i] = arm_x;
+    k.gamma_x[i] = -spin * spin * arm_x - 2.0 * spin * rate * axis_y;
+    k.gamma_y[i] = -spin * spin * arm_y + 2.0 * spin * rate * axis_x;
     k.joint_position[i] = slide;
     k.joint_rate[i] = rate;
 }
 
-// Every body holds its offset from its parent, roots hold anything: sums the offsets down the trees
-// and moves each so that its mean is the given centre.
-CAMBRIAN_INLINE void sum_from_roots(const PlanarModel& model, const double* center, double* x,
+// Every pivot holds its offset from the parent's: sums them down the trees, adds every centre's own
+// lever, and moves each tree so that its mean is the given centre.
+CAMBRIAN_INLINE void sum_from_roots(const PlanarModel& model, const double* center,
+                                    const double* lever_x, const double* lever_y, double* x,
                                     double* y) {
     const int slots = round_up_to_lanes(model.body_count);
     for (int t = 0; t < model.tree_count; ++t) {
-        const int root = model.tree_begin[t];
-        x[root] = 0.0;
-        y[root] = 0.0;
-        for (int i = root + 1; i < model.tree_begin[t + 1]; ++i) {
+        for (int i = model.tree_begin[t] + 1; i < model.tree_begin[t + 1]; ++i) {
             const int p = model.parent[i];
             x[i] += x[p];
             y[i] += y[p];
         }
     }
+    for (int i = 0; i < slots; i += kLanes) {
+        store_lanes(x + i, load_lanes(x + i) + load_lanes(lever_x + i));
+        store_lanes(y + i, load_lanes(y + i) + load_lanes(lever_y + i));
+    }
     for (int t = 0; t < model.tree_count; ++t) {
         const double* share = model.tree_share[t];
-        const Lanes shift_x =
-            all_lanes(center[center_of(model, t)] - lane_product(share, x, slots));
-        const Lanes shift_y =
-            all_lanes(center[center_of(model, t) + 1] - lane_product(share, y, slots));
+        const Lanes shift_x = all_lanes(center[0] - lane_product(share, x, slots));
+        const Lanes shift_y = all_lanes(center[1] - lane_product(share, y, slots));
+        center += 2;
         for (int i = 0; i < slots; i += kLanes) {
             const Lanes member = load_lanes(model.membership[t] + i);
             store_lanes(x + i, load_lanes(x + i) + member * shift_x);
@@ -135,26 +130,37 @@ CAMBRIAN_WIDE void compute_joints(const PlanarModel& model, const Motion& motion
     }
 }
 
-// v_i = v_p + w_p z + s_i' s.
+// Pivots: v_i = v_p + w_p z, and + s' axis at linear joints; centres: + w_i s.
 CAMBRIAN_WIDE void compute_velocities(const PlanarModel& model, const Motion& motion,
                                       Kinematics& k) {
+    PerBody lever_x;
+    PerBody lever_y;
     for (int i = 0; i < model.body_count; i += kLanes) {
-        const Lanes spin = gather(k.spin, model.parent_slot + i);
-        const Lanes rate = load_lanes(motion.speed + i);
-        store_lanes(k.velocity_x + i, spin * load_lanes(k.z_x + i) + rate * load_lanes(k.s_x + i));
-        store_lanes(k.velocity_y + i, spin * load_lanes(k.z_y + i) + rate * load_lanes(k.s_y + i));
+        const Lanes parent_spin = gather(k.spin, model.parent_slot + i);
+        const Lanes spin = load_lanes(k.spin + i);
+        store_lanes(k.velocity_x + i, parent_spin * load_lanes(k.z_x + i));
+        store_lanes(k.velocity_y + i, parent_spin * load_lanes(k.z_y + i));
+        store_lanes(lever_x + i, spin * load_lanes(k.s_x + i));
+        store_lanes(lever_y + i, spin * load_lanes(k.s_y + i));
     }
-    sum_from_roots(model, motion.speed, k.velocity_x, k.velocity_y);
+    for (int i = 0; model.has_linear && i < model.body_count; ++i) {
+        if (model.joint[i] != JointType::kLinear) continue;
+        k.velocity_x[i] += motion.speed[i] * k.axis_x[i];
+        k.velocity_y[i] += motion.speed[i] * k.axis_y[i];
+    }
+    sum_from_roots(model, motion.speed + center_of(model, 0), lever_x, lever_y, k.velocity_x,
+                   k.velocity_y);
 }
 
-// c_i = c_p - perp(z), and - perp(s) at rotary joints.
+// Pivots: c_i = c_p - perp(z); centres: - perp(s).
 CAMBRIAN_WIDE void compute_places(const PlanarModel& model, const Motion& motion, Kinematics& k) {
+    PerBody lever_y;
     for (int i = 0; i < model.body_count; i += kLanes) {
-        const Lanes turning = all_lanes(1.0) - load_lanes(model.slides + i);
-        store_lanes(k.x + i, load_lanes(k.z_y + i) + turning * load_lanes(k.s_y + i));
-        store_lanes(k.y + i, -load_lanes(k.z_x + i) - turning * load_lanes(k.s_x + i));
+        store_lanes(k.x + i, load_lanes(k.z_y + i));
+        store_lanes(k.y + i, -load_lanes(k.z_x + i));
+        store_lanes(lever_y + i, -load_lanes(k.s_x + i));
     }
-    sum_from_roots(model, motion.position, k.x, k.y);
+    sum_from_roots(model, motion.position + center_of(model, 0), k.s_y, lever_y, k.x, k.y);
 }
 
 void compute_kinematics(const PlanarModel& model, const Motion& motion, Kinematics& kinematics) {

@@ -12,10 +12,12 @@ struct Kinematics {
     PerBody x, y;                    // m, centre of mass
     PerBody velocity_x, velocity_y;  // m/s
     PerBody spin;                    // rad/s
-    // Of the joint to the parent: how the child's centre moves with the parent's spin (z), with
-    // the joint's own coordinate (s; for linear joints the world axis), and its acceleration at
-    // zero coordinate accelerations (gamma).
-    PerBody z_x, z_y, s_x, s_y, gamma_x, gamma_y;
+    // A body's pivot is the joint to its parent, or its centre on roots and behind linear joints.
+    // How the centre moves with the body's spin about the pivot (s), how the pivot moves with the
+    // parent's spin about the parent's (z), and its acceleration at zero coordinate accelerations,
+    // seen from there (gamma). On linear joints also the world axis.
+    PerBody s_x, s_y, z_x, z_y, gamma_x, gamma_y;
+    PerBody axis_x, axis_y;
     // Coordinate and rate of the joint as motors, limits and sensors see them: relative to rest.
     PerBody joint_position, joint_rate;  // rad or m, and a second
 };

@@ -93,7 +93,7 @@ public:
         for (int b = 0; b < model_.body_count; ++b)
             place_joint(b);
         weigh_trees();
-        set_inverse_masses(model_);
+        derive_inertias(model_);
         set_motors();
         model_.colliding_pairs = find_colliding_pairs(model_, plan_);
         return std::move(model_);
@@ -236,6 +236,10 @@ private:
         model_.motor_mode[b] = child.motor_mode;
         const bool linear = model_.joint[b] == JointType::kLinear;
         model_.slides[b] = linear ? 1.0 : 0.0;
+        model_.pivot_x[b] = linear ? 0.0 : in_child.x();
+        model_.pivot_y[b] = linear ? 0.0 : in_child.y();
+        model_.reach_x[b] = in_parent.x() - model_.pivot_x[p];
+        model_.reach_y[b] = in_parent.y() - model_.pivot_y[p];
         model_.has_linear = model_.has_linear || linear;
     }
 

@@ -2,8 +2,11 @@
 
 namespace cambrian {
 
-void set_inverse_masses(PlanarModel& model) {
+void derive_inertias(PlanarModel& model) {
     for (int i = 0; i < model.body_count; ++i) {
+        const double arm_square =
+            model.pivot_x[i] * model.pivot_x[i] + model.pivot_y[i] * model.pivot_y[i];
+        model.pivot_inertia[i] = model.inertia[i] + model.mass[i] * arm_square;
         model.inverse_mass[i] = 1.0 / model.mass[i];
         model.inverse_inertia[i] = 1.0 / model.inertia[i];
     }
@@ -21,7 +24,7 @@ void change_density(PlanarModel& model, double density) {
         model.effective_inertia[i] *= ratio;
         model.motor.stiffness[i] *= ratio;
     }
-    set_inverse_masses(model);
+    derive_inertias(model);
 }
 
 }  // namespace cambrian

@@ -69,7 +69,10 @@ struct PlanarModel {
     int joint_part[kMaxBodies] = {};           // plan part that carries this joint
     PerBody parent_anchor_x = {}, parent_anchor_y = {};  // m, in the parent's frame from its centre
     PerBody child_anchor_x = {}, child_anchor_y = {};    // m, in the body's frame from its centre
-    PerBody rest_angle = {};                             // rad, relative to the parent
+    PerBody pivot_x = {}, pivot_y = {};       // m, child anchor of rotary joints, 0 otherwise
+    PerBody reach_x = {}, reach_y = {};       // m, parent anchor from the parent's pivot
+    PerBody pivot_inertia = {};               // kg m^2, about the pivot
+    PerBody rest_angle = {};                  // rad, relative to the parent
     PerBody axis_x = {}, axis_y = {};         // linear joints: unit, in the parent's frame
     PerBody limit_low = {}, limit_high = {};  // rad or m
     PerBody slides = {};                      // 1 on linear joints, else 0
@@ -93,8 +96,8 @@ struct PlanarModel {
     PerTree rest_root_angle = {};                    // rad
 };
 
-// To be called when masses and inertias are known.
-void set_inverse_masses(PlanarModel& model);
+// Fills what follows from masses, inertias and joints.
+void derive_inertias(PlanarModel& model);
 
 // Multiplies all masses so that they belong to another density.
 void change_density(PlanarModel& model, double density);

@@ -56,21 +56,26 @@ CAMBRIAN_INLINE void clear(BodySet bodies, Impulses& impulses) {
     }
 }
 
-CAMBRIAN_INLINE void put_unit_impulse(const RowSystem& rows, int row, int lane,
+// A wrench about the body's centre, taken to its pivot.
+CAMBRIAN_INLINE void put_wrench(const Kinematics& k, int body, int lane, double x, double y,
+                                double moment, Impulses& impulses) {
+    impulses.f_x[body][lane] = x;
+    impulses.f_y[body][lane] = y;
+    impulses.t[body][lane] = moment + k.s_x[body] * x + k.s_y[body] * y;
+}
+
+CAMBRIAN_INLINE void put_unit_impulse(const Kinematics& k, const RowSystem& rows, int row, int lane,
                                       Impulses& impulses) {
     const int a = rows.body_a[row];
     if (rows.kind[row] == RowKind::kLimit) {
         impulses.effort[a][lane] = rows.dir_x[row];
         return;
     }
-    impulses.f_x[a][lane] = rows.dir_x[row];
-    impulses.f_y[a][lane] = rows.dir_y[row];
-    impulses.t[a][lane] = rows.moment_a[row];
+    const double x = rows.dir_x[row];
+    const double y = rows.dir_y[row];
+    put_wrench(k, a, lane, x, y, rows.moment_a[row], impulses);
     const int b = rows.body_b[row];
-    if (b < 0) return;
-    impulses.f_x[b][lane] = -rows.dir_x[row];
-    impulses.f_y[b][lane] = -rows.dir_y[row];
-    impulses.t[b][lane] = -rows.moment_b[row];
+    if (b >= 0) put_wrench(k, b, lane, -x, -y, -rows.moment_b[row], impulses);
 }
 
 CAMBRIAN_INLINE void arrive_at_root(const RootInverse& inverse, const Lanes& x, const Lanes& y,
@@ -97,8 +102,7 @@ CAMBRIAN_INLINE void eliminate(const PlanarModel& model, const Frame& frame, Imp
         const Lanes t = impulses.t[i];
         const Lanes effort = impulses.effort[i];
         const bool linear = model.joint[i] == JointType::kLinear;
-        Lanes u = k.s_x[i] * f_x + k.s_y[i] * f_y + effort;
-        if (!linear) u += t;
+        const Lanes u = effort + (linear ? k.axis_x[i] * f_x + k.axis_y[i] * f_y : t);
         const Lanes share = u * factors.inverse_d[i];
         const Lanes passed_x = f_x - factors.w_x[i] * share;
         const Lanes passed_y = f_y - factors.w_y[i] * share;
@@ -176,7 +180,7 @@ CAMBRIAN_WIDE void compute_row_matrix(const PlanarModel& model, const Frame& fra
         Impulses impulses;
         clear(group.bodies, impulses);
         for (int lane = 0; lane < lanes; ++lane)
-            put_unit_impulse(rows, first + lane, lane, impulses);
+            put_unit_impulse(frame.kinematics, rows, first + lane, lane, impulses);
         eliminate(model, frame, impulses, group);
         for (int column = 0; column <= first; column += kLanes)
             fill_block(model, group, arrivals[column / kLanes], first, column, rows);

@@ -6,26 +6,22 @@
 #include "effectors/kinds.h"
 #include "math/elementary.h"
 
-#include <cmath>
+#include <algorithm>
 
 namespace cambrian {
 namespace {
-
-double clamp(double x, double low, double high) {
-    return std::fmin(std::fmax(x, low), high);
-}
 
 // What the motor is asked for, in the units of its mode.
 double motor_target(const PlannedPart& part, double signal, const SceneSettings& settings) {
     switch (part.motor_mode) {
         case MotorMode::kVelocity:
-            return clamp(signal, -settings.motor_speed_limit, settings.motor_speed_limit);
+            return std::clamp(signal, -settings.motor_speed_limit, settings.motor_speed_limit);
         case MotorMode::kTorque:
-            return clamp(signal / kPi, -1.0, 1.0);
+            return std::clamp(signal / kPi, -1.0, 1.0);
         case MotorMode::kPosition:
             break;
     }
-    return clamp(signal, part.limit_low, part.limit_high);
+    return std::clamp(signal, part.limit_low, part.limit_high);
 }
 
 double smoothing_share(double dt, double time_constant) {

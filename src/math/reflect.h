@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 namespace cambrian {
@@ -12,7 +13,7 @@ inline double reflect(double x, double low, double high) {
     double phase = std::fmod(x - low, 2.0 * width);
     if (phase < 0.0) phase += 2.0 * width;
     const double inside = phase <= width ? low + phase : low + (2.0 * width - phase);
-    return std::fmin(std::fmax(inside, low), high);
+    return std::clamp(inside, low, high);
 }
 
 }  // namespace cambrian

@@ -59,9 +59,10 @@ TEST_CASE("accelerations are the impulse response of the loads at rest",
     RandomStream random(stream_seed({22}));
     for (int round = 0; round < 100; ++round) {
         RandomState state = random_state(random);
-        for (int i = 1; i < state.model.body_count; ++i) {
+        for (int i = 0; i < state.model.body_count; ++i) {
             state.kinematics.gamma_x[i] = 0.0;
             state.kinematics.gamma_y[i] = 0.0;
+            state.kinematics.spin[i] = 0.0;
         }
         Factors factors;
         BodyResponse accelerations;

@@ -20,9 +20,10 @@ void join(const BodyPlan& plan, PlannedPart& child, int parent, const Vec3& anch
     child.anchor_in_parent = anchor;
     child.anchor_in_child = Vec3(-child.half_extents.x(), 0.0, 0.0);
     child.rest_angle = base.rest_angle + angle;
-    child.rest_pose = planar_pose(0.0, 0.0, child.rest_angle);
-    child.rest_pose.position =
-        transform(base.rest_pose, anchor) - child.rest_pose.orientation * child.anchor_in_child;
+    const Vec3 hinge = transform(base.rest_pose, anchor);
+    const SineCosine turn = sine_cosine(child.rest_angle);
+    child.rest_pose = planar_pose(hinge.x() + child.half_extents.x() * turn.cosine,
+                                  hinge.y() + child.half_extents.x() * turn.sine, child.rest_angle);
 }
 
 PlannedPart& attach(BodyPlan& plan, int parent, const Vec3& anchor, double angle,
@@ -49,16 +50,22 @@ BodyPlan chain(int parts, double limit, double x, double y) {
 
 BodyPlan random_tree(RandomStream& random, int parts, double linear_share, double strength,
                      double height) {
-    BodyPlan plan = one_box(random.uniform(0.1, 0.35), random.uniform(0.03, 0.1), 0.0, height);
+    // Each draw in a statement of its own: compilers evaluate arguments in different orders.
+    const auto half_width = [&] { return random.uniform(0.03, 0.1); };
+    const auto half_length = [&] { return random.uniform(0.1, 0.35); };
+    const double root_width = half_width();
+    BodyPlan plan = one_box(half_length(), root_width, 0.0, height);
     for (int i = 1; i < parts; ++i) {
         const int parent =
             random.chance(1.0 / 3) ? static_cast<int>(random.below(plan.parts.size())) : i - 1;
         const Vec3 half = plan.parts[static_cast<std::size_t>(parent)].half_extents;
         const bool linear = random.chance(linear_share);
-        PlannedPart& part =
-            attach(plan, parent, Vec3(half.x(), random.uniform(-0.9, 0.9) * half.y(), 0.0),
-                   random.uniform(-1.2, 1.2), linear ? kLinearJoint : kRotaryJoint,
-                   random.uniform(0.1, 0.35), random.uniform(0.03, 0.1));
+        const double width = half_width();
+        const double length = half_length();
+        const double angle = random.uniform(-1.2, 1.2);
+        const Vec3 anchor(half.x(), random.uniform(-0.9, 0.9) * half.y(), 0.0);
+        PlannedPart& part = attach(plan, parent, anchor, angle,
+                                   linear ? kLinearJoint : kRotaryJoint, length, width);
         const double limit = linear ? 0.1 : random.uniform(0.4, 1.2);
         part.limit_low = -limit;
         part.limit_high = limit;

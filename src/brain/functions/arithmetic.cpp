@@ -1,5 +1,6 @@
 #include "brain/functions/families.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace cambrian {
@@ -20,17 +21,18 @@ double divide(const double* in, double* /*memory*/, double /*dt*/) {
 double sign_of(const double* in, double* /*memory*/, double /*dt*/) {
     return in[0] > 0.0 ? 1.0 : (in[0] < 0.0 ? -1.0 : 0.0);
 }
+// Of 0 and -0, which fmin and fmax may choose between as they like, the first is taken.
 double minimum(const double* in, double* /*memory*/, double /*dt*/) {
-    return std::fmin(in[0], in[1]);
+    return std::min(in[0], in[1]);
 }
 double maximum(const double* in, double* /*memory*/, double /*dt*/) {
-    return std::fmax(in[0], in[1]);
+    return std::max(in[0], in[1]);
 }
 double absolute(const double* in, double* /*memory*/, double /*dt*/) {
     return std::fabs(in[0]);
 }
 double interpolate(const double* in, double* /*memory*/, double /*dt*/) {
-    const double share = std::fmin(std::fmax(in[0], 0.0), 1.0);
+    const double share = std::clamp(in[0], 0.0, 1.0);
     return in[1] + (in[2] - in[1]) * share;
 }
 

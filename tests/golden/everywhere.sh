@@ -1,0 +1,74 @@
+#!/usr/bin/env bash
+# The same bits everywhere, and how that is checked. cambrian_golden digests everything a result rests
+# on: elementary functions, neurons, genomes, physics by every integrator, trials of every goal, an
+# evolution on 1, 2 and 7 threads. digests.txt records the values. ctest compares them in every build;
+# this script builds that one program for each platform and compares there:
+#
+#   release      gcc, optimised
+#   debug        gcc, not optimised
+#   clang        clang, optimised
+#   clang-avx2   clang, free to use AVX2; multiply and add stay two roundings
+#   old-cpu      the very program of `release` on an emulated Core 2 of 2006, which has no AVX: whatever
+#                is chosen by processor is chosen differently there
+#   aarch64      gcc for 64-bit ARM, emulated: other instructions, another libm, unsigned char
+#
+#   everywhere.sh [PLATFORM...]     all of them, unless some are named
+#
+# Ends with status 1 if any platform differs; the first digests that do are named. A change meant to
+# alter results records them anew with
+#
+#   cmake --build build/release --target record_digests
+#
+# The tools are the group `emulation` of third_party/packages.txt. Builds are kept: `release` and
+# `aarch64` in the folders of their presets, the others in build/everywhere.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/../.."
+
+all=(release debug clang clang-avx2 old-cpu aarch64)
+
+# build PRESET FOLDER [OPTION...]
+build() {
+  cmake --preset "$1" -B "$2" -DCAMBRIAN_BUILD_TESTS=ON "${@:3}" >/dev/null &&
+    cmake --build "$2" --target cambrian_golden
+}
+
+# check FOLDER [EMULATOR...]
+check() { "${@:2}" "$1/bin/cambrian_golden" --check tests/golden/digests.txt; }
+
+# A processor that lacks what the program was compiled for must be emulated.
+native_avx2() {
+  if grep -qw avx2 /proc/cpuinfo; then "$@"; else qemu-x86_64 -cpu Haswell "$@"; fi
+}
+
+without_window=-DCAMBRIAN_BUILD_STUDIO=OFF
+
+platform() {
+  local own=build/everywhere/$1
+  case $1 in
+    release) build release build/release && check build/release ;;
+    debug) build debug "$own" "$without_window" && check "$own" ;;
+    clang) build clang "$own" "$without_window" && check "$own" ;;
+    clang-avx2)
+      build clang "$own" "$without_window" -DCMAKE_CXX_FLAGS=-march=x86-64-v3 &&
+        check "$own" native_avx2
+      ;;
+    old-cpu) build release build/release && check build/release qemu-x86_64 -cpu core2duo ;;
+    aarch64) build aarch64 build/aarch64 && check build/aarch64 qemu-aarch64 -L /usr/aarch64-linux-gnu ;;
+    *)
+      echo "everywhere.sh: no platform '$1'; there are ${all[*]}" >&2
+      return 1
+      ;;
+  esac
+}
+
+[ $# -gt 0 ] || set -- "${all[@]}"
+failed=()
+for name in "$@"; do
+  printf -- '-- %s\n' "$name"
+  platform "$name" || failed+=("$name")
+done
+if [ ${#failed[@]} -gt 0 ]; then
+  echo "everywhere.sh: failed on ${failed[*]}" >&2
+  exit 1
+fi
+echo "the same bits on $*"

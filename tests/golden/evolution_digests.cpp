@@ -1,0 +1,54 @@
+#include "core/hash.h"
+#include "evolution/backends/thread_pool_backend.h"
+#include "evolution/evolution.h"
+#include "golden/founders.h"
+#include "golden/golden.h"
+#include "support/kinds.h"
+
+namespace cambrian::golden {
+namespace {
+
+constexpr std::uint32_t kGenerations = 4;
+constexpr double kDuration = 3.0;  // s
+
+SettingsPtr settings() {
+    auto made = std::make_shared<ExperimentSettings>();
+    made->seed = 31;
+    made->population.size = 20;
+    made->world.trial.duration = kDuration;
+    made->founders = all_joints();
+    return made;
+}
+
+void add_population(Hash64& hash, const Evolution& evolution) {
+    for (const IndividualPtr& one : evolution.population()) {
+        hash.add(one->uid);
+        hash.add(one->genome_hash);
+        hash.add(one->result.fitness);
+        hash.add(one->result.digest);
+    }
+}
+
+void add_evolution(Digests& digests, std::size_t threads) {
+    const auto backend = make_thread_pool_backend(test::kinds(), threads);
+    Evolution evolution(settings(), test::kinds());
+    EvaluationProgress progress;
+    Hash64 all;
+    while (evolution.evaluate(*backend, progress, {})) {
+        add_population(all, evolution);
+        if (evolution.history().size() == kGenerations) break;
+        evolution.breed();
+    }
+    const std::string name = "evolution." + std::to_string(threads) + "_threads";
+    digests.push_back({name + ".champion", evolution.population().front()->genome_hash});
+    digests.push_back({name + ".generations", all.value()});
+}
+
+}  // namespace
+
+void add_evolution_digests(Digests& digests) {
+    for (const std::size_t threads : {1U, 2U, 7U})
+        add_evolution(digests, threads);
+}
+
+}  // namespace cambrian::golden

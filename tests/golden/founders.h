@@ -1,0 +1,11 @@
+#pragma once
+
+#include "genome/random_genome.h"
+
+namespace cambrian::golden {
+
+// Founders with joints of every kind.
+FounderSettings all_joints();
+Genome founder(int number);
+
+}  // namespace cambrian::golden

@@ -1,0 +1,101 @@
+#include "breeding/mutation.h"
+#include "core/hash.h"
+#include "core/random.h"
+#include "golden/founders.h"
+#include "golden/golden.h"
+#include "support/kinds.h"
+
+namespace cambrian::golden {
+namespace {
+
+constexpr int kFounders = 200;
+constexpr int kMutations = 12;  // rounds
+
+std::uint64_t digest_of(const std::vector<Genome>& genomes) {
+    Hash64 hash;
+    for (const Genome& genome : genomes)
+        hash.add(genome_hash(genome));
+    return hash.value();
+}
+
+void add_part(Hash64& hash, const PlannedPart& part) {
+    for (int i = 0; i < 3; ++i) {
+        hash.add(part.half_extents[i]);
+        hash.add(part.rest_pose.position[i]);
+        hash.add(part.anchor_in_parent[i]);
+        hash.add(part.anchor_in_child[i]);
+    }
+    for (const double number : {part.rest_angle, part.limit_low, part.limit_high, part.max_effort})
+        hash.add(number);
+    hash.add(static_cast<std::uint64_t>(part.parent));
+    hash.add_byte(part.joint_kind);
+}
+
+void add_network(Hash64& hash, const Network& network) {
+    for (const NetworkNeuron& neuron : network.neurons) {
+        hash.add_byte(neuron.function);
+        for (const NetworkInput& input : neuron.inputs) {
+            hash.add(std::uint64_t{input.slot});
+            hash.add(input.weight);
+        }
+    }
+    for (const std::uint32_t neuron : network.order)
+        hash.add(std::uint64_t{neuron});
+}
+
+std::uint64_t digest_of_bodies(const std::vector<Genome>& genomes) {
+    Hash64 hash;
+    for (const Genome& genome : genomes) {
+        const Phenotype grown = express(genome, test::kinds().creature, {}, {});
+        for (const PlannedPart& part : grown.plan.parts)
+            add_part(hash, part);
+        add_network(hash, grown.network);
+        hash.add(grown.rest_length());
+        hash.add(grown.mass(1.0));
+    }
+    return hash.value();
+}
+
+std::vector<Genome> mutants_of(std::vector<Genome> genomes, const MutationSettings& settings) {
+    const FounderSettings founders = all_joints();
+    const MutationContext context{test::kinds().creature.catalog, founders, true};
+    for (std::size_t i = 0; i < genomes.size(); ++i) {
+        RandomStream random(stream_seed({12, i}));
+        for (int round = 0; round < kMutations; ++round)
+            mutate(genomes[i], settings, test::kinds().mutations, context, random);
+    }
+    return genomes;
+}
+
+std::vector<Genome> children_of(const std::vector<Genome>& genomes, const BreedingKind& method) {
+    std::vector<Genome> children;
+    for (std::size_t i = 0; i < genomes.size(); ++i) {
+        RandomStream random(stream_seed({13, i}));
+        const Genome& second = method.parents == 1 ? genomes[i] : random.pick(genomes);
+        children.push_back(
+            method.breed(genomes[i], second, test::kinds().creature.catalog, random));
+    }
+    return children;
+}
+
+}  // namespace
+
+void add_genome_digests(Digests& digests) {
+    std::vector<Genome> founders;
+    for (int i = 0; i < kFounders; ++i)
+        founders.push_back(founder(i));
+    digests.push_back({"genome.founders", digest_of(founders)});
+    digests.push_back({"genome.founders.bodies", digest_of_bodies(founders)});
+    MutationSettings gate;
+    gate.scheme = "gate";
+    gate.rate = 1.5;
+    digests.push_back({"genome.mutants.gate", digest_of(mutants_of(founders, gate))});
+    const std::vector<Genome> mutants = mutants_of(founders, {});
+    digests.push_back({"genome.mutants", digest_of(mutants)});
+    digests.push_back({"genome.mutants.bodies", digest_of_bodies(mutants)});
+    for (const BreedingKind& method : test::kinds().breeding.all())
+        digests.push_back(
+            {"genome.children." + method.id, digest_of(children_of(mutants, method))});
+}
+
+}  // namespace cambrian::golden

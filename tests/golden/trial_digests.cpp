@@ -1,0 +1,57 @@
+#include "golden/books.h"
+#include "golden/founders.h"
+#include "golden/golden.h"
+#include "simulator/trial.h"
+#include "support/kinds.h"
+
+namespace cambrian::golden {
+namespace {
+
+constexpr int kTrials = 5;
+constexpr double kDuration = 4.0;  // s
+
+void add_record(Hash64& hash, const TrialRecord& record) {
+    hash.add(record.digest);
+    hash.add(static_cast<std::uint64_t>(record.outcome));
+    for (const double number :
+         {record.settle_time, record.body_length, record.mass, record.reversal_rate})
+        hash.add(number);
+    for (const MotionSample& sample : record.samples) {
+        hash.add(sample.center_of_mass.x());
+        hash.add(sample.center_of_mass.y());
+        hash.add(sample.bounds.high.x());
+        hash.add(sample.bounds.low.y());
+    }
+    add_books(hash, record.audit);
+}
+
+// The founders that can move, from a number of their own for each goal.
+std::uint64_t digest_of_trials(const GoalKind& goal, int first) {
+    TrialWorld world;
+    world.environment = goal.default_environment();
+    world.trial.duration = kDuration;
+    Hash64 hash;
+    for (int number = first, done = 0; done < kTrials; ++number) {
+        const auto grown = std::make_shared<const Phenotype>(
+            express(founder(number), test::kinds().creature, {}, world.scene));
+        if (!grown->can_move() || !grown->has_live_control) continue;
+        ++done;
+        const auto record = run_trial(grown, test::kinds().creature, world);
+        if (!record) continue;
+        add_record(hash, *record);
+        hash.add(goal.score(*record).value);
+    }
+    return hash.value();
+}
+
+}  // namespace
+
+void add_trial_digests(Digests& digests) {
+    int first = 1000;
+    for (const GoalKind& goal : test::kinds().goals.all()) {
+        digests.push_back({"trial." + goal.id, digest_of_trials(goal, first)});
+        first += 1000;
+    }
+}
+
+}  // namespace cambrian::golden
