@@ -29,11 +29,6 @@ Result<SettingsPtr> settings_of(const EvolutionRun& run, const EvolutionKinds& k
     return std::make_shared<const ExperimentSettings>(*std::move(settings));
 }
 
-// The evolution's best so far.
-CreatureDocument champion_of(const Evolution& evolution, const EvolutionKinds& kinds) {
-    return creature_document(*evolution.population().front(), evolution.settings(), kinds);
-}
-
 // Where it should go or, if that has become impossible meanwhile, where it is not lost.
 Result<std::filesystem::path> save_champion(const std::filesystem::path& path,
                                             const CreatureDocument& champion,
@@ -48,17 +43,26 @@ Result<std::filesystem::path> save_champion(const std::filesystem::path& path,
     return Error{saved.error().message + "; the champion is in " + refuge.string()};
 }
 
-// Evaluates and breeds until the last generation or an interruption. True if interrupted.
-bool evolve(Evolution& evolution, EvaluationBackend& backend, const std::string& unit, bool json) {
+// What an evolution came to.
+struct Harvest {
+    IndividualPtr champion;  // of the last generation evaluated; null if there was none
+    bool interrupted = false;
+};
+
+// Evaluates and breeds until the last generation or an interruption.
+Harvest evolve(Evolution& evolution, EvaluationBackend& backend, const std::string& unit,
+               bool json) {
+    Harvest harvest;
     const Interruption interruption;
     EvaluationProgress progress;
     const auto generations = static_cast<std::uint32_t>(evolution.settings().generations);
     ProgressBar bar(progress, generations);
     for (;;) {
-        evolution.evaluate(backend, progress, {});
+        harvest.interrupted = !evolution.evaluate(backend, progress, interruption.token());
+        if (harvest.interrupted) return harvest;
+        harvest.champion = evolution.population().front();
         bar.finish_generation(generation_line(evolution.history().back(), unit, json));
-        if (evolution.history().size() >= generations) return false;
-        if (interruption.requested()) return true;
+        if (evolution.history().size() >= generations) return harvest;
         evolution.breed();
     }
 }
@@ -77,11 +81,16 @@ ExitStatus run_evolution(const EvolutionRun& run, const EvolutionKinds& kinds) {
         make_thread_pool_backend(kinds, run.threads.value_or(ThreadPool::default_workers()));
     const std::string unit = kinds.goals.find((*settings)->goal)->unit;
     Evolution evolution(*settings, kinds);
-    const bool interrupted = evolve(evolution, *backend, unit, run.json);
+    const Harvest harvest = evolve(evolution, *backend, unit, run.json);
+    if (!harvest.champion)
+        return fail({"interrupted before the first generation was judged; nothing to save"},
+                    ExitStatus::kFailed);
 
-    const auto saved = save_champion(*path, champion_of(evolution, kinds), kinds);
+    CreatureDocument champion = creature_document(*harvest.champion, **settings, kinds);
+    recompute_score(champion, kinds);
+    const auto saved = save_champion(*path, champion, kinds);
     if (!saved) return fail(saved.error(), ExitStatus::kFailed);
-    print_line(final_line(evolution.history(), unit, *saved, interrupted, run.json));
+    print_line(final_line(evolution.history(), unit, *saved, harvest.interrupted, run.json));
     return ExitStatus::kDone;
 }
 

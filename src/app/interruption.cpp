@@ -1,10 +1,16 @@
 #include "app/interruption.h"
 
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+
 namespace cambrian {
 namespace {
 
 // The one thing a signal handler may write.
 volatile std::sig_atomic_t interrupted = 0;
+
+constexpr auto kPause = std::chrono::milliseconds(50);
 
 void note_interruption(int /*signal*/) {
     interrupted = 1;
@@ -19,6 +25,14 @@ Interruption::Interruption() {
     once.sa_flags = static_cast<int>(SA_RESETHAND) | SA_RESTART;
     ::sigaction(SIGINT, &once, &interrupt_before_);
     ::sigaction(SIGTERM, &once, &terminate_before_);
+    watch_ = std::jthread([this](const std::stop_token& stop) {
+        std::mutex mutex;
+        std::condition_variable_any woken;
+        std::unique_lock lock(mutex);
+        while (!stop.stop_requested() && !requested())
+            woken.wait_for(lock, stop, kPause, [] { return false; });
+        if (requested()) source_.request_stop();
+    });
 }
 
 Interruption::~Interruption() {

@@ -32,7 +32,7 @@ class PlanarScene final : public PhysicsScene {
 public:
     PlanarScene(PlanarModel model, const Environment& environment, const SceneSettings& settings,
                 const IntegratorKind& integrator)
-        : model_(std::move(model)), control_(integrator, settings.tolerance) {
+        : model_(std::move(model)), control_(integrator, settings) {
         forcing_.drive.frequency = settings.motor_frequency;
         forcing_.drive.speed_limit = settings.motor_speed_limit;
         moment_.motion = rest_motion(model_);
@@ -190,7 +190,7 @@ double PlanarScene::target(std::size_t part) const {
 
 SceneStatus PlanarScene::advance(double duration) {
     CAMBRIAN_ASSERT(duration > 0.0, "a tick takes time");
-    if (moment_.status == SceneStatus::kInvalid) return moment_.status;
+    if (moment_.status != SceneStatus::kRunning) return moment_.status;
     for (int i = 0; i < model_.body_count; ++i) {
         forcing_.drive.start[i] = moment_.drive_start[i];
         forcing_.drive.end[i] = moment_.drive_end[i];
@@ -287,7 +287,11 @@ Status check_surroundings(const Environment& environment, const SceneSettings& s
     for (const double number : numbers) {
         if (!std::isfinite(number)) return Error{"environment: a number is not finite"};
     }
-    if (!(settings.tolerance > 0.0)) return Error{"scene settings: tolerance must be above 0"};
+    for (const double positive :
+         {settings.tolerance, settings.contact_step, settings.max_evaluations}) {
+        if (!(positive > 0.0))
+            return Error{"scene settings: tolerance, contact step and evaluations must be above 0"};
+    }
     return {};
 }
 
@@ -330,6 +334,7 @@ SceneKind planar_scene_kind() {
     kind.joints = {
         {"rigid", "Rigid", 0, ""}, {"rotary", "Rotary", 1, "rad"}, {"linear", "Linear", 1, "m"}};
     kind.integrators = integrator_ids();
+    kind.accurate_integrator = "dormand-prince";
     kind.make = make_planar_scene;
     return kind;
 }

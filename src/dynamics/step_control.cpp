@@ -7,14 +7,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace cambrian {
 namespace {
 
-constexpr double kContactStep = 1.0 / 120;  // s; longest step with active rows
-constexpr double kCollapseStep = kContactStep / 16;
-constexpr double kPatientStep = kContactStep / 8;
-constexpr int kPatience = 4;                // collapses in a row before a step without held forces
+constexpr double kCollapseShare = 1.0 / 16;  // of the contact step
+constexpr double kPatientShare = 1.0 / 8;    // of the contact step
+constexpr int kPatience = 4;                 // collapses in a row before a step without held forces
+constexpr double kBudgetTime =
+    1.0;  // s; of evaluations that may be spent before time pays for them
 constexpr double kHalvingStep = 1.0 / 960;  // s; shorter ones are not halved for their work
 constexpr double kWorkAllowance = 3e-4;     // J per (kg m/s^2)
 constexpr double kReferenceGravity = 9.81;  // m/s^2
@@ -40,11 +42,13 @@ void StepControl::advance(const PlanarModel& model, const ContactLaw& law, Forci
                           double duration, SceneMoment& moment) {
     for (std::uint8_t& faces : moment.touched)
         faces = 0;
+    moment.evaluation_debt = std::max(0.0, moment.evaluation_debt - max_evaluations_ * duration);
     Tick tick{model, law, forcing, moment, duration};
+    const Motion start = moment.motion;
+    const SceneAudit books = moment.audit;
     while (tick.length - tick.time > kSliver) {
-        if (step(tick)) continue;
-        moment.status = SceneStatus::kInvalid;
-        return;
+        moment.status = step(tick);
+        if (moment.status != SceneStatus::kRunning) return take_back(tick, start, books);
     }
     tick.time = tick.length;
     make_current(tick);
@@ -53,21 +57,39 @@ void StepControl::advance(const PlanarModel& model, const ContactLaw& law, Forci
     close_books(model, forcing.medium, moment);
 }
 
-// One accepted step or one impact. False if no sound motion was found.
-bool StepControl::step(Tick& tick) {
+// What no sound motion was found for leaves the moment as the tick began, but for the counters.
+void StepControl::take_back(Tick& tick, const Motion& start, const SceneAudit& books) {
+    SceneMoment& moment = tick.moment;
+    const SceneAudit spent = std::exchange(moment.audit, books);
+    moment.motion = start;
+    moment.frame_is_current = false;
+    tick.time = 0.0;
+    make_current(tick);
+    moment.audit.evaluations = spent.evaluations;
+    moment.audit.steps = spent.steps;
+    moment.audit.rejections = spent.rejections;
+    moment.audit.events = spent.events;
+    moment.audit.fallbacks = spent.fallbacks;
+    close_books(tick.model, tick.forcing.medium, moment);
+}
+
+// One accepted step or one impact.
+SceneStatus StepControl::step(Tick& tick) {
     make_current(tick);
     if (!tick.collected) contacts_.collect(tick.model, tick.law, tick.moment.frame().kinematics);
     if (tick.impacts < kMaxImpacts && contacts_.has_impact()) {
         strike(tick, tick.law.elasticity);
-        return is_sound(tick);
+        return status_of(tick);
     }
     bool has_rows = false;
     double h = choose_length(tick, has_rows);
     switch (attempt(tick, has_rows, h)) {
-        case Attempt::kFailed:
-            return false;
+        case Attempt::kDiverged:
+            return SceneStatus::kInvalid;
+        case Attempt::kOverBudget:
+            return SceneStatus::kOverBudget;
         case Attempt::kCollapsed:
-            return is_sound(tick);
+            return status_of(tick);
         case Attempt::kAccepted:
             break;
     }
@@ -84,7 +106,7 @@ bool StepControl::step(Tick& tick) {
     } else {
         accept(tick, has_rows, h);
     }
-    return is_sound(tick);
+    return status_of(tick);
 }
 
 // Contact-free accelerations at the moment, unless the last step left them.
@@ -96,8 +118,13 @@ void StepControl::make_current(Tick& tick) {
     const MotionSystem system{tick.model, tick.forcing, tick.length};
     system.evaluate(moment.motion, tick.time, FrameDetail::kEverything, moment.frame(),
                     moment.free_rate);
-    ++moment.audit.evaluations;
+    count_evaluations(tick, 1);
     moment.frame_is_current = true;
+}
+
+void StepControl::count_evaluations(Tick& tick, int evaluations) {
+    tick.moment.audit.evaluations += static_cast<std::uint64_t>(evaluations);
+    tick.moment.evaluation_debt += evaluations;
 }
 
 void StepControl::strike(Tick& tick, double elasticity) {
@@ -125,11 +152,11 @@ double StepControl::choose_length(Tick& tick, bool& has_rows) {
     const SceneMoment& moment = tick.moment;
     double h = std::min(moment.proposed_step, integrator_->max_step);
     has_rows = contacts_.choose(tick.model, tick.law, moment.motion, moment.frame(), h);
-    if (has_rows) h = std::min(h, kContactStep);
+    if (has_rows) h = std::min(h, contact_step_);
     if (tick.collapses >= kPatience) {
         has_rows = false;
         contacts_.let_go();
-        h = std::min(h, kPatientStep);
+        h = std::min(h, kPatientShare * contact_step_);
     }
     const double rest = tick.length - tick.time;
     const double steps = std::ceil(rest / h * (1.0 - 1e-9));
@@ -145,17 +172,20 @@ StepControl::Attempt StepControl::attempt(Tick& tick, bool has_rows, double& h) 
         start_rate_ = has_rows ? &held_start_rate(tick) : &free_start_rate(tick);
         integrator_->attempt(system, {moment.motion, *start_rate_, tick.time, h, tolerance_},
                              moment.spare_frame(), result_);
-        moment.audit.evaluations += static_cast<std::uint64_t>(result_.evaluations);
+        count_evaluations(tick, result_.evaluations);
+        if (moment.evaluation_debt > kBudgetTime * max_evaluations_) return Attempt::kOverBudget;
         const double factor = step_factor(result_.error, integrator_->error_order);
         if (!(result_.error <= 1.0)) {
             ++moment.audit.rejections;
             h *= std::min(factor, 0.9);
             moment.proposed_step = h;
-            if (h < kMinStep) return Attempt::kFailed;
-            if (!has_rows || h >= kCollapseStep) continue;
+            if (h < kMinStep) {
+                return std::isfinite(result_.error) ? Attempt::kOverBudget : Attempt::kDiverged;
+            }
+            if (!has_rows || h >= kCollapseShare * contact_step_) continue;
             ++tick.collapses;
             strike(tick, 0.0);
-            moment.proposed_step = kContactStep;
+            moment.proposed_step = contact_step_;
             return Attempt::kCollapsed;
         }
         if (must_halve(tick, has_rows, h)) {
@@ -273,13 +303,13 @@ void StepControl::remember_contacts(Tick& tick) {
     }
 }
 
-bool StepControl::is_sound(const Tick& tick) const {
+SceneStatus StepControl::status_of(const Tick& tick) {
     const Motion& motion = tick.moment.motion;
     for (int c = 0; c < coordinate_count(tick.model); ++c) {
-        if (!(std::fabs(motion.position[c]) <= kMaxDistance)) return false;
-        if (!(std::fabs(motion.speed[c]) <= kMaxSpeed)) return false;
+        if (!(std::fabs(motion.position[c]) <= kMaxDistance)) return SceneStatus::kInvalid;
+        if (!(std::fabs(motion.speed[c]) <= kMaxSpeed)) return SceneStatus::kInvalid;
     }
-    return true;
+    return SceneStatus::kRunning;
 }
 
 }  // namespace cambrian

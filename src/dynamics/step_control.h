@@ -6,6 +6,7 @@
 #include "dynamics/contact_solver.h"
 #include "dynamics/integrator.h"
 #include "world/physics_scene.h"
+#include "world/scene_settings.h"
 
 namespace cambrian {
 
@@ -27,6 +28,7 @@ struct SceneMoment {
     MotionRate free_rate = {};  // of the motion, free of contact
     bool frame_is_current = false;
     double proposed_step = 1.0 / 120;  // s
+    double evaluation_debt = 0.0;      // evaluations that the time passed has not yet paid for
     WarmStart warm;
     PerBody drive_start = {}, drive_end = {};  // motor targets
     std::uint8_t touched[kMaxParts] = {};      // bit of every Face that touched in the last tick
@@ -42,8 +44,11 @@ struct SceneMoment {
 
 class StepControl {
 public:
-    StepControl(const IntegratorKind& integrator, double tolerance)
-        : integrator_(&integrator), tolerance_(tolerance) {}
+    StepControl(const IntegratorKind& integrator, const SceneSettings& settings)
+        : integrator_(&integrator),
+          tolerance_(settings.tolerance),
+          contact_step_(settings.contact_step),
+          max_evaluations_(settings.max_evaluations) {}
 
     // Moves the moment on by one tick; its status tells whether that went well.
     void advance(const PlanarModel& model, const ContactLaw& law, Forcing& forcing, double duration,
@@ -61,10 +66,12 @@ private:
         int collapses = 0;       // in a row
         bool collected = false;  // contacts_ has looked at the moment
     };
-    enum class Attempt { kAccepted, kCollapsed, kFailed };
+    enum class Attempt { kAccepted, kCollapsed, kDiverged, kOverBudget };
 
-    bool step(Tick& tick);
-    void make_current(Tick& tick);
+    SceneStatus step(Tick& tick);
+    static void take_back(Tick& tick, const Motion& start, const SceneAudit& books);
+    static void make_current(Tick& tick);
+    static void count_evaluations(Tick& tick, int evaluations);
     void strike(Tick& tick, double elasticity);
     double choose_length(Tick& tick, bool& has_rows);
     Attempt attempt(Tick& tick, bool has_rows, double& h);
@@ -76,10 +83,12 @@ private:
     void release_forces(Tick& tick, bool has_rows);
     void keep_books(Tick& tick, const Kinematics& end);
     void remember_contacts(Tick& tick);
-    bool is_sound(const Tick& tick) const;
+    static SceneStatus status_of(const Tick& tick);
 
     const IntegratorKind* integrator_;
     double tolerance_;
+    double contact_step_;     // s; longest step with active rows
+    double max_evaluations_;  // a simulated second
     ContactSolver contacts_;
     MotionRate held_rate_ = {};
     const MotionRate* start_rate_ = nullptr;  // of the attempt under way

@@ -10,7 +10,6 @@
 namespace cambrian {
 namespace {
 
-constexpr double kFinerTolerance = 0.1;  // of the settings' own
 constexpr double kSuspectPenalty = 0.5;  // physics.md 9
 
 EvaluationResult describe(const Phenotype& phenotype, const ExperimentSettings& settings) {
@@ -36,36 +35,60 @@ double score_of(const TrialRecord& record, const GoalKind& goal, const TrialSett
     return shaking > 1.0 ? score / shaking : score;
 }
 
+std::shared_ptr<const Phenotype> grow(const Genome& genome, const ExperimentSettings& settings,
+                                      const Kinds& kinds) {
+    return std::make_shared<const Phenotype>(
+        express(genome, kinds, settings.expression, settings.world.scene));
+}
+
+const GoalKind& goal_of(const ExperimentSettings& settings, const EvolutionKinds& kinds) {
+    const GoalKind* goal = kinds.goals.find(settings.goal);
+    CAMBRIAN_ASSERT(goal != nullptr, "settings were checked");
+    return *goal;
+}
+
+struct FinerTrial {
+    FinerResult result;
+    std::string reason;
+};
+
+FinerTrial run_finer(const std::shared_ptr<const Phenotype>& phenotype,
+                     const ExperimentSettings& settings, const EvolutionKinds& kinds,
+                     const std::stop_token& stop) {
+    TrialWorld world = settings.world;
+    world.scene = finer_settings(world.scene, kinds.creature.scene);
+    const auto record = run_trial(phenotype, kinds.creature, world, stop);
+    if (!record) return {{.outcome = Outcome::kRejected}, record.error().message};
+    return {{.outcome = record->outcome,
+             .score = score_of(*record, goal_of(settings, kinds), settings.world.trial),
+             .verdict = judge(*record)},
+            record->reason};
+}
+
 // A suspect trial is run again more finely; one that stays suspect keeps half its score.
-Result<double> score_after_audit(const std::shared_ptr<const Phenotype>& phenotype,
-                                 const TrialRecord& record, const GoalKind& goal,
-                                 const ExperimentSettings& settings, const Kinds& kinds) {
-    const double score = score_of(record, goal, settings.world.trial);
-    if (score <= 0.0 || judge(record.audit) == AuditVerdict::kClean) return score;
-    TrialWorld finer = settings.world;
-    finer.scene.tolerance *= kFinerTolerance;
-    const auto again = run_trial(phenotype, kinds, finer);
-    if (!again) return again.error();
-    const double finer_score = score_of(*again, goal, settings.world.trial);
-    return judge(again->audit) == AuditVerdict::kClean ? finer_score
-                                                       : kSuspectPenalty * finer_score;
+void settle_suspicion(EvaluationResult& result, const std::shared_ptr<const Phenotype>& phenotype,
+                      const ExperimentSettings& settings, const EvolutionKinds& kinds,
+                      const std::stop_token& stop) {
+    const FinerTrial finer = run_finer(phenotype, settings, kinds, stop);
+    result.finer = finer.result;
+    const bool clean = finer.result.verdict == AuditVerdict::kClean;
+    result.fitness = (clean ? 1.0 : kSuspectPenalty) * finer.result.score;
+    if (finer.result.outcome != Outcome::kCompleted)
+        fail(result, finer.result.outcome, "when computed more finely: " + finer.reason);
 }
 
 }  // namespace
 
 EvaluationResult evaluate(const EvaluationRequest& request, const ExperimentSettings& settings,
-                          const EvolutionKinds& kinds) {
-    const auto phenotype = std::make_shared<const Phenotype>(
-        express(*request.genome, kinds.creature, settings.expression, settings.world.scene));
+                          const EvolutionKinds& kinds, const std::stop_token& stop) {
+    const auto phenotype = grow(*request.genome, settings, kinds.creature);
     EvaluationResult result = describe(*phenotype, settings);
     if (!phenotype->can_move() || !phenotype->has_live_control) {
         fail(result, Outcome::kRejected,
              phenotype->can_move() ? "every effector hears only constants" : "no joint can move");
         return result;
     }
-    const GoalKind* goal = kinds.goals.find(settings.goal);
-    CAMBRIAN_ASSERT(goal != nullptr, "settings were checked");
-    const auto record = run_trial(phenotype, kinds.creature, settings.world);
+    const auto record = run_trial(phenotype, kinds.creature, settings.world, stop);
     if (!record) {
         fail(result, Outcome::kRejected, record.error().message);
         return result;
@@ -74,13 +97,18 @@ EvaluationResult evaluate(const EvaluationRequest& request, const ExperimentSett
     result.body_length = record->body_length;
     result.outcome = record->outcome;
     result.reason = record->reason;
-    const auto score = score_after_audit(phenotype, *record, *goal, settings, kinds.creature);
-    if (!score || !std::isfinite(*score)) {
-        fail(result, Outcome::kDiverged, score ? "the score is not finite" : score.error().message);
-        return result;
-    }
-    result.fitness = *score;
+    result.audit = record->audit;
+    result.verdict = judge(*record);
+    result.fitness = score_of(*record, goal_of(settings, kinds), settings.world.trial);
+    if (result.fitness > 0.0 && result.verdict == AuditVerdict::kSuspect)
+        settle_suspicion(result, phenotype, settings, kinds, stop);
+    if (!std::isfinite(result.fitness)) fail(result, Outcome::kDiverged, "the score is not finite");
     return result;
+}
+
+FinerResult recompute(const Genome& genome, const ExperimentSettings& settings,
+                      const EvolutionKinds& kinds, const std::stop_token& stop) {
+    return run_finer(grow(genome, settings, kinds.creature), settings, kinds, stop).result;
 }
 
 }  // namespace cambrian

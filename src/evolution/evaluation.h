@@ -7,6 +7,7 @@
 #include "evolution/individual.h"
 
 #include <cstdint>
+#include <stop_token>
 
 namespace cambrian {
 
@@ -17,8 +18,14 @@ struct EvaluationRequest {
     std::uint32_t slot = 0;  // place in the generation
 };
 
-// Expresses, simulates and scores. Never throws; failures are outcomes.
+// Expresses, simulates and scores. Never throws; failures are outcomes. When asked to stop, a long
+// trial ends with the outcome kInterrupted.
 EvaluationResult evaluate(const EvaluationRequest& request, const ExperimentSettings& settings,
-                          const EvolutionKinds& kinds);
+                          const EvolutionKinds& kinds, const std::stop_token& stop = {});
+
+// Runs the trial more finely (finer_settings) and scores it: what to know of a champion before it
+// is saved (physics.md 9).
+FinerResult recompute(const Genome& genome, const ExperimentSettings& settings,
+                      const EvolutionKinds& kinds, const std::stop_token& stop = {});
 
 }  // namespace cambrian

@@ -3,10 +3,6 @@
 namespace cambrian {
 namespace {
 
-bool invalid(Outcome outcome) {
-    return outcome == Outcome::kDiverged || outcome == Outcome::kCheated;
-}
-
 std::size_t gene_count(const Genome& genome) {
     std::size_t count = genome.nodes.size() + genome.brain.size();
     for (const NodeGene& node : genome.nodes)
@@ -17,8 +13,8 @@ std::size_t gene_count(const Genome& genome) {
 }  // namespace
 
 bool better(const Individual& a, const Individual& b) {
-    const bool a_invalid = invalid(a.result.outcome);
-    const bool b_invalid = invalid(b.result.outcome);
+    const bool a_invalid = is_invalid(a.result.outcome);
+    const bool b_invalid = is_invalid(b.result.outcome);
     if (a_invalid != b_invalid) return b_invalid;
     if (a.result.fitness != b.result.fitness) return a.result.fitness > b.result.fitness;
     const std::size_t a_genes = gene_count(*a.genome);

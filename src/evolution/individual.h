@@ -2,25 +2,38 @@
 
 #include "breeding/mutation_kind.h"
 #include "genome/genome.h"
-#include "simulator/outcome.h"
+#include "simulator/audit.h"
 
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace cambrian {
 
+// The same trial computed once more, finer (finer_settings).
+struct FinerResult {
+    Outcome outcome = Outcome::kCompleted;
+    double score = 0.0;
+    AuditVerdict verdict = AuditVerdict::kClean;
+
+    friend bool operator==(const FinerResult&, const FinerResult&) = default;
+};
+
 struct EvaluationResult {
-    double fitness = 0.0;
+    double fitness = 0.0;  // of the finer trial if the first one was suspect
     Outcome outcome = Outcome::kCompleted;
     std::uint64_t digest = 0;  // of the motion, for replay checks
     double body_length = 0.0;  // m
     double mass = 0.0;         // kg
     int parts = 0;
-    int neurons = 0;     // live ones
-    std::string reason;  // why it failed, for a person
+    int neurons = 0;                              // live ones
+    std::string reason;                           // why it failed, for a person
+    AuditVerdict verdict = AuditVerdict::kClean;  // of the trial, computed as the settings say
+    SceneAudit audit;                             // of the same
+    std::optional<FinerResult> finer;             // of suspects, and of champions to be saved
 };
 
 // A creature of one generation: its genotype, where it comes from and how it did. Immutable once

@@ -1,5 +1,7 @@
 #include "evolution/setting_field.h"
 
+#include "core/number_text.h"
+
 #include <algorithm>
 #include <cmath>
 #include <type_traits>
@@ -136,6 +138,18 @@ void add_simulation(std::vector<SettingField>& fields, const EvolutionKinds& kin
             "tolerance", "Tolerance", "", Range{1e-8, 1e-1},
             "Error allowed in a step; smaller is more exact and slower.",
             [](Settings & s) -> auto& { return s.world.scene.tolerance; })
+        .logarithmic = true;
+    table
+        .number(
+            "contact-step", "Contact step", "s", Range{1e-4, 1.0 / 60},
+            "Longest step while parts touch anything or joints meet their limits.",
+            [](Settings & s) -> auto& { return s.world.scene.contact_step; })
+        .logarithmic = true;
+    table
+        .number(
+            "max-evaluations", "Work limit", "evaluations/s", Range{1e3, 1e6},
+            "A trial whose motion takes more computing for each simulated second is given up.",
+            [](Settings & s) -> auto& { return s.world.scene.max_evaluations; })
         .logarithmic = true;
     table.number(
         "muscle-strength", "Muscle strength", "N/m", Range{0, 1e4},
@@ -305,18 +319,9 @@ std::string place(const SettingField& field) {
     return "[" + field.table + "] " + field.key;
 }
 
-std::string number_text(double value) {
-    std::string text = std::to_string(value);
-    while (text.back() == '0')
-        text.pop_back();
-    if (text.back() == '.') text.pop_back();
-    return text;
-}
-
 Status out_of_range(const SettingField& field, double value) {
-    return Error{place(field) + ": " +
-                 (std::isfinite(value) ? number_text(value) : "not a number") + " is outside [" +
-                 number_text(field.low) + ", " + number_text(field.high) + "]"};
+    return Error{place(field) + ": " + (std::isfinite(value) ? short_text(value) : "not a number") +
+                 " is outside [" + short_text(field.low) + ", " + short_text(field.high) + "]"};
 }
 
 Status check_field(const SettingField& field, const SettingRef& ref) {
@@ -346,8 +351,8 @@ Status check_field(const SettingField& field, const SettingRef& ref) {
 
 Status check_order(double low, double high, const char* low_key, const char* high_key) {
     if (low <= high) return {};
-    return Error{std::string("[body] ") + low_key + ": " + number_text(low) + " is above " +
-                 high_key + ", which is " + number_text(high)};
+    return Error{std::string("[body] ") + low_key + ": " + short_text(low) + " is above " +
+                 high_key + ", which is " + short_text(high)};
 }
 
 // Settings that are each in range but contradict one another.

@@ -32,10 +32,8 @@ GenerationStatistics summarize(std::span<const IndividualPtr> ranked, std::uint3
     std::set<std::uint64_t> hashes;
     for (const IndividualPtr& individual : ranked) {
         const EvaluationResult& result = individual->result;
-        const bool invalid =
-            result.outcome == Outcome::kDiverged || result.outcome == Outcome::kCheated;
         summary.mean += result.fitness / count;
-        summary.invalid_share += (invalid ? 1.0 : 0.0) / count;
+        summary.invalid_share += (is_invalid(result.outcome) ? 1.0 : 0.0) / count;
         summary.mean_parts += result.parts / count;
         summary.mean_neurons += result.neurons / count;
         hashes.insert(individual->genome_hash);

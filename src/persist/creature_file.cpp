@@ -2,6 +2,7 @@
 
 #include "core/file_io.h"
 #include "core/number_text.h"
+#include "evolution/evaluation.h"
 #include "persist/creature_format.h"
 #include "persist/digest_text.h"
 #include "persist/json_reader.h"
@@ -184,8 +185,17 @@ CreatureDocument creature_document(const Individual& individual, const Experimen
                                    .seed = settings.seed,
                                    .fitness = individual.result.fitness,
                                    .unit = goal == nullptr ? std::string() : goal->unit,
-                                   .trajectory = individual.result.digest};
+                                   .trajectory = individual.result.digest,
+                                   .finer = individual.result.finer};
     return document;
+}
+
+void recompute_score(CreatureDocument& document, const EvolutionKinds& kinds,
+                     const std::stop_token& stop) {
+    if (!document.scored || document.scored->finer) return;
+    const FinerResult finer =
+        recompute(document.genome, settings_of(*document.scored), kinds, stop);
+    if (finer.outcome != Outcome::kInterrupted) document.scored->finer = finer;
 }
 
 ExperimentSettings settings_of(const ScoredRecord& scored) {

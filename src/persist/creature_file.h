@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -29,6 +30,7 @@ struct ScoredRecord {
     double fitness = 0.0;          // in `unit`
     std::string unit;              // of the goal's score: "BL/s"
     std::uint64_t trajectory = 0;  // digest of the motion
+    std::optional<FinerResult> finer;
     std::string simulator{kSimulatorVersion};
 
     friend bool operator==(const ScoredRecord&, const ScoredRecord&) = default;
@@ -59,6 +61,11 @@ std::string write_creature(const CreatureDocument& document, const EvolutionKind
 // What to save of an individual judged under the settings.
 CreatureDocument creature_document(const Individual& individual, const ExperimentSettings& settings,
                                    const EvolutionKinds& kinds);
+
+// Runs the scored trial once more, finer, and keeps what came out beside the score (physics.md 9),
+// unless that was done before. If stopped meanwhile, nothing is kept.
+void recompute_score(CreatureDocument& document, const EvolutionKinds& kinds,
+                     const std::stop_token& stop = {});
 
 // Settings under which the scored trial can be run again; everything else is at its default.
 ExperimentSettings settings_of(const ScoredRecord& scored);

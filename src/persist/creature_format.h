@@ -29,6 +29,17 @@ inline const std::vector<std::string> kReproductions = {"inherit", "asexual", "c
                                                         "grafting"};
 inline const std::vector<std::string> kMirrorAxes = {"along", "across"};
 
+// The names of an enumeration's values up to the last one that files know.
+template <class Choice>
+std::vector<std::string> names_to(Choice last, std::string_view (*name_of)(Choice)) {
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i <= static_cast<std::size_t>(last); ++i)
+        names.emplace_back(name_of(static_cast<Choice>(i)));
+    return names;
+}
+inline const std::vector<std::string> kOutcomes = names_to(Outcome::kOverBudget, outcome_name);
+inline const std::vector<std::string> kVerdicts = names_to(AuditVerdict::kInvalid, verdict_name);
+
 // The ids of the kinds genes hold indices into.
 struct KindNames {
     std::vector<std::string> functions;
@@ -152,6 +163,13 @@ struct ScoreTable {
     std::vector<SettingField> fields;
 };
 
+template <class Archive, class Finer>
+void describe_finer(Archive& archive, Finer& finer) {
+    archive.choice("outcome", finer.outcome, kOutcomes, "outcome");
+    archive.plain_real("fitness", finer.score);
+    archive.choice("verdict", finer.verdict, kVerdicts, "verdict");
+}
+
 template <class Archive, class Scored, class Settings>
 void describe_scored(Archive& archive, Scored& scored, Settings& settings,
                      const std::vector<ScoreTable>& tables) {
@@ -167,6 +185,8 @@ void describe_scored(Archive& archive, Scored& scored, Settings& settings,
     archive.plain_real("fitness", scored.fitness);
     archive.text("unit", scored.unit, kMaxWord);
     archive.digest("trajectory", scored.trajectory);
+    archive.optional_object("recomputed", scored.finer, Layout::kCompact,
+                            [](Archive& inner, auto& finer) { describe_finer(inner, finer); });
 }
 
 }  // namespace cambrian::creature_format

@@ -70,6 +70,14 @@ public:
         const JsonValue* value = member(key, JsonValue::Kind::kObject, "an object");
         if (value != nullptr) read_object(*value, place(key), describe);
     }
+    // Present only if the key is.
+    template <class Value, class Describe>
+    void optional_object(const char* key, std::optional<Value>& value, Layout layout,
+                         Describe describe) {
+        if (!has(key)) return;
+        value.emplace();
+        object(key, layout, [&](JsonReader& reader) { describe(reader, *value); });
+    }
     // A list of low to high objects.
     template <class Items, class Describe>
     void list(const char* key, Items& items, std::size_t low, std::size_t high, Layout /*layout*/,

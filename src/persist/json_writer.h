@@ -11,6 +11,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -69,6 +70,13 @@ public:
         open('{', layout);
         describe(*this);
         close('}');
+    }
+    // Only if there is a value.
+    template <class Value, class Describe>
+    void optional_object(const char* key, const std::optional<Value>& value, Layout layout,
+                         Describe describe) {
+        if (!value) return;
+        object(key, layout, [&](JsonWriter& writer) { describe(writer, *value); });
     }
     // One object an item.
     template <class Items, class Describe>

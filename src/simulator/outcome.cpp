@@ -2,6 +2,11 @@
 
 namespace cambrian {
 
+bool is_invalid(Outcome outcome) {
+    return outcome == Outcome::kDiverged || outcome == Outcome::kCheated ||
+           outcome == Outcome::kOverBudget;
+}
+
 std::string_view outcome_name(Outcome outcome) {
     switch (outcome) {
         case Outcome::kCompleted:
@@ -14,6 +19,10 @@ std::string_view outcome_name(Outcome outcome) {
             return "diverged";
         case Outcome::kCheated:
             return "cheated";
+        case Outcome::kOverBudget:
+            return "over-budget";
+        case Outcome::kInterrupted:
+            return "interrupted";
     }
     return "unknown";
 }

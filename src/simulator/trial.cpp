@@ -1,5 +1,7 @@
 #include "simulator/trial.h"
 
+#include "core/number_text.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -11,6 +13,8 @@ constexpr double kStartClearance = 0.02;  // m, lowest corner above ground
 constexpr double kCalmEnergy = 0.001;     // J a part; below it a creature has settled...
 constexpr int kCalmTicks = 24;            // ...if for 0.4 s
 constexpr int kDeepTicks = 12;            // 0.2 s
+// Trials that took fewer are finished rather than run again later: some tenths of a second.
+constexpr std::uint64_t kLongTrial = 100000;  // evaluations
 
 int ticks_in(double seconds) {
     return static_cast<int>(std::lround(seconds / kBrainTick));
@@ -62,8 +66,8 @@ bool Trial::tick() {
 
 void Trial::settle_tick() {
     creature_.hold_rest(*scene_);
-    if (scene_->advance(kBrainTick) != SceneStatus::kRunning) {
-        fail(Outcome::kDiverged, "the motion diverged while settling");
+    if (const SceneStatus status = scene_->advance(kBrainTick); status != SceneStatus::kRunning) {
+        fail_with(status);
         return;
     }
     const double calm = kCalmEnergy * static_cast<double>(phenotype_->parts.size());
@@ -89,7 +93,7 @@ void Trial::test_tick() {
     ++test_ticks_;
     if (finished_) return;
     if (status != SceneStatus::kRunning) {
-        fail(Outcome::kDiverged, "the motion diverged");
+        fail_with(status);
         return;
     }
     for (std::size_t i = 0; i < reversals_.size(); ++i) {
@@ -124,6 +128,21 @@ void Trial::check_guards() {
     }
 }
 
+void Trial::fail_with(SceneStatus status) {
+    const std::string when = settling_ ? " while settling" : "";
+    if (status == SceneStatus::kOverBudget) {
+        fail(Outcome::kOverBudget,
+             "the motion is too stiff or too violent to compute" + when + ": it takes more than " +
+                 short_text(world_.scene.max_evaluations) + " evaluations a second");
+    } else {
+        fail(Outcome::kDiverged, "the motion diverged" + when);
+    }
+}
+
+void Trial::interrupt() {
+    if (!finished_) fail(Outcome::kInterrupted, "stopped before its end");
+}
+
 void Trial::fail(Outcome outcome, std::string reason) {
     record_.outcome = outcome;
     record_.reason = std::move(reason);
@@ -142,10 +161,12 @@ void Trial::finish() {
 }
 
 Result<TrialRecord> run_trial(std::shared_ptr<const Phenotype> phenotype, const Kinds& kinds,
-                              const TrialWorld& world) {
+                              const TrialWorld& world, const std::stop_token& stop) {
     auto trial = Trial::start(std::move(phenotype), kinds, world);
     if (!trial) return trial.error();
     while ((*trial)->tick()) {
+        const bool is_long = (*trial)->scene().audit().evaluations > kLongTrial;
+        if (is_long && stop.stop_requested()) (*trial)->interrupt();
     }
     return (*trial)->take_record();
 }

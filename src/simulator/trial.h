@@ -15,6 +15,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <stop_token>
 
 namespace cambrian {
 
@@ -42,6 +43,8 @@ public:
 
     bool settling() const { return settling_; }
     bool finished() const { return finished_; }
+    // Ends it with the outcome kInterrupted.
+    void interrupt();
     double time() const {
         return static_cast<double>(test_ticks_) * kBrainTick;
     }                                                     // s, of the test phase
@@ -66,6 +69,7 @@ private:
     void begin_test();
     void sample();
     void check_guards();
+    void fail_with(SceneStatus status);
     void fail(Outcome outcome, std::string reason);
     void finish();
 
@@ -84,8 +88,9 @@ private:
     bool finished_ = false;
 };
 
-// A whole trial.
+// A whole trial. One that has become long gives up when asked to stop, with the outcome
+// kInterrupted; ordinary ones are finished first.
 Result<TrialRecord> run_trial(std::shared_ptr<const Phenotype> phenotype, const Kinds& kinds,
-                              const TrialWorld& world);
+                              const TrialWorld& world, const std::stop_token& stop = {});
 
 }  // namespace cambrian

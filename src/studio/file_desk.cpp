@@ -34,37 +34,41 @@ FileEvent load_file(const std::filesystem::path& path, const EvolutionKinds& kin
 
 template <class Work>
 void FileDesk::run(Work work) {
-    worker_.submit([this, work = std::move(work)](std::stop_token) {
-        auto event = std::make_shared<FileEvent>(work());
+    worker_.submit([this, work = std::move(work)](const std::stop_token& stop) mutable {
+        auto event = std::make_shared<FileEvent>(work(stop));
         return [this, event] { events_.push_back(std::move(*event)); };
     });
 }
 
 void FileDesk::load(const std::filesystem::path& path) {
-    run([path, &kinds = kinds_] { return load_file(path, kinds); });
+    run([path, &kinds = kinds_](const std::stop_token&) { return load_file(path, kinds); });
 }
 
 void FileDesk::save_creature(const std::filesystem::path& path, CreatureDocument document) {
-    run([path, document = std::move(document), &kinds = kinds_] {
+    run([path, document = std::move(document),
+         &kinds = kinds_](const std::stop_token& stop) mutable {
+        recompute_score(document, kinds, stop);
         return saved(path, cambrian::save_creature(path, document, kinds));
     });
 }
 
 void FileDesk::save_settings(const std::filesystem::path& path,
                              const ExperimentSettings& settings) {
-    run([path, settings, &kinds = kinds_] {
+    run([path, settings, &kinds = kinds_](const std::stop_token&) {
         return saved(path, cambrian::save_settings(path, settings, kinds));
     });
 }
 
 void FileDesk::save_picture(const std::filesystem::path& path, Image image) {
-    run([path, image = std::move(image)] {
+    run([path, image = std::move(image)](const std::stop_token&) {
         return saved(path, write_file(path, encode_png(image)));
     });
 }
 
 void FileDesk::list(const std::filesystem::path& folder, FileTask task) {
-    run([folder, task] { return FileEvent(FolderListed{list_folder(folder, task)}); });
+    run([folder, task](const std::stop_token&) {
+        return FileEvent(FolderListed{list_folder(folder, task)});
+    });
 }
 
 std::vector<FileEvent> FileDesk::take_events() {

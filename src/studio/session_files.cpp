@@ -49,6 +49,7 @@ Exhibit Session::exhibit_from(const CreatureDocument& document, ExhibitSource so
         EvaluationResult result;
         result.fitness = document.scored->fitness;
         result.digest = document.scored->trajectory;
+        result.finer = document.scored->finer;
         exhibit.result = result;
     }
     return exhibit;
@@ -72,6 +73,7 @@ CreatureDocument Session::document_on_show() const {
     scored.fitness = exhibit.result ? exhibit.result->fitness : score->score.value;
     scored.unit = goal->unit;
     scored.trajectory = exhibit.result ? exhibit.result->digest : score->record.digest;
+    if (exhibit.result) scored.finer = exhibit.result->finer;
     document.scored = std::move(scored);
     return document;
 }

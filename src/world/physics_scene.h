@@ -15,7 +15,11 @@
 
 namespace cambrian {
 
-enum class SceneStatus : std::uint8_t { kRunning, kInvalid };
+enum class SceneStatus : std::uint8_t {
+    kRunning,
+    kInvalid,    // non-finite or runaway motion
+    kOverBudget  // the motion would take more evaluations than the settings allow
+};
 
 // A touching point, for display.
 struct SceneContact {
@@ -60,8 +64,8 @@ public:
     virtual void set_target(std::size_t part, double target) = 0;
     virtual double target(std::size_t part) const = 0;
 
-    // Moves the body by one tick of the given length (s). After kInvalid (non-finite or runaway
-    // motion) the scene stands still and stays invalid.
+    // Moves the body by one tick of the given length (s). A scene that finds no sound motion stands
+    // still as it was before the tick, for good.
     virtual SceneStatus advance(double duration) = 0;
     virtual SceneStatus status() const = 0;
     virtual double time() const = 0;  // s

@@ -27,6 +27,7 @@ struct SceneKind {
     std::string label;
     std::vector<JointEntry> joints;        // a plan's joint_kind indexes this
     std::vector<std::string> integrators;  // ids SceneSettings::integrator may name
+    std::string accurate_integrator;       // the one of them for results that must be certain
     // Fails, with a reason, for bodies physics refuses (too many parts, degenerate sizes).
     std::function<Result<std::unique_ptr<PhysicsScene>>(const BodyPlan&, const Environment&,
                                                         const SceneSettings&)>

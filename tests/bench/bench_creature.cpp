@@ -1,10 +1,8 @@
 #include "bench/bench_creature.h"
 
 #include "bench/workload.h"
-#include "core/assert.h"
-#include "core/random.h"
-#include "dynamics/planar_scene.h"
 #include "math/elementary.h"
+#include "support/body_plans.h"
 
 #include <cmath>
 
@@ -15,34 +13,12 @@ constexpr double kMuscleStress = 20.0;     // N m of torque a metre of section (
 constexpr double kBranchShare = 1.0 / 3;   // of attachments
 constexpr double kGroundClearance = 0.02;  // m
 
-std::uint8_t rotary_joint() {
-    const std::vector<JointEntry> joints = planar_scene_kind().joints;
-    for (std::size_t i = 0; i < joints.size(); ++i) {
-        if (joints[i].id == "rotary") return static_cast<std::uint8_t>(i);
-    }
-    CAMBRIAN_ASSERT(false, "the planar scene has rotary joints");
-    return 0;
-}
-
 PlannedPart random_rectangle(RandomStream& stream) {
     PlannedPart part;
     part.half_extents.x() = stream.uniform(0.10, 0.35);
     part.half_extents.y() = stream.uniform(0.03, 0.10);
-    part.joint_kind = rotary_joint();
+    part.joint_kind = kRotaryJoint;
     return part;
-}
-
-// Ties a part's near end to a point of its parent, turned by an angle against it.
-void attach(const BodyPlan& plan, PlannedPart& child, int parent, const Vec3& anchor,
-            double angle) {
-    const PlannedPart& base = plan.parts[static_cast<std::size_t>(parent)];
-    child.parent = parent;
-    child.anchor_in_parent = anchor;
-    child.anchor_in_child = Vec3(-child.half_extents.x(), 0.0, 0.0);
-    child.rest_angle = base.rest_angle + angle;
-    child.rest_pose = planar_pose(0.0, 0.0, child.rest_angle);
-    child.rest_pose.position =
-        transform(base.rest_pose, anchor) - child.rest_pose.orientation * child.anchor_in_child;
 }
 
 void attach_at_random(const BodyPlan& plan, PlannedPart& child, RandomStream& stream) {
@@ -53,10 +29,10 @@ void attach_at_random(const BodyPlan& plan, PlannedPart& child, RandomStream& st
         const Vec3& half = plan.parts[parent].half_extents;
         const double side = stream.chance(0.5) ? 1.0 : -1.0;
         const Vec3 anchor(stream.uniform(-half.x(), half.x()), side * half.y(), 0.0);
-        attach(plan, child, static_cast<int>(parent), anchor, side * kPi / 2 + bend);
+        join(plan, child, static_cast<int>(parent), anchor, side * kPi / 2 + bend);
     } else {
         const Vec3 anchor(plan.parts[last].half_extents.x(), 0.0, 0.0);
-        attach(plan, child, static_cast<int>(last), anchor, bend);
+        join(plan, child, static_cast<int>(last), anchor, bend);
     }
 }
 
@@ -121,14 +97,14 @@ BenchCreature passive_chain(std::size_t bodies, std::size_t ticks) {
     for (std::size_t i = 0; i < bodies; ++i) {
         PlannedPart part;
         part.half_extents = Vec3(half_length, half_width, 0.0);
-        part.joint_kind = rotary_joint();
+        part.joint_kind = kRotaryJoint;
         part.motor_mode = MotorMode::kTorque;
         part.limit_low = -free_range;
         part.limit_high = free_range;
         // Folded flat: parts that overlap at rest never collide.
         if (i > 0)
-            attach(creature.plan, part, static_cast<int>(i) - 1, Vec3(half_length, 0.0, 0.0),
-                   i % 2 == 1 ? kPi : -kPi);
+            join(creature.plan, part, static_cast<int>(i) - 1, Vec3(half_length, 0.0, 0.0),
+                 i % 2 == 1 ? kPi : -kPi);
         part.max_effort = i == 0 ? 0.0 : 0.01 + 0.002 * static_cast<double>(i * 5 % 7);  // N m
         creature.plan.parts.push_back(part);
         for (std::size_t tick = 0; tick < twisted_ticks; ++tick)

@@ -125,7 +125,7 @@ class Evolve(ProgramTest):
         self.assertIn("No space left on device", result.stderr)
         self.assertEqual((disk / "old.json").read_text(), "old")
 
-    def test_ctrl_c_finishes_the_generation_and_keeps_the_champion(self):
+    def test_ctrl_c_keeps_the_champion_of_the_last_finished_generation(self):
         self.write("long.toml", SMALL.replace("generations = 3", "generations = 1000000"))
         process = subprocess.Popen([CAMBRIAN, "evolve", "long.toml", "--json", "-o", "a.json"],
                                    cwd=self.folder, stdout=subprocess.PIPE, encoding="utf-8")

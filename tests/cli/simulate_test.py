@@ -59,6 +59,54 @@ class Simulate(ProgramTest):
                                          "--environment", "moon.toml").stdout)
         self.assertNotEqual(here["trajectory"], there["trajectory"])
 
+    def test_a_champion_is_recomputed_before_it_is_saved(self):
+        path = self.evolve_champion()
+        creature = json.loads(path.read_text())
+        recomputed = creature["scored"]["recomputed"]
+        self.assertEqual(recomputed["outcome"], "completed")
+        self.assertIn(recomputed["verdict"], ["clean", "suspect"])
+        report = json.loads(self.run_well("simulate", path.name, "--json").stdout)
+        self.assertEqual(report["recomputed"], recomputed)
+        self.assertIn("computed more finely", self.run_well("simulate", path.name).stdout)
+        self.assertIn("computed more finely", self.run_well("verify", path.name).stdout)
+        creature["scored"]["recomputed"]["fitness"] += 1e-9
+        path.write_text(json.dumps(creature))
+        result = self.run_program("verify", path.name)
+        self.assertEqual(result.returncode, FAILED)
+        self.assertIn("computed more finely it differs", result.stderr)
+
+    def test_a_report_tells_the_verdict_and_the_counters(self):
+        self.evolve_champion()
+        text = self.run_well("simulate", "champion.creature.json").stdout
+        self.assertRegex(text, r"audit: (clean|suspect); muscles worked \S+ J; unexplained \S+ J")
+        self.assertRegex(text, r"\d+ evaluations, \d+ steps, \d+ rejections, \d+ impacts, \d+ fall")
+        report = json.loads(self.run_well("simulate", "champion.creature.json", "--json").stdout)
+        self.assertIn(report["verdict"], ["clean", "suspect"])
+        for counter in ["evaluations", "steps", "rejections", "events", "fallbacks"]:
+            self.assertGreaterEqual(report["audit"][counter], 0)
+        self.assertGreater(report["audit"]["evaluations"], report["audit"]["steps"])
+        self.assertGreater(report["audit"]["max_part_speed"], 0)
+
+    def test_every_integrator_can_be_chosen_in_a_file_or_on_the_command_line(self):
+        self.evolve_champion()
+        trajectories = set()
+        for name in ["bogacki-shampine", "dormand-prince", "cash-karp", "semi-implicit",
+                     "least-squares"]:
+            self.write("chosen.toml",
+                       f'[simulation]\nintegrator = "{name}"\n[trial]\nduration = 2\n')
+            common = ["simulate", "champion.creature.json", "--json"]
+            asked = json.loads(self.run_well(*common, "--integrator", name).stdout)
+            written = json.loads(self.run_well(*common, "--environment", "chosen.toml").stdout)
+            self.assertEqual(asked["outcome"], "completed")
+            self.assertEqual(asked["trajectory"], written["trajectory"])
+            trajectories.add(asked["trajectory"])
+        self.assertEqual(len(trajectories), 5)
+
+    def test_an_unknown_integrator_is_refused_with_those_that_are_known(self):
+        self.evolve_champion()
+        result = self.run_program("simulate", "champion.creature.json", "--integrator", "euler")
+        self.assert_refused(result, "[simulation] integrator", '"euler"', "dormand-prince")
+
     def test_a_trace_that_cannot_be_written_is_refused(self):
         self.evolve_champion()
         result = self.run_program("simulate", "champion.creature.json", "--trace", "no/such/t.csv")

@@ -1,48 +1,15 @@
 #pragma once
 
-// Small bodies and worlds for the tests of physics.
+// Scenes of small bodies for the tests of physics.
 
-#include "core/random.h"
 #include "dynamics/planar_scene.h"
+#include "support/body_plans.h"
 
 #include <memory>
 
 namespace cambrian {
 
-inline constexpr double kTestTick = 1.0 / 60;  // s
-inline constexpr std::uint8_t kRigidJoint = 0;
-inline constexpr std::uint8_t kRotaryJoint = 1;
-inline constexpr std::uint8_t kLinearJoint = 2;
-
-// One box at rest with its centre at (x, y).
-BodyPlan one_box(double half_length, double half_width, double x, double y, double angle = 0.0);
-
-// Adds a part whose proximal end is joined to a point of the parent (in the parent's frame), turned
-// by an angle against it.
-PlannedPart& attach(BodyPlan& plan, int parent, const Vec3& anchor, double angle,
-                    std::uint8_t joint, double half_length = 0.2, double half_width = 0.05);
-
-// Boxes of 0.4 m x 0.1 m end to end along x, joined by rotary joints of +-limit rad.
-BodyPlan chain(int parts, double limit, double x = 0.0, double y = 0.0);
-
-// A tree as the acceptance tests of physics.md 12 grow them; limits +-0.4 to 1.2 rad (or 0.1 m),
-// effort caps of strength * smaller width.
-BodyPlan random_tree(RandomStream& random, int parts, double linear_share, double strength,
-                     double height);
-
-Environment empty_space();  // no gravity, ground or medium
-
 std::unique_ptr<PhysicsScene> make_scene(const BodyPlan& plan, const Environment& environment,
                                          const SceneSettings& settings = {});
-
-// Lifts the lowest corner 2 cm above the ground and starts the books.
-void stand_on_ground(PhysicsScene& scene);
-
-// Advances tick by tick; false if the scene became invalid.
-bool run(PhysicsScene& scene, double duration);
-
-// Sets the targets of a creature that flails: sines of up to max_frequency Hz, different in every
-// joint.
-void flail(PhysicsScene& scene, const BodyPlan& plan, double max_frequency);
 
 }  // namespace cambrian

@@ -10,15 +10,15 @@ namespace {
 
 constexpr double kHalf = 0.1;  // m
 
-// Heights of a box's first two apexes above its resting place, dropped flat from 1 m.
-std::vector<double> apexes(double elasticity, SceneAudit* audit = nullptr) {
+// Heights of a box's first apexes above its resting place, dropped flat from 1 m.
+std::vector<double> apexes(double elasticity, std::size_t count, SceneAudit* audit = nullptr) {
     Environment environment;
     environment.elasticity = elasticity;
     const auto scene = make_scene(one_box(0.2, kHalf, 0.0, 1.0 + kHalf), environment);
     std::vector<double> heights;
     double highest = 0.0;
     bool rising = false;
-    for (int tick = 0; tick < 60 * 20 && heights.size() < 2; ++tick) {
+    for (int tick = 0; tick < 60 * 30 && heights.size() < count; ++tick) {
         if (scene->advance(1.0 / 480) != SceneStatus::kRunning) break;
         const double speed = scene->center_of_mass_velocity().y();
         // The apex of the current parabola, from the state.
@@ -35,10 +35,10 @@ std::vector<double> apexes(double elasticity, SceneAudit* audit = nullptr) {
 
 TEST_CASE("a box bounces to the elasticity squared of its height", "[dynamics][collision]") {
     for (const double e : {0.5, 0.8, 1.0}) {
-        const std::vector<double> heights = apexes(e);
+        const std::vector<double> heights = apexes(e, 2);
         REQUIRE(heights.size() == 2);
-        CHECK(heights[0] == Approx(e * e).margin(1e-3));
-        CHECK(heights[1] == Approx(e * e * e * e).margin(1e-3));
+        CHECK(std::fabs(heights[0] - e * e) <= kContactBand);
+        CHECK(std::fabs(heights[1] - e * e * e * e) <= kContactBand);
     }
 }
 
@@ -47,15 +47,15 @@ TEST_CASE("a box without elasticity does not bounce", "[dynamics][collision]") {
     environment.elasticity = 0.0;
     const auto scene = make_scene(one_box(0.2, kHalf, 0.0, 1.0 + kHalf), environment);
     REQUIRE(run(*scene, 1.0));
-    CHECK(scene->center_of_mass().y() == Approx(kHalf).margin(1e-3));
+    CHECK(std::fabs(scene->center_of_mass().y() - kHalf) <= kContactBand);
     CHECK(scene->center_of_mass_velocity().norm() < 1e-3);
 }
 
 TEST_CASE("a perfectly elastic bounce does no work", "[dynamics][collision]") {
     SceneAudit audit;
-    REQUIRE(apexes(1.0, &audit).size() == 2);
-    CHECK(audit.events >= 2);
-    CHECK(std::fabs(audit.impulse_work) < 1e-3 * 0.08 * 9.81);
+    REQUIRE(apexes(1.0, 3, &audit).size() == 3);
+    CHECK(audit.events >= 3);
+    CHECK(std::fabs(audit.impulse_work) <= 1e-3 * 0.08 * 9.81);
     CHECK(std::fabs(audit.energy_residual) < 1e-6);
 }
 
@@ -77,7 +77,7 @@ TEST_CASE("a sliding box stops where friction says", "[dynamics][collision]") {
     REQUIRE(rig.run(2.0));
     CHECK(rig.moment.motion.position[center_of(rig.model, 0)] ==
           Approx(9.0 / (2 * 0.5 * 9.81)).epsilon(2e-4));
-    CHECK(std::fabs(rig.moment.motion.position[0]) < 1e-5);
+    CHECK(std::fabs(rig.moment.motion.position[0]) < 1e-6);
     CHECK(rig.moment.audit.contact_work == Approx(-0.5 * 0.08 * 9.0).epsilon(2e-4));
 }
 
@@ -112,12 +112,20 @@ TEST_CASE("a box dropped on its edge comes to rest for good", "[dynamics][collis
         const auto scene = make_scene(one_box(0.2, kHalf, 0.0, 1.0, angle), environment);
         REQUIRE(run(*scene, 5.0));
         const Vec3 place = scene->center_of_mass();
-        const std::uint64_t evaluations = scene->audit().evaluations;
-        REQUIRE(run(*scene, 5.0));
-        CHECK(scene->center_of_mass_velocity().norm() < 1e-4);
-        CHECK((scene->center_of_mass() - place).norm() < 1e-5);
-        CHECK(scene->audit().events <= 50);
-        CHECK(scene->audit().evaluations - evaluations <= 5 * 400);
+        const SceneAudit fallen = scene->audit();
+        CHECK(fallen.events <= 50);
+        double fastest = 0.0;
+        double creep = 0.0;
+        for (int tick = 0; tick < 5 * 60; ++tick) {
+            REQUIRE(run(*scene, kTestTick));
+            fastest = std::fmax(fastest, scene->center_of_mass_velocity().norm());
+            creep = std::fmax(creep, (scene->center_of_mass() - place).norm());
+        }
+        CHECK(fastest <= 1e-4);
+        CHECK(creep <= 1e-5);
+        CHECK(scene->audit().events == fallen.events);
+        CHECK(scene->audit().evaluations - fallen.evaluations <= 5 * 400);
+        CHECK(scene->audit().evaluations <= 10 * 400);
     }
 }
 

@@ -1,3 +1,4 @@
+#include "core/thread_pool.h"
 #include "dynamics/bodies.h"
 #include "support/catch.h"
 
@@ -36,6 +37,28 @@ TEST_CASE("the same walk gives the same bits", "[dynamics][determinism]") {
         walk(*second, plan, 200);
         CHECK(digest_of(*first) == digest_of(*second));
     }
+}
+
+TEST_CASE("any number of threads gives the same bits", "[dynamics][determinism][threads]") {
+    constexpr std::size_t kCreatures = 64;
+    const auto digests_on = [](std::size_t threads) {
+        std::vector<std::uint64_t> digests(kCreatures);
+        ThreadPool pool(threads);
+        pool.parallel_for(kCreatures, [&](std::size_t index, std::size_t) {
+            const BodyPlan plan = walker(index);
+            const auto scene = planar_scene_kind().make(plan, {}, {});
+            for (int tick = 0; tick < 120; ++tick) {
+                flail(**scene, plan, 2.0);
+                static_cast<void>((*scene)->advance(kTestTick));
+            }
+            digests[index] = digest_of(**scene);
+        });
+        return digests;
+    };
+    const std::vector<std::uint64_t> alone = digests_on(1);
+    CHECK(digests_on(1) == alone);
+    CHECK(digests_on(2) == alone);
+    CHECK(digests_on(8) == alone);
 }
 
 TEST_CASE("a restored scene goes on with the same bits", "[dynamics][determinism]") {

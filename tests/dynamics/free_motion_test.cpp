@@ -17,18 +17,24 @@ Rig spinning_chain(const std::string& integrator, double tolerance) {
     return rig;
 }
 
+// Greatest over all ticks: at a single moment a drift may pass through 0.
 struct Drift {
-    double energy;
-    double momentum;
+    double energy = 0.0;
+    double momentum = 0.0;
 };
 
 Drift drift_after_ten_seconds(const std::string& integrator, double tolerance) {
     Rig rig = spinning_chain(integrator, tolerance);
     const double energy = rig.energy();
     const double momentum = rig.angular_momentum();
-    REQUIRE(rig.run(10.0));
-    return {std::fabs(rig.energy() / energy - 1.0),
-            std::fabs(rig.angular_momentum() / momentum - 1.0)};
+    Drift drift;
+    for (int tick = 0; tick < 600; ++tick) {
+        REQUIRE(rig.run(kTestTick));
+        drift.energy = std::fmax(drift.energy, std::fabs(rig.energy() / energy - 1.0));
+        drift.momentum =
+            std::fmax(drift.momentum, std::fabs(rig.angular_momentum() / momentum - 1.0));
+    }
+    return drift;
 }
 
 }  // namespace
@@ -63,10 +69,12 @@ TEST_CASE("a free chain keeps its energy and angular momentum", "[dynamics][free
 }
 
 TEST_CASE("a tenth of the tolerance is a fifth of the drift", "[dynamics][free_motion]") {
-    const Drift coarse = drift_after_ten_seconds("bogacki-shampine", 1e-4);
-    const Drift fine = drift_after_ten_seconds("bogacki-shampine", 1e-5);
-    CHECK(fine.energy < coarse.energy / 5);
-    CHECK(fine.momentum < coarse.momentum / 5);
+    for (const double tolerance : {1e-3, 1e-4, 1e-5}) {
+        const Drift coarse = drift_after_ten_seconds("bogacki-shampine", tolerance);
+        const Drift fine = drift_after_ten_seconds("bogacki-shampine", 0.1 * tolerance);
+        CHECK(fine.energy <= coarse.energy / 5);
+        CHECK(fine.momentum <= coarse.momentum / 5);
+    }
 }
 
 TEST_CASE("Dormand-Prince keeps energy and momentum closer still", "[dynamics][free_motion]") {
@@ -76,7 +84,8 @@ TEST_CASE("Dormand-Prince keeps energy and momentum closer still", "[dynamics][f
     CHECK(coarse.momentum < 1e-4);
     CHECK(fine.energy < 1e-5);
     CHECK(fine.momentum < 1e-5);
-    CHECK(fine.energy < coarse.energy / 8);
+    CHECK(fine.energy <= coarse.energy / 8);
+    CHECK(fine.momentum <= coarse.momentum / 8);
 }
 
 TEST_CASE("muscles cannot move the centre of mass in empty space", "[dynamics][free_motion]") {

@@ -102,6 +102,20 @@ TEST_CASE("a scene that runs away stands still and says so", "[dynamics][scene]"
     CHECK(scene->time() == time);
 }
 
+TEST_CASE("motion too stiff for its budget leaves the scene as it was", "[dynamics][scene]") {
+    Environment treacle = empty_space();
+    treacle.gravity = 9.81;
+    treacle.viscosity_linear = 1e4;
+    treacle.density = 1e-3;
+    const auto scene = make_scene(chain(3, 1.0, 0.0, 2.0), treacle);
+    const Vec3 center = scene->center_of_mass();
+    CHECK(!run(*scene, 1.0));
+    CHECK(scene->status() == SceneStatus::kOverBudget);
+    CHECK(scene->audit().evaluations <= 60000);
+    CHECK((scene->center_of_mass() - center).norm() < 1e-3);
+    CHECK(std::isfinite(scene->audit().energy_residual));
+}
+
 TEST_CASE("a restarted audit counts from now", "[dynamics][scene]") {
     const auto scene = make_scene(one_box(0.3, 0.1, 0.0, 1.0), {});
     REQUIRE(run(*scene, 1.0));

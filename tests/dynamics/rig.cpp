@@ -14,6 +14,12 @@ PlanarModel built(const BodyPlan& plan, double density) {
     return *model;
 }
 
+SceneSettings settings_with(double tolerance) {
+    SceneSettings settings;
+    settings.tolerance = tolerance;
+    return settings;
+}
+
 const IntegratorKind& found(const std::string& id) {
     const IntegratorKind* kind = builtin_integrators().find(id);
     REQUIRE(kind != nullptr);
@@ -26,7 +32,7 @@ Rig::Rig(const BodyPlan& plan, const Environment& environment, const std::string
          double tolerance)
     : model(built(plan, environment.density)),
       law{environment.friction, environment.elasticity, environment.has_ground},
-      control(found(integrator), tolerance) {
+      control(found(integrator), settings_with(tolerance)) {
     const SineCosine turn = sine_cosine(to_radians(environment.gravity_direction));
     forcing.medium = {environment.gravity * turn.cosine, environment.gravity * turn.sine,
                       environment.viscosity_linear, environment.viscosity_quadratic};

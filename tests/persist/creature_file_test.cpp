@@ -4,6 +4,7 @@
 #include "genome/random_genome.h"
 #include "persist/sample_creature.h"
 #include "support/catch.h"
+#include "support/creatures.h"
 #include "support/temporary_directory.h"
 
 using namespace cambrian;
@@ -98,6 +99,7 @@ TEST_CASE("an individual's file tells how it was bred and scored", "[persist][cr
     individual.evaluated = true;
     individual.result.fitness = 1.5;
     individual.result.digest = 99;
+    individual.result.finer = FinerResult{.score = 1.25};
     ExperimentSettings settings;
     settings.seed = 3;
     const CreatureDocument document = creature_document(individual, settings, kinds());
@@ -108,4 +110,27 @@ TEST_CASE("an individual's file tells how it was bred and scored", "[persist][cr
     CHECK(document.scored->unit == "BL/s");
     CHECK(document.scored->trajectory == 99);
     CHECK(document.scored->seed == 3);
+    CHECK(document.scored->finer == FinerResult{.score = 1.25});
+}
+
+TEST_CASE("a score is recomputed more finely once, unless that is stopped",
+          "[persist][creature_file]") {
+    CreatureDocument document = sample_document();
+    document.genome = *crawler(kinds().creature.catalog);
+    document.scored->finer.reset();
+    document.scored->world.trial.duration = 1.0;
+    recompute_score(document, kinds());
+    REQUIRE(document.scored->finer);
+    CHECK(document.scored->finer->outcome == Outcome::kCompleted);
+    CHECK(document.scored->finer->verdict == AuditVerdict::kClean);
+    document.scored->finer->score = 77.0;
+    recompute_score(document, kinds());
+    CHECK(document.scored->finer->score == 77.0);
+
+    document.scored->finer.reset();
+    document.scored->world.trial.duration = 1e4;
+    std::stop_source stop;
+    stop.request_stop();
+    recompute_score(document, kinds(), stop.get_token());
+    CHECK_FALSE(document.scored->finer);
 }

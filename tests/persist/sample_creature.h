@@ -47,6 +47,7 @@ inline CreatureDocument sample_document() {
     scored.fitness = 0.412;
     scored.unit = "BL/s";
     scored.trajectory = 0x77e0123456789abcULL;
+    scored.finer = {.outcome = Outcome::kCheated, .score = 0.4, .verdict = AuditVerdict::kSuspect};
     document.scored = scored;
     return document;
 }

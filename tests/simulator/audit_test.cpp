@@ -1,6 +1,7 @@
 #include "simulator/audit.h"
 
 #include "support/catch.h"
+#include "support/kinds.h"
 
 using namespace cambrian;
 
@@ -16,4 +17,29 @@ TEST_CASE("an audit is suspect above 5 % unexplained or 10 % given energy", "[si
     audit.energy_residual = 0.0;
     audit.positive_work = 0.201;
     CHECK(judge(audit) == AuditVerdict::kSuspect);
+}
+
+TEST_CASE("a trial whose motion could not be computed is invalid", "[simulator][audit]") {
+    TrialRecord record;
+    record.audit.energy_scale = 1.0;
+    for (const Outcome outcome : {Outcome::kCompleted, Outcome::kCheated}) {
+        record.outcome = outcome;
+        CHECK(judge(record) == AuditVerdict::kClean);
+    }
+    for (const Outcome outcome : {Outcome::kDiverged, Outcome::kOverBudget}) {
+        record.outcome = outcome;
+        CHECK(judge(record) == AuditVerdict::kInvalid);
+    }
+}
+
+TEST_CASE("finer settings are those of the most accurate integrator, with more work allowed",
+          "[simulator][audit]") {
+    SceneSettings settings;
+    settings.motor_frequency = 31.0;
+    const SceneSettings finer = finer_settings(settings, test::kinds().creature.scene);
+    CHECK(finer.integrator == "dormand-prince");
+    CHECK(finer.tolerance == Approx(0.1 * settings.tolerance));
+    CHECK(finer.contact_step == Approx(0.5 * settings.contact_step));
+    CHECK(finer.max_evaluations > settings.max_evaluations);
+    CHECK(finer.motor_frequency == 31.0);
 }

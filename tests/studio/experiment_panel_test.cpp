@@ -53,6 +53,17 @@ TEST_CASE("choosing a goal brings the world it makes sense in", "[studio][experi
     CHECK_FALSE(edit.settings.world.environment.has_ground);
 }
 
+TEST_CASE("every integrator can be chosen, the reference mode too", "[studio][experiment_panel]") {
+    for (const std::string& id : test::kinds().creature.scene.integrators) {
+        PanelRun run;
+        if (id == run.studio.editor().draft().world.scene.integrator) continue;
+        run.click("group simulation");
+        run.click("simulation.integrator");
+        run.click("simulation.integrator=" + id);
+        CHECK(test::asked<EditSettings>(run.out).settings.world.scene.integrator == id);
+    }
+}
+
 TEST_CASE("a preset changes the world and keeps the bodies' density",
           "[studio][experiment_panel]") {
     PanelRun run;

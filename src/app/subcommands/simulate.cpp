@@ -2,13 +2,11 @@
 #include "app/motion_trace.h"
 #include "app/output_path.h"
 #include "app/subcommands/subcommands.h"
+#include "app/trial_report.h"
 #include "core/file_io.h"
-#include "core/number_text.h"
 #include "evolution/evaluation.h"
 #include "evolution/setting_field.h"
 #include "persist/creature_file.h"
-#include "persist/digest_text.h"
-#include "persist/quoted_text.h"
 #include "persist/settings_file.h"
 
 #include <CLI/CLI.hpp>
@@ -22,6 +20,7 @@ struct SimulateOptions {
     std::string creature;
     std::string environment;
     std::string trace;
+    std::string integrator;
     std::optional<double> seconds;
     bool json = false;
 };
@@ -33,6 +32,7 @@ Result<ExperimentSettings> world_of(const SimulateOptions& options,
         document.scored ? settings_of(*document.scored) : ExperimentSettings{};
     if (!options.environment.empty()) settings = load_settings(options.environment, kinds);
     if (!settings) return settings.error();
+    if (!options.integrator.empty()) settings->world.scene.integrator = options.integrator;
     settings->world.trial.duration = options.seconds.value_or(settings->world.trial.duration);
     if (const Status valid = check_settings(*settings, kinds); !valid) return valid.error();
     return settings;
@@ -55,25 +55,6 @@ Result<std::string> trace_of(const GenomePtr& genome, const ExperimentSettings& 
     return trace.csv();
 }
 
-std::string report(const EvaluationResult& result, const std::string& unit, bool json) {
-    const std::string outcome(outcome_name(result.outcome));
-    if (json) {
-        return "{\"outcome\": " + quoted_text(outcome) +
-               ", \"reason\": " + quoted_text(result.reason) +
-               ", \"fitness\": " + real_text(result.fitness) + ", \"unit\": " + quoted_text(unit) +
-               ", \"body_length\": " + real_text(result.body_length) +
-               ", \"mass\": " + real_text(result.mass) +
-               ", \"parts\": " + std::to_string(result.parts) +
-               ", \"neurons\": " + std::to_string(result.neurons) +
-               ", \"trajectory\": " + quoted_text(digest_text(result.digest)) + "}";
-    }
-    return outcome + (result.reason.empty() ? "" : " (" + result.reason + ")") + ": " +
-           short_text(result.fitness) + " " + unit + "\n" + std::to_string(result.parts) +
-           " parts, " + std::to_string(result.neurons) + " neurons at work, " +
-           short_text(result.body_length) + " m long, " + short_text(result.mass) + " kg\nmotion " +
-           digest_text(result.digest);
-}
-
 class SimulateSubcommand final : public Subcommand {
 public:
     void add_options(CLI::App& app) override {
@@ -81,6 +62,8 @@ public:
             ->required();
         app.add_option("-e,--environment", options_.environment,
                        "Settings file whose world and goal to use instead of the creature's own");
+        app.add_option("--integrator", options_.integrator,
+                       "Integrator to use instead of the world's; 'cambrian settings' lists them");
         app.add_option("--seconds", options_.seconds, "Length of the trial, instead of its own");
         app.add_option("--trace", options_.trace,
                        "Write every part's motion to this file, as CSV with a row a tick");
@@ -98,8 +81,11 @@ public:
             const ExitStatus traced = write_trace(genome, *settings, kinds.creature);
             if (traced != ExitStatus::kDone) return traced;
         }
-        const EvaluationResult result = evaluate({.genome = genome}, *settings, kinds);
-        print_line(report(result, kinds.goals.find(settings->goal)->unit, options_.json));
+        EvaluationResult result = evaluate({.genome = genome}, *settings, kinds);
+        if (result.outcome == Outcome::kCompleted && !result.finer)
+            result.finer = recompute(*genome, *settings, kinds);
+        const std::string& unit = kinds.goals.find(settings->goal)->unit;
+        print_line(options_.json ? trial_json(result, unit) : trial_text(result, unit));
         return ExitStatus::kDone;
     }
 

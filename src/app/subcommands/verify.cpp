@@ -1,5 +1,6 @@
 #include "app/messages.h"
 #include "app/subcommands/subcommands.h"
+#include "app/trial_report.h"
 #include "core/number_text.h"
 #include "evolution/evaluation.h"
 #include "persist/creature_file.h"
@@ -10,10 +11,13 @@
 namespace cambrian {
 namespace {
 
-// The trial of the file, run again here and now.
+// The trial of the file, run again here and now; also more finely if that was kept.
 EvaluationResult replay(const CreatureDocument& document, const EvolutionKinds& kinds) {
     const auto genome = std::make_shared<const Genome>(document.genome);
-    return evaluate({.genome = genome}, settings_of(*document.scored), kinds);
+    const ExperimentSettings settings = settings_of(*document.scored);
+    EvaluationResult result = evaluate({.genome = genome}, settings, kinds);
+    if (document.scored->finer && !result.finer) result.finer = recompute(*genome, settings, kinds);
+    return result;
 }
 
 ExitStatus verify(const std::string& file, const EvolutionKinds& kinds) {
@@ -25,7 +29,16 @@ ExitStatus verify(const std::string& file, const EvolutionKinds& kinds) {
     const ScoredRecord& scored = *document->scored;
     const EvaluationResult result = replay(*document, kinds);
     if (result.digest == scored.trajectory && result.fitness == scored.fitness) {
-        print_line(file + ": replay verified, " + short_text(result.fitness) + " " + scored.unit);
+        if (scored.finer && result.finer != scored.finer)
+            return fail({file + ": computed more finely it differs: " +
+                         finer_text(*result.finer, scored.unit) + " instead of " +
+                         finer_text(*scored.finer, scored.unit)},
+                        ExitStatus::kFailed);
+        std::string message = file + ": replay verified, " + short_text(result.fitness) + " " +
+                              scored.unit + ", " + std::string(verdict_name(result.verdict));
+        if (scored.finer)
+            message += "; computed more finely " + finer_text(*scored.finer, scored.unit);
+        print_line(message);
         return ExitStatus::kDone;
     }
     std::string message = file + ": the replay differs: " + short_text(result.fitness) + " " +

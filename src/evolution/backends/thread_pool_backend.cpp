@@ -25,7 +25,10 @@ public:
         return pool_.parallel_for(
             open.size(),
             [&](std::size_t index, std::size_t) {
-                results[open[index]] = cambrian::evaluate(requests[open[index]], settings, kinds_);
+                EvaluationResult result =
+                    cambrian::evaluate(requests[open[index]], settings, kinds_, stop);
+                if (result.outcome == Outcome::kInterrupted) return;
+                results[open[index]] = std::move(result);
                 progress.done.fetch_add(1, std::memory_order_relaxed);
             },
             stop);

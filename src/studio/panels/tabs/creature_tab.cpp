@@ -26,10 +26,11 @@ void draw_headline(const FrameContext& frame) {
     caption(goal == nullptr ? "Fitness" : goal->label);
     const WithFont font(ui().fonts.title);
     const auto& result = frame.playback.exhibit().result;
-    if (frame.score != nullptr) {
-        ImGui::TextUnformatted(measured(frame.score->score.value, unit_of(frame)).c_str());
-    } else if (result) {
+    // What counted, shaking and suspicion included, if it was ever judged.
+    if (result) {
         ImGui::TextUnformatted(measured(result->fitness, unit_of(frame)).c_str());
+    } else if (frame.score != nullptr) {
+        ImGui::TextUnformatted(measured(frame.score->score.value, unit_of(frame)).c_str());
     } else {
         ImGui::TextUnformatted("…");
     }
@@ -49,6 +50,17 @@ void draw_verification(const FrameContext& frame) {
     }
 }
 
+// What the same trial came to when it was computed more finely.
+void draw_recomputed(const FrameContext& frame) {
+    const auto& result = frame.playback.exhibit().result;
+    if (!result || !result->finer) return;
+    const FinerResult& finer = *result->finer;
+    fact("Computed more finely", finer.outcome == Outcome::kCompleted
+                                     ? measured(finer.score, unit_of(frame))
+                                     : std::string(outcome_name(finer.outcome)));
+    fact("Its audit", std::string(verdict_name(finer.verdict)));
+}
+
 void draw_score(const FrameContext& frame) {
     section("How it was scored");
     if (frame.score == nullptr) {
@@ -64,6 +76,7 @@ void draw_score(const FrameContext& frame) {
     }
     for (const ScoreTerm& term : frame.score->score.terms)
         fact(capitalized(term.label), measured(term.value, term.unit));
+    draw_recomputed(frame);
     draw_verification(frame);
 }
 
@@ -93,16 +106,37 @@ void draw_origin(const FrameContext& frame) {
     }
 }
 
+void draw_verdict(AuditVerdict verdict) {
+    const WithTextColor color(verdict == AuditVerdict::kClean ? colors().accent : colors().danger);
+    ImGui::TextUnformatted(capitalized(std::string(verdict_name(verdict))).c_str());
+    tooltip(
+        "Clean: contacts, limits and rounding gave the creature no energy worth mentioning. "
+        "Suspect: they may have. Invalid: the motion could not be computed.");
+}
+
+std::string share_text(double work, double scale) {
+    return scale > 0.0 ? format("%.2g %%", 100.0 * work / scale) : measured(work, "J");
+}
+
 void draw_audit(const FrameContext& frame) {
     if (frame.score == nullptr) return;
     section("Energy audit");
     const SceneAudit& audit = frame.score->record.audit;
+    draw_verdict(judge(frame.score->record));
     fact("Muscle work", measured(audit.gross_motor_work, "J"));
     fact("Lost to drag", measured(-audit.drag_work, "J"));
     fact("Lost to contact", measured(-audit.contact_work - audit.impulse_work, "J"));
-    fact("Unexplained", measured(audit.energy_residual, "J"));
+    fact("Unexplained", share_text(audit.energy_residual, audit.energy_scale));
+    fact("Given by contacts", share_text(audit.positive_work, audit.energy_scale));
     fact("Deepest contact", measured(1e3 * audit.max_penetration, "mm"));
+    fact("Farthest past a limit", measured(audit.max_limit_overrun, "rad"));
     fact("Fastest part", measured(audit.max_part_speed, "m/s"));
+    section("Work of the computer");
+    fact("Evaluations", std::to_string(audit.evaluations));
+    fact("Steps", std::to_string(audit.steps));
+    fact("Steps tried again", std::to_string(audit.rejections));
+    fact("Impacts", std::to_string(audit.events));
+    fact("Fallbacks", std::to_string(audit.fallbacks));
 }
 
 }  // namespace
