@@ -20,10 +20,9 @@ void join(const BodyPlan& plan, PlannedPart& child, int parent, const Vec3& anch
     child.anchor_in_parent = anchor;
     child.anchor_in_child = Vec3(-child.half_extents.x(), 0.0, 0.0);
     child.rest_angle = base.rest_angle + angle;
-    const Vec3 hinge = transform(base.rest_pose, anchor);
-    const SineCosine turn = sine_cosine(child.rest_angle);
-    child.rest_pose = planar_pose(hinge.x() + child.half_extents.x() * turn.cosine,
-                                  hinge.y() + child.half_extents.x() * turn.sine, child.rest_angle);
+    child.rest_pose = planar_pose(0.0, 0.0, child.rest_angle);
+    child.rest_pose.position =
+        transform(base.rest_pose, anchor) - child.rest_pose.orientation * child.anchor_in_child;
 }
 
 PlannedPart& attach(BodyPlan& plan, int parent, const Vec3& anchor, double angle,
