@@ -40,17 +40,10 @@ CAMBRIAN_WIDE void note_speeds(const PlanarModel& model, const Kinematics& k, Sc
     audit.max_part_spin = std::max(audit.max_part_spin, largest_of(spin));
 }
 
-CAMBRIAN_WIDE void note_depths(const PlanarModel& model, const Kinematics& kinematics,
-                               const ContactSet& contacts, SceneAudit& audit) {
+void note_depths(const ContactSet& contacts, double limit_overrun, SceneAudit& audit) {
     for (int c = 0; c < contacts.count; ++c)
         audit.max_penetration = std::max(audit.max_penetration, -contacts.items[c].gap);
-    Lanes overrun = {};
-    for (int i = 0; i < model.body_count; i += kLanes) {
-        const Lanes angle = load_lanes(kinematics.joint_position + i);
-        overrun = greater(overrun, load_lanes(model.limit_low + i) - angle);
-        overrun = greater(overrun, angle - load_lanes(model.limit_high + i));
-    }
-    audit.max_limit_overrun = std::max(audit.max_limit_overrun, largest_of(overrun));
+    audit.max_limit_overrun = std::max(audit.max_limit_overrun, limit_overrun);
 }
 
 void close_books(const PlanarModel& model, const Medium& medium, SceneMoment& moment) {

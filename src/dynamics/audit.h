@@ -14,8 +14,7 @@ double mechanical_energy(const PlanarModel& model, const Medium& medium, const M
 void note_speeds(const PlanarModel& model, const Kinematics& kinematics, SceneAudit& audit);
 
 // Deepest penetration and widest limit overrun.
-void note_depths(const PlanarModel& model, const Kinematics& kinematics, const ContactSet& contacts,
-                 SceneAudit& audit);
+void note_depths(const ContactSet& contacts, double limit_overrun, SceneAudit& audit);
 
 // Brings the works and the residual up to the moment, which must be current.
 void close_books(const PlanarModel& model, const Medium& medium, SceneMoment& moment);

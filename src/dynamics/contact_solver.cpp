@@ -14,6 +14,7 @@ constexpr double kPushSpeed = 0.5;          // m/s; cap of that
 constexpr double kLimitPushSpeed = 1.0;     // rad/s or m/s
 constexpr double kNominalStep = 1.0 / 120;  // s
 constexpr double kWorkAllowance = 1e-3;     // J per (kg m/s^2): M g (1 m) * this
+constexpr double kAnchorWeights = 10.0;     // weights of the body that friction holds without slip
 constexpr double kReferenceGravity = 9.81;  // m/s^2
 
 // How far above its demand r + W p >= 0 a row may stay: lands at gap 0 with rate 0 in two steps,
@@ -131,18 +132,21 @@ bool ContactSolver::hold(const PlanarModel& model, const ContactLaw& law, double
                          Forcing& forcing) {
     set_resting_bias(h, bias_);
     load_warm_start(h, warm);
-    anchor_friction();
+    anchor_friction(model, h);
     const bool solved = solve_resting(model, law, h);
     store_forces(h, warm, forcing);
     return solved;
 }
 
 // The softness of friction rows pulls towards the last step's force, not towards none: what holds
-// still keeps holding still, without creep.
-void ContactSolver::anchor_friction() {
+// still keeps holding still, without creep. Only up to a few times the weight: parts wedged against
+// each other would keep any stress they once built up.
+void ContactSolver::anchor_friction(const PlanarModel& model, double h) {
+    const double most = kAnchorWeights * model.total_mass * kReferenceGravity * h;
     for (int row = 0; row < rows_.count; ++row) {
-        if (rows_.kind[row] == RowKind::kFriction)
-            bias_[row] -= rows_.regularization[row] * rows_.impulse[row];
+        if (rows_.kind[row] != RowKind::kFriction) continue;
+        const double anchor = std::clamp(rows_.impulse[row], -most, most);
+        bias_[row] -= rows_.regularization[row] * anchor;
     }
 }
 

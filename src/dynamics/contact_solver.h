@@ -78,7 +78,7 @@ private:
     bool solve_resting(const PlanarModel& model, const ContactLaw& law, double h);
     double resting_work(double h) const;
     double impact_work() const;
-    void anchor_friction();
+    void anchor_friction(const PlanarModel& model, double h);
     void load_warm_start(double h, const WarmStart& warm);
     void store_forces(double h, WarmStart& warm, Forcing& forcing);
 

@@ -169,6 +169,16 @@ void compute_kinematics(const PlanarModel& model, const Motion& motion, Kinemati
     compute_places(model, motion, kinematics);
 }
 
+CAMBRIAN_WIDE double limit_overrun(const PlanarModel& model, const Kinematics& k) {
+    Lanes overrun = {};
+    for (int i = 0; i < model.body_count; i += kLanes) {
+        const Lanes position = load_lanes(k.joint_position + i);
+        overrun = greater(overrun, load_lanes(model.limit_low + i) - position);
+        overrun = greater(overrun, position - load_lanes(model.limit_high + i));
+    }
+    return largest_of(overrun);
+}
+
 double kinetic_energy(const PlanarModel& model, const Kinematics& k) {
     double energy = 0.0;
     for (int i = 0; i < model.body_count; ++i) {

@@ -30,6 +30,9 @@ void compute_joints(const PlanarModel& model, const Motion& motion, Kinematics& 
 void compute_velocities(const PlanarModel& model, const Motion& motion, Kinematics& kinematics);
 void compute_places(const PlanarModel& model, const Motion& motion, Kinematics& kinematics);
 
+// How far the worst joint is past its limits, rad or m; 0 if none is.
+double limit_overrun(const PlanarModel& model, const Kinematics& kinematics);
+
 double kinetic_energy(const PlanarModel& model, const Kinematics& kinematics);  // J
 
 }  // namespace cambrian

@@ -17,7 +17,9 @@ constexpr double kPatientShare = 1.0 / 8;    // of the contact step
 constexpr int kPatience = 4;                 // collapses in a row before a step without held forces
 constexpr double kBudgetTime =
     1.0;  // s; of evaluations that may be spent before time pays for them
-constexpr double kHalvingStep = 1.0 / 960;  // s; shorter ones are not halved for their work
+constexpr double kHalvingStep = 1.0 / 960;  // s; shorter ones are not halved
+constexpr double kMaxOverrun = 0.03;        // rad or m past a stop
+constexpr double kOverrunGrowth = 0.01;     // of that in one step
 constexpr double kWorkAllowance = 3e-4;     // J per (kg m/s^2)
 constexpr double kReferenceGravity = 9.81;  // m/s^2
 constexpr double kMinStep = 1e-6;           // s
@@ -220,14 +222,19 @@ const MotionRate& StepControl::held_start_rate(Tick& tick) {
     return held_rate_;
 }
 
-// Contacts and stops that do work are a sign of a step too long for constant forces.
+// Contacts and stops that do work are a sign of a step too long for constant forces, and so is a
+// joint that runs past a stop nobody foresaw.
 bool StepControl::must_halve(const Tick& tick, bool has_rows, double h) {
+    const Kinematics& start = tick.moment.frame().kinematics;
+    const Kinematics& end = tick.moment.spare_frame().kinematics;
     work_ = {};
-    if (!has_rows) return false;
-    work_ = contacts_.held_work(tick.model, tick.forcing, tick.moment.frame().kinematics,
-                                tick.moment.spare_frame().kinematics);
+    if (has_rows) work_ = contacts_.held_work(tick.model, tick.forcing, start, end);
+    end_overrun_ = limit_overrun(tick.model, end);
+    if (h <= kHalvingStep) return false;
     const double allowance = kWorkAllowance * tick.model.total_mass * kReferenceGravity;
-    return work_.positive > allowance && h > kHalvingStep;
+    if (work_.positive > allowance) return true;
+    return end_overrun_ > kMaxOverrun &&
+           end_overrun_ > limit_overrun(tick.model, start) + kOverrunGrowth;
 }
 
 void StepControl::accept(Tick& tick, bool has_rows, double h) {
@@ -243,9 +250,10 @@ void StepControl::accept(Tick& tick, bool has_rows, double h) {
 // Up to the impact found within the step; result_ and the spare frame hold the motion there.
 void StepControl::accept_part(Tick& tick, double h, double share) {
     SceneMoment& moment = tick.moment;
-    work_ = contacts_.held_work(tick.model, tick.forcing, moment.frame().kinematics,
-                                moment.spare_frame().kinematics);
-    keep_books(tick, moment.spare_frame().kinematics);
+    const Kinematics& end = moment.spare_frame().kinematics;
+    work_ = contacts_.held_work(tick.model, tick.forcing, moment.frame().kinematics, end);
+    end_overrun_ = limit_overrun(tick.model, end);
+    keep_books(tick, end);
     copy_motion(tick.model, result_.end, moment.motion);
     moment.frame_is_current = false;
     tick.time += share * h;
@@ -279,7 +287,7 @@ void StepControl::keep_books(Tick& tick, const Kinematics& end) {
     audit.positive_work += work_.positive;
     ++audit.steps;
     note_speeds(tick.model, end, audit);
-    note_depths(tick.model, end, contacts_.near(), audit);
+    note_depths(contacts_.near(), end_overrun_, audit);
     const ContactSet& chosen = contacts_.chosen();
     for (int c = 0; c < chosen.count; ++c) {
         const Contact& contact = chosen.items[c];

@@ -93,7 +93,8 @@ private:
     MotionRate held_rate_ = {};
     const MotionRate* start_rate_ = nullptr;  // of the attempt under way
     StepResult result_;
-    HeldWork work_;
+    HeldWork work_;             // of the attempt under way
+    double end_overrun_ = 0.0;  // rad or m; of its end
 };
 
 }  // namespace cambrian
