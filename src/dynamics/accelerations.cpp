@@ -78,14 +78,14 @@ CAMBRIAN_WIDE void compute_loads(const PlanarModel& model, const Forcing& forcin
 }
 
 CAMBRIAN_WIDE void evaluate_accelerations(const PlanarModel& model, const Forcing& forcing,
-                                          const Motion& motion, double tick_share,
-                                          FrameDetail detail, Frame& frame, MotionRate& rate) {
-    const bool all = detail == FrameDetail::kEverything;
+                                          const Motion& motion, const EvaluationPoint& point,
+                                          Frame& frame, MotionRate& rate) {
+    const bool all = point.detail == FrameDetail::kEverything;
     compute_joints(model, motion, frame.kinematics);
     if (all || forcing.pulled || is_dragged(forcing.medium))
         compute_velocities(model, motion, frame.kinematics);
     if (all || holds_pairs(forcing)) compute_places(model, motion, frame.kinematics);
-    compute_loads(model, forcing, tick_share, frame, rate);
+    compute_loads(model, forcing, point.tick_share, frame, rate);
     solve_accelerations(model, frame.kinematics, frame.loads, frame.factors, frame.response);
     const int count = coordinate_count(model);
     for (int c = 0; c < count; c += kLanes)

@@ -20,9 +20,13 @@ struct Frame {
 // or all of it.
 enum class FrameDetail : std::uint8_t { kAccelerations, kEverything };
 
-// tick_share: where in the tick, 0 to 1, for the motors' targets.
+struct EvaluationPoint {
+    double tick_share = 0.0;  // where in the tick, 0 to 1, for the motors' targets
+    FrameDetail detail = FrameDetail::kEverything;
+};
+
 void evaluate_accelerations(const PlanarModel& model, const Forcing& forcing, const Motion& motion,
-                            double tick_share, FrameDetail detail, Frame& frame, MotionRate& rate);
+                            const EvaluationPoint& point, Frame& frame, MotionRate& rate);
 
 // All explicit forces and efforts into the frame, with their powers into rate; the frame's
 // kinematics are given.

@@ -18,7 +18,7 @@ struct MotionSystem {
     // time: s since the tick's start.
     void evaluate(const Motion& motion, double time, FrameDetail detail, Frame& frame,
                   MotionRate& rate) const {
-        evaluate_accelerations(model, forcing, motion, time / tick_length, detail, frame, rate);
+        evaluate_accelerations(model, forcing, motion, {time / tick_length, detail}, frame, rate);
     }
 };
 

@@ -215,8 +215,8 @@ void PlanarScene::use_environment(const Environment& environment) {
 void PlanarScene::evaluate_here() {
     forcing_.contact_count = 0;
     forcing_.limits_active = false;
-    evaluate_accelerations(model_, forcing_, moment_.motion, 0.0, FrameDetail::kEverything,
-                           moment_.frame(), moment_.free_rate);
+    evaluate_accelerations(model_, forcing_, moment_.motion, {}, moment_.frame(),
+                           moment_.free_rate);
 }
 
 void PlanarScene::set_environment(const Environment& environment) {

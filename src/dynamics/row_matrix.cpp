@@ -56,12 +56,16 @@ CAMBRIAN_INLINE void clear(BodySet bodies, Impulses& impulses) {
     }
 }
 
+struct Wrench {
+    double x, y, moment;
+};
+
 // A wrench about the body's centre, taken to its pivot.
-CAMBRIAN_INLINE void put_wrench(const Kinematics& k, int body, int lane, double x, double y,
-                                double moment, Impulses& impulses) {
-    impulses.f_x[body][lane] = x;
-    impulses.f_y[body][lane] = y;
-    impulses.t[body][lane] = moment + k.s_x[body] * x + k.s_y[body] * y;
+CAMBRIAN_INLINE void put_wrench(const Kinematics& k, int body, const Wrench& wrench, int lane,
+                                Impulses& impulses) {
+    impulses.f_x[body][lane] = wrench.x;
+    impulses.f_y[body][lane] = wrench.y;
+    impulses.t[body][lane] = wrench.moment + k.s_x[body] * wrench.x + k.s_y[body] * wrench.y;
 }
 
 CAMBRIAN_INLINE void put_unit_impulse(const Kinematics& k, const RowSystem& rows, int row, int lane,
@@ -73,9 +77,9 @@ CAMBRIAN_INLINE void put_unit_impulse(const Kinematics& k, const RowSystem& rows
     }
     const double x = rows.dir_x[row];
     const double y = rows.dir_y[row];
-    put_wrench(k, a, lane, x, y, rows.moment_a[row], impulses);
+    put_wrench(k, a, {x, y, rows.moment_a[row]}, lane, impulses);
     const int b = rows.body_b[row];
-    if (b >= 0) put_wrench(k, b, lane, -x, -y, -rows.moment_b[row], impulses);
+    if (b >= 0) put_wrench(k, b, {-x, -y, -rows.moment_b[row]}, lane, impulses);
 }
 
 CAMBRIAN_INLINE void arrive_at_root(const RootInverse& inverse, const Lanes& x, const Lanes& y,
@@ -141,11 +145,11 @@ CAMBRIAN_INLINE void fill_block(const PlanarModel& model, const Arrivals& row,
     for (int channel = 0; channel < 3 * model.tree_count; ++channel)
         add_product(row.root_share[channel], column.root[channel], block);
     for (int i = 0; i < kLanes; ++i)
-        store_lanes(rows.matrix + (first + i) * rows.stride + second, block[i]);
+        store_lanes(rows.line(first + i) + second, block[i]);
     if (first == second) return;
     for (int i = 0; i < kLanes; ++i) {
         for (int j = 0; j < kLanes; ++j)
-            rows.matrix[(second + j) * rows.stride + first + i] = block[i][j];
+            rows.line(second + j)[first + i] = block[i][j];
     }
 }
 
@@ -187,7 +191,7 @@ CAMBRIAN_WIDE void compute_row_matrix(const PlanarModel& model, const Frame& fra
     }
     for (int row = 0; row < rows.count; ++row) {
         rows.regularization[row] = regularization(model, rows, row);
-        rows.matrix[row * rows.stride + row] += rows.regularization[row];
+        rows.line(row)[row] += rows.regularization[row];
     }
     for (int pad = rows.count; pad < rows.stride; ++pad)
         rows.impulse[pad] = 0.0;

@@ -116,8 +116,8 @@ CAMBRIAN_WIDE int RowSolver::gather_active(const RowSystem& rows, const double* 
     for (int j = count; j < stride_; ++j)
         active_[j] = 0;
     for (int i = 0; i < count; ++i) {
-        double* line = system_ + i * stride_;
-        const double* couplings = rows.matrix + std::ptrdiff_t{active_[i]} * rows.stride;
+        double* line = line_of(i);
+        const double* couplings = rows.line(active_[i]);
         for (int j = 0; j < stride_; j += kLanes)
             store_lanes(line + j, gather(couplings, active_ + j));
         line[count] = -bias[active_[i]];
@@ -128,7 +128,7 @@ CAMBRIAN_WIDE int RowSolver::gather_active(const RowSystem& rows, const double* 
         if (mate < 0 || state_[mate] < State::kSlidePlus) continue;
         const double slide = state_[mate] == State::kSlidePlus ? friction : -friction;
         for (int i = 0; i < count; ++i)
-            system_[i * stride_ + j] += slide * rows.coupling(active_[i], mate);
+            line_of(i)[j] += slide * rows.coupling(active_[i], mate);
     }
     return count;
 }
@@ -137,13 +137,13 @@ CAMBRIAN_WIDE int RowSolver::gather_active(const RowSystem& rows, const double* 
 // answer with a solution. The solution is left in column `count`.
 CAMBRIAN_WIDE bool RowSolver::eliminate(int count) {
     for (int i = 0; i < count; ++i) {
-        double* pivot_line = system_ + i * stride_;
+        double* pivot_line = line_of(i);
         const double pivot = pivot_line[i];
         if (!(pivot > kPivotTolerance * pivot_scale_[i])) return false;
         const double inverse = 1.0 / pivot;
         const int from = (i + 1) / kLanes * kLanes;
         for (int k = i + 1; k < count; ++k) {
-            double* line = system_ + k * stride_;
+            double* line = line_of(k);
             const double factor = line[i] * inverse;
             for (int j = from; j < stride_; j += kLanes)
                 store_lanes(line + j, load_lanes(line + j) - factor * load_lanes(pivot_line + j));
@@ -151,10 +151,10 @@ CAMBRIAN_WIDE bool RowSolver::eliminate(int count) {
         pivot_line[i] = inverse;
     }
     for (int i = count - 1; i >= 0; --i) {
-        double* line = system_ + i * stride_;
+        double* line = line_of(i);
         double sum = line[count];
         for (int j = i + 1; j < count; ++j)
-            sum -= line[j] * system_[j * stride_ + count];
+            sum -= line[j] * line_of(j)[count];
         line[count] = sum * line[i];
     }
     return true;
@@ -165,7 +165,7 @@ CAMBRIAN_WIDE void RowSolver::scatter_active(RowSystem& rows, const double* bias
     for (int row = 0; row < rows.count; ++row)
         rows.impulse[row] = 0.0;
     for (int j = 0; j < count; ++j)
-        rows.impulse[active_[j]] = system_[j * stride_ + count];
+        rows.impulse[active_[j]] = line_of(j)[count];
     sum_loads(rows, load_);
     for (int row = 0; row < rows.count; ++row) {
         if (state_[row] == State::kSlidePlus) rows.impulse[row] = friction * load_[row];

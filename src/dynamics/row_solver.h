@@ -35,6 +35,8 @@ private:
     void change_state(const RowSystem& rows, int row);
     void match_friction(const RowSystem& rows, int friction_row);
 
+    double* line_of(int row) { return system_ + std::ptrdiff_t{row} * stride_; }
+
     State state_[kMaxRows];
     State wanted_[kMaxRows];
     int wrong_[kMaxRows];            // rows whose wanted state is another

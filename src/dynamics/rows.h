@@ -43,13 +43,15 @@ struct RowSystem {
     double regularization[kMaxRows];  // included in the matrix's diagonal
     double response[kMaxRows];        // regularized matrix times impulse, of the last solution
     // Zero beyond count, as are the columns of the matrix, up to the stride.
-    alignas(64) double impulse[kMaxRows];
-    alignas(64) double matrix[kMaxRows * kMaxRows];
+    double impulse[kMaxRows];
+    double matrix[kMaxRows * kMaxRows];
 
-    double coupling(int row, int column) const { return matrix[row * stride + column]; }
+    double* line(int row) { return matrix + std::ptrdiff_t{row} * stride; }
+    const double* line(int row) const { return matrix + std::ptrdiff_t{row} * stride; }
+    double coupling(int row, int column) const { return line(row)[column]; }
     // Regularized matrix times impulse, for one row.
     CAMBRIAN_INLINE double product(int row) const {
-        return lane_product(matrix + std::ptrdiff_t{row} * stride, impulse, stride);
+        return lane_product(line(row), impulse, stride);
     }
 };
 

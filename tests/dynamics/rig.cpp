@@ -42,8 +42,7 @@ Rig::Rig(const BodyPlan& plan, const Environment& environment, const std::string
 }
 
 void Rig::begin() {
-    evaluate_accelerations(model, forcing, moment.motion, 0.0, FrameDetail::kEverything,
-                           moment.frame(), moment.free_rate);
+    evaluate_accelerations(model, forcing, moment.motion, {}, moment.frame(), moment.free_rate);
     open_books(model, forcing.medium, moment);
 }
 

@@ -24,10 +24,11 @@ public:
 
     CAMBRIAN_INLINE void attempt() {
         run_stages(std::make_index_sequence<kLast>());
-        constexpr auto kAll = std::make_index_sequence<kStages>();
-        const Lanes work = add_scaled<kLast>(load_lanes(request_.start.work), powers_, 0, kAll);
+        constexpr auto all_stages = std::make_index_sequence<kStages>();
+        const Lanes work =
+            add_scaled<kLast>(load_lanes(request_.start.work), powers_, 0, all_stages);
         store_lanes(result_.end.work, work);
-        result_.error = error(kAll);
+        result_.error = error(all_stages);
         result_.evaluations = kLast;
     }
 
@@ -45,23 +46,23 @@ private:
 
     template <std::size_t kStage>
     CAMBRIAN_INLINE void run_stage() {
-        constexpr bool kEnd = kStage == kLast;
-        constexpr auto kEarlier = std::make_index_sequence<kStage>();
-        Motion& motion = kEnd ? result_.end : motions_[kStage];
-        MotionRate& rate = kEnd ? result_.end_rate : rates_[kStage];
+        constexpr bool is_end = kStage == kLast;
+        constexpr auto earlier = std::make_index_sequence<kStage>();
+        Motion& motion = is_end ? result_.end : motions_[kStage];
+        MotionRate& rate = is_end ? result_.end_rate : rates_[kStage];
         const int slots = coordinate_slots(system_.model);
         for (int c = 0; c < slots; c += kLanes) {
             store_lanes(
                 motion.position + c,
-                add_scaled<kStage>(load_lanes(request_.start.position + c), speeds_, c, kEarlier));
+                add_scaled<kStage>(load_lanes(request_.start.position + c), speeds_, c, earlier));
             store_lanes(motion.speed + c, add_scaled<kStage>(load_lanes(request_.start.speed + c),
-                                                             accelerations_, c, kEarlier));
+                                                             accelerations_, c, earlier));
         }
         speeds_[kStage] = motion.speed;
         accelerations_[kStage] = rate.acceleration;
         powers_[kStage] = rate.power;
         system_.evaluate(motion, request_.time + Tableau::kNodes[kStage] * request_.length,
-                         kEnd ? FrameDetail::kEverything : FrameDetail::kAccelerations, frame_,
+                         is_end ? FrameDetail::kEverything : FrameDetail::kAccelerations, frame_,
                          rate);
     }
 
@@ -74,11 +75,11 @@ private:
     }
     template <std::size_t kRow, std::size_t kJ>
     CAMBRIAN_INLINE void add_term(Lanes& sum, const double* values) const {
-        constexpr double kWeight =
+        constexpr double weight =
             kRow == kErrorRow ? Tableau::kErrors[kJ]
             : kJ < kLast      ? Tableau::kRows[kRow < kStages ? kRow : 0][kJ < kLast ? kJ : 0]
                               : 0.0;
-        if constexpr (kWeight != 0.0) sum += (request_.length * kWeight) * load_lanes(values);
+        if constexpr (weight != 0.0) sum += (request_.length * weight) * load_lanes(values);
     }
 
     // RMS over all coordinates of the errors of position / (0.1 m or rad) and of speed /
