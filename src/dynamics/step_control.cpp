@@ -28,13 +28,15 @@ constexpr int kMaxImpacts = 8;              // a tick; later ones count as slow 
 constexpr double kSafety = 0.9;
 constexpr double kShrinkMost = 0.2;
 constexpr double kGrowMost = 3.0;
+constexpr double kTinyError = 1e-3;   // of the allowed one; grows the step most, whatever the order
 constexpr double kMaxDistance = 1e6;  // m; also rad, where sine_cosine_reduced ends
 constexpr double kMaxSpeed = 1e4;     // m/s and rad/s
 
 // Change of step that would make the error just acceptable, clipped.
 double step_factor(double error, int order) {
     if (!std::isfinite(error)) return kShrinkMost;
-    const double factor = kSafety * inverse_root(std::max(error, 1e-12), order);
+    if (error < kTinyError) return kGrowMost;
+    const double factor = kSafety * inverse_root(error, order);
     return std::clamp(factor, kShrinkMost, kGrowMost);
 }
 
@@ -46,6 +48,7 @@ void StepControl::advance(const PlanarModel& model, const ContactLaw& law, Forci
         faces = 0;
     moment.evaluation_debt = std::max(0.0, moment.evaluation_debt - max_evaluations_ * duration);
     Tick tick{model, law, forcing, moment, duration};
+    tick.collected = moment.frame_is_current && moment.collection == collection_;
     const Motion start = moment.motion;
     const SceneAudit books = moment.audit;
     while (tick.length - tick.time > kSliver) {
@@ -54,6 +57,7 @@ void StepControl::advance(const PlanarModel& model, const ContactLaw& law, Forci
     }
     tick.time = tick.length;
     make_current(tick);
+    moment.collection = tick.collected ? ++collection_ : 0;
     moment.time += duration;
     remember_contacts(tick);
     close_books(model, forcing.medium, moment);

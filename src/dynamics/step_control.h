@@ -27,6 +27,7 @@ struct SceneMoment {
     int current_frame = 0;
     MotionRate free_rate = {};  // of the motion, free of contact
     bool frame_is_current = false;
+    std::uint64_t collection = 0;  // which collection of contacts was made at the motion; 0: none
     double proposed_step = 1.0 / 120;  // s
     double evaluation_debt = 0.0;      // evaluations that the time passed has not yet paid for
     WarmStart warm;
@@ -90,6 +91,7 @@ private:
     double contact_step_;     // s; longest step with active rows
     double max_evaluations_;  // a simulated second
     ContactSolver contacts_;
+    std::uint64_t collection_ = 1;  // number of the contacts' last collection
     MotionRate held_rate_ = {};
     const MotionRate* start_rate_ = nullptr;  // of the attempt under way
     StepResult result_;
