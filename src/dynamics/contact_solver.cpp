@@ -134,7 +134,7 @@ bool ContactSolver::hold(const PlanarModel& model, const ContactLaw& law, double
     load_warm_start(h, warm);
     anchor_friction(model, h);
     const bool solved = solve_resting(model, law, h);
-    store_forces(h, warm, forcing);
+    store_forces(model.body_count, h, warm, forcing);
     return solved;
 }
 
@@ -194,7 +194,7 @@ void ContactSolver::load_warm_start(double h, const WarmStart& warm) {
     }
 }
 
-void ContactSolver::store_forces(double h, WarmStart& warm, Forcing& forcing) {
+void ContactSolver::store_forces(int body_count, double h, WarmStart& warm, Forcing& forcing) {
     warm.count = chosen_.count;
     forcing.contact_count = chosen_.count;
     forcing.limits_active = limits_.count > 0;
@@ -207,9 +207,9 @@ void ContactSolver::store_forces(double h, WarmStart& warm, Forcing& forcing) {
         forcing.contacts[c] = {
             contact.body_a, contact.body_b, contact.point_x, contact.point_y, 0.0, 0.0};
     }
-    for (int i = 0; i < kMaxBodies; ++i) {
-        warm.limit[i] = 0.0;
-        forcing.limit_effort[i] = 0.0;
+    for (int i = 0; i < body_count; i += kLanes) {
+        store_lanes(warm.limit + i, Lanes{});
+        store_lanes(forcing.limit_effort + i, Lanes{});
     }
     for (int row = 0; row < rows_.count; ++row) {
         const double force = rows_.impulse[row] / h;

@@ -80,7 +80,7 @@ private:
     double impact_work() const;
     void anchor_friction(const PlanarModel& model, double h);
     void load_warm_start(double h, const WarmStart& warm);
-    void store_forces(double h, WarmStart& warm, Forcing& forcing);
+    void store_forces(int body_count, double h, WarmStart& warm, Forcing& forcing);
 
     PairList pair_list_;
     ContactSet near_;

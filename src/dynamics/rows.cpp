@@ -12,8 +12,8 @@ struct BodyMotion {
     const PerCoordinate& coordinate;
 };
 
-double row_rate(const PlanarModel& model, const RowSystem& rows, int row,
-                const BodyMotion& motion) {
+CAMBRIAN_INLINE double row_rate(const PlanarModel& model, const RowSystem& rows, int row,
+                                const BodyMotion& motion) {
     const int a = rows.body_a[row];
     if (rows.kind[row] == RowKind::kLimit) {
         double rate = motion.coordinate[a];
@@ -30,7 +30,8 @@ double row_rate(const PlanarModel& model, const RowSystem& rows, int row,
 }
 
 // J' v: the turning of the arms, and of the direction with body b while a slides along it.
-double turning(const RowSystem& rows, int row, const Contact& c, const Kinematics& k) {
+CAMBRIAN_INLINE double turning(const RowSystem& rows, int row, const Contact& c,
+                               const Kinematics& k) {
     const int a = c.body_a;
     const int b = c.body_b;
     const double x = rows.dir_x[row];
@@ -45,7 +46,7 @@ double turning(const RowSystem& rows, int row, const Contact& c, const Kinematic
            2.0 * k.spin[b] * (x * sliding_y - y * sliding_x);
 }
 
-void set_contact_row(const Contact& c, int source, int row, RowSystem& rows) {
+CAMBRIAN_INLINE void set_contact_row(const Contact& c, int source, int row, RowSystem& rows) {
     const bool normal = rows.kind[row] == RowKind::kNormal;
     rows.source[row] = source;
     rows.friction_of[row] = -1;
@@ -102,8 +103,8 @@ void add_rows(const RowSources& sources, RowSystem& rows) {
 
 }  // namespace
 
-void build_rows(const PlanarModel& model, const Motion& motion, const Frame& frame,
-                const RowSources& sources, RowSystem& rows) {
+CAMBRIAN_WIDE void build_rows(const PlanarModel& model, const Motion& motion, const Frame& frame,
+                              const RowSources& sources, RowSystem& rows) {
     add_rows(sources, rows);
     const Kinematics& k = frame.kinematics;
     const BodyMotion speeds{k.velocity_x, k.velocity_y, k.spin, motion.speed};
