@@ -12,8 +12,12 @@ namespace cambrian {
 std::string generation_line(const GenerationStatistics& statistics, const std::string& unit,
                             bool json);
 
-// What came out of all of them. history is not empty.
+// Where a creature comes from: when and how it was bred, and every mutation from what to what.
+std::string origin_in_words(const Individual& individual);
+
+// What came out of all of them, and the file the champion is in. history is not empty.
 std::string final_line(std::span<const GenerationStatistics> history, const std::string& unit,
-                       const std::filesystem::path& champion, bool interrupted, bool json);
+                       const Individual& champion, const std::filesystem::path& file,
+                       bool interrupted, bool json);
 
 }  // namespace cambrian

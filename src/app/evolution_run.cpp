@@ -29,6 +29,24 @@ Result<SettingsPtr> settings_of(const EvolutionRun& run, const EvolutionKinds& k
     return std::make_shared<const ExperimentSettings>(*std::move(settings));
 }
 
+// The creatures the run begins with; none for random ones.
+Result<std::vector<GenomePtr>> founders_of(const EvolutionRun& run, int places,
+                                           const EvolutionKinds& kinds) {
+    if (run.founders.size() > static_cast<std::size_t>(places)) {
+        return Error{"--founders: " + std::to_string(run.founders.size()) +
+                     " creatures, but [population] size is " + std::to_string(places)};
+    }
+    std::vector<GenomePtr> founders;
+    for (const std::string& file : run.founders) {
+        Result<CreatureDocument> document = load_creature(file, kinds);
+        if (!document) return document.error();
+        for (const std::string& warning : document->warnings)
+            say(file + ": " + warning);
+        founders.push_back(std::make_shared<const Genome>(std::move(document->genome)));
+    }
+    return founders;
+}
+
 // The evolution's best so far.
 CreatureDocument champion_of(const Evolution& evolution, const EvolutionKinds& kinds) {
     return creature_document(*evolution.population().front(), evolution.settings(), kinds);
@@ -68,6 +86,10 @@ bool evolve(Evolution& evolution, EvaluationBackend& backend, const std::string&
 ExitStatus run_evolution(const EvolutionRun& run, const EvolutionKinds& kinds) {
     const Result<SettingsPtr> settings = settings_of(run, kinds);
     if (!settings) return fail(settings.error());
+    for (const std::string& warning : setting_warnings(**settings, kinds))
+        say(warning);
+    const auto founders = founders_of(run, (*settings)->population.size, kinds);
+    if (!founders) return fail(founders.error());
     const Result<std::filesystem::path> path =
         output_path(run.out, "champion-" + (*settings)->goal + "-seed" +
                                  std::to_string((*settings)->seed) + ".creature.json");
@@ -76,12 +98,13 @@ ExitStatus run_evolution(const EvolutionRun& run, const EvolutionKinds& kinds) {
     const auto backend =
         make_thread_pool_backend(kinds, run.threads.value_or(ThreadPool::default_workers()));
     const std::string unit = kinds.goals.find((*settings)->goal)->unit;
-    Evolution evolution(*settings, kinds);
+    Evolution evolution(*settings, kinds, *founders);
     const bool interrupted = evolve(evolution, *backend, unit, run.json);
 
     const auto saved = save_champion(*path, champion_of(evolution, kinds), kinds);
     if (!saved) return fail(saved.error(), ExitStatus::kFailed);
-    print_line(final_line(evolution.history(), unit, *saved, interrupted, run.json));
+    print_line(final_line(evolution.history(), unit, *evolution.population().front(), *saved,
+                          interrupted, run.json));
     return ExitStatus::kDone;
 }
 

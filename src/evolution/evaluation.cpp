@@ -1,5 +1,6 @@
 #include "evolution/evaluation.h"
 
+#include "creature/overlap.h"
 #include "simulator/audit.h"
 #include "simulator/trial.h"
 
@@ -30,7 +31,8 @@ void fail(EvaluationResult& result, Outcome outcome, std::string reason) {
 
 // Shaking scales the score down; see evolution.md 7.7.
 double score_of(const TrialRecord& record, const GoalKind& goal, const TrialSettings& trial) {
-    if (record.outcome != Outcome::kCompleted) return 0.0;
+    if (record.outcome != Outcome::kCompleted && record.outcome != Outcome::kStoppedEarly)
+        return 0.0;
     const double score = goal.score(record).value;
     const double shaking = record.reversal_rate / trial.max_reversal_rate;
     return shaking > 1.0 ? score / shaking : score;
@@ -63,17 +65,26 @@ EvaluationResult evaluate(const EvaluationRequest& request, const ExperimentSett
              phenotype->can_move() ? "every effector hears only constants" : "no joint can move");
         return result;
     }
-    const GoalKind* goal = kinds.goals.find(settings.goal);
-    CAMBRIAN_ASSERT(goal != nullptr, "settings were checked");
-    const auto record = run_trial(phenotype, kinds.creature, settings.world);
-    if (!record) {
-        fail(result, Outcome::kRejected, record.error().message);
+    if (settings.expression.strict_overlap && overlaps_itself(phenotype->plan)) {
+        fail(result, Outcome::kRejected, "parts overlap that no joint ties together");
         return result;
     }
+    const GoalKind* goal = kinds.goals.find(settings.goal);
+    CAMBRIAN_ASSERT(goal != nullptr, "settings were checked");
+    const auto trial =
+        run_barred_trial(phenotype, kinds.creature, settings.world, *goal, request.bar);
+    if (!trial) {
+        fail(result, Outcome::kRejected, trial.error().message);
+        return result;
+    }
+    const TrialRecord* record = &trial->record;
+    result.computed_time = record->computed_time;
+    result.hopeless = trial->hopeless;
     result.digest = record->digest;
     result.body_length = record->body_length;
     result.outcome = record->outcome;
     result.reason = record->reason;
+    result.behavior = behavior_of(*phenotype, *record);
     const auto score = score_after_audit(phenotype, *record, *goal, settings, kinds.creature);
     if (!score || !std::isfinite(*score)) {
         fail(result, Outcome::kDiverged, score ? "the score is not finite" : score.error().message);

@@ -4,9 +4,11 @@
 
 #include "evolution/evolution_kinds.h"
 #include "evolution/experiment_settings.h"
+#include "evolution/hopeless.h"
 #include "evolution/individual.h"
 
 #include <cstdint>
+#include <optional>
 
 namespace cambrian {
 
@@ -15,9 +17,10 @@ struct EvaluationRequest {
     GenomePtr genome;
     std::uint64_t trial_seed = 0;
     std::uint32_t slot = 0;  // place in the generation
+    std::optional<Bar> bar = std::nullopt;
 };
 
-// Expresses, simulates and scores. Never throws; failures are outcomes.
+// One trial: expresses, simulates and scores. Never throws; failures are outcomes.
 EvaluationResult evaluate(const EvaluationRequest& request, const ExperimentSettings& settings,
                           const EvolutionKinds& kinds);
 

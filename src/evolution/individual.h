@@ -1,6 +1,7 @@
 #pragma once
 
 #include "breeding/mutation_kind.h"
+#include "evolution/behavior.h"
 #include "genome/genome.h"
 #include "simulator/outcome.h"
 
@@ -19,8 +20,11 @@ struct EvaluationResult {
     double body_length = 0.0;  // m
     double mass = 0.0;         // kg
     int parts = 0;
-    int neurons = 0;     // live ones
-    std::string reason;  // why it failed, for a person
+    int neurons = 0;             // live ones
+    Behavior behavior;           // zero unless simulated
+    double computed_time = 0.0;  // s of all its trials that were simulated
+    bool hopeless = false;       // its trial was given up, or could have been and was audited
+    std::string reason;          // why it failed, for a person
 };
 
 // A creature of one generation: its genotype, where it comes from and how it did. Immutable once
@@ -28,6 +32,8 @@ struct EvaluationResult {
 struct Individual {
     std::uint64_t uid = 0;   // hash of (seed, generation born, child index)
     std::uint32_t born = 0;  // generation
+    // Generation in which its line of descent last changed its body; see same_body().
+    std::uint32_t body_born = 0;
     GenomePtr genome;
     std::uint64_t genome_hash = 0;
     std::array<std::uint64_t, 2> parents = {0, 0};  // uids; 0 for none
@@ -38,6 +44,13 @@ struct Individual {
 };
 
 using IndividualPtr = std::shared_ptr<const Individual>;
+
+// Diverged or cheated: ranks last and never breeds while there are others.
+bool disqualified(const Individual& individual);
+
+// Whether two genomes agree in all genes of parts, edges and root; neurons and effectors may
+// differ.
+bool same_body(const Genome& a, const Genome& b);
 
 // The order of merit: completed before failed, fitter first, then fewer nodes and neurons, then
 // older uid; total and reproducible (evolution.md 6.1).

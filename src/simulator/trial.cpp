@@ -30,7 +30,8 @@ Trial::Trial(std::shared_ptr<const Phenotype> phenotype, const Kinds& kinds,
     : phenotype_(std::move(phenotype)),
       world_(world),
       scene_(std::move(scene)),
-      creature_(*phenotype_, kinds, world_.scene) {
+      creature_(*phenotype_, kinds, world_.scene),
+      rest_(*phenotype_, kinds) {
     record_.duration = world_.trial.duration;
     record_.body_length = phenotype_->rest_length();
     record_.mass = scene_->mass();
@@ -99,7 +100,24 @@ void Trial::test_tick() {
     if (finished_) return;
     const bool last = static_cast<int>(test_ticks_) >= ticks_in(world_.trial.duration);
     if (last || test_ticks_ % kTicksPerSample == 0) sample();
-    if (last) finish();
+    if (last) {
+        finish();
+    } else if (world_.trial.stop_at_rest && rest_.watch(*scene_, creature_.brain())) {
+        stop_early(Outcome::kCompleted, "");
+    }
+}
+
+void Trial::stop_early(Outcome outcome, std::string reason) {
+    const auto all = static_cast<std::uint64_t>(ticks_in(world_.trial.duration));
+    for (std::uint64_t tick = test_ticks_ + 1; tick <= all; ++tick) {
+        if (tick != all && tick % kTicksPerSample != 0) continue;
+        MotionSample repeated = record_.samples.back();
+        repeated.time = static_cast<double>(tick) * kBrainTick;
+        record_.samples.push_back(repeated);
+    }
+    record_.outcome = outcome;
+    record_.reason = std::move(reason);
+    finish();
 }
 
 void Trial::sample() {
@@ -138,7 +156,11 @@ void Trial::finish() {
     int most = 0;
     for (const ReversalCounter& joint : reversals_)
         most = std::max(most, joint.count());
-    if (test_ticks_ > 0) record_.reversal_rate = 0.5 * most / time();
+    record_.computed_time = time();
+    const bool failed =
+        record_.outcome == Outcome::kDiverged || record_.outcome == Outcome::kCheated;
+    const double lasted = failed ? time() : ticks_in(world_.trial.duration) * kBrainTick;
+    if (lasted > 0.0) record_.reversal_rate = 0.5 * most / lasted;
 }
 
 Result<TrialRecord> run_trial(std::shared_ptr<const Phenotype> phenotype, const Kinds& kinds,

@@ -4,8 +4,8 @@
 #include "app/subcommands/subcommands.h"
 #include "core/file_io.h"
 #include "core/number_text.h"
-#include "evolution/evaluation.h"
 #include "evolution/setting_field.h"
+#include "evolution/trials.h"
 #include "persist/creature_file.h"
 #include "persist/digest_text.h"
 #include "persist/quoted_text.h"
@@ -98,7 +98,8 @@ public:
             const ExitStatus traced = write_trace(genome, *settings, kinds.creature);
             if (traced != ExitStatus::kDone) return traced;
         }
-        const EvaluationResult result = evaluate({.genome = genome}, *settings, kinds);
+        const EvaluationResult result = evaluate_in_trials(
+            {.genome = genome, .trial_seed = trial_seed(*settings)}, *settings, kinds);
         print_line(report(result, kinds.goals.find(settings->goal)->unit, options_.json));
         return ExitStatus::kDone;
     }

@@ -1,7 +1,7 @@
 #include "app/messages.h"
 #include "app/subcommands/subcommands.h"
 #include "core/number_text.h"
-#include "evolution/evaluation.h"
+#include "evolution/trials.h"
 #include "persist/creature_file.h"
 #include "persist/digest_text.h"
 
@@ -13,7 +13,9 @@ namespace {
 // The trial of the file, run again here and now.
 EvaluationResult replay(const CreatureDocument& document, const EvolutionKinds& kinds) {
     const auto genome = std::make_shared<const Genome>(document.genome);
-    return evaluate({.genome = genome}, settings_of(*document.scored), kinds);
+    const ExperimentSettings settings = settings_of(*document.scored);
+    return evaluate_in_trials({.genome = genome, .trial_seed = trial_seed(settings)}, settings,
+                              kinds);
 }
 
 ExitStatus verify(const std::string& file, const EvolutionKinds& kinds) {

@@ -1,6 +1,7 @@
 #include "evolution/backends/thread_pool_backend.h"
 
 #include "core/thread_pool.h"
+#include "evolution/trials.h"
 
 #include <vector>
 
@@ -25,7 +26,7 @@ public:
         return pool_.parallel_for(
             open.size(),
             [&](std::size_t index, std::size_t) {
-                results[open[index]] = cambrian::evaluate(requests[open[index]], settings, kinds_);
+                results[open[index]] = evaluate_in_trials(requests[open[index]], settings, kinds_);
                 progress.done.fetch_add(1, std::memory_order_relaxed);
             },
             stop);
