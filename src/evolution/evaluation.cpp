@@ -11,8 +11,9 @@
 namespace cambrian {
 namespace {
 
-constexpr double kFinerTolerance = 0.1;  // of the settings' own
-constexpr double kSuspectPenalty = 0.5;  // physics.md 9
+constexpr double kFinerTolerance = 0.1;   // of the settings' own
+constexpr std::uint64_t kFinerWork = 10;  // times that of a trial whose audit asks for another
+constexpr double kSuspectPenalty = 0.5;   // physics.md 9
 
 EvaluationResult describe(const Phenotype& phenotype, const ExperimentSettings& settings) {
     EvaluationResult result;
@@ -80,6 +81,8 @@ EvaluationResult evaluate(const EvaluationRequest& request, const ExperimentSett
     const TrialRecord* record = &trial->record;
     result.computed_time = record->computed_time;
     result.hopeless = trial->hopeless;
+    result.work = record->audit.evaluations;
+    if (judge(record->audit) == AuditVerdict::kSuspect) result.work *= kFinerWork;
     result.digest = record->digest;
     result.body_length = record->body_length;
     result.outcome = record->outcome;

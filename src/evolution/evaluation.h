@@ -18,6 +18,7 @@ struct EvaluationRequest {
     std::uint64_t trial_seed = 0;
     std::uint32_t slot = 0;  // place in the generation
     std::optional<Bar> bar = std::nullopt;
+    std::uint64_t expected_work = 0;  // see Individual; decides only what is begun first
 };
 
 // One trial: expresses, simulates and scores. Never throws; failures are outcomes.

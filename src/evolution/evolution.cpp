@@ -123,7 +123,8 @@ void Evolution::plan_evaluations() {
         request_of_slot_[slot] = requests_.size();
         requested.emplace(individual.genome_hash, requests_.size());
         requests_.push_back({individual.genome, trial_seed(*settings_),
-                             static_cast<std::uint32_t>(slot), bar_for(individual)});
+                             static_cast<std::uint32_t>(slot), bar_for(individual),
+                             individual.expected_work});
     }
     results_.assign(requests_.size(), std::nullopt);
 }

@@ -4,6 +4,7 @@
 #include "evolution/quotas.h"
 #include "genome/random_genome.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string_view>
 #include <utility>
@@ -117,6 +118,7 @@ IndividualPtr make_child(const Nursery& nursery, std::size_t child, std::size_t 
             individual.body_born = parent->body_born;
     }
     individual.mutations = std::move(mutations);
+    individual.expected_work = std::max(mother.result.work, father.result.work);
     return std::make_shared<const Individual>(std::move(individual));
 }
 

@@ -23,6 +23,7 @@ struct EvaluationResult {
     int neurons = 0;             // live ones
     Behavior behavior;           // zero unless simulated
     double computed_time = 0.0;  // s of all its trials that were simulated
+    std::uint64_t work = 0;      // evaluations of accelerations, about; the same on every machine
     bool hopeless = false;       // its trial was given up, or could have been and was audited
     std::string reason;          // why it failed, for a person
 };
@@ -39,6 +40,7 @@ struct Individual {
     std::array<std::uint64_t, 2> parents = {0, 0};  // uids; 0 for none
     std::string method;                             // breeding kind, or "random", "imported"
     std::vector<MutationRecord> mutations;
+    std::uint64_t expected_work = 0;  // that of its parents; 0 if unknown
     bool evaluated = false;
     EvaluationResult result;
 };

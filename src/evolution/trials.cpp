@@ -29,6 +29,7 @@ void combine(EvaluationResult& all, const EvaluationResult& next, bool minimum, 
     digest.add(next.digest);
     all.digest = digest.value();
     all.computed_time += next.computed_time;
+    all.work += next.work;
     if (next.outcome != Outcome::kCompleted) {
         all.outcome = next.outcome;
         all.reason = "in a further trial: " + next.reason;

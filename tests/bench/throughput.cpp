@@ -5,6 +5,7 @@
 #include "core/stopwatch.h"
 #include "core/thread_pool.h"
 #include "evolution/evolution.h"
+#include "evolution/longest_first.h"
 #include "evolution/trials.h"
 #include "persist/settings_file.h"
 
@@ -31,11 +32,15 @@ public:
                   const ExperimentSettings& settings, EvaluationProgress& /*progress*/,
                   std::stop_token stop) override {
         const Stopwatch whole;
+        std::vector<std::size_t> order(requests.size());
+        std::iota(order.begin(), order.end(), std::size_t{0});
+        put_longest_first(order, requests);
         const bool complete = pool_.parallel_for(
             requests.size(),
             [&](std::size_t index, std::size_t worker) {
                 const Stopwatch one;
-                results[index] = evaluate_in_trials(requests[index], settings, kinds_);
+                const std::size_t next = order[index];
+                results[next] = evaluate_in_trials(requests[next], settings, kinds_);
                 busy_[worker] += one.seconds();
                 longest_ = std::max(longest_.load(), one.seconds());
             },

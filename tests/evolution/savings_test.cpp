@@ -1,6 +1,7 @@
 // What is not computed must not change who survives (evolution.md 7.8).
 #include "evolution/backends/thread_pool_backend.h"
 #include "evolution/evolution.h"
+#include "evolution/longest_first.h"
 #include "evolution/trials.h"
 #include "support/catch.h"
 #include "support/creatures.h"
@@ -154,6 +155,21 @@ TEST_CASE("a hopeless trial stops halfway, an audited one goes on and says so",
         evaluate({.genome = crawler, .bar = Bar{.score = 0.0}}, settings, kinds());
     CHECK(hopeful.digest == full.digest);
     CHECK_FALSE(hopeful.hopeless);
+}
+
+TEST_CASE("unknown work is begun first, then the most work, and every trial once",
+          "[evolution][savings]") {
+    const KindCatalog& catalog = kinds().creature.catalog;
+    const GenomePtr large = test::crawler(catalog);
+    const GenomePtr small = test::dreamer(catalog);
+    const std::vector<EvaluationRequest> requests = {{.genome = large, .expected_work = 5},
+                                                     {.genome = small},
+                                                     {.genome = small, .expected_work = 90},
+                                                     {.genome = large},
+                                                     {.genome = small, .expected_work = 5}};
+    std::vector<std::size_t> order = {0, 1, 2, 3, 4};
+    put_longest_first(order, requests);
+    CHECK(order == std::vector<std::size_t>{3, 1, 2, 0, 4});
 }
 
 TEST_CASE("giving up is trusted until 1 in 1000 audited trials would have survived",

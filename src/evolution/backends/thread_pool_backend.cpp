@@ -1,6 +1,7 @@
 #include "evolution/backends/thread_pool_backend.h"
 
 #include "core/thread_pool.h"
+#include "evolution/longest_first.h"
 #include "evolution/trials.h"
 
 #include <vector>
@@ -21,6 +22,7 @@ public:
         for (std::size_t i = 0; i < requests.size(); ++i) {
             if (!results[i]) open.push_back(i);
         }
+        put_longest_first(open, requests);
         progress.done = static_cast<std::uint32_t>(requests.size() - open.size());
         progress.total = static_cast<std::uint32_t>(requests.size());
         return pool_.parallel_for(
