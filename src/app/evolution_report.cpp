@@ -110,9 +110,10 @@ std::string generation_line(const GenerationStatistics& statistics, const std::s
 
 std::string final_line(std::span<const GenerationStatistics> history, const std::string& unit,
                        const Individual& champion, const std::filesystem::path& file,
-                       bool interrupted, bool json) {
+                       std::string_view stopped_by, bool json) {
     const GenerationStatistics& first = history.front();
     const GenerationStatistics& last = history.back();
+    const bool interrupted = stopped_by == "interruption";
     if (json) {
         return "{" + member("champion", quoted_text(file.string())) + ", " +
                origin_members(champion) + ", " +
@@ -120,6 +121,7 @@ std::string final_line(std::span<const GenerationStatistics> history, const std:
                member("best_of_first", real_text(first.best)) + ", " +
                member("best_of_last", real_text(last.best)) + ", " +
                member("unit", quoted_text(unit)) + ", " +
+               member("stopped_by", quoted_text(stopped_by)) + ", " +
                member("interrupted", interrupted ? "true" : "false") + "}";
     }
     return std::string(interrupted ? "interrupted; best" : "best") + " of generation " +

@@ -9,6 +9,7 @@
 #include "evolution/backends/thread_pool_backend.h"
 #include "evolution/evolution.h"
 #include "evolution/setting_field.h"
+#include "evolution/stopping.h"
 #include "persist/creature_file.h"
 #include "persist/settings_file.h"
 
@@ -66,8 +67,9 @@ Result<std::filesystem::path> save_champion(const std::filesystem::path& path,
     return Error{saved.error().message + "; the champion is in " + refuge.string()};
 }
 
-// Evaluates and breeds until the last generation or an interruption. True if interrupted.
-bool evolve(Evolution& evolution, EvaluationBackend& backend, const std::string& unit, bool json) {
+// Evaluates and breeds until the run is over; returns why.
+std::string_view evolve(Evolution& evolution, EvaluationBackend& backend, const std::string& unit,
+                        bool json) {
     const Interruption interruption;
     EvaluationProgress progress;
     const auto generations = static_cast<std::uint32_t>(evolution.settings().generations);
@@ -75,8 +77,9 @@ bool evolve(Evolution& evolution, EvaluationBackend& backend, const std::string&
     for (;;) {
         evolution.evaluate(backend, progress, {});
         bar.finish_generation(generation_line(evolution.history().back(), unit, json));
-        if (evolution.history().size() >= generations) return false;
-        if (interruption.requested()) return true;
+        const std::string_view over = stop_reason(evolution.history(), evolution.settings());
+        if (!over.empty()) return over;
+        if (interruption.requested()) return "interruption";
         evolution.breed();
     }
 }
@@ -99,12 +102,12 @@ ExitStatus run_evolution(const EvolutionRun& run, const EvolutionKinds& kinds) {
         make_thread_pool_backend(kinds, run.threads.value_or(ThreadPool::default_workers()));
     const std::string unit = kinds.goals.find((*settings)->goal)->unit;
     Evolution evolution(*settings, kinds, *founders);
-    const bool interrupted = evolve(evolution, *backend, unit, run.json);
+    const std::string_view stopped_by = evolve(evolution, *backend, unit, run.json);
 
     const auto saved = save_champion(*path, champion_of(evolution, kinds), kinds);
     if (!saved) return fail(saved.error(), ExitStatus::kFailed);
     print_line(final_line(evolution.history(), unit, *evolution.population().front(), *saved,
-                          interrupted, run.json));
+                          stopped_by, run.json));
     return ExitStatus::kDone;
 }
 

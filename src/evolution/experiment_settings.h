@@ -49,7 +49,10 @@ struct BreedingSettings {
 
 struct ExperimentSettings {
     std::uint64_t seed = 1;
-    int generations = 100;  // where an unattended run stops
+    // Where an unattended run stops, whichever comes first.
+    int generations = 100;
+    int max_evaluations = 1'000'000'000;
+    double target_fitness = 0.0;  // in the goal's unit; 0 for none
     std::string goal = "walking";
     bool stop_hopeless = false;  // give up trials that cannot lead to survival any more
     TrialWorld world;

@@ -5,6 +5,7 @@
 #include "evolution/experiment_settings.h"
 #include "evolution/individual.h"
 
+#include <compare>
 #include <cstddef>
 #include <span>
 #include <string_view>

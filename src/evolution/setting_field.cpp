@@ -28,6 +28,14 @@ void add_run(std::vector<SettingField>& fields) {
         "generations", "Generations", "", Range{1, 1e6},
         "An unattended run stops after this many generations.",
         [](Settings & s) -> auto& { return s.generations; });
+    run.number(
+        "max-evaluations", "Evaluations", "", Range{1, 1e9},
+        "An unattended run stops after the generation in which it reaches this many trials.",
+        [](Settings & s) -> auto& { return s.max_evaluations; });
+    run.number(
+        "target-fitness", "Target fitness", "", Range{0, 1e6},
+        "An unattended run stops once the best reaches this; 0 for no target.",
+        [](Settings & s) -> auto& { return s.target_fitness; });
     run.flag(
         "stop-hopeless", "Stop hopeless trials",
         "Halfway, gives up creatures that could not survive even at 1.5 times their best speed; "

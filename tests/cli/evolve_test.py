@@ -48,6 +48,7 @@ class Evolve(ProgramTest):
         self.assertEqual([report["generation"] for report in reports[:-1]], [0, 1, 2])
         self.assertEqual(reports[-1]["generations"], 3)
         self.assertFalse(reports[-1]["interrupted"])
+        self.assertEqual(reports[-1]["stopped_by"], "generations")
         self.assertEqual(reports[-1]["best_of_last"], reports[2]["best"])
         self.assertTrue((self.folder / reports[-1]["champion"]).exists())
         self.assertEqual(reports[0]["reused"] + reports[0]["evaluations"], 12)
@@ -123,6 +124,22 @@ class Evolve(ProgramTest):
         rescued = list(refuge.glob("rescued-*-a.creature.json"))
         self.assertEqual(len(rescued), 1)
         self.assertIn(str(rescued[0]), messages)
+
+    def test_a_run_ends_at_its_target_or_its_last_evaluation(self):
+        self.write("target.toml", SMALL.replace("generations = 3", "generations = 1000\n"
+                                                "target-fitness = 1e-3"))
+        report = self.run_well("evolve", "target.toml", "--json", "-o", "a.json").stdout
+        final = json.loads(report.splitlines()[-1])
+        self.assertEqual(final["stopped_by"], "target-fitness")
+        self.assertGreaterEqual(final["best_of_last"], 1e-3)
+        self.write("few.toml", SMALL.replace("generations = 3", "generations = 1000\n"
+                                             "max-evaluations = 40"))
+        lines = self.run_well("evolve", "few.toml", "--json", "-o", "a.json").stdout.splitlines()
+        reports = [json.loads(line) for line in lines]
+        self.assertEqual(reports[-1]["stopped_by"], "evaluations")
+        spent = [report["evaluations"] for report in reports[:-1]]
+        self.assertGreaterEqual(sum(spent), 40)
+        self.assertLess(sum(spent[:-1]), 40)
 
     def test_founders_begin_the_population(self):
         self.write("small.toml", SMALL)
