@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <string_view>
 
 namespace cambrian {
 
@@ -12,8 +13,13 @@ namespace cambrian {
 std::string generation_line(const GenerationStatistics& statistics, const std::string& unit,
                             bool json);
 
-// What came out of all of them. history is not empty.
+// Where a creature comes from: when and how it was bred, and every mutation from what to what.
+std::string origin_in_words(const Individual& individual);
+
+// What came out of all of them, the file the champion is in and why the run is over: a
+// stop_reason() or "interruption". history is not empty.
 std::string final_line(std::span<const GenerationStatistics> history, const std::string& unit,
-                       const std::filesystem::path& champion, bool interrupted, bool json);
+                       const Individual& champion, const std::filesystem::path& file,
+                       std::string_view stopped_by, bool json);
 
 }  // namespace cambrian

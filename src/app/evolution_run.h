@@ -11,11 +11,13 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace cambrian {
 
 struct EvolutionRun {
     std::string settings_file;
+    std::vector<std::string> founders;   // creature files to begin with; empty: random creatures
     std::optional<int> generations;      // instead of the file's
     std::optional<std::uint64_t> seed;   // instead of the file's
     std::optional<std::size_t> threads;  // one a core if absent; never changes a result

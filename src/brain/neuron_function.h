@@ -28,6 +28,8 @@ struct NeuronFunctionKind {
     int memory_size = 0;
     Evaluate evaluate = nullptr;
     std::vector<InputHint> input_hints = {};  // one an input, or empty
+    // Its memory is a phase: however slowly it moves on, the output goes through all of its range.
+    bool oscillates = false;
 };
 
 using NeuronFunctionRegistry = Registry<NeuronFunctionKind>;

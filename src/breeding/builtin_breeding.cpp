@@ -7,6 +7,7 @@ BreedingRegistry builtin_breeding() {
     add_asexual(methods);
     add_crossover(methods);
     add_grafting(methods);
+    add_homologous_crossover(methods);
     return methods;
 }
 

@@ -26,8 +26,10 @@ std::vector<NodeGene> spliced_nodes(const Genome& first, const Genome& second,
     return nodes;
 }
 
-Genome breed_crossover(const Genome& first, const Genome& second, const KindCatalog& catalog,
-                       RandomStream& stream) {
+}  // namespace
+
+Genome cross(const Genome& first, const Genome& second, const KindCatalog& catalog,
+             RandomStream& stream) {
     Genome child = child_of(first);
     const std::size_t length = std::max(first.nodes.size(), second.nodes.size());
     child.nodes = spliced_nodes(first, second, draw_switch_points(length, stream));
@@ -41,8 +43,6 @@ Genome breed_crossover(const Genome& first, const Genome& second, const KindCata
     repair(child, catalog);
     return child;
 }
-
-}  // namespace
 
 std::vector<std::size_t> draw_switch_points(std::size_t length, RandomStream& stream) {
     const std::size_t count = 1 + stream.weighted(kSwitchShares);
@@ -59,7 +59,7 @@ void add_crossover(BreedingRegistry& methods) {
                  .label = "Crossover",
                  .parents = 2,
                  .default_share = 0.3,
-                 .breed = breed_crossover});
+                 .breed = cross});
 }
 
 }  // namespace cambrian

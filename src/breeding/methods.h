@@ -11,10 +11,15 @@ namespace cambrian {
 
 void add_asexual(BreedingRegistry& methods);
 void add_crossover(BreedingRegistry& methods);
+void add_homologous_crossover(BreedingRegistry& methods);
 void add_grafting(BreedingRegistry& methods);
 
 // What every child starts as: the first parent without its name.
 Genome child_of(const Genome& parent);
+
+// Crossover of parents whose nodes are aligned by position, evolution.md 5.2.
+Genome cross(const Genome& first, const Genome& second, const KindCatalog& catalog,
+             RandomStream& stream);
 
 // Where crossover changes parents while copying `length` nodes: one, two or three different places
 // in 1 .. length-1 with probability .6, .3, .1 (fewer where they do not fit), ascending.

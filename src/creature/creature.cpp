@@ -29,7 +29,9 @@ void Creature::act(PhysicsScene& scene, double dt) {
         readings[i] =
             sensor.scale * kind.read(scene, sensor.part, sensor.channel, sensor.handedness);
     }
-    brain_.think(dt);
+    const int steps = settings_->brain_steps;
+    for (int step = 0; step < steps; ++step)
+        brain_.think(dt / steps);
     const EffectorKind& effector = kinds_->effectors[kJointEffector];
     for (std::size_t i = 0; i < effector_memory_.size(); ++i) {
         const std::size_t part = phenotype_->effector_parts[i];

@@ -178,6 +178,7 @@ private:
     void set_joint(const BodyPart& part, PlannedPart& body) const {
         const NodeGene& node = gene(part);
         body.joint_kind = node.joint;
+        body.motor_mode = scene_.torque_mode ? MotorMode::kTorque : MotorMode::kPosition;
         if (scene_kind_.joints[node.joint].degrees_of_freedom == 0) return;
         const double parent_width = phenotype_.parts[static_cast<std::size_t>(part.parent)].width;
         const double width = std::fmin(part.width, parent_width);

@@ -19,6 +19,7 @@ struct ExpressionSettings {
     int max_parts = 16;  // 2 to 32
     int max_depth = 10;  // joints from the root
     int max_neurons = 256;
+    bool strict_overlap = false;  // reject bodies whose parts overlap where no joint ties them
 
     friend bool operator==(const ExpressionSettings&, const ExpressionSettings&) = default;
 };

@@ -22,6 +22,10 @@ struct ChangeSettings {
 struct InjectGenome {
     GenomePtr genome;
 };
+// A share (0 to 1) of the next offspring places goes, once, to new random creatures.
+struct AddNewcomers {
+    double share = 0.2;
+};
 // Begins anew, paused, at generation 0.
 struct StartExperiment {
     SettingsPtr settings;
@@ -29,7 +33,7 @@ struct StartExperiment {
 };
 
 using Command = std::variant<PauseEvolution, ResumeEvolution, StepGeneration, ChangeSettings,
-                             InjectGenome, StartExperiment>;
+                             InjectGenome, AddNewcomers, StartExperiment>;
 using EngineInbox = CommandQueue<Command, 256>;
 
 }  // namespace cambrian

@@ -122,6 +122,10 @@ void EvolutionEngine::apply(InjectGenome command) {
     evolution_->inject(std::move(command.genome));
 }
 
+void EvolutionEngine::apply(AddNewcomers command) {
+    evolution_->add_newcomers(command.share);
+}
+
 void EvolutionEngine::apply(StartExperiment command) {
     evolution_.emplace(command.settings, kinds_, std::move(command.founders));
     const std::uint64_t experiment = shown_.experiment + 1;

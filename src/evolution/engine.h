@@ -42,6 +42,7 @@ private:
     void apply(StepGeneration command);
     void apply(ChangeSettings command);
     void apply(InjectGenome command);
+    void apply(AddNewcomers command);
     void apply(StartExperiment command);
     void wait_for_commands(std::stop_token stop);
     void publish();

@@ -1,5 +1,6 @@
 #include "evolution/evaluation.h"
 
+#include "creature/overlap.h"
 #include "simulator/audit.h"
 #include "simulator/trial.h"
 
@@ -10,7 +11,8 @@
 namespace cambrian {
 namespace {
 
-constexpr double kSuspectPenalty = 0.5;  // physics.md 9
+constexpr std::uint64_t kFinerWork = 10;  // times that of a trial whose audit asks for another
+constexpr double kSuspectPenalty = 0.5;   // physics.md 9
 
 EvaluationResult describe(const Phenotype& phenotype, const ExperimentSettings& settings) {
     EvaluationResult result;
@@ -29,7 +31,8 @@ void fail(EvaluationResult& result, Outcome outcome, std::string reason) {
 
 // Shaking scales the score down; see evolution.md 7.7.
 double score_of(const TrialRecord& record, const GoalKind& goal, const TrialSettings& trial) {
-    if (record.outcome != Outcome::kCompleted) return 0.0;
+    if (record.outcome != Outcome::kCompleted && record.outcome != Outcome::kStoppedEarly)
+        return 0.0;
     const double score = goal.score(record).value;
     const double shaking = record.reversal_rate / trial.max_reversal_rate;
     return shaking > 1.0 ? score / shaking : score;
@@ -88,19 +91,32 @@ EvaluationResult evaluate(const EvaluationRequest& request, const ExperimentSett
              phenotype->can_move() ? "every effector hears only constants" : "no joint can move");
         return result;
     }
-    const auto record = run_trial(phenotype, kinds.creature, settings.world, stop);
-    if (!record) {
-        fail(result, Outcome::kRejected, record.error().message);
+    if (settings.expression.strict_overlap && overlaps_itself(phenotype->plan)) {
+        fail(result, Outcome::kRejected, "parts overlap that no joint ties together");
         return result;
     }
+    const GoalKind& goal = goal_of(settings, kinds);
+    const auto trial =
+        run_barred_trial(phenotype, kinds.creature, settings.world, {goal, request.bar, stop});
+    if (!trial) {
+        fail(result, Outcome::kRejected, trial.error().message);
+        return result;
+    }
+    const TrialRecord* record = &trial->record;
+    result.computed_time = record->computed_time;
+    result.hopeless = trial->hopeless;
+    result.work = record->audit.evaluations;
     result.digest = record->digest;
     result.body_length = record->body_length;
     result.outcome = record->outcome;
     result.reason = record->reason;
     result.audit = record->audit;
     result.verdict = judge(*record);
-    result.fitness = score_of(*record, goal_of(settings, kinds), settings.world.trial);
-    if (result.fitness > 0.0 && result.verdict == AuditVerdict::kSuspect)
+    if (result.verdict == AuditVerdict::kSuspect) result.work *= kFinerWork;
+    result.behavior = behavior_of(*phenotype, *record);
+    result.fitness = score_of(*record, goal, settings.world.trial);
+    const bool whole = record->outcome == Outcome::kCompleted;
+    if (whole && result.fitness > 0.0 && result.verdict == AuditVerdict::kSuspect)
         settle_suspicion(result, phenotype, settings, kinds, stop);
     if (!std::isfinite(result.fitness)) fail(result, Outcome::kDiverged, "the score is not finite");
     return result;

@@ -4,9 +4,11 @@
 
 #include "evolution/evolution_kinds.h"
 #include "evolution/experiment_settings.h"
+#include "evolution/hopeless.h"
 #include "evolution/individual.h"
 
 #include <cstdint>
+#include <optional>
 #include <stop_token>
 
 namespace cambrian {
@@ -16,15 +18,17 @@ struct EvaluationRequest {
     GenomePtr genome;
     std::uint64_t trial_seed = 0;
     std::uint32_t slot = 0;  // place in the generation
+    std::optional<Bar> bar = std::nullopt;
+    std::uint64_t expected_work = 0;  // see Individual; decides only what is begun first
 };
 
-// Expresses, simulates and scores. Never throws; failures are outcomes. When asked to stop, a long
-// trial ends with the outcome kInterrupted.
+// One trial: expresses, simulates and scores. Never throws; failures are outcomes. When asked to
+// stop, a long trial ends with the outcome kInterrupted.
 EvaluationResult evaluate(const EvaluationRequest& request, const ExperimentSettings& settings,
                           const EvolutionKinds& kinds, const std::stop_token& stop = {});
 
-// Runs the trial more finely (finer_settings) and scores it: what to know of a champion before it
-// is saved (physics.md 9).
+// Runs the first trial more finely (finer_settings) and scores it: what to know of a champion
+// before it is saved (physics.md 9).
 FinerResult recompute(const Genome& genome, const ExperimentSettings& settings,
                       const EvolutionKinds& kinds, const std::stop_token& stop = {});
 

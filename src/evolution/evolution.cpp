@@ -2,13 +2,19 @@
 
 #include "breeding/mutation.h"
 #include "evolution/generation.h"
+#include "evolution/map_axis.h"
+#include "evolution/trials.h"
 #include "genome/random_genome.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace cambrian {
 namespace {
+
+constexpr std::size_t kNoRequest = static_cast<std::size_t>(-1);
+constexpr std::uint64_t kAuditedOneIn = 50;  // of trials found hopeless
 
 // Scores stay valid only while everything they depend on does.
 bool same_judgement(const ExperimentSettings& a, const ExperimentSettings& b) {
@@ -29,7 +35,8 @@ Evolution::Evolution(SettingsPtr settings, const EvolutionKinds& kinds,
 IndividualPtr Evolution::make_founder(std::size_t slot,
                                       const std::vector<GenomePtr>& founders) const {
     const KindCatalog& catalog = kinds_->creature.catalog;
-    if (founders.empty()) {
+    const bool given_place = slot < founders.size();
+    if (founders.empty() || (!given_place && settings_->population.fill == "random")) {
         RandomStream stream(stream_seed(settings_->seed, 0, slot, Purpose::kFounder));
         auto genome =
             std::make_shared<const Genome>(random_genome(settings_->founders, catalog, stream));
@@ -37,7 +44,7 @@ IndividualPtr Evolution::make_founder(std::size_t slot,
             make_individual(std::move(genome), *settings_, 0, slot, "random"));
     }
     const GenomePtr& given = founders[slot % founders.size()];
-    if (slot < founders.size()) {
+    if (given_place) {
         return std::make_shared<const Individual>(
             make_individual(given, *settings_, 0, slot, "imported"));
     }
@@ -71,17 +78,37 @@ bool Evolution::evaluate(EvaluationBackend& backend, EvaluationProgress& progres
     std::sort(ranked.begin(), ranked.end(),
               [](const IndividualPtr& a, const IndividualPtr& b) { return better(*a, *b); });
     population_ = std::move(ranked);
-    history_.push_back(summarize(population_, generation_, static_cast<int>(requests_.size())));
+    record_generation();
     forget_plan();
     evaluated_ = true;
     return true;
+}
+
+void Evolution::record_generation() {
+    GenerationStatistics statistics =
+        summarize(population_, generation_, static_cast<int>(requests_.size()));
+    const TrialSettings& trial = settings_->world.trial;
+    const auto unscored =
+        static_cast<int>(std::count_if(request_of_slot_.begin(), request_of_slot_.end(),
+                                       [](std::size_t request) { return request != kNoRequest; }));
+    const int twins = unscored - static_cast<int>(requests_.size());
+    count_savings(statistics, results_, known_scores_ + twins, trial.duration * trial.trials);
+    for (const auto& result : results_)
+        bar_audit_.finished += result->hopeless && result->outcome == Outcome::kCompleted ? 1 : 0;
+    statistics.giving_up_distrusted = !bar_audit_.trustworthy();
+    const MapCoverage coverage = map_coverage(population_, settings_->selection);
+    statistics.filled_cells = coverage.filled_cells;
+    statistics.quality = coverage.quality;
+    if (!history_.empty() && !judged_anew_) continue_progress(statistics, history_.back());
+    judged_anew_ = false;
+    history_.push_back(statistics);
 }
 
 // One request for every distinct genome without a score; creatures that share a genome share it.
 void Evolution::plan_evaluations() {
     if (!request_of_slot_.empty()) return;
     std::multimap<std::uint64_t, std::size_t> requested;  // genome hash to request
-    request_of_slot_.assign(population_.size(), 0);
+    request_of_slot_.assign(population_.size(), kNoRequest);
     for (std::size_t slot = 0; slot < population_.size(); ++slot) {
         const Individual& individual = *population_[slot];
         if (individual.evaluated) continue;
@@ -95,10 +122,33 @@ void Evolution::plan_evaluations() {
         }
         request_of_slot_[slot] = requests_.size();
         requested.emplace(individual.genome_hash, requests_.size());
-        requests_.push_back({individual.genome, stream_seed(settings_->seed, 0, 0, Purpose::kTrial),
-                             static_cast<std::uint32_t>(slot)});
+        requests_.push_back({individual.genome, trial_seed(*settings_),
+                             static_cast<std::uint32_t>(slot), bar_for(individual),
+                             individual.expected_work});
     }
     results_.assign(requests_.size(), std::nullopt);
+}
+
+std::optional<Bar> Evolution::bar_for(const Individual& individual) const {
+    if (!settings_->stop_hopeless || !least_survivor_ || !bar_audit_.trustworthy()) return {};
+    return Bar{.score = *least_survivor_, .audited = individual.uid % kAuditedOneIn == 0};
+}
+
+// What a creature of the next generation has to score to survive, as far as is known; and whether
+// audited ones did although they seemed hopeless.
+void Evolution::raise_bar(const std::vector<IndividualPtr>& next) {
+    least_survivor_.reset();
+    const bool may_cut =
+        kinds_->selections.find(settings_->selection.method)->truncates(settings_->selection);
+    for (const IndividualPtr& individual : next) {
+        if (!individual->evaluated) continue;
+        if (individual->born + 1 == generation_ && individual->result.hopeless)
+            ++bar_audit_.survived;
+        if (may_cut && !scores_outdated_) {
+            least_survivor_ = std::fmin(least_survivor_.value_or(individual->result.fitness),
+                                        individual->result.fitness);
+        }
+    }
 }
 
 void Evolution::forget_plan() {
@@ -110,26 +160,37 @@ void Evolution::forget_plan() {
 void Evolution::breed() {
     CAMBRIAN_ASSERT(evaluated_, "only an evaluated generation breeds");
     ++generation_;
+    ExperimentSettings present = *settings_;
+    const auto newcomers = std::lround(newcomer_share_ * present.population.size);
+    present.population.immigrants += static_cast<int>(newcomers);
+    newcomer_share_ = 0.0;
     std::vector<IndividualPtr> next =
-        next_generation(population_, *settings_, *kinds_, generation_);
+        next_generation(population_, present, *kinds_, generation_, memory_);
+    raise_bar(next);
+    known_scores_ = 0;
     if (scores_outdated_) {
         forget_scores(next);
+        memory_ = {};
     } else {
         share_known_scores(next);
     }
     scores_outdated_ = false;
+    place_injected(next);
+    population_ = std::move(next);
+    evaluated_ = false;
+}
+
+void Evolution::place_injected(std::vector<IndividualPtr>& next) {
     for (std::size_t i = 0; i < injected_.size() && i + 1 < next.size(); ++i) {
         const std::size_t slot = next.size() - 1 - i;
         next[slot] = std::make_shared<const Individual>(
             make_individual(injected_[i], *settings_, generation_, next.size() + i, "imported"));
     }
     injected_.clear();
-    population_ = std::move(next);
-    evaluated_ = false;
 }
 
 // A child that is a clone of somebody of the last generation has that creature's score.
-void Evolution::share_known_scores(std::vector<IndividualPtr>& next) const {
+void Evolution::share_known_scores(std::vector<IndividualPtr>& next) {
     std::multimap<std::uint64_t, const Individual*> known;
     for (const IndividualPtr& individual : population_) {
         known.emplace(individual->genome_hash, individual.get());
@@ -143,8 +204,10 @@ void Evolution::share_known_scores(std::vector<IndividualPtr>& next) const {
         if (twin == last) continue;
         Individual scored = *individual;
         scored.result = twin->second->result;
+        scored.result.hopeless = false;  // audited once
         scored.evaluated = true;
         individual = std::make_shared<const Individual>(std::move(scored));
+        ++known_scores_;
     }
 }
 
@@ -153,6 +216,10 @@ void Evolution::replace_settings(SettingsPtr settings) {
     settings_ = std::move(settings);
     if (keeps_scores) return;
     forget_plan();
+    memory_ = {};
+    judged_anew_ = true;
+    least_survivor_.reset();
+    known_scores_ = 0;
     if (evaluated_) {
         scores_outdated_ = true;  // they still decide who breeds
     } else {
@@ -172,6 +239,10 @@ void Evolution::forget_scores(std::vector<IndividualPtr>& population) {
 
 void Evolution::inject(GenomePtr genome) {
     injected_.push_back(std::move(genome));
+}
+
+void Evolution::add_newcomers(double share) {
+    newcomer_share_ = std::clamp(newcomer_share_ + share, 0.0, 1.0);
 }
 
 }  // namespace cambrian

@@ -18,8 +18,9 @@ namespace cambrian {
 
 class Evolution {
 public:
-    // Settings must pass check_settings. founders: genomes to begin with (repeated as mutants to
-    // fill the population); empty for random ones.
+    // Settings must pass check_settings. founders: genomes to begin with, as many as there are
+    // places; the others go to their mutants in turn, or to random creatures, as the settings say.
+    // Empty: all random.
     Evolution(SettingsPtr settings, const EvolutionKinds& kinds,
               const std::vector<GenomePtr>& founders = {});
 
@@ -34,6 +35,8 @@ public:
     void replace_settings(SettingsPtr settings);
     // Takes the worst's place in the next generation bred.
     void inject(GenomePtr genome);
+    // Gives a share (0 to 1) of the next offspring places, once, to new random creatures.
+    void add_newcomers(double share);
 
     const ExperimentSettings& settings() const { return *settings_; }
     SettingsPtr shared_settings() const { return settings_; }
@@ -42,12 +45,19 @@ public:
     // Best first once evaluated; in slot order before.
     const std::vector<IndividualPtr>& population() const { return population_; }
     const std::vector<GenerationStatistics>& history() const { return history_; }
+    const SelectionMemory& selection_memory() const { return memory_; }
+    // How far giving up hopeless trials can be trusted; once not, no more are.
+    const BarAudit& bar_audit() const { return bar_audit_; }
 
 private:
     IndividualPtr make_founder(std::size_t slot, const std::vector<GenomePtr>& founders) const;
     void plan_evaluations();
+    std::optional<Bar> bar_for(const Individual& individual) const;
+    void raise_bar(const std::vector<IndividualPtr>& next);
     void forget_plan();
-    void share_known_scores(std::vector<IndividualPtr>& next) const;
+    void share_known_scores(std::vector<IndividualPtr>& next);
+    void record_generation();
+    void place_injected(std::vector<IndividualPtr>& next);
     static void forget_scores(std::vector<IndividualPtr>& population);
 
     SettingsPtr settings_;
@@ -55,9 +65,16 @@ private:
     std::uint32_t generation_ = 0;
     bool evaluated_ = false;
     bool scores_outdated_ = false;  // the settings that judged the population were replaced
+    bool judged_anew_ = false;      // this generation's scores cannot be compared with the last's
+    SelectionMemory memory_;
     std::vector<IndividualPtr> population_;
     std::vector<GenomePtr> injected_;
+    double newcomer_share_ = 0.0;  // of the next generation bred, besides the settings' immigrants
     std::vector<GenerationStatistics> history_;
+
+    std::optional<double> least_survivor_;  // fitness, where worse creatures leave no trace
+    BarAudit bar_audit_;
+    int known_scores_ = 0;  // of this generation, that creatures of the last one had already
 
     // The present generation's plan of evaluation; empty outside of it.
     std::vector<EvaluationRequest> requests_;

@@ -19,17 +19,28 @@ struct PopulationSettings {
     double survival = 0.2;  // share that survives and breeds
     int max_clones = 2;     // copies of one genome among the survivors
     int immigrants = 0;     // offspring places given to new random creatures
+    // What takes the places that given founders leave: "mutants" of them or "random" creatures.
+    std::string fill = "mutants";
 
     friend bool operator==(const PopulationSettings&, const PopulationSettings&) = default;
 };
 
 struct SelectionSettings {
     std::string method = "truncation";  // id of a registered selection
+    int elites = 2;                     // that survive where everybody may breed
+    int tournament_size = 3;
+    bool tournament_of_all = false;  // contestants come from everyone, not from the survivors only
+    std::string map_across = "parts";  // ids of map axes, evolution/map_axis.h
+    std::string map_up = "mass";
+    int novelty_neighbors = 15;
+    double novelty_threshold = 1.0;  // at first, in standard deviations
 
     friend bool operator==(const SelectionSettings&, const SelectionSettings&) = default;
 };
 
 struct BreedingSettings {
+    // "shares", or "attribute": the first parent's own method, and shares where it has none.
+    std::string choice = "shares";
     // Share of offspring by method id; methods not named keep their default share.
     std::map<std::string, double> shares;
 
@@ -38,8 +49,12 @@ struct BreedingSettings {
 
 struct ExperimentSettings {
     std::uint64_t seed = 1;
-    int generations = 100;  // where an unattended run stops
+    // Where an unattended run stops, whichever comes first.
+    int generations = 100;
+    int max_evaluations = 1'000'000'000;
+    double target_fitness = 0.0;  // in the goal's unit; 0 for none
     std::string goal = "walking";
+    bool stop_hopeless = false;  // give up trials that cannot lead to survival any more
     TrialWorld world;
     PopulationSettings population;
     SelectionSettings selection;

@@ -4,7 +4,9 @@
 #include "evolution/quotas.h"
 #include "genome/random_genome.h"
 
+#include <algorithm>
 #include <cmath>
+#include <string_view>
 #include <utility>
 
 namespace cambrian {
@@ -60,8 +62,33 @@ const BreedingKind& single_parent_kind(const BreedingRegistry& kinds) {
     return kinds[0];
 }
 
+// The id of the method a creature's own attribute asks for; empty for none.
+std::string_view own_method(Reproduction reproduction) {
+    switch (reproduction) {
+        case Reproduction::kAsexual:
+            return "asexual";
+        case Reproduction::kCrossover:
+            return "crossover";
+        case Reproduction::kGrafting:
+            return "grafting";
+        case Reproduction::kInherit:
+            break;
+    }
+    return {};
+}
+
+// What the first parent's attribute says, where attributes decide, or what the shares gave.
+const BreedingKind* method_of(const Nursery& nursery, std::size_t first,
+                              const BreedingKind* by_share) {
+    if (nursery.settings.breeding.choice != "attribute") return by_share;
+    const Reproduction reproduction = nursery.ranked[first]->genome->reproduction;
+    const BreedingKind* own = nursery.kinds.breeding.find(own_method(reproduction));
+    return own == nullptr ? by_share : own;
+}
+
 IndividualPtr make_child(const Nursery& nursery, std::size_t child, std::size_t first,
                          const BreedingKind* method) {
+    method = method_of(nursery, first, method);
     RandomStream breeding = nursery.stream(child + 1, Purpose::kBreeding);
     std::size_t second = first;
     if (method->parents > 1) {
@@ -75,7 +102,10 @@ IndividualPtr make_child(const Nursery& nursery, std::size_t child, std::size_t 
     RandomStream mutation = nursery.stream(child, Purpose::kMutation);
     std::vector<MutationRecord> mutations =
         mutate(genome, nursery.settings.mutation, nursery.kinds.mutations,
-               {.catalog = catalog, .founders = nursery.settings.founders}, mutation);
+               {.catalog = catalog,
+                .founders = nursery.settings.founders,
+                .mutate_reproduction = nursery.settings.breeding.choice == "attribute"},
+               mutation);
     const double hue = mother.genome->hue + kHueStep * static_cast<double>(mutations.size());
     genome.hue = hue - std::floor(hue);
     genome.name.clear();
@@ -83,7 +113,12 @@ IndividualPtr make_child(const Nursery& nursery, std::size_t child, std::size_t 
         make_individual(std::make_shared<const Genome>(std::move(genome)), nursery.settings,
                         nursery.generation, child, method->id);
     individual.parents = {mother.uid, method->parents > 1 ? father.uid : 0};
+    for (const Individual* parent : {&father, &mother}) {
+        if (same_body(*individual.genome, *parent->genome))
+            individual.body_born = parent->body_born;
+    }
     individual.mutations = std::move(mutations);
+    individual.expected_work = std::max(mother.result.work, father.result.work);
     return std::make_shared<const Individual>(std::move(individual));
 }
 
@@ -94,6 +129,7 @@ Individual make_individual(GenomePtr genome, const ExperimentSettings& settings,
     Individual individual;
     individual.uid = stream_seed({settings.seed, generation, child});
     individual.born = generation;
+    individual.body_born = generation;
     individual.genome_hash = genome_hash(*genome);
     individual.genome = std::move(genome);
     individual.method = std::move(method);
@@ -102,11 +138,12 @@ Individual make_individual(GenomePtr genome, const ExperimentSettings& settings,
 
 std::vector<IndividualPtr> next_generation(std::span<const IndividualPtr> ranked,
                                            const ExperimentSettings& settings,
-                                           const EvolutionKinds& kinds, std::uint32_t generation) {
+                                           const EvolutionKinds& kinds, std::uint32_t generation,
+                                           SelectionMemory& memory) {
     const SelectionKind* selection = kinds.selections.find(settings.selection.method);
     CAMBRIAN_ASSERT(selection != nullptr, "settings were checked");
     RandomStream stream(stream_seed(settings.seed, generation, 0, Purpose::kSelection));
-    const SelectionResult selected = selection->select(ranked, settings, stream);
+    const SelectionResult selected = selection->select(ranked, settings, memory, stream);
     const Nursery nursery{ranked, settings, kinds, generation, selected.partner_weights};
 
     std::vector<IndividualPtr> next;
@@ -117,8 +154,7 @@ std::vector<IndividualPtr> next_generation(std::span<const IndividualPtr> ranked
     for (std::size_t child = 0; child < children; ++child) {
         next.push_back(make_child(nursery, child, selected.first_parents[child], methods[child]));
     }
-    for (std::uint64_t child = children;
-         next.size() < static_cast<std::size_t>(settings.population.size); ++child) {
+    for (std::uint64_t child = children; child < children + selected.newcomers; ++child) {
         RandomStream founder = nursery.stream(child, Purpose::kFounder);
         next.push_back(std::make_shared<const Individual>(
             make_individual(std::make_shared<const Genome>(

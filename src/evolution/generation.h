@@ -9,11 +9,13 @@
 
 namespace cambrian {
 
-// The next generation of a ranked one: survivors as they are, then offspring, then immigrants; a
-// pure function of its arguments. `generation` is the number of the one to make.
+// The next generation of a ranked one: survivors as they are, then offspring, then newcomers; a
+// pure function of its arguments but for the selection's memory, which it carries on. `generation`
+// is the number of the one to make.
 std::vector<IndividualPtr> next_generation(std::span<const IndividualPtr> ranked,
                                            const ExperimentSettings& settings,
-                                           const EvolutionKinds& kinds, std::uint32_t generation);
+                                           const EvolutionKinds& kinds, std::uint32_t generation,
+                                           SelectionMemory& memory);
 
 // A random or imported creature for a place in a generation.
 Individual make_individual(GenomePtr genome, const ExperimentSettings& settings,

@@ -1,5 +1,7 @@
 #include "evolution/individual.h"
 
+#include <algorithm>
+
 namespace cambrian {
 namespace {
 
@@ -10,11 +12,27 @@ std::size_t gene_count(const Genome& genome) {
     return count;
 }
 
+bool same_part(const NodeGene& a, const NodeGene& b) {
+    return a.length == b.length && a.width == b.width && a.joint == b.joint &&
+           a.limit_low == b.limit_low && a.limit_high == b.limit_high &&
+           a.recursion_limit == b.recursion_limit && a.symmetric == b.symmetric &&
+           a.mirror_axis == b.mirror_axis && a.edges == b.edges;
+}
+
 }  // namespace
 
+bool disqualified(const Individual& individual) {
+    return is_invalid(individual.result.outcome);
+}
+
+bool same_body(const Genome& a, const Genome& b) {
+    return a.root_angle == b.root_angle &&
+           std::equal(a.nodes.begin(), a.nodes.end(), b.nodes.begin(), b.nodes.end(), same_part);
+}
+
 bool better(const Individual& a, const Individual& b) {
-    const bool a_invalid = is_invalid(a.result.outcome);
-    const bool b_invalid = is_invalid(b.result.outcome);
+    const bool a_invalid = disqualified(a);
+    const bool b_invalid = disqualified(b);
     if (a_invalid != b_invalid) return b_invalid;
     if (a.result.fitness != b.result.fitness) return a.result.fitness > b.result.fitness;
     const std::size_t a_genes = gene_count(*a.genome);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "breeding/mutation_kind.h"
+#include "evolution/behavior.h"
 #include "genome/genome.h"
 #include "simulator/audit.h"
 
@@ -30,6 +31,10 @@ struct EvaluationResult {
     double mass = 0.0;         // kg
     int parts = 0;
     int neurons = 0;                              // live ones
+    Behavior behavior;                            // zero unless simulated
+    double computed_time = 0.0;                   // s of all its trials that were simulated
+    std::uint64_t work = 0;                       // evaluations of accelerations, about
+    bool hopeless = false;                        // its trial was given up, or could have been
     std::string reason;                           // why it failed, for a person
     AuditVerdict verdict = AuditVerdict::kClean;  // of the trial, computed as the settings say
     SceneAudit audit;                             // of the same
@@ -41,16 +46,26 @@ struct EvaluationResult {
 struct Individual {
     std::uint64_t uid = 0;   // hash of (seed, generation born, child index)
     std::uint32_t born = 0;  // generation
+    // Generation in which its line of descent last changed its body; see same_body().
+    std::uint32_t body_born = 0;
     GenomePtr genome;
     std::uint64_t genome_hash = 0;
     std::array<std::uint64_t, 2> parents = {0, 0};  // uids; 0 for none
     std::string method;                             // breeding kind, or "random", "imported"
     std::vector<MutationRecord> mutations;
+    std::uint64_t expected_work = 0;  // that of its parents; 0 if unknown
     bool evaluated = false;
     EvaluationResult result;
 };
 
 using IndividualPtr = std::shared_ptr<const Individual>;
+
+// Without a motion that can be judged: ranks last and never breeds while there are others.
+bool disqualified(const Individual& individual);
+
+// Whether two genomes agree in all genes of parts, edges and root; neurons and effectors may
+// differ.
+bool same_body(const Genome& a, const Genome& b);
 
 // The order of merit: completed before failed, fitter first, then fewer nodes and neurons, then
 // older uid; total and reproducible (evolution.md 6.1).

@@ -11,7 +11,9 @@ std::vector<std::size_t> universal_sampling(std::span<const double> weights, std
     double total = 0.0;
     for (const double weight : weights)
         total += weight;
-    CAMBRIAN_ASSERT(total > 0.0, "weights with a positive sum");
+    if (!(total > 0.0)) {
+        return universal_sampling(std::vector<double>(weights.size(), 1.0), count, stream);
+    }
     std::vector<std::size_t> picks;
     picks.reserve(count);
     const double start = stream.uniform();

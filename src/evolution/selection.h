@@ -14,9 +14,18 @@
 
 namespace cambrian {
 
+// What a selection carries from one generation to the next besides the survivors. Begins empty, and
+// anew whenever scores are forgotten.
+struct SelectionMemory {
+    std::vector<IndividualPtr> archive;  // creatures once novel; they need not live any more
+    double threshold = 0.0;              // novelty above which a creature joins the archive
+    int quiet_generations = 0;           // since one last did
+};
+
 struct SelectionResult {
     std::vector<std::size_t> survivors;      // indices into the ranking; pass unchanged
     std::vector<std::size_t> first_parents;  // one an offspring place, indices into the ranking
+    std::size_t newcomers = 0;               // places for new random creatures
     std::vector<double> partner_weights;     // one an individual of the ranking
 };
 
@@ -24,10 +33,13 @@ struct SelectionKind {
     std::string id;
     std::string label;
     std::string help;
-    // ranked: everyone evaluated, best first (by better()). offspring is filled so that survivors
-    // and offspring make a generation of settings.population.size, immigrants included in neither.
+    // Whether who is worse than the worst survivor leaves no trace, so that a trial may be cut
+    // short once it cannot do better.
+    bool (*truncates)(const SelectionSettings& settings) = nullptr;
+    // ranked: everyone evaluated, best first (by better()), not empty.
     SelectionResult (*select)(std::span<const IndividualPtr> ranked,
-                              const ExperimentSettings& settings, RandomStream& stream) = nullptr;
+                              const ExperimentSettings& settings, SelectionMemory& memory,
+                              RandomStream& stream) = nullptr;
 };
 
 using SelectionRegistry = Registry<SelectionKind>;
@@ -35,7 +47,7 @@ using SelectionRegistry = Registry<SelectionKind>;
 SelectionRegistry builtin_selections();
 
 // Stochastic universal sampling: `count` picks, index i exactly floor or ceiling of its share of
-// the weights (Baker 1987). Order shuffled.
+// the weights (Baker 1987). Order shuffled. If no weight is positive, all count the same.
 std::vector<std::size_t> universal_sampling(std::span<const double> weights, std::size_t count,
                                             RandomStream& stream);
 

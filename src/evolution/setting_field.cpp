@@ -1,6 +1,7 @@
 #include "evolution/setting_field.h"
 
 #include "core/number_text.h"
+#include "evolution/setting_table.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,67 +11,12 @@
 namespace cambrian {
 namespace {
 
-using Settings = ExperimentSettings;
+constexpr double kShareSlack = 0.01;  // thirds may be rounded
 
-struct Range {
-    double low = 0.0;
-    double high = 0.0;
-};
-
-// Collects the fields of one table.
-class TableBuilder {
-public:
-    TableBuilder(std::vector<SettingField>& fields, std::string table)
-        : fields_(fields), table_(std::move(table)) {}
-
-    // A number. The accessor is a callable from Settings& to the place.
-    template <class At>
-    SettingField& number(std::string key, std::string label, std::string unit, Range range,
-                         std::string help, At at) {
-        return append(std::move(key), std::move(label), std::move(unit), range, std::move(help),
-                      at);
-    }
-    template <class At>
-    SettingField& flag(std::string key, std::string label, std::string help, At at) {
-        return append(std::move(key), std::move(label), "", Range{0.0, 1.0}, std::move(help), at);
-    }
-    template <class At>
-    SettingField& choice(std::string key, std::string label, std::vector<std::string> choices,
-                         std::string help, At at) {
-        SettingField& field =
-            append(std::move(key), std::move(label), "", Range{}, std::move(help), at);
-        field.choices = std::move(choices);
-        return field;
-    }
-
-private:
-    template <class At>
-    SettingField& append(std::string key, std::string label, std::string unit, Range range,
-                         std::string help, At at) {
-        SettingField field;
-        field.table = table_;
-        field.key = std::move(key);
-        field.label = std::move(label);
-        field.unit = std::move(unit);
-        field.help = std::move(help);
-        field.low = range.low;
-        field.high = range.high;
-        field.at = [at](Settings& settings) { return SettingRef(&at(settings)); };
-        fields_.push_back(std::move(field));
-        return fields_.back();
-    }
-
-    std::vector<SettingField>& fields_;
-    std::string table_;
-};
-
-template <class Kind>
-std::vector<std::string> ids_of(const Registry<Kind>& registry) {
-    std::vector<std::string> ids;
-    for (const Kind& kind : registry.all())
-        ids.push_back(kind.id);
-    return ids;
-}
+using setting_table::ids_of;
+using setting_table::Range;
+using setting_table::Settings;
+using setting_table::TableBuilder;
 
 void add_run(std::vector<SettingField>& fields) {
     TableBuilder run(fields, "run");
@@ -80,9 +26,22 @@ void add_run(std::vector<SettingField>& fields) {
            [](Settings & s) -> auto& { return s.seed; })
         .live = false;
     run.number(
-        "generations", "Generations", "", Range{1, 1e9},
+        "generations", "Generations", "", Range{1, 1e6},
         "An unattended run stops after this many generations.",
         [](Settings & s) -> auto& { return s.generations; });
+    run.number(
+        "max-evaluations", "Evaluations", "", Range{1, 1e9},
+        "An unattended run stops after the generation in which it reaches this many trials.",
+        [](Settings & s) -> auto& { return s.max_evaluations; });
+    run.number(
+        "target-fitness", "Target fitness", "", Range{0, 1e6},
+        "An unattended run stops once the best reaches this; 0 for no target.",
+        [](Settings & s) -> auto& { return s.target_fitness; });
+    run.flag(
+        "stop-hopeless", "Stop hopeless trials",
+        "Halfway, gives up creatures that could not survive even at 1.5 times their best speed; "
+        "2 % of them are finished all the same, to tell whether that was right.",
+        [](Settings & s) -> auto& { return s.stop_hopeless; });
 }
 
 void add_goal(std::vector<SettingField>& fields, const EvolutionKinds& kinds) {
@@ -167,6 +126,16 @@ void add_simulation(std::vector<SettingField>& fields, const EvolutionKinds& kin
         "motor-frequency", "Muscle stiffness", "rad/s", Range{0.1, 200},
         "How sharply a muscle corrects a joint that is off its target.",
         [](Settings & s) -> auto& { return s.world.scene.motor_frequency; });
+    table
+        .flag(
+            "torque-mode", "Brains set torques",
+            "A brain sets the torque of a joint; otherwise the position the joint moves to.",
+            [](Settings & s) -> auto& { return s.world.scene.torque_mode; })
+        .live = false;
+    table.number(
+        "brain-steps", "Thoughts a tick", "", Range{1, 2},
+        "How often a brain thinks in each sixtieth of a second.",
+        [](Settings & s) -> auto& { return s.world.scene.brain_steps; });
 }
 
 void add_trial(std::vector<SettingField>& fields) {
@@ -194,9 +163,14 @@ void add_trial(std::vector<SettingField>& fields) {
         "max-reversal-rate", "Shaking guard", "Hz", Range{0.1, 1e3},
         "Joints that shake faster than this have their score scaled down.",
         [](Settings & s) -> auto& { return s.world.trial.max_reversal_rate; });
+    table.flag(
+        "stop-at-rest", "Stop at rest",
+        "Ends the trial of a creature that lies still for 2 s, body and brain; its score is known.",
+        [](Settings & s) -> auto& { return s.world.trial.stop_at_rest; });
+    setting_table::add_trials(table);
 }
 
-void add_population(std::vector<SettingField>& fields, const EvolutionKinds& kinds) {
+void add_population(std::vector<SettingField>& fields) {
     TableBuilder table(fields, "population");
     table.number(
         "size", "Population size", "creatures", Range{2, 20000}, "Creatures a generation.",
@@ -205,26 +179,25 @@ void add_population(std::vector<SettingField>& fields, const EvolutionKinds& kin
         "immigrants", "Newcomers", "creatures", Range{0, 20000},
         "Places of each generation given to new random creatures.",
         [](Settings & s) -> auto& { return s.population.immigrants; });
-    TableBuilder selection(fields, "selection");
-    selection.choice(
-        "method", "Method", ids_of(kinds.selections), "Who survives and who breeds how often.",
-        [](Settings & s) -> auto& { return s.selection.method; });
-    selection.number(
-        "survival", "Survivors", "", Range{0.01, 1},
-        "Share of a generation that survives and breeds; smaller is harsher.",
-        [](Settings & s) -> auto& { return s.population.survival; });
-    selection.number(
-        "max-clones", "Clones kept", "", Range{1, 1000},
-        "Copies of one genotype that may survive together.",
-        [](Settings & s) -> auto& { return s.population.max_clones; });
+    table
+        .choice(
+            "fill", "Fill up with", {"mutants", "random"},
+            "Where founders are given: what takes the places they leave, mutants of them or random "
+            "creatures.",
+            [](Settings & s) -> auto& { return s.population.fill; })
+        .live = false;
 }
 
 void add_breeding(std::vector<SettingField>& fields, const EvolutionKinds& kinds) {
     TableBuilder breeding(fields, "breeding");
+    breeding.choice(
+        "choice", "Chosen by", {"shares", "attribute"},
+        "The shares below, or an attribute of each creature that it inherits and that mutates.",
+        [](Settings & s) -> auto& { return s.breeding.choice; });
     for (const BreedingKind& kind : kinds.breeding.all()) {
         breeding.number(
             kind.id, kind.label, "", Range{0, 1},
-            "Share of the offspring made this way, relative to the other ways.",
+            "Share of the offspring made this way; the shares of all ways add up to 1.",
             [ id = kind.id, standard = kind.default_share ](Settings & s) -> auto& {
                 return s.breeding.shares.try_emplace(id, standard).first->second;
             });
@@ -273,6 +246,13 @@ void add_body(std::vector<SettingField>& fields) {
         "max-neurons", "Neurons at most", "", Range{1, 4096},
         "A grown brain stops at this many neurons.",
         [](Settings & s) -> auto& { return s.expression.max_neurons; });
+    body.flag(
+            "strict-overlap", "No overlap",
+            "Rejects bodies in which parts overlap that no joint ties together; otherwise these "
+            "pass "
+            "through each other.",
+            [](Settings & s) -> auto& { return s.expression.strict_overlap; })
+        .live = false;
     structural(
         "min-nodes", "Founder nodes, least", "", Range{1, 16},
         "Part genes of a random creature, at least.",
@@ -355,6 +335,21 @@ Status check_order(double low, double high, const char* low_key, const char* hig
                  high_key + ", which is " + short_text(high)};
 }
 
+Status check_stop_hopeless(const Settings& s, const EvolutionKinds& kinds) {
+    if (!s.stop_hopeless) return {};
+    const SelectionKind* selection = kinds.selections.find(s.selection.method);
+    if (selection != nullptr && !selection->truncates(s.selection)) {
+        return Error{"[run] stop-hopeless: not with [selection] method \"" + s.selection.method +
+                     "\", where the least fit may matter; allowed with truncation, rank and "
+                     "tournaments of survivors"};
+    }
+    if (s.world.trial.trials > 1) {
+        return Error{"[run] stop-hopeless: needs [trial] trials = 1, which is " +
+                     std::to_string(s.world.trial.trials)};
+    }
+    return {};
+}
+
 // Settings that are each in range but contradict one another.
 Status check_together(const Settings& s, const EvolutionKinds& kinds) {
     if (Status order =
@@ -372,12 +367,17 @@ Status check_together(const Settings& s, const EvolutionKinds& kinds) {
         !order) {
         return order;
     }
+    if (Status cutting = check_stop_hopeless(s, kinds); !cutting) return cutting;
     double shares = 0.0;
     for (const BreedingKind& kind : kinds.breeding.all()) {
         const auto set = s.breeding.shares.find(kind.id);
         shares += set == s.breeding.shares.end() ? kind.default_share : set->second;
     }
-    if (!(shares > 0.0)) return Error{"[breeding]: all shares are 0; at least one must be above"};
+    if (std::fabs(shares - 1.0) > kShareSlack) {
+        return Error{"[breeding]: the shares add up to " + short_text(shares) +
+                     "; they must add up to 1"};
+    }
+    if (Status some = setting_table::check_body_kinds(s, kinds); !some) return some;
     double weights = 0.0;
     for (const MutationKind& kind : kinds.mutations.all()) {
         const auto set = s.mutation.weights.find(kind.id);
@@ -400,10 +400,12 @@ std::vector<SettingField> setting_fields(const EvolutionKinds& kinds) {
     add_environment(fields);
     add_simulation(fields, kinds);
     add_trial(fields);
-    add_population(fields, kinds);
+    add_population(fields);
+    setting_table::add_selection(fields, kinds);
     add_breeding(fields, kinds);
     add_mutation(fields, kinds);
     add_body(fields);
+    setting_table::add_body_kinds(fields, kinds);
     return fields;
 }
 

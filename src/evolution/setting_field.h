@@ -31,6 +31,8 @@ struct SettingField {
     // May change while an experiment runs; takes effect from the next generation. Otherwise it
     // defines the run and a change starts a new one.
     bool live = true;
+    // Whether it makes a difference under the other settings; empty: always.
+    std::function<bool(const ExperimentSettings&)> applies;
     std::function<SettingRef(ExperimentSettings&)> at;
 };
 
@@ -40,5 +42,9 @@ std::vector<SettingField> setting_fields(const EvolutionKinds& kinds);
 // The first setting outside its range or contradicting another, as "[table] key: ..."; success if
 // none.
 Status check_settings(const ExperimentSettings& settings, const EvolutionKinds& kinds);
+
+// What is allowed but makes little sense, a sentence each.
+std::vector<std::string> setting_warnings(const ExperimentSettings& settings,
+                                          const EvolutionKinds& kinds);
 
 }  // namespace cambrian

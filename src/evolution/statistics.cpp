@@ -9,6 +9,10 @@
 namespace cambrian {
 namespace {
 
+constexpr double kProgress = 0.01;  // rise of the best that counts
+constexpr int kPatience = 15;       // generations
+constexpr double kTimeSlack = 0.1;  // s; less is rounding to whole ticks
+
 // Fitness at a share of the way from worst to best; ranked is best first.
 double quantile(std::span<const IndividualPtr> ranked, double share) {
     const double position = (1.0 - share) * static_cast<double>(ranked.size() - 1);
@@ -25,6 +29,7 @@ GenerationStatistics summarize(std::span<const IndividualPtr> ranked, std::uint3
     summary.size = static_cast<int>(ranked.size());
     summary.evaluations = evaluations;
     summary.best = ranked.front()->result.fitness;
+    summary.progress_mark = summary.best;
     summary.upper = quantile(ranked, 0.9);
     summary.median = quantile(ranked, 0.5);
     summary.lower = quantile(ranked, 0.1);
@@ -33,13 +38,41 @@ GenerationStatistics summarize(std::span<const IndividualPtr> ranked, std::uint3
     for (const IndividualPtr& individual : ranked) {
         const EvaluationResult& result = individual->result;
         summary.mean += result.fitness / count;
-        summary.invalid_share += (is_invalid(result.outcome) ? 1.0 : 0.0) / count;
+        summary.invalid_share += (disqualified(*individual) ? 1.0 : 0.0) / count;
         summary.mean_parts += result.parts / count;
         summary.mean_neurons += result.neurons / count;
         hashes.insert(individual->genome_hash);
     }
     summary.distinct_genomes = static_cast<int>(hashes.size());
     return summary;
+}
+
+void count_savings(GenerationStatistics& statistics,
+                   std::span<const std::optional<EvaluationResult>> results, int reused,
+                   double full_time) {
+    statistics.reused = reused;
+    double computed = 0.0;
+    for (const std::optional<EvaluationResult>& result : results) {
+        computed += result->computed_time;
+        statistics.rejected += result->outcome == Outcome::kRejected ? 1 : 0;
+        statistics.given_up += result->outcome == Outcome::kStoppedEarly ? 1 : 0;
+        const bool rested = result->outcome == Outcome::kCompleted &&
+                            result->computed_time < full_time - kTimeSlack;
+        statistics.rested += rested ? 1 : 0;
+    }
+    const double full = full_time * (static_cast<double>(results.size()) + reused);
+    if (full > 0.0) statistics.time_saved = std::fmax(0.0, 1.0 - computed / full);
+}
+
+void continue_progress(GenerationStatistics& statistics, const GenerationStatistics& before) {
+    const double needed = before.progress_mark + kProgress * std::fabs(before.progress_mark);
+    if (statistics.best > before.progress_mark && statistics.best >= needed) return;
+    statistics.progress_mark = before.progress_mark;
+    statistics.generations_without_progress = before.generations_without_progress + 1;
+}
+
+bool stagnant(const GenerationStatistics& statistics) {
+    return statistics.generations_without_progress >= kPatience;
 }
 
 }  // namespace cambrian

@@ -3,6 +3,7 @@
 #include "evolution/individual.h"
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -22,10 +23,34 @@ struct GenerationStatistics {
     double mean_parts = 0.0;
     double mean_neurons = 0.0;
     int distinct_genomes = 0;
+    // Trials not run, or not to the end (evolution.md 7.8):
+    int rejected = 0;                   // P1: nothing could move, or nothing drove it
+    int reused = 0;                     // P2: the genome had a score already
+    int rested = 0;                     // P4: had come to rest
+    int given_up = 0;                   // P5: could not survive any more
+    bool giving_up_distrusted = false;  // P5 has switched itself off
+    double time_saved = 0;              // share of the trials' time that was not simulated
+    int filled_cells = 0;               // of the map chosen in the settings
+    double quality = 0.0;               // QD-score: sum of the best fitness of each filled cell
+    // Generations since the best last rose by 1 %, and the best as it was then.
+    int generations_without_progress = 0;
+    double progress_mark = 0.0;
 };
 
 // ranked: best first.
 GenerationStatistics summarize(std::span<const IndividualPtr> ranked, std::uint32_t generation,
                                int evaluations);
+
+// Counts what was saved: results of the trials run, scores that needed none, and the time (s) each
+// creature's trials take in full.
+void count_savings(GenerationStatistics& statistics,
+                   std::span<const std::optional<EvaluationResult>> results, int reused,
+                   double full_time);
+
+// Continues the count of generations without progress from the generation before.
+void continue_progress(GenerationStatistics& statistics, const GenerationStatistics& before);
+
+// The best has not risen by 1 % in 15 generations (evolution.md 6.4).
+bool stagnant(const GenerationStatistics& statistics);
 
 }  // namespace cambrian

@@ -1,44 +1,51 @@
 #include "genome/enabled_kinds.h"
 
-#include <algorithm>
+#include <map>
 #include <string>
 
 namespace cambrian {
 namespace {
 
-template <class Entry>
-std::vector<std::uint8_t> named(const std::vector<Entry>& entries,
-                                const std::vector<std::string>& ids) {
-    std::vector<std::uint8_t> indices;
-    for (std::size_t i = 0; i < entries.size(); ++i) {
-        if (std::find(ids.begin(), ids.end(), entries[i].id) != ids.end()) {
-            indices.push_back(static_cast<std::uint8_t>(i));
-        }
-    }
-    return indices;
+bool always(std::string_view /*id*/) {
+    return true;
 }
 
+// Indices of the entries whose flag is set; of those without one, the usual.
 template <class Entry>
-std::vector<std::uint8_t> all(const std::vector<Entry>& entries) {
+std::vector<std::uint8_t> enabled(const std::vector<Entry>& entries,
+                                  const std::map<std::string, bool>& flags,
+                                  bool (*usual)(std::string_view id)) {
     std::vector<std::uint8_t> indices;
-    for (std::size_t i = 0; i < entries.size(); ++i)
-        indices.push_back(static_cast<std::uint8_t>(i));
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+        const auto flag = flags.find(entries[i].id);
+        if (flag == flags.end() ? usual(entries[i].id) : flag->second)
+            indices.push_back(static_cast<std::uint8_t>(i));
+    }
     return indices;
 }
 
 }  // namespace
 
+bool usual_joint(std::string_view id) {
+    return id == "rigid" || id == "rotary";
+}
+
 std::vector<std::uint8_t> enabled_functions(const FounderSettings& settings,
                                             const KindCatalog& catalog) {
-    std::vector<std::uint8_t> chosen = named(catalog.functions, settings.functions);
-    return chosen.empty() ? all(catalog.functions) : chosen;
+    auto chosen = enabled(catalog.functions, settings.functions, always);
+    return chosen.empty() ? enabled(catalog.functions, {}, always) : chosen;
 }
 
 std::vector<std::uint8_t> enabled_joints(const FounderSettings& settings,
                                          const KindCatalog& catalog) {
-    std::vector<std::uint8_t> chosen = named(catalog.joints, settings.joints);
-    if (chosen.empty()) chosen = named(catalog.joints, {"rigid", "rotary"});
-    return chosen.empty() ? all(catalog.joints) : chosen;
+    auto chosen = enabled(catalog.joints, settings.joints, usual_joint);
+    if (chosen.empty()) chosen = enabled(catalog.joints, {}, usual_joint);
+    return chosen.empty() ? enabled(catalog.joints, {}, always) : chosen;
+}
+
+std::vector<std::uint8_t> enabled_channels(const FounderSettings& settings,
+                                           const KindCatalog& catalog) {
+    return enabled(catalog.channels, settings.channels, always);
 }
 
 }  // namespace cambrian

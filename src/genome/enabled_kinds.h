@@ -6,16 +6,22 @@
 #include "genome/kind_catalog.h"
 
 #include <cstdint>
+#include <string_view>
 #include <vector>
 
 namespace cambrian {
 
-// Catalog indices in catalog order, never empty: ids the catalog lacks are ignored, and a list
-// that leaves nothing counts as empty. An empty list of functions enables all of them; an empty
-// list of joints enables "rigid" and "rotary" (all joints, if the catalog has neither).
+// Whether a joint may be used unless the settings say otherwise: "rigid" and "rotary" ones.
+bool usual_joint(std::string_view id);
+
+// Catalog indices in catalog order. Functions and joints are never none: settings that leave
+// nothing count as saying nothing (all joints, if the catalog has none of the usual).
 std::vector<std::uint8_t> enabled_functions(const FounderSettings& settings,
                                             const KindCatalog& catalog);
 std::vector<std::uint8_t> enabled_joints(const FounderSettings& settings,
                                          const KindCatalog& catalog);
+// Absolute channel numbers; may be none.
+std::vector<std::uint8_t> enabled_channels(const FounderSettings& settings,
+                                           const KindCatalog& catalog);
 
 }  // namespace cambrian

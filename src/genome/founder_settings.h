@@ -1,7 +1,7 @@
 #pragma once
 
+#include <map>
 #include <string>
-#include <vector>
 
 namespace cambrian {
 
@@ -18,9 +18,11 @@ struct FounderSettings {
     int max_node_neurons = 3;
     int max_brain_neurons = 2;
     int max_recursion = 4;
-    // Ids of what may be used. Empty: every function of the catalog; "rigid" and "rotary" joints.
-    std::vector<std::string> functions = {};
-    std::vector<std::string> joints = {};
+    // Whether a kind may be used, by id. Of kinds not named all functions and sensor channels may,
+    // and the joints "rigid" and "rotary".
+    std::map<std::string, bool> functions = {};
+    std::map<std::string, bool> joints = {};
+    std::map<std::string, bool> channels = {};
 
     friend bool operator==(const FounderSettings&, const FounderSettings&) = default;
 };

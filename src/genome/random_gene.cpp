@@ -34,13 +34,14 @@ std::uint8_t random_reference(RandomStream& stream) {
 
 SourceRef random_source(SourceScope scope, const GenePool& pool, RandomStream& stream) {
     SourceShares shares = scope == SourceScope::kPart ? kPartShares : kBrainShares;
-    for (std::size_t kind = 0; pool.catalog.channels.empty() && kind < shares.size(); ++kind) {
+    const auto channels = enabled_channels(pool.settings, pool.catalog);
+    for (std::size_t kind = 0; channels.empty() && kind < shares.size(); ++kind) {
         if (source_rule(SourceKind(kind)).reads == SourceReads::kSensor) shares[kind] = 0.0;
     }
     SourceRef source;
     source.kind = SourceKind(stream.weighted(shares));
     source.index = source_rule(source.kind).reads == SourceReads::kSensor
-                       ? static_cast<std::uint8_t>(stream.below(pool.catalog.channels.size()))
+                       ? stream.pick(channels)
                        : random_reference(stream);
     source.child = random_reference(stream);
     source.node = random_reference(stream);

@@ -30,6 +30,8 @@ struct GoalKind {
     std::string help;   // one sentence for people
     // The environment the goal makes sense in.
     Environment (*default_environment)() = nullptr;
+    // What makes the goal pointless in an environment, as half a sentence; empty if nothing does.
+    std::string (*mismatch)(const Environment& environment) = nullptr;
     // Only completed records are scored; others score 0.
     Score (*score)(const TrialRecord& record) = nullptr;
 };

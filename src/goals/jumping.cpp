@@ -2,6 +2,7 @@
 // lowest point above ground and c the greatest rise of the centre of mass above its settled height.
 // The second term only gives selection something to climb before the first true jump.
 #include "goals/goal.h"
+#include "goals/mismatch.h"
 
 #include <algorithm>
 
@@ -33,6 +34,7 @@ void register_jumping(GoalRegistry& goals) {
                .unit = "m",
                .help = "Height of the lowest point above the ground at the top of the best jump.",
                .default_environment = [] { return Environment{}; },
+               .mismatch = needs_ground,
                .score = score_jumping});
 }
 

@@ -5,6 +5,7 @@
 //
 // Drift from one push decays and circling makes no progress along one direction, so neither pays.
 #include "goals/goal.h"
+#include "goals/mismatch.h"
 #include "goals/sampling.h"
 
 #include <algorithm>
@@ -57,6 +58,7 @@ void register_swimming(GoalRegistry& goals) {
                .unit = "BL/s",
                .help = "Steady progress through water along one line, in body lengths a second.",
                .default_environment = water,
+               .mismatch = needs_water,
                .score = score_swimming});
 }
 

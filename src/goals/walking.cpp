@@ -6,6 +6,7 @@
 // For steady motion this is the speed in body lengths a second. The trailing edge, the ignored
 // first fifth and the minimum of two halves keep falls, launches and single hops from paying.
 #include "goals/goal.h"
+#include "goals/mismatch.h"
 #include "goals/sampling.h"
 
 #include <algorithm>
@@ -56,6 +57,7 @@ void register_walking(GoalRegistry& goals) {
                .unit = "BL/s",
                .help = "Steady progress over the ground, in body lengths a second.",
                .default_environment = [] { return Environment{}; },
+               .mismatch = needs_ground,
                .score = score_walking});
 }
 

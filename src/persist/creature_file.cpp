@@ -29,7 +29,7 @@ KindNames names_of(const KindCatalog& catalog) {
 
 constexpr std::array kScoreTables = {"goal", "environment", "simulation", "trial"};
 // Of [body]; the others are about founders.
-constexpr std::array kGrowthKeys = {"max-parts", "max-depth", "max-neurons"};
+constexpr std::array kGrowthKeys = {"max-parts", "max-depth", "max-neurons", "strict-overlap"};
 
 bool decides_a_score(const SettingField& field) {
     if (field.table == "body")
@@ -177,7 +177,8 @@ CreatureDocument creature_document(const Individual& individual, const Experimen
     for (const std::uint64_t parent : individual.parents) {
         if (parent != 0) document.parents.push_back(hex_text(parent));
     }
-    if (!individual.evaluated) return document;
+    if (!individual.evaluated || individual.result.outcome == Outcome::kStoppedEarly)
+        return document;  // a trial given up is no score to stand by
     const GoalKind* goal = kinds.goals.find(settings.goal);
     document.scored = ScoredRecord{.world = settings.world,
                                    .expression = settings.expression,

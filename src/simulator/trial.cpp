@@ -34,7 +34,8 @@ Trial::Trial(std::shared_ptr<const Phenotype> phenotype, const Kinds& kinds,
     : phenotype_(std::move(phenotype)),
       world_(world),
       scene_(std::move(scene)),
-      creature_(*phenotype_, kinds, world_.scene) {
+      creature_(*phenotype_, kinds, world_.scene),
+      rest_(*phenotype_, kinds) {
     record_.duration = world_.trial.duration;
     record_.body_length = phenotype_->rest_length();
     record_.mass = scene_->mass();
@@ -103,7 +104,24 @@ void Trial::test_tick() {
     if (finished_) return;
     const bool last = static_cast<int>(test_ticks_) >= ticks_in(world_.trial.duration);
     if (last || test_ticks_ % kTicksPerSample == 0) sample();
-    if (last) finish();
+    if (last) {
+        finish();
+    } else if (world_.trial.stop_at_rest && rest_.watch(*scene_, creature_.brain())) {
+        stop_early(Outcome::kCompleted, "");
+    }
+}
+
+void Trial::stop_early(Outcome outcome, std::string reason) {
+    const auto all = static_cast<std::uint64_t>(ticks_in(world_.trial.duration));
+    for (std::uint64_t tick = test_ticks_ + 1; tick <= all; ++tick) {
+        if (tick != all && tick % kTicksPerSample != 0) continue;
+        MotionSample repeated = record_.samples.back();
+        repeated.time = static_cast<double>(tick) * kBrainTick;
+        record_.samples.push_back(repeated);
+    }
+    record_.outcome = outcome;
+    record_.reason = std::move(reason);
+    finish();
 }
 
 void Trial::sample() {
@@ -139,8 +157,9 @@ void Trial::fail_with(SceneStatus status) {
     }
 }
 
-void Trial::interrupt() {
-    if (!finished_) fail(Outcome::kInterrupted, "stopped before its end");
+void Trial::heed(const std::stop_token& stop) {
+    if (finished_ || scene_->audit().evaluations <= kLongTrial || !stop.stop_requested()) return;
+    fail(Outcome::kInterrupted, "stopped before its end");
 }
 
 void Trial::fail(Outcome outcome, std::string reason) {
@@ -157,17 +176,18 @@ void Trial::finish() {
     int most = 0;
     for (const ReversalCounter& joint : reversals_)
         most = std::max(most, joint.count());
-    if (test_ticks_ > 0) record_.reversal_rate = 0.5 * most / time();
+    record_.computed_time = time();
+    const bool failed = is_invalid(record_.outcome);
+    const double lasted = failed ? time() : ticks_in(world_.trial.duration) * kBrainTick;
+    if (lasted > 0.0) record_.reversal_rate = 0.5 * most / lasted;
 }
 
 Result<TrialRecord> run_trial(std::shared_ptr<const Phenotype> phenotype, const Kinds& kinds,
                               const TrialWorld& world, const std::stop_token& stop) {
     auto trial = Trial::start(std::move(phenotype), kinds, world);
     if (!trial) return trial.error();
-    while ((*trial)->tick()) {
-        const bool is_long = (*trial)->scene().audit().evaluations > kLongTrial;
-        if (is_long && stop.stop_requested()) (*trial)->interrupt();
-    }
+    while ((*trial)->tick())
+        (*trial)->heed(stop);
     return (*trial)->take_record();
 }
 

@@ -7,6 +7,7 @@
 #include "core/hash.h"
 #include "core/result.h"
 #include "creature/creature.h"
+#include "simulator/rest_watch.h"
 #include "simulator/reversals.h"
 #include "simulator/trial_record.h"
 #include "simulator/trial_settings.h"
@@ -43,8 +44,9 @@ public:
 
     bool settling() const { return settling_; }
     bool finished() const { return finished_; }
-    // Ends it with the outcome kInterrupted.
-    void interrupt();
+    // Ends it with the outcome kInterrupted if a stop is asked for and it has become long; ordinary
+    // trials are better finished.
+    void heed(const std::stop_token& stop);
     double time() const {
         return static_cast<double>(test_ticks_) * kBrainTick;
     }                                                     // s, of the test phase
@@ -56,6 +58,8 @@ public:
     const PhysicsScene& scene() const { return *scene_; }
     Creature& creature() { return creature_; }
     const Creature& creature() const { return creature_; }
+    // Ends the test phase now, as if nothing moved any more: further samples repeat the last one.
+    void stop_early(Outcome outcome, std::string reason);
     // Complete once finished().
     const TrialRecord& record() const { return record_; }
     TrialRecord take_record() { return std::move(record_); }
@@ -80,6 +84,7 @@ private:
     TrialRecord record_;
     Hash64 digest_;
     std::vector<ReversalCounter> reversals_;  // one an effector part
+    RestWatch rest_;
     std::uint64_t total_ticks_ = 0;
     std::uint64_t test_ticks_ = 0;
     int calm_ticks_ = 0;

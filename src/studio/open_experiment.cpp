@@ -118,22 +118,18 @@ void OpenExperiment::drop_structural_edits() {
     editor_.finish();
 }
 
-Status OpenExperiment::start_new_run(bool keep_population) {
+Status OpenExperiment::start_new_run(std::vector<GenomePtr> founders) {
     editor_.finish();
     if (Status fault = check_settings(editor_.draft(), kinds_); !fault) return fault;
-    StartExperiment start{std::make_shared<const ExperimentSettings>(editor_.draft()), {}};
-    if (keep_population) {
-        for (const IndividualPtr& individual : snapshot_->population)
-            start.founders.push_back(individual->genome);
-    }
-    send(std::move(start));
+    send(StartExperiment{std::make_shared<const ExperimentSettings>(editor_.draft()),
+                         std::move(founders)});
     return {};
 }
 
 Status OpenExperiment::replace(const ExperimentSettings& settings) {
     if (Status fault = check_settings(settings, kinds_); !fault) return fault;
     editor_.replace(completed(settings, fields_));
-    return start_new_run(false);
+    return start_new_run({});
 }
 
 }  // namespace cambrian

@@ -32,14 +32,15 @@ public:
     void toggle();
     void pause() { send(PauseEvolution{}); }
     void step() { send(StepGeneration{}); }
+    void add_newcomers(const AddNewcomers& newcomers) { send(newcomers); }
     void edit(ExperimentSettings settings, const std::string& field);
     // The engine gets what was edited: all of it while fresh, live fields otherwise.
     Status commit();
     void undo();
     void redo();
     void drop_structural_edits();
-    // Generation 0 anew with the draft.
-    Status start_new_run(bool keep_population);
+    // Generation 0 anew with the draft, from these creatures or random ones.
+    Status start_new_run(std::vector<GenomePtr> founders);
     // Generation 0 anew with other settings.
     Status replace(const ExperimentSettings& settings);
 

@@ -31,6 +31,8 @@ struct RedoEdit {};
 struct StartNewRun {
     bool keep_population = false;
 };
+// The same from the creature on show and what the settings fill up with.
+struct StartFromShown {};
 struct DropStructuralEdits {};  // back to what is running
 
 struct TogglePlayback {};
@@ -86,11 +88,11 @@ struct QuitStudio {};
 
 using StudioAction =
     std::variant<ToggleEvolution, RunOneGeneration, EditSettings, FinishEdit, UndoEdit, RedoEdit,
-                 StartNewRun, DropStructuralEdits, TogglePlayback, RestartPlayback, StepPlayback,
-                 ChangeView, FitView, PokePart, ReleasePoke, ShowHighlight, ShowChampion,
-                 ShowIndividual, ShowNewest, OpenFilePanel, CloseFilePanel, ListFolder, LoadFile,
-                 SaveCreatureFile, SaveSettingsFile, SaveScreenshot, DismissNotice, ToggleHelp,
-                 QuitStudio>;
+                 StartNewRun, StartFromShown, DropStructuralEdits, AddNewcomers, TogglePlayback,
+                 RestartPlayback, StepPlayback, ChangeView, FitView, PokePart, ReleasePoke,
+                 ShowHighlight, ShowChampion, ShowIndividual, ShowNewest, OpenFilePanel,
+                 CloseFilePanel, ListFolder, LoadFile, SaveCreatureFile, SaveSettingsFile,
+                 SaveScreenshot, DismissNotice, ToggleHelp, QuitStudio>;
 
 class Requests {
 public:

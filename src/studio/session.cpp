@@ -207,12 +207,27 @@ void Session::apply(const RedoEdit&) {
 }
 
 void Session::apply(const StartNewRun& action) {
-    report(experiment_.start_new_run(action.keep_population));
+    std::vector<GenomePtr> founders;
+    for (const IndividualPtr& individual : experiment_.snapshot().population) {
+        if (action.keep_population) founders.push_back(individual->genome);
+    }
+    report(experiment_.start_new_run(std::move(founders)));
+    log_.write("new run");
+}
+
+void Session::apply(const StartFromShown&) {
+    if (stage_.playback().empty()) return;
+    report(experiment_.start_new_run({stage_.playback().exhibit().genome}));
     log_.write("new run");
 }
 
 void Session::apply(const DropStructuralEdits&) {
     experiment_.drop_structural_edits();
+}
+
+void Session::apply(const AddNewcomers& action) {
+    experiment_.add_newcomers(action);
+    log_.write("newcomers");
 }
 
 void Session::apply(const TogglePlayback&) {

@@ -56,6 +56,8 @@ private:
     void apply(const UndoEdit&);
     void apply(const RedoEdit&);
     void apply(const StartNewRun& action);
+    void apply(const AddNewcomers& action);
+    void apply(const StartFromShown&);
     void apply(const DropStructuralEdits&);
     void apply(const TogglePlayback&);
     void apply(const RestartPlayback&) { stage_.playback().restart(); }

@@ -64,16 +64,19 @@ CreatureDocument Session::document_on_show() const {
     document.method = exhibit.method;
     const GoalKind* goal = kinds_.goals.find(exhibit.goal);
     const ScoreReport* score = stage_.score();
-    if (goal == nullptr || (!exhibit.result && score == nullptr)) return document;
+    // A trial given up is no score to stand by; the one on show is run to its end.
+    const bool judged = exhibit.result && exhibit.result->outcome != Outcome::kStoppedEarly;
+    if (goal == nullptr || (!judged && score == nullptr)) return document;
     ScoredRecord scored;
     scored.world = exhibit.world;
+    if (!judged) scored.world.trial.trials = 1;  // the one on show
     scored.expression = exhibit.expression;
     scored.goal = exhibit.goal;
     scored.seed = exhibit.seed;
-    scored.fitness = exhibit.result ? exhibit.result->fitness : score->score.value;
+    scored.fitness = judged ? exhibit.result->fitness : score->score.value;
     scored.unit = goal->unit;
-    scored.trajectory = exhibit.result ? exhibit.result->digest : score->record.digest;
-    if (exhibit.result) scored.finer = exhibit.result->finer;
+    scored.trajectory = judged ? exhibit.result->digest : score->record.digest;
+    if (judged) scored.finer = exhibit.result->finer;
     document.scored = std::move(scored);
     return document;
 }

@@ -148,3 +148,30 @@ TEST_CASE("a graft onto a single part gives it an edge", "[breeding][grafting]")
     for (std::uint64_t i = 0; i < donors.size(); ++i)
         CHECK(breed("grafting", single, donors[i], i).nodes[0].edges.size() == 1);
 }
+
+TEST_CASE("homologous crossover takes what corresponds although it stands elsewhere",
+          "[breeding]") {
+    // The same three limbs on one body, in another order.
+    Genome first = founder_corpus(1)[0];
+    NodeGene body = first.nodes[0];
+    body.edges.clear();
+    body.uid = 1;
+    first.nodes = {body};
+    for (std::uint32_t limb = 0; limb < 3; ++limb) {
+        NodeGene node = body;
+        node.uid = 10 + limb;
+        node.length = 0.3 + 0.1 * limb;
+        first.nodes[0].edges.push_back({.target = static_cast<std::uint8_t>(1 + limb)});
+        first.nodes.push_back(node);
+    }
+    Genome second = first;
+    std::rotate(second.nodes.begin() + 1, second.nodes.begin() + 2, second.nodes.end());
+    REQUIRE(validate(first, full_catalog()).empty());
+    REQUIRE(validate(second, full_catalog()).empty());
+    int mixed_up = 0;
+    for (std::uint64_t i = 0; i < 100; ++i) {
+        CHECK(uids(breed("homologous-crossover", first, second, i)).size() == 4);
+        mixed_up += uids(breed("crossover", first, second, i)).size() < 4 ? 1 : 0;
+    }
+    CHECK(mixed_up > 50);  // aligned by position the same limb comes twice
+}

@@ -48,8 +48,24 @@ class Evolve(ProgramTest):
         self.assertEqual([report["generation"] for report in reports[:-1]], [0, 1, 2])
         self.assertEqual(reports[-1]["generations"], 3)
         self.assertFalse(reports[-1]["interrupted"])
+        self.assertEqual(reports[-1]["stopped_by"], "generations")
         self.assertEqual(reports[-1]["best_of_last"], reports[2]["best"])
         self.assertTrue((self.folder / reports[-1]["champion"]).exists())
+        self.assertEqual(reports[0]["reused"] + reports[0]["evaluations"], 12)
+
+    def test_the_champions_origin_is_told_in_words(self):
+        self.write("grown.toml", SMALL + "[mutation]\nrate = 3\n")
+        report = self.run_well("evolve", "grown.toml", "-n", 12, "--json", "-o", "a.json").stdout
+        champion = json.loads(report.splitlines()[-1])
+        self.assertGreater(champion["born"], 0)
+        self.assertIn(champion["method"], ["asexual", "crossover", "grafting"])
+        self.assertGreater(len(champion["parents"]), 0)
+        self.assertGreater(len(champion["mutations"]), 0)
+        for mutation in champion["mutations"]:
+            self.assertEqual(sorted(mutation), ["from", "operator", "place", "to"])
+            self.assertTrue(mutation["operator"] and mutation["place"] and mutation["to"])
+        words = self.run_well("evolve", "grown.toml", "-n", 12, "-o", "a.json").stdout
+        self.assertIn(champion["mutations"][0]["place"] + ": ", words.splitlines()[-1])
 
     def test_the_champion_goes_where_it_is_asked_to(self):
         self.write("small.toml", SMALL)
@@ -108,6 +124,69 @@ class Evolve(ProgramTest):
         rescued = list(refuge.glob("rescued-*-a.creature.json"))
         self.assertEqual(len(rescued), 1)
         self.assertIn(str(rescued[0]), messages)
+
+    def test_a_run_ends_at_its_target_or_its_last_evaluation(self):
+        self.write("target.toml", SMALL.replace("generations = 3", "generations = 1000\n"
+                                                "target-fitness = 1e-3"))
+        report = self.run_well("evolve", "target.toml", "--json", "-o", "a.json").stdout
+        final = json.loads(report.splitlines()[-1])
+        self.assertEqual(final["stopped_by"], "target-fitness")
+        self.assertGreaterEqual(final["best_of_last"], 1e-3)
+        self.write("few.toml", SMALL.replace("generations = 3", "generations = 1000\n"
+                                             "max-evaluations = 40"))
+        lines = self.run_well("evolve", "few.toml", "--json", "-o", "a.json").stdout.splitlines()
+        reports = [json.loads(line) for line in lines]
+        self.assertEqual(reports[-1]["stopped_by"], "evaluations")
+        spent = [report["evaluations"] for report in reports[:-1]]
+        self.assertGreaterEqual(sum(spent), 40)
+        self.assertLess(sum(spent[:-1]), 40)
+
+    def test_founders_begin_the_population(self):
+        self.write("small.toml", SMALL)
+        self.run_well("evolve", "small.toml", "-n", 1, "-s", 3, "-o", "a.json")
+        self.run_well("evolve", "small.toml", "-n", 1, "-s", 4, "-o", "b.json")
+        before = max(json.loads((self.folder / name).read_text())["scored"]["fitness"]
+                     for name in ["a.json", "b.json"])
+        report = self.run_well("evolve", "small.toml", "-n", 1, "--json", "-o", "c.json",
+                               "--founders", "a.json", "b.json").stdout
+        self.assertGreaterEqual(json.loads(report.splitlines()[0])["best"], before)
+
+    def test_founders_that_cannot_be_used_are_refused(self):
+        self.write("small.toml", SMALL)
+        self.write("not.json", "{}")
+        self.assert_refused(self.run_program("evolve", "small.toml", "-f", "none.json"),
+                            "none.json", "No such file")
+        self.assert_refused(self.run_program("evolve", "small.toml", "-f", "not.json"),
+                            "not.json", "/format: missing")
+        self.run_well("evolve", "small.toml", "-n", 1, "-o", "a.json")
+        self.assert_refused(
+            self.run_program("evolve", "small.toml", "-f", *["a.json"] * 13),
+            "--founders: 13 creatures, but [population] size is 12")
+
+    def test_a_goal_in_the_wrong_world_warns_and_runs(self):
+        self.write("dry.toml", SMALL + "[goal]\nbehavior = \"swimming\"\n[environment]\n"
+                   "ground = true\ngravity = 9.81\nviscosity-linear = 0\n"
+                   "viscosity-quadratic = 0\n")
+        result = self.run_well("evolve", "dry.toml", "-n", 1)
+        self.assertIn("swimming makes little sense in this [environment]: the medium has no "
+                      "viscosity", result.stderr)
+
+    def test_every_selection_evolves_and_reports_the_same_every_time(self):
+        for method in ["rank", "tournament", "roulette", "map-elites", "novelty",
+                       "age-protection"]:
+            self.write("s.toml", SMALL + f"[selection]\nmethod = \"{method}\"\n")
+            reports = {self.run_well("evolve", "s.toml", "--json", "-t", threads, "-o",
+                                     "a.json").stdout for threads in [1, 3]}
+            self.assertEqual(len(reports), 1, method)
+            self.run_well("verify", "a.json")
+
+    def test_several_trials_are_verified_like_one(self):
+        self.write("robust.toml", SMALL + "trials = 3\nfriction-jitter = 0.15\n"
+                   "tilt-jitter = 2\ncombine = \"minimum\"\n")
+        self.run_well("evolve", "robust.toml", "-n", 2, "-s", 9, "-o", "a.json")
+        self.assertEqual(json.loads((self.folder / "a.json").read_text())
+                         ["scored"]["trial"]["trials"], 3)
+        self.run_well("verify", "a.json")
 
     def test_a_full_disk_is_reported_and_the_old_file_kept(self):
         self.write("small.toml", SMALL)

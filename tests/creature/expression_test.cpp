@@ -22,7 +22,7 @@ std::vector<Genome> founders(std::size_t count) {
 
 std::vector<Genome> evolved(std::size_t count) {
     const MutationRegistry mutations = builtin_mutations();
-    const FounderSettings settings = {.joints = {"rigid", "rotary", "linear"}};
+    const FounderSettings settings = {.joints = {{"linear", true}}};
     std::vector<Genome> genomes = founders(count);
     for (std::size_t i = 0; i < count; ++i) {
         RandomStream stream(stream_seed(4, 0, i, Purpose::kTest));

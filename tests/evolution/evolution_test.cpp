@@ -37,28 +37,109 @@ std::vector<std::uint64_t> hashes(const Evolution& evolution) {
 
 }  // namespace
 
-TEST_CASE("the best fitness never falls while the world stays the same", "[evolution]") {
-    Evolution evolution(small_settings(), kinds());
-    FakeBackend backend;
-    run(evolution, backend, 25);
-    const auto& history = evolution.history();
-    for (std::size_t i = 1; i < history.size(); ++i)
-        CHECK(history[i].best >= history[i - 1].best);
-    CHECK(history.back().best > 1.5 * history.front().best);
+TEST_CASE("under every selection the best never falls, and rises", "[evolution]") {
+    for (const SelectionKind& selection : kinds().selections.all()) {
+        auto settings = small_settings();
+        settings->selection.method = selection.id;
+        Evolution evolution(settings, kinds());
+        FakeBackend backend;
+        run(evolution, backend, 25);
+        const auto& history = evolution.history();
+        CAPTURE(selection.id);
+        for (std::size_t i = 1; i < history.size(); ++i)
+            CHECK(history[i].best >= history[i - 1].best);
+        CHECK(history.back().best > 1.2 * history.front().best);
+    }
 }
 
 TEST_CASE("the same seed gives the same generations, another seed others", "[evolution]") {
-    const auto settings = small_settings();
-    Evolution first(settings, kinds());
-    Evolution second(settings, kinds());
-    auto other_settings = small_settings();
-    other_settings->seed = 6;
-    Evolution other(other_settings, kinds());
+    for (const SelectionKind& selection : kinds().selections.all()) {
+        auto settings = small_settings();
+        settings->selection.method = selection.id;
+        Evolution first(settings, kinds());
+        Evolution second(settings, kinds());
+        auto other_settings = std::make_shared<ExperimentSettings>(*settings);
+        other_settings->seed = 6;
+        Evolution other(other_settings, kinds());
+        FakeBackend backend;
+        for (Evolution* each : {&first, &second, &other})
+            run(*each, backend, 6);
+        CAPTURE(selection.id);
+        CHECK(hashes(first) == hashes(second));
+        CHECK(hashes(first) != hashes(other));
+    }
+}
+
+TEST_CASE("a population of 2 evolves under every selection, and one of 20 000", "[evolution]") {
+    for (const SelectionKind& selection : kinds().selections.all()) {
+        for (const int size : {2, selection.id == "truncation" ? 20000 : 1000}) {
+            auto settings = small_settings(size);
+            settings->selection.method = selection.id;
+            Evolution evolution(settings, kinds());
+            FakeBackend backend;
+            run(evolution, backend, 2);
+            CAPTURE(selection.id);
+            CHECK(evolution.population().size() >= static_cast<std::size_t>(size));
+        }
+    }
+}
+
+TEST_CASE("newcomers asked for come once", "[evolution]") {
+    Evolution evolution(small_settings(50), kinds());
     FakeBackend backend;
-    for (Evolution* each : {&first, &second, &other})
-        run(*each, backend, 8);
-    CHECK(hashes(first) == hashes(second));
-    CHECK(hashes(first) != hashes(other));
+    run(evolution, backend, 1);
+    const auto newcomers = [&] {
+        evolution.breed();
+        EvaluationProgress progress;
+        REQUIRE(evolution.evaluate(backend, progress, {}));
+        return std::count_if(evolution.population().begin(), evolution.population().end(),
+                             [&](const IndividualPtr& one) {
+                                 return one->method == "random" &&
+                                        one->born == evolution.generation();
+                             });
+    };
+    evolution.add_newcomers(0.2);
+    CHECK(newcomers() == 10);
+    CHECK(newcomers() == 0);
+}
+
+TEST_CASE("a run that stands still is stagnant until it is judged anew", "[evolution]") {
+    auto settings = small_settings(10);
+    settings->mutation.scheme = "none";
+    settings->breeding.shares = {{"asexual", 1}, {"crossover", 0}, {"grafting", 0}};
+    Evolution evolution(settings, kinds());
+    FakeBackend backend;
+    run(evolution, backend, 16);
+    CHECK(stagnant(evolution.history().back()));
+    auto moon = std::make_shared<ExperimentSettings>(*settings);
+    moon->world.environment.gravity = 1.62;
+    evolution.replace_settings(moon);
+    evolution.breed();
+    EvaluationProgress progress;
+    REQUIRE(evolution.evaluate(backend, progress, {}));
+    CHECK_FALSE(stagnant(evolution.history().back()));
+}
+
+TEST_CASE("a child keeps its line's age while only its control changes", "[evolution]") {
+    auto settings = small_settings();
+    settings->breeding.shares = {{"asexual", 1}, {"crossover", 0}, {"grafting", 0}};
+    for (const MutationKind& kind : kinds().mutations.all())
+        settings->mutation.weights[kind.id] = kind.id == "weight" || kind.id == "root" ? 1 : 0;
+    Evolution evolution(settings, kinds());
+    FakeBackend backend;
+    run(evolution, backend, 6);
+    int kept = 0;
+    int renewed = 0;
+    for (const IndividualPtr& one : evolution.population()) {
+        const bool new_body =
+            std::any_of(one->mutations.begin(), one->mutations.end(),
+                        [](const MutationRecord& record) { return record.operator_id == "root"; });
+        if (new_body) CHECK(one->body_born == one->born);
+        if (new_body && one->born > 0) ++renewed;
+        if (!new_body && one->body_born < one->born) ++kept;
+    }
+    CHECK(kept > 0);
+    CHECK(renewed > 0);
 }
 
 TEST_CASE("an interrupted generation goes on where it stopped", "[evolution]") {
@@ -129,6 +210,35 @@ TEST_CASE("founders given by hand fill a population with their mutants", "[evolu
     CHECK(distinct.size() < 30);  // a quarter of the mutants are copies
 }
 
+TEST_CASE("random creatures fill up beside given founders if the settings say so", "[evolution]") {
+    RandomStream stream(3);
+    std::vector<GenomePtr> founders;
+    for (int i = 0; i < 3; ++i) {
+        founders.push_back(std::make_shared<const Genome>(
+            random_genome(FounderSettings{}, kinds().creature.catalog, stream)));
+    }
+    auto settings = small_settings(20);
+    settings->population.fill = "random";
+    Evolution evolution(settings, kinds(), founders);
+    for (std::size_t i = 0; i < 20; ++i) {
+        const Individual& one = *evolution.population()[i];
+        CHECK(one.method == (i < 3 ? "imported" : "random"));
+        if (i < 3) CHECK(one.genome == founders[i]);
+    }
+}
+
+TEST_CASE("more founders than places leave the first ones", "[evolution]") {
+    RandomStream stream(3);
+    std::vector<GenomePtr> founders;
+    for (int i = 0; i < 5; ++i) {
+        founders.push_back(std::make_shared<const Genome>(
+            random_genome(FounderSettings{}, kinds().creature.catalog, stream)));
+    }
+    Evolution evolution(small_settings(3), kinds(), founders);
+    REQUIRE(evolution.population().size() == 3);
+    CHECK(evolution.population()[2]->genome == founders[2]);
+}
+
 TEST_CASE("an injected creature lives in the next generation", "[evolution]") {
     Evolution evolution(small_settings(), kinds());
     FakeBackend backend;
@@ -142,6 +252,34 @@ TEST_CASE("an injected creature lives in the next generation", "[evolution]") {
         std::any_of(evolution.population().begin(), evolution.population().end(),
                     [&](const IndividualPtr& one) { return one->genome == injected; });
     CHECK(found);
+}
+
+TEST_CASE("where attributes decide, children are bred as their first parent asks", "[evolution]") {
+    auto settings = small_settings();
+    settings->breeding.choice = "attribute";
+    std::vector<GenomePtr> founders;
+    RandomStream stream(3);
+    for (int i = 0; i < 40; ++i) {
+        Genome genome = random_genome(FounderSettings{}, kinds().creature.catalog, stream);
+        genome.reproduction = Reproduction::kGrafting;
+        founders.push_back(std::make_shared<const Genome>(std::move(genome)));
+    }
+    Evolution evolution(settings, kinds(), founders);
+    FakeBackend backend;
+    run(evolution, backend, 1);
+    evolution.breed();
+    for (const IndividualPtr& one : evolution.population())
+        CHECK((one->born == 0 || one->method == "grafting"));
+    EvaluationProgress progress;
+    REQUIRE(evolution.evaluate(backend, progress, {}));
+    std::set<Reproduction> attributes;
+    for (int i = 0; i < 30; ++i) {
+        evolution.breed();
+        for (const IndividualPtr& one : evolution.population())
+            attributes.insert(one->genome->reproduction);
+        REQUIRE(evolution.evaluate(backend, progress, {}));
+    }
+    CHECK(attributes.size() > 1);  // it mutates
 }
 
 TEST_CASE("offspring name their parents, method and mutations", "[evolution]") {

@@ -122,7 +122,7 @@ TEST_CASE("random extremes of the world, the physics and the body give a verdict
         founders.max_length = random.chance(0.5) ? founders.min_length : 1.6;
         founders.min_width = tiny ? 0.08 : 0.96;
         founders.max_width = random.chance(0.5) ? founders.min_width : 0.96;
-        founders.joints = {"rigid", "rotary", "linear"};
+        founders.joints = {{"rigid", true}, {"rotary", true}, {"linear", true}};
         INFO("round " << round);
         const EvaluationResult result = judged(random_creature(random, founders), settings);
         completed += result.outcome == Outcome::kCompleted ? 1 : 0;

@@ -22,7 +22,8 @@ std::vector<IndividualPtr> descending(std::size_t count) {
 SelectionResult select(const std::vector<IndividualPtr>& ranked, const ExperimentSettings& settings,
                        std::uint64_t seed = 3) {
     RandomStream stream(seed);
-    return builtin_selections().find("truncation")->select(ranked, settings, stream);
+    SelectionMemory memory;
+    return builtin_selections().find("truncation")->select(ranked, settings, memory, stream);
 }
 
 ExperimentSettings of_size(int size) {

@@ -59,9 +59,101 @@ TEST_CASE("crossed limits and shares that are all zero are errors", "[evolution]
         shareless.breeding.shares[kind.id] = 0;
     CHECK(check_settings(shareless, kinds()).error().message.find("[breeding]") !=
           std::string::npos);
+    shareless.breeding.shares["asexual"] = 0.9;
+    shareless.breeding.shares["crossover"] = 0.7;
+    CHECK(check_settings(shareless, kinds()).error().message ==
+          "[breeding]: the shares add up to 1.6; they must add up to 1");
     ExperimentSettings weightless;
     for (const MutationKind& kind : kinds().mutations.all()) {
         weightless.mutation.weights[kind.id] = 0;
     }
     CHECK_FALSE(check_settings(weightless, kinds()));
+}
+
+TEST_CASE("populations of none, one and too many are errors that name the range",
+          "[evolution][settings]") {
+    for (const int size : {-1, 0, 1, 20001}) {
+        ExperimentSettings settings;
+        settings.population.size = size;
+        CHECK(check_settings(settings, kinds()).error().message ==
+              "[population] size: " + std::to_string(size) + " is outside [2, 20000]");
+    }
+    ExperimentSettings endless;
+    endless.generations = 1'000'000'000;
+    CHECK(check_settings(endless, kinds()).error().message ==
+          "[run] generations: 1000000000 is outside [1, 1000000]");
+}
+
+TEST_CASE("nothing to build a body or a brain from is an error", "[evolution][settings]") {
+    const KindCatalog& catalog = kinds().creature.catalog;
+    ExperimentSettings stiff;
+    for (const JointChoice& joint : catalog.joints)
+        stiff.founders.joints[joint.id] = joint.degrees_of_freedom == 0;
+    CHECK(check_settings(stiff, kinds()).error().message.find("[body.joints]") == 0);
+    ExperimentSettings jointless;
+    for (const JointChoice& joint : catalog.joints)
+        jointless.founders.joints[joint.id] = false;
+    CHECK(check_settings(jointless, kinds()).error().message.find("[body.joints]") == 0);
+    ExperimentSettings brainless;
+    for (const FunctionEntry& function : catalog.functions)
+        brainless.founders.functions[function.id] = false;
+    CHECK(check_settings(brainless, kinds()).error().message.find("[body.functions]") == 0);
+    brainless.founders.functions["sum"] = true;
+    CHECK(check_settings(brainless, kinds()).has_value());
+}
+
+TEST_CASE("stopping hopeless trials contradicts methods that look at everyone, and more trials",
+          "[evolution][settings]") {
+    ExperimentSettings settings;
+    settings.stop_hopeless = true;
+    CHECK(check_settings(settings, kinds()).has_value());
+    for (const char* method : {"roulette", "map-elites", "novelty", "age-protection"}) {
+        settings.selection.method = method;
+        const Status status = check_settings(settings, kinds());
+        REQUIRE_FALSE(status);
+        CHECK(status.error().message.find("[run] stop-hopeless") == 0);
+        CHECK(status.error().message.find(method) != std::string::npos);
+    }
+    settings.selection.method = "tournament";
+    CHECK(check_settings(settings, kinds()).has_value());
+    settings.selection.tournament_of_all = true;
+    CHECK_FALSE(check_settings(settings, kinds()));
+    settings.selection.method = "rank";
+    settings.world.trial.trials = 3;
+    CHECK(check_settings(settings, kinds()).error().message.find("[trial] trials") !=
+          std::string::npos);
+}
+
+TEST_CASE("a goal in its own world raises no warning", "[evolution][settings]") {
+    for (const GoalKind& goal : kinds().goals.all()) {
+        ExperimentSettings settings;
+        settings.goal = goal.id;
+        settings.world.environment = goal.default_environment();
+        CAPTURE(goal.id);
+        CHECK(setting_warnings(settings, kinds()).empty());
+    }
+}
+
+TEST_CASE("a goal in a world where it makes no sense warns and is allowed",
+          "[evolution][settings]") {
+    const auto warned = [](const ExperimentSettings& settings) {
+        CHECK(check_settings(settings, kinds()).has_value());
+        const auto warnings = setting_warnings(settings, kinds());
+        return warnings.size() == 1 && warnings[0].find("[goal] behavior: " + settings.goal) == 0;
+    };
+    ExperimentSettings settings;
+    settings.goal = "swimming";  // with ground and no viscosity
+    CHECK(warned(settings));
+    settings.world.environment = kinds().goals.find("swimming")->default_environment();
+    settings.world.environment.gravity = 9.81;
+    CHECK(warned(settings));
+    for (const char* goal : {"walking", "jumping"}) {
+        settings.goal = goal;
+        settings.world.environment = Environment{};
+        settings.world.environment.has_ground = false;
+        CHECK(warned(settings));
+        settings.world.environment = Environment{};
+        settings.world.environment.gravity_direction = 90.0;
+        CHECK(warned(settings));
+    }
 }

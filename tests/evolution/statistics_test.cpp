@@ -32,3 +32,32 @@ TEST_CASE("only diverged and cheating creatures count as invalid", "[evolution][
     }
     CHECK(summarize(all, 0, 4).invalid_share == Approx(0.5));
 }
+
+TEST_CASE("fifteen generations without a rise of 1 percent are stagnation",
+          "[evolution][statistics]") {
+    std::vector<GenerationStatistics> history;
+    const auto add = [&](double best) {
+        GenerationStatistics next = summarize(test::individuals({best}), 0, 1);
+        if (!history.empty()) continue_progress(next, history.back());
+        history.push_back(next);
+    };
+    add(1.0);
+    for (int i = 1; i <= 14; ++i)
+        add(1.0 + 0.0006 * i);
+    CHECK_FALSE(stagnant(history.back()));
+    add(1.009);
+    CHECK(stagnant(history.back()));
+    add(1.0101);  // slow progress adds up
+    CHECK_FALSE(stagnant(history.back()));
+    CHECK(history.back().generations_without_progress == 0);
+}
+
+TEST_CASE("any rise from nothing is progress", "[evolution][statistics]") {
+    const auto nothing = summarize(test::individuals({0.0}), 0, 1);
+    auto something = summarize(test::individuals({1e-9}), 1, 1);
+    continue_progress(something, nothing);
+    CHECK(something.generations_without_progress == 0);
+    auto still_nothing = summarize(test::individuals({0.0}), 1, 1);
+    continue_progress(still_nothing, nothing);
+    CHECK(still_nothing.generations_without_progress == 1);
+}

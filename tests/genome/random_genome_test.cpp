@@ -2,7 +2,10 @@
 
 #include "genome/enabled_kinds.h"
 #include "genome/small_catalog.h"
+#include "genome/source_rules.h"
 #include "support/catch.h"
+
+#include <algorithm>
 
 using namespace cambrian;
 
@@ -18,6 +21,16 @@ std::vector<Genome> founders(const FounderSettings& settings, int count) {
     return genomes;
 }
 
+// Flags that leave only the named kinds.
+template <class Entry>
+std::map<std::string, bool> only(const std::vector<Entry>& entries,
+                                 const std::vector<std::string>& ids) {
+    std::map<std::string, bool> flags;
+    for (const Entry& entry : entries)
+        flags[entry.id] = std::find(ids.begin(), ids.end(), entry.id) != ids.end();
+    return flags;
+}
+
 }  // namespace
 
 TEST_CASE("random genomes are valid and within the user's limits", "[genome][random]") {
@@ -26,7 +39,7 @@ TEST_CASE("random genomes are valid and within the user's limits", "[genome][ran
     settings.max_nodes = 7;
     settings.max_length = 0.6;
     settings.max_node_neurons = 2;
-    settings.functions = {"sum", "abs"};
+    settings.functions = only(small_catalog().functions, {"sum", "abs"});
     for (const Genome& genome : founders(settings, 3000)) {
         REQUIRE(validate(genome, small_catalog()).empty());
         REQUIRE(genome.nodes.size() >= 3);
@@ -55,9 +68,35 @@ TEST_CASE("random genomes use rigid and rotary joints unless others are named",
         }
     }
     CHECK(static_cast<double>(rotary) / static_cast<double>(nodes) == Approx(0.8).margin(0.03));
-    settings.joints = {"linear"};
+    settings.joints = only(small_catalog().joints, {"linear"});
     for (const Genome& genome : founders(settings, 50))
         CHECK(genome.nodes.back().joint == 2);
+}
+
+TEST_CASE("new genes read only the sensor channels allowed, or none", "[genome][random]") {
+    FounderSettings settings;
+    settings.channels = only(small_catalog().channels, {small_catalog().channels[1].id});
+    std::size_t sensors = 0;
+    const auto check = [&](const InputGene& input) {
+        if (source_rule(input.source.kind).reads != SourceReads::kSensor) return;
+        REQUIRE(input.source.index == 1);
+        ++sensors;
+    };
+    const auto check_all = [&](const std::vector<Genome>& genomes) {
+        for (const Genome& genome : genomes) {
+            for (const NodeGene& node : genome.nodes) {
+                check(node.effector);
+                for (const NeuronGene& neuron : node.neurons)
+                    std::for_each(neuron.inputs.begin(), neuron.inputs.end(), check);
+            }
+        }
+    };
+    check_all(founders(settings, 200));
+    CHECK(sensors > 100);
+    sensors = 0;
+    settings.channels = only(small_catalog().channels, {});
+    check_all(founders(settings, 200));
+    CHECK(sensors == 0);
 }
 
 TEST_CASE("the same stream draws the same founder, another one another", "[genome][random]") {
@@ -79,7 +118,7 @@ TEST_CASE("contradictory limits still give a valid genome", "[genome][random]") 
 
 TEST_CASE("founders' oscillators mostly get constants in the suggested range", "[genome][random]") {
     FounderSettings settings;
-    settings.functions = {"oscillate-wave"};
+    settings.functions = only(small_catalog().functions, {"oscillate-wave"});
     int suggested = 0;
     int all = 0;
     for (const Genome& genome : founders(settings, 1000)) {

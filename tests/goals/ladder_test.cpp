@@ -1,15 +1,25 @@
-// The ladder of walking, evolution.md 7.2: what falls or hops once must not pay, what crawls must.
+// The ladders of evolution.md 7.2 to 7.4: what only looks like it must not pay, what does it must.
 #include "evolution/evaluation.h"
 #include "support/catch.h"
 #include "support/creatures.h"
 #include "support/kinds.h"
+
+#include <cmath>
 
 using namespace cambrian;
 
 namespace {
 
 EvaluationResult walk(const GenomePtr& genome) {
-    return evaluate({genome, 0, 0}, ExperimentSettings{}, test::kinds());
+    return evaluate({.genome = genome}, ExperimentSettings{}, test::kinds());
+}
+
+// In the world the goal makes sense in.
+EvaluationResult attempt(const char* goal, const GenomePtr& genome) {
+    ExperimentSettings settings;
+    settings.goal = goal;
+    settings.world.environment = test::kinds().goals.find(goal)->default_environment();
+    return evaluate({.genome = genome}, settings, test::kinds());
 }
 
 const KindCatalog& catalog() {
@@ -38,4 +48,67 @@ TEST_CASE("a body with two sine-driven legs crawls", "[goals][ladder]") {
     const EvaluationResult result = walk(test::crawler(catalog()));
     CHECK(result.outcome == Outcome::kCompleted);
     CHECK(result.fitness > 0.02);
+}
+
+TEST_CASE("a creature that kicks itself off once scores below 0.05 in walking", "[goals][ladder]") {
+    for (const double delay : {4.0, 8.0, 12.0}) {
+        const EvaluationResult result = walk(test::kicker(catalog(), delay));
+        CAPTURE(delay);
+        CHECK(result.outcome == Outcome::kCompleted);
+        CHECK(result.fitness < 0.05);
+    }
+}
+
+// Twice the size with everything in proportion (Froude scaling): times longer by the root of two,
+// speeds of joints slower by it, muscles stronger with the weight.
+TEST_CASE("walking is scored alike at another scale", "[goals][ladder]") {
+    const double root = std::sqrt(2.0);
+    const EvaluationResult small = walk(test::crawler(catalog()));
+    Genome large = *test::crawler(catalog());
+    for (NodeGene& node : large.nodes) {
+        node.length *= 2.0;
+        node.width *= 2.0;
+        for (NeuronGene& neuron : node.neurons)
+            neuron.inputs[0].weight /= root;  // the oscillators' frequency
+    }
+    ExperimentSettings slower;
+    slower.world.trial.duration *= root;
+    slower.world.trial.settle_limit *= root;
+    slower.world.scene.muscle_strength *= 2.0;
+    slower.world.scene.target_smoothing *= root;
+    slower.world.scene.motor_speed_limit /= root;
+    slower.world.scene.motor_frequency /= root;
+    const EvaluationResult result =
+        evaluate({.genome = std::make_shared<const Genome>(large)}, slower, test::kinds());
+    REQUIRE(result.outcome == Outcome::kCompleted);
+    CHECK(result.body_length == Approx(2.0 * small.body_length).epsilon(0.1));
+    CHECK(result.fitness * root == Approx(small.fitness).epsilon(0.25));
+}
+
+TEST_CASE("raising an arm is not jumping, kicking off the Moon is", "[goals][ladder]") {
+    ExperimentSettings moon;
+    moon.goal = "jumping";
+    moon.world.environment.gravity = 1.62;
+    const auto jump = [&](const GenomePtr& genome) {
+        return evaluate({.genome = genome}, moon, test::kinds());
+    };
+    const EvaluationResult raised = jump(test::arm_raiser(catalog()));
+    CHECK(raised.outcome == Outcome::kCompleted);
+    CHECK(raised.fitness > 0.0);
+    CHECK(raised.fitness <= 0.1 * raised.body_length);
+    CHECK(raised.behavior.contact_share > 0.9);
+    const EvaluationResult kicked = jump(test::kicker(catalog(), 5.0));
+    CHECK(kicked.outcome == Outcome::kCompleted);
+    CHECK(kicked.fitness > 5.0 * raised.fitness);
+    CHECK(jump(test::rigid_tower(catalog())).fitness == 0.0);
+}
+
+TEST_CASE("a beating tail swims, a single stroke hardly does", "[goals][ladder]") {
+    const EvaluationResult swimmer = attempt("swimming", test::fish(catalog()));
+    CHECK(swimmer.outcome == Outcome::kCompleted);
+    CHECK(swimmer.fitness > 0.02);
+    const EvaluationResult drifting = attempt("swimming", test::drifter(catalog()));
+    CHECK(drifting.outcome == Outcome::kCompleted);
+    CHECK(drifting.fitness < 0.01);
+    CHECK(attempt("swimming", test::rigid_tower(catalog())).fitness == 0.0);
 }

@@ -7,7 +7,7 @@ namespace cambrian::golden {
 FounderSettings all_joints() {
     FounderSettings settings;
     for (const JointChoice& joint : test::kinds().creature.catalog.joints)
-        settings.joints.push_back(joint.id);
+        settings.joints[joint.id] = true;
     return settings;
 }
 

@@ -142,16 +142,24 @@ TEST_CASE("all faults of a file are listed at once", "[persist][settings_file]")
           "  line 4, [run] sed: unknown key; did you mean \"seed\"?");
 }
 
+TEST_CASE("an unknown function is an error that names the one meant", "[persist][settings_file]") {
+    CHECK(message_of("[body.functions]\noscilate-wave = false\n") ==
+          "run.toml: line 2, [body.functions] oscilate-wave: unknown key; did you mean "
+          "\"oscillate-wave\"?");
+}
+
 TEST_CASE("settings are saved to a file and loaded from it", "[persist][settings_file]") {
     const TemporaryDirectory folder;
     ExperimentSettings settings;
     settings.world.environment.gravity = 1.62;
-    settings.breeding.shares["asexual"] = 0.9;
+    settings.breeding.shares = {{"asexual", 0.9}, {"crossover", 0.1}, {"grafting", 0.0}};
+    settings.founders.functions["log"] = false;
     REQUIRE(save_settings(folder / "moon.toml", settings, kinds()));
     const auto loaded = load_settings(folder / "moon.toml", kinds());
     REQUIRE(loaded);
     CHECK(loaded->world == settings.world);
     CHECK(loaded->breeding.shares.at("asexual") == 0.9);
+    CHECK_FALSE(loaded->founders.functions.at("log"));
     CHECK_THAT(load_settings(folder / "none.toml", kinds()).error().message,
                Catch::Contains("none.toml: No such file"));
 }

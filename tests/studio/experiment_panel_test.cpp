@@ -7,7 +7,7 @@ namespace cambrian {
 namespace {
 
 struct PanelRun {
-    NullImGui gui{400.0F, 3000.0F};
+    NullImGui gui{400.0F, 6000.0F};
     test::StudioFixture studio;
     ExperimentPanel panel;
     Requests out;
@@ -21,11 +21,27 @@ struct PanelRun {
     }
 };
 
-TEST_CASE("once its groups are open, every setting has a control", "[studio][experiment_panel]") {
+TEST_CASE("settings of other selection methods are not shown", "[studio][experiment_panel]") {
+    PanelRun run;
+    run.frame();
+    CHECK(run.gui.has("selection.survival"));
+    CHECK_FALSE(run.gui.has("selection.map-across"));
+    ExperimentSettings mapped = run.studio.editor().draft();
+    mapped.selection.method = "map-elites";
+    run.studio.editor().replace(mapped);
+    run.gui.forget_places();
+    run.frame();
+    CHECK_FALSE(run.gui.has("selection.survival"));
+    CHECK(run.gui.has("selection.map-across"));
+}
+
+TEST_CASE("once its groups are open, every setting that applies has a control",
+          "[studio][experiment_panel]") {
     PanelRun run;
     run.frame();
     const auto fields = setting_fields(test::kinds());
     for (const SettingField& field : fields) {
+        if (field.applies && !field.applies(run.studio.editor().draft())) continue;
         if (!run.gui.has(field.table + "." + field.key)) run.click("group " + field.table);
         run.frame();
         INFO(field.table << "." << field.key);
@@ -86,6 +102,37 @@ TEST_CASE("a structural edit of a running experiment offers a new run",
     run.studio.editor().edit(changed, "run.seed");
     run.click("Keep creatures");
     CHECK(test::asked<StartNewRun>(run.out).keep_population);
+}
+
+TEST_CASE("the shares of breeding make room for the one dragged", "[studio][experiment_panel]") {
+    PanelRun run;
+    run.click("group breeding");
+    run.click("breeding.asexual");
+    int dragged = 0;
+    for (const StudioAction& action : run.out.actions()) {
+        const auto* edit = std::get_if<EditSettings>(&action);
+        if (edit == nullptr) continue;
+        const auto& shares = edit->settings.breeding.shares;
+        double sum = 0.0;
+        for (const auto& [way, share] : shares)
+            sum += share;
+        CHECK(sum == Approx(1.0));
+        CHECK(shares.at("crossover") == Approx(shares.at("grafting")));
+        CHECK(check_settings(edit->settings, test::kinds()).has_value());
+        dragged += shares.at("asexual") != Approx(0.4) ? 1 : 0;
+    }
+    CHECK(dragged > 0);
+}
+
+TEST_CASE("a goal in the wrong world says why", "[studio][experiment_panel]") {
+    PanelRun run;
+    run.frame();
+    CHECK_FALSE(run.gui.has("goal mismatch"));
+    ExperimentSettings dry = run.studio.editor().draft();
+    dry.goal = "swimming";
+    run.studio.editor().replace(dry);
+    run.frame();
+    CHECK(run.gui.has("goal mismatch"));
 }
 
 TEST_CASE("before the first generation nothing needs a new run", "[studio][experiment_panel]") {

@@ -65,6 +65,25 @@ TEST_CASE("a click on the timeline shows that generation's champion", "[studio][
     CHECK(test::asked<ShowChampion>(out).generation == 10);
 }
 
+TEST_CASE("a stagnant run offers newcomers and many kinds, and does neither by itself",
+          "[studio][timeline]") {
+    NullImGui gui;
+    TimelinePanel panel;
+    test::StudioFixture studio;
+    for (int i = 0; i < 21; ++i)
+        studio.finish_generation(0.5);
+    Requests unasked;
+    gui.frame([&] { panel.draw(studio.frame(), unasked); });
+    CHECK_FALSE(gui.has("Add newcomers"));
+    studio.snapshot().history.back().generations_without_progress = 20;
+    gui.frame([&] { panel.draw(studio.frame(), unasked); });
+    CHECK(unasked.actions().empty());
+    CHECK(test::asked<AddNewcomers>(click(gui, panel, studio, "Add newcomers")).share == 0.2);
+    const Requests kinds = click(gui, panel, studio, "Many kinds");
+    CHECK(test::asked<EditSettings>(kinds).settings.selection.method == "map-elites");
+    CHECK(test::was_asked<FinishEdit>(kinds));
+}
+
 TEST_CASE("a click on a tile shows its creature", "[studio][population]") {
     NullImGui gui;
     PopulationPanel panel;

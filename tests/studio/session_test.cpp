@@ -3,6 +3,7 @@
 #include "studio_fixture.h"
 #include "support/temporary_directory.h"
 
+#include <algorithm>
 #include <chrono>
 #include <fstream>
 #include <functional>
@@ -49,6 +50,25 @@ public:
     TemporaryDirectory folder;
     Session session;
 };
+
+TEST_CASE("a new run can begin with the creature on show", "[studio][session]") {
+    SessionRun run;
+    run.ask(StartFromShown{});  // nothing on show: nothing happens
+    run.ask(RunOneGeneration{});
+    REQUIRE(run.frames_until([&] { return run.champions() == 1; }));
+    const GenomePtr shown = run.session.frame_context().playback.exhibit().genome;
+    run.ask(StartFromShown{});
+    run.ask(RunOneGeneration{});
+    REQUIRE(run.frames_until([&] {
+        const EvolutionSnapshot& snapshot = run.session.frame_context().snapshot;
+        return snapshot.experiment == 2 && snapshot.champions.size() == 1;
+    }));
+    const auto& population = run.session.frame_context().snapshot.population;
+    CHECK(std::any_of(population.begin(), population.end(),
+                      [&](const IndividualPtr& one) { return one->genome == shown; }));
+    CHECK(std::all_of(population.begin(), population.end(),
+                      [](const IndividualPtr& one) { return one->method == "imported"; }));
+}
 
 TEST_CASE("one generation is evaluated, logged and its champion takes the stage",
           "[studio][session]") {

@@ -102,6 +102,20 @@ inline GenomePtr rigid_tower(const KindCatalog& catalog) {
     return builder.build();
 }
 
+// Neurons of a part that give 0 until a moment after birth (0 to 15 s) and `value` from then on.
+inline std::uint8_t alarm(CreatureBuilder& builder, std::uint8_t node, double delay, double value) {
+    const double frequency = 1.0 / 40.0;  // a slow saw tooth is a clock
+    const auto clock =
+        builder.neuron(node, "oscillate-saw",
+                       {CreatureBuilder::constant(frequency), CreatureBuilder::constant(0)});
+    const double threshold = 2.0 * frequency * delay - 1.0;
+    const auto late = builder.neuron(
+        node, "greater-than", {CreatureBuilder::from(clock), CreatureBuilder::constant(threshold)});
+    return builder.neuron(node, "if",
+                          {CreatureBuilder::from(late), CreatureBuilder::constant(value),
+                           CreatureBuilder::constant(0.0)});
+}
+
 // A tall tower that tips itself over with an arm, `delay` seconds after birth (0 to 15).
 inline GenomePtr falling_tower(const KindCatalog& catalog, double delay) {
     CreatureBuilder builder(catalog);
@@ -110,16 +124,55 @@ inline GenomePtr falling_tower(const KindCatalog& catalog, double delay) {
     builder.attach(tower, arm, 0.125);
     builder.limits(arm, -2.0, 2.0);
     builder.stand_at(kHalfPi);
-    const double frequency = 1.0 / 40.0;  // a slow saw tooth is a clock
-    const auto clock = builder.neuron(
-        arm, "oscillate-saw", {CreatureBuilder::constant(frequency), CreatureBuilder::constant(0)});
-    const double threshold = 2.0 * frequency * delay - 1.0;
-    const auto alarm = builder.neuron(
-        arm, "greater-than", {CreatureBuilder::from(clock), CreatureBuilder::constant(threshold)});
-    const auto gate = builder.neuron(arm, "if",
-                                     {CreatureBuilder::from(alarm), CreatureBuilder::constant(1.9),
-                                      CreatureBuilder::constant(0.0)});
-    builder.drive(arm, gate, 1.0);
+    builder.drive(arm, alarm(builder, arm, delay, 1.9), 1.0);
+    return builder.build();
+}
+
+// A body on two legs folded beside it that it kicks down, once, `delay` seconds after birth.
+inline GenomePtr kicker(const KindCatalog& catalog, double delay) {
+    CreatureBuilder builder(catalog);
+    const auto body = builder.part(0.4, 0.2);
+    for (const double side : {-1.0, 1.0}) {
+        const auto leg = builder.part(0.5, 0.2);
+        builder.attach(body, leg, 0.875 + 0.075 * side, 1.35 * side);
+        builder.limits(leg, -2.0, 2.0);
+        builder.drive(leg, alarm(builder, leg, delay, 1.35), -side);
+    }
+    return builder.build();
+}
+
+// A flat body that lifts an arm and stays on the ground.
+inline GenomePtr arm_raiser(const KindCatalog& catalog) {
+    CreatureBuilder builder(catalog);
+    const auto body = builder.part(1.0, 0.3);
+    const auto arm = builder.part(0.5, 0.1);
+    builder.attach(body, arm, 0.02, 0.0);
+    builder.limits(arm, -1.5, 1.5);
+    builder.drive(arm, alarm(builder, arm, 2.0, 1.4), 1.0);
+    return builder.build();
+}
+
+// A body with a tail of two links that beat one after the other.
+inline GenomePtr fish(const KindCatalog& catalog) {
+    CreatureBuilder builder(catalog);
+    const auto body = builder.part(0.6, 0.16);
+    const auto tail = builder.part(0.35, 0.1);
+    const auto fin = builder.part(0.3, 0.08);
+    builder.attach(body, tail, 0.125);
+    builder.attach(tail, fin, 0.125);
+    builder.swing(tail, 1.0, 0.0, 0.7);
+    builder.swing(fin, 1.0, -0.25, 0.9);
+    return builder.build();
+}
+
+// The fish's body with a tail that strikes once, 1 s after birth, and is then held still.
+inline GenomePtr drifter(const KindCatalog& catalog) {
+    CreatureBuilder builder(catalog);
+    const auto body = builder.part(0.6, 0.16);
+    const auto tail = builder.part(0.35, 0.1);
+    builder.attach(body, tail, 0.125);
+    builder.limits(tail, -1.5, 1.5);
+    builder.drive(tail, alarm(builder, tail, 1.0, 1.4), 1.0);
     return builder.build();
 }
 

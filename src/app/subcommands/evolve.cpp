@@ -11,8 +11,10 @@ public:
     void add_options(CLI::App& app) override {
         app.add_option("settings", run_.settings_file, "Settings file (*.toml)")->required();
         app.add_option("-n,--generations", run_.generations, "Generations, instead of the file's")
-            ->check(CLI::Range(1, 1'000'000'000));
+            ->check(CLI::Range(1, 1'000'000));
         app.add_option("-s,--seed", run_.seed, "Seed, instead of the file's");
+        app.add_option("-f,--founders", run_.founders,
+                       "Creature files to begin with instead of random creatures");
         app.add_option("-t,--threads", run_.threads,
                        "Threads; one a core unless given. Never changes a result")
             ->check(CLI::Range(1, 1024));

@@ -4,8 +4,10 @@
 #include "app/subcommands/subcommands.h"
 #include "app/trial_report.h"
 #include "core/file_io.h"
+#include "core/number_text.h"
 #include "evolution/evaluation.h"
 #include "evolution/setting_field.h"
+#include "evolution/trials.h"
 #include "persist/creature_file.h"
 #include "persist/settings_file.h"
 
@@ -81,7 +83,8 @@ public:
             const ExitStatus traced = write_trace(genome, *settings, kinds.creature);
             if (traced != ExitStatus::kDone) return traced;
         }
-        EvaluationResult result = evaluate({.genome = genome}, *settings, kinds);
+        EvaluationResult result = evaluate_in_trials(
+            {.genome = genome, .trial_seed = trial_seed(*settings)}, *settings, kinds);
         if (result.outcome == Outcome::kCompleted && !result.finer)
             result.finer = recompute(*genome, *settings, kinds);
         const std::string& unit = kinds.goals.find(settings->goal)->unit;

@@ -2,7 +2,7 @@
 #include "app/subcommands/subcommands.h"
 #include "app/trial_report.h"
 #include "core/number_text.h"
-#include "evolution/evaluation.h"
+#include "evolution/trials.h"
 #include "persist/creature_file.h"
 #include "persist/digest_text.h"
 
@@ -15,7 +15,8 @@ namespace {
 EvaluationResult replay(const CreatureDocument& document, const EvolutionKinds& kinds) {
     const auto genome = std::make_shared<const Genome>(document.genome);
     const ExperimentSettings settings = settings_of(*document.scored);
-    EvaluationResult result = evaluate({.genome = genome}, settings, kinds);
+    EvaluationResult result =
+        evaluate_in_trials({.genome = genome, .trial_seed = trial_seed(settings)}, settings, kinds);
     if (document.scored->finer && !result.finer) result.finer = recompute(*genome, settings, kinds);
     return result;
 }

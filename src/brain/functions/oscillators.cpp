@@ -39,13 +39,15 @@ void add_oscillators(NeuronFunctionRegistry& functions) {
                    .arity = 2,
                    .memory_size = 1,
                    .evaluate = wave,
-                   .input_hints = hints});
+                   .input_hints = hints,
+                   .oscillates = true});
     functions.add({.id = "oscillate-saw",
                    .label = "Saw",
                    .arity = 2,
                    .memory_size = 1,
                    .evaluate = saw,
-                   .input_hints = hints});
+                   .input_hints = hints,
+                   .oscillates = true});
 }
 
 }  // namespace cambrian

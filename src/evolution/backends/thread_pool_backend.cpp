@@ -1,6 +1,8 @@
 #include "evolution/backends/thread_pool_backend.h"
 
 #include "core/thread_pool.h"
+#include "evolution/longest_first.h"
+#include "evolution/trials.h"
 
 #include <vector>
 
@@ -20,13 +22,14 @@ public:
         for (std::size_t i = 0; i < requests.size(); ++i) {
             if (!results[i]) open.push_back(i);
         }
+        put_longest_first(open, requests);
         progress.done = static_cast<std::uint32_t>(requests.size() - open.size());
         progress.total = static_cast<std::uint32_t>(requests.size());
         return pool_.parallel_for(
             open.size(),
             [&](std::size_t index, std::size_t) {
                 EvaluationResult result =
-                    cambrian::evaluate(requests[open[index]], settings, kinds_, stop);
+                    evaluate_in_trials(requests[open[index]], settings, kinds_, stop);
                 if (result.outcome == Outcome::kInterrupted) return;
                 results[open[index]] = std::move(result);
                 progress.done.fetch_add(1, std::memory_order_relaxed);

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <string_view>
 
 namespace cambrian {
@@ -29,6 +30,9 @@ constexpr std::array kGroups = {
     GroupName{"mutation", "Mutation", true},
     GroupName{"mutation.weights", "Mutation weights", false},
     GroupName{"body", "Body and brain", false},
+    GroupName{"body.joints", "Joints allowed", false},
+    GroupName{"body.functions", "Neurons allowed", false},
+    GroupName{"body.sensors", "Sensors allowed", false},
     GroupName{"simulation", "Physics", false},
     GroupName{"trial", "Trial", false},
     GroupName{"run", "Run", false},
@@ -78,9 +82,36 @@ void draw_presets(const ExperimentSettings& draft, Requests& out) {
     ImGui::EndCombo();
 }
 
-std::string goal_help(const FrameContext& frame) {
-    const GoalKind* goal = frame.kinds.goals.find(frame.editor.draft().goal);
-    return goal == nullptr ? std::string() : goal->help;
+// What the goal asks for, and whether the world lets it.
+void draw_goal_help(const FrameContext& frame) {
+    const ExperimentSettings& draft = frame.editor.draft();
+    const GoalKind* goal = frame.kinds.goals.find(draft.goal);
+    if (goal == nullptr) return;
+    muted_text(goal->help);
+    const std::string mismatch =
+        goal->mismatch == nullptr ? "" : goal->mismatch(draft.world.environment);
+    if (mismatch.empty()) return;
+    const WithTextColor warning(colors().danger);
+    ImGui::TextWrapped("Makes little sense in this world: %s.", mismatch.c_str());
+    note_place("goal mismatch");
+}
+
+// The shares of the other ways of breeding make room for the one edited, in proportion.
+void balance_shares(const std::vector<SettingField>& fields, const std::string& edited,
+                    ExperimentSettings& settings) {
+    for (const SettingField& field : fields) {
+        if (field.table == "breeding") static_cast<void>(field.at(settings));  // named in the map
+    }
+    std::map<std::string, double>& shares = settings.breeding.shares;
+    const double left = 1.0 - shares[edited];
+    double others = 0.0;
+    for (const auto& [way, share] : shares)
+        others += way == edited ? 0.0 : share;
+    for (auto& [way, share] : shares) {
+        if (way == edited) continue;
+        share =
+            others > 0.0 ? share * left / others : left / static_cast<double>(shares.size() - 1);
+    }
 }
 
 }  // namespace
@@ -172,13 +203,16 @@ void ExperimentPanel::draw_group(const Group& group, const FrameContext& frame, 
     ExperimentSettings edited = frame.editor.draft();
     for (const SettingField& field : frame.fields) {
         if (field.table != group.table) continue;
+        if (field.applies && !field.applies(edited)) continue;
         const RowEvent event = setting_row(field, edited, defaults);
         if (event == RowEvent::kNone) continue;
         if (field.table == "goal") adopt_goal_world(edited, frame.kinds);
+        if (frame.kinds.breeding.find(field.key) != nullptr)
+            balance_shares(frame.fields, field.key, edited);
         out.ask(EditSettings{edited, field.table + "." + field.key});
         if (event == RowEvent::kFinished) out.ask(FinishEdit{});
     }
-    if (group.table == "goal") muted_text(goal_help(frame));
+    if (group.table == "goal") draw_goal_help(frame);
     ImGui::Dummy({0, px(4)});
     ImGui::PopID();
 }

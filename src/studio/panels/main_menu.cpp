@@ -31,6 +31,8 @@ void draw_edit_menu(const FrameContext& frame, Requests& out) {
     if (item("New run", nullptr)) out.ask(StartNewRun{false});
     const bool any = !frame.snapshot.population.empty();
     if (item("New run from these creatures", nullptr, any)) out.ask(StartNewRun{true});
+    if (item("New run from the creature on show", nullptr, !frame.playback.empty()))
+        out.ask(StartFromShown{});
 }
 
 void view_item(const char* label, const char* keys, bool ViewState::*flag,

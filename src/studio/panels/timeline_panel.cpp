@@ -9,6 +9,9 @@
 namespace cambrian {
 namespace {
 
+constexpr double kNewcomerShare = 0.2;
+constexpr const char* kManyKinds = "map-elites";
+
 void legend_entry(const char* name, const Color& color, bool band) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float middle = at.y + 0.5F * ImGui::GetFontSize();
@@ -38,6 +41,28 @@ void draw_heading(const FrameContext& frame) {
     legend_entry("median", colors().plot_median, false);
     ImGui::SameLine(0, px(12));
     legend_entry("10–90 %", with_alpha(colors().plot_median, 0.3F), true);
+}
+
+// What may help where the best has not risen for long (evolution.md 6.4); nothing is done unasked.
+void draw_stagnation(const FrameContext& frame, Requests& out) {
+    const auto& history = frame.snapshot.history;
+    if (history.empty() || !stagnant(history.back())) return;
+    const ExperimentSettings& draft = frame.editor.draft();
+    muted_text(format("The best has not risen for %d generations.",
+                      history.back().generations_without_progress));
+    ImGui::SameLine(0, px(10));
+    if (push_button("Add newcomers",
+                    {.tooltip = "Once, a fifth of the next generation is new random creatures."}))
+        out.ask(AddNewcomers{kNewcomerShare});
+    if (draft.selection.method == kManyKinds) return;
+    ImGui::SameLine();
+    if (push_button("Many kinds", {.tooltip = "Keep the fittest of every kind of body: the "
+                                              "selection method becomes MAP-Elites."})) {
+        ExperimentSettings edited = draft;
+        edited.selection.method = kManyKinds;
+        out.ask(EditSettings{std::move(edited), "selection.method"});
+        out.ask(FinishEdit{});
+    }
 }
 
 // Labels of the settings in which two journal entries differ, one a line.
@@ -101,6 +126,7 @@ PlotScale TimelinePanel::scale_for(const Rect& area) const {
 
 void TimelinePanel::draw(const FrameContext& frame, Requests& out) {
     draw_heading(frame);
+    draw_stagnation(frame, out);
     gather(frame.snapshot);
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const ImVec2 room = ImGui::GetContentRegionAvail();
@@ -168,11 +194,14 @@ void TimelinePanel::handle_mouse(const PlotScale& scale, const FrameContext& fra
     }
     const std::string text = format(
         "Generation %u\nBest %s, median %s\n10–90 %%: %s to %s\n%d distinct of %d, %s %% "
-        "invalid",
+        "invalid\nMap: %d cells filled, quality %s\n%d creatures simulated, %s %% of the time "
+        "saved",
         generation, pretty_number(stats.best).c_str(), pretty_number(stats.median).c_str(),
         pretty_number(stats.lower).c_str(), pretty_number(stats.upper).c_str(),
         stats.distinct_genomes, stats.size,
-        pretty_number(std::round(100.0 * stats.invalid_share)).c_str());
+        pretty_number(std::round(100.0 * stats.invalid_share)).c_str(), stats.filled_cells,
+        pretty_number(stats.quality).c_str(), stats.evaluations,
+        pretty_number(std::round(100.0 * stats.time_saved)).c_str());
     tooltip(text + change_at(frame, generation) + "\n\nClick to watch its champion.");
 }
 

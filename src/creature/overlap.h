@@ -1,0 +1,11 @@
+#pragma once
+
+#include "world/body_plan.h"
+
+namespace cambrian {
+
+// Whether any two parts that no joint ties together overlap at rest (evolution.md 2.4, option
+// strictOverlap). Touching is not overlapping.
+bool overlaps_itself(const BodyPlan& plan);
+
+}  // namespace cambrian

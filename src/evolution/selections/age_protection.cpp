@@ -1,0 +1,48 @@
+// Morphological age protection (after Cheney et al. 2018), evolution.md 6.2. A creature's age is
+// the time since its line of descent last changed its body. Parents, as many children and at least
+// one newcomer compete for their places by non-dominated sorting on (younger, fitter), so that a
+// new body has time for its control to adapt to it.
+#include "evolution/pareto.h"
+#include "evolution/selections/survival.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace cambrian {
+namespace {
+
+std::vector<std::size_t> young_or_fit(std::span<const IndividualPtr> candidates,
+                                      std::size_t wanted) {
+    std::vector<ParetoPoint> points;
+    for (const IndividualPtr& individual : candidates)
+        points.push_back({static_cast<double>(individual->body_born), individual->result.fitness});
+    std::vector<std::size_t> kept = pareto_order(points);
+    kept.resize(std::min(kept.size(), wanted));
+    std::sort(kept.begin(), kept.end());
+    return kept;
+}
+
+SelectionResult select_by_age(std::span<const IndividualPtr> ranked,
+                              const ExperimentSettings& settings, SelectionMemory& /*memory*/,
+                              RandomStream& stream) {
+    std::vector<std::size_t> survivors =
+        young_or_fit(qualified(ranked), static_cast<std::size_t>(settings.population.size));
+    std::vector<double> weights(ranked.size(), 0.0);
+    for (const std::size_t survivor : survivors)
+        weights[survivor] = 1.0;
+    ExperimentSettings with_newcomer = settings;
+    with_newcomer.population.immigrants = std::max(1, settings.population.immigrants);
+    return breed_whole_batch(std::move(survivors), std::move(weights), with_newcomer, stream);
+}
+
+}  // namespace
+
+void register_age_protection(SelectionRegistry& selections) {
+    selections.add({.id = "age-protection",
+                    .label = "Age protection",
+                    .help = "The young compete with the young: new bodies get time to adapt.",
+                    .truncates = [](const SelectionSettings&) { return false; },
+                    .select = select_by_age});
+}
+
+}  // namespace cambrian

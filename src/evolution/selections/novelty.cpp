@@ -1,0 +1,153 @@
+// Novelty with local competition (Lehman & Stanley 2011), evolution.md 6.2. A creature is described
+// by (log mass, settled height, movable joints), each in standard deviations over population and
+// archive. Novelty is the mean distance to its nearest neighbours among both, its local score how
+// many of them it beats. Parents and as many children compete for their places by non-dominated
+// sorting on the two; the fittest of all keeps a place, so that the best is never lost.
+//
+// Offspring more novel than a threshold join the archive; the threshold grows by 20 % after a
+// generation with more than four and falls by 5 % after ten generations with none.
+#include "evolution/pareto.h"
+#include "evolution/selections/survival.h"
+#include "math/elementary.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+#include <utility>
+
+namespace cambrian {
+namespace {
+
+constexpr double kLightest = 1e-6;  // kg; so that its logarithm exists
+constexpr int kMany = 4;
+constexpr double kHarder = 1.2;
+constexpr int kQuiet = 10;  // generations
+constexpr double kEasier = 0.95;
+
+using Description = std::array<double, 3>;
+
+Description describe(const Individual& individual) {
+    const EvaluationResult& result = individual.result;
+    return {logarithm(std::fmax(result.mass, kLightest)), result.behavior.settled_height,
+            static_cast<double>(result.behavior.movable_joints)};
+}
+
+// In standard deviations; a measure all agree in does not count.
+void standardize(std::vector<Description>& all) {
+    const double count = static_cast<double>(all.size());
+    for (std::size_t measure = 0; measure < Description().size(); ++measure) {
+        double mean = 0.0;
+        for (const Description& each : all)
+            mean += each[measure] / count;
+        double variance = 0.0;
+        for (const Description& each : all)
+            variance += (each[measure] - mean) * (each[measure] - mean) / count;
+        const double scale = variance > 0.0 ? 1.0 / std::sqrt(variance) : 0.0;
+        for (Description& each : all)
+            each[measure] = (each[measure] - mean) * scale;
+    }
+}
+
+double distance(const Description& a, const Description& b) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < a.size(); ++i)
+        sum += (a[i] - b[i]) * (a[i] - b[i]);
+    return std::sqrt(sum);
+}
+
+// The population, then those of the archive that do not live any more.
+std::vector<IndividualPtr> with_archive(std::span<const IndividualPtr> population,
+                                        const SelectionMemory& memory) {
+    std::vector<IndividualPtr> all(population.begin(), population.end());
+    std::set<std::uint64_t> living;
+    for (const IndividualPtr& individual : population)
+        living.insert(individual->uid);
+    for (const IndividualPtr& individual : memory.archive) {
+        if (living.count(individual->uid) == 0) all.push_back(individual);
+    }
+    return all;
+}
+
+// Novelty and local score of everyone in the population.
+std::vector<ParetoPoint> judge_novelty(std::span<const IndividualPtr> population,
+                                       const SelectionMemory& memory, int neighbors) {
+    const std::vector<IndividualPtr> all = with_archive(population, memory);
+    std::vector<Description> descriptions;
+    for (const IndividualPtr& individual : all)
+        descriptions.push_back(describe(*individual));
+    standardize(descriptions);
+    const std::size_t near = std::min(static_cast<std::size_t>(neighbors), all.size() - 1);
+    std::vector<ParetoPoint> points(population.size());
+    std::vector<std::pair<double, std::size_t>> others;
+    for (std::size_t i = 0; i < population.size() && near > 0; ++i) {
+        others.clear();
+        for (std::size_t j = 0; j < all.size(); ++j) {
+            if (j != i) others.emplace_back(distance(descriptions[i], descriptions[j]), j);
+        }
+        const auto end = others.begin() + static_cast<std::ptrdiff_t>(near);
+        std::nth_element(others.begin(), end - 1, others.end());
+        std::sort(others.begin(), end);
+        for (auto other = others.begin(); other != end; ++other) {
+            points[i].first += other->first / static_cast<double>(near);
+            const bool beaten = all[other->second]->result.fitness < population[i]->result.fitness;
+            points[i].second += beaten ? 1.0 : 0.0;
+        }
+    }
+    return points;
+}
+
+void update_archive(std::span<const IndividualPtr> population, std::span<const ParetoPoint> points,
+                    double first_threshold, SelectionMemory& memory) {
+    if (!(memory.threshold > 0.0)) memory.threshold = first_threshold;
+    std::uint32_t newest = 0;
+    for (const IndividualPtr& individual : population)
+        newest = std::max(newest, individual->born);
+    int added = 0;
+    for (std::size_t i = 0; i < population.size(); ++i) {
+        if (population[i]->born != newest || points[i].first <= memory.threshold) continue;
+        memory.archive.push_back(population[i]);
+        ++added;
+    }
+    memory.quiet_generations = added > 0 ? 0 : memory.quiet_generations + 1;
+    if (added > kMany) memory.threshold *= kHarder;
+    if (memory.quiet_generations >= kQuiet) {
+        memory.threshold *= kEasier;
+        memory.quiet_generations = 0;
+    }
+}
+
+std::vector<std::size_t> most_novel(std::span<const ParetoPoint> points, std::size_t wanted) {
+    std::vector<std::size_t> kept = pareto_order(points);
+    const auto best = std::find(kept.begin(), kept.end(), std::size_t{0});
+    std::rotate(kept.begin(), best, best + 1);
+    kept.resize(std::min(kept.size(), wanted));
+    std::sort(kept.begin(), kept.end());
+    return kept;
+}
+
+SelectionResult select_by_novelty(std::span<const IndividualPtr> ranked,
+                                  const ExperimentSettings& settings, SelectionMemory& memory,
+                                  RandomStream& stream) {
+    const auto candidates = qualified(ranked);
+    const auto points = judge_novelty(candidates, memory, settings.selection.novelty_neighbors);
+    update_archive(candidates, points, settings.selection.novelty_threshold, memory);
+    std::vector<std::size_t> survivors =
+        most_novel(points, static_cast<std::size_t>(settings.population.size));
+    std::vector<double> weights(ranked.size(), 0.0);
+    for (const std::size_t survivor : survivors)
+        weights[survivor] = 1.0;
+    return breed_whole_batch(std::move(survivors), std::move(weights), settings, stream);
+}
+
+}  // namespace
+
+void register_novelty(SelectionRegistry& selections) {
+    selections.add({.id = "novelty",
+                    .label = "Novelty",
+                    .help = "Those unlike the others and better than their neighbors survive.",
+                    .truncates = [](const SelectionSettings&) { return false; },
+                    .select = select_by_novelty});
+}
+
+}  // namespace cambrian

@@ -1,0 +1,50 @@
+// Roulette over everyone with sigma scaling, evolution.md 6.2: creature i breeds in proportion to
+// max(0, f_i - mean + 2 sd); only the elites survive.
+#include "evolution/selections/survival.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace cambrian {
+namespace {
+
+std::vector<double> sigma_scaled(std::span<const IndividualPtr> wheel, std::size_t size) {
+    const double count = static_cast<double>(wheel.size());
+    double mean = 0.0;
+    for (const IndividualPtr& individual : wheel)
+        mean += individual->result.fitness / count;
+    double variance = 0.0;
+    for (const IndividualPtr& individual : wheel) {
+        const double off = individual->result.fitness - mean;
+        variance += off * off / count;
+    }
+    std::vector<double> weights(size, 0.0);
+    for (std::size_t i = 0; i < wheel.size(); ++i)
+        weights[i] = std::fmax(0.0, wheel[i]->result.fitness - mean + 2.0 * std::sqrt(variance));
+    // Without differences everybody on the wheel counts the same.
+    if (std::all_of(weights.begin(), weights.end(), [](double w) { return !(w > 0.0); }))
+        std::fill_n(weights.begin(), wheel.size(), 1.0);
+    return weights;
+}
+
+SelectionResult select_by_roulette(std::span<const IndividualPtr> ranked,
+                                   const ExperimentSettings& settings, SelectionMemory& /*memory*/,
+                                   RandomStream& stream) {
+    const int elites = std::min(settings.selection.elites, settings.population.size - 1);
+    return breed_by_weight(
+        first_of_ranking(ranked, static_cast<std::size_t>(elites), settings.population.max_clones),
+        sigma_scaled(qualified(ranked), ranked.size()), settings, stream);
+}
+
+}  // namespace
+
+void register_roulette(SelectionRegistry& selections) {
+    selections.add({.id = "roulette",
+                    .label = "Roulette",
+                    .help = "Everybody may breed, the fitter the more often; only elites survive.",
+                    .truncates = [](const SelectionSettings&) { return false; },
+                    .select = select_by_roulette});
+}
+
+}  // namespace cambrian

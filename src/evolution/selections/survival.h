@@ -1,0 +1,41 @@
+#pragma once
+
+// What selection methods have in common: who stays, and how many places that leaves.
+
+#include "evolution/selection.h"
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace cambrian {
+
+// The first `wanted` of the ranking, at most max_clones copies of one genome among them.
+std::vector<std::size_t> first_of_ranking(std::span<const IndividualPtr> ranked, std::size_t wanted,
+                                          int max_clones);
+
+// The share of the population that survives truncation, at least one.
+std::vector<std::size_t> truncated(std::span<const IndividualPtr> ranked,
+                                   const ExperimentSettings& settings);
+
+// Creatures of the ranking that were not disqualified; all of it if there are none. They are the
+// first of the ranking.
+std::span<const IndividualPtr> qualified(std::span<const IndividualPtr> ranked);
+
+// Offspring places, and those of newcomers, when `places` are to be filled.
+struct Places {
+    std::size_t offspring = 0;
+    std::size_t newcomers = 0;
+};
+Places share_places(std::size_t places, const ExperimentSettings& settings);
+
+// Survivors and their offspring make one population; first parents by universal sampling of the
+// weights, one weight an individual of the ranking.
+SelectionResult breed_by_weight(std::vector<std::size_t> survivors, std::vector<double> weights,
+                                const ExperimentSettings& settings, RandomStream& stream);
+
+// The same for methods in which everybody kept competes with a whole population of offspring.
+SelectionResult breed_whole_batch(std::vector<std::size_t> survivors, std::vector<double> weights,
+                                  const ExperimentSettings& settings, RandomStream& stream);
+
+}  // namespace cambrian

@@ -1,0 +1,73 @@
+// Tournament, evolution.md 6.2: each parent is the best of k drawn uniformly from the survivors of
+// truncation, or from everybody, of whom then only the elites survive. Of n contestants the i-th
+// best (from 0) wins with probability ((n - i)^k - (n - i - 1)^k) / n^k.
+#include "evolution/selections/survival.h"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+namespace cambrian {
+namespace {
+
+// Chances of winning, from the best contestant on.
+std::vector<double> chances(std::size_t contestants, int size) {
+    const auto all_below = [&](std::size_t place) {
+        double chance = 1.0;
+        for (int i = 0; i < size; ++i)
+            chance *= static_cast<double>(contestants - place) / static_cast<double>(contestants);
+        return chance;
+    };
+    std::vector<double> result;
+    for (std::size_t place = 0; place < contestants; ++place)
+        result.push_back(all_below(place) - all_below(place + 1));
+    return result;
+}
+
+std::size_t winner(std::span<const std::size_t> contestants, int size, RandomStream& stream) {
+    std::size_t best = contestants.size() - 1;
+    for (int i = 0; i < size; ++i)
+        best = std::min(best, stream.below(contestants.size()));
+    return contestants[best];
+}
+
+SelectionResult select_by_tournament(std::span<const IndividualPtr> ranked,
+                                     const ExperimentSettings& settings,
+                                     SelectionMemory& /*memory*/, RandomStream& stream) {
+    const SelectionSettings& chosen = settings.selection;
+    const int max_clones = settings.population.max_clones;
+    const auto size = static_cast<std::size_t>(settings.population.size);
+    SelectionResult result;
+    std::vector<std::size_t> contestants;
+    if (chosen.tournament_of_all) {
+        const auto elites = std::min(static_cast<std::size_t>(chosen.elites), size - 1);
+        result.survivors = first_of_ranking(ranked, elites, max_clones);
+        contestants.resize(qualified(ranked).size());
+        std::iota(contestants.begin(), contestants.end(), std::size_t{0});
+    } else {
+        result.survivors = truncated(ranked, settings);
+        contestants = result.survivors;
+    }
+    const std::vector<double> winning = chances(contestants.size(), chosen.tournament_size);
+    result.partner_weights.assign(ranked.size(), 0.0);
+    for (std::size_t i = 0; i < contestants.size(); ++i)
+        result.partner_weights[contestants[i]] = winning[i];
+    const Places places = share_places(size - std::min(size, result.survivors.size()), settings);
+    for (std::size_t i = 0; i < places.offspring; ++i)
+        result.first_parents.push_back(winner(contestants, chosen.tournament_size, stream));
+    result.newcomers = places.newcomers;
+    return result;
+}
+
+}  // namespace
+
+void register_tournament(SelectionRegistry& selections) {
+    selections.add(
+        {.id = "tournament",
+         .label = "Tournament",
+         .help = "Each parent is the best of a few drawn at random.",
+         .truncates = [](const SelectionSettings& settings) { return !settings.tournament_of_all; },
+         .select = select_by_tournament});
+}
+
+}  // namespace cambrian

@@ -1,0 +1,17 @@
+#pragma once
+
+// When an unattended run is over (evolution.md 6.4).
+
+#include "evolution/experiment_settings.h"
+#include "evolution/statistics.h"
+
+#include <span>
+#include <string_view>
+
+namespace cambrian {
+
+// Why: "target-fitness", "evaluations" or "generations"; empty while it goes on.
+std::string_view stop_reason(std::span<const GenerationStatistics> history,
+                             const ExperimentSettings& settings);
+
+}  // namespace cambrian

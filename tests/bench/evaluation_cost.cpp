@@ -1,0 +1,69 @@
+#include "bench/evaluation_cost.h"
+
+#include "bench/thread_time.h"
+#include "simulator/trial.h"
+
+#include <vector>
+
+namespace cambrian::bench {
+namespace {
+
+constexpr double kClearance = 0.02;  // m
+
+// The motor targets of every tick of a trial, one an effector part, ticks one after the other.
+std::vector<double> recorded_targets(const std::shared_ptr<const Phenotype>& phenotype,
+                                     const Kinds& kinds, const TrialWorld& world) {
+    std::vector<double> targets;
+    auto trial = Trial::start(phenotype, kinds, world);
+    for (bool more = trial.has_value(); more;) {
+        more = (*trial)->tick();
+        for (const std::uint16_t part : phenotype->effector_parts)
+            targets.push_back((*trial)->scene().target(part));
+    }
+    return targets;
+}
+
+// Moves the same body by the same targets and does nothing else.
+void move(const Phenotype& phenotype, const Kinds& kinds, const TrialWorld& world,
+          const std::vector<double>& targets) {
+    const auto scene = kinds.scene.make(phenotype.plan, world.environment, world.scene);
+    if (!scene) return;
+    // Onto the ground, as a trial does.
+    if (world.environment.has_ground)
+        (*scene)->translate(Vec3(0.0, kClearance - (*scene)->bounds().low.y(), 0.0));
+    for (auto target = targets.begin(); target != targets.end();) {
+        for (const std::uint16_t part : phenotype.effector_parts)
+            (*scene)->set_target(part, *target++);
+        (*scene)->advance(kBrainTick);
+    }
+}
+
+}  // namespace
+
+EvaluationCost& EvaluationCost::operator+=(const EvaluationCost& other) {
+    expression += other.expression;
+    trial += other.trial;
+    physics += other.physics;
+    scoring += other.scoring;
+    return *this;
+}
+
+EvaluationCost measure_cost(const Genome& genome, const ExperimentSettings& settings,
+                            const EvolutionKinds& kinds) {
+    EvaluationCost cost;
+    ThreadTimer timer;
+    const auto phenotype = std::make_shared<const Phenotype>(
+        express(genome, kinds.creature, settings.expression, settings.world.scene));
+    cost.expression = timer.lap();
+    const auto targets = recorded_targets(phenotype, kinds.creature, settings.world);
+    timer.lap();
+    const auto record = run_trial(phenotype, kinds.creature, settings.world);
+    cost.trial = timer.lap();
+    if (record) kinds.goals.find(settings.goal)->score(*record);
+    cost.scoring = timer.lap();
+    move(*phenotype, kinds.creature, settings.world, targets);
+    cost.physics = timer.lap();
+    return cost;
+}
+
+}  // namespace cambrian::bench

@@ -1,0 +1,79 @@
+// What settings make of one and the same creature.
+#include "evolution/evaluation.h"
+
+#include "support/catch.h"
+#include "support/creatures.h"
+#include "support/kinds.h"
+
+using namespace cambrian;
+using test::CreatureBuilder;
+using test::kinds;
+
+namespace {
+
+const KindCatalog& catalog() {
+    return test::kinds().creature.catalog;
+}
+
+EvaluationResult judge(const GenomePtr& genome, const ExperimentSettings& settings) {
+    return evaluate({.genome = genome}, settings, kinds());
+}
+
+// Two legs in the same place.
+GenomePtr crossed_legs() {
+    CreatureBuilder builder(catalog());
+    const auto body = builder.part(0.8, 0.2);
+    const auto one = builder.part(0.5, 0.1);
+    const auto other = builder.part(0.5, 0.1);
+    builder.attach(body, one, 0.6, -1.0);
+    builder.attach(body, other, 0.7, 1.0);
+    builder.swing(one, 1.0, 0.0, 0.5);
+    return builder.build();
+}
+
+}  // namespace
+
+TEST_CASE("overlapping bodies are rejected only if overlap is", "[evolution][evaluation]") {
+    ExperimentSettings settings;
+    settings.world.trial.duration = 1.0;
+    CHECK(judge(crossed_legs(), settings).outcome == Outcome::kCompleted);
+    CHECK(judge(test::crawler(catalog()), settings).outcome == Outcome::kCompleted);
+    settings.expression.strict_overlap = true;
+    const EvaluationResult rejected = judge(crossed_legs(), settings);
+    CHECK(rejected.outcome == Outcome::kRejected);
+    CHECK(rejected.fitness == 0.0);
+    CHECK(rejected.reason.find("overlap") != std::string::npos);
+    CHECK(judge(test::crawler(catalog()), settings).outcome == Outcome::kCompleted);
+}
+
+TEST_CASE("a brain that sets torques moves a body otherwise than one that sets positions",
+          "[evolution][evaluation]") {
+    ExperimentSettings settings;
+    settings.world.trial.duration = 2.0;
+    const EvaluationResult positions = judge(test::crawler(catalog()), settings);
+    settings.world.scene.torque_mode = true;
+    const EvaluationResult torques = judge(test::crawler(catalog()), settings);
+    CHECK(torques.outcome == Outcome::kCompleted);
+    CHECK(torques.digest != positions.digest);
+}
+
+TEST_CASE("thinking twice a tick hardly changes a slow wave", "[evolution][evaluation]") {
+    ExperimentSettings settings;
+    settings.world.trial.duration = 2.0;
+    const EvaluationResult once = judge(test::crawler(catalog()), settings);
+    settings.world.scene.brain_steps = 2;
+    const EvaluationResult twice = judge(test::crawler(catalog()), settings);
+    CHECK(twice.outcome == Outcome::kCompleted);
+    CHECK(twice.behavior.joint_frequency == Approx(once.behavior.joint_frequency).margin(0.5));
+    CHECK(twice.body_length == Approx(once.body_length).epsilon(0.1));
+}
+
+TEST_CASE("behavior is measured: height, ground contact, joints and their frequency",
+          "[evolution][evaluation]") {
+    const EvaluationResult result = judge(test::crawler(catalog()), ExperimentSettings{});
+    CHECK(result.behavior.movable_joints == 2);
+    CHECK(result.behavior.settled_height > 0.1);
+    CHECK(result.behavior.settled_height < result.body_length);
+    CHECK(result.behavior.contact_share > 0.5);
+    CHECK(result.behavior.joint_frequency == Approx(0.7).margin(0.15));
+}

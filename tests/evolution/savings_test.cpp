@@ -1,0 +1,181 @@
+// What is not computed must not change who survives (evolution.md 7.8).
+#include "evolution/backends/thread_pool_backend.h"
+#include "evolution/evolution.h"
+#include "evolution/longest_first.h"
+#include "evolution/trials.h"
+#include "support/catch.h"
+#include "support/creatures.h"
+#include "support/kinds.h"
+#include "support/records.h"
+
+using namespace cambrian;
+using test::kinds;
+
+namespace {
+
+std::shared_ptr<ExperimentSettings> short_walks(int size) {
+    auto settings = std::make_shared<ExperimentSettings>();
+    settings->population.size = size;
+    settings->seed = 11;
+    settings->world.trial.duration = 5.0;
+    return settings;
+}
+
+// The survivors of every generation, and what was saved.
+struct History {
+    std::vector<std::vector<std::uint64_t>> survivors;
+    std::vector<GenerationStatistics> statistics;
+};
+
+History evolve(const SettingsPtr& settings, int generations) {
+    const auto backend = make_thread_pool_backend(kinds(), 2);
+    Evolution evolution(settings, kinds());
+    EvaluationProgress progress;
+    History history;
+    for (int i = 0; i < generations; ++i) {
+        REQUIRE(evolution.evaluate(*backend, progress, {}));
+        evolution.breed();
+        std::vector<std::uint64_t>& survivors = history.survivors.emplace_back();
+        for (const IndividualPtr& one : evolution.population()) {
+            if (one->born < evolution.generation()) survivors.push_back(one->genome_hash);
+        }
+    }
+    history.statistics = evolution.history();
+    return history;
+}
+
+const GoalKind& goal(const char* id) {
+    return *kinds().goals.find(id);
+}
+
+TrialRecord first_half(TrialRecord record) {
+    record.samples.resize(record.samples.size() / 2 + 1);
+    return record;
+}
+
+}  // namespace
+
+TEST_CASE("stopping at rest changes no survivor, champion or best in 30 generations",
+          "[evolution][savings]") {
+    auto settings = short_walks(30);
+    const History saved = evolve(settings, 30);
+    auto thorough = std::make_shared<ExperimentSettings>(*settings);
+    thorough->world.trial.stop_at_rest = false;
+    const History full = evolve(thorough, 30);
+    int rested = 0;
+    for (std::size_t i = 0; i < 30; ++i) {
+        CAPTURE(i);
+        CHECK(saved.survivors[i] == full.survivors[i]);
+        CHECK(saved.statistics[i].best == Approx(full.statistics[i].best).margin(1e-3));
+        CHECK(saved.statistics[i].rejected == full.statistics[i].rejected);
+        CHECK(saved.statistics[i].reused == full.statistics[i].reused);
+        CHECK(full.statistics[i].rested == 0);
+        rested += saved.statistics[i].rested;
+    }
+    CHECK(rested > 0);
+    CHECK(saved.statistics[0].time_saved > full.statistics[0].time_saved);
+}
+
+TEST_CASE("giving up hopeless trials changes no survivor of 30 generations",
+          "[evolution][savings]") {
+    auto settings = short_walks(30);
+    const History full = evolve(settings, 30);
+    auto hasty = std::make_shared<ExperimentSettings>(*settings);
+    hasty->stop_hopeless = true;
+    const History saved = evolve(hasty, 30);
+    int given_up = 0;
+    int same = 0;
+    for (std::size_t i = 0; i < 30; ++i) {
+        same += saved.survivors[i] == full.survivors[i] ? 1 : 0;
+        given_up += saved.statistics[i].given_up;
+        CHECK(full.statistics[i].given_up == 0);
+    }
+    CHECK(same == 30);
+    CHECK(given_up > 0);
+}
+
+TEST_CASE("a reused score is the one a trial of its own gives", "[evolution][savings]") {
+    auto settings = short_walks(40);
+    settings->seed = 3;
+    const auto backend = make_thread_pool_backend(kinds(), 2);
+    Evolution evolution(settings, kinds());
+    EvaluationProgress progress;
+    int reused = 0;
+    for (int i = 0; i < 3; ++i) {
+        REQUIRE(evolution.evaluate(*backend, progress, {}));
+        reused += evolution.history().back().reused;
+        for (const IndividualPtr& one : evolution.population()) {
+            const auto fresh = evaluate_in_trials(
+                {.genome = one->genome, .trial_seed = trial_seed(*settings)}, *settings, kinds());
+            CHECK(fresh.fitness == one->result.fitness);
+            CHECK(fresh.digest == one->result.digest);
+        }
+        evolution.breed();
+    }
+    CHECK(reused > 0);
+}
+
+TEST_CASE("what moved steadily could still score more than it did", "[evolution][savings]") {
+    for (const char* id : {"walking", "swimming", "jumping"}) {
+        for (const double speed : {0.01, 0.2, 1.0}) {
+            const TrialRecord record = test::moving_box(
+                10.0, 1.0, 0.2, [&](double t) { return Vec3(speed * t, 0.1, 0.0); });
+            const double most = most_still_possible(first_half(record), goal(id));
+            CAPTURE(id, speed);
+            CHECK(most >= goal(id).score(record).value);
+        }
+    }
+}
+
+TEST_CASE("what never moved can score nothing any more", "[evolution][savings]") {
+    const TrialRecord record =
+        test::moving_box(10.0, 1.0, 0.2, [](double) { return Vec3(0.0, 0.1, 0.0); });
+    for (const char* id : {"walking", "swimming", "jumping"})
+        CHECK(most_still_possible(first_half(record), goal(id)) == Approx(0.0).margin(1e-12));
+}
+
+TEST_CASE("a hopeless trial stops halfway, an audited one goes on and says so",
+          "[evolution][savings]") {
+    const ExperimentSettings settings;
+    const GenomePtr crawler = test::crawler(kinds().creature.catalog);
+    const EvaluationResult full = evaluate({.genome = crawler}, settings, kinds());
+    const EvaluationResult cut =
+        evaluate({.genome = crawler, .bar = Bar{.score = 1e6}}, settings, kinds());
+    CHECK(cut.outcome == Outcome::kStoppedEarly);
+    CHECK(cut.hopeless);
+    CHECK(cut.computed_time == Approx(7.5).margin(0.1));
+    CHECK(cut.fitness < 1e6);
+    const EvaluationResult audited =
+        evaluate({.genome = crawler, .bar = Bar{.score = 1e6, .audited = true}}, settings, kinds());
+    CHECK(audited.outcome == Outcome::kCompleted);
+    CHECK(audited.hopeless);
+    CHECK(audited.fitness == full.fitness);
+    CHECK(audited.digest == full.digest);
+    const EvaluationResult hopeful =
+        evaluate({.genome = crawler, .bar = Bar{.score = 0.0}}, settings, kinds());
+    CHECK(hopeful.digest == full.digest);
+    CHECK_FALSE(hopeful.hopeless);
+}
+
+TEST_CASE("unknown work is begun first, then the most work, and every trial once",
+          "[evolution][savings]") {
+    const KindCatalog& catalog = kinds().creature.catalog;
+    const GenomePtr large = test::crawler(catalog);
+    const GenomePtr small = test::dreamer(catalog);
+    const std::vector<EvaluationRequest> requests = {{.genome = large, .expected_work = 5},
+                                                     {.genome = small},
+                                                     {.genome = small, .expected_work = 90},
+                                                     {.genome = large},
+                                                     {.genome = small, .expected_work = 5}};
+    std::vector<std::size_t> order = {0, 1, 2, 3, 4};
+    put_longest_first(order, requests);
+    CHECK(order == std::vector<std::size_t>{3, 1, 2, 0, 4});
+}
+
+TEST_CASE("giving up is trusted until 1 in 1000 audited trials would have survived",
+          "[evolution][savings]") {
+    CHECK(BarAudit{0, 0}.trustworthy());
+    CHECK(BarAudit{999, 0}.trustworthy());
+    CHECK_FALSE(BarAudit{999, 1}.trustworthy());
+    CHECK(BarAudit{1000, 1}.trustworthy());
+}

@@ -1,0 +1,34 @@
+#include "genome/random_genome.h"
+#include "simulator/trial.h"
+#include "support/allocation_count.h"
+#include "support/catch.h"
+#include "support/kinds.h"
+
+using namespace cambrian;
+using test::allocation_count;
+
+TEST_CASE("a whole trial allocates nothing from tick to tick", "[simulator]") {
+    const Kinds& kinds = test::kinds().creature;
+    TrialWorld world;
+    world.trial.duration = 2.0;
+    world.trial.stop_at_rest = true;
+    RandomStream stream(stream_seed(9, 0, 0, Purpose::kTest));
+    int completed = 0;
+    for (int i = 0; i < 40; ++i) {
+        const Genome genome = random_genome({}, kinds.catalog, stream);
+        const auto phenotype = std::make_shared<const Phenotype>(
+            express(genome, kinds, ExpressionSettings{}, world.scene));
+        auto trial = Trial::start(phenotype, kinds, world);
+        REQUIRE(trial);
+        while ((*trial)->settling() && (*trial)->tick()) {
+        }
+        const std::size_t before = allocation_count();
+        while ((*trial)->tick()) {
+        }
+        const std::size_t after = allocation_count();
+        if ((*trial)->record().outcome != Outcome::kCompleted) continue;  // the reason is a text
+        REQUIRE(after == before);
+        ++completed;
+    }
+    CHECK(completed > 30);
+}
