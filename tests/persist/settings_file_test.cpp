@@ -35,6 +35,15 @@ void randomize(const SettingField& field, ExperimentSettings& settings, RandomSt
         field.at(settings));
 }
 
+// Random shares that add up to 1, as they must.
+void share_out(std::map<std::string, double>& shares) {
+    double sum = 0.0;
+    for (const auto& [way, share] : shares)
+        sum += share;
+    for (auto& [way, share] : shares)
+        share /= sum;
+}
+
 }  // namespace
 
 TEST_CASE("an empty settings file is the default experiment", "[persist][settings_file]") {
@@ -51,6 +60,7 @@ TEST_CASE("whatever the settings, they are read back and written to the same byt
         ExperimentSettings settings;
         for (const SettingField& field : setting_fields(kinds()))
             randomize(field, settings, stream);
+        share_out(settings.breeding.shares);
         if (!check_settings(settings, kinds())) continue;  // they contradict one another
         ++checked;
         const std::string text = write_settings(settings, kinds());
