@@ -9,7 +9,7 @@ namespace cambrian {
 // what is not finite.
 std::string real_text(double number);
 
-// The same for people: whole numbers without the point.
+// The same for people: whole numbers in full and without the point.
 std::string short_text(double number);
 
 }  // namespace cambrian

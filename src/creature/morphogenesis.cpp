@@ -1,5 +1,6 @@
 #include "creature/morphogenesis.h"
 
+#include "core/assert.h"
 #include "creature/placement.h"
 #include "genome/genome_graph.h"
 
@@ -27,6 +28,12 @@ struct Bud {
     Growing growing;
 };
 
+MotorMode mode_of(const std::string& id) {
+    const auto found = std::find(kMotorModeIds.begin(), kMotorModeIds.end(), id);
+    CAMBRIAN_ASSERT(found != kMotorModeIds.end(), "settings were checked");
+    return static_cast<MotorMode>(found - kMotorModeIds.begin());
+}
+
 class Growth {
 public:
     Growth(const Genome& genome, const Kinds& kinds, const ExpressionSettings& settings,
@@ -35,6 +42,7 @@ public:
           scene_kind_(kinds.scene),
           settings_(settings),
           scene_(scene),
+          motor_mode_(mode_of(scene.motor_mode)),
           phenotype_(phenotype),
           reaches_(reachability(genome)),
           neurons_(genome.brain.size()) {}
@@ -178,7 +186,7 @@ private:
     void set_joint(const BodyPart& part, PlannedPart& body) const {
         const NodeGene& node = gene(part);
         body.joint_kind = node.joint;
-        body.motor_mode = scene_.torque_mode ? MotorMode::kTorque : MotorMode::kPosition;
+        body.motor_mode = motor_mode_;
         if (scene_kind_.joints[node.joint].degrees_of_freedom == 0) return;
         const double parent_width = phenotype_.parts[static_cast<std::size_t>(part.parent)].width;
         const double width = std::fmin(part.width, parent_width);
@@ -197,6 +205,7 @@ private:
     const SceneKind& scene_kind_;
     const ExpressionSettings& settings_;
     const SceneSettings& scene_;
+    MotorMode motor_mode_;
     Phenotype& phenotype_;
     Reachability reaches_;
     std::vector<Growing> growing_;  // one a part

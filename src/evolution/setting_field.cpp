@@ -127,10 +127,10 @@ void add_simulation(std::vector<SettingField>& fields, const EvolutionKinds& kin
         "How sharply a muscle corrects a joint that is off its target.",
         [](Settings & s) -> auto& { return s.world.scene.motor_frequency; });
     table
-        .flag(
-            "torque-mode", "Brains set torques",
-            "A brain sets the torque of a joint; otherwise the position the joint moves to.",
-            [](Settings & s) -> auto& { return s.world.scene.torque_mode; })
+        .choice(
+            "motor-mode", "Brains set", {kMotorModeIds.begin(), kMotorModeIds.end()},
+            "What a brain sets of a joint: the position it moves to, its speed, or its torque.",
+            [](Settings & s) -> auto& { return s.world.scene.motor_mode; })
         .live = false;
     table.number(
         "brain-steps", "Thoughts a tick", "", Range{1, 2},

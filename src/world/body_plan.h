@@ -5,13 +5,18 @@
 
 #include "math/pose.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <string_view>
 #include <vector>
 
 namespace cambrian {
 
+// What a brain's signal sets: the position a joint moves to, its rate, or its torque or force.
 enum class MotorMode : std::uint8_t { kPosition, kVelocity, kTorque };
+inline constexpr std::array<std::string_view, 3> kMotorModeIds = {"position", "velocity",
+                                                                  "torque"};  // in that order
 
 // Faces of a box-shaped part in its own frame; the order is that of the contact channels
 // (evolution.md 1.5): distal +x, left +y, proximal -x, right -y.

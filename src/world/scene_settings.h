@@ -15,8 +15,8 @@ struct SceneSettings {
     double target_smoothing = 0.1;    // s; time constant of the motor target
     double motor_speed_limit = 6.0;   // rad/s; the speed a motor asks for at most
     double motor_frequency = 25.0;    // rad/s; omega_0 of the motor's critically damped law
-    bool torque_mode = false;         // brains set torques of joints instead of their positions
-    int brain_steps = 1;              // times a brain thinks in a tick; 1 or 2
+    std::string motor_mode = "position";  // one of kMotorModeIds
+    int brain_steps = 1;                  // times a brain thinks in a tick; 1 or 2
 
     friend bool operator==(const SceneSettings&, const SceneSettings&) = default;
 };

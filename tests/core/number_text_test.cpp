@@ -33,4 +33,6 @@ TEST_CASE("for people whole numbers have no point", "[core][number_text]") {
     CHECK(short_text(9.81) == "9.81");
     CHECK(short_text(1000.0) == "1000");
     CHECK(short_text(1e-8) == "1e-08");
+    CHECK(short_text(1e9) == "1000000000");
+    CHECK(short_text(1e300) == "1e+300");
 }

@@ -46,15 +46,20 @@ TEST_CASE("overlapping bodies are rejected only if overlap is", "[evolution][eva
     CHECK(judge(test::crawler(catalog()), settings).outcome == Outcome::kCompleted);
 }
 
-TEST_CASE("a brain that sets torques moves a body otherwise than one that sets positions",
+TEST_CASE("a brain that sets positions, speeds or torques moves a body in different ways",
           "[evolution][evaluation]") {
     ExperimentSettings settings;
     settings.world.trial.duration = 2.0;
     const EvaluationResult positions = judge(test::crawler(catalog()), settings);
-    settings.world.scene.torque_mode = true;
+    settings.world.scene.motor_mode = "velocity";
+    const EvaluationResult speeds = judge(test::crawler(catalog()), settings);
+    settings.world.scene.motor_mode = "torque";
     const EvaluationResult torques = judge(test::crawler(catalog()), settings);
+    CHECK(speeds.outcome == Outcome::kCompleted);
     CHECK(torques.outcome == Outcome::kCompleted);
+    CHECK(speeds.digest != positions.digest);
     CHECK(torques.digest != positions.digest);
+    CHECK(torques.digest != speeds.digest);
 }
 
 TEST_CASE("thinking twice a tick hardly changes a slow wave", "[evolution][evaluation]") {
