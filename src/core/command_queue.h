@@ -36,8 +36,8 @@ public:
 private:
     static constexpr std::size_t kSlots = Capacity + 1;
     std::array<T, kSlots> slots_{};
-    alignas(64) std::atomic<std::size_t> head_ = 0;
-    alignas(64) std::atomic<std::size_t> tail_ = 0;
+    std::atomic<std::size_t> head_ = 0;
+    std::atomic<std::size_t> tail_ = 0;
 };
 
 }  // namespace cambrian

@@ -5,7 +5,6 @@
 #include "evolution/experiment_settings.h"
 #include "evolution/individual.h"
 
-#include <compare>
 #include <cstddef>
 #include <span>
 #include <string_view>
@@ -33,7 +32,10 @@ struct MapCell {
     int across = 0;
     int up = 0;
 
-    friend auto operator<=>(const MapCell&, const MapCell&) = default;
+    friend bool operator==(const MapCell&, const MapCell&) = default;
+    friend bool operator<(const MapCell& a, const MapCell& b) {
+        return a.across != b.across ? a.across < b.across : a.up < b.up;
+    }
 };
 
 MapCell cell_of(const EvaluationResult& result, const SelectionSettings& settings);

@@ -30,6 +30,7 @@ std::vector<std::size_t> elites_of(std::span<const IndividualPtr> ranked,
         if (!is_new && takes_over(*ranked[i], *ranked[cell->second])) cell->second = i;
     }
     std::vector<std::size_t> elites;
+    elites.reserve(holders.size());
     for (const auto& [cell, holder] : holders)
         elites.push_back(holder);
     std::sort(elites.begin(), elites.end());

@@ -74,6 +74,7 @@ std::vector<ParetoPoint> judge_novelty(std::span<const IndividualPtr> population
                                        const SelectionMemory& memory, int neighbors) {
     const std::vector<IndividualPtr> all = with_archive(population, memory);
     std::vector<Description> descriptions;
+    descriptions.reserve(all.size());
     for (const IndividualPtr& individual : all)
         descriptions.push_back(describe(*individual));
     standardize(descriptions);

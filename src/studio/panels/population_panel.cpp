@@ -60,7 +60,9 @@ void PopulationPanel::draw(const FrameContext& frame, Requests& out) {
     while (clipper.Step()) {
         for (int row = clipper.DisplayStart; row < clipper.DisplayEnd; ++row) {
             for (int column = 0; column < columns; ++column) {
-                const auto rank = static_cast<std::size_t>(row * columns + column);
+                const auto rank =
+                    static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
+                    static_cast<std::size_t>(column);
                 if (rank >= population.size()) break;
                 if (column > 0) ImGui::SameLine();
                 draw_tile(rank, frame, out);

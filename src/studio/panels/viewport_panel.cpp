@@ -81,7 +81,7 @@ Vec2 ViewportPanel::mouse_in_world() const {
 }
 
 Vec2 ViewportPanel::follow_target(const FrameContext& frame) const {
-    const Vec2 center = frame.playback.center_of_mass().head<2>();
+    Vec2 center = frame.playback.center_of_mass().head<2>();
     if (!frame.playback.environment().has_ground) return center;
     // The ground stays where it is on screen unless the creature rises out of sight.
     const double height = size_.height * canvas_.camera.pixel();

@@ -36,18 +36,24 @@ std::string words_for(const BrainNode& node, double value) {
     return std::string(kind) + ": " + node.label + "\n" + where + "\nNow " + pretty_number(value);
 }
 
+struct ShapeStyle {
+    Color fill;
+    Color rim;
+    float rim_width;
+};
+
 void draw_shape(ImDrawList& list, BrainNodeKind kind, const ImVec2& at, float radius,
-                const Color& fill, const Color& rim, float rim_width) {
+                const ShapeStyle& style) {
     if (kind == BrainNodeKind::kNeuron) {
-        list.AddCircleFilled(at, radius, paint(fill), 20);
-        list.AddCircle(at, radius, paint(rim), 20, rim_width);
+        list.AddCircleFilled(at, radius, paint(style.fill), 20);
+        list.AddCircle(at, radius, paint(style.rim), 20, style.rim_width);
         return;
     }
     const float rounding = kind == BrainNodeKind::kSensor ? 0.0F : px(4);
     const ImVec2 low = {at.x - radius, at.y - radius};
     const ImVec2 high = {at.x + radius, at.y + radius};
-    list.AddRectFilled(low, high, paint(fill), rounding);
-    list.AddRect(low, high, paint(rim), rounding, ImDrawFlags_None, rim_width);
+    list.AddRectFilled(low, high, paint(style.fill), rounding);
+    list.AddRect(low, high, paint(style.rim), rounding, ImDrawFlags_None, style.rim_width);
 }
 
 }  // namespace
@@ -128,8 +134,9 @@ void BrainTab::draw_nodes(const Rect& area, const FrameContext& frame, Requests&
             frame.highlight.covers(static_cast<std::size_t>(node.part),
                                    phenotype_->parts[static_cast<std::size_t>(node.part)]);
         const bool strong = lit || i == chosen_;
-        draw_shape(list, node.kind, at, radius, value_color(value),
-                   strong ? colors().text : colors().faint, strong ? px(2) : px(1));
+        draw_shape(
+            list, node.kind, at, radius,
+            {value_color(value), strong ? colors().text : colors().faint, strong ? px(2) : px(1)});
         if (!ImGui::IsItemHovered()) continue;
         chosen_ = i;
         if (node.part >= 0) out.ask(ShowHighlight{{.part = node.part}});
