@@ -41,8 +41,7 @@ Result<std::vector<GenomePtr>> founders_of(const EvolutionRun& run, int places,
     for (const std::string& file : run.founders) {
         Result<CreatureDocument> document = load_creature(file, kinds);
         if (!document) return document.error();
-        for (const std::string& warning : document->warnings)
-            say(file + ": " + warning);
+        say_of(file, document->warnings);
         founders.push_back(std::make_shared<const Genome>(std::move(document->genome)));
     }
     return founders;

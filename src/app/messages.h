@@ -5,11 +5,15 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace cambrian {
 
 // One message on standard error, with the program's name before it.
 void say(std::string_view message);
+
+// One message for each warning about a file.
+void say_of(const std::string& file, const std::vector<std::string>& warnings);
 
 // Says the error and returns the status, so that a subcommand can end with it.
 ExitStatus fail(const Error& error, ExitStatus status = ExitStatus::kBadInput);

@@ -7,7 +7,8 @@ namespace cambrian {
 MotionTrace::MotionTrace(const Trial& trial) : csv_("time,mass_x,mass_y") {
     for (std::size_t part = 0; part < trial.scene().part_count(); ++part) {
         const std::string name = ",part" + std::to_string(part);
-        csv_ += name + "_x" + name + "_y" + name + "_angle" + name + "_joint";
+        for (const char* quantity : {"_x", "_y", "_angle", "_joint"})
+            csv_.append(name).append(quantity);
     }
     csv_ += '\n';
 }

@@ -31,7 +31,7 @@ std::string clock_text(double seconds) {
 
 ProgressBar::ProgressBar(const EvaluationProgress& progress, std::uint32_t generations)
     : progress_(progress), generations_(generations), shown_(::isatty(STDERR_FILENO) != 0) {
-    if (shown_) thread_ = std::jthread([this](std::stop_token stop) { draw_until(stop); });
+    if (shown_) thread_ = std::jthread([this](const std::stop_token& stop) { draw_until(stop); });
 }
 
 ProgressBar::~ProgressBar() {
@@ -50,7 +50,7 @@ void ProgressBar::finish_generation(std::string_view line) {
     if (shown_) draw();
 }
 
-void ProgressBar::draw_until(std::stop_token stop) {
+void ProgressBar::draw_until(const std::stop_token& stop) {
     std::condition_variable_any woken;
     std::unique_lock lock(terminal_);
     while (!stop.stop_requested()) {

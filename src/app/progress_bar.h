@@ -27,7 +27,7 @@ public:
     void finish_generation(std::string_view line);
 
 private:
-    void draw_until(std::stop_token stop);
+    void draw_until(const std::stop_token& stop);
     void draw();
     void clear();
     std::string text() const;

@@ -86,7 +86,7 @@ void Session::keep_memory() {
     Remembered present{view_, experiment_.editor().draft()};
     if (memory_.empty() || present == kept_) return;
     kept_ = present;
-    worker_.submit([this, folder = memory_, present = std::move(present)](std::stop_token) {
+    worker_.submit([this, folder = memory_, present = std::move(present)](const std::stop_token&) {
         const Status status = remember(folder, present, kinds_);
         return [this, status] { report(status); };
     });

@@ -9,6 +9,7 @@
 #include "studio/session.h"
 #include "studio/shortcuts.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -74,8 +75,8 @@ private:
         const bool idle = ++quiet_frames_ > kSettledFrames;
         const double due = last_start + (idle ? kIdleSleep : kFrameTime);
         window_.poll(0.0);
-        for (double left = due - clock.seconds(); left > 0.0; left = due - clock.seconds()) {
-            window_.poll(left);
+        while (clock.seconds() < due) {
+            window_.poll(std::max(0.0, due - clock.seconds()));
             if (idle && window_.take_activity()) break;
         }
     }

@@ -74,8 +74,7 @@ public:
     ExitStatus run(const EvolutionKinds& kinds) override {
         const Result<CreatureDocument> document = load_creature(options_.creature, kinds);
         if (!document) return fail(document.error());
-        for (const std::string& warning : document->warnings)
-            say(options_.creature + ": " + warning);
+        say_of(options_.creature, document->warnings);
         const Result<ExperimentSettings> settings = world_of(options_, *document, kinds);
         if (!settings) return fail(settings.error());
         const auto genome = std::make_shared<const Genome>(document->genome);

@@ -24,8 +24,7 @@ EvaluationResult replay(const CreatureDocument& document, const EvolutionKinds& 
 ExitStatus verify(const std::string& file, const EvolutionKinds& kinds) {
     const Result<CreatureDocument> document = load_creature(file, kinds);
     if (!document) return fail(document.error());
-    for (const std::string& warning : document->warnings)
-        say(file + ": " + warning);
+    say_of(file, document->warnings);
     if (!document->scored) return fail({file + ": holds no score to verify"});
     const ScoredRecord& scored = *document->scored;
     const EvaluationResult result = replay(*document, kinds);
