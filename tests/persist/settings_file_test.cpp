@@ -173,3 +173,14 @@ TEST_CASE("settings are saved to a file and loaded from it", "[persist][settings
     CHECK_THAT(load_settings(folder / "none.toml", kinds()).error().message,
                Catch::Contains("none.toml: No such file"));
 }
+
+TEST_CASE("a table without a name that can be read is an error at its place",
+          "[persist][settings]") {
+    for (const char* text : {"[=]\n", "[ = a]\n", "[a.=]\n", "[[=]]\n", "[\x01]\n", "[#]\n"}) {
+        INFO(text);
+        const auto settings = parse_settings(text, "odd.toml", kinds());
+        REQUIRE_FALSE(settings);
+        CHECK(settings.error().message.starts_with("odd.toml: "));
+        CHECK(settings.error().message.find("line 1") != std::string::npos);
+    }
+}
