@@ -255,6 +255,7 @@ void PlanarScene::restore(const SceneState& state) {
     const auto* saved = dynamic_cast<const SavedMoment*>(&state);
     CAMBRIAN_ASSERT(saved != nullptr, "a moment saved by a planar scene");
     moment_ = saved->moment;
+    moment_.collection = 0;  // numbers of collections are each scene's own
     forcing_.pulled = false;
     if (saved->environment == environment_) return;
     moment_.frame_is_current = false;

@@ -75,6 +75,22 @@ TEST_CASE("a restored scene goes on with the same bits", "[dynamics][determinism
     CHECK(other->audit().motor_work == scene->audit().motor_work);
 }
 
+TEST_CASE("a scene with a past of its own goes on from another's moment",
+          "[dynamics][determinism]") {
+    const BodyPlan plan = walker(3);
+    const auto scene = make_scene(plan, {});
+    stand_on_ground(*scene);
+    walk(*scene, plan, 90);
+    const auto saved = scene->save();
+    walk(*scene, plan, 90);
+    const auto other = make_scene(plan, {});
+    other->translate(Vec3(0.0, 5.0, 0.0));
+    walk(*other, plan, 90);
+    other->restore(*saved);
+    walk(*other, plan, 90);
+    CHECK(digest_of(*other) == digest_of(*scene));
+}
+
 TEST_CASE("looking at a scene does not change its motion", "[dynamics][determinism]") {
     const BodyPlan plan = walker(4);
     const auto watched = make_scene(plan, {});
