@@ -50,6 +50,9 @@ struct ContactSet {
     Contact* make_room(double gap) {
         return count < kMaxContacts ? &items[count++] : replace_farthest(gap);
     }
+    void add(const Contact& contact) {
+        if (Contact* place = make_room(contact.gap)) *place = contact;
+    }
 
 private:
     Contact* replace_farthest(double gap);

@@ -55,8 +55,7 @@ ImpactResult ContactSolver::strike(const PlanarModel& model, const ContactLaw& l
                                    double elasticity, const Frame& frame, Motion& motion) {
     chosen_.count = 0;
     for (int c = 0; c < near_.count; ++c) {
-        const Contact& contact = near_.items[c];
-        if (contact.gap < kContactBand) *chosen_.make_room(contact.gap) = contact;
+        if (near_.items[c].gap < kContactBand) chosen_.add(near_.items[c]);
     }
     find_stops(model, frame.kinematics, limits_);
     build_rows(model, motion, frame, {chosen_, limits_, law.friction > 0.0}, rows_);

@@ -79,7 +79,7 @@ bool ContactSolver::choose(const PlanarModel& model, const ContactLaw& law, cons
     for (int c = 0; c < near_.count; ++c) {
         const Contact& contact = near_.items[c];
         if (contact.gap < kContactBand || may_touch(contact, frame.response, h))
-            *chosen_.make_room(contact.gap) = contact;
+            chosen_.add(contact);
     }
     choose_limits(model, frame, h);
     if (chosen_.count == 0 && limits_.count == 0) return false;

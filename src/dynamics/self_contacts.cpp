@@ -59,7 +59,7 @@ void add_points(const PlanarModel& model, const Kinematics& k, const PartPlaces&
         const double velocity_y =
             k.velocity_y[a] + k.spin[a] * c.arm_ax - k.velocity_y[b] - k.spin[b] * c.arm_bx;
         c.closing_speed = -(c.normal_x * velocity_x + c.normal_y * velocity_y);
-        if (Contact* contact = contacts.make_room(c.gap)) *contact = c;
+        contacts.add(c);
     }
 }
 
