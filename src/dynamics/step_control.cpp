@@ -194,7 +194,7 @@ StepControl::Attempt StepControl::attempt(Tick& tick, bool has_rows, double& h) 
             moment.proposed_step = contact_step_;
             return Attempt::kCollapsed;
         }
-        if (must_halve(tick, has_rows, h)) {
+        if (must_halve(tick, h)) {
             ++moment.audit.rejections;
             h *= 0.5;
             continue;
@@ -212,38 +212,48 @@ const MotionRate& StepControl::free_start_rate(Tick& tick) {
     return tick.moment.free_rate;
 }
 
-// Accelerations at the start under the held forces: the contact-free ones and a response.
-const MotionRate& StepControl::held_start_rate(Tick& tick) {
+// What the held forces add to the moment's accelerations.
+void StepControl::respond_to_held(const Tick& tick, BodyResponse& response) {
     const Frame& frame = tick.moment.frame();
     Loads loads;
-    BodyResponse response;
     clear_loads(tick.model, loads);
     add_held_forces(tick.model, tick.forcing, frame.kinematics, loads);
     solve_impulse(tick.model, frame.kinematics, frame.factors, loads, response);
+}
+
+// Accelerations at the start under the held forces: the contact-free ones and a response.
+const MotionRate& StepControl::held_start_rate(Tick& tick) {
+    BodyResponse response;
+    respond_to_held(tick, response);
     copy_rate(tick.model, tick.moment.free_rate, held_rate_);
     for (int c = 0; c < coordinate_count(tick.model); ++c)
         held_rate_.acceleration[c] += response.coordinate[c];
     return held_rate_;
 }
 
+// What the held forces did up to the end in the spare frame, and how far joints are past stops
+// there.
+void StepControl::weigh_end(const Tick& tick) {
+    const Kinematics& end = tick.moment.spare_frame().kinematics;
+    work_ = contacts_.held_work(tick.model, tick.forcing, tick.moment.frame().kinematics, end);
+    end_overrun_ = limit_overrun(tick.model, end);
+}
+
 // Contacts and stops that do work are a sign of a step too long for constant forces, and so is a
 // joint that runs past a stop nobody foresaw.
-bool StepControl::must_halve(const Tick& tick, bool has_rows, double h) {
-    const Kinematics& start = tick.moment.frame().kinematics;
-    const Kinematics& end = tick.moment.spare_frame().kinematics;
-    work_ = {};
-    if (has_rows) work_ = contacts_.held_work(tick.model, tick.forcing, start, end);
-    end_overrun_ = limit_overrun(tick.model, end);
+bool StepControl::must_halve(const Tick& tick, double h) {
+    weigh_end(tick);
     if (h <= kHalvingStep) return false;
     const double allowance = kWorkAllowance * tick.model.total_mass * kReferenceGravity;
     if (work_.positive > allowance) return true;
     return end_overrun_ > kMaxOverrun &&
-           end_overrun_ > limit_overrun(tick.model, start) + kOverrunGrowth;
+           end_overrun_ >
+               limit_overrun(tick.model, tick.moment.frame().kinematics) + kOverrunGrowth;
 }
 
 void StepControl::accept(Tick& tick, bool has_rows, double h) {
     SceneMoment& moment = tick.moment;
-    keep_books(tick, moment.spare_frame().kinematics);
+    keep_books(tick);
     copy_motion(tick.model, result_.end, moment.motion);
     moment.current_frame = 1 - moment.current_frame;
     copy_rate(tick.model, result_.end_rate, moment.free_rate);
@@ -254,10 +264,8 @@ void StepControl::accept(Tick& tick, bool has_rows, double h) {
 // Up to the impact found within the step; result_ and the spare frame hold the motion there.
 void StepControl::accept_part(Tick& tick, double h, double share) {
     SceneMoment& moment = tick.moment;
-    const Kinematics& end = moment.spare_frame().kinematics;
-    work_ = contacts_.held_work(tick.model, tick.forcing, moment.frame().kinematics, end);
-    end_overrun_ = limit_overrun(tick.model, end);
-    keep_books(tick, end);
+    weigh_end(tick);
+    keep_books(tick);
     copy_motion(tick.model, result_.end, moment.motion);
     moment.frame_is_current = false;
     tick.time += share * h;
@@ -267,11 +275,8 @@ void StepControl::accept_part(Tick& tick, double h, double share) {
 void StepControl::release_forces(Tick& tick, bool has_rows) {
     if (!has_rows) return;
     SceneMoment& moment = tick.moment;
-    Loads loads;
     BodyResponse response;
-    clear_loads(tick.model, loads);
-    add_held_forces(tick.model, tick.forcing, moment.frame().kinematics, loads);
-    solve_impulse(tick.model, moment.frame().kinematics, moment.frame().factors, loads, response);
+    respond_to_held(tick, response);
     for (int c = 0; c < coordinate_count(tick.model); ++c) {
         moment.free_rate.acceleration[c] -= response.coordinate[c];
         moment.frame().response.coordinate[c] -= response.coordinate[c];
@@ -283,14 +288,14 @@ void StepControl::release_forces(Tick& tick, bool has_rows) {
     }
 }
 
-void StepControl::keep_books(Tick& tick, const Kinematics& end) {
+void StepControl::keep_books(Tick& tick) {
     SceneMoment& moment = tick.moment;
     SceneAudit& audit = moment.audit;
     audit.contact_work += work_.contact;
     audit.limit_work += work_.limit;
     audit.positive_work += work_.positive;
     ++audit.steps;
-    note_speeds(tick.model, end, audit);
+    note_speeds(tick.model, moment.spare_frame().kinematics, audit);
     note_depths(contacts_.near(), end_overrun_, audit);
     const ContactSet& chosen = contacts_.chosen();
     for (int c = 0; c < chosen.count; ++c) {

@@ -78,11 +78,13 @@ private:
     Attempt attempt(Tick& tick, bool has_rows, double& h);
     static const MotionRate& free_start_rate(Tick& tick);
     const MotionRate& held_start_rate(Tick& tick);
-    bool must_halve(const Tick& tick, bool has_rows, double h);
+    static void respond_to_held(const Tick& tick, BodyResponse& response);
+    void weigh_end(const Tick& tick);
+    bool must_halve(const Tick& tick, double h);
     void accept(Tick& tick, bool has_rows, double h);
     void accept_part(Tick& tick, double h, double share);
     void release_forces(Tick& tick, bool has_rows);
-    void keep_books(Tick& tick, const Kinematics& end);
+    void keep_books(Tick& tick);
     void remember_contacts(Tick& tick);
     static SceneStatus status_of(const Tick& tick);
 
