@@ -1,5 +1,7 @@
 #include "dynamics/audit.h"
 
+#include "dynamics/part_places.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -23,15 +25,9 @@ double mechanical_energy(const PlanarModel& model, const Medium& medium, const M
 CAMBRIAN_WIDE void note_speeds(const PlanarModel& model, const Kinematics& k, SceneAudit& audit) {
     Lanes fastest = {};
     for (int first = 0; first < model.part_count; first += kLanes) {
-        const int* bodies = model.part_body + first;
-        const Lanes cosine = gather(k.cosine, bodies);
-        const Lanes sine = gather(k.sine, bodies);
-        const Lanes spin = gather(k.spin, bodies);
-        const Lanes part_x = load_lanes(model.part_x + first);
-        const Lanes part_y = load_lanes(model.part_y + first);
-        const Lanes x = gather(k.velocity_x, bodies) - spin * (sine * part_x + cosine * part_y);
-        const Lanes y = gather(k.velocity_y, bodies) + spin * (cosine * part_x - sine * part_y);
-        fastest = greater(fastest, x * x + y * y);
+        const PartLanes parts = part_lanes(model, k, first);
+        const LanePair velocity = part_velocities(model, k, parts, first);
+        fastest = greater(fastest, velocity.x * velocity.x + velocity.y * velocity.y);
     }
     audit.max_part_speed = std::max(audit.max_part_speed, std::sqrt(largest_of(fastest)));
     Lanes spin = {};

@@ -7,6 +7,8 @@
 
 #include "dynamics/drag.h"
 
+#include "dynamics/part_places.h"
+
 namespace cambrian {
 namespace {
 
@@ -41,31 +43,21 @@ struct PartDrag {
 
 CAMBRIAN_INLINE PartDrag drag_parts(const PlanarModel& model, const Medium& medium,
                                     const Kinematics& k, int first) {
-    const int* bodies = model.part_body + first;
-    const Lanes cosine = gather(k.cosine, bodies);
-    const Lanes sine = gather(k.sine, bodies);
-    const Lanes spin = gather(k.spin, bodies);
-    const Lanes part_x = load_lanes(model.part_x + first);
-    const Lanes part_y = load_lanes(model.part_y + first);
-    const Lanes part_cosine = load_lanes(model.part_cosine + first);
-    const Lanes part_sine = load_lanes(model.part_sine + first);
-    const Lanes arm_x = cosine * part_x - sine * part_y;
-    const Lanes arm_y = sine * part_x + cosine * part_y;
-    const Lanes axis_x = cosine * part_cosine - sine * part_sine;
-    const Lanes axis_y = sine * part_cosine + cosine * part_sine;
-    const Lanes velocity_x = gather(k.velocity_x, bodies) - spin * arm_y;
-    const Lanes velocity_y = gather(k.velocity_y, bodies) + spin * arm_x;
-    const Lanes along = axis_x * velocity_x + axis_y * velocity_y;
-    const Lanes across = axis_x * velocity_y - axis_y * velocity_x;
+    const PartLanes parts = part_lanes(model, k, first);
+    const LanePair axis = part_axes(model, parts, first);
+    const LanePair velocity = part_velocities(model, k, parts, first);
+    const Lanes spin = gather(k.spin, model.part_body + first);
+    const Lanes along = axis.x * velocity.x + axis.y * velocity.y;
+    const Lanes across = axis.x * velocity.y - axis.y * velocity.x;
     const FaceDrag sides =
         integrate_face(medium, across, spin, load_lanes(model.half_length + first));
     const FaceDrag ends =
         integrate_face(medium, along, -spin, load_lanes(model.half_width + first));
     PartDrag drag;
-    drag.force_x = axis_x * ends.force - axis_y * sides.force;
-    drag.force_y = axis_y * ends.force + axis_x * sides.force;
+    drag.force_x = axis.x * ends.force - axis.y * sides.force;
+    drag.force_y = axis.y * ends.force + axis.x * sides.force;
     const Lanes moment = sides.moment - ends.moment;
-    drag.torque = moment + arm_x * drag.force_y - arm_y * drag.force_x;
+    drag.torque = moment + parts.arm.x * drag.force_y - parts.arm.y * drag.force_x;
     drag.power = along * ends.force + across * sides.force + spin * moment;
     return drag;
 }
