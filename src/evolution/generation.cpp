@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string_view>
 #include <utility>
 
 namespace cambrian {
@@ -62,27 +61,12 @@ const BreedingKind& single_parent_kind(const BreedingRegistry& kinds) {
     return kinds[0];
 }
 
-// The id of the method a creature's own attribute asks for; empty for none.
-std::string_view own_method(Reproduction reproduction) {
-    switch (reproduction) {
-        case Reproduction::kAsexual:
-            return "asexual";
-        case Reproduction::kCrossover:
-            return "crossover";
-        case Reproduction::kGrafting:
-            return "grafting";
-        case Reproduction::kInherit:
-            break;
-    }
-    return {};
-}
-
 // What the first parent's attribute says, where attributes decide, or what the shares gave.
 const BreedingKind* method_of(const Nursery& nursery, std::size_t first,
                               const BreedingKind* by_share) {
     if (nursery.settings.breeding.choice != "attribute") return by_share;
     const Reproduction reproduction = nursery.ranked[first]->genome->reproduction;
-    const BreedingKind* own = nursery.kinds.breeding.find(own_method(reproduction));
+    const BreedingKind* own = nursery.kinds.breeding.find(reproduction_name(reproduction));
     return own == nullptr ? by_share : own;
 }
 

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <string_view>
 #include <vector>
 
 namespace cambrian {
@@ -101,5 +102,11 @@ struct NodeGene {
 };
 
 enum class Reproduction : std::uint8_t { kInherit, kAsexual, kCrossover, kGrafting };
+// In files, in words and, but for the first, the ids of breeding kinds; in that order.
+inline constexpr std::array<std::string_view, 4> kReproductionNames = {"inherit", "asexual",
+                                                                       "crossover", "grafting"};
+inline std::string_view reproduction_name(Reproduction reproduction) {
+    return kReproductionNames[static_cast<std::size_t>(reproduction)];
+}
 
 }  // namespace cambrian

@@ -25,8 +25,8 @@ inline constexpr double kMaxSeed = 9007199254740992.0;  // 2^53; whole numbers a
 inline const std::vector<std::string> kSources = {
     "const",       "localNeuron", "localSensor", "parentNeuron", "parentSensor",
     "childNeuron", "childSensor", "brainNeuron", "partNeuron",   "partSensor"};
-inline const std::vector<std::string> kReproductions = {"inherit", "asexual", "crossover",
-                                                        "grafting"};
+inline const std::vector<std::string> kReproductions(kReproductionNames.begin(),
+                                                     kReproductionNames.end());
 inline const std::vector<std::string> kMirrorAxes = {"along", "across"};
 
 // The names of an enumeration's values up to the last one that files know.

@@ -73,27 +73,13 @@ void toggle_mirror_axis(NodeGene& node, MutationRecord& record) {
     record.to = was_along ? "across" : "along";
 }
 
-const char* in_words(Reproduction method) {
-    switch (method) {
-        case Reproduction::kInherit:
-            return "inherit";
-        case Reproduction::kAsexual:
-            return "asexual";
-        case Reproduction::kCrossover:
-            return "crossover";
-        case Reproduction::kGrafting:
-            return "grafting";
-    }
-    return "unknown";
-}
-
 void change_reproduction(Genome& genome, RandomStream& stream, MutationRecord& record) {
     record.place = "reproduction";
-    record.from = in_words(genome.reproduction);
+    record.from = reproduction_name(genome.reproduction);
     const int next =
         static_cast<int>(genome.reproduction) + stream.between(1, kReproductionCount - 1);
     genome.reproduction = static_cast<Reproduction>(next % kReproductionCount);
-    record.to = in_words(genome.reproduction);
+    record.to = reproduction_name(genome.reproduction);
 }
 
 bool mutate_node_discrete(Genome& genome, const MutationContext& context, RandomStream& stream,
