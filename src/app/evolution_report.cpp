@@ -1,5 +1,6 @@
 #include "app/evolution_report.h"
 
+#include "app/json_text.h"
 #include "core/number_text.h"
 #include "persist/digest_text.h"
 #include "persist/quoted_text.h"
@@ -21,19 +22,6 @@ std::string padded(std::string text, std::size_t width) {
     return text;
 }
 
-std::string member(const char* key, const std::string& value) {
-    return "\"" + std::string(key) + "\": " + value;
-}
-
-std::string savings_members(const GenerationStatistics& statistics) {
-    return member("rejected", std::to_string(statistics.rejected)) + ", " +
-           member("reused", std::to_string(statistics.reused)) + ", " +
-           member("rested", std::to_string(statistics.rested)) + ", " +
-           member("given_up", std::to_string(statistics.given_up)) + ", " +
-           member("giving_up_distrusted", statistics.giving_up_distrusted ? "true" : "false") +
-           ", " + member("time_saved", real_text(statistics.time_saved));
-}
-
 // What a person should know of a generation besides its numbers.
 std::string remarks(const GenerationStatistics& statistics) {
     std::string text;
@@ -47,25 +35,52 @@ std::string remarks(const GenerationStatistics& statistics) {
 }
 
 std::string json_of(const MutationRecord& mutation) {
-    return "{" + member("operator", quoted_text(mutation.operator_id)) + ", " +
-           member("place", quoted_text(mutation.place)) + ", " +
-           member("from", quoted_text(mutation.from)) + ", " +
-           member("to", quoted_text(mutation.to)) + "}";
+    return json_object({{"operator", quoted_text(mutation.operator_id)},
+                        {"place", quoted_text(mutation.place)},
+                        {"from", quoted_text(mutation.from)},
+                        {"to", quoted_text(mutation.to)}});
 }
 
-std::string origin_members(const Individual& individual) {
-    std::string parents;
+std::string json_of_parents(const Individual& individual) {
+    std::vector<std::string> parents;
     for (const std::uint64_t parent : individual.parents) {
-        if (parent != 0) parents += (parents.empty() ? "" : ", ") + quoted_text(hex_text(parent));
+        if (parent != 0) parents.push_back(quoted_text(hex_text(parent)));
     }
-    std::string mutations;
+    return json_list(parents);
+}
+
+std::string json_of_mutations(const Individual& individual) {
+    std::vector<std::string> mutations;
+    mutations.reserve(individual.mutations.size());
     for (const MutationRecord& mutation : individual.mutations)
-        mutations += (mutations.empty() ? "" : ", ") + json_of(mutation);
-    return member("uid", quoted_text(hex_text(individual.uid))) + ", " +
-           member("born", std::to_string(individual.born)) + ", " +
-           member("method", quoted_text(individual.method)) + ", " +
-           member("parents", "[" + parents + "]") + ", " +
-           member("mutations", "[" + mutations + "]");
+        mutations.push_back(json_of(mutation));
+    return json_list(mutations);
+}
+
+std::string json_of(const GenerationStatistics& statistics, const std::string& unit) {
+    return json_object(
+        {{"generation", std::to_string(statistics.generation)},
+         {"size", std::to_string(statistics.size)},
+         {"evaluations", std::to_string(statistics.evaluations)},
+         {"best", real_text(statistics.best)},
+         {"upper", real_text(statistics.upper)},
+         {"median", real_text(statistics.median)},
+         {"lower", real_text(statistics.lower)},
+         {"mean", real_text(statistics.mean)},
+         {"invalid_share", real_text(statistics.invalid_share)},
+         {"mean_parts", real_text(statistics.mean_parts)},
+         {"mean_neurons", real_text(statistics.mean_neurons)},
+         {"distinct_genomes", std::to_string(statistics.distinct_genomes)},
+         {"rejected", std::to_string(statistics.rejected)},
+         {"reused", std::to_string(statistics.reused)},
+         {"rested", std::to_string(statistics.rested)},
+         {"given_up", std::to_string(statistics.given_up)},
+         {"giving_up_distrusted", json_truth(statistics.giving_up_distrusted)},
+         {"time_saved", real_text(statistics.time_saved)},
+         {"filled_cells", std::to_string(statistics.filled_cells)},
+         {"quality", real_text(statistics.quality)},
+         {"generations_without_progress", std::to_string(statistics.generations_without_progress)},
+         {"unit", quoted_text(unit)}});
 }
 
 }  // namespace
@@ -82,27 +97,8 @@ std::string origin_in_words(const Individual& individual) {
 
 std::string generation_line(const GenerationStatistics& statistics, const std::string& unit,
                             bool json) {
+    if (json) return json_of(statistics, unit);
     const std::string number = std::to_string(statistics.generation);
-    if (json) {
-        return "{" + member("generation", number) + ", " +
-               member("size", std::to_string(statistics.size)) + ", " +
-               member("evaluations", std::to_string(statistics.evaluations)) + ", " +
-               member("best", real_text(statistics.best)) + ", " +
-               member("upper", real_text(statistics.upper)) + ", " +
-               member("median", real_text(statistics.median)) + ", " +
-               member("lower", real_text(statistics.lower)) + ", " +
-               member("mean", real_text(statistics.mean)) + ", " +
-               member("invalid_share", real_text(statistics.invalid_share)) + ", " +
-               member("mean_parts", real_text(statistics.mean_parts)) + ", " +
-               member("mean_neurons", real_text(statistics.mean_neurons)) + ", " +
-               member("distinct_genomes", std::to_string(statistics.distinct_genomes)) + ", " +
-               savings_members(statistics) + ", " +
-               member("filled_cells", std::to_string(statistics.filled_cells)) + ", " +
-               member("quality", real_text(statistics.quality)) + ", " +
-               member("generations_without_progress",
-                      std::to_string(statistics.generations_without_progress)) +
-               ", " + member("unit", quoted_text(unit)) + "}";
-    }
     return "generation " + padded(number, 4) + "   best " + padded(fixed(statistics.best), 8) +
            " " + unit + "   median " + padded(fixed(statistics.median), 8) + " " + unit +
            remarks(statistics);
@@ -115,14 +111,18 @@ std::string final_line(std::span<const GenerationStatistics> history, const std:
     const GenerationStatistics& last = history.back();
     const bool interrupted = stopped_by == "interruption";
     if (json) {
-        return "{" + member("champion", quoted_text(file.string())) + ", " +
-               origin_members(champion) + ", " +
-               member("generations", std::to_string(history.size())) + ", " +
-               member("best_of_first", real_text(first.best)) + ", " +
-               member("best_of_last", real_text(last.best)) + ", " +
-               member("unit", quoted_text(unit)) + ", " +
-               member("stopped_by", quoted_text(stopped_by)) + ", " +
-               member("interrupted", interrupted ? "true" : "false") + "}";
+        return json_object({{"champion", quoted_text(file.string())},
+                            {"uid", quoted_text(hex_text(champion.uid))},
+                            {"born", std::to_string(champion.born)},
+                            {"method", quoted_text(champion.method)},
+                            {"parents", json_of_parents(champion)},
+                            {"mutations", json_of_mutations(champion)},
+                            {"generations", std::to_string(history.size())},
+                            {"best_of_first", real_text(first.best)},
+                            {"best_of_last", real_text(last.best)},
+                            {"unit", quoted_text(unit)},
+                            {"stopped_by", quoted_text(stopped_by)},
+                            {"interrupted", json_truth(interrupted)}});
     }
     return std::string(interrupted ? "interrupted; best" : "best") + " of generation " +
            std::to_string(first.generation) + ": " + fixed(first.best) + " " + unit +

@@ -1,5 +1,6 @@
 #include "app/trial_report.h"
 
+#include "app/json_text.h"
 #include "core/number_text.h"
 #include "persist/digest_text.h"
 #include "persist/quoted_text.h"
@@ -20,37 +21,25 @@ std::string percent_of(double number, double whole) {
     return whole > 0.0 ? " (" + rounded(100.0 * number / whole) + " %)" : "";
 }
 
-struct Member {
-    const char* key;
-    std::string value;
-};
-
-std::string object(std::initializer_list<Member> members) {
-    std::string text;
-    for (const Member& member : members)
-        text += (text.empty() ? "{\"" : ", \"") + std::string(member.key) + "\": " + member.value;
-    return text + "}";
-}
-
 std::string audit_json(const SceneAudit& audit) {
-    return object({{"motor_work", real_text(audit.motor_work)},
-                   {"gross_motor_work", real_text(audit.gross_motor_work)},
-                   {"drag_work", real_text(audit.drag_work)},
-                   {"contact_work", real_text(audit.contact_work)},
-                   {"limit_work", real_text(audit.limit_work)},
-                   {"impulse_work", real_text(audit.impulse_work)},
-                   {"positive_work", real_text(audit.positive_work)},
-                   {"energy_residual", real_text(audit.energy_residual)},
-                   {"energy_scale", real_text(audit.energy_scale)},
-                   {"max_penetration", real_text(audit.max_penetration)},
-                   {"max_limit_overrun", real_text(audit.max_limit_overrun)},
-                   {"max_part_speed", real_text(audit.max_part_speed)},
-                   {"max_part_spin", real_text(audit.max_part_spin)},
-                   {"evaluations", std::to_string(audit.evaluations)},
-                   {"steps", std::to_string(audit.steps)},
-                   {"rejections", std::to_string(audit.rejections)},
-                   {"events", std::to_string(audit.events)},
-                   {"fallbacks", std::to_string(audit.fallbacks)}});
+    return json_object({{"motor_work", real_text(audit.motor_work)},
+                        {"gross_motor_work", real_text(audit.gross_motor_work)},
+                        {"drag_work", real_text(audit.drag_work)},
+                        {"contact_work", real_text(audit.contact_work)},
+                        {"limit_work", real_text(audit.limit_work)},
+                        {"impulse_work", real_text(audit.impulse_work)},
+                        {"positive_work", real_text(audit.positive_work)},
+                        {"energy_residual", real_text(audit.energy_residual)},
+                        {"energy_scale", real_text(audit.energy_scale)},
+                        {"max_penetration", real_text(audit.max_penetration)},
+                        {"max_limit_overrun", real_text(audit.max_limit_overrun)},
+                        {"max_part_speed", real_text(audit.max_part_speed)},
+                        {"max_part_spin", real_text(audit.max_part_spin)},
+                        {"evaluations", std::to_string(audit.evaluations)},
+                        {"steps", std::to_string(audit.steps)},
+                        {"rejections", std::to_string(audit.rejections)},
+                        {"events", std::to_string(audit.events)},
+                        {"fallbacks", std::to_string(audit.fallbacks)}});
 }
 
 std::string audit_text(const SceneAudit& audit) {
@@ -92,22 +81,22 @@ std::string trial_text(const EvaluationResult& result, const std::string& unit) 
 
 std::string trial_json(const EvaluationResult& result, const std::string& unit) {
     const std::string finer =
-        result.finer ? object({{"outcome", quoted_text(outcome_name(result.finer->outcome))},
-                               {"fitness", real_text(result.finer->score)},
-                               {"verdict", quoted_text(verdict_name(result.finer->verdict))}})
+        result.finer ? json_object({{"outcome", quoted_text(outcome_name(result.finer->outcome))},
+                                    {"fitness", real_text(result.finer->score)},
+                                    {"verdict", quoted_text(verdict_name(result.finer->verdict))}})
                      : "null";
-    return object({{"outcome", quoted_text(outcome_name(result.outcome))},
-                   {"reason", quoted_text(result.reason)},
-                   {"fitness", real_text(result.fitness)},
-                   {"unit", quoted_text(unit)},
-                   {"body_length", real_text(result.body_length)},
-                   {"mass", real_text(result.mass)},
-                   {"parts", std::to_string(result.parts)},
-                   {"neurons", std::to_string(result.neurons)},
-                   {"trajectory", quoted_text(digest_text(result.digest))},
-                   {"verdict", quoted_text(verdict_name(result.verdict))},
-                   {"audit", audit_json(result.audit)},
-                   {"recomputed", finer}});
+    return json_object({{"outcome", quoted_text(outcome_name(result.outcome))},
+                        {"reason", quoted_text(result.reason)},
+                        {"fitness", real_text(result.fitness)},
+                        {"unit", quoted_text(unit)},
+                        {"body_length", real_text(result.body_length)},
+                        {"mass", real_text(result.mass)},
+                        {"parts", std::to_string(result.parts)},
+                        {"neurons", std::to_string(result.neurons)},
+                        {"trajectory", quoted_text(digest_text(result.digest))},
+                        {"verdict", quoted_text(verdict_name(result.verdict))},
+                        {"audit", audit_json(result.audit)},
+                        {"recomputed", finer}});
 }
 
 }  // namespace cambrian
