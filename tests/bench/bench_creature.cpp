@@ -1,6 +1,5 @@
 #include "bench/bench_creature.h"
 
-#include "bench/workload.h"
 #include "math/elementary.h"
 #include "support/body_plans.h"
 
@@ -57,7 +56,7 @@ void add_swing(BenchCreature& creature, std::size_t part, RandomStream& stream) 
     const double half_range = 0.5 * (moved.limit_high - moved.limit_low);
     const std::size_t parts = creature.plan.parts.size();
     for (std::size_t tick = 0; tick * parts < creature.targets.size(); ++tick) {
-        const double time = static_cast<double>(tick) * kTick;
+        const double time = static_cast<double>(tick) * kTestTick;
         creature.targets[tick * parts + part] =
             middle + half_range * sine(2 * kPi * frequency * time + phase);
     }

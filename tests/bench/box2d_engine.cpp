@@ -5,8 +5,8 @@
 #include "bench/engine_kinds.h"
 #include "bench/motor_law.h"
 #include "bench/pair_filter.h"
-#include "bench/workload.h"
 #include "math/angle.h"
+#include "support/body_plans.h"
 
 #include <algorithm>
 #include <box2d/box2d.h>
@@ -53,7 +53,7 @@ public:
           environment_(environment),
           settings_(settings),
           books_(books),
-          step_(kTick / settings.steps_per_tick),
+          step_(kTestTick / settings.steps_per_tick),
           filter_(plan),
           world_(gravity(environment)),
           targets_(plan.parts.size(), 0.0),

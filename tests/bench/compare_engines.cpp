@@ -4,8 +4,9 @@
 
 #include "bench/engine_kinds.h"
 #include "bench/runs.h"
-#include "bench/workload.h"
 #include "core/file_io.h"
+#include "support/body_plans.h"
+#include "support/workload.h"
 
 #include <CLI/CLI.hpp>
 
@@ -32,7 +33,7 @@ struct Options {
     bool advance_only = false;
     std::string csv_path;
 
-    std::size_t ticks() const { return static_cast<std::size_t>(std::lround(seconds / kTick)); }
+    std::size_t ticks() const { return static_cast<std::size_t>(std::lround(seconds / kTestTick)); }
 };
 
 // One engine on one workload with one number of bodies.

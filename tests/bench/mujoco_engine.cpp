@@ -4,8 +4,8 @@
 #include "bench/drag_law.h"
 #include "bench/motor_law.h"
 #include "bench/mujoco_model.h"
-#include "bench/workload.h"
 #include "core/assert.h"
+#include "support/body_plans.h"
 
 #include <cmath>
 #include <utility>
@@ -69,7 +69,7 @@ private:
     // MuJoCo asks for controls through one callback of the process, at every stage of a step.
     static void drive_motors(const mjModel*, mjData* data) {
         const MujocoEngine& engine = *driven_engine;
-        const double share = (data->time - engine.tick_start_) / kTick;
+        const double share = (data->time - engine.tick_start_) / kTestTick;
         for (std::size_t i = 1; i < engine.plan_.parts.size(); ++i) {
             const MotorMode mode = engine.plan_.parts[i].motor_mode;
             data->ctrl[i - 1] =

@@ -1,9 +1,9 @@
 #include "bench/mujoco_model.h"
 
 #include "bench/pair_filter.h"
-#include "bench/workload.h"
 #include "core/assert.h"
 #include "math/angle.h"
+#include "support/body_plans.h"
 
 #include <cmath>
 #include <cstdio>
@@ -54,7 +54,7 @@ public:
 private:
     void write_options(const MujocoSettings& settings) {
         const double direction = to_radians(environment_.gravity_direction);
-        text_ << "<option timestep='" << kTick / settings.steps_per_tick << "' integrator='"
+        text_ << "<option timestep='" << kTestTick / settings.steps_per_tick << "' integrator='"
               << integrator_name(settings.integrator) << "' gravity='"
               << environment_.gravity * std::cos(direction) << " 0 "
               << environment_.gravity * std::sin(direction) << "'/>";

@@ -1,9 +1,9 @@
 // Ours. Its books are always open: the audit is part of every trial.
 
 #include "bench/engine_kinds.h"
-#include "bench/workload.h"
 #include "core/assert.h"
 #include "dynamics/planar_scene.h"
+#include "support/body_plans.h"
 
 #include <utility>
 
@@ -15,7 +15,7 @@ public:
     explicit PlanarEngine(std::unique_ptr<PhysicsScene> scene) : scene_(std::move(scene)) {}
 
     void set_target(std::size_t part, double target) override { scene_->set_target(part, target); }
-    void advance_tick() override { scene_->advance(kTick); }
+    void advance_tick() override { scene_->advance(kTestTick); }
 
     void read_motion(std::vector<PartMotion>& parts) override {
         parts.clear();

@@ -77,11 +77,7 @@ Challenge challenge_of(std::uint64_t seed) {
     challenge.frequency = random.uniform(kSlowest, kFastest);
     challenge.plan = random_tree(random, bodies, kLinearShare, challenge.strength, 0.0);
     challenge.swims = seed % kSwimEvery == 0;
-    if (challenge.swims) {
-        challenge.environment = empty_space();
-        challenge.environment.viscosity_linear = 0.5;
-        challenge.environment.viscosity_quadratic = 5.0;
-    }
+    if (challenge.swims) challenge.environment = open_water();
     challenge.environment.friction = kFrictions[random.below(kFrictions.size())];
     challenge.environment.elasticity = kElasticities[random.below(kElasticities.size())];
     return challenge;

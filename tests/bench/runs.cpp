@@ -1,6 +1,5 @@
 #include "bench/runs.h"
 
-#include "bench/workload.h"
 #include "math/angle.h"
 
 #include <cmath>

@@ -2,9 +2,10 @@
 // as a counter, so that a faster wrong answer shows.
 
 #include "bench/bench_creature.h"
-#include "bench/workload.h"
 #include "core/assert.h"
 #include "dynamics/planar_scene.h"
+#include "support/body_plans.h"
+#include "support/workload.h"
 
 #include <benchmark/benchmark.h>
 
@@ -22,7 +23,7 @@ std::unique_ptr<PhysicsScene> make_scene(const BenchCreature& creature, const Wo
 void advance_tick(PhysicsScene& scene, const BenchCreature& creature, std::size_t tick) {
     for (std::size_t part = 1; part < creature.plan.parts.size(); ++part)
         scene.set_target(part, creature.target(tick, part));
-    scene.advance(kTick);
+    scene.advance(kTestTick);
 }
 
 // Share of 2^32, so that it prints whole.
@@ -54,7 +55,7 @@ void advance_scene_tick(benchmark::State& state) {
     state.SetLabel(workload.id);
     state.counters["digest"] = digest;
     // Of the last whole trial, a simulated second; 0 if none was finished.
-    const double seconds = static_cast<double>(kTicks) * kTick;
+    const double seconds = static_cast<double>(kTicks) * kTestTick;
     state.counters["evaluations"] = static_cast<double>(audit.evaluations) / seconds;
     state.counters["steps"] = static_cast<double>(audit.steps) / seconds;
     state.counters["rejections"] = static_cast<double>(audit.rejections) / seconds;

@@ -5,9 +5,9 @@
 #include "bench/engine_kinds.h"
 #include "bench/runs.h"
 #include "bench/svg_plot.h"
-#include "bench/workload.h"
 #include "core/file_io.h"
 #include "dynamics/planar_scene.h"
+#include "support/body_plans.h"
 
 #include <CLI/CLI.hpp>
 
@@ -139,7 +139,7 @@ double distance(const Track& a, const Track& b) {
 Outcome measure(const EngineKind& kind, const BenchCreature& chain, const Track& truth,
                 const Options& options) {
     constexpr double micro = 1e6;
-    const auto ticks = static_cast<std::size_t>(std::lround(options.seconds / kTick));
+    const auto ticks = static_cast<std::size_t>(std::lround(options.seconds / kTestTick));
     Outcome outcome;
     for (int repeat = 0; repeat < options.repeats; ++repeat) {
         const auto engine = build_scene(kind, chain.plan, empty_space(), Books::kClosed);
@@ -183,7 +183,7 @@ int write_or_complain(const std::string& path, const std::string& text) {
 }
 
 int run(const Options& options) {
-    const auto ticks = static_cast<std::size_t>(std::lround(options.seconds / kTick));
+    const auto ticks = static_cast<std::size_t>(std::lround(options.seconds / kTestTick));
     const BenchCreature chain = passive_chain(kBodies, ticks);
     const Track truth = find_truth(chain, ticks);
     Plot plot{"Work and precision: a passive chain of six, two seconds",

@@ -22,11 +22,7 @@ World world_of(std::uint64_t seed) {
     World world{{}, seed % 2 == 0 ? 20.0 : 100.0, seed % 2 == 0 ? 2.0 : 6.0, 0.2};
     world.environment.friction = kFrictions[seed % 4];
     world.environment.elasticity = kElasticities[seed % 3];
-    if (seed % 5 == 4) {
-        world.environment = empty_space();
-        world.environment.viscosity_linear = 0.5;
-        world.environment.viscosity_quadratic = 5.0;
-    }
+    if (seed % 5 == 4) world.environment = open_water();
     return world;
 }
 

@@ -1,26 +1,10 @@
 #include "dynamics/bodies.h"
 #include "golden/books.h"
 #include "golden/golden.h"
-
-#include <array>
+#include "support/workload.h"
 
 namespace cambrian::golden {
 namespace {
-
-struct Medium {
-    const char* name;
-    Environment environment;
-};
-
-std::array<Medium, 3> media() {
-    Environment air;
-    air.has_ground = false;
-    Environment swim = air;
-    swim.gravity = 0.0;
-    swim.viscosity_linear = 0.5;
-    swim.viscosity_quadratic = 5.0;
-    return {{{"air", air}, {"swim", swim}, {"walk", Environment{}}}};
-}
 
 // How many random trees of a size an integrator moves, and for how long; the cost of the reference
 // mode grows with the cube of the size.
@@ -83,14 +67,14 @@ std::uint64_t digest_of_curling(const std::string& integrator) {
 }  // namespace
 
 void add_physics_digests(Digests& digests) {
-    for (const Medium& medium : media()) {
+    for (const Workload& workload : all_workloads()) {
         for (const std::string& integrator : planar_scene_kind().integrators) {
             SceneSettings settings;
             settings.integrator = integrator;
             for (const Share& share : shares_of(integrator)) {
-                digests.push_back({std::string("physics.") + medium.name + "." + integrator + "." +
+                digests.push_back({"physics." + workload.id + "." + integrator + "." +
                                        std::to_string(share.parts),
-                                   digest_of_trees(medium.environment, settings, share)});
+                                   digest_of_trees(workload.environment, settings, share)});
             }
         }
     }

@@ -80,6 +80,13 @@ Environment empty_space() {
     return environment;
 }
 
+Environment open_water() {
+    Environment environment = empty_space();
+    environment.viscosity_linear = 0.5;
+    environment.viscosity_quadratic = 5.0;
+    return environment;
+}
+
 void stand_on_ground(PhysicsScene& scene) {
     scene.translate(Vec3(0.0, 0.02 - scene.bounds().low.y(), 0.0));
     scene.restart_audit();

@@ -32,6 +32,7 @@ BodyPlan random_tree(RandomStream& random, int parts, double linear_share, doubl
                      double height);
 
 Environment empty_space();  // no gravity, ground or medium
+Environment open_water();   // a medium, and nothing else
 
 // Lifts the lowest corner 2 cm above the ground and starts the books.
 void stand_on_ground(PhysicsScene& scene);

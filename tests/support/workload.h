@@ -1,15 +1,13 @@
 #pragma once
 
-// The three settings creatures are timed in (physics.md 12).
+// The three settings creatures are timed and compared in (physics.md 12).
 
 #include "world/environment.h"
 
 #include <string>
 #include <vector>
 
-namespace cambrian::bench {
-
-inline constexpr double kTick = 1.0 / 60.0;  // s; how often targets change
+namespace cambrian {
 
 struct Workload {
     std::string id;  // "air", "swim", "walk"
@@ -18,4 +16,4 @@ struct Workload {
 
 std::vector<Workload> all_workloads();
 
-}  // namespace cambrian::bench
+}  // namespace cambrian
