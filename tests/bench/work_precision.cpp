@@ -43,13 +43,6 @@ struct Outcome {
     double gap = 0.0;     // m, widest of all ticks
 };
 
-Environment empty_space() {
-    Environment space;
-    space.gravity = 0.0;
-    space.has_ground = false;
-    return space;
-}
-
 std::string tolerance_label(double tolerance) {
     char text[32];
     std::snprintf(text, sizeof text, "tolerance %.0e", tolerance);

@@ -1,0 +1,156 @@
+// cambrian_bench_quality: how well evolution searches (evolution.md 9). Runs a plan's evolutions,
+// one a thread, and keeps each as it ends; what is there already is not run again.
+
+#include "app/builtin_kinds.h"
+#include "core/file_io.h"
+#include "core/thread_pool.h"
+#include "quality/plan.h"
+#include "quality/report.h"
+#include "quality/run_table.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <atomic>
+#include <cstdio>
+#include <fstream>
+#include <mutex>
+
+using namespace cambrian;
+using namespace cambrian::quality;
+
+namespace {
+
+constexpr int kFailed = 1;
+constexpr int kBadInput = 2;
+
+struct Options {
+    std::string plan;
+    std::filesystem::path folder = ".";
+    std::filesystem::path page;
+    std::size_t threads = ThreadPool::default_workers();
+};
+
+int refuse(const Error& error) {
+    std::fprintf(stderr, "%s\n", error.message.c_str());
+    return kBadInput;
+}
+
+bool same_run(const RunSpec& a, const RunSpec& b) {
+    return a.plan == b.plan && a.goal == b.goal && a.arm == b.arm && a.seed == b.seed &&
+           a.size == b.size && a.budget == b.budget;
+}
+
+std::vector<RunSpec> still_to_run(const std::string& plan, const std::vector<RunResult>& done) {
+    std::vector<RunSpec> runs = plan_of(plan);
+    const auto is_done = [&](const RunSpec& run) {
+        return std::any_of(done.begin(), done.end(),
+                           [&](const RunResult& result) { return same_run(result.spec, run); });
+    };
+    runs.erase(std::remove_if(runs.begin(), runs.end(), is_done), runs.end());
+    return runs;
+}
+
+// Two files that grow by a run at a time.
+class Books {
+public:
+    explicit Books(const std::filesystem::path& folder)
+        : runs_(open(folder / "runs.csv", run_header())),
+          curves_(open(folder / "curves.csv", curve_header())) {}
+
+    bool keep(const RunResult& result) {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        runs_ << run_line(result) << std::flush;
+        curves_ << curve_lines(result) << std::flush;
+        std::printf("%s %s %s seed %llu: %g after %d evaluations, %.0f s\n",
+                    result.spec.plan.c_str(), result.spec.goal.c_str(), result.spec.arm.c_str(),
+                    static_cast<unsigned long long>(result.spec.seed), result.best,
+                    result.evaluations, result.seconds);
+        std::fflush(stdout);
+        return runs_.good() && curves_.good();
+    }
+
+private:
+    static std::ofstream open(const std::filesystem::path& path, const std::string& header) {
+        const bool fresh = !std::filesystem::exists(path);
+        std::ofstream file(path, std::ios::app);
+        if (fresh) file << header << std::flush;
+        return file;
+    }
+
+    std::mutex mutex_;
+    std::ofstream runs_;
+    std::ofstream curves_;
+};
+
+int run_plan(const Options& options) {
+    const std::filesystem::path champions = options.folder / "champions";
+    std::error_code failure;
+    std::filesystem::create_directories(champions, failure);
+    if (failure) return refuse({champions.string() + ": " + failure.message()});
+    const auto done = read_runs(options.folder / "runs.csv");
+    if (!done) return refuse(done.error());
+    const EvolutionKinds kinds = builtin_kinds();
+    const std::vector<RunSpec> runs = still_to_run(options.plan, *done);
+    Books books(options.folder);
+    std::atomic<bool> kept = true;
+    ThreadPool pool(options.threads);
+    pool.parallel_for(runs.size(), [&](std::size_t index, std::size_t /*worker*/) {
+        const bool written = books.keep(perform(runs[index], kinds, champions));
+        if (!written) kept = false;
+    });
+    if (!kept) return refuse({options.folder.string() + ": a run could not be written"});
+    return 0;
+}
+
+int write_report(const Options& options) {
+    const auto runs = read_runs(options.folder / "runs.csv");
+    if (!runs) return refuse(runs.error());
+    std::string page;
+    for (const auto& [plan, title, criteria] :
+         {std::tuple{"standard", "3000 evaluations", standard_criteria(*runs)},
+          std::tuple{"long", "20 000 evaluations", long_criteria(*runs)}}) {
+        page += "\n## " + std::string(title) + "\n\n" + criteria_table(criteria) +
+                arm_tables(*runs, plan);
+    }
+    const Status written = write_file(options.page, page);
+    return written ? 0 : refuse(written.error());
+}
+
+int check(const Options& options) {
+    const EvolutionKinds kinds = builtin_kinds();
+    const std::vector<RunSpec> specs = plan_of("quick");
+    std::vector<RunResult> runs(specs.size());
+    ThreadPool pool(options.threads);
+    pool.parallel_for(specs.size(), [&](std::size_t index, std::size_t /*worker*/) {
+        runs[index] = perform(specs[index], kinds, {});
+    });
+    const std::vector<Criterion> criteria = quick_criteria(runs);
+    std::printf("%s%s", criteria_table(criteria).c_str(), arm_tables(runs, "quick").c_str());
+    const bool holds = std::all_of(criteria.begin(), criteria.end(), [](const Criterion& found) {
+        return found.finding == Finding::kHolds;
+    });
+    return holds ? 0 : kFailed;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    Options options;
+    CLI::App app("How well evolution searches.");
+    app.require_subcommand(1);
+    app.add_option("-t,--threads", options.threads, "Runs at a time")->check(CLI::Range(1, 1024));
+    CLI::App* run = app.add_subcommand("run", "Run what is missing of a plan");
+    run->add_option("plan", options.plan, "Which")
+        ->required()
+        ->check(CLI::IsMember({"standard", "long", "quick"}));
+    run->add_option("-o,--out", options.folder, "Folder of runs.csv, curves.csv and champions/");
+    CLI::App* report = app.add_subcommand("report", "Write the criteria and all values as a page");
+    report->add_option("-i,--in", options.folder, "Folder of runs.csv");
+    report->add_option("-o,--out", options.page, "The page, *.md")->required();
+    app.add_subcommand("check", "Run the quick plan; fails unless its criteria hold");
+    CLI11_PARSE(app, argc, argv);
+    if (run->parsed()) return run_plan(options);
+    if (report->parsed()) return write_report(options);
+    return check(options);
+}

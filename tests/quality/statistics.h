@@ -1,0 +1,29 @@
+#pragma once
+
+// What can be said of a few values that vary a lot.
+
+#include <cstdint>
+#include <vector>
+
+namespace cambrian::quality {
+
+double median(std::vector<double> values);  // of at least one
+
+struct Interval {
+    double low = 0.0;
+    double high = 0.0;
+};
+
+// 90 % bootstrap interval of the median (percentile method, 10 000 samples from a fixed stream).
+Interval median_interval(const std::vector<double>& values);
+
+struct Comparison {
+    double p = 1.0;       // that a come out at least so much greater by chance alone
+    double effect = 0.5;  // probability that one of a beats one of b; a tie counts half
+};
+
+// One-sided Mann-Whitney U test, exact and with midranks for ties: every way to split the values
+// into groups of these sizes is counted. Neither may be empty; up to some 60 values in all.
+Comparison mann_whitney(const std::vector<double>& a, const std::vector<double>& b);
+
+}  // namespace cambrian::quality
