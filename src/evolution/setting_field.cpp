@@ -216,7 +216,7 @@ void add_mutation(std::vector<SettingField>& fields, const EvolutionKinds& kinds
         "more in 25 % of them.",
         [](Settings & s) -> auto& { return s.mutation.rate; });
     mutation.flag(
-        "collect-mute-neurons", "Collect mute neurons",
+        "collect-mute-neurons", "Drop mute neurons",
         "Removes neurons that no joint can hear; otherwise they wait for a connection.",
         [](Settings & s) -> auto& { return s.mutation.collect_mute_neurons; });
     TableBuilder weights(fields, "mutation.weights");

@@ -48,6 +48,7 @@ void draw_stagnation(const FrameContext& frame, Requests& out) {
     const auto& history = frame.snapshot.history;
     if (history.empty() || !stagnant(history.back())) return;
     const ExperimentSettings& draft = frame.editor.draft();
+    ImGui::AlignTextToFramePadding();
     muted_text(format("The best has not risen for %d generations.",
                       history.back().generations_without_progress));
     ImGui::SameLine(0, px(10));
