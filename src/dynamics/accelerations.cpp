@@ -1,6 +1,7 @@
 #include "dynamics/accelerations.h"
 
 #include "dynamics/drag.h"
+#include "dynamics/loop_closure.h"
 #include "dynamics/motors.h"
 
 namespace cambrian {
@@ -87,6 +88,8 @@ CAMBRIAN_WIDE void evaluate_accelerations(const PlanarModel& model, const Forcin
     if (all || holds_pairs(forcing)) compute_places(model, motion, frame.kinematics);
     compute_loads(model, forcing, point.tick_share, frame, rate);
     solve_accelerations(model, frame.kinematics, frame.loads, frame.factors, frame.response);
+    if (!model.closing_pins.empty())
+        close_accelerations(model, frame.kinematics, frame.factors, frame.response);
     const int count = coordinate_count(model);
     for (int c = 0; c < count; c += kLanes)
         store_lanes(rate.acceleration + c, load_lanes(frame.response.coordinate + c));

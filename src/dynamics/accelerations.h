@@ -12,7 +12,7 @@ struct Frame {
     Kinematics kinematics;
     Loads loads;
     Factors factors;
-    BodyResponse response;  // accelerations
+    BodyResponse response;  // accelerations, loops closed
     PerBody motor_effort;   // N m or N
 };
 

@@ -34,7 +34,11 @@ double gap_along_axes(const RestBox& a, const RestBox& b) {
 }
 
 bool share_joint(const PlanarModel& model, int a, int b) {
-    return model.parent[a] == b || model.parent[b] == a;
+    if (model.parent[a] == b || model.parent[b] == a) return true;
+    return std::any_of(
+        model.closing_pins.begin(), model.closing_pins.end(), [&](const BodyPin& pin) {
+            return (pin.body_a == a && pin.body_b == b) || (pin.body_a == b && pin.body_b == a);
+        });
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 // can: the problem is then solved again without restitution, and last without friction.
 
 #include "dynamics/contact_solver.h"
+#include "dynamics/loop_closure.h"
 
 #include <cmath>
 
@@ -77,7 +78,7 @@ ImpactResult ContactSolver::strike(const PlanarModel& model, const ContactLaw& l
     BodyResponse jump;
     clear_loads(model, loads);
     add_row_impulses(rows_, 1.0, loads);
-    solve_impulse(model, frame.kinematics, frame.factors, loads, jump);
+    solve_closed_impulse(model, frame.kinematics, frame.factors, loads, jump);
     for (int c = 0; c < coordinate_count(model); ++c)
         motion.speed[c] += jump.coordinate[c];
     return result;

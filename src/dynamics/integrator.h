@@ -42,8 +42,9 @@ struct IntegratorKind {
     // One attempt; frame is left at the step's end, with everything.
     void (*attempt)(const MotionSystem& system, const StepRequest& request, Frame& frame,
                     StepResult& result) = nullptr;
-    int error_order = 1;    // of the error in the step's length
-    double max_step = 0.0;  // s
+    int error_order = 1;       // of the error in the step's length
+    double max_step = 0.0;     // s
+    bool holds_loops = false;  // whether closing pins stay closed
 };
 
 }  // namespace cambrian

@@ -1,5 +1,6 @@
 #include "dynamics/least_squares_dynamics.h"
 
+#include "dynamics/pins.h"
 #include "math/types.h"
 
 #include <Eigen/QR>
@@ -7,17 +8,9 @@
 namespace cambrian {
 namespace {
 
-Vec2 perp(const Vec2& v) {
-    return {-v.y(), v.x()};
-}
-
-Vec2 turned(const Kinematics& k, Eigen::Index body, double x, double y) {
-    return {k.cosine[body] * x - k.sine[body] * y, k.sine[body] * x + k.cosine[body] * y};
-}
-
-Vec2 place(const Kinematics& k, Eigen::Index body) {
-    return {k.x[body], k.y[body]};
-}
+// Pivots below this share of the greatest mark redundant rows: what a pin says twice comes out of
+// rounding and of the small gaps as almost the same, not quite.
+constexpr double kRankThreshold = 1e-10;
 
 Vec2 velocity(const Kinematics& k, Eigen::Index body) {
     return {k.velocity_x[body], k.velocity_y[body]};
@@ -29,7 +22,8 @@ LeastSquaresDynamics::LeastSquaresDynamics(const PlanarModel& model, double time
     : model_(model), time_constant_(time_constant) {
     const Eigen::Index bodies = model.body_count;
     const Eigen::Index columns = 3 * bodies;
-    const Eigen::Index rows = 2 * (bodies - model.tree_count);
+    const auto pins = static_cast<Eigen::Index>(model.closing_pins.size());
+    const Eigen::Index rows = 2 * (bodies - model.tree_count + pins);
     inverse_mass_.resize(columns);
     for (Eigen::Index i = 0; i < bodies; ++i)
         inverse_mass_.segment<3>(3 * i) << 1.0 / model.mass[i], 1.0 / model.mass[i],
@@ -42,20 +36,26 @@ LeastSquaresDynamics::LeastSquaresDynamics(const PlanarModel& model, double time
     bias_.resize(rows);
 }
 
-// D = c_p + r_p - c_i - r_c.
+// D = c_a + r_a - c_b - r_b.
+void LeastSquaresDynamics::add_pin(const Kinematics& k, Eigen::Index row, const BodyPin& pin) {
+    const Eigen::Index a = 3 * Eigen::Index{pin.body_a};
+    const Eigen::Index b = 3 * Eigen::Index{pin.body_b};
+    const PinArms arms = pin_arms(k, pin);
+    jacobian_.block<2, 2>(row, a).setIdentity();
+    jacobian_.block<2, 1>(row, a + 2) = perp(arms.a);
+    jacobian_.block<2, 2>(row, b) = -Mat2::Identity();
+    jacobian_.block<2, 1>(row, b + 2) = -perp(arms.b);
+    deviation_.segment<2>(row) = pin_gap(k, pin, arms);
+    bias_.segment<2>(row) = pin_bias(k, pin, arms);
+}
+
 void LeastSquaresDynamics::add_rotary(const Kinematics& k, Eigen::Index row, int body,
                                       double effort) {
-    const Eigen::Index i = body;
-    const Eigen::Index p = model_.parent[i];
-    const Vec2 parent_arm = turned(k, p, model_.parent_anchor_x[i], model_.parent_anchor_y[i]);
-    const Vec2 child_arm = turned(k, i, model_.child_anchor_x[i], model_.child_anchor_y[i]);
-    jacobian_.block<2, 2>(row, 3 * p).setIdentity();
-    jacobian_.block<2, 1>(row, 3 * p + 2) = perp(parent_arm);
-    jacobian_.block<2, 2>(row, 3 * i) = -Mat2::Identity();
-    jacobian_.block<2, 1>(row, 3 * i + 2) = -perp(child_arm);
-    deviation_.segment<2>(row) = place(k, p) + parent_arm - place(k, i) - child_arm;
-    bias_.segment<2>(row) = k.spin[i] * k.spin[i] * child_arm - k.spin[p] * k.spin[p] * parent_arm;
-    force_(3 * i + 2) += effort;
+    const int p = model_.parent[body];
+    add_pin(k, row,
+            {p, body, model_.parent_anchor_x[body], model_.parent_anchor_y[body],
+             model_.child_anchor_x[body], model_.child_anchor_y[body]});
+    force_(3 * body + 2) += effort;
     force_(3 * p + 2) -= effort;
 }
 
@@ -107,6 +107,10 @@ const Eigen::VectorXd& LeastSquaresDynamics::solve(const Kinematics& bodies, con
             add_rotary(bodies, row, i, loads.effort[i]);
         row += 2;
     }
+    for (const BodyPin& pin : model_.closing_pins) {
+        add_pin(bodies, row, pin);
+        row += 2;
+    }
     accelerations_ = inverse_mass_.cwiseProduct(force_);
     if (row == 0) return accelerations_;
     rate_ = jacobian_ * speeds;
@@ -114,7 +118,9 @@ const Eigen::VectorXd& LeastSquaresDynamics::solve(const Kinematics& bodies, con
         -(jacobian_ * accelerations_ + bias_ + 2.0 / time_constant_ * rate_ +
           deviation_ / (time_constant_ * time_constant_));
     const Eigen::MatrixXd matrix = jacobian_ * inverse_mass_.asDiagonal() * jacobian_.transpose();
-    const Eigen::VectorXd lambda = matrix.completeOrthogonalDecomposition().solve(right);
+    Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition;
+    decomposition.setThreshold(kRankThreshold);
+    const Eigen::VectorXd lambda = decomposition.compute(matrix).solve(right);
     accelerations_ += inverse_mass_.cwiseProduct(jacobian_.transpose() * lambda);
     return accelerations_;
 }

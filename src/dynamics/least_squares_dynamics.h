@@ -1,8 +1,9 @@
 #pragma once
 
 // The constraint-force equation as it is written (physics.md 4.1), in three dependent coordinates a
-// body, solved in the least-squares sense. It tolerates joints that have come apart, and draws them
-// together again; slow, and the reference for the tree elimination.
+// body, solved in the least-squares sense: any topology, with closing pins and redundant ones. It
+// tolerates joints that have come apart, and draws them together again; slow, and the reference for
+// the tree elimination.
 
 #include "dynamics/elimination.h"
 
@@ -19,10 +20,12 @@ public:
     // of those only places, angles and speeds are read.
     const Eigen::VectorXd& solve(const Kinematics& bodies, const Loads& loads);
 
-    // How far apart the joints are: m and rad, two rows a joint. Filled by solve().
+    // How far apart the joints are: m and rad, two rows a joint, then two a closing pin. Filled by
+    // solve().
     const Eigen::VectorXd& deviation() const { return deviation_; }
 
 private:
+    void add_pin(const Kinematics& bodies, Eigen::Index row, const BodyPin& pin);
     void add_rotary(const Kinematics& bodies, Eigen::Index row, int body, double effort);
     void add_linear(const Kinematics& bodies, Eigen::Index row, int body, double effort);
 

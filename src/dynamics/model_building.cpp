@@ -3,6 +3,7 @@
 #include "dynamics/collision_filter.h"
 #include "dynamics/elimination.h"
 #include "dynamics/motors.h"
+#include "dynamics/pins.h"
 #include "math/elementary.h"
 
 #include <cmath>
@@ -13,10 +14,15 @@ namespace {
 
 constexpr double kMinHalfExtent = 0.01;    // m
 constexpr double kMinMassShare = 1e-4;     // of the whole body
+constexpr double kMaxPinGap = 1e-6;        // m, in the rest pose
 constexpr double kRateLengthShare = 0.25;  // child lengths a second, per rad/s of a motor's limit
 
 Error part_error(std::size_t part, const std::string& problem) {
     return {"body plan, part " + std::to_string(part) + ": " + problem};
+}
+
+Error pin_error(std::size_t pin, const std::string& problem) {
+    return {"body plan, closing pin " + std::to_string(pin) + ": " + problem};
 }
 
 bool is_finite(const PlannedPart& part) {
@@ -54,6 +60,20 @@ Status check_part(const BodyPlan& plan, std::size_t index) {
     return {};
 }
 
+Status check_pin(const BodyPlan& plan, std::size_t index) {
+    const ClosingPin& pin = plan.closing_pins[index];
+    const int parts = static_cast<int>(plan.parts.size());
+    for (const int part : {pin.part_a, pin.part_b}) {
+        if (part < 0 || part >= parts)
+            return pin_error(index, "there is no part " + std::to_string(part));
+    }
+    for (const double number :
+         {pin.anchor_in_a.x(), pin.anchor_in_a.y(), pin.anchor_in_b.x(), pin.anchor_in_b.y()}) {
+        if (!std::isfinite(number)) return pin_error(index, "a number is not finite");
+    }
+    return {};
+}
+
 Status check_plan(const BodyPlan& plan, double density) {
     if (plan.parts.empty()) return Error{"body plan: no parts"};
     if (plan.parts.size() > kMaxParts)
@@ -63,6 +83,12 @@ Status check_plan(const BodyPlan& plan, double density) {
         return Error{"environment: density must be above 0"};
     for (std::size_t i = 0; i < plan.parts.size(); ++i) {
         if (Status status = check_part(plan, i); !status) return status;
+    }
+    if (plan.closing_pins.size() > kMaxClosingPins)
+        return Error{"body plan: " + std::to_string(plan.closing_pins.size()) +
+                     " closing pins, at most " + std::to_string(kMaxClosingPins) + " expected"};
+    for (std::size_t i = 0; i < plan.closing_pins.size(); ++i) {
+        if (Status status = check_pin(plan, i); !status) return status;
     }
     return {};
 }
@@ -94,6 +120,7 @@ public:
             place_joint(b);
         weigh_trees();
         derive_inertias(model_);
+        if (Status status = place_pins(); !status) return status.error();
         set_motors();
         model_.colliding_pairs = find_colliding_pairs(model_, plan_);
         return std::move(model_);
@@ -260,7 +287,30 @@ private:
         }
     }
 
-    // I_eff = 1 / (relative acceleration under a unit effort at this joint alone).
+    Status place_pins() {
+        Kinematics rest;
+        compute_kinematics(model_, rest_motion(model_), rest);
+        for (std::size_t i = 0; i < plan_.closing_pins.size(); ++i) {
+            const ClosingPin& planned = plan_.closing_pins[i];
+            const Vec2 a = part_point(planned.part_a, planned.anchor_in_a);
+            const Vec2 b = part_point(planned.part_b, planned.anchor_in_b);
+            const BodyPin pin{model_.part_body[planned.part_a],
+                              model_.part_body[planned.part_b],
+                              a.x(),
+                              a.y(),
+                              b.x(),
+                              b.y()};
+            if (pin.body_a == pin.body_b)
+                return pin_error(i, "both its parts belong to one rigid body");
+            if (!(pin_gap(rest, pin, pin_arms(rest, pin)).norm() <= kMaxPinGap))
+                return pin_error(i, "its points are over 1e-6 m apart in the rest pose");
+            model_.closing_pins.push_back(pin);
+        }
+        return {};
+    }
+
+    // Without the closing pins: I_eff = 1 / (relative acceleration under a unit effort at this
+    // joint alone).
     void set_motors() {
         const Motion rest = rest_motion(model_);
         Kinematics kinematics;

@@ -17,6 +17,7 @@ namespace cambrian {
 inline constexpr int kMaxBodies = 32;
 inline constexpr int kMaxParts = 64;
 inline constexpr int kMaxTrees = 8;
+inline constexpr int kMaxClosingPins = 64;
 inline constexpr int kMaxCoordinates = kMaxBodies + 2 * kMaxTrees;
 
 using PerBody = double[kMaxBodies];
@@ -30,6 +31,14 @@ enum class JointType : std::uint8_t { kRigid, kRotary, kLinear };
 struct PartPair {
     std::uint8_t first = 0;
     std::uint8_t second = 0;
+};
+
+// Holds a point of one body to a point of another; both from the body's centre, in its frame.
+struct BodyPin {
+    int body_a = 0;
+    int body_b = 0;
+    double a_x = 0.0, a_y = 0.0;  // m
+    double b_x = 0.0, b_y = 0.0;  // m
 };
 
 // The law of a motor as numbers, the same formula for every mode (motors.cpp); 0 on roots.
@@ -91,6 +100,8 @@ struct PlanarModel {
     double corner_x[4 * kMaxParts] = {};        // m, in the body's frame; bit 0 of the corner's
     double corner_y[4 * kMaxParts] = {};        // number is +x of the box, bit 1 is +y
     std::vector<PartPair> colliding_pairs;      // boxes of different bodies that may touch
+
+    std::vector<BodyPin> closing_pins;  // what the trees do not join; see loop_closure.h
 
     PerTree rest_center_x = {}, rest_center_y = {};  // m, centres of mass in the plan's rest pose
     PerTree rest_root_angle = {};                    // rad

@@ -314,11 +314,21 @@ Error unknown_integrator(const std::string& id) {
     return {message};
 }
 
+Error loops_refused(const std::string& id) {
+    std::string message = "body plan: closed loops need another integrator than \"" + id + "\":";
+    for (const IntegratorKind& integrator : builtin_integrators().all()) {
+        if (integrator.holds_loops) message += " \"" + integrator.id + "\"";
+    }
+    return {message};
+}
+
 Result<std::unique_ptr<PhysicsScene>> make_planar_scene(const BodyPlan& plan,
                                                         const Environment& environment,
                                                         const SceneSettings& settings) {
     const IntegratorKind* integrator = builtin_integrators().find(settings.integrator);
     if (integrator == nullptr) return unknown_integrator(settings.integrator);
+    if (!plan.closing_pins.empty() && !integrator->holds_loops)
+        return loops_refused(integrator->id);
     if (Status status = check_surroundings(environment, settings); !status) return status.error();
     Result<PlanarModel> model = build_planar_model(plan, environment.density);
     if (!model) return model.error();

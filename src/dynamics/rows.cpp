@@ -1,9 +1,14 @@
 #include "dynamics/rows.h"
 
+#include "dynamics/loop_closure.h"
 #include "dynamics/row_matrix.h"
+
+#include <algorithm>
 
 namespace cambrian {
 namespace {
+
+constexpr double kHeldShare = 0.02;  // of a row's coupling without loops, the least that is left
 
 struct BodyMotion {
     const PerBody& x;
@@ -101,6 +106,33 @@ void add_rows(const RowSources& sources, RowSystem& rows) {
         add_limit_row(sources.limits.items[l], l, rows);
 }
 
+CAMBRIAN_INLINE BodyMotion motion_of(const BodyResponse& response) {
+    return {response.x, response.y, response.spin, response.coordinate};
+}
+
+// Takes from the matrix what the closing pins hold back: B A+ B', B the rates of the rows by unit
+// impulses in the pins. As in the matrix itself, a row that the mechanism hardly lets move is made
+// softer.
+void hold_loops(const PlanarModel& model, const Frame& frame, RowSystem& rows) {
+    const LoopClosure loops(model, frame.kinematics, frame.factors);
+    const std::vector<BodyResponse>& units = loops.unit_responses();
+    Eigen::MatrixXd effect(rows.count, static_cast<Eigen::Index>(units.size()));
+    for (int row = 0; row < rows.count; ++row) {
+        for (std::size_t pin = 0; pin < units.size(); ++pin)
+            effect(row, static_cast<Eigen::Index>(pin)) =
+                row_rate(model, rows, row, motion_of(units[pin]));
+    }
+    const Eigen::MatrixXd held = effect * loops.impulses(effect.transpose());
+    for (int row = 0; row < rows.count; ++row) {
+        const double open = rows.coupling(row, row);
+        for (int column = 0; column < rows.count; ++column)
+            rows.line(row)[column] -= held(row, column);
+        const double softness = std::max(0.0, kHeldShare * open - rows.coupling(row, row));
+        rows.regularization[row] += softness;
+        rows.line(row)[row] += softness;
+    }
+}
+
 }  // namespace
 
 CAMBRIAN_WIDE void build_rows(const PlanarModel& model, const Motion& motion, const Frame& frame,
@@ -108,8 +140,7 @@ CAMBRIAN_WIDE void build_rows(const PlanarModel& model, const Motion& motion, co
     add_rows(sources, rows);
     const Kinematics& k = frame.kinematics;
     const BodyMotion speeds{k.velocity_x, k.velocity_y, k.spin, motion.speed};
-    const BodyResponse& free = frame.response;
-    const BodyMotion accelerations{free.x, free.y, free.spin, free.coordinate};
+    const BodyMotion accelerations = motion_of(frame.response);
     for (int row = 0; row < rows.count; ++row) {
         rows.rate[row] = row_rate(model, rows, row, speeds);
         rows.acceleration[row] = row_rate(model, rows, row, accelerations);
@@ -118,6 +149,7 @@ CAMBRIAN_WIDE void build_rows(const PlanarModel& model, const Motion& motion, co
                 turning(rows, row, sources.contacts.items[rows.source[row]], k);
     }
     compute_row_matrix(model, frame, rows);
+    if (!model.closing_pins.empty()) hold_loops(model, frame, rows);
 }
 
 void add_row_impulses(const RowSystem& rows, double scale, Loads& loads) {

@@ -2,6 +2,7 @@
 
 #include "dynamics/audit.h"
 #include "dynamics/dense_output.h"
+#include "dynamics/loop_closure.h"
 #include "dynamics/time_of_impact.h"
 #include "math/elementary.h"
 
@@ -218,7 +219,7 @@ void StepControl::respond_to_held(const Tick& tick, BodyResponse& response) {
     Loads loads;
     clear_loads(tick.model, loads);
     add_held_forces(tick.model, tick.forcing, frame.kinematics, loads);
-    solve_impulse(tick.model, frame.kinematics, frame.factors, loads, response);
+    solve_closed_impulse(tick.model, frame.kinematics, frame.factors, loads, response);
 }
 
 // Accelerations at the start under the held forces: the contact-free ones and a response.

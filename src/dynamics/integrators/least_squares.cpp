@@ -1,9 +1,10 @@
 // The reference mode: every body has three coordinates of its own, the classical fourth-order
 // Runge-Kutta method moves them under constraint forces found by dense least squares, and at the
-// step's end what little the joints came apart is projected away.
+// step's end what little the joints came apart is projected away, loops included.
 
 #include "dynamics/builtin_integrators.h"
 #include "dynamics/least_squares_dynamics.h"
+#include "dynamics/loop_closure.h"
 
 namespace cambrian {
 namespace {
@@ -127,12 +128,16 @@ void attempt_least_squares_step(const MotionSystem& system, const StepRequest& r
     system.evaluate(result.end, request.time + h, FrameDetail::kEverything, frame, result.end_rate);
     result.error = 0.0;
     result.evaluations = 5;
+    if (model.closing_pins.empty()) return;
+    LoopClosure(model, frame.kinematics, frame.factors).close_drift(result.end);
+    system.evaluate(result.end, request.time + h, FrameDetail::kEverything, frame, result.end_rate);
+    ++result.evaluations;
 }
 
 }  // namespace
 
 IntegratorKind least_squares() {
-    return {"least-squares", attempt_least_squares_step, 4, 1.0 / 240};
+    return {"least-squares", attempt_least_squares_step, 4, 1.0 / 240, true};
 }
 
 }  // namespace cambrian
