@@ -33,6 +33,7 @@ constexpr std::array kGroups = {
     GroupName{"body.joints", "Joints allowed", false},
     GroupName{"body.functions", "Neurons allowed", false},
     GroupName{"body.sensors", "Sensors allowed", false},
+    GroupName{"body.references", "Links allowed", false},
     GroupName{"simulation", "Physics", false},
     GroupName{"trial", "Trial", false},
     GroupName{"run", "Run", false},
