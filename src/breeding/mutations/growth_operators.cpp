@@ -72,8 +72,10 @@ bool add_neuron(Genome& genome, const MutationContext& context, RandomStream& st
 }  // namespace
 
 void add_growth_operators(MutationRegistry& mutations) {
-    mutations.add({"add-node", "New part", MutationPhase::kGrowth, 5, add_node});
-    mutations.add({"add-neuron", "New neuron", MutationPhase::kGrowth, 7, add_neuron});
+    mutations.add(
+        {"add-node", "New part", MutationPhase::kGrowth, MutationSubject::kBody, 5, add_node});
+    mutations.add({"add-neuron", "New neuron", MutationPhase::kGrowth, MutationSubject::kBrain, 7,
+                   add_neuron});
 }
 
 }  // namespace cambrian

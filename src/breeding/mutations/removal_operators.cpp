@@ -72,8 +72,8 @@ bool remove_neuron(Genome& genome, const MutationContext& context, RandomStream&
 }  // namespace
 
 void add_removal_operators(MutationRegistry& mutations) {
-    mutations.add(
-        {"remove-neuron", "Removed neuron", MutationPhase::kConnections, 4, remove_neuron});
+    mutations.add({"remove-neuron", "Removed neuron", MutationPhase::kConnections,
+                   MutationSubject::kBrain, 4, remove_neuron});
 }
 
 }  // namespace cambrian
