@@ -15,6 +15,10 @@ namespace cambrian {
 // The order in which the operators of one offspring are applied.
 enum class MutationPhase : std::uint8_t { kParameters, kGrowth, kConnections };
 
+// What an operator changes: parts, their joints and attachments, or neurons and what they and the
+// joints hear.
+enum class MutationSubject : std::uint8_t { kBody, kBrain };
+
 // What operators may use besides the genome.
 struct MutationContext {
     const KindCatalog& catalog;
@@ -34,6 +38,7 @@ struct MutationKind {
     std::string id;
     std::string label;
     MutationPhase phase = MutationPhase::kParameters;
+    MutationSubject subject = MutationSubject::kBody;
     double default_weight = 1.0;
     // Changes the genome at one place and says what; false if it cannot apply here. Need not
     // repair.

@@ -16,10 +16,11 @@ namespace cambrian {
 namespace {
 
 struct SavedMoment : SceneState {
-    explicit SavedMoment(const SceneMoment& saved, const Environment& surroundings)
-        : moment(saved), environment(surroundings) {}
+    SavedMoment(const SceneMoment& saved, const Environment& surroundings, bool was_limp)
+        : moment(saved), environment(surroundings), limp(was_limp) {}
     SceneMoment moment;
     Environment environment;
+    bool limp;
 };
 
 Medium medium_of(const Environment& environment) {
@@ -32,8 +33,10 @@ class PlanarScene final : public PhysicsScene {
 public:
     PlanarScene(PlanarModel model, const Environment& environment, const SceneSettings& settings,
                 const IntegratorKind& integrator)
-        : model_(std::move(model)), control_(integrator, settings) {
-        forcing_.drive.frequency = settings.motor_frequency;
+        : model_(std::move(model)),
+          motor_frequency_(settings.motor_frequency),
+          control_(integrator, settings) {
+        forcing_.drive.frequency = motor_frequency_;
         forcing_.drive.speed_limit = settings.motor_speed_limit;
         moment_.motion = rest_motion(model_);
         use_environment(environment);
@@ -62,10 +65,11 @@ public:
     SceneStatus status() const override { return moment_.status; }
     double time() const override { return moment_.time; }
     void set_environment(const Environment& environment) override;
+    void set_limp(bool limp) override;
     void translate(const Vec3& offset) override;
     void pull(std::size_t part, const Vec3& point_in_part, const Vec3& force) override;
     std::unique_ptr<SceneState> save() const override {
-        return std::make_unique<SavedMoment>(moment_, environment_);
+        return std::make_unique<SavedMoment>(moment_, environment_, limp_);
     }
     void restore(const SceneState& state) override;
     double energy() const override {
@@ -94,6 +98,8 @@ private:
     void evaluate_here();
 
     PlanarModel model_;
+    double motor_frequency_;
+    bool limp_ = false;
     Environment environment_;
     ContactLaw law_;
     Forcing forcing_;
@@ -191,9 +197,10 @@ double PlanarScene::target(std::size_t part) const {
 SceneStatus PlanarScene::advance(double duration) {
     CAMBRIAN_ASSERT(duration > 0.0, "a tick takes time");
     if (moment_.status != SceneStatus::kRunning) return moment_.status;
+    const double activity = limp_ ? 0.0 : 1.0;
     for (int i = 0; i < model_.body_count; ++i) {
-        forcing_.drive.start[i] = moment_.drive_start[i];
-        forcing_.drive.end[i] = moment_.drive_end[i];
+        forcing_.drive.start[i] = activity * moment_.drive_start[i];
+        forcing_.drive.end[i] = activity * moment_.drive_end[i];
     }
     control_.advance(model_, law_, forcing_, duration, moment_);
     for (int i = 0; i < model_.body_count; ++i)
@@ -207,7 +214,7 @@ void PlanarScene::use_environment(const Environment& environment) {
     environment_ = environment;
     if (environment.density != model_.density) change_density(model_, environment.density);
     forcing_.medium = medium_of(environment);
-    law_ = {environment.friction, environment.elasticity, environment.has_ground};
+    law_ = {limp_ ? 0.0 : environment.friction, environment.elasticity, environment.has_ground};
     moment_.frame_is_current = false;
 }
 
@@ -223,6 +230,14 @@ void PlanarScene::set_environment(const Environment& environment) {
     const double before = energy();
     use_environment(environment);
     moment_.energy_reference += energy() - before;
+}
+
+// Without a frequency neither a target nor a rate makes a motor act; a share of its strength does,
+// which is 0 while limp.
+void PlanarScene::set_limp(bool limp) {
+    limp_ = limp;
+    forcing_.drive.frequency = limp ? 0.0 : motor_frequency_;
+    use_environment(environment_);
 }
 
 void PlanarScene::translate(const Vec3& offset) {
@@ -257,7 +272,7 @@ void PlanarScene::restore(const SceneState& state) {
     moment_ = saved->moment;
     moment_.collection = 0;  // numbers of collections are each scene's own
     forcing_.pulled = false;
-    if (saved->environment == environment_) return;
+    if (saved->environment == environment_ && saved->limp == limp_) return;
     moment_.frame_is_current = false;
 }
 

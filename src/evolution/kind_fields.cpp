@@ -1,4 +1,5 @@
-// Which kinds of parts a body and a brain may be made of: one switch for each kind there is.
+// Which kinds of parts and links a body and a brain may be made of: one switch for each kind there
+// is.
 #include "evolution/setting_table.h"
 #include "genome/enabled_kinds.h"
 
@@ -7,15 +8,16 @@ namespace {
 
 using Flags = std::map<std::string, bool>;
 
-template <class Entry>
-void add_switches(std::vector<SettingField>& fields, std::string table,
-                  const std::vector<Entry>& entries, const std::string& help,
-                  Flags FounderSettings::*flags, bool (*usual)(std::string_view id)) {
+template <class Entries>
+void add_switches(std::vector<SettingField>& fields, std::string table, const Entries& entries,
+                  const std::string& help, Flags FounderSettings::*flags,
+                  bool (*usual)(std::string_view id)) {
     TableBuilder builder(fields, std::move(table));
-    for (const Entry& entry : entries) {
+    for (const auto& entry : entries) {
+        const std::string id(entry.id);
         builder.flag(
-            entry.id, entry.label, help,
-            [ flags, id = entry.id, standard = usual(entry.id) ](Settings & s) -> auto& {
+            id, std::string(entry.label), help,
+            [ flags, id, standard = usual(id) ](Settings & s) -> auto& {
                 return (s.founders.*flags).try_emplace(id, standard).first->second;
             });
     }
@@ -36,6 +38,39 @@ Status check_any(const std::vector<Entry>& entries, const std::vector<std::uint8
     return Error{std::string("[") + table + "]: all are false; at least one must be true"};
 }
 
+std::string joined_ids(const std::vector<SourceKind>& kinds) {
+    std::string ids;
+    for (const SourceKind kind : kinds)
+        ids += (ids.empty() ? "" : ", ") + std::string(source_rule(kind).id);
+    return ids;
+}
+
+// What joints may follow: anything but constants.
+std::vector<SourceKind> changing_references(const FounderSettings& founders,
+                                            const KindCatalog& catalog) {
+    auto kinds = enabled_references(SourceScope::kPart, founders, catalog);
+    std::erase(kinds, SourceKind::kConstant);
+    return kinds;
+}
+
+Status check_references(const FounderSettings& founders, const KindCatalog& catalog) {
+    FounderSettings free = founders;
+    free.references.clear();
+    if (changing_references(founders, catalog).empty()) {
+        return Error{
+            "[body.references]: joints would have nothing to follow; at least one must be "
+            "true of " +
+            joined_ids(changing_references(free, catalog))};
+    }
+    if (enabled_references(SourceScope::kBrain, founders, catalog).empty()) {
+        return Error{
+            "[body.references]: central neurons would have nothing to read; at least one "
+            "must be true of " +
+            joined_ids(enabled_references(SourceScope::kBrain, free, catalog))};
+    }
+    return {};
+}
+
 }  // namespace
 
 void add_body_kinds(std::vector<SettingField>& fields, const EvolutionKinds& kinds) {
@@ -49,6 +84,9 @@ void add_body_kinds(std::vector<SettingField>& fields, const EvolutionKinds& kin
     add_switches(fields, "body.sensors", catalog.channels,
                  "Whether random creatures and mutations may connect to this sensor.",
                  &FounderSettings::channels, always);
+    add_switches(fields, "body.references", source_rules(),
+                 "Whether random creatures and mutations may connect to this.",
+                 &FounderSettings::references, always);
 }
 
 Status check_body_kinds(const Settings& settings, const EvolutionKinds& kinds) {
@@ -61,8 +99,11 @@ Status check_body_kinds(const Settings& settings, const EvolutionKinds& kinds) {
     for (const std::uint8_t joint : joints)
         moves = moves || catalog.joints[joint].degrees_of_freedom > 0;
     if (!moves) return Error{"[body.joints]: none that moves is true; at least one must be"};
-    return check_any(catalog.functions, enabled_functions(founders, catalog), founders.functions,
-                     "body.functions");
+    if (Status any = check_any(catalog.functions, enabled_functions(founders, catalog),
+                               founders.functions, "body.functions");
+        !any)
+        return any;
+    return check_references(founders, catalog);
 }
 
 }  // namespace cambrian::setting_table

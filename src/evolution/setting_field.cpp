@@ -147,6 +147,11 @@ void add_trial(std::vector<SettingField>& fields) {
         "settle-limit", "Settling", "s", Range{0, 60},
         "Longest time a creature may come to rest on the ground before it is judged.",
         [](Settings & s) -> auto& { return s.world.trial.settle_limit; });
+    table.flag(
+        "limp-settle", "Settle limp",
+        "Creatures come to rest without muscles and without friction, instead of holding their "
+        "rest pose.",
+        [](Settings & s) -> auto& { return s.world.trial.limp_settle; });
     table.number(
         "max-part-speed", "Speed guard", "m/s", Range{1, 1e4},
         "A creature with a part faster than this is disqualified.",

@@ -74,8 +74,8 @@ std::vector<std::string> ids_of(const Registry<Kind>& registry) {
 }
 
 void add_trials(TableBuilder& trial);  // several of them, with jitter
-// Switches of joints, neuron functions and sensors; an error if they leave nothing to move or
-// think.
+// Switches of joints, neuron functions, sensors and references; an error if they leave nothing to
+// move or think.
 void add_body_kinds(std::vector<SettingField>& fields, const EvolutionKinds& kinds);
 Status check_body_kinds(const Settings& settings, const EvolutionKinds& kinds);
 void add_selection(std::vector<SettingField>& fields, const EvolutionKinds& kinds);

@@ -1,5 +1,6 @@
 #include "genome/enabled_kinds.h"
 
+#include <algorithm>
 #include <map>
 #include <string>
 
@@ -11,13 +12,12 @@ bool always(std::string_view /*id*/) {
 }
 
 // Indices of the entries whose flag is set; of those without one, the usual.
-template <class Entry>
-std::vector<std::uint8_t> enabled(const std::vector<Entry>& entries,
-                                  const std::map<std::string, bool>& flags,
+template <class Entries>
+std::vector<std::uint8_t> enabled(const Entries& entries, const std::map<std::string, bool>& flags,
                                   bool (*usual)(std::string_view id)) {
     std::vector<std::uint8_t> indices;
     for (std::size_t i = 0; i < entries.size(); ++i) {
-        const auto flag = flags.find(entries[i].id);
+        const auto flag = flags.find(std::string(entries[i].id));
         if (flag == flags.end() ? usual(entries[i].id) : flag->second)
             indices.push_back(static_cast<std::uint8_t>(i));
     }
@@ -46,6 +46,24 @@ std::vector<std::uint8_t> enabled_joints(const FounderSettings& settings,
 std::vector<std::uint8_t> enabled_channels(const FounderSettings& settings,
                                            const KindCatalog& catalog) {
     return enabled(catalog.channels, settings.channels, always);
+}
+
+std::vector<SourceKind> enabled_references(SourceScope scope, const FounderSettings& settings,
+                                           const KindCatalog& catalog) {
+    const bool has_sensors = !enabled_channels(settings, catalog).empty();
+    std::vector<SourceKind> kinds;
+    for (const std::uint8_t index : enabled(source_rules(), settings.references, always)) {
+        const auto kind = SourceKind(index);
+        const bool readable = has_sensors || source_rule(kind).reads != SourceReads::kSensor;
+        if (readable && is_allowed(kind, scope)) kinds.push_back(kind);
+    }
+    return kinds;
+}
+
+bool is_enabled(SourceKind kind, SourceScope scope, const FounderSettings& settings,
+                const KindCatalog& catalog) {
+    const auto kinds = enabled_references(scope, settings, catalog);
+    return std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
 }
 
 }  // namespace cambrian

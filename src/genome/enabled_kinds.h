@@ -1,9 +1,11 @@
 #pragma once
 
-// Which kinds of the catalog the user lets random genomes and mutation use.
+// Which kinds of the catalog and which kinds of references the user lets random genomes and
+// mutation use.
 
 #include "genome/founder_settings.h"
 #include "genome/kind_catalog.h"
+#include "genome/source_rules.h"
 
 #include <cstdint>
 #include <string_view>
@@ -23,5 +25,11 @@ std::vector<std::uint8_t> enabled_joints(const FounderSettings& settings,
 // Absolute channel numbers; may be none.
 std::vector<std::uint8_t> enabled_channels(const FounderSettings& settings,
                                            const KindCatalog& catalog);
+
+// Kinds new references within the scope may be of; may be none. Those to sensors need a channel.
+std::vector<SourceKind> enabled_references(SourceScope scope, const FounderSettings& settings,
+                                           const KindCatalog& catalog);
+bool is_enabled(SourceKind kind, SourceScope scope, const FounderSettings& settings,
+                const KindCatalog& catalog);
 
 }  // namespace cambrian

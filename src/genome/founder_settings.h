@@ -18,11 +18,12 @@ struct FounderSettings {
     int max_node_neurons = 3;
     int max_brain_neurons = 2;
     int max_recursion = 4;
-    // Whether a kind may be used, by id. Of kinds not named all functions and sensor channels may,
-    // and the joints "rigid" and "rotary".
+    // Whether a kind may be used, by id. Of kinds not named all functions, sensor channels and
+    // kinds of references may, and the joints "rigid" and "rotary".
     std::map<std::string, bool> functions = {};
     std::map<std::string, bool> joints = {};
     std::map<std::string, bool> channels = {};
+    std::map<std::string, bool> references = {};
 
     friend bool operator==(const FounderSettings&, const FounderSettings&) = default;
 };

@@ -26,6 +26,10 @@ void draw_fields(Gene& gene, std::span<const GeneField<Gene>> fields,
         gene.*field.value = fit(field.rule.draw(settings, stream), field.rule);
 }
 
+bool may_draw(SourceKind kind, SourceScope scope, const GenePool& pool) {
+    return is_enabled(kind, scope, pool.settings, pool.catalog);
+}
+
 std::uint8_t random_reference(RandomStream& stream) {
     return static_cast<std::uint8_t>(stream.below(gene_range::kMaxReference + 1));
 }
@@ -33,13 +37,15 @@ std::uint8_t random_reference(RandomStream& stream) {
 }  // namespace
 
 SourceRef random_source(SourceScope scope, const GenePool& pool, RandomStream& stream) {
-    SourceShares shares = scope == SourceScope::kPart ? kPartShares : kBrainShares;
-    const auto channels = enabled_channels(pool.settings, pool.catalog);
-    for (std::size_t kind = 0; channels.empty() && kind < shares.size(); ++kind) {
-        if (source_rule(SourceKind(kind)).reads == SourceReads::kSensor) shares[kind] = 0.0;
-    }
+    const SourceShares& usual = scope == SourceScope::kPart ? kPartShares : kBrainShares;
+    const auto enabled = enabled_references(scope, pool.settings, pool.catalog);
+    if (enabled.empty()) return {};
+    SourceShares shares{};
+    for (const SourceKind kind : enabled)
+        shares[static_cast<std::size_t>(kind)] = usual[static_cast<std::size_t>(kind)];
     SourceRef source;
     source.kind = SourceKind(stream.weighted(shares));
+    const auto channels = enabled_channels(pool.settings, pool.catalog);
     source.index = source_rule(source.kind).reads == SourceReads::kSensor
                        ? stream.pick(channels)
                        : random_reference(stream);
@@ -59,7 +65,8 @@ InputGene random_input(SourceScope scope, const GenePool& pool, RandomStream& st
 InputGene random_function_input(std::size_t function, std::size_t input, SourceScope scope,
                                 const GenePool& pool, RandomStream& stream) {
     const auto& hints = pool.catalog.functions[function].founder_inputs;
-    if (input < hints.size() && stream.chance(hints[input].probability)) {
+    if (input < hints.size() && may_draw(SourceKind::kConstant, scope, pool) &&
+        stream.chance(hints[input].probability)) {
         return {.source = {}, .weight = stream.uniform(hints[input].low, hints[input].high)};
     }
     return random_input(scope, pool, stream);
@@ -77,7 +84,8 @@ NeuronGene random_neuron(SourceScope scope, const GenePool& pool, RandomStream& 
 
 SourceRef random_effector_source(const NodeGene& node, double local_neuron_share,
                                  const GenePool& pool, RandomStream& stream) {
-    if (!node.neurons.empty() && stream.chance(local_neuron_share)) {
+    if (!node.neurons.empty() && may_draw(SourceKind::kLocalNeuron, SourceScope::kPart, pool) &&
+        stream.chance(local_neuron_share)) {
         return own_neuron(SourceScope::kPart, stream.below(node.neurons.size()));
     }
     return random_source(SourceScope::kPart, pool, stream);

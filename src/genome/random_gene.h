@@ -18,6 +18,7 @@ struct GenePool {
     const KindCatalog& catalog;
 };
 
+// A constant if the settings allow no kind of reference.
 SourceRef random_source(SourceScope scope, const GenePool& pool, RandomStream& stream);
 InputGene random_input(SourceScope scope, const GenePool& pool, RandomStream& stream);
 

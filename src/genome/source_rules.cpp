@@ -10,18 +10,18 @@ namespace {
 constexpr SourceReads kNeuron = SourceReads::kNeuron;
 constexpr SourceReads kSensor = SourceReads::kSensor;
 
-// In the order of SourceKind: reads, in parts, in brain, child, instance.
+// In the order of SourceKind: id, label, reads, in parts, in brain, child, instance.
 constexpr std::array<SourceRule, kSourceKindCount> kRules = {{
-    {SourceReads::kConstant, true, true, false, false},
-    {kNeuron, true, false, false, false},  // local
-    {kSensor, true, false, false, false},
-    {kNeuron, true, false, false, false},  // parent
-    {kSensor, true, false, false, false},
-    {kNeuron, true, false, true, false},  // child
-    {kSensor, true, false, true, false},
-    {kNeuron, true, true, false, false},  // brain
-    {kNeuron, false, true, false, true},  // part
-    {kSensor, false, true, false, true},
+    {"const", "Constant", SourceReads::kConstant, true, true, false, false},
+    {"localNeuron", "Neuron of the same part", kNeuron, true, false, false, false},
+    {"localSensor", "Sensor of the same part", kSensor, true, false, false, false},
+    {"parentNeuron", "Neuron of the parent", kNeuron, true, false, false, false},
+    {"parentSensor", "Sensor of the parent", kSensor, true, false, false, false},
+    {"childNeuron", "Neuron of a child", kNeuron, true, false, true, false},
+    {"childSensor", "Sensor of a child", kSensor, true, false, true, false},
+    {"brainNeuron", "Central neuron", kNeuron, true, true, false, false},
+    {"partNeuron", "Neuron of any part", kNeuron, false, true, false, true},
+    {"partSensor", "Sensor of any part", kSensor, false, true, false, true},
 }};
 
 std::uint8_t in_reference_range(std::uint8_t number) {
@@ -29,6 +29,10 @@ std::uint8_t in_reference_range(std::uint8_t number) {
 }
 
 }  // namespace
+
+std::span<const SourceRule, kSourceKindCount> source_rules() {
+    return kRules;
+}
 
 SourceRule source_rule(SourceKind kind) {
     CAMBRIAN_ASSERT(is_known(kind), "a known kind of source");

@@ -6,6 +6,8 @@
 #include "genome/gene.h"
 
 #include <cstdint>
+#include <span>
+#include <string_view>
 
 namespace cambrian {
 
@@ -15,6 +17,8 @@ enum class SourceScope : std::uint8_t { kPart, kBrain };
 enum class SourceReads : std::uint8_t { kConstant, kNeuron, kSensor };
 
 struct SourceRule {
+    std::string_view id;  // in files
+    std::string_view label;
     SourceReads reads = SourceReads::kConstant;
     bool in_parts = true;
     bool in_brain = true;
@@ -27,6 +31,9 @@ inline constexpr int kSourceKindCount = 10;
 inline bool is_known(SourceKind kind) {
     return static_cast<int>(kind) < kSourceKindCount;
 }
+
+// In the order of SourceKind.
+std::span<const SourceRule, kSourceKindCount> source_rules();
 
 // The rule of a known kind.
 SourceRule source_rule(SourceKind kind);

@@ -22,9 +22,12 @@ inline constexpr std::size_t kMaxWord = 64;
 inline constexpr double kMaxSeed = 9007199254740992.0;  // 2^53; whole numbers are exact below
 
 // In the order of the enumerations.
-inline const std::vector<std::string> kSources = {
-    "const",       "localNeuron", "localSensor", "parentNeuron", "parentSensor",
-    "childNeuron", "childSensor", "brainNeuron", "partNeuron",   "partSensor"};
+inline const std::vector<std::string> kSources = [] {
+    std::vector<std::string> ids;
+    for (const SourceRule& rule : source_rules())
+        ids.emplace_back(rule.id);
+    return ids;
+}();
 inline const std::vector<std::string> kReproductions(kReproductionNames.begin(),
                                                      kReproductionNames.end());
 inline const std::vector<std::string> kMirrorAxes = {"along", "across"};

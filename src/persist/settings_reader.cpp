@@ -100,7 +100,7 @@ private:
         return near.empty() ? "unknown table" : "unknown table; did you mean [" + near + "]?";
     }
 
-    // The nearest key of the same table, or else the nearest of any.
+    // The nearest key of the same table, or else the nearest of any, or else all of the table.
     std::string unknown_key(const std::string& table, const std::string& key) const {
         std::vector<std::string> here;
         std::vector<std::string> anywhere;
@@ -111,10 +111,17 @@ private:
         std::string near = nearest_name(key, here);
         if (!near.empty()) return "unknown key; did you mean \"" + near + "\"?";
         near = nearest_name(key, anywhere);
-        if (near.empty()) return "unknown key";
+        if (near.empty()) return "unknown key" + known_in_words(here);
         const auto field = std::find_if(fields_.begin(), fields_.end(),
                                         [&](const SettingField& each) { return each.key == near; });
         return "unknown key; did you mean [" + field->table + "] " + near + "?";
+    }
+
+    static std::string known_in_words(const std::vector<std::string>& keys) {
+        std::string words;
+        for (const std::string& key : keys)
+            words += (words.empty() ? "; known are " : ", ") + key;
+        return words;
     }
 
     std::vector<SettingField> fields_;

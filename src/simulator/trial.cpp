@@ -44,7 +44,11 @@ Trial::Trial(std::shared_ptr<const Phenotype> phenotype, const Kinds& kinds,
     place_at_start();
     scene_->add_to_digest(digest_);
     settling_ = world_.environment.has_ground && world_.trial.settle_limit > 0.0;
-    if (!settling_) begin_test();
+    if (!settling_) {
+        begin_test();
+    } else if (world_.trial.limp_settle) {
+        scene_->set_limp(true);
+    }
 }
 
 void Trial::place_at_start() {
@@ -79,6 +83,7 @@ void Trial::settle_tick() {
 }
 
 void Trial::begin_test() {
+    if (settling_ && world_.trial.limp_settle) scene_->set_limp(false);
     settling_ = false;
     scene_->restart_audit();
     for (const std::uint16_t part : phenotype_->effector_parts) {

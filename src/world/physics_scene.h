@@ -73,6 +73,9 @@ public:
     // Takes effect from the next advance; for live changes of the world on show.
     virtual void set_environment(const Environment& environment) = 0;
 
+    // While limp, motors give no effort and nothing rubs against anything.
+    virtual void set_limp(bool limp) = 0;
+
     // Moves the whole body at rest: translation of every part (m), velocities unchanged.
     virtual void translate(const Vec3& offset) = 0;
 

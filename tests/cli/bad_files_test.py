@@ -76,6 +76,38 @@ class BadFiles(ProgramTest):
         self.refuse_settings("typo.toml", 'line 2, [environment] gravty: unknown key; did you '
                                           'mean "gravity"?')
 
+    def test_populations_and_runs_out_of_range_are_refused(self):
+        for size in [-1, 0, 1, 20001, 10**9]:
+            self.write("odd.toml", f"[population]\nsize = {size}\n")
+            self.refuse_settings("odd.toml", f"line 2, [population] size: {size} is outside "
+                                             "[2, 20000] creatures")
+        self.write("odd.toml", "[run]\ngenerations = 1000000000\n")
+        self.refuse_settings("odd.toml", "line 2, [run] generations: 1000000000 is outside "
+                                         "[1, 1000000]")
+
+    def test_crossed_limits_are_refused(self):
+        for key, low, high in [("nodes", 6, 3), ("length", 1.5, 0.3), ("width", 0.9, 0.2)]:
+            self.write("odd.toml", f"[body]\nmin-{key} = {low}\nmax-{key} = {high}\n")
+            self.refuse_settings("odd.toml", f"[body] min-{key}: {low} is above max-{key}, which "
+                                             f"is {high}")
+
+    def test_shares_that_do_not_add_up_are_refused(self):
+        self.write("odd.toml", "[breeding]\nasexual = 0.9\n")
+        self.refuse_settings("odd.toml", "[breeding]: the shares add up to 1.5; they must add up "
+                                         "to 1")
+
+    def test_an_unknown_function_is_refused_with_those_there_are(self):
+        self.write("odd.toml", "[body.functions]\nfrobnicate = true\n")
+        self.refuse_settings("odd.toml", "line 2, [body.functions] frobnicate: unknown key; known "
+                                         "are sum, product, ")
+
+    def test_forbidding_all_references_is_refused(self):
+        kinds = ["const", "localNeuron", "localSensor", "parentNeuron", "parentSensor",
+                 "childNeuron", "childSensor", "brainNeuron", "partNeuron", "partSensor"]
+        self.write("odd.toml", "[body.references]\n" + "".join(
+            f"{kind} = false\n" for kind in kinds))
+        self.refuse_settings("odd.toml", "[body.references]: joints would have nothing to follow")
+
     def test_an_overridden_setting_is_checked_like_a_written_one(self):
         self.write("empty.toml", "")
         result = self.run_program("evolve", "empty.toml", "--seed", "9" * 18)

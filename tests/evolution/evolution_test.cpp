@@ -1,5 +1,6 @@
 #include "evolution/evolution.h"
 
+#include "evolution/setting_field.h"
 #include "genome/random_genome.h"
 #include "support/catch.h"
 #include "support/fake_backend.h"
@@ -26,6 +27,29 @@ void run(Evolution& evolution, EvaluationBackend& backend, int generations) {
         if (i > 0) evolution.breed();
         REQUIRE(evolution.evaluate(backend, progress, {}));
     }
+}
+
+// Two generations of simple creatures, bred in one way only.
+void check_size_is_kept(int size, const std::string& selection, const std::string& way,
+                        const std::string& choice) {
+    CAPTURE(size, selection, way, choice);
+    auto settings = small_settings(size);
+    settings->founders.max_nodes = 2;
+    settings->founders.max_node_neurons = 1;
+    settings->selection.method = selection;
+    settings->breeding.choice = choice;
+    for (const BreedingKind& kind : kinds().breeding.all())
+        settings->breeding.shares[kind.id] = kind.id == way ? 1.0 : 0.0;
+    REQUIRE(check_settings(*settings, kinds()));
+    Evolution evolution(settings, kinds());
+    FakeBackend backend;
+    run(evolution, backend, 2);
+    CHECK(evolution.generation() == 1);
+    CHECK(evolution.population().size() >= static_cast<std::size_t>(size));
+    const auto children =
+        std::count_if(evolution.population().begin(), evolution.population().end(),
+                      [](const IndividualPtr& one) { return one->born == 1; });
+    CHECK(children > 0);
 }
 
 std::vector<std::uint64_t> hashes(const Evolution& evolution) {
@@ -70,17 +94,24 @@ TEST_CASE("the same seed gives the same generations, another seed others", "[evo
     }
 }
 
-TEST_CASE("a population of 2 evolves under every selection, and one of 20 000", "[evolution]") {
+TEST_CASE("a population of 2 evolves under every selection and every way of breeding",
+          "[evolution]") {
     for (const SelectionKind& selection : kinds().selections.all()) {
-        for (const int size : {2, selection.id == "truncation" ? 20000 : 1000}) {
-            auto settings = small_settings(size);
-            settings->selection.method = selection.id;
-            Evolution evolution(settings, kinds());
-            FakeBackend backend;
-            run(evolution, backend, 2);
-            CAPTURE(selection.id);
-            CHECK(evolution.population().size() >= static_cast<std::size_t>(size));
+        for (const BreedingKind& way : kinds().breeding.all()) {
+            for (const char* choice : {"shares", "attribute"})
+                check_size_is_kept(2, selection.id, way.id, choice);
         }
+    }
+}
+
+TEST_CASE("a population of 20 000 evolves under every selection, bred in every way",
+          "[evolution]") {
+    const auto& ways = kinds().breeding.all();
+    const auto& selections = kinds().selections.all();
+    REQUIRE(selections.size() >= ways.size());
+    for (std::size_t i = 0; i < selections.size(); ++i) {
+        check_size_is_kept(20000, selections[i].id, ways[i % ways.size()].id,
+                           i % 2 == 0 ? "shares" : "attribute");
     }
 }
 

@@ -1,4 +1,5 @@
 #include "evolution/setting_field.h"
+#include "genome/source_rules.h"
 #include "support/catch.h"
 #include "support/kinds.h"
 
@@ -100,6 +101,33 @@ TEST_CASE("nothing to build a body or a brain from is an error", "[evolution][se
     CHECK(check_settings(brainless, kinds()).error().message.find("[body.functions]") == 0);
     brainless.founders.functions["sum"] = true;
     CHECK(check_settings(brainless, kinds()).has_value());
+}
+
+TEST_CASE("references that leave joints or central neurons nothing to read are an error",
+          "[evolution][settings]") {
+    ExperimentSettings cut;
+    for (const SourceRule& rule : source_rules())
+        cut.founders.references[std::string(rule.id)] = false;
+    const std::string jointless =
+        "[body.references]: joints would have nothing to follow; at least one must be true of "
+        "localNeuron, localSensor, parentNeuron, parentSensor, childNeuron, childSensor, "
+        "brainNeuron";
+    CHECK(check_settings(cut, kinds()).error().message == jointless);
+    cut.founders.references["const"] = true;
+    CHECK(check_settings(cut, kinds()).error().message == jointless);
+    cut.founders.references["localSensor"] = true;
+    CHECK(check_settings(cut, kinds()).has_value());
+    cut.founders.references["const"] = false;
+    CHECK(check_settings(cut, kinds()).error().message ==
+          "[body.references]: central neurons would have nothing to read; at least one must be "
+          "true of const, brainNeuron, partNeuron, partSensor");
+    cut.founders.references["partSensor"] = true;
+    CHECK(check_settings(cut, kinds()).has_value());
+    for (const ChannelEntry& channel : kinds().creature.catalog.channels)
+        cut.founders.channels[channel.id] = false;
+    CHECK(check_settings(cut, kinds()).error().message ==
+          "[body.references]: joints would have nothing to follow; at least one must be true of "
+          "localNeuron, parentNeuron, childNeuron, brainNeuron");
 }
 
 TEST_CASE("stopping hopeless trials contradicts methods that look at everyone, and more trials",

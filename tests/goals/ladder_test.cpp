@@ -103,6 +103,25 @@ TEST_CASE("raising an arm is not jumping, kicking off the Moon is", "[goals][lad
     CHECK(jump(test::rigid_tower(catalog())).fitness == 0.0);
 }
 
+// One body that beats its wings the faster, the higher it jumps, on Earth with ordinary muscles.
+TEST_CASE("standing still, raising wings, a small jump and a bigger one score in that order",
+          "[goals][ladder]") {
+    const EvaluationResult still = attempt("jumping", test::flapper(catalog(), 0.2, 0.0));
+    const EvaluationResult raised = attempt("jumping", test::flapper(catalog(), 0.2, 1.4));
+    const EvaluationResult hop = attempt("jumping", test::flapper(catalog(), 0.65, 1.4));
+    const EvaluationResult leap = attempt("jumping", test::flapper(catalog(), 1.2, 1.4));
+    for (const EvaluationResult* each : {&still, &raised, &hop, &leap})
+        CHECK(each->outcome == Outcome::kCompleted);
+    CHECK(still.fitness < 0.005);
+    CHECK(raised.fitness > 0.05);
+    CHECK(raised.fitness <= 0.1 * raised.body_length);
+    CHECK(raised.behavior.contact_share == 1.0);
+    CHECK(hop.fitness > 1.05 * raised.fitness);
+    CHECK(hop.behavior.contact_share < 1.0);
+    CHECK(leap.fitness > 1.3 * hop.fitness);
+    CHECK(leap.behavior.contact_share < 0.8 * hop.behavior.contact_share);
+}
+
 TEST_CASE("a beating tail swims, a single stroke hardly does", "[goals][ladder]") {
     const EvaluationResult swimmer = attempt("swimming", test::fish(catalog()));
     CHECK(swimmer.outcome == Outcome::kCompleted);

@@ -156,6 +156,11 @@ TEST_CASE("an unknown function is an error that names the one meant", "[persist]
     CHECK(message_of("[body.functions]\noscilate-wave = false\n") ==
           "run.toml: line 2, [body.functions] oscilate-wave: unknown key; did you mean "
           "\"oscillate-wave\"?");
+    CHECK_THAT(
+        message_of("[body.functions]\nfrobnicate = false\n"),
+        Catch::StartsWith("run.toml: line 2, [body.functions] frobnicate: unknown key; known "
+                          "are sum, product, ") &&
+            Catch::EndsWith(", oscillate-wave, oscillate-saw"));
 }
 
 TEST_CASE("settings are saved to a file and loaded from it", "[persist][settings_file]") {

@@ -97,3 +97,26 @@ TEST_CASE("the speed guard stops a creature that is too fast", "[simulator]") {
     CHECK(record.outcome == Outcome::kCheated);
     CHECK(record.reason.find("faster") != std::string::npos);
 }
+
+TEST_CASE("limp creatures settle lower than those that hold their pose, and move afterwards",
+          "[simulator]") {
+    TrialWorld limp;
+    limp.trial.limp_settle = true;
+    const auto held = run(test::crawler(kinds().catalog));
+    const auto settled = run(test::crawler(kinds().catalog), limp);
+    REQUIRE(settled.outcome == Outcome::kCompleted);
+    CHECK(settled.settle_time > 0.4);
+    const double high = held.samples.front().center_of_mass.y();
+    const double low = settled.samples.front().center_of_mass.y();
+    CAPTURE(high, low);
+    CHECK(low < 0.8 * high);
+    CHECK(settled.audit.gross_motor_work > 0.1);
+}
+
+TEST_CASE("without a settling phase limp settling changes nothing", "[simulator]") {
+    TrialWorld world;
+    world.trial.settle_limit = 0.0;
+    const auto usual = run(test::crawler(kinds().catalog), world);
+    world.trial.limp_settle = true;
+    CHECK(run(test::crawler(kinds().catalog), world).digest == usual.digest);
+}

@@ -93,6 +93,43 @@ TEST_CASE("a preset changes the world and keeps the bodies' density",
     CHECK(edit.settings.world.environment.density == 3.0);
 }
 
+TEST_CASE("mutation presets weigh the operators on the body or the brain",
+          "[studio][experiment_panel]") {
+    for (const char* label : {"Tune the brain", "Reshape", "Body and brain"}) {
+        PanelRun run;
+        ExperimentSettings odd = run.studio.editor().draft();
+        odd.mutation.weights["add-edge"] = 77.0;
+        odd.mutation.rate = 2.0;
+        run.studio.editor().replace(odd);
+        run.click("mutation preset");
+        run.click(label);
+        const auto& edit = test::asked<EditSettings>(run.out);
+        CHECK(test::was_asked<FinishEdit>(run.out));
+        CHECK(edit.settings.mutation.rate == 2.0);
+        const double body = label == std::string("Tune the brain") ? 0.2 : 1.0;
+        const double brain = label == std::string("Reshape") ? 1.0 / 3.0 : 1.0;
+        for (const MutationKind& kind : test::kinds().mutations.all()) {
+            const double factor = kind.subject == MutationSubject::kBody ? body : brain;
+            INFO(label << ": " << kind.id);
+            CHECK(edit.settings.mutation.weights.at(kind.id) ==
+                  Approx(factor * kind.default_weight));
+        }
+        CHECK(check_settings(edit.settings, test::kinds()).has_value());
+    }
+}
+
+TEST_CASE("the robust preset asks for the mean of three trials", "[studio][experiment_panel]") {
+    PanelRun run;
+    run.click("group trial");
+    run.click("trial preset");
+    run.click("Robust");
+    const TrialSettings& trial = test::asked<EditSettings>(run.out).settings.world.trial;
+    CHECK(trial.trials == 3);
+    CHECK(trial.friction_jitter == 0.15);
+    CHECK(trial.tilt_jitter == 2.0);
+    CHECK(trial.combine == "mean");
+}
+
 TEST_CASE("a structural edit of a running experiment offers a new run",
           "[studio][experiment_panel]") {
     PanelRun run;

@@ -152,6 +152,19 @@ inline GenomePtr arm_raiser(const KindCatalog& catalog) {
     return builder.build();
 }
 
+// A body with two heavy wings that lie on the ground beside it and beat together.
+inline GenomePtr flapper(const KindCatalog& catalog, double frequency, double amplitude) {
+    CreatureBuilder builder(catalog);
+    const auto body = builder.part(0.6, 0.6);
+    for (const double side : {-1.0, 1.0}) {
+        const auto wing = builder.part(1.0, 0.5);
+        builder.attach(body, wing, 0.375 - 0.25 * side);
+        builder.limits(wing, -1.5, 1.5);
+        builder.swing(wing, frequency, 0.0, side * amplitude);
+    }
+    return builder.build();
+}
+
 // A body with a tail of two links that beat one after the other.
 inline GenomePtr fish(const KindCatalog& catalog) {
     CreatureBuilder builder(catalog);

@@ -52,9 +52,10 @@ bool remove_edge(Genome& genome, const MutationContext& /*context*/, RandomStrea
 }  // namespace
 
 void add_connection_operators(MutationRegistry& mutations) {
-    mutations.add({"add-edge", "New attachment", MutationPhase::kConnections, 6, add_edge});
-    mutations.add(
-        {"remove-edge", "Removed attachment", MutationPhase::kConnections, 5, remove_edge});
+    mutations.add({"add-edge", "New attachment", MutationPhase::kConnections,
+                   MutationSubject::kBody, 6, add_edge});
+    mutations.add({"remove-edge", "Removed attachment", MutationPhase::kConnections,
+                   MutationSubject::kBody, 5, remove_edge});
 }
 
 }  // namespace cambrian

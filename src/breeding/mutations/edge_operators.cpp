@@ -54,11 +54,12 @@ bool retarget(Genome& genome, const MutationContext& /*context*/, RandomStream& 
 }  // namespace
 
 void add_edge_operators(MutationRegistry& mutations) {
-    mutations.add(
-        {"edge-scalar", "Attachment place", MutationPhase::kConnections, 14, mutate_edge_scalar});
-    mutations.add(
-        {"edge-flag", "Attachment mirroring", MutationPhase::kConnections, 3, mutate_edge_flag});
-    mutations.add({"retarget", "Attachment target", MutationPhase::kConnections, 3, retarget});
+    mutations.add({"edge-scalar", "Attachment place", MutationPhase::kConnections,
+                   MutationSubject::kBody, 14, mutate_edge_scalar});
+    mutations.add({"edge-flag", "Attachment mirroring", MutationPhase::kConnections,
+                   MutationSubject::kBody, 3, mutate_edge_flag});
+    mutations.add({"retarget", "Attachment target", MutationPhase::kConnections,
+                   MutationSubject::kBody, 3, retarget});
 }
 
 }  // namespace cambrian

@@ -1,5 +1,6 @@
 #include "breeding/gene_sites.h"
 #include "breeding/mutations/operators.h"
+#include "genome/enabled_kinds.h"
 #include "genome/words.h"
 
 namespace cambrian {
@@ -40,11 +41,19 @@ bool add_node(Genome& genome, const MutationContext& context, RandomStream& stre
     return true;
 }
 
+// Whether new links may lead to neurons of the reader's own list.
+bool may_hear_neighbors(SourceScope scope, const MutationContext& context) {
+    return is_enabled(own_neuron_kind(scope), scope, context.founders, context.catalog);
+}
+
 bool add_neuron(Genome& genome, const MutationContext& context, RandomStream& stream,
                 MutationRecord& record) {
     auto sites = input_sites(genome);
+    const bool in_parts = may_hear_neighbors(SourceScope::kPart, context);
+    const bool in_brain = may_hear_neighbors(SourceScope::kBrain, context);
     std::erase_if(sites, [&](const InputSite& site) {
-        return site.list.in(genome).size() >= site.list.limit();
+        const bool may_hear = site.list.scope == SourceScope::kPart ? in_parts : in_brain;
+        return !may_hear || site.list.in(genome).size() >= site.list.limit();
     });
     if (sites.empty()) return false;
     const InputSite& site = stream.pick(sites);
@@ -63,8 +72,10 @@ bool add_neuron(Genome& genome, const MutationContext& context, RandomStream& st
 }  // namespace
 
 void add_growth_operators(MutationRegistry& mutations) {
-    mutations.add({"add-node", "New part", MutationPhase::kGrowth, 5, add_node});
-    mutations.add({"add-neuron", "New neuron", MutationPhase::kGrowth, 7, add_neuron});
+    mutations.add(
+        {"add-node", "New part", MutationPhase::kGrowth, MutationSubject::kBody, 5, add_node});
+    mutations.add({"add-neuron", "New neuron", MutationPhase::kGrowth, MutationSubject::kBrain, 7,
+                   add_neuron});
 }
 
 }  // namespace cambrian

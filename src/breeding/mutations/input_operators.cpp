@@ -79,9 +79,12 @@ bool mutate_source(Genome& genome, const MutationContext& context, RandomStream&
 }  // namespace
 
 void add_input_operators(MutationRegistry& mutations) {
-    mutations.add({"effector", "Effector", MutationPhase::kParameters, 9, mutate_effector});
-    mutations.add({"weight", "Link weight", MutationPhase::kParameters, 18, mutate_weight});
-    mutations.add({"source", "Link source", MutationPhase::kParameters, 9, mutate_source});
+    mutations.add({"effector", "Effector", MutationPhase::kParameters, MutationSubject::kBrain, 9,
+                   mutate_effector});
+    mutations.add({"weight", "Link weight", MutationPhase::kParameters, MutationSubject::kBrain, 18,
+                   mutate_weight});
+    mutations.add({"source", "Link source", MutationPhase::kParameters, MutationSubject::kBrain, 9,
+                   mutate_source});
 }
 
 }  // namespace cambrian

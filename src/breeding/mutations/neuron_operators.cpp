@@ -33,7 +33,8 @@ bool mutate_function(Genome& genome, const MutationContext& context, RandomStrea
 }  // namespace
 
 void add_neuron_operators(MutationRegistry& mutations) {
-    mutations.add({"function", "Neuron function", MutationPhase::kParameters, 5, mutate_function});
+    mutations.add({"function", "Neuron function", MutationPhase::kParameters,
+                   MutationSubject::kBrain, 5, mutate_function});
 }
 
 }  // namespace cambrian

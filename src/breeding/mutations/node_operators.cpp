@@ -111,11 +111,12 @@ bool mutate_node_discrete(Genome& genome, const MutationContext& context, Random
 }  // namespace
 
 void add_node_operators(MutationRegistry& mutations) {
+    mutations.add({"node-scalar", "Part size or limits", MutationPhase::kParameters,
+                   MutationSubject::kBody, 14, mutate_node_scalar});
+    mutations.add({"node-discrete", "Part joint or symmetry", MutationPhase::kParameters,
+                   MutationSubject::kBody, 6, mutate_node_discrete});
     mutations.add(
-        {"node-scalar", "Part size or limits", MutationPhase::kParameters, 14, mutate_node_scalar});
-    mutations.add({"node-discrete", "Part joint or symmetry", MutationPhase::kParameters, 6,
-                   mutate_node_discrete});
-    mutations.add({"root", "Root angle", MutationPhase::kParameters, 2, mutate_root});
+        {"root", "Root angle", MutationPhase::kParameters, MutationSubject::kBody, 2, mutate_root});
 }
 
 }  // namespace cambrian

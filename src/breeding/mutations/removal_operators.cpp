@@ -1,5 +1,6 @@
 #include "breeding/gene_sites.h"
 #include "breeding/mutations/operators.h"
+#include "genome/enabled_kinds.h"
 
 namespace cambrian {
 namespace {
@@ -7,8 +8,13 @@ namespace {
 // Rewrites the references within one list of neurons for the loss of one of them.
 class Removal {
 public:
-    Removal(const NeuronSite& site, const std::vector<NeuronGene>& list)
-        : scope_(site.list.scope), removed_(site.neuron), count_(list.size()) {
+    // The substitute takes the place of what a neuron heard that heard only itself.
+    Removal(const NeuronSite& site, const std::vector<NeuronGene>& list,
+            const SourceRef& substitute)
+        : scope_(site.list.scope),
+          removed_(site.neuron),
+          count_(list.size()),
+          substitute_(substitute) {
         heir_ = moved(list[removed_].inputs[0].source);
     }
 
@@ -21,10 +27,9 @@ private:
     bool names_removed(const SourceRef& source) const {
         return source.kind == own_neuron_kind(scope_) && source.index % count_ == removed_;
     }
-    // A neuron that heard only itself leaves a constant behind.
     SourceRef moved(const SourceRef& source) const {
         if (source.kind != own_neuron_kind(scope_)) return source;
-        if (names_removed(source)) return {};
+        if (names_removed(source)) return substitute_;
         const std::size_t index = source.index % count_;
         return own_neuron(scope_, index > removed_ ? index - 1 : index);
     }
@@ -32,8 +37,16 @@ private:
     SourceScope scope_;
     std::size_t removed_;
     std::size_t count_;
+    SourceRef substitute_;
     SourceRef heir_;
 };
+
+// A constant, where constants are allowed.
+SourceRef substitute_source(SourceScope scope, const MutationContext& context,
+                            RandomStream& stream) {
+    if (is_enabled(SourceKind::kConstant, scope, context.founders, context.catalog)) return {};
+    return random_source(scope, pool_of(context), stream);
+}
 
 bool remove_neuron(Genome& genome, const MutationContext& context, RandomStream& stream,
                    MutationRecord& record) {
@@ -44,7 +57,7 @@ bool remove_neuron(Genome& genome, const MutationContext& context, RandomStream&
     record.place = site.in_words();
     record.from = context.catalog.functions[list[site.neuron].function].id;
     record.to = "removed";
-    const Removal removal(site, list);
+    const Removal removal(site, list, substitute_source(site.list.scope, context, stream));
     list.erase(list.begin() + static_cast<std::ptrdiff_t>(site.neuron));
     for (NeuronGene& neuron : list) {
         for (InputGene& input : neuron.inputs)
@@ -59,8 +72,8 @@ bool remove_neuron(Genome& genome, const MutationContext& context, RandomStream&
 }  // namespace
 
 void add_removal_operators(MutationRegistry& mutations) {
-    mutations.add(
-        {"remove-neuron", "Removed neuron", MutationPhase::kConnections, 4, remove_neuron});
+    mutations.add({"remove-neuron", "Removed neuron", MutationPhase::kConnections,
+                   MutationSubject::kBrain, 4, remove_neuron});
 }
 
 }  // namespace cambrian

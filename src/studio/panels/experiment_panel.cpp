@@ -1,6 +1,6 @@
 #include "studio/panels/experiment_panel.h"
 
-#include "studio/environment_presets.h"
+#include "studio/setting_presets.h"
 #include "studio/setting_row.h"
 #include "studio/text.h"
 #include "studio/widgets.h"
@@ -33,6 +33,7 @@ constexpr std::array kGroups = {
     GroupName{"body.joints", "Joints allowed", false},
     GroupName{"body.functions", "Neurons allowed", false},
     GroupName{"body.sensors", "Sensors allowed", false},
+    GroupName{"body.references", "Links allowed", false},
     GroupName{"simulation", "Physics", false},
     GroupName{"trial", "Trial", false},
     GroupName{"run", "Run", false},
@@ -58,26 +59,29 @@ void adopt_goal_world(ExperimentSettings& settings, const EvolutionKinds& kinds)
     settings.world.environment.density = density;
 }
 
-void draw_presets(const ExperimentSettings& draft, Requests& out) {
-    const Environment& present = draft.world.environment;
-    const char* shown = "Own world";
-    for (const EnvironmentPreset& preset : environment_presets()) {
-        if (preset.apply(present) == present) shown = preset.label;
-    }
-    const bool open = begin_choice("##preset", shown, ImGui::GetContentRegionAvail().x);
+// A choice of the table's presets, if it has any.
+void draw_presets(const std::string& table, const FrameContext& frame, Requests& out) {
+    const auto presets = setting_presets(table);
+    if (presets.empty()) return;
+    const ExperimentSettings& draft = frame.editor.draft();
+    const auto shown = std::find_if(presets.begin(), presets.end(), [&](const auto& preset) {
+        return is_in_force(preset, draft, frame.kinds, frame.fields);
+    });
+    const bool open = begin_choice("##preset", shown == presets.end() ? "Own values" : shown->label,
+                                   ImGui::GetContentRegionAvail().x);
     if (!open) {
-        note_place("environment preset");
+        note_place(table + " preset");
         return;
     }
-    for (const EnvironmentPreset& preset : environment_presets()) {
-        if (ImGui::Selectable(preset.label, preset.label == std::string_view(shown))) {
+    for (auto preset = presets.begin(); preset != presets.end(); ++preset) {
+        if (ImGui::Selectable(preset->label, preset == shown)) {
             ExperimentSettings edited = draft;
-            edited.world.environment = preset.apply(present);
-            out.ask(EditSettings{std::move(edited), "environment"});
+            preset->apply(edited, frame.kinds);
+            out.ask(EditSettings{std::move(edited), table});
             out.ask(FinishEdit{});
         }
-        note_place(preset.label);
-        tooltip(preset.help);
+        note_place(preset->label);
+        tooltip(preset->help);
     }
     ImGui::EndCombo();
 }
@@ -198,7 +202,7 @@ bool ExperimentPanel::draw_header(const Group& group) {
 void ExperimentPanel::draw_group(const Group& group, const FrameContext& frame, Requests& out) {
     if (!draw_header(group)) return;
     ImGui::PushID(group.table.c_str());
-    if (group.table == "environment") draw_presets(frame.editor.draft(), out);
+    draw_presets(group.table, frame, out);
     ExperimentSettings defaults;
     ExperimentSettings edited = frame.editor.draft();
     for (const SettingField& field : frame.fields) {
