@@ -4,7 +4,6 @@
 #include "evolution/generation.h"
 #include "evolution/map_axis.h"
 #include "evolution/trials.h"
-#include "genome/random_genome.h"
 
 #include <algorithm>
 #include <cmath>
@@ -34,15 +33,9 @@ Evolution::Evolution(SettingsPtr settings, const EvolutionKinds& kinds,
 
 IndividualPtr Evolution::make_founder(std::size_t slot,
                                       const std::vector<GenomePtr>& founders) const {
-    const KindCatalog& catalog = kinds_->creature.catalog;
     const bool given_place = slot < founders.size();
-    if (founders.empty() || (!given_place && settings_->population.fill == "random")) {
-        RandomStream stream(stream_seed(settings_->seed, 0, slot, Purpose::kFounder));
-        auto genome =
-            std::make_shared<const Genome>(random_genome(settings_->founders, catalog, stream));
-        return std::make_shared<const Individual>(
-            make_individual(std::move(genome), *settings_, 0, slot, "random"));
-    }
+    if (founders.empty() || (!given_place && settings_->population.fill == "random"))
+        return make_newcomer(*settings_, *kinds_, 0, slot);
     const GenomePtr& given = founders[slot % founders.size()];
     if (given_place) {
         return std::make_shared<const Individual>(
@@ -52,7 +45,7 @@ IndividualPtr Evolution::make_founder(std::size_t slot,
     RandomStream stream(stream_seed(settings_->seed, 0, slot, Purpose::kMutation));
     std::vector<MutationRecord> mutations =
         mutate(genome, settings_->mutation, kinds_->mutations,
-               {.catalog = catalog, .founders = settings_->founders}, stream);
+               {.catalog = kinds_->creature.catalog, .founders = settings_->founders}, stream);
     Individual mutant = make_individual(std::make_shared<const Genome>(std::move(genome)),
                                         *settings_, 0, slot, "imported");
     mutant.mutations = std::move(mutations);
