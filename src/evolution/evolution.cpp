@@ -15,11 +15,6 @@ namespace {
 constexpr std::size_t kNoRequest = static_cast<std::size_t>(-1);
 constexpr std::uint64_t kAuditedOneIn = 50;  // of trials found hopeless
 
-// Scores stay valid only while everything they depend on does.
-bool same_judgement(const ExperimentSettings& a, const ExperimentSettings& b) {
-    return a.goal == b.goal && a.world == b.world && a.expression == b.expression;
-}
-
 }  // namespace
 
 Evolution::Evolution(SettingsPtr settings, const EvolutionKinds& kinds,
@@ -222,11 +217,7 @@ void Evolution::replace_settings(SettingsPtr settings) {
 
 void Evolution::forget_scores(std::vector<IndividualPtr>& population) {
     for (IndividualPtr& individual : population) {
-        if (!individual->evaluated) continue;
-        Individual unscored = *individual;
-        unscored.evaluated = false;
-        unscored.result = {};
-        individual = std::make_shared<const Individual>(std::move(unscored));
+        if (individual->evaluated) individual = without_score(*individual);
     }
 }
 
