@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <stop_token>
 #include <vector>
 
@@ -19,8 +20,8 @@ namespace cambrian {
 struct GridOrder {
     std::uint32_t node = 0;  // number of the grid in the tree
     int cells = 12;
-    int newcomer_cells = 0;  // kept free for random creatures; needs parents
-    int extra_mutations = 0;
+    int newcomer_cells = 0;   // kept free for random creatures; needs parents
+    int extra_mutations = 0;  // a child; one more in each further round of breeding
     double fitness_weight = 0.0;
     std::vector<IndividualPtr> parents;         // 0 to kMostPicks; see plan_brood()
     std::map<std::size_t, IndividualPtr> kept;  // by cell; shown whatever they are
@@ -40,7 +41,6 @@ public:
     // All cells, once done. Those not kept stand in the order of their uids, from which nothing can
     // be read.
     const std::vector<IndividualPtr>& cells() const { return cells_; }
-    const SettingsPtr& settings() const { return settings_; }
 
 private:
     bool evaluate_open(EvaluationBackend& backend, EvaluationProgress& progress,
