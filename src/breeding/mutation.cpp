@@ -105,9 +105,9 @@ private:
 
 std::vector<MutationRecord> mutate(Genome& genome, const MutationSettings& settings,
                                    const MutationRegistry& kinds, const MutationContext& context,
-                                   RandomStream& stream) {
+                                   RandomStream& stream, int extra) {
     CAMBRIAN_ASSERT(!genome.nodes.empty(), "only valid genomes are mutated");
-    const int count = draw_mutation_count(settings, stream);
+    const int count = draw_mutation_count(settings, stream) + extra;
     auto records = Mutating(genome, settings, kinds, context, stream).run(count);
     if (settings.collect_mute_neurons) collect_mute_neurons(genome);
     const double hue = genome.hue + kHueStep * static_cast<double>(records.size());

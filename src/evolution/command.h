@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/command_queue.h"
+#include "core/worker_inbox.h"
 #include "evolution/experiment_settings.h"
 #include "genome/genome.h"
 
@@ -34,6 +34,6 @@ struct StartExperiment {
 
 using Command = std::variant<PauseEvolution, ResumeEvolution, StepGeneration, ChangeSettings,
                              InjectGenome, AddNewcomers, StartExperiment>;
-using EngineInbox = CommandQueue<Command, 256>;
+using EngineInbox = WorkerInbox<Command, 256>;
 
 }  // namespace cambrian

@@ -25,14 +25,7 @@ EvolutionEngine::~EvolutionEngine() {
 
 bool EvolutionEngine::send(Command command) {
     // Commands act between trials: whatever is running is interrupted, and goes on afterwards.
-    if (!inbox_.push(std::move(command))) return false;
-    {
-        const std::lock_guard lock(wake_mutex_);
-        command_waiting_ = true;
-        interruption_.request_stop();
-    }
-    wake_.notify_one();
-    return true;
+    return inbox_.send(std::move(command));
 }
 
 const std::shared_ptr<const EvolutionSnapshot>& EvolutionEngine::latest() {
@@ -41,13 +34,17 @@ const std::shared_ptr<const EvolutionSnapshot>& EvolutionEngine::latest() {
 
 void EvolutionEngine::run(const std::stop_token& stop) {
     while (!stop.stop_requested()) {
-        if (apply_commands()) publish();
+        const bool commanded = inbox_.drain([this](Command command) {
+            std::visit([this](auto& each) { apply(std::move(each)); }, command);
+        });
+        if (commanded) publish();
         if (generations_to_run_ == 0) {
-            wait_for_commands(stop);
+            inbox_.wait(stop);
             continue;
         }
         try {
-            run_generation(stop);
+            inbox_.work_until_command(
+                stop, [this](const std::stop_token& interrupted) { run_generation(interrupted); });
         } catch (const std::exception& failure) {
             generations_to_run_ = 0;
             shown_.status = EngineStatus::kFailed;
@@ -57,18 +54,7 @@ void EvolutionEngine::run(const std::stop_token& stop) {
     }
 }
 
-void EvolutionEngine::run_generation(const std::stop_token& stop) {
-    std::stop_token interrupted;
-    {
-        const std::lock_guard lock(wake_mutex_);
-        if (command_waiting_) return;
-        interruption_ = std::stop_source();
-        interrupted = interruption_.get_token();
-    }
-    const std::stop_callback on_shutdown(stop, [this] {
-        const std::lock_guard lock(wake_mutex_);
-        interruption_.request_stop();
-    });
+void EvolutionEngine::run_generation(const std::stop_token& interrupted) {
     if (!evolution_->evaluate(*backend_, progress_, interrupted)) return;
     record_generation();
     evolution_->breed();
@@ -82,19 +68,6 @@ void EvolutionEngine::record_generation() {
     shown_.history = evolution_->history();
     shown_.champions.push_back({evolution_->generation(), evolution_->population().front(),
                                 evolution_->shared_settings()});
-}
-
-bool EvolutionEngine::apply_commands() {
-    {
-        const std::lock_guard lock(wake_mutex_);
-        command_waiting_ = false;
-    }
-    bool any = false;
-    while (std::optional<Command> command = inbox_.pop()) {
-        std::visit([this](auto& each) { apply(std::move(each)); }, *command);
-        any = true;
-    }
-    return any;
 }
 
 void EvolutionEngine::apply(PauseEvolution) {
@@ -135,11 +108,6 @@ void EvolutionEngine::apply(StartExperiment command) {
     generations_to_run_ = 0;
     progress_.done = 0;
     progress_.total = 0;
-}
-
-void EvolutionEngine::wait_for_commands(std::stop_token stop) {
-    std::unique_lock lock(wake_mutex_);
-    wake_.wait(lock, std::move(stop), [this] { return command_waiting_; });
 }
 
 void EvolutionEngine::publish() {

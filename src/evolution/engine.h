@@ -9,9 +9,7 @@
 #include "evolution/evolution.h"
 #include "evolution/snapshot.h"
 
-#include <condition_variable>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <thread>
 
@@ -34,9 +32,8 @@ public:
 
 private:
     void run(const std::stop_token& stop);
-    void run_generation(const std::stop_token& stop);
+    void run_generation(const std::stop_token& interrupted);
     void record_generation();
-    bool apply_commands();
     void apply(PauseEvolution command);
     void apply(ResumeEvolution command);
     void apply(StepGeneration command);
@@ -44,7 +41,6 @@ private:
     void apply(InjectGenome command);
     void apply(AddNewcomers command);
     void apply(StartExperiment command);
-    void wait_for_commands(std::stop_token stop);
     void publish();
 
     const EvolutionKinds& kinds_;
@@ -52,16 +48,11 @@ private:
     EngineInbox inbox_;
     SnapshotChannel<EvolutionSnapshot> snapshots_;
     EvaluationProgress progress_;
-    // Only to let the engine sleep while paused; nothing else is guarded.
-    std::mutex wake_mutex_;
-    std::condition_variable_any wake_;
-    bool command_waiting_ = false;  // guarded by wake_mutex_
 
     // Engine thread only.
     std::optional<Evolution> evolution_;
     EvolutionSnapshot shown_;
     int generations_to_run_ = 0;  // -1: until paused
-    std::stop_source interruption_;
 
     std::jthread thread_;  // last: started after, joined before everything else
 };

@@ -4,7 +4,6 @@
 #include "evolution/generation.h"
 #include "evolution/map_axis.h"
 #include "evolution/trials.h"
-#include "genome/random_genome.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,11 +14,6 @@ namespace {
 
 constexpr std::size_t kNoRequest = static_cast<std::size_t>(-1);
 constexpr std::uint64_t kAuditedOneIn = 50;  // of trials found hopeless
-
-// Scores stay valid only while everything they depend on does.
-bool same_judgement(const ExperimentSettings& a, const ExperimentSettings& b) {
-    return a.goal == b.goal && a.world == b.world && a.expression == b.expression;
-}
 
 }  // namespace
 
@@ -34,15 +28,9 @@ Evolution::Evolution(SettingsPtr settings, const EvolutionKinds& kinds,
 
 IndividualPtr Evolution::make_founder(std::size_t slot,
                                       const std::vector<GenomePtr>& founders) const {
-    const KindCatalog& catalog = kinds_->creature.catalog;
     const bool given_place = slot < founders.size();
-    if (founders.empty() || (!given_place && settings_->population.fill == "random")) {
-        RandomStream stream(stream_seed(settings_->seed, 0, slot, Purpose::kFounder));
-        auto genome =
-            std::make_shared<const Genome>(random_genome(settings_->founders, catalog, stream));
-        return std::make_shared<const Individual>(
-            make_individual(std::move(genome), *settings_, 0, slot, "random"));
-    }
+    if (founders.empty() || (!given_place && settings_->population.fill == "random"))
+        return make_newcomer(*settings_, *kinds_, 0, slot);
     const GenomePtr& given = founders[slot % founders.size()];
     if (given_place) {
         return std::make_shared<const Individual>(
@@ -52,7 +40,7 @@ IndividualPtr Evolution::make_founder(std::size_t slot,
     RandomStream stream(stream_seed(settings_->seed, 0, slot, Purpose::kMutation));
     std::vector<MutationRecord> mutations =
         mutate(genome, settings_->mutation, kinds_->mutations,
-               {.catalog = catalog, .founders = settings_->founders}, stream);
+               {.catalog = kinds_->creature.catalog, .founders = settings_->founders}, stream);
     Individual mutant = make_individual(std::make_shared<const Genome>(std::move(genome)),
                                         *settings_, 0, slot, "imported");
     mutant.mutations = std::move(mutations);
@@ -229,11 +217,7 @@ void Evolution::replace_settings(SettingsPtr settings) {
 
 void Evolution::forget_scores(std::vector<IndividualPtr>& population) {
     for (IndividualPtr& individual : population) {
-        if (!individual->evaluated) continue;
-        Individual unscored = *individual;
-        unscored.evaluated = false;
-        unscored.result = {};
-        individual = std::make_shared<const Individual>(std::move(unscored));
+        if (individual->evaluated) individual = without_score(*individual);
     }
 }
 

@@ -66,6 +66,11 @@ struct ExperimentSettings {
     friend bool operator==(const ExperimentSettings&, const ExperimentSettings&) = default;
 };
 
+// Whether scores given under one are valid under the other.
+inline bool same_judgement(const ExperimentSettings& a, const ExperimentSettings& b) {
+    return a.goal == b.goal && a.world == b.world && a.expression == b.expression;
+}
+
 using SettingsPtr = std::shared_ptr<const ExperimentSettings>;
 
 }  // namespace cambrian

@@ -70,8 +70,8 @@ const BreedingKind* method_of(const Nursery& nursery, std::size_t first,
     return own == nullptr ? by_share : own;
 }
 
-IndividualPtr make_child(const Nursery& nursery, std::size_t child, std::size_t first,
-                         const BreedingKind* method) {
+IndividualPtr breed_child(const Nursery& nursery, std::size_t child, std::size_t first,
+                          const BreedingKind* method) {
     method = method_of(nursery, first, method);
     RandomStream breeding = nursery.stream(child + 1, Purpose::kBreeding);
     std::size_t second = first;
@@ -79,24 +79,33 @@ IndividualPtr make_child(const Nursery& nursery, std::size_t child, std::size_t 
         second = draw_partner(nursery, first, breeding);
         if (second == first) method = &single_parent_kind(nursery.kinds.breeding);
     }
-    const Individual& mother = *nursery.ranked[first];
-    const Individual& father = *nursery.ranked[second];
-    const KindCatalog& catalog = nursery.kinds.creature.catalog;
-    Genome genome = method->breed(*mother.genome, *father.genome, catalog, breeding);
-    RandomStream mutation = nursery.stream(child, Purpose::kMutation);
+    return make_child({*nursery.ranked[first], *nursery.ranked[second], *method}, nursery.settings,
+                      nursery.kinds, nursery.generation, child, breeding);
+}
+
+}  // namespace
+
+IndividualPtr make_child(const Mating& mating, const ExperimentSettings& settings,
+                         const EvolutionKinds& kinds, std::uint32_t generation, std::uint64_t child,
+                         RandomStream& breeding) {
+    const Individual& mother = mating.first;
+    const bool paired = mating.method.parents > 1;
+    const Individual& father = paired ? mating.second : mating.first;
+    const KindCatalog& catalog = kinds.creature.catalog;
+    Genome genome = mating.method.breed(*mother.genome, *father.genome, catalog, breeding);
+    RandomStream mutation(stream_seed(settings.seed, generation, child, Purpose::kMutation));
     std::vector<MutationRecord> mutations =
-        mutate(genome, nursery.settings.mutation, nursery.kinds.mutations,
+        mutate(genome, settings.mutation, kinds.mutations,
                {.catalog = catalog,
-                .founders = nursery.settings.founders,
-                .mutate_reproduction = nursery.settings.breeding.choice == "attribute"},
-               mutation);
+                .founders = settings.founders,
+                .mutate_reproduction = settings.breeding.choice == "attribute"},
+               mutation, mating.extra_mutations);
     const double hue = mother.genome->hue + kHueStep * static_cast<double>(mutations.size());
     genome.hue = hue - std::floor(hue);
     genome.name.clear();
-    Individual individual =
-        make_individual(std::make_shared<const Genome>(std::move(genome)), nursery.settings,
-                        nursery.generation, child, method->id);
-    individual.parents = {mother.uid, method->parents > 1 ? father.uid : 0};
+    Individual individual = make_individual(std::make_shared<const Genome>(std::move(genome)),
+                                            settings, generation, child, mating.method.id);
+    individual.parents = {mother.uid, paired ? father.uid : 0};
     for (const Individual* parent : {&father, &mother}) {
         if (same_body(*individual.genome, *parent->genome))
             individual.body_born = parent->body_born;
@@ -106,7 +115,14 @@ IndividualPtr make_child(const Nursery& nursery, std::size_t child, std::size_t 
     return std::make_shared<const Individual>(std::move(individual));
 }
 
-}  // namespace
+IndividualPtr make_newcomer(const ExperimentSettings& settings, const EvolutionKinds& kinds,
+                            std::uint32_t generation, std::uint64_t child) {
+    RandomStream stream(stream_seed(settings.seed, generation, child, Purpose::kFounder));
+    auto genome = std::make_shared<const Genome>(
+        random_genome(settings.founders, kinds.creature.catalog, stream));
+    return std::make_shared<const Individual>(
+        make_individual(std::move(genome), settings, generation, child, "random"));
+}
 
 Individual make_individual(GenomePtr genome, const ExperimentSettings& settings,
                            std::uint32_t generation, std::uint64_t child, std::string method) {
@@ -136,15 +152,10 @@ std::vector<IndividualPtr> next_generation(std::span<const IndividualPtr> ranked
     const std::size_t children = selected.first_parents.size();
     const std::vector<const BreedingKind*> methods = assign_methods(nursery, children);
     for (std::size_t child = 0; child < children; ++child) {
-        next.push_back(make_child(nursery, child, selected.first_parents[child], methods[child]));
+        next.push_back(breed_child(nursery, child, selected.first_parents[child], methods[child]));
     }
-    for (std::uint64_t child = children; child < children + selected.newcomers; ++child) {
-        RandomStream founder = nursery.stream(child, Purpose::kFounder);
-        next.push_back(std::make_shared<const Individual>(
-            make_individual(std::make_shared<const Genome>(
-                                random_genome(settings.founders, kinds.creature.catalog, founder)),
-                            settings, generation, child, "random")));
-    }
+    for (std::uint64_t child = children; child < children + selected.newcomers; ++child)
+        next.push_back(make_newcomer(settings, kinds, generation, child));
     return next;
 }
 

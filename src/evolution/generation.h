@@ -17,7 +17,24 @@ std::vector<IndividualPtr> next_generation(std::span<const IndividualPtr> ranked
                                            const EvolutionKinds& kinds, std::uint32_t generation,
                                            SelectionMemory& memory);
 
-// A random or imported creature for a place in a generation.
+// Who has a child, and how.
+struct Mating {
+    const Individual& first;
+    const Individual& second;  // not looked at by methods of one parent
+    const BreedingKind& method;
+    int extra_mutations = 0;  // besides those the settings draw
+};
+
+// The child for a place in a generation, mutated, not yet evaluated. `breeding` is drawn from.
+IndividualPtr make_child(const Mating& mating, const ExperimentSettings& settings,
+                         const EvolutionKinds& kinds, std::uint32_t generation, std::uint64_t child,
+                         RandomStream& breeding);
+
+// A random creature for a place in a generation.
+IndividualPtr make_newcomer(const ExperimentSettings& settings, const EvolutionKinds& kinds,
+                            std::uint32_t generation, std::uint64_t child);
+
+// A creature of a given genome for a place in a generation.
 Individual make_individual(GenomePtr genome, const ExperimentSettings& settings,
                            std::uint32_t generation, std::uint64_t child, std::string method);
 

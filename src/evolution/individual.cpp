@@ -1,6 +1,7 @@
 #include "evolution/individual.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace cambrian {
 namespace {
@@ -20,6 +21,13 @@ bool same_part(const NodeGene& a, const NodeGene& b) {
 }
 
 }  // namespace
+
+IndividualPtr without_score(const Individual& individual) {
+    Individual unscored = individual;
+    unscored.evaluated = false;
+    unscored.result = {};
+    return std::make_shared<const Individual>(std::move(unscored));
+}
 
 bool disqualified(const Individual& individual) {
     return is_invalid(individual.result.outcome);

@@ -60,6 +60,9 @@ struct Individual {
 
 using IndividualPtr = std::shared_ptr<const Individual>;
 
+// The same creature as if it had never been evaluated.
+IndividualPtr without_score(const Individual& individual);
+
 // Without a motion that can be judged: ranks last and never breeds while there are others.
 bool disqualified(const Individual& individual);
 

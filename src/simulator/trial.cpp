@@ -179,12 +179,17 @@ void Trial::finish() {
     record_.audit = scene_->audit();
     record_.digest = digest_.value();
     int most = 0;
-    for (const ReversalCounter& joint : reversals_)
+    int all = 0;
+    for (const ReversalCounter& joint : reversals_) {
         most = std::max(most, joint.count());
+        all += joint.count();
+    }
     record_.computed_time = time();
     const bool failed = is_invalid(record_.outcome);
     const double lasted = failed ? time() : ticks_in(world_.trial.duration) * kBrainTick;
-    if (lasted > 0.0) record_.reversal_rate = 0.5 * most / lasted;
+    if (lasted <= 0.0 || reversals_.empty()) return;
+    record_.reversal_rate = 0.5 * most / lasted;
+    record_.mean_reversal_rate = 0.5 * all / static_cast<double>(reversals_.size()) / lasted;
 }
 
 Result<TrialRecord> run_trial(std::shared_ptr<const Phenotype> phenotype, const Kinds& kinds,

@@ -125,6 +125,23 @@ TEST_CASE("a colour drifts with the number of mutations and wraps", "[breeding][
     CHECK(genome.hue == Approx(hue - std::floor(hue)));
 }
 
+TEST_CASE("extra mutations come on top of those the scheme draws", "[breeding][mutation]") {
+    const std::vector<Genome> corpus = founder_corpus(20);
+    RandomStream stream = test_stream(15);
+    double sum = 0.0;
+    for (std::size_t i = 0; i < 2000; ++i) {
+        Genome still = corpus[i % corpus.size()];
+        const auto only_extra =
+            mutate(still, {.scheme = "none"}, mutations(), default_context(), stream, 3);
+        REQUIRE(only_extra.size() == 3);
+        Genome child = corpus[i % corpus.size()];
+        const auto records = mutate(child, {}, mutations(), default_context(), stream, 1);
+        REQUIRE(records.size() >= 1);
+        sum += static_cast<double>(records.size());
+    }
+    CHECK(sum / 2000 == Approx(2.125).margin(0.1));
+}
+
 TEST_CASE("joints change among the enabled ones only", "[breeding][mutation]") {
     Genome genome = founder_corpus(1)[0];
     RandomStream stream = test_stream(13);

@@ -81,4 +81,7 @@ TEST_CASE("behavior is measured: height, ground contact, joints and their freque
     CHECK(result.behavior.settled_height < result.body_length);
     CHECK(result.behavior.contact_share > 0.5);
     CHECK(result.behavior.joint_frequency == Approx(0.7).margin(0.15));
+    CHECK(result.behavior.mean_joint_frequency == Approx(0.7).margin(0.15));
+    CHECK(result.behavior.travel > 0.0);
+    CHECK(result.behavior.stir >= result.behavior.travel);
 }

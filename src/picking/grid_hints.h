@@ -1,0 +1,20 @@
+#pragma once
+
+#include "evolution/individual.h"
+
+#include <cstddef>
+#include <optional>
+#include <span>
+
+namespace cambrian {
+
+// Cells worth a badge; none if nobody stands out. Hints, not scores (evolution.md 8.2).
+struct GridHints {
+    std::optional<std::size_t> fastest;  // came furthest from where it started
+    std::optional<std::size_t> highest;  // stands tallest, settled
+    std::optional<std::size_t> oddest;   // is on average the most different from the others
+};
+
+GridHints grid_hints(std::span<const IndividualPtr> creatures);
+
+}  // namespace cambrian

@@ -1,0 +1,22 @@
+#pragma once
+
+// From selection by hand back to automatic evolution.
+
+#include "evolution/command.h"
+#include "evolution/individual.h"
+
+#include <span>
+#include <vector>
+
+namespace cambrian {
+
+std::vector<GenomePtr> genomes_of(std::span<const IndividualPtr> creatures);
+
+// Commands that put the picks into the next generation of a running experiment, in place of its
+// worst.
+std::vector<Command> injection_of(std::span<const IndividualPtr> picks);
+
+// The command that begins an experiment anew with the picks as founders.
+Command founding_of(std::span<const IndividualPtr> picks, SettingsPtr settings);
+
+}  // namespace cambrian

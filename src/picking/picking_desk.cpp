@@ -1,0 +1,52 @@
+#include "picking/picking_desk.h"
+
+#include <exception>
+#include <string>
+#include <utility>
+
+namespace cambrian {
+
+PickingDesk::PickingDesk(SettingsPtr settings, const EvolutionKinds& kinds,
+                         std::unique_ptr<EvaluationBackend> backend)
+    : backend_(std::move(backend)), session_(std::move(settings), kinds) {
+    publish();
+    thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
+}
+
+PickingDesk::~PickingDesk() {
+    thread_.request_stop();
+    thread_.join();
+}
+
+bool PickingDesk::send(PickingCommand command, double time) {
+    return inbox_.send({std::move(command), time});
+}
+
+void PickingDesk::run(const std::stop_token& stop) {
+    while (!stop.stop_requested()) {
+        const bool commanded = inbox_.drain(
+            [this](TimedCommand timed) { session_.apply(std::move(timed.command), timed.time); });
+        if (commanded) publish();
+        if (session_.has_work()) {
+            inbox_.work_until_command(
+                stop, [this](const std::stop_token& interrupted) { work(interrupted); });
+        } else {
+            inbox_.wait(stop);
+        }
+    }
+}
+
+void PickingDesk::work(const std::stop_token& interrupted) {
+    try {
+        if (!session_.work(*backend_, progress_, interrupted)) return;
+    } catch (const std::exception& failure) {
+        session_.fail(std::string("breeding failed: ") + failure.what());
+    }
+    publish();
+}
+
+void PickingDesk::publish() {
+    snapshots_.publish(std::make_shared<const PickingSnapshot>(session_.snapshot()));
+}
+
+}  // namespace cambrian

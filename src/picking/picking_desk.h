@@ -1,0 +1,49 @@
+#pragma once
+
+// The thread that breeds while a person looks. Commands in, snapshots out; shares nothing mutable
+// with its user but the progress counters. send() and latest() belong to one thread, the user's.
+
+#include "core/snapshot_channel.h"
+#include "core/worker_inbox.h"
+#include "evolution/evaluation_backend.h"
+#include "picking/picking_session.h"
+
+#include <memory>
+#include <thread>
+
+namespace cambrian {
+
+class PickingDesk {
+public:
+    // Settings must pass check_settings; kinds must outlive it.
+    PickingDesk(SettingsPtr settings, const EvolutionKinds& kinds,
+                std::unique_ptr<EvaluationBackend> backend);
+    ~PickingDesk();  // stops within one trial
+    PickingDesk(const PickingDesk&) = delete;
+    PickingDesk& operator=(const PickingDesk&) = delete;
+
+    // False if the inbox is full; try again next frame. time: s on the user's clock, for the log.
+    bool send(PickingCommand command, double time);
+    // Newest snapshot; never null.
+    const std::shared_ptr<const PickingSnapshot>& latest() { return snapshots_.latest(); }
+    const EvaluationProgress& progress() const { return progress_; }
+
+private:
+    struct TimedCommand {
+        PickingCommand command;
+        double time = 0.0;
+    };
+
+    void run(const std::stop_token& stop);
+    void work(const std::stop_token& interrupted);
+    void publish();
+
+    std::unique_ptr<EvaluationBackend> backend_;
+    WorkerInbox<TimedCommand, 256> inbox_;
+    SnapshotChannel<PickingSnapshot> snapshots_;
+    EvaluationProgress progress_;
+    PickingSession session_;  // the desk's thread only
+    std::jthread thread_;     // last: started after, joined before everything else
+};
+
+}  // namespace cambrian

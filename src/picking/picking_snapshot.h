@@ -1,0 +1,44 @@
+#pragma once
+
+// What there is to see of picking: immutable, shallow, published after every change.
+
+#include "picking/grid_settings.h"
+#include "picking/picking_tree.h"
+#include "picking/session_log.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace cambrian {
+
+enum class PickingStatus : std::uint8_t {
+    kOpen,      // the person looks; children of the picks may be bred meanwhile
+    kBreeding,  // a decision waits for its grid
+    kEvolving,  // a decision waits for automatic evolution
+};
+
+struct PinnedCreature {
+    IndividualPtr creature;
+    SettingsPtr settings;  // that judged it
+};
+
+struct PickingSnapshot {
+    PickingTree tree;                // empty until the first grid is ready
+    std::vector<std::size_t> picks;  // cells of the grid on show, in order of picking
+    GridSettings grid;               // for the next one
+    SettingsPtr settings;            // that judge the next one
+    std::vector<PinnedCreature> shelf;
+    SessionLog log;
+    PickingStatus status = PickingStatus::kOpen;
+    bool children_ready = false;  // of the picks: BreedPicks will be answered at once
+    int generations_done = 0;     // while evolving
+    int generations_asked = 0;
+    std::string message;  // why the last command was refused or failed; else empty
+};
+
+// In order of picking.
+std::vector<IndividualPtr> picked_creatures(const PickingSnapshot& snapshot);
+
+}  // namespace cambrian
