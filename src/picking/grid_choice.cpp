@@ -1,5 +1,6 @@
 #include "picking/grid_choice.h"
 
+#include "math/distance.h"
 #include "math/elementary.h"
 
 #include <algorithm>
@@ -124,13 +125,6 @@ std::vector<GridDescriptor> scaled_descriptors(std::span<const IndividualPtr> al
             each[measure] = (each[measure] - low) * scale;
     }
     return scaled;
-}
-
-double distance(const GridDescriptor& a, const GridDescriptor& b) {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < a.size(); ++i)
-        sum += (a[i] - b[i]) * (a[i] - b[i]);
-    return std::sqrt(sum);
 }
 
 std::vector<CandidateGrade> grade_candidates(std::span<const IndividualPtr> candidates,

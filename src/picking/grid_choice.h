@@ -23,8 +23,6 @@ GridDescriptor describe_for_grid(const EvaluationResult& result);
 // Descriptors of all, each measure scaled by their range to 0..1; one they agree in is 0.
 std::vector<GridDescriptor> scaled_descriptors(std::span<const IndividualPtr> all);
 
-double distance(const GridDescriptor& a, const GridDescriptor& b);  // Euclidean
-
 // What speaks against showing a candidate, least bad first.
 enum class CandidateGrade : std::uint8_t {
     kAlive,

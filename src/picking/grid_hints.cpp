@@ -1,5 +1,6 @@
 #include "picking/grid_hints.h"
 
+#include "math/distance.h"
 #include "picking/grid_choice.h"
 
 #include <algorithm>

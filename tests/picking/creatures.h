@@ -4,9 +4,14 @@
 #include "support/creatures.h"
 #include "support/kinds.h"
 
+#include <memory>
 #include <vector>
 
 namespace cambrian::test {
+
+inline SettingsPtr default_settings() {
+    return std::make_shared<const ExperimentSettings>();
+}
 
 // Two parts, a body and a leg that swings.
 inline GenomePtr hopper() {

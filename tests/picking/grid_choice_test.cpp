@@ -1,6 +1,7 @@
 #include "picking/grid_choice.h"
 
 #include "core/random.h"
+#include "math/distance.h"
 #include "picking/grid_hints.h"
 #include "support/catch.h"
 

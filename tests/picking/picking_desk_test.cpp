@@ -11,13 +11,10 @@
 
 using namespace cambrian;
 using test::BodyBackend;
+using test::default_settings;
 using test::kinds;
 
 namespace {
-
-SettingsPtr default_settings() {
-    return std::make_shared<const ExperimentSettings>();
-}
 
 // Waits for a snapshot that satisfies the condition; gives up after a minute.
 template <class Condition>

@@ -10,13 +10,10 @@
 
 using namespace cambrian;
 using test::BodyBackend;
+using test::default_settings;
 using test::kinds;
 
 namespace {
-
-SettingsPtr default_settings() {
-    return std::make_shared<const ExperimentSettings>();
-}
 
 // A person at a session; what is asked for is made at once unless `lazy`.
 class Person {

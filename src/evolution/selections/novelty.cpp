@@ -8,6 +8,7 @@
 // generation with more than four and falls by 5 % after ten generations with none.
 #include "evolution/pareto.h"
 #include "evolution/selections/survival.h"
+#include "math/distance.h"
 #include "math/elementary.h"
 
 #include <algorithm>
@@ -47,13 +48,6 @@ void standardize(std::vector<Description>& all) {
         for (Description& each : all)
             each[measure] = (each[measure] - mean) * scale;
     }
-}
-
-double distance(const Description& a, const Description& b) {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < a.size(); ++i)
-        sum += (a[i] - b[i]) * (a[i] - b[i]);
-    return std::sqrt(sum);
 }
 
 // The population, then those of the archive that do not live any more.

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace cambrian {
+
+// Euclidean, between two points of any number of measures.
+template <std::size_t Measures>
+double distance(const std::array<double, Measures>& a, const std::array<double, Measures>& b) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < Measures; ++i)
+        sum += (a[i] - b[i]) * (a[i] - b[i]);
+    return std::sqrt(sum);
+}
+
+}  // namespace cambrian
