@@ -6,6 +6,7 @@
 #include "bench/runs.h"
 #include "core/file_io.h"
 #include "support/body_plans.h"
+#include "support/thread_time.h"
 #include "support/workload.h"
 
 #include <CLI/CLI.hpp>

@@ -21,13 +21,6 @@ double mass_of(const PlannedPart& part, double density) {
 
 }  // namespace
 
-double thread_cpu_time() {
-    timespec now{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-    constexpr double nano = 1e-9;
-    return static_cast<double>(now.tv_sec) + nano * static_cast<double>(now.tv_nsec);
-}
-
 [[gnu::noinline]] std::unique_ptr<BenchEngine> build_scene(const EngineKind& kind,
                                                            const BodyPlan& plan,
                                                            const Environment& environment,

@@ -10,9 +10,6 @@
 
 namespace cambrian::bench {
 
-// CPU time of the calling thread, s.
-double thread_cpu_time();
-
 // The two parts of a run whose instructions are counted; never inlined, so that a profiler can name
 // them.
 std::unique_ptr<BenchEngine> build_scene(const EngineKind& kind, const BodyPlan& plan,

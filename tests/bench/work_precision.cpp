@@ -8,6 +8,7 @@
 #include "core/file_io.h"
 #include "dynamics/planar_scene.h"
 #include "support/body_plans.h"
+#include "support/thread_time.h"
 
 #include <CLI/CLI.hpp>
 

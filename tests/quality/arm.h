@@ -9,6 +9,9 @@
 
 namespace cambrian::quality {
 
+// What is evolved for; most arms are run for the first alone.
+inline constexpr const char* kGoals[] = {"walking", "swimming", "jumping"};
+
 struct Arm {
     std::string_view id;
     std::string_view what;  // for a person

@@ -10,7 +10,6 @@
 namespace cambrian::quality {
 namespace {
 
-constexpr const char* kGoals[] = {"walking", "swimming", "jumping"};
 constexpr const char* kStandard = "standard";
 
 std::string percent(double share) {

@@ -5,8 +5,6 @@
 namespace cambrian::quality {
 namespace {
 
-constexpr const char* kGoals[] = {"walking", "swimming", "jumping"};
-
 RunSpec standard_run(const char* goal, std::string_view arm, std::uint64_t seed) {
     return {.plan = "standard", .goal = goal, .arm = std::string(arm), .seed = seed};
 }

@@ -52,7 +52,7 @@ std::string criteria_table(const std::vector<Criterion>& criteria) {
 
 std::string arm_tables(const std::vector<RunResult>& runs, std::string_view plan) {
     std::string text;
-    for (const char* goal : {"walking", "swimming", "jumping"}) {
+    for (const char* goal : kGoals) {
         const auto random = scores_of(runs_of(runs, plan, goal, kRandomSearch));
         std::string rows;
         for (const Arm& arm : all_arms()) {

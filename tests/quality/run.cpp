@@ -9,22 +9,16 @@
 #include "persist/creature_file.h"
 #include "persist/settings_file.h"
 #include "quality/arm.h"
+#include "support/thread_time.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <ctime>
 
 namespace cambrian::quality {
 namespace {
 
 constexpr double kLate = 0.7;  // share of the test after which a walker must still walk
-
-double thread_seconds() {
-    timespec now = {};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 SettingsPtr settings_of(const RunSpec& spec, const EvolutionKinds& kinds) {
     auto settings = std::make_shared<ExperimentSettings>(default_settings(spec.goal, kinds));
@@ -141,7 +135,7 @@ void save_champion(const RunSpec& spec, const Individual& champion,
 
 RunResult perform(const RunSpec& spec, const EvolutionKinds& kinds,
                   const std::filesystem::path& champions) {
-    const double begun = thread_seconds();
+    const double begun = thread_cpu_time();
     const SettingsPtr settings = settings_of(spec, kinds);
     const auto backend = make_thread_pool_backend(kinds, 1);
     Evolution evolution(settings, kinds);
@@ -158,7 +152,7 @@ RunResult perform(const RunSpec& spec, const EvolutionKinds& kinds,
     RunResult result = observer.finish(*settings);
     judge_champion(result, champion, *settings, kinds);
     save_champion(spec, champion, *settings, kinds, champions);
-    result.seconds = thread_seconds() - begun;
+    result.seconds = thread_cpu_time() - begun;
     return result;
 }
 
