@@ -1,6 +1,7 @@
 #include "evolution/evaluation.h"
 
 #include "creature/overlap.h"
+#include "creature/phenotype_hash.h"
 #include "simulator/audit.h"
 #include "simulator/trial.h"
 
@@ -16,6 +17,7 @@ constexpr double kSuspectPenalty = 0.5;   // physics.md 9
 
 EvaluationResult describe(const Phenotype& phenotype, const ExperimentSettings& settings) {
     EvaluationResult result;
+    result.phenotype = phenotype_hash(phenotype);
     result.parts = static_cast<int>(phenotype.parts.size());
     result.neurons = static_cast<int>(phenotype.network.order.size());
     result.mass = phenotype.mass(settings.world.environment.density);
@@ -39,9 +41,9 @@ double score_of(const TrialRecord& record, const GoalKind& goal, const TrialSett
 }
 
 std::shared_ptr<const Phenotype> grow(const Genome& genome, const ExperimentSettings& settings,
-                                      const Kinds& kinds) {
+                                      const EvolutionKinds& kinds) {
     return std::make_shared<const Phenotype>(
-        express(genome, kinds, settings.expression, settings.world.scene));
+        express(genome, kinds.creature, settings.expression, settings.world.scene));
 }
 
 const GoalKind& goal_of(const ExperimentSettings& settings, const EvolutionKinds& kinds) {
@@ -84,7 +86,7 @@ void settle_suspicion(EvaluationResult& result, const std::shared_ptr<const Phen
 
 EvaluationResult evaluate(const EvaluationRequest& request, const ExperimentSettings& settings,
                           const EvolutionKinds& kinds, const std::stop_token& stop) {
-    const auto phenotype = grow(*request.genome, settings, kinds.creature);
+    const auto phenotype = grow(*request.genome, settings, kinds);
     EvaluationResult result = describe(*phenotype, settings);
     if (!phenotype->can_move() || !phenotype->has_live_control) {
         fail(result, Outcome::kRejected,
@@ -122,9 +124,14 @@ EvaluationResult evaluate(const EvaluationRequest& request, const ExperimentSett
     return result;
 }
 
+std::uint64_t phenotype_of(const Genome& genome, const ExperimentSettings& settings,
+                           const EvolutionKinds& kinds) {
+    return phenotype_hash(*grow(genome, settings, kinds));
+}
+
 FinerResult recompute(const Genome& genome, const ExperimentSettings& settings,
                       const EvolutionKinds& kinds, const std::stop_token& stop) {
-    return run_finer(grow(genome, settings, kinds.creature), settings, kinds, stop).result;
+    return run_finer(grow(genome, settings, kinds), settings, kinds, stop).result;
 }
 
 }  // namespace cambrian

@@ -27,6 +27,10 @@ struct EvaluationRequest {
 EvaluationResult evaluate(const EvaluationRequest& request, const ExperimentSettings& settings,
                           const EvolutionKinds& kinds, const std::stop_token& stop = {});
 
+// EvaluationResult::phenotype without a trial: creatures that have the same score the same.
+std::uint64_t phenotype_of(const Genome& genome, const ExperimentSettings& settings,
+                           const EvolutionKinds& kinds);
+
 // Runs the first trial more finely (finer_settings) and scores it: what to know of a champion
 // before it is saved (physics.md 9).
 FinerResult recompute(const Genome& genome, const ExperimentSettings& settings,

@@ -92,29 +92,37 @@ void Evolution::record_generation() {
     history_.push_back(statistics);
 }
 
-// One request for every distinct genome without a score; creatures that share a genome share it.
+// One request for every phenotype that is new; creatures that share a phenotype share its score.
 void Evolution::plan_evaluations() {
     if (!request_of_slot_.empty()) return;
-    std::multimap<std::uint64_t, std::size_t> requested;  // genome hash to request
+    std::map<std::uint64_t, std::size_t> requested;  // phenotype to request
     request_of_slot_.assign(population_.size(), kNoRequest);
     for (std::size_t slot = 0; slot < population_.size(); ++slot) {
         const Individual& individual = *population_[slot];
         if (individual.evaluated) continue;
-        const auto [first, last] = requested.equal_range(individual.genome_hash);
-        const auto twin = std::find_if(first, last, [&](const auto& entry) {
-            return *requests_[entry.second].genome == *individual.genome;
-        });
-        if (twin != last) {
-            request_of_slot_[slot] = twin->second;
-            continue;
-        }
-        request_of_slot_[slot] = requests_.size();
-        requested.emplace(individual.genome_hash, requests_.size());
+        const std::uint64_t phenotype = phenotype_of(*individual.genome, *settings_, *kinds_);
+        if (score_as_known(slot, phenotype)) continue;
+        const auto [request, is_new] = requested.emplace(phenotype, requests_.size());
+        request_of_slot_[slot] = request->second;
+        if (!is_new) continue;
         requests_.push_back({individual.genome, trial_seed(*settings_),
                              static_cast<std::uint32_t>(slot), bar_for(individual),
                              individual.expected_work});
     }
     results_.assign(requests_.size(), std::nullopt);
+}
+
+// Whether a creature of the last generation was the same; then its score is taken over.
+bool Evolution::score_as_known(std::size_t slot, std::uint64_t phenotype) {
+    const auto known = known_results_.find(phenotype);
+    if (known == known_results_.end()) return false;
+    Individual scored = *population_[slot];
+    scored.result = known->second;
+    scored.result.hopeless = false;  // audited once
+    scored.evaluated = true;
+    population_[slot] = std::make_shared<const Individual>(std::move(scored));
+    ++known_scores_;
+    return true;
 }
 
 std::optional<Bar> Evolution::bar_for(const Individual& individual) const {
@@ -156,11 +164,10 @@ void Evolution::breed() {
         next_generation(population_, present, *kinds_, generation_, memory_);
     raise_bar(next);
     known_scores_ = 0;
+    remember_scores();
     if (scores_outdated_) {
         forget_scores(next);
         memory_ = {};
-    } else {
-        share_known_scores(next);
     }
     scores_outdated_ = false;
     place_injected(next);
@@ -177,26 +184,11 @@ void Evolution::place_injected(std::vector<IndividualPtr>& next) {
     injected_.clear();
 }
 
-// A child that is a clone of somebody of the last generation has that creature's score.
-void Evolution::share_known_scores(std::vector<IndividualPtr>& next) {
-    std::multimap<std::uint64_t, const Individual*> known;
-    for (const IndividualPtr& individual : population_) {
-        known.emplace(individual->genome_hash, individual.get());
-    }
-    for (IndividualPtr& individual : next) {
-        if (individual->evaluated) continue;
-        const auto [first, last] = known.equal_range(individual->genome_hash);
-        const auto twin = std::find_if(first, last, [&](const auto& entry) {
-            return *entry.second->genome == *individual->genome;
-        });
-        if (twin == last) continue;
-        Individual scored = *individual;
-        scored.result = twin->second->result;
-        scored.result.hopeless = false;  // audited once
-        scored.evaluated = true;
-        individual = std::make_shared<const Individual>(std::move(scored));
-        ++known_scores_;
-    }
+void Evolution::remember_scores() {
+    known_results_.clear();
+    if (scores_outdated_) return;
+    for (const IndividualPtr& individual : population_)
+        known_results_.emplace(individual->result.phenotype, individual->result);
 }
 
 void Evolution::replace_settings(SettingsPtr settings) {
@@ -208,6 +200,7 @@ void Evolution::replace_settings(SettingsPtr settings) {
     judged_anew_ = true;
     least_survivor_.reset();
     known_scores_ = 0;
+    known_results_.clear();
     if (evaluated_) {
         scores_outdated_ = true;  // they still decide who breeds
     } else {

@@ -55,7 +55,8 @@ private:
     std::optional<Bar> bar_for(const Individual& individual) const;
     void raise_bar(const std::vector<IndividualPtr>& next);
     void forget_plan();
-    void share_known_scores(std::vector<IndividualPtr>& next);
+    bool score_as_known(std::size_t slot, std::uint64_t phenotype);
+    void remember_scores();
     void record_generation();
     void place_injected(std::vector<IndividualPtr>& next);
     static void forget_scores(std::vector<IndividualPtr>& population);
@@ -74,6 +75,7 @@ private:
 
     std::optional<double> least_survivor_;  // fitness, where worse creatures leave no trace
     BarAudit bar_audit_;
+    std::map<std::uint64_t, EvaluationResult> known_results_;  // of the last one, by phenotype
     int known_scores_ = 0;  // of this generation, that creatures of the last one had already
 
     // The present generation's plan of evaluation; empty outside of it.

@@ -17,7 +17,7 @@ namespace cambrian {
 struct PopulationSettings {
     int size = 300;         // creatures a generation
     double survival = 0.2;  // share that survives and breeds
-    int max_clones = 2;     // copies of one genome among the survivors
+    int max_clones = 1;     // survivors of one phenotype
     int immigrants = 0;     // offspring places given to new random creatures
     // What takes the places that given founders leave: "mutants" of them or "random" creatures.
     std::string fill = "mutants";

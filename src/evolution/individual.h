@@ -26,9 +26,10 @@ struct FinerResult {
 struct EvaluationResult {
     double fitness = 0.0;  // of the finer trial if the first one was suspect
     Outcome outcome = Outcome::kCompleted;
-    std::uint64_t digest = 0;  // of the motion, for replay checks
-    double body_length = 0.0;  // m
-    double mass = 0.0;         // kg
+    std::uint64_t digest = 0;     // of the motion, for replay checks
+    std::uint64_t phenotype = 0;  // phenotype_hash() of what was judged
+    double body_length = 0.0;     // m
+    double mass = 0.0;            // kg
     int parts = 0;
     int neurons = 0;                              // live ones
     Behavior behavior;                            // zero unless simulated

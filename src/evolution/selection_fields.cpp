@@ -39,7 +39,7 @@ void add_truncation(TableBuilder& selection) {
     selection
         .number(
             "max-clones", "Clones kept", "", Range{1, 1000},
-            "Copies of one genotype that may survive together.",
+            "Creatures with the same body and live brain that may survive together.",
             [](Settings & s) -> auto& { return s.population.max_clones; })
         .applies = with_method({"truncation", "rank", "tournament", "roulette"});
 }

@@ -25,7 +25,7 @@ struct GenerationStatistics {
     int distinct_genomes = 0;
     // Trials not run, or not to the end (evolution.md 7.8):
     int rejected = 0;                   // P1: nothing could move, or nothing drove it
-    int reused = 0;                     // P2: the genome had a score already
+    int reused = 0;                     // P2: the phenotype had a score already
     int rested = 0;                     // P4: had come to rest
     int given_up = 0;                   // P5: could not survive any more
     bool giving_up_distrusted = false;  // P5 has switched itself off

@@ -77,17 +77,22 @@ TEST_CASE("equal fitness breeds equally", "[evolution]") {
     CHECK(parents.size() == 10);
 }
 
-TEST_CASE("at most max_clones copies of one genome survive", "[evolution]") {
+TEST_CASE("at most max_clones of one phenotype survive", "[evolution]") {
     auto ranked = descending(50);
     for (std::size_t i = 1; i < 20; ++i) {
         Individual clone = *ranked[0];
         clone.uid = 100 + i;
         ranked[i] = std::make_shared<const Individual>(clone);
     }
-    const SelectionResult result = select(ranked, of_size(50));
-    CHECK(result.survivors.size() == 10);
-    CHECK(std::count_if(result.survivors.begin(), result.survivors.end(),
-                        [&](std::size_t i) { return ranked[i]->genome_hash == 0; }) == 2);
+    ExperimentSettings settings = of_size(50);
+    for (const int most : {1, 2, 5}) {
+        settings.population.max_clones = most;
+        const SelectionResult result = select(ranked, settings);
+        CHECK(result.survivors.size() == 10);
+        CHECK(std::count_if(result.survivors.begin(), result.survivors.end(), [&](std::size_t i) {
+                  return ranked[i]->result.phenotype == 0;
+              }) == most);
+    }
 }
 
 TEST_CASE("a population of two still has a survivor and an offspring", "[evolution]") {

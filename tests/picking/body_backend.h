@@ -2,6 +2,7 @@
 
 // Evaluation without physics: bodies are grown and measured as they stand; nothing moves.
 
+#include "creature/phenotype_hash.h"
 #include "evolution/evaluation_backend.h"
 #include "support/kinds.h"
 
@@ -47,6 +48,7 @@ private:
         const Phenotype phenotype =
             express(genome, kinds().creature, settings.expression, settings.world.scene);
         EvaluationResult result;
+        result.phenotype = phenotype_hash(phenotype);
         result.parts = static_cast<int>(phenotype.parts.size());
         result.mass = phenotype.mass(settings.world.environment.density);
         result.body_length = phenotype.rest_length();

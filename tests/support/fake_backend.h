@@ -4,6 +4,7 @@
 // made to stop after a number of evaluations.
 
 #include "evolution/evaluation_backend.h"
+#include "support/kinds.h"
 
 #include <functional>
 
@@ -23,8 +24,9 @@ public:
     int evaluations = 0;
 
     bool evaluate(std::span<const EvaluationRequest> requests,
-                  std::span<std::optional<EvaluationResult>> results, const ExperimentSettings&,
-                  EvaluationProgress& progress, std::stop_token stop) override {
+                  std::span<std::optional<EvaluationResult>> results,
+                  const ExperimentSettings& settings, EvaluationProgress& progress,
+                  std::stop_token stop) override {
         progress.total = static_cast<std::uint32_t>(requests.size());
         int left = std::exchange(stop_after, -1);
         for (std::size_t i = 0; i < requests.size(); ++i) {
@@ -33,6 +35,7 @@ public:
             --left;
             EvaluationResult result;
             result.fitness = fitness(*requests[i].genome);
+            result.phenotype = phenotype_of(*requests[i].genome, settings, kinds());
             results[i] = result;
             ++evaluations;
             progress.done = static_cast<std::uint32_t>(i + 1);

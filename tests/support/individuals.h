@@ -7,7 +7,7 @@
 
 namespace cambrian::test {
 
-// Creatures with the given fitness, in that order, each of a genome of its own.
+// Creatures with the given fitness, in that order, each of a genome and a phenotype of its own.
 inline std::vector<IndividualPtr> individuals(const std::vector<double>& fitness) {
     std::vector<IndividualPtr> all;
     for (std::size_t i = 0; i < fitness.size(); ++i) {
@@ -20,6 +20,7 @@ inline std::vector<IndividualPtr> individuals(const std::vector<double>& fitness
         individual.genome_hash = i;
         individual.evaluated = true;
         individual.result.fitness = fitness[i];
+        individual.result.phenotype = i;
         all.push_back(std::make_shared<const Individual>(individual));
     }
     return all;

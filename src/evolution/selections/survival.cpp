@@ -24,14 +24,12 @@ SelectionResult breed(std::size_t places, std::vector<std::size_t> survivors,
 std::vector<std::size_t> first_of_ranking(std::span<const IndividualPtr> ranked, std::size_t wanted,
                                           int max_clones) {
     std::vector<std::size_t> kept;
-    std::multimap<std::uint64_t, const Genome*> genomes;  // of those kept, by hash
+    std::map<std::uint64_t, int> copies;  // of those kept, by phenotype
     for (std::size_t i = 0; i < ranked.size() && kept.size() < wanted; ++i) {
-        const auto [first, last] = genomes.equal_range(ranked[i]->genome_hash);
-        const auto clones = std::count_if(
-            first, last, [&](const auto& entry) { return *entry.second == *ranked[i]->genome; });
-        if (clones >= max_clones) continue;
+        int& clones = copies[ranked[i]->result.phenotype];
+        if (clones == max_clones) continue;
         kept.push_back(i);
-        genomes.emplace(ranked[i]->genome_hash, ranked[i]->genome.get());
+        ++clones;
     }
     return kept;
 }

@@ -10,7 +10,7 @@
 
 namespace cambrian {
 
-// The first `wanted` of the ranking, at most max_clones copies of one genome among them.
+// The first `wanted` of the ranking, at most max_clones of one phenotype among them.
 std::vector<std::size_t> first_of_ranking(std::span<const IndividualPtr> ranked, std::size_t wanted,
                                           int max_clones);
 
