@@ -55,6 +55,19 @@ TEST_CASE("the transport plays, restarts and changes the speed", "[studio][trans
     CHECK(test::asked<ChangeView>(click(gui, bar, studio, "4×")).view.speed == 4.0);
 }
 
+TEST_CASE("the transport steps back, and the time bar goes where it is pressed",
+          "[studio][transport_bar]") {
+    NullImGui gui;
+    TransportBar bar;
+    test::StudioFixture studio;
+    studio.show_crawler();
+    CHECK(test::was_asked<StepPlaybackBack>(click(gui, bar, studio, "Back one tick")));
+    const std::uint64_t sought =
+        test::asked<SeekPlayback>(click(gui, bar, studio, "time bar")).tick;
+    CHECK(sought >= studio.playback().length() / 2 - 2);
+    CHECK(sought <= studio.playback().length() / 2 + 2);
+}
+
 TEST_CASE("a click on the timeline shows that generation's champion", "[studio][timeline]") {
     NullImGui gui;
     TimelinePanel panel;
