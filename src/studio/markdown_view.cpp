@@ -123,6 +123,14 @@ float wanted_width(const MarkdownBlock& table, std::size_t column) {
     return std::min(widest, 0.6F * ImGui::GetContentRegionAvail().x);
 }
 
+// The words of a table's header.
+void embolden(std::vector<SpanLine>& cells) {
+    for (SpanLine& cell : cells) {
+        for (TextSpan& span : cell)
+            span.look = SpanLook::kBold;
+    }
+}
+
 std::string draw_table(const MarkdownBlock& table) {
     std::string pressed;
     const std::size_t columns = table.rows.front().size();
@@ -133,7 +141,8 @@ std::string draw_table(const MarkdownBlock& table) {
     for (std::size_t column = 0; column < columns; ++column)
         ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthStretch,
                                 wanted_width(table, column));
-    for (const auto& row : table.rows) {
+    for (auto row : table.rows) {
+        if (ImGui::TableGetRowIndex() < 0) embolden(row);
         ImGui::TableNextRow();
         for (std::size_t column = 0; column < std::min(columns, row.size()); ++column) {
             ImGui::TableSetColumnIndex(static_cast<int>(column));

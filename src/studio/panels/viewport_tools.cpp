@@ -90,6 +90,7 @@ void draw_viewport_tools(const FrameContext& frame, const Rect& area, Requests& 
     menu_button("Overlays", Icon::kEye, "What is drawn over the creature", false, overlay_lines,
                 frame, out);
     ImGui::SameLine();
+    ImGui::SetCursorPosY(ImGui::GetCursorPosY() + px(3));
     help_mark("viewport", out);
     ImGui::PopStyleVar();
 }
