@@ -144,6 +144,28 @@ TEST_CASE("dragging with the right button lets the camera go", "[studio][viewpor
     CHECK_FALSE(test::asked<ChangeView>(out).view.follow);
 }
 
+TEST_CASE("overlays, ghosts and help are at hand in the viewport", "[studio][viewport]") {
+    NullImGui gui;
+    ViewportPanel panel(nullptr);
+    test::StudioFixture studio;
+    studio.show_crawler();
+    CHECK(test::asked<ShowHelp>(click(gui, panel, studio, "? viewport")).page == "viewport");
+    click(gui, panel, studio, "Overlays");
+    const Requests torques = click(gui, panel, studio, "Joint torques");
+    CHECK(test::asked<ChangeView>(torques).view.torques);
+    CHECK_FALSE(test::was_asked<PokePart>(torques));
+}
+
+TEST_CASE("a choice of ghosts is a click in the viewport", "[studio][viewport]") {
+    NullImGui gui;
+    ViewportPanel panel(nullptr);
+    test::StudioFixture studio;
+    studio.show_crawler();
+    click(gui, panel, studio, "Ghosts");
+    const Requests out = click(gui, panel, studio, "Every tenth generation");
+    CHECK(test::asked<ChangeView>(out).view.ghosts == GhostChoice::kTenths);
+}
+
 TEST_CASE("the file panel opens the file that is pressed twice", "[studio][file_panel]") {
     NullImGui gui;
     FilePanel panel;
