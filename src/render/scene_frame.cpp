@@ -1,5 +1,6 @@
 #include "render/scene_frame.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace cambrian {
@@ -32,7 +33,20 @@ void SceneFrame::add_ring(const Vec2& center, double radius, double width, const
                       .outline = color});
 }
 
-void SceneFrame::add_trail(const std::vector<Vec2>& points, double dot_radius, const Color& color) {
+void SceneFrame::add_arc(const Vec2& center, double radius, const std::array<double, 2>& angles,
+                         double width, const Color& color) {
+    constexpr double longest = 0.2;  // rad, of a straight piece
+    const double turn = angles[1] - angles[0];
+    const int pieces = std::max(1, static_cast<int>(std::ceil(std::fabs(turn) / longest)));
+    const auto point = [&](int i) {
+        const double angle = angles[0] + turn * i / pieces;
+        return Vec2(center + radius * Vec2(std::cos(angle), std::sin(angle)));
+    };
+    for (int i = 0; i < pieces; ++i)
+        add_line(point(i), point(i + 1), width, color);
+}
+
+void SceneFrame::add_trail(std::span<const Vec2> points, double dot_radius, const Color& color) {
     const auto count = static_cast<float>(points.size());
     float age = count;
     for (const Vec2& point : points) {

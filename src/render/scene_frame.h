@@ -6,6 +6,8 @@
 #include "math/types.h"
 #include "render/color.h"
 
+#include <array>
+#include <span>
 #include <vector>
 
 namespace cambrian {
@@ -29,8 +31,11 @@ struct SceneFrame {
     void add_line(const Vec2& from, const Vec2& to, double width, const Color& color);
     void add_circle(const Vec2& center, double radius, const Color& fill);
     void add_ring(const Vec2& center, double radius, double width, const Color& color);
+    // Part of a ring, from the first angle to the second (rad).
+    void add_arc(const Vec2& center, double radius, const std::array<double, 2>& angles,
+                 double width, const Color& color);
     // Dots along a path, older ones fainter; points oldest first.
-    void add_trail(const std::vector<Vec2>& points, double dot_radius, const Color& color);
+    void add_trail(std::span<const Vec2> points, double dot_radius, const Color& color);
     void clear() { shapes.clear(); }
 };
 

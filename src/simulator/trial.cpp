@@ -162,6 +162,27 @@ void Trial::fail_with(SceneStatus status) {
     }
 }
 
+Trial::State Trial::save() const {
+    return {scene_->save(), creature_.save(), record_,     digest_,     reversals_, rest_,
+            total_ticks_,   test_ticks_,      calm_ticks_, deep_ticks_, settling_,  finished_};
+}
+
+void Trial::restore(const State& state) {
+    scene_->set_limp(state.settling && world_.trial.limp_settle);
+    scene_->restore(*state.scene);
+    creature_.restore(state.creature);
+    record_ = state.record;
+    digest_ = state.digest;
+    reversals_ = state.reversals;
+    rest_ = state.rest;
+    total_ticks_ = state.total_ticks;
+    test_ticks_ = state.test_ticks;
+    calm_ticks_ = state.calm_ticks;
+    deep_ticks_ = state.deep_ticks;
+    settling_ = state.settling;
+    finished_ = state.finished;
+}
+
 void Trial::heed(const std::stop_token& stop) {
     if (finished_ || scene_->audit().evaluations <= kLongTrial || !stop.stop_requested()) return;
     fail(Outcome::kInterrupted, "stopped before its end");

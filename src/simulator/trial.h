@@ -51,6 +51,7 @@ public:
         return static_cast<double>(test_ticks_) * kBrainTick;
     }                                                     // s, of the test phase
     std::uint64_t ticks() const { return total_ticks_; }  // settling included
+    std::uint64_t settle_ticks() const { return total_ticks_ - test_ticks_; }  // so far
 
     const TrialWorld& world() const { return world_; }
     const Phenotype& phenotype() const { return *phenotype_; }
@@ -58,6 +59,25 @@ public:
     const PhysicsScene& scene() const { return *scene_; }
     Creature& creature() { return creature_; }
     const Creature& creature() const { return creature_; }
+    // Everything that changes from tick to tick.
+    struct State {
+        std::unique_ptr<SceneState> scene;
+        Creature::State creature;
+        TrialRecord record;
+        Hash64 digest;
+        std::vector<ReversalCounter> reversals;
+        RestWatch rest;
+        std::uint64_t total_ticks = 0;
+        std::uint64_t test_ticks = 0;
+        int calm_ticks = 0;
+        int deep_ticks = 0;
+        bool settling = false;
+        bool finished = false;
+    };
+    State save() const;
+    // Back to a moment saved by this trial, to go on from there with the same bits. The scene must
+    // have the environment it had then.
+    void restore(const State& state);
     // Ends the test phase now, as if nothing moved any more: further samples repeat the last one.
     void stop_early(Outcome outcome, std::string reason);
     // Complete once finished().

@@ -5,11 +5,16 @@
 #include "evolution/setting_field.h"
 #include "evolution/snapshot.h"
 #include "studio/file_browser.h"
+#include "studio/ghosts.h"
+#include "studio/help_book.h"
 #include "studio/notices.h"
 #include "studio/playback.h"
+#include "studio/sample_shelf.h"
 #include "studio/settings_editor.h"
 #include "studio/view_state.h"
 
+#include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -36,6 +41,11 @@ struct FrameContext {
     const Notice* notice = nullptr;
     bool help_shown = false;
     Highlight highlight = {};
+    std::span<const std::unique_ptr<Ghost>> ghosts = {};
+    const HelpBook* help = nullptr;
+    const SampleShelf* samples = nullptr;
+    int tour_step = -1;       // none
+    unsigned find_asked = 0;  // how often a setting was to be found
 };
 
 }  // namespace cambrian

@@ -66,6 +66,32 @@ void draw_file(const Pen& pen) {
                          ImDrawFlags_Closed, pen.width);
 }
 
+void draw_eye(const Pen& pen) {
+    constexpr auto eighth = static_cast<float>(kPi) / 4.0F;
+    for (const float side : {-1.0F, 1.0F}) {
+        const float middle = -2.0F * side * eighth;
+        pen.list.PathArcTo(pen.at(0.0F, 0.7F * side), 1.15F * pen.half, middle - 1.05F * eighth,
+                           middle + 1.05F * eighth, 16);
+        pen.list.PathStroke(pen.color, ImDrawFlags_None, pen.width);
+    }
+    pen.list.AddCircleFilled(pen.center, 0.28F * pen.half, pen.color, 14);
+}
+
+// Two boxes, one behind the other.
+void draw_ghost(const Pen& pen) {
+    pen.list.AddRect(pen.at(-0.9F, -0.8F), pen.at(0.3F, 0.4F), pen.color, 0.25F * pen.half, 0,
+                     pen.width);
+    pen.list.AddRectFilled(pen.at(-0.3F, -0.2F), pen.at(0.9F, 0.9F), pen.color, 0.25F * pen.half);
+}
+
+void draw_question(const Pen& pen) {
+    constexpr auto quarter = static_cast<float>(kPi) / 2.0F;
+    pen.list.PathArcTo(pen.at(0.0F, -0.4F), 0.45F * pen.half, -2.1F * quarter, 1.0F * quarter, 16);
+    pen.list.PathLineTo(pen.at(0.0F, 0.35F));
+    pen.list.PathStroke(pen.color, ImDrawFlags_None, 1.25F * pen.width);
+    pen.list.AddCircleFilled(pen.at(0.0F, 0.78F), 1.0F * pen.width, pen.color, 10);
+}
+
 }  // namespace
 
 void draw_icon(ImDrawList& list, Icon icon, const ImVec2& center, float size, const Color& color) {
@@ -83,6 +109,10 @@ void draw_icon(ImDrawList& list, Icon icon, const ImVec2& center, float size, co
         case Icon::kStep:
             pen.triangle(pen.at(-0.75F, -0.8F), pen.at(0.4F, 0.0F), pen.at(-0.75F, 0.8F));
             pen.bar(0.5F, -0.8F, 0.85F, 0.8F);
+            break;
+        case Icon::kStepBack:
+            pen.triangle(pen.at(0.75F, -0.8F), pen.at(-0.4F, 0.0F), pen.at(0.75F, 0.8F));
+            pen.bar(-0.85F, -0.8F, -0.5F, 0.8F);
             break;
         case Icon::kRestart:
             draw_restart(pen);
@@ -115,6 +145,19 @@ void draw_icon(ImDrawList& list, Icon icon, const ImVec2& center, float size, co
             pen.line(-0.6F, 0.0F, 0.0F, -0.7F);
             pen.line(0.0F, -0.7F, 0.6F, 0.0F);
             pen.line(0.0F, -0.7F, 0.0F, 0.8F);
+            break;
+        case Icon::kEye:
+            draw_eye(pen);
+            break;
+        case Icon::kGhost:
+            draw_ghost(pen);
+            break;
+        case Icon::kHelp:
+            draw_question(pen);
+            break;
+        case Icon::kSearch:
+            pen.list.AddCircle(pen.at(-0.2F, -0.2F), 0.55F * pen.half, pen.color, 20, pen.width);
+            pen.line(0.22F, 0.22F, 0.8F, 0.8F);
             break;
     }
 }

@@ -11,6 +11,7 @@ enum class Icon : unsigned char {
     kPlay,
     kPause,
     kStep,
+    kStepBack,
     kRestart,
     kFollow,
     kFit,
@@ -20,6 +21,10 @@ enum class Icon : unsigned char {
     kFolder,
     kFile,
     kUp,
+    kEye,
+    kGhost,
+    kHelp,
+    kSearch,
 };
 
 // Drawn, not a font: centred, `size` pixels across.

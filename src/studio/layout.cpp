@@ -8,7 +8,7 @@ namespace {
 
 constexpr float kGap = 2.0F;
 constexpr float kBarHeight = 54.0F;
-constexpr float kTransportHeight = 46.0F;
+constexpr float kTransportHeight = 58.0F;
 
 struct SizeLimits {
     float least;

@@ -1,5 +1,7 @@
 #include "studio/main_window.h"
 
+#include "studio/tour.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -8,6 +10,7 @@ namespace {
 
 void draw_in(const char* name, const Rect& rect, Panel& panel, const FrameContext& frame,
              Requests& out) {
+    ui().places[std::string("panel ") + name] = rect;
     if (rect.width < 1.0F || rect.height < 1.0F) return;
     begin_place(name, rect);
     panel.draw(frame, out);
@@ -68,10 +71,11 @@ void MainWindow::draw(const FrameContext& frame, int framebuffer_height, Request
     bar_.draw(frame, out);
     end_place();
     draw_in("experiment", layout.experiment, experiment_, frame, out);
+    ui().places["panel viewport"] = layout.viewport;
     begin_place("viewport", layout.viewport, 0, 0);
     viewport_.draw(frame, out);
     end_place();
-    begin_place("transport", layout.transport, px(10), px(8));
+    begin_place("transport", layout.transport, px(10), px(6));
     transport_.draw(frame, out);
     end_place();
     draw_in("inspector", layout.inspector, inspector_, frame, out);
@@ -82,11 +86,23 @@ void MainWindow::draw(const FrameContext& frame, int framebuffer_height, Request
     draw_overlays(frame, layout, out);
 }
 
+void MainWindow::draw_tour(const FrameContext& frame, const Rect& whole, Requests& out) {
+    const auto& places = ui().places;
+    const auto found = places.find(tour_steps()[static_cast<std::size_t>(frame.tour_step)].place);
+    const Rect subject = found == places.end() ? Rect{} : found->second;
+    if (subject.width > 1.0F) outline_subject(subject);
+    draw_card("tour", tour_card_place(subject.width > 1.0F ? subject : whole, whole), tour_, frame,
+              out);
+}
+
 void MainWindow::draw_overlays(const FrameContext& frame, const Layout& layout, Requests& out) {
     const ImVec2 size = ImGui::GetIO().DisplaySize;
     const Rect whole = {0, 0, size.x, size.y};
     if (frame.files.open) draw_card("files", card_place(whole, 620, 560), files_, frame, out);
-    if (frame.help_shown) draw_card("help", card_place(whole, 560, 600), help_, frame, out);
+    if (frame.help_shown) draw_card("help", card_place(whole, 860, 640), help_, frame, out);
+    if (frame.samples != nullptr && frame.samples->open)
+        draw_card("samples", card_place(whole, 780, 560), samples_, frame, out);
+    if (frame.tour_step >= 0) draw_tour(frame, whole, out);
     if (frame.notice == nullptr) return;
     begin_overlay("notice", notice_place(layout.viewport, frame.notice->text), {px(18), px(10)},
                   px(4));

@@ -10,7 +10,9 @@
 #include "studio/panels/inspector_panel.h"
 #include "studio/panels/notice_strip.h"
 #include "studio/panels/population_panel.h"
+#include "studio/panels/samples_panel.h"
 #include "studio/panels/timeline_panel.h"
+#include "studio/panels/tour_card.h"
 #include "studio/panels/transport_bar.h"
 #include "studio/panels/viewport_panel.h"
 
@@ -25,6 +27,7 @@ public:
     void fit() { viewport_.fit(); }
 
 private:
+    void draw_tour(const FrameContext& frame, const Rect& whole, Requests& out);
     void draw_overlays(const FrameContext& frame, const Layout& layout, Requests& out);
 
     EvolveBar bar_;
@@ -36,6 +39,8 @@ private:
     PopulationPanel population_;
     FilePanel files_;
     HelpPanel help_;
+    SamplesPanel samples_;
+    TourCard tour_;
     NoticeStrip notice_;
 };
 

@@ -12,66 +12,94 @@ namespace {
 constexpr double kLongestGap = 0.1;      // s; after a longer pause of the window, play on from here
 constexpr std::uint64_t kTicksADot = 4;  // of the trail
 constexpr std::size_t kTrailLength = 90;  // dots
-constexpr double kPokeStiffness = 60.0;   // N/m a kg of creature
-constexpr double kPokeDamping = 6.0;      // N s/m a kg
 
 }  // namespace
 
 Status Playback::show(Exhibit exhibit) {
     auto phenotype = std::make_shared<const Phenotype>(
         express(*exhibit.genome, *kinds_, exhibit.expression, exhibit.world.scene));
-    auto trial = Trial::start(phenotype, *kinds_, exhibit.world);
-    if (!trial) return trial.error();
-    trial_.reset();
+    auto replay = Replay::start(phenotype, *kinds_, exhibit.world);
+    if (!replay) return replay.error();
+    replay_.reset();
     exhibit_ = std::move(exhibit);
-    environment_ = exhibit_.world.environment;
     phenotype_ = std::move(phenotype);
-    begin(std::move(*trial));
+    begin(std::move(*replay));
     return {};
 }
 
 void Playback::restart() {
     if (empty()) return;
     TrialWorld world = exhibit_.world;
-    world.environment = environment_;
-    auto trial = Trial::start(phenotype_, *kinds_, world);
-    if (trial) begin(std::move(*trial));
+    world.environment = environment();
+    auto replay = Replay::start(phenotype_, *kinds_, world);
+    if (replay) begin(std::move(*replay));
 }
 
-void Playback::begin(std::unique_ptr<Trial> trial) {
-    trial_ = std::move(trial);
+void Playback::begin(std::unique_ptr<Replay> replay) {
+    replay_ = std::move(replay);
     owed_ = 0.0;
-    disturbed_ = false;
-    poked_part_ = -1;
-    trail_.clear();
-    capture(current_);
-    current_center_ = trial_->scene().center_of_mass();
-    previous_ = current_;
-    previous_center_ = current_center_;
-    interpolate();
+    sought_.reset();
+    hold_.reset();
+    dots_.clear();
+    show_present();
+}
+
+double Playback::share() const {
+    return playing_ ? std::clamp(owed_ / kBrainTick, 0.0, 1.0) : 1.0;
 }
 
 void Playback::set_environment(const Environment& environment) {
-    if (empty() || environment_ == environment) return;
-    environment_ = environment;
-    trial_->scene().set_environment(environment);
-}
-
-bool Playback::diverged() const {
-    return !empty() && trial_->scene().status() != SceneStatus::kRunning;
+    if (!empty() && !(this->environment() == environment)) replay_->set_environment(environment);
 }
 
 void Playback::step() {
     if (empty()) return;
     playing_ = false;
+    if (seeking()) return seek(*sought_ + 1);
     tick();
-    previous_ = current_;
-    previous_center_ = current_center_;
-    interpolate();
+    show_present();
+}
+
+void Playback::step_back() {
+    playing_ = false;
+    if (tick_shown() > 0) seek(tick_shown() - 1);
+}
+
+void Playback::seek(std::uint64_t tick) {
+    if (empty()) return;
+    sought_ = tick;
+    owed_ = 0.0;
+    hold_.reset();
+    if (tick >= replay_->ticks()) return;
+    replay_->go_back(tick);
+    dots_.resize(replay_->ticks() / kTicksADot);
+}
+
+void Playback::go_on_seeking(double budget) {
+    const Stopwatch spent;
+    while (replay_->ticks() < *sought_ && !diverged() && spent.seconds() < budget)
+        tick();
+    if (replay_->ticks() < *sought_ && !diverged()) return;
+    sought_.reset();
+    show_present();
+}
+
+std::uint64_t Playback::length() const {
+    if (empty()) return 0;
+    const auto test =
+        static_cast<std::uint64_t>(std::lround(exhibit_.world.trial.duration / kBrainTick));
+    return std::max(trial().settle_ticks() + test, tick_shown());
+}
+
+std::span<const Vec2> Playback::trail() const {
+    const std::size_t count = std::min(kTrailLength, dots_.size());
+    return std::span(dots_).last(count);
 }
 
 void Playback::advance(double elapsed, double budget) {
-    if (empty() || !playing_) return;
+    if (empty()) return;
+    if (seeking()) return go_on_seeking(budget);
+    if (!playing_) return;
     const Stopwatch spent;
     owed_ += speed_ * std::min(elapsed, kLongestGap);
     while (owed_ >= kBrainTick && spent.seconds() < budget) {
@@ -79,60 +107,19 @@ void Playback::advance(double elapsed, double budget) {
         owed_ -= kBrainTick;
     }
     owed_ = std::fmin(owed_, 2.0 * kBrainTick);
-    interpolate();
+    motion_.show(share());
 }
 
 void Playback::tick() {
     if (diverged()) return;
-    std::swap(previous_, current_);
-    previous_center_ = current_center_;
-    pull();
-    trial_->tick();
-    capture(current_);
-    current_center_ = trial_->scene().center_of_mass();
-    if (trial_->ticks() % kTicksADot != 0) return;
-    if (trail_.size() == kTrailLength) trail_.erase(trail_.begin());
-    trail_.push_back(current_center_.head<2>());
+    replay_->tick(hold());
+    motion_.follow(trial().scene());
+    if (replay_->ticks() % kTicksADot == 0)
+        dots_.push_back(trial().scene().center_of_mass().head<2>());
 }
 
 void Playback::poke(std::size_t part, const Vec3& point_in_part, const Vec3& target) {
-    poked_part_ = static_cast<int>(part);
-    poke_point_ = point_in_part;
-    poke_target_ = target;
-    disturbed_ = true;
-}
-
-// A damped spring between the mouse and the point taken hold of.
-void Playback::pull() {
-    if (poked_part_ < 0) return;
-    const auto part = static_cast<std::size_t>(poked_part_);
-    PhysicsScene& scene = trial_->scene();
-    const Pose pose = scene.part_pose(part);
-    const Twist twist = scene.part_twist(part);
-    const Vec3 arm = pose.orientation * poke_point_;
-    const Vec3 velocity = twist.linear + twist.angular.cross(arm);
-    const Vec3 stretch = poke_target_ - (pose.position + arm);
-    const double mass = scene.mass();
-    scene.pull(part, poke_point_, mass * (kPokeStiffness * stretch - kPokeDamping * velocity));
-}
-
-void Playback::capture(std::vector<Pose>& poses) const {
-    const PhysicsScene& scene = trial_->scene();
-    poses.resize(scene.part_count());
-    for (std::size_t part = 0; part < poses.size(); ++part)
-        poses[part] = scene.part_pose(part);
-}
-
-void Playback::interpolate() {
-    const double share = std::clamp(owed_ / kBrainTick, 0.0, 1.0);
-    shown_.resize(current_.size());
-    for (std::size_t part = 0; part < current_.size(); ++part) {
-        const Pose& from = previous_[part];
-        const Pose& to = current_[part];
-        shown_[part].position = from.position + share * (to.position - from.position);
-        shown_[part].orientation = from.orientation.slerp(share, to.orientation);
-    }
-    shown_center_ = previous_center_ + share * (current_center_ - previous_center_);
+    hold_ = Hold{part, point_in_part, target};
 }
 
 }  // namespace cambrian

@@ -1,13 +1,17 @@
 #pragma once
 
 // The creature on show, simulated live on the main thread by the very trial that judges it, tick by
-// tick within a time budget.
+// tick within a time budget, forwards and back.
 
 #include "core/result.h"
 #include "math/pose.h"
 #include "studio/exhibit.h"
+#include "studio/replay.h"
+#include "studio/shown_motion.h"
 
 #include <memory>
+#include <optional>
+#include <span>
 #include <vector>
 
 namespace cambrian {
@@ -27,59 +31,61 @@ public:
     void set_speed(double speed) { speed_ = speed; }  // 1 is real time
     double speed() const { return speed_; }
     void step();  // one tick
+    // Pauses one tick earlier than now, or than the moment sought.
+    void step_back();
+    // To the moment so many ticks after the start, ahead or back; advance() goes there, and until
+    // then what is shown stays. Going back forgets the pokes after it.
+    void seek(std::uint64_t tick);
+    bool seeking() const { return sought_.has_value(); }
+    // Where it is, or is going.
+    std::uint64_t tick_shown() const { return sought_.value_or(empty() ? 0 : replay_->ticks()); }
+    // Ticks of settling and test phase together, as far as known, and of what was played beyond.
+    std::uint64_t length() const;
 
     // Plays on by so much wall time, spending at most `budget` seconds on it; falls behind instead.
     void advance(double elapsed, double budget);
 
     // Pulls a part by a point towards a place in the world until release(); marks the motion as
-    // disturbed until restarted.
+    // disturbed until restarted, or until the moment shown lies before the poke.
     void poke(std::size_t part, const Vec3& point_in_part, const Vec3& target);
-    void release() { poked_part_ = -1; }
-    bool disturbed() const { return disturbed_; }
+    void release() { hold_.reset(); }
+    bool disturbed() const { return !empty() && (hold_ || replay_->pulled()); }
 
-    bool empty() const { return trial_ == nullptr; }
+    bool empty() const { return replay_ == nullptr; }
     const Exhibit& exhibit() const { return exhibit_; }
     const Phenotype& phenotype() const { return *phenotype_; }
     std::shared_ptr<const Phenotype> shared_phenotype() const { return phenotype_; }
-    const Trial& trial() const { return *trial_; }
+    const Trial& trial() const { return replay_->trial(); }
     // As played: the world that judges the creature, or what it was changed to by hand.
-    const Environment& environment() const { return environment_; }
-    bool diverged() const;
+    const Environment& environment() const { return replay_->environment(); }
+    bool diverged() const { return !empty() && replay_->diverged(); }
     // Part poses at the moment on show, between two ticks.
-    const std::vector<Pose>& poses() const { return shown_; }
-    Vec3 center_of_mass() const { return shown_center_; }
+    const std::vector<Pose>& poses() const { return motion_.poses(); }
+    Vec3 center_of_mass() const { return motion_.center(); }
+    // How far between the last two ticks that moment is; 1 is the last.
+    double share() const;
     // Where the centre of mass was, oldest first, fourteen a second.
-    const std::vector<Vec2>& trail() const { return trail_; }
-    int poked_part() const { return poked_part_; }
-    Vec3 poke_target() const { return poke_target_; }
-    Vec3 poke_point() const { return poke_point_; }
+    std::span<const Vec2> trail() const;
+    // What is held by the mouse, or null.
+    const Hold* hold() const { return hold_ ? &*hold_ : nullptr; }
 
 private:
-    void begin(std::unique_ptr<Trial> trial);
+    void begin(std::unique_ptr<Replay> replay);
     void tick();
-    void pull();
-    void capture(std::vector<Pose>& poses) const;
-    void interpolate();
+    void go_on_seeking(double budget);
+    void show_present() { motion_.jump_to(trial().scene()); }
 
     const Kinds* kinds_;
     Exhibit exhibit_;
-    Environment environment_;
     std::shared_ptr<const Phenotype> phenotype_;
-    std::unique_ptr<Trial> trial_;
+    std::unique_ptr<Replay> replay_;
     bool playing_ = true;
     double speed_ = 1.0;
-    double owed_ = 0.0;  // s of motion due, under one tick unless falling behind
-    std::vector<Pose> previous_;
-    std::vector<Pose> current_;
-    std::vector<Pose> shown_;
-    Vec3 previous_center_ = Vec3::Zero();
-    Vec3 current_center_ = Vec3::Zero();
-    Vec3 shown_center_ = Vec3::Zero();
-    std::vector<Vec2> trail_;
-    bool disturbed_ = false;
-    int poked_part_ = -1;
-    Vec3 poke_point_ = Vec3::Zero();
-    Vec3 poke_target_ = Vec3::Zero();
+    double owed_ = 0.0;                    // s of motion due, under one tick unless falling behind
+    std::optional<std::uint64_t> sought_;  // tick
+    ShownMotion motion_;
+    std::vector<Vec2> dots_;  // of the trail, all since the start
+    std::optional<Hold> hold_;
 };
 
 }  // namespace cambrian

@@ -2,6 +2,7 @@
 
 #include "core/file_io.h"
 #include "persist/settings_file.h"
+#include "studio/overlays.h"
 #include "studio/text.h"
 
 #include <algorithm>
@@ -20,13 +21,10 @@ struct Flag {
 };
 constexpr std::array kFlags = {
     Flag{"follow", &ViewState::follow},
-    Flag{"trail", &ViewState::trail},
-    Flag{"contacts", &ViewState::contacts},
-    Flag{"grid", &ViewState::grid},
-    Flag{"names", &ViewState::names},
     Flag{"experiment-panel", &ViewState::left_panel},
     Flag{"inspector-panel", &ViewState::right_panel},
     Flag{"bottom-panel", &ViewState::bottom_panel},
+    Flag{"tour-taken", &ViewState::tour_taken},
 };
 
 struct Size {
@@ -38,11 +36,19 @@ constexpr std::array kSizes = {
     Size{"inspector-width", &ViewState::right_width},
     Size{"bottom-height", &ViewState::bottom_height},
 };
+constexpr std::array kGhostChoices = {"none", "improvements", "every-tenth", "across"};
 constexpr float kMostSize = 4000.0F;
 
 void read_line(const std::string& name, const std::string& value, ViewState& view) {
     for (const Flag& flag : kFlags) {
         if (name == flag.name) view.*flag.place = value == "yes";
+    }
+    for (const OverlayKind& overlay : overlay_kinds()) {
+        if (name == overlay.name) view.*overlay.shown = value == "yes";
+    }
+    for (std::size_t i = 0; i < kGhostChoices.size(); ++i) {
+        if (name == "ghosts" && value == kGhostChoices[i])
+            view.ghosts = static_cast<GhostChoice>(i);
     }
     for (const Size& size : kSizes) {
         const float units = std::strtof(value.c_str(), nullptr);
@@ -61,6 +67,9 @@ std::string write_view(const ViewState& view) {
     std::string text;
     for (const Flag& flag : kFlags)
         text += std::string(flag.name) + " = " + (view.*flag.place ? "yes" : "no") + "\n";
+    for (const OverlayKind& overlay : overlay_kinds())
+        text += std::string(overlay.name) + " = " + (view.*overlay.shown ? "yes" : "no") + "\n";
+    text += std::string("ghosts = ") + kGhostChoices[static_cast<std::size_t>(view.ghosts)] + "\n";
     for (const Size& size : kSizes)
         text += format("%s = %.0f\n", size.name, static_cast<double>(view.*size.place));
     text += std::string("theme = ") + (view.theme == ThemeKind::kLight ? "light" : "dark") + "\n";

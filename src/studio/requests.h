@@ -38,6 +38,11 @@ struct DropStructuralEdits {};  // back to what is running
 struct TogglePlayback {};
 struct RestartPlayback {};
 struct StepPlayback {};
+struct StepPlaybackBack {};
+// The moment so many ticks after the trial's start.
+struct SeekPlayback {
+    std::uint64_t tick = 0;
+};
 struct ChangeView {
     ViewState view;
 };
@@ -82,17 +87,29 @@ struct SaveScreenshot {
     std::filesystem::path path;  // empty: a new name in the present folder
 };
 
+// The filter of the settings gets the keyboard.
+struct FindSetting {};
+struct ToggleSamples {};
 struct DismissNotice {};
 struct ToggleHelp {};
+// A page by its name: the file's in the help folder, or one of help_book.h.
+struct ShowHelp {
+    std::string page;
+};
+// To a step of the tour; beyond the last, or below 0, ends it.
+struct TurnTour {
+    int step = 0;
+};
 struct QuitStudio {};
 
 using StudioAction =
     std::variant<ToggleEvolution, RunOneGeneration, EditSettings, FinishEdit, UndoEdit, RedoEdit,
                  StartNewRun, StartFromShown, DropStructuralEdits, AddNewcomers, TogglePlayback,
-                 RestartPlayback, StepPlayback, ChangeView, FitView, PokePart, ReleasePoke,
-                 ShowHighlight, ShowChampion, ShowIndividual, ShowNewest, OpenFilePanel,
-                 CloseFilePanel, ListFolder, LoadFile, SaveCreatureFile, SaveSettingsFile,
-                 SaveScreenshot, DismissNotice, ToggleHelp, QuitStudio>;
+                 RestartPlayback, StepPlayback, StepPlaybackBack, SeekPlayback, ChangeView, FitView,
+                 PokePart, ReleasePoke, ShowHighlight, ShowChampion, ShowIndividual, ShowNewest,
+                 OpenFilePanel, CloseFilePanel, ListFolder, LoadFile, SaveCreatureFile,
+                 SaveSettingsFile, SaveScreenshot, FindSetting, ToggleSamples, DismissNotice,
+                 ToggleHelp, ShowHelp, TurnTour, QuitStudio>;
 
 class Requests {
 public:

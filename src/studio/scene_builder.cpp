@@ -151,6 +151,16 @@ void add_shadow(SceneFrame& frame, const CreatureLook& look) {
     }
 }
 
+void add_ghost(SceneFrame& frame, const Camera& camera, const CreatureLook& look) {
+    for (std::size_t i = look.poses.size(); i-- > 0;) {
+        Shape shape = part_shape(look.phenotype.plan.parts[i], look.poses[i],
+                                 part_color(look.phenotype.parts[i], look.hue), camera.pixel());
+        shape.outline = with_alpha(shape.fill, 0.55F);
+        shape.fill = with_alpha(shape.fill, 0.2F);
+        frame.shapes.push_back(shape);
+    }
+}
+
 void add_creature(SceneFrame& frame, const Palette& palette, const Camera& camera,
                   const CreatureLook& look) {
     const double pixel = camera.pixel();

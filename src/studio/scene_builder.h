@@ -33,6 +33,8 @@ void add_grid(SceneFrame& frame, const Palette& palette, const Camera& camera,
 void add_ground(SceneFrame& frame, const Palette& palette, const Camera& camera,
                 const Viewport& viewport);
 void add_shadow(SceneFrame& frame, const CreatureLook& look);
+// A pale creature behind the one on show.
+void add_ghost(SceneFrame& frame, const Camera& camera, const CreatureLook& look);
 void add_creature(SceneFrame& frame, const Palette& palette, const Camera& camera,
                   const CreatureLook& look);
 

@@ -12,6 +12,7 @@ namespace cambrian {
 namespace {
 
 constexpr double kPlaybackBudget = 0.006;  // s a frame
+constexpr double kGhostBudget = 0.004;     // s a frame
 constexpr double kMemoryInterval = 2.0;    // s
 constexpr double kLeastStay = 5.0;         // s a champion is watched before the next may come
 
@@ -25,7 +26,8 @@ Session::Session(Remembered remembered, const EvolutionKinds& kinds, std::size_t
       stage_(worker_, kinds),
       experiment_(std::move(remembered.settings), kinds, workers),
       view_(remembered.view),
-      kept_{view_, experiment_.editor().draft()} {
+      kept_{view_, experiment_.editor().draft()},
+      ghosts_(kinds.creature) {
     stage_.playback().set_speed(view_.speed);
     files_.listing.folder = std::filesystem::current_path();
 }
@@ -63,6 +65,7 @@ void Session::update(double now, double elapsed) {
     follow_engine();
     const Stopwatch spent;
     stage_.playback().advance(elapsed, kPlaybackBudget);
+    ghosts_.update(experiment_.snapshot(), view_.ghosts, stage_.playback(), kGhostBudget);
     playback_seconds_ = spent.seconds();
     notice_ = notices_.current(now);
     if (now - kept_at_ > kMemoryInterval) keep_memory();
@@ -86,12 +89,18 @@ FrameContext Session::frame_context() const {
             .files = files_,
             .notice = notice_,
             .help_shown = help_shown_,
-            .highlight = highlight_};
+            .highlight = highlight_,
+            .ghosts = ghosts_.all(),
+            .help = &help_,
+            .samples = &samples_,
+            .tour_step = tour_step_,
+            .find_asked = find_asked_};
 }
 
 bool Session::animating() const {
     const bool playing = stage_.playback().playing() && !stage_.playback().empty();
-    return playing || experiment_.running() || !worker_.idle() || notice_ != nullptr;
+    return playing || stage_.playback().seeking() || experiment_.running() || !worker_.idle() ||
+           notice_ != nullptr;
 }
 
 void Session::tell(NoticeKind kind, const std::string& text) {
@@ -140,7 +149,7 @@ void Session::follow_status() {
 // at once.
 void Session::follow_champion() {
     const Playback& playback = stage_.playback();
-    if (playback.poked_part() >= 0) return;
+    if (playback.hold() != nullptr) return;
     const ChampionRecord& newest = experiment_.snapshot().champions.back();
     const bool first = playback.empty() || playback.exhibit().source != ExhibitSource::kChampion;
     const bool same = !first && playback.exhibit().genome == newest.individual->genome;
@@ -232,6 +241,20 @@ void Session::apply(const AddNewcomers& action) {
 
 void Session::apply(const TogglePlayback&) {
     stage_.playback().set_playing(!stage_.playback().playing());
+}
+
+void Session::apply(const StepPlayback&) {
+    stage_.playback().step();
+    log_tick();
+}
+
+void Session::apply(const StepPlaybackBack&) {
+    stage_.playback().step_back();
+    log_tick();
+}
+
+void Session::log_tick() {
+    log_.write("tick", {{"number", static_cast<double>(stage_.playback().tick_shown())}});
 }
 
 void Session::apply(const ChangeView& action) {

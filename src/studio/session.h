@@ -4,9 +4,12 @@
 // each request of a panel does to them.
 
 #include "studio/file_desk.h"
+#include "studio/ghosts.h"
+#include "studio/help_book.h"
 #include "studio/notices.h"
 #include "studio/open_experiment.h"
 #include "studio/remembered.h"
+#include "studio/sample_shelf.h"
 #include "studio/stage.h"
 #include "studio/status_log.h"
 
@@ -25,6 +28,10 @@ public:
     // From now on, keeps arrangement and settings in a folder whenever they changed.
     void remember_in(const std::filesystem::path& folder) { memory_ = folder; }
     void keep_memory();
+    // Help pages and samples come from here.
+    void use_assets(const std::filesystem::path& folder);
+    // The tour, unless it was taken before.
+    void offer_tour();
     // Puts a file on show or in force at once, before the first frame.
     void open_now(const std::filesystem::path& path, ExhibitSource source);
     // A random creature takes the stage, so that it is never empty.
@@ -61,7 +68,9 @@ private:
     void apply(const DropStructuralEdits&);
     void apply(const TogglePlayback&);
     void apply(const RestartPlayback&) { stage_.playback().restart(); }
-    void apply(const StepPlayback&) { stage_.playback().step(); }
+    void apply(const StepPlayback&);
+    void apply(const StepPlaybackBack&);
+    void apply(const SeekPlayback& action) { stage_.playback().seek(action.tick); }
     void apply(const ChangeView& action);
     void apply(const FitView&) { fit_wanted_ = true; }
     void apply(const PokePart& action);
@@ -78,7 +87,11 @@ private:
     void apply(const SaveSettingsFile& action);
     void apply(const SaveScreenshot& action) { picture_wanted_ = action.path; }
     void apply(const DismissNotice&) { notices_.dismiss(); }
-    void apply(const ToggleHelp&) { help_shown_ = !help_shown_; }
+    void apply(const FindSetting&);
+    void apply(const ToggleSamples&);
+    void apply(const ToggleHelp&);
+    void apply(const ShowHelp& action);
+    void apply(const TurnTour& action);
     void apply(const QuitStudio&) { quit_wanted_ = true; }
 
     void receive(CreatureLoaded& event);
@@ -93,6 +106,7 @@ private:
     void show(Exhibit exhibit);
     void show_champion(const ChampionRecord& champion);
     void commit_settings();
+    void log_tick();
     void follow_world(const Environment& before);
     void report(const Status& status);
     Exhibit exhibit_from(const CreatureDocument& document, ExhibitSource source,
@@ -113,7 +127,13 @@ private:
     Notices notices_;
     double now_ = 0.0;
     const Notice* notice_ = nullptr;
+    Ghosts ghosts_;
+    HelpBook help_;
     bool help_shown_ = false;
+    std::filesystem::path samples_folder_;
+    SampleShelf samples_;
+    int tour_step_ = -1;
+    unsigned find_asked_ = 0;
     bool quit_wanted_ = false;
     bool fit_wanted_ = false;
     std::optional<std::filesystem::path> picture_wanted_;

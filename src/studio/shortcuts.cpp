@@ -51,7 +51,11 @@ void save_settings(const FrameContext&, Requests& out) {
 }
 
 void close_what_is_open(const FrameContext& frame, Requests& out) {
-    if (frame.files.open) {
+    if (frame.tour_step >= 0) {
+        out.ask(TurnTour{-1});
+    } else if (frame.samples != nullptr && frame.samples->open) {
+        out.ask(ToggleSamples{});
+    } else if (frame.files.open) {
         out.ask(CloseFilePanel{});
     } else if (frame.help_shown) {
         out.ask(ToggleHelp{});
@@ -66,16 +70,20 @@ constexpr std::array kShortcuts = {
     Shortcut{{GLFW_KEY_P}, "P", "Play or pause the creature on show", simply<TogglePlayback>},
     Shortcut{{GLFW_KEY_R}, "R", "Restart the creature on show", simply<RestartPlayback>},
     Shortcut{{GLFW_KEY_PERIOD}, ".", "Play one tick", simply<StepPlayback>},
+    Shortcut{{GLFW_KEY_COMMA}, ",", "Go back one tick", simply<StepPlaybackBack>},
     Shortcut{{GLFW_KEY_LEFT_BRACKET}, "[", "Play slower", slower},
     Shortcut{{GLFW_KEY_RIGHT_BRACKET}, "]", "Play faster", faster},
     Shortcut{{GLFW_KEY_F}, "F", "Follow with the camera, or let go", toggle_follow},
     Shortcut{{GLFW_KEY_HOME}, "Home", "Fit the creature into view", simply<FitView>},
     Shortcut{{GLFW_KEY_N}, "N", "Show the newest champion", simply<ShowNewest>},
     Shortcut{{GLFW_KEY_O, true}, "Ctrl+O", "Open a creature or settings", open_file},
+    Shortcut{{GLFW_KEY_O, true, true}, "Ctrl+Shift+O", "Samples", simply<ToggleSamples>},
     Shortcut{{GLFW_KEY_S, true}, "Ctrl+S", "Save the creature on show", save_creature},
     Shortcut{{GLFW_KEY_S, true, true}, "Ctrl+Shift+S", "Save the settings", save_settings},
     Shortcut{{GLFW_KEY_Z, true}, "Ctrl+Z", "Undo an edit of the settings", simply<UndoEdit>},
     Shortcut{{GLFW_KEY_Z, true, true}, "Ctrl+Shift+Z", "Redo it", simply<RedoEdit>},
+    Shortcut{{GLFW_KEY_SLASH}, "/", "Find a setting", simply<FindSetting>},
+    Shortcut{{GLFW_KEY_F, true}, "Ctrl+F", "The same", simply<FindSetting>},
     Shortcut{{GLFW_KEY_F12}, "F12", "Keep a picture of the window", simply<SaveScreenshot>},
     Shortcut{{GLFW_KEY_F1}, "F1", "Help", simply<ToggleHelp>},
     Shortcut{{GLFW_KEY_ESCAPE}, "Esc", "Close what is open", close_what_is_open},

@@ -34,7 +34,10 @@ public:
           main_window_(&renderer),
           frame_log_(options.frame_log) {
         session_.remember_in(options.state_dir);
+        session_.use_assets(options.assets);
         open_first_files();
+        const bool first_look = !options.state_dir.empty() && options.open_file.empty();
+        if (first_look && !options.evolve) session_.offer_tour();
     }
 
     void run() {

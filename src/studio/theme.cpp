@@ -18,6 +18,10 @@ constexpr std::array kStrongFaces = {
     "/usr/share/fonts/truetype/roboto/unhinted/RobotoTTF/Roboto-Medium.ttf",
     "/usr/share/fonts/truetype/dejavu/DejaVuSans-Bold.ttf",
 };
+constexpr std::array kMonoFaces = {
+    "/usr/share/fonts/truetype/dejavu/DejaVuSansMono.ttf",
+    "/usr/share/fonts/truetype/liberation/LiberationMono-Regular.ttf",
+};
 // Latin, general punctuation, superscripts, arrows, mathematical operators.
 constexpr std::array<ImWchar, 13> kGlyphs = {0x20,   0x24F,  0x370,  0x3FF,  0x2010, 0x2027, 0x2070,
                                              0x209F, 0x2190, 0x21FF, 0x2200, 0x22FF, 0};
@@ -131,6 +135,7 @@ Fonts load_fonts(float scale) {
     fonts.small = add_face(kRegularFaces, 13.0F * scale);
     fonts.strong = add_face(kStrongFaces, 15.0F * scale);
     fonts.title = add_face(kStrongFaces, 20.0F * scale);
+    fonts.mono = add_face(kMonoFaces, 14.0F * scale);
     return fonts;
 }
 

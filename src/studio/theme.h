@@ -38,6 +38,7 @@ struct Fonts {
     ImFont* small = nullptr;   // 13
     ImFont* strong = nullptr;  // 15, semi-bold
     ImFont* title = nullptr;   // 20, semi-bold
+    ImFont* mono = nullptr;    // 14, for what is typed
 };
 
 Palette palette_of(ThemeKind kind);

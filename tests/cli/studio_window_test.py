@@ -49,8 +49,13 @@ class StudioTest(ProgramTest):
         self.addCleanup(display.close)
         return display
 
-    def start(self, display, *arguments):
-        """Starts the studio and waits for its first frame."""
+    def start(self, display, *arguments, first_time=False):
+        """Starts the studio, whose tour was taken unless this is the first time, and waits for its
+        first frame."""
+        view = self.folder / "state" / "view.conf"
+        if not first_time and not view.exists():
+            view.parent.mkdir(exist_ok=True)
+            view.write_text("tour-taken = yes\n")
         self.log = self.folder / "status.log"
         self.log.unlink(missing_ok=True)
         self.display = display
@@ -154,6 +159,74 @@ class StudioWindow(StudioTest):
         self.start(display, "--width", 1920, "--height", 1080)
         time.sleep(2.0)
         self.assert_painted(display.picture("studio-1920x1080.png"))
+        self.quit()
+
+    def test_the_tour_is_shown_once(self):
+        display = self.open_display()
+        self.start(display, first_time=True)
+        self.wait_for("tour", step=0)
+        display.tool("key", "Return")
+        _, after = self.wait_for("tour", step=1)
+        self.assert_painted(display.picture("tour-1280x800.png"))
+        display.tool("key", "Escape")
+        self.wait_for("tour", after=after, step=-1)
+        self.quit()
+        self.start(display, first_time=True)
+        self.press("period")
+        self.wait_for("tick")
+        self.assertNotIn("tour", [event["event"] for event in self.events()])
+        self.quit()
+
+    def test_the_keyboard_alone_runs_the_first_minute(self):
+        self.write("small.toml", SMALL)
+        display = self.open_display()
+        self.start(display, "small.toml")
+        self.press("g")
+        self.wait_for("generation", number=0)
+        display.tool("key", "slash")
+        time.sleep(1.0)
+        display.tool("type", "--delay", "60", "gravity")
+        time.sleep(1.0)
+        self.press("Return")
+        time.sleep(1.0)
+        display.tool("key", "ctrl+a", "type", "--delay", "60", "1.62")
+        self.press("Return")
+        _, after = self.wait_for("edited", field="environment.gravity")
+        self.assert_painted(display.picture("filter-1280x800.png"))
+        display.tool("key", "ctrl+shift+s")
+        time.sleep(1.0)
+        display.tool("key", "ctrl+a", "type", "--delay", "30", str(self.folder / "moon"))
+        display.tool("key", "Return")
+        self.wait_for("saved", after=after)
+        self.assertIn("gravity = 1.62", (self.folder / "moon.toml").read_text())
+        self.quit()
+
+    def test_a_sample_is_opened_and_stepped_back(self):
+        display = self.open_display()
+        self.start(display)
+        _, after = self.wait_for("shown")
+        display.tool("key", "ctrl+shift+o")
+        self.wait_for("samples")
+        time.sleep(0.5)
+        self.assert_painted(display.picture("samples-1280x800.png"))
+        display.tool("key", "Return")
+        _, after = self.wait_for("loaded", after=after)
+        self.press("period")
+        first, after = self.wait_for("tick", after=after)
+        for number in [1, 2, 3]:
+            self.press("comma")
+            back, after = self.wait_for("tick", after=after)
+            self.assertEqual(back["number"], first["number"] - number)
+        self.quit()
+
+    def test_help_opens_and_closes(self):
+        display = self.open_display()
+        self.start(display)
+        self.click("? viewport")
+        self.wait_for("help", page="viewport")
+        time.sleep(0.5)
+        self.assert_painted(display.picture("help-1280x800.png"))
+        display.tool("key", "Escape")
         self.quit()
 
     def assert_painted(self, picture):

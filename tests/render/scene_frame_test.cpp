@@ -23,9 +23,22 @@ TEST_CASE("a ring is empty inside", "[render][scene_frame]") {
     CHECK(frame.shapes.front().outline.a == 1.0F);
 }
 
+TEST_CASE("an arc keeps to its ring and begins and ends at its angles", "[render][scene_frame]") {
+    SceneFrame frame;
+    frame.add_arc({1.0, 2.0}, 0.5, {0.0, -1.5}, 0.0, color_of(0xFFFFFF));
+    REQUIRE(frame.shapes.size() > 4);
+    for (const Shape& shape : frame.shapes) {
+        CHECK((shape.center - Vec2(1.0, 2.0)).norm() == Approx(0.5).epsilon(0.01));
+        CHECK(shape.center.y() < 2.0);
+    }
+    const Shape& first = frame.shapes.front();
+    CHECK((first.center - Vec2(1.5, 2.0)).norm() == Approx(first.half_extents.x()));
+}
+
 TEST_CASE("a trail is fainter the older it is", "[render][scene_frame]") {
     SceneFrame frame;
-    frame.add_trail({{0.0, 0.0}, {1.0, 0.0}, {2.0, 0.0}, {3.0, 0.0}}, 0.02, color_of(0xFFFFFF));
+    const std::vector<Vec2> points = {{0.0, 0.0}, {1.0, 0.0}, {2.0, 0.0}, {3.0, 0.0}};
+    frame.add_trail(points, 0.02, color_of(0xFFFFFF));
     REQUIRE(frame.shapes.size() == 4);
     for (std::size_t i = 1; i < frame.shapes.size(); ++i)
         CHECK(frame.shapes[i].fill.a > frame.shapes[i - 1].fill.a);

@@ -172,6 +172,83 @@ TEST_CASE("a goal in the wrong world says why", "[studio][experiment_panel]") {
     CHECK(run.gui.has("goal mismatch"));
 }
 
+// Types into whatever has the keyboard.
+void type(const char* text) {
+    for (; *text != '\0'; ++text)
+        ImGui::GetIO().AddInputCharacter(static_cast<unsigned>(*text));
+}
+
+TEST_CASE("the filter shows the settings found, in closed groups too",
+          "[studio][experiment_panel]") {
+    PanelRun run;
+    run.click("setting filter");
+    type("duration");
+    run.frame();
+    run.gui.forget_places();
+    run.frame();
+    CHECK(run.gui.has("trial.duration"));
+    CHECK_FALSE(run.gui.has("environment.gravity"));
+    CHECK_FALSE(run.gui.has("nothing matches"));
+    run.click("trial.duration");
+    CHECK(test::asked<EditSettings>(run.out).field == "trial.duration");
+    run.click("Clear filter");
+    run.frame();
+    CHECK(run.gui.has("environment.gravity"));
+}
+
+TEST_CASE("a filter that finds nothing says so, and Esc clears it", "[studio][experiment_panel]") {
+    PanelRun run;
+    run.gui.forget_places();
+    run.click("setting filter");
+    type("xylophone");
+    run.frame();
+    run.frame();
+    CHECK(run.gui.has("nothing matches"));
+    constexpr int key = 256;
+    ImGui::GetIO().KeyMap[ImGuiKey_Escape] = key;
+    ImGui::GetIO().KeysDown[key] = true;
+    run.frame();
+    ImGui::GetIO().KeysDown[key] = false;
+    run.gui.forget_places();
+    run.frame();
+    CHECK_FALSE(run.gui.has("nothing matches"));
+    CHECK(run.gui.has("environment.gravity"));
+}
+
+TEST_CASE("a setting to be found gets the keyboard, its value on Enter",
+          "[studio][experiment_panel]") {
+    PanelRun run;
+    unsigned asked = 0;
+    const auto frame = [&] {
+        FrameContext context = run.studio.frame();
+        context.find_asked = asked;
+        run.gui.frame([&] { run.panel.draw(context, run.out); });
+    };
+    frame();
+    asked = 1;
+    frame();
+    frame();
+    frame();
+    CHECK(ImGui::GetIO().WantTextInput);
+    type("gravity");
+    frame();
+    constexpr int key = 257;
+    ImGui::GetIO().KeyMap[ImGuiKey_Enter] = key;
+    ImGui::GetIO().KeysDown[key] = true;
+    frame();
+    ImGui::GetIO().KeysDown[key] = false;
+    frame();
+    frame();
+    frame();
+    type("1.62");
+    frame();
+    ImGui::GetIO().KeysDown[key] = true;
+    frame();
+    ImGui::GetIO().KeysDown[key] = false;
+    frame();
+    CHECK(test::asked<EditSettings>(run.out).settings.world.environment.gravity == Approx(1.62));
+}
+
 TEST_CASE("before the first generation nothing needs a new run", "[studio][experiment_panel]") {
     PanelRun run;
     ExperimentSettings changed = run.studio.editor().draft();

@@ -55,6 +55,19 @@ TEST_CASE("the transport plays, restarts and changes the speed", "[studio][trans
     CHECK(test::asked<ChangeView>(click(gui, bar, studio, "4×")).view.speed == 4.0);
 }
 
+TEST_CASE("the transport steps back, and the time bar goes where it is pressed",
+          "[studio][transport_bar]") {
+    NullImGui gui;
+    TransportBar bar;
+    test::StudioFixture studio;
+    studio.show_crawler();
+    CHECK(test::was_asked<StepPlaybackBack>(click(gui, bar, studio, "Back one tick")));
+    const std::uint64_t sought =
+        test::asked<SeekPlayback>(click(gui, bar, studio, "time bar")).tick;
+    CHECK(sought >= studio.playback().length() / 2 - 2);
+    CHECK(sought <= studio.playback().length() / 2 + 2);
+}
+
 TEST_CASE("a click on the timeline shows that generation's champion", "[studio][timeline]") {
     NullImGui gui;
     TimelinePanel panel;
@@ -129,6 +142,28 @@ TEST_CASE("dragging with the right button lets the camera go", "[studio][viewpor
     gui.move_to({460, 230});
     gui.frame(draw);
     CHECK_FALSE(test::asked<ChangeView>(out).view.follow);
+}
+
+TEST_CASE("overlays, ghosts and help are at hand in the viewport", "[studio][viewport]") {
+    NullImGui gui;
+    ViewportPanel panel(nullptr);
+    test::StudioFixture studio;
+    studio.show_crawler();
+    CHECK(test::asked<ShowHelp>(click(gui, panel, studio, "? viewport")).page == "viewport");
+    click(gui, panel, studio, "Overlays");
+    const Requests torques = click(gui, panel, studio, "Joint torques");
+    CHECK(test::asked<ChangeView>(torques).view.torques);
+    CHECK_FALSE(test::was_asked<PokePart>(torques));
+}
+
+TEST_CASE("a choice of ghosts is a click in the viewport", "[studio][viewport]") {
+    NullImGui gui;
+    ViewportPanel panel(nullptr);
+    test::StudioFixture studio;
+    studio.show_crawler();
+    click(gui, panel, studio, "Ghosts");
+    const Requests out = click(gui, panel, studio, "Every tenth generation");
+    CHECK(test::asked<ChangeView>(out).view.ghosts == GhostChoice::kTenths);
 }
 
 TEST_CASE("the file panel opens the file that is pressed twice", "[studio][file_panel]") {

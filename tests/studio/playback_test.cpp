@@ -57,6 +57,72 @@ TEST_CASE("paused, only single ticks move the creature", "[studio][playback]") {
     CHECK(playback.trial().ticks() == 1);
 }
 
+TEST_CASE("a step back ends where the step before had ended", "[studio][playback]") {
+    Playback playback(test::kinds().creature);
+    REQUIRE(playback.show(crawler_exhibit()));
+    std::vector<Vec3> centers = {playback.center_of_mass()};
+    for (int i = 0; i < 70; ++i) {
+        playback.step();
+        centers.push_back(playback.center_of_mass());
+    }
+    for (std::size_t tick = 70; tick-- > 0;) {
+        playback.step_back();
+        playback.advance(0.0, kPlenty);
+        REQUIRE(playback.trial().ticks() == tick);
+        CHECK(playback.center_of_mass() == centers[tick]);
+    }
+    playback.step_back();
+    CHECK(playback.tick_shown() == 0);
+}
+
+TEST_CASE("a trial gone back in is scored as if it had not been", "[studio][playback]") {
+    Playback playback(test::kinds().creature);
+    REQUIRE(playback.show(crawler_exhibit()));
+    const auto digest = [&playback] {
+        playback.set_playing(true);
+        while (!playback.trial().finished())
+            playback.advance(1.0 / 60.0, kPlenty);
+        return playback.trial().record().digest;
+    };
+    const std::uint64_t straight = digest();
+    playback.seek(37);
+    playback.advance(0.0, kPlenty);
+    CHECK_FALSE(playback.trial().finished());
+    CHECK(digest() == straight);
+}
+
+TEST_CASE("going before a poke takes it back, going after it does not", "[studio][playback]") {
+    Playback playback(test::kinds().creature);
+    REQUIRE(playback.show(crawler_exhibit()));
+    for (int i = 0; i < 40; ++i)
+        playback.step();
+    playback.poke(0, Vec3::Zero(), Vec3(0.0, 5.0, 0.0));
+    for (int i = 0; i < 10; ++i)
+        playback.step();
+    playback.release();
+    for (int i = 0; i < 20; ++i)
+        playback.step();
+    playback.seek(60);
+    playback.advance(0.0, kPlenty);
+    CHECK(playback.disturbed());
+    playback.seek(40);
+    playback.advance(0.0, kPlenty);
+    CHECK_FALSE(playback.disturbed());
+}
+
+TEST_CASE("a moment ahead is reached within the budget of several frames", "[studio][playback]") {
+    Playback playback(test::kinds().creature);
+    REQUIRE(playback.show(crawler_exhibit()));
+    playback.set_playing(false);
+    playback.seek(50);
+    playback.advance(0.01, 0.0);
+    CHECK(playback.seeking());
+    CHECK(playback.tick_shown() == 50);
+    playback.advance(0.01, kPlenty);
+    CHECK_FALSE(playback.seeking());
+    CHECK(playback.trial().ticks() == 50);
+}
+
 TEST_CASE("less gravity makes a creature in the air fall slower at once", "[studio][playback]") {
     Exhibit exhibit = crawler_exhibit();
     exhibit.world.environment.has_ground = false;

@@ -13,6 +13,10 @@ TEST_CASE("the arrangement and the settings come back as they were left", "[stud
     left.view.theme = ThemeKind::kLight;
     left.view.speed = 0.25;
     left.view.bottom_panel = false;
+    left.view.torques = true;
+    left.view.grid = false;
+    left.view.ghosts = GhostChoice::kTenths;
+    left.view.tour_taken = true;
     left.view.left_width = 312.0F;
     left.settings.world.environment.gravity = 1.62;
     left.settings.seed = 99;

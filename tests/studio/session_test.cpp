@@ -51,6 +51,43 @@ public:
     Session session;
 };
 
+TEST_CASE("the tour is offered until it was taken or declined", "[studio][session]") {
+    SessionRun run;
+    run.session.offer_tour();
+    CHECK(run.session.frame_context().tour_step == 0);
+    run.ask(TurnTour{1});
+    CHECK(run.session.frame_context().tour_step == 1);
+    run.ask(TurnTour{-1});
+    CHECK(run.session.frame_context().tour_step == -1);
+    CHECK(run.session.view().tour_taken);
+    run.session.offer_tour();
+    CHECK(run.session.frame_context().tour_step == -1);
+    run.ask(TurnTour{0});  // from the Help menu, at any time
+    CHECK(run.session.frame_context().tour_step == 0);
+}
+
+TEST_CASE("help and samples come from the assets", "[studio][session]") {
+    SessionRun run;
+    run.session.use_assets(std::string(CAMBRIAN_SOURCE_DIR) + "/assets");
+    REQUIRE(run.frames_until([&] { return !run.session.frame_context().help->pages.empty(); }));
+    run.ask(ShowHelp{"viewport"});
+    CHECK(run.session.frame_context().help_shown);
+    CHECK(run.session.frame_context().help->open == "viewport");
+    run.ask(ToggleSamples{});
+    REQUIRE(run.frames_until([&] { return run.session.frame_context().samples->read; }));
+    CHECK_FALSE(run.session.frame_context().samples->samples.empty());
+}
+
+TEST_CASE("finding a setting brings the settings back into the window", "[studio][session]") {
+    SessionRun run;
+    ViewState hidden = run.session.view();
+    hidden.left_panel = false;
+    run.ask(ChangeView{hidden});
+    run.ask(FindSetting{});
+    CHECK(run.session.view().left_panel);
+    CHECK(run.session.frame_context().find_asked == 1);
+}
+
 TEST_CASE("a new run can begin with the creature on show", "[studio][session]") {
     SessionRun run;
     run.ask(StartFromShown{});  // nothing on show: nothing happens

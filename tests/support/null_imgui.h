@@ -27,7 +27,7 @@ public:
         int atlas_height = 0;
         io.Fonts->GetTexDataAsAlpha8(&pixels, &atlas_width, &atlas_height);
         ImFont* font = io.Fonts->Fonts[0];
-        context_.fonts = {font, font, font, font};
+        context_.fonts = {font, font, font, font, font};
         apply_style(context_.palette, 1.0F);
     }
     ~NullImGui() { ImGui::DestroyContext(); }

@@ -24,6 +24,7 @@ class StudioSubcommand final : public Subcommand {
 public:
     StudioSubcommand() {
         options_.state_dir = usual_state_dir();
+        options_.assets = CAMBRIAN_ASSETS;
         const std::filesystem::path sample = CAMBRIAN_ASSETS "/creatures/walker.creature.json";
         std::error_code ignored;
         if (std::filesystem::exists(sample, ignored)) options_.sample_creature = sample;

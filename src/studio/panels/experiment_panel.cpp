@@ -1,5 +1,6 @@
 #include "studio/panels/experiment_panel.h"
 
+#include "studio/help_mark.h"
 #include "studio/setting_presets.h"
 #include "studio/setting_row.h"
 #include "studio/text.h"
@@ -10,6 +11,7 @@
 #include <cmath>
 #include <map>
 #include <string_view>
+#include <utility>
 
 namespace cambrian {
 namespace {
@@ -142,14 +144,74 @@ std::vector<ExperimentPanel::Group> ExperimentPanel::list_groups(
 }
 
 void ExperimentPanel::draw(const FrameContext& frame, Requests& out) {
-    panel_title("Experiment");
+    place_title("Experiment", "experiment", out);
+    draw_filter(frame);
     draw_run_warning(frame, out);
     ExperimentSettings draft = frame.editor.draft();
     ExperimentSettings defaults;
     ImGui::BeginChild("settings", {0, 0}, false, ImGuiWindowFlags_NoBackground);
-    for (const Group& group : list_groups(frame, draft, defaults))
-        draw_group(group, frame, out);
+    const std::vector<Group> groups = list_groups(frame, draft, defaults);
+    const SettingFilter filter(filter_.data());
+    if (!filter.empty()) {
+        draw_found(groups, filter, frame, out);
+    } else {
+        for (const Group& group : groups)
+            draw_group(group, frame, out);
+    }
     ImGui::EndChild();
+}
+
+void ExperimentPanel::draw_filter(const FrameContext& frame) {
+    if (find_seen_ != frame.find_asked) ImGui::SetKeyboardFocusHere();
+    find_seen_ = frame.find_asked;
+    const bool any = filter_[0] != '\0';
+    const float clear_width = any ? px(30) + px(4) : 0.0F;
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - clear_width);
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(px(30), px(5)));
+    first_wanted_ = ImGui::InputTextWithHint("##filter", "Find a setting", filter_.data(),
+                                             filter_.size(), ImGuiInputTextFlags_EnterReturnsTrue);
+    ImGui::PopStyleVar();
+    const int escape = ImGui::GetKeyIndex(ImGuiKey_Escape);
+    const bool escaped = escape >= 0 && ImGui::IsKeyPressed(escape) &&
+                         (ImGui::IsItemDeactivated() || ImGui::IsItemActive());
+    note_place("setting filter");
+    tooltip(
+        "Words of a setting's name or of what it does (/ or Ctrl+F). Enter goes to the first "
+        "one found, Esc clears.");
+    draw_icon(*ImGui::GetWindowDrawList(), Icon::kSearch,
+              {at.x + px(15), at.y + 0.5F * ImGui::GetItemRectSize().y}, px(13), colors().muted);
+    if (any) ImGui::SameLine(0, px(4));
+    const bool cleared =
+        any && push_button("Clear filter", {.look = ButtonLook::kGhost,
+                                            .icon = Icon::kClose,
+                                            .label_shown = false,
+                                            .width = px(30),
+                                            .height = ImGui::GetFrameHeight(),
+                                            .tooltip = "Show all settings again (Esc)"});
+    if (escaped || cleared) filter_.fill('\0');
+}
+
+// The rows found, under the titles of their groups.
+void ExperimentPanel::draw_found(const std::vector<Group>& groups, const SettingFilter& filter,
+                                 const FrameContext& frame, Requests& out) {
+    bool any = false;
+    for (const Group& group : groups) {
+        bool titled = false;
+        for (const SettingField& field : frame.fields) {
+            const bool applies = !field.applies || field.applies(frame.editor.draft());
+            if (field.table != group.table || !applies || !filter.finds(field, group.title))
+                continue;
+            if (!titled) caption(group.title);
+            titled = true;
+            if (first_wanted_ && !any) ImGui::SetKeyboardFocusHere();
+            any = true;
+            draw_row(field, frame, out);
+        }
+    }
+    if (any) return;
+    muted_text("No setting matches. Those of methods not chosen are hidden.");
+    note_place("nothing matches");
 }
 
 void ExperimentPanel::draw_run_warning(const FrameContext& frame, Requests& out) {
@@ -203,22 +265,26 @@ void ExperimentPanel::draw_group(const Group& group, const FrameContext& frame, 
     if (!draw_header(group)) return;
     ImGui::PushID(group.table.c_str());
     draw_presets(group.table, frame, out);
-    ExperimentSettings defaults;
-    ExperimentSettings edited = frame.editor.draft();
     for (const SettingField& field : frame.fields) {
         if (field.table != group.table) continue;
-        if (field.applies && !field.applies(edited)) continue;
-        const RowEvent event = setting_row(field, edited, defaults);
-        if (event == RowEvent::kNone) continue;
-        if (field.table == "goal") adopt_goal_world(edited, frame.kinds);
-        if (frame.kinds.breeding.find(field.key) != nullptr)
-            balance_shares(frame.fields, field.key, edited);
-        out.ask(EditSettings{edited, field.table + "." + field.key});
-        if (event == RowEvent::kFinished) out.ask(FinishEdit{});
+        if (!field.applies || field.applies(frame.editor.draft())) draw_row(field, frame, out);
     }
     if (group.table == "goal") draw_goal_help(frame);
     ImGui::Dummy({0, px(4)});
     ImGui::PopID();
+}
+
+void ExperimentPanel::draw_row(const SettingField& field, const FrameContext& frame,
+                               Requests& out) {
+    ExperimentSettings defaults;
+    ExperimentSettings edited = frame.editor.draft();
+    const RowEvent event = setting_row(field, edited, defaults);
+    if (event == RowEvent::kNone) return;
+    if (field.table == "goal") adopt_goal_world(edited, frame.kinds);
+    if (frame.kinds.breeding.find(field.key) != nullptr)
+        balance_shares(frame.fields, field.key, edited);
+    out.ask(EditSettings{std::move(edited), field.table + "." + field.key});
+    if (event == RowEvent::kFinished) out.ask(FinishEdit{});
 }
 
 }  // namespace cambrian

@@ -2,12 +2,17 @@
 
 #include "studio/panel.h"
 
+#include <string>
+
 namespace cambrian {
 
-// First steps and the table of keys.
+// The pages of the help, their list to the left.
 class HelpPanel final : public Panel {
 public:
     void draw(const FrameContext& frame, Requests& out) override;
+
+private:
+    std::string seen_;  // the page drawn last
 };
 
 }  // namespace cambrian

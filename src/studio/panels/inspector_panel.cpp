@@ -1,5 +1,6 @@
 #include "studio/panels/inspector_panel.h"
 
+#include "studio/help_mark.h"
 #include "studio/panels/tabs/brain_tab.h"
 #include "studio/panels/tabs/creature_tab.h"
 #include "studio/panels/tabs/genotype_tab.h"
@@ -19,6 +20,8 @@ void InspectorPanel::draw(const FrameContext& frame, Requests& out) {
         titles.push_back(tab.title);
     const int pressed = segmented("inspector", titles, chosen_);
     if (pressed >= 0) chosen_ = pressed;
+    ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - px(24));
+    help_mark("inspector", out);
     ImGui::Dummy({0, px(2)});
     if (frame.playback.empty()) {
         muted_text("Nothing on show yet. Open a creature (Ctrl+O) or press Evolve.");

@@ -1,5 +1,7 @@
 #include "studio/panels/main_menu.h"
 
+#include "studio/overlays.h"
+#include "studio/panels/viewport_tools.h"
 #include "studio/widgets.h"
 
 #include <array>
@@ -16,6 +18,7 @@ bool item(const char* label, const char* keys, bool enabled = true, bool chosen 
 void draw_file_menu(const FrameContext& frame, Requests& out) {
     const bool any = !frame.playback.empty();
     if (item("Open…", "Ctrl+O")) out.ask(OpenFilePanel{FileTask::kOpen});
+    if (item("Samples…", "Ctrl+Shift+O")) out.ask(ToggleSamples{});
     ImGui::Separator();
     if (item("Save creature…", "Ctrl+S", any)) out.ask(OpenFilePanel{FileTask::kSaveCreature});
     if (item("Save settings…", "Ctrl+Shift+S")) out.ask(OpenFilePanel{FileTask::kSaveSettings});
@@ -27,6 +30,7 @@ void draw_file_menu(const FrameContext& frame, Requests& out) {
 void draw_edit_menu(const FrameContext& frame, Requests& out) {
     if (item("Undo", "Ctrl+Z", frame.editor.can_undo())) out.ask(UndoEdit{});
     if (item("Redo", "Ctrl+Shift+Z", frame.editor.can_redo())) out.ask(RedoEdit{});
+    if (item("Find a setting", "Ctrl+F")) out.ask(FindSetting{});
     ImGui::Separator();
     if (item("New run", nullptr)) out.ask(StartNewRun{false});
     const bool any = !frame.snapshot.population.empty();
@@ -52,10 +56,10 @@ void draw_view_menu(const FrameContext& frame, Requests& out) {
     view_item("Show each new champion", nullptr, &ViewState::newest_champion, frame, out);
     if (item("Fit into view", "Home")) out.ask(FitView{});
     ImGui::Separator();
-    view_item("Grid", nullptr, &ViewState::grid, frame, out);
-    view_item("Trail", nullptr, &ViewState::trail, frame, out);
-    view_item("Touching faces", nullptr, &ViewState::contacts, frame, out);
-    view_item("Part numbers", nullptr, &ViewState::names, frame, out);
+    for (const OverlayKind& overlay : overlay_kinds())
+        view_item(overlay.label, nullptr, overlay.shown, frame, out);
+    ImGui::Separator();
+    ghost_lines(frame, out);
     ImGui::Separator();
     const bool light = frame.view.theme == ThemeKind::kLight;
     if (item("Light theme", nullptr, true, light)) {
@@ -66,7 +70,11 @@ void draw_view_menu(const FrameContext& frame, Requests& out) {
 }
 
 void draw_help_menu(const FrameContext&, Requests& out) {
-    if (item("Keys and first steps", "F1")) out.ask(ToggleHelp{});
+    if (item("Help", "F1")) out.ask(ToggleHelp{});
+    if (item("Keys", nullptr)) out.ask(ShowHelp{kKeysPage});
+    if (item("Tour of the window", nullptr)) out.ask(TurnTour{0});
+    ImGui::Separator();
+    if (item("About Cambrian", nullptr)) out.ask(ShowHelp{kAboutPage});
 }
 
 struct Menu {

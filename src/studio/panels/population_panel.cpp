@@ -1,6 +1,7 @@
 #include "studio/panels/population_panel.h"
 
 #include "studio/creature_tile.h"
+#include "studio/help_mark.h"
 #include "studio/text.h"
 #include "studio/widgets.h"
 
@@ -35,6 +36,10 @@ bool on_show(const FrameContext& frame, const Individual& individual) {
 }  // namespace
 
 void PopulationPanel::draw(const FrameContext& frame, Requests& out) {
+    const ImVec2 corner = ImGui::GetCursorPos();
+    ImGui::SetCursorPosX(ImGui::GetWindowContentRegionMax().x - px(24));
+    help_mark("timeline", out);
+    ImGui::SetCursorPos(corner);
     panel_title("Population");
     const auto& population = frame.snapshot.population;
     if (population.empty()) {

@@ -1,5 +1,6 @@
 #include "studio/panels/timeline_panel.h"
 
+#include "studio/help_mark.h"
 #include "studio/text.h"
 #include "studio/widgets.h"
 
@@ -24,7 +25,7 @@ void legend_entry(const char* name, const Color& color, bool band) {
     ImGui::TextUnformatted(name);
 }
 
-void draw_heading(const FrameContext& frame) {
+void draw_heading(const FrameContext& frame, Requests& out) {
     const GoalKind* goal = frame.kinds.goals.find(frame.snapshot.settings->goal);
     panel_title("Timeline");
     const WithFont font(ui().fonts.small);
@@ -35,12 +36,14 @@ void draw_heading(const FrameContext& frame) {
                                                : ("fitness in " + pretty_unit(goal->unit)).c_str());
     }
     const float right = ImGui::GetWindowContentRegionMax().x;
-    ImGui::SameLine(std::max(ImGui::GetCursorPosX() + px(20), right - px(212)));
+    ImGui::SameLine(std::max(ImGui::GetCursorPosX() + px(20), right - px(246)));
     legend_entry("best", colors().plot_best, false);
     ImGui::SameLine(0, px(12));
     legend_entry("median", colors().plot_median, false);
     ImGui::SameLine(0, px(12));
     legend_entry("10–90 %", with_alpha(colors().plot_median, 0.3F), true);
+    ImGui::SameLine(right - px(24));
+    help_mark("timeline", out);
 }
 
 // What may help where the best has not risen for long (evolution.md 6.4); nothing is done unasked.
@@ -126,7 +129,7 @@ PlotScale TimelinePanel::scale_for(const Rect& area) const {
 }
 
 void TimelinePanel::draw(const FrameContext& frame, Requests& out) {
-    draw_heading(frame);
+    draw_heading(frame, out);
     draw_stagnation(frame, out);
     gather(frame.snapshot);
     const ImVec2 at = ImGui::GetCursorScreenPos();

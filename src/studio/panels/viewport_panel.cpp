@@ -1,6 +1,7 @@
 #include "studio/panels/viewport_panel.h"
 
-#include "studio/scene_builder.h"
+#include "studio/panels/viewport_tools.h"
+#include "studio/scene_overlays.h"
 #include "studio/text.h"
 #include "studio/widgets.h"
 
@@ -59,6 +60,7 @@ void ViewportPanel::draw(const FrameContext& frame, Requests& out) {
                            ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
                                ImGuiButtonFlags_MouseButtonMiddle);
     note_place("viewport");
+    ImGui::SetItemAllowOverlap();
     canvas_.frame.clear();
     canvas_.frame.background = colors().sky;
     if (!frame.playback.empty()) {
@@ -67,10 +69,13 @@ void ViewportPanel::draw(const FrameContext& frame, Requests& out) {
         build_scene(frame);
     }
     canvas_.add_to(*ImGui::GetWindowDrawList());
-    if (frame.playback.empty()) return;
-    draw_marks(frame);
-    if (frame.view.names) draw_part_numbers(frame);
-    draw_words(frame);
+    if (!frame.playback.empty()) {
+        draw_marks(frame);
+        draw_ghost_labels(frame);
+        if (frame.view.names) draw_part_names(frame);
+        draw_words(frame);
+    }
+    draw_viewport_tools(frame, canvas_.area, out);
 }
 
 Vec2 ViewportPanel::mouse_in_world() const {
@@ -150,10 +155,9 @@ void ViewportPanel::handle_mouse(const FrameContext& frame, Requests& out) {
 void ViewportPanel::handle_poke(const FrameContext& frame, Requests& out) {
     const Vec2 mouse = mouse_in_world();
     const Vec3 target(mouse.x(), mouse.y(), 0.0);
-    const int held = frame.playback.poked_part();
-    if (held >= 0) {
+    if (const Hold* hold = frame.playback.hold()) {
         if (ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
-            out.ask(PokePart{static_cast<std::size_t>(held), frame.playback.poke_point(), target});
+            out.ask(PokePart{hold->part, hold->point_in_part, target});
         } else {
             out.ask(ReleasePoke{});
         }
@@ -183,11 +187,15 @@ void ViewportPanel::build_scene(const FrameContext& frame) {
         scene.add_trail(playback.trail(), 2.2 * canvas_.camera.pixel(),
                         with_alpha(palette.accent, 0.8F));
     }
+    for (const auto& ghost : frame.ghosts)
+        add_ghost(scene, canvas_.camera,
+                  {ghost->phenotype(), ghost->poses(), nullptr, ghost->genome().hue});
     add_creature(scene, palette, canvas_.camera, look);
-    if (playback.poked_part() < 0) return;
-    const auto held = static_cast<std::size_t>(playback.poked_part());
-    const Vec3 from = transform(playback.poses()[held], playback.poke_point());
-    scene.add_line(from.head<2>(), playback.poke_target().head<2>(), 2.0 * canvas_.camera.pixel(),
+    add_overlays(frame, look);
+    const Hold* hold = playback.hold();
+    if (hold == nullptr) return;
+    const Vec3 from = transform(playback.poses()[hold->part], hold->point_in_part);
+    scene.add_line(from.head<2>(), hold->target.head<2>(), 2.0 * canvas_.camera.pixel(),
                    palette.danger);
 }
 
@@ -209,17 +217,57 @@ void ViewportPanel::draw_marks(const FrameContext& frame) {
     }
 }
 
-void ViewportPanel::draw_part_numbers(const FrameContext& frame) {
-    ImDrawList& list = *ImGui::GetWindowDrawList();
+void ViewportPanel::add_overlays(const FrameContext& frame, const CreatureLook& look) {
+    const ViewState& view = frame.view;
+    const OverlayScene over{look, frame.playback.trial().scene(), frame.kinds.creature, colors(),
+                            canvas_.camera.pixel()};
+    if (view.limits) add_joint_limits(canvas_.frame, over);
+    if (view.torques) add_joint_torques(canvas_.frame, over);
+    if (view.sensors) add_sensor_readings(canvas_.frame, over);
+    if (view.forces) add_contact_forces(canvas_.frame, over);
+    if (view.center_of_mass)
+        add_center_of_mass(canvas_.frame, over, frame.playback.center_of_mass().head<2>());
+}
+
+// A name on a small plate, centred.
+void ViewportPanel::draw_plate(const Vec2& at, const std::string& name) const {
+    const Vec2 place = canvas_.camera.to_screen(at, size_);
     const WithFont font(ui().fonts.small);
+    const ImVec2 size = ImGui::CalcTextSize(name.c_str());
+    const ImVec2 low = {std::round(canvas_.area.x + static_cast<float>(place.x()) - 0.5F * size.x),
+                        std::round(canvas_.area.y + static_cast<float>(place.y()) - 0.5F * size.y)};
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled({low.x - px(5), low.y - px(1)},
+                       {low.x + size.x + px(5), low.y + size.y + px(1)},
+                       paint(with_alpha(colors().panel, 0.85F)), px(4));
+    list.AddText(low, paint(colors().text), name.c_str());
+}
+
+void ViewportPanel::draw_part_names(const FrameContext& frame) const {
+    const Phenotype& phenotype = frame.playback.phenotype();
     for (std::size_t i = 0; i < frame.playback.poses().size(); ++i) {
-        const Vec2 at =
-            canvas_.camera.to_screen(frame.playback.poses()[i].position.head<2>(), size_);
-        const std::string label = std::to_string(i);
-        const ImVec2 size = ImGui::CalcTextSize(label.c_str());
-        list.AddText({std::round(canvas_.area.x + static_cast<float>(at.x()) - 0.5F * size.x),
-                      std::round(canvas_.area.y + static_cast<float>(at.y()) - 0.5F * size.y)},
-                     paint(color_of(0x0B0E12)), label.c_str());
+        const std::string name =
+            i == 0 ? "root"
+                   : std::to_string(i) + " · gene " + std::to_string(phenotype.parts[i].node);
+        draw_plate(frame.playback.poses()[i].position.head<2>(), name);
+    }
+}
+
+// Above each ghost its generation; those that would cover another one are moved up.
+void ViewportPanel::draw_ghost_labels(const FrameContext& frame) const {
+    std::vector<Vec2> taken;
+    const double line = static_cast<double>(px(20)) * canvas_.camera.pixel();
+    for (const auto& ghost : frame.ghosts) {
+        const WorldWindow bounds = bounds_of(ghost->phenotype(), ghost->poses());
+        Vec2 at = {0.5 * (bounds.low.x() + bounds.high.x()), bounds.high.y() + line};
+        const auto covers = [&](const Vec2& other) {
+            return std::fabs(other.x() - at.x()) < 4.5 * line &&
+                   std::fabs(other.y() - at.y()) < 0.99 * line;
+        };
+        while (std::any_of(taken.begin(), taken.end(), covers))
+            at.y() += line;
+        taken.push_back(at);
+        draw_plate(at, "generation " + std::to_string(ghost->generation()));
     }
 }
 

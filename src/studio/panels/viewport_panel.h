@@ -1,9 +1,11 @@
 #pragma once
 
 #include "studio/panel.h"
+#include "studio/scene_builder.h"
 #include "studio/scene_canvas.h"
 
 #include <memory>
+#include <string>
 
 namespace cambrian {
 
@@ -29,7 +31,10 @@ private:
     void build_scene(const FrameContext& frame);
     void draw_words(const FrameContext& frame);
     void draw_marks(const FrameContext& frame);
-    void draw_part_numbers(const FrameContext& frame);
+    void add_overlays(const FrameContext& frame, const CreatureLook& look);
+    void draw_plate(const Vec2& at, const std::string& name) const;
+    void draw_part_names(const FrameContext& frame) const;
+    void draw_ghost_labels(const FrameContext& frame) const;
     Vec2 mouse_in_world() const;
 
     SceneCanvas canvas_;

@@ -1,0 +1,38 @@
+#pragma once
+
+// The little of Markdown that help pages use, taken apart: headings, paragraphs, bullets, code,
+// tables; within a line bold, emphasis, code and links.
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace cambrian {
+
+enum class SpanLook : std::uint8_t { kPlain, kBold, kCode };
+
+struct TextSpan {
+    std::string text;
+    SpanLook look = SpanLook::kPlain;
+    std::string link;  // where it leads, or empty
+
+    friend bool operator==(const TextSpan&, const TextSpan&) = default;
+};
+using SpanLine = std::vector<TextSpan>;
+
+enum class BlockKind : std::uint8_t { kHeading, kParagraph, kBullet, kCode, kTable };
+
+struct MarkdownBlock {
+    BlockKind kind = BlockKind::kParagraph;
+    int level = 0;                            // of a heading, from 1; of a bullet, from 0
+    SpanLine line;                            // of headings, paragraphs and bullets
+    std::string code;                         // its lines
+    std::vector<std::vector<SpanLine>> rows;  // of a table, the first its header
+};
+
+// Never fails: what is not understood is plain text. Pictures are left out.
+std::vector<MarkdownBlock> parse_markdown(std::string_view text);
+SpanLine parse_spans(std::string_view text);
+
+}  // namespace cambrian
