@@ -8,6 +8,7 @@
 #include "studio/notices.h"
 #include "studio/playback.h"
 #include "studio/settings_editor.h"
+#include "studio/stars.h"
 #include "studio/view_state.h"
 
 #include <string>
@@ -33,9 +34,11 @@ struct FrameContext {
     const ScoreReport* score = nullptr;  // of the creature on show, once computed
     const ViewState& view;
     const FileBrowser& files;
+    const Stars& stars;
     const Notice* notice = nullptr;
     bool help_shown = false;
     Highlight highlight = {};
+    Place focus = Place::kNone;  // to get the keyboard now
 };
 
 }  // namespace cambrian

@@ -66,6 +66,33 @@ void draw_file(const Pen& pen) {
                          ImDrawFlags_Closed, pen.width);
 }
 
+// Ten corners, the outer ones on a circle.
+std::array<ImVec2, 10> star_corners(const Pen& pen) {
+    std::array<ImVec2, 10> corners;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const double angle = kPi * (0.2 * static_cast<double>(i) - 0.5);
+        const float radius = i % 2 == 0 ? 1.0F : 0.45F;
+        corners[i] = pen.at(radius * static_cast<float>(cosine(angle)),
+                            radius * static_cast<float>(sine(angle)));
+    }
+    return corners;
+}
+
+void draw_star(const Pen& pen) {
+    const auto corners = star_corners(pen);
+    for (std::size_t i = 0; i < corners.size(); i += 2) {
+        const ImVec2& before = corners[(i + corners.size() - 1) % corners.size()];
+        pen.triangle(before, corners[i], corners[i + 1]);
+        pen.triangle(before, corners[i + 1], pen.center);
+    }
+}
+
+void draw_star_outline(const Pen& pen) {
+    const auto corners = star_corners(pen);
+    pen.list.AddPolyline(corners.data(), static_cast<int>(corners.size()), pen.color,
+                         ImDrawFlags_Closed, pen.width);
+}
+
 }  // namespace
 
 void draw_icon(ImDrawList& list, Icon icon, const ImVec2& center, float size, const Color& color) {
@@ -115,6 +142,12 @@ void draw_icon(ImDrawList& list, Icon icon, const ImVec2& center, float size, co
             pen.line(-0.6F, 0.0F, 0.0F, -0.7F);
             pen.line(0.0F, -0.7F, 0.6F, 0.0F);
             pen.line(0.0F, -0.7F, 0.0F, 0.8F);
+            break;
+        case Icon::kStar:
+            draw_star(pen);
+            break;
+        case Icon::kStarOutline:
+            draw_star_outline(pen);
             break;
     }
 }

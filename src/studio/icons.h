@@ -20,6 +20,8 @@ enum class Icon : unsigned char {
     kFolder,
     kFile,
     kUp,
+    kStar,
+    kStarOutline,
 };
 
 // Drawn, not a font: centred, `size` pixels across.

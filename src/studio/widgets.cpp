@@ -112,6 +112,12 @@ bool begin_choice(const char* id, const std::string& shown, float width) {
     return open;
 }
 
+bool menu_item(const char* label, const char* keys, bool enabled, bool chosen) {
+    const bool pressed = ImGui::MenuItem(label, keys, chosen, enabled);
+    note_place(label);
+    return pressed;
+}
+
 void caption(const std::string& text) {
     const WithFont font(ui().fonts.small);
     const WithTextColor color(colors().muted);
@@ -121,6 +127,12 @@ void caption(const std::string& text) {
 void panel_title(const std::string& text) {
     const WithFont font(ui().fonts.strong);
     ImGui::TextUnformatted(text.c_str());
+}
+
+void place_title(const std::string& text) {
+    const bool focused = ImGui::IsWindowFocused(ImGuiFocusedFlags_ChildWindows);
+    const WithTextColor color(focused ? colors().accent : colors().text);
+    panel_title(text);
 }
 
 void fact(const std::string& label, const std::string& value) {

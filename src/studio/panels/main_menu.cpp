@@ -1,5 +1,6 @@
 #include "studio/panels/main_menu.h"
 
+#include "studio/panels/export_menu.h"
 #include "studio/widgets.h"
 
 #include <array>
@@ -7,37 +8,33 @@
 namespace cambrian {
 namespace {
 
-bool item(const char* label, const char* keys, bool enabled = true, bool chosen = false) {
-    const bool pressed = ImGui::MenuItem(label, keys, chosen, enabled);
-    note_place(label);
-    return pressed;
-}
-
 void draw_file_menu(const FrameContext& frame, Requests& out) {
     const bool any = !frame.playback.empty();
-    if (item("Open…", "Ctrl+O")) out.ask(OpenFilePanel{FileTask::kOpen});
+    if (menu_item("Open…", "Ctrl+O")) out.ask(OpenFilePanel{FileTask::kOpen});
     ImGui::Separator();
-    if (item("Save creature…", "Ctrl+S", any)) out.ask(OpenFilePanel{FileTask::kSaveCreature});
-    if (item("Save settings…", "Ctrl+Shift+S")) out.ask(OpenFilePanel{FileTask::kSaveSettings});
-    if (item("Save picture of the window", "F12")) out.ask(SaveScreenshot{});
+    if (menu_item("Save creature…", "Ctrl+S", any)) out.ask(OpenFilePanel{FileTask::kSaveCreature});
+    if (menu_item("Save settings…", "Ctrl+Shift+S"))
+        out.ask(OpenFilePanel{FileTask::kSaveSettings});
+    draw_export_items(frame, out);
+    if (menu_item("Save picture of the window", "F12")) out.ask(SaveScreenshot{});
     ImGui::Separator();
-    if (item("Quit", "Ctrl+Q")) out.ask(QuitStudio{});
+    if (menu_item("Quit", "Ctrl+Q")) out.ask(QuitStudio{});
 }
 
 void draw_edit_menu(const FrameContext& frame, Requests& out) {
-    if (item("Undo", "Ctrl+Z", frame.editor.can_undo())) out.ask(UndoEdit{});
-    if (item("Redo", "Ctrl+Shift+Z", frame.editor.can_redo())) out.ask(RedoEdit{});
+    if (menu_item("Undo", "Ctrl+Z", frame.editor.can_undo())) out.ask(UndoEdit{});
+    if (menu_item("Redo", "Ctrl+Shift+Z", frame.editor.can_redo())) out.ask(RedoEdit{});
     ImGui::Separator();
-    if (item("New run", nullptr)) out.ask(StartNewRun{false});
+    if (menu_item("New run", nullptr)) out.ask(StartNewRun{false});
     const bool any = !frame.snapshot.population.empty();
-    if (item("New run from these creatures", nullptr, any)) out.ask(StartNewRun{true});
-    if (item("New run from the creature on show", nullptr, !frame.playback.empty()))
+    if (menu_item("New run from these creatures", nullptr, any)) out.ask(StartNewRun{true});
+    if (menu_item("New run from the creature on show", nullptr, !frame.playback.empty()))
         out.ask(StartFromShown{});
 }
 
 void view_item(const char* label, const char* keys, bool ViewState::*flag,
                const FrameContext& frame, Requests& out) {
-    if (!item(label, keys, true, frame.view.*flag)) return;
+    if (!menu_item(label, keys, true, frame.view.*flag)) return;
     ViewState view = frame.view;
     view.*flag = !(view.*flag);
     out.ask(ChangeView{view});
@@ -50,7 +47,7 @@ void draw_view_menu(const FrameContext& frame, Requests& out) {
     ImGui::Separator();
     view_item("Follow the creature", "F", &ViewState::follow, frame, out);
     view_item("Show each new champion", nullptr, &ViewState::newest_champion, frame, out);
-    if (item("Fit into view", "Home")) out.ask(FitView{});
+    if (menu_item("Fit into view", "Home")) out.ask(FitView{});
     ImGui::Separator();
     view_item("Grid", nullptr, &ViewState::grid, frame, out);
     view_item("Trail", nullptr, &ViewState::trail, frame, out);
@@ -58,7 +55,7 @@ void draw_view_menu(const FrameContext& frame, Requests& out) {
     view_item("Part numbers", nullptr, &ViewState::names, frame, out);
     ImGui::Separator();
     const bool light = frame.view.theme == ThemeKind::kLight;
-    if (item("Light theme", nullptr, true, light)) {
+    if (menu_item("Light theme", nullptr, true, light)) {
         ViewState view = frame.view;
         view.theme = light ? ThemeKind::kDark : ThemeKind::kLight;
         out.ask(ChangeView{view});
@@ -66,7 +63,7 @@ void draw_view_menu(const FrameContext& frame, Requests& out) {
 }
 
 void draw_help_menu(const FrameContext&, Requests& out) {
-    if (item("Keys and first steps", "F1")) out.ask(ToggleHelp{});
+    if (menu_item("Keys and first steps", "F1")) out.ask(ToggleHelp{});
 }
 
 struct Menu {
