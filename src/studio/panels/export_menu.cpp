@@ -20,7 +20,6 @@ void draw_export_popup(const char* name, const FrameContext& frame, Requests& ou
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(px(10), px(8)));
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(px(18), px(8)));
     if (ImGui::BeginPopup(name)) {
-        const WithFont font(ui().fonts.body);
         draw_export_items(frame, out);
         ImGui::EndPopup();
     }

@@ -205,7 +205,7 @@ void PopulationPanel::draw_content(const Tile& tile, const Rect& area, const Fra
     if (phenotype != nullptr) draw_creature_tile(list, body, *phenotype, individual.genome->hue);
     const std::string place =
         tile.rank > 0 ? std::to_string(tile.rank) : format("gen %u", tile.creature.generation);
-    small_words(place, {area.x + px(6), area.y + px(3)}, colors().faint);
+    small_words(place, {area.x + px(6), area.y + px(3)}, colors().muted);
     draw_star(star_of(area), tile.starred, hovered);
     const bool valid = judged(individual.result);
     const std::string score = valid ? pretty_number(individual.result.fitness) : "invalid";

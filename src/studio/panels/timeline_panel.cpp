@@ -62,7 +62,6 @@ void draw_heading(const FrameContext& frame, Requests& out) {
                                .height = height,
                                .tooltip = "The statistics as a table, or this plot as a picture"}))
         ImGui::OpenPopup("export");
-    draw_export_popup("export", frame, out);
 }
 
 // What may help where the best has not risen for long (evolution.md 6.4); nothing is done unasked.
@@ -70,16 +69,20 @@ void draw_stagnation(const FrameContext& frame, Requests& out) {
     const auto& history = frame.snapshot.history;
     if (history.empty() || !stagnant(history.back())) return;
     const ExperimentSettings& draft = frame.editor.draft();
+    const WithFont font(ui().fonts.small);
+    const float height = ImGui::GetFrameHeight();
     ImGui::AlignTextToFramePadding();
     muted_text(format("The best has not risen for %d generations.",
                       history.back().generations_without_progress));
     ImGui::SameLine(0, px(10));
     if (push_button("Add newcomers",
-                    {.tooltip = "Once, a fifth of the next generation is new random creatures."}))
+                    {.height = height,
+                     .tooltip = "Once, a fifth of the next generation is new random creatures."}))
         out.ask(AddNewcomers{kNewcomerShare});
     if (draft.selection.method == kManyKinds) return;
     ImGui::SameLine();
-    if (push_button("Many kinds", {.tooltip = "Keep the fittest of every kind of body: the "
+    if (push_button("Many kinds", {.height = height,
+                                   .tooltip = "Keep the fittest of every kind of body: the "
                                               "selection method becomes MAP-Elites."})) {
         ExperimentSettings edited = draft;
         edited.selection.method = kManyKinds;
@@ -184,6 +187,7 @@ void draw_cursor(const PlotScale& scale, double generation, const std::string& w
 
 void TimelinePanel::draw(const FrameContext& frame, Requests& out) {
     draw_heading(frame, out);
+    draw_export_popup("export", frame, out);
     draw_stagnation(frame, out);
     chart_.gather(frame.snapshot, frame.view.quantity);
     const ImVec2 at = ImGui::GetCursorScreenPos();
