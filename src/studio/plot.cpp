@@ -98,8 +98,12 @@ void draw_curve(ImDrawList& list, const PlotScale& scale, std::span<const double
         list.AddCircleFilled(points.front(), 1.5F * width, paint(color));
         return;
     }
-    list.AddPolyline(points.data(), static_cast<int>(points.size()), paint(color), ImDrawFlags_None,
-                     width);
+    // Each piece by itself: a joined line grows thin where it turns sharply.
+    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+        list.PathLineTo(points[i]);
+        list.PathLineTo(points[i + 1]);
+        list.PathStroke(paint(color), ImDrawFlags_None, width);
+    }
 }
 
 void draw_band(ImDrawList& list, const PlotScale& scale, std::span<const double> xs,

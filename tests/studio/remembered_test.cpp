@@ -14,6 +14,8 @@ TEST_CASE("the arrangement and the settings come back as they were left", "[stud
     left.view.speed = 0.25;
     left.view.bottom_panel = false;
     left.view.left_width = 312.0F;
+    left.view.quantity = TimelineQuantity::kNeurons;
+    left.view.order = TileOrder::kMass;
     left.settings.world.environment.gravity = 1.62;
     left.settings.seed = 99;
     REQUIRE(remember(folder.path() / "new", left, test::kinds()));

@@ -111,6 +111,12 @@ Rect star_of(const Rect& tile) {
     return {tile.x + tile.width - px(kStarRoom), tile.y, px(kStarRoom), px(kStarRoom)};
 }
 
+std::string star_words(bool starred) {
+    return starred ? "Takes the star away."
+                   : "A star: the creature stays when its generation has "
+                     "passed.";
+}
+
 void draw_star(const Rect& room, bool starred, bool tile_hovered) {
     const bool pointed_at = tile_hovered && room.contains(ImGui::GetIO().MousePos);
     if (!starred && !tile_hovered) return;
@@ -185,7 +191,10 @@ void PopulationPanel::draw_tile(std::size_t index, const FrameContext& frame, Re
         out.ask(ShowIndividual{tile.creature});
     }
     draw_content(tile, area, frame);
-    if (ImGui::IsItemHovered()) tooltip(tile_words(tile, frame));
+    if (ImGui::IsItemHovered()) {
+        const bool on_star = star.contains(ImGui::GetIO().MousePos);
+        tooltip(on_star ? star_words(tile.starred) : tile_words(tile, frame));
+    }
     ++tiles_drawn_;
 }
 
