@@ -29,7 +29,8 @@ std::string method_words(const std::string& method, const EvolutionKinds& kinds)
 std::string mutation_words(const MutationRecord& mutation, const MutationRegistry& kinds) {
     const MutationKind* kind = kinds.find(mutation.operator_id);
     std::string words = kind == nullptr ? capitalized(mutation.operator_id) : kind->label;
-    words += ": " + mutation.place + " " + mutation.from;
+    words += ": " + mutation.place;
+    if (!mutation.from.empty()) words += " " + mutation.from;
     return mutation.to.empty() ? words : words + " → " + mutation.to;
 }
 

@@ -14,7 +14,10 @@ constexpr std::array kFirstSteps = {
     "Change the world or the rules on the left at any time; the creature on show feels it at once, "
     "the next generation evolves under it, and the timeline marks it.",
     "Take hold of a creature with the mouse; drag with the right button to look around, scroll to "
-    "come closer. Click the timeline to watch an earlier champion.",
+    "come closer.",
+    "Drag over the timeline to watch earlier champions; its menu plots diversity, size or trials "
+    "instead of fitness, and Export writes the numbers or the plot to a file. A star keeps a "
+    "creature of the population when its generation has passed.",
 };
 
 void draw_keys() {

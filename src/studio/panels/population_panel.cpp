@@ -93,8 +93,10 @@ void draw_heading(const FrameContext& frame, std::size_t count, Requests& out) {
         frame.view.starred_only
             ? format("%zu kept", count)
             : format("%zu of generation %u", count, frame.snapshot.history.back().generation);
-    const float right = ImGui::GetWindowContentRegionMax().x;
-    ImGui::SameLine(right - ImGui::CalcTextSize(words.c_str()).x);
+    ImGui::SameLine(0, px(12));
+    const float room = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(words.c_str()).x;
+    if (room < 0.0F) return ImGui::NewLine();
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + room);
     const WithTextColor muted(colors().muted);
     ImGui::TextUnformatted(words.c_str());
 }
