@@ -15,7 +15,7 @@ constexpr float kTileHeight = 78.0F;
 constexpr float kTileGap = 6.0F;
 constexpr float kStarRoom = 22.0F;      // square in the tile's corner
 constexpr std::size_t kNotedTiles = 4;  // whose places are noted
-constexpr int kGrownAFrame = 12;
+constexpr int kGrownAFrame = 24;
 
 bool on_show(const FrameContext& frame, const Individual& individual) {
     return !frame.playback.empty() && frame.playback.exhibit().genome == individual.genome;
@@ -219,7 +219,7 @@ void PopulationPanel::draw_content(const Tile& tile, const Rect& area, const Fra
     small_words(place, {area.x + px(6), area.y + px(3)}, colors().muted);
     draw_star(star_of(area), tile.starred, hovered);
     const bool valid = judged(individual.result);
-    const std::string score = valid ? pretty_number(individual.result.fitness) : "invalid";
+    const std::string score = valid ? measured(individual.result.fitness, "") : "invalid";
     small_words(score, {area.center().x - 0.5F * small_width(score), area.y + area.height - px(18)},
                 valid ? colors().muted : colors().danger);
 }
