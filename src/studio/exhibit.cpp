@@ -8,6 +8,11 @@ std::string uid_text(std::uint64_t uid) {
     return uid == 0 ? std::string() : format("%016llx", static_cast<unsigned long long>(uid));
 }
 
+std::string goal_unit(const std::string& goal, const GoalRegistry& goals) {
+    const GoalKind* kind = goals.find(goal);
+    return kind == nullptr ? std::string() : kind->unit;
+}
+
 Exhibit exhibit_of(const Individual& individual, const ExperimentSettings& settings,
                    std::uint32_t generation, ExhibitSource source) {
     Exhibit exhibit;

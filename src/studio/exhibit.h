@@ -44,6 +44,9 @@ struct ScoreReport {
 // A uid as sixteen hexadecimal digits; empty for 0.
 std::string uid_text(std::uint64_t uid);
 
+// In which a goal (by its id) measures fitness; empty if it is not known.
+std::string goal_unit(const std::string& goal, const GoalRegistry& goals);
+
 Exhibit exhibit_of(const Individual& individual, const ExperimentSettings& settings,
                    std::uint32_t generation, ExhibitSource source);
 

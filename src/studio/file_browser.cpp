@@ -8,20 +8,26 @@ namespace cambrian {
 namespace {
 
 bool suits(std::string_view name, FileTask task) {
-    const bool creature = name.ends_with(".creature.json");
-    const bool settings = name.ends_with(".toml");
-    switch (task) {
-        case FileTask::kOpen:
-            return creature || settings;
-        case FileTask::kSaveCreature:
-            return creature;
-        case FileTask::kSaveSettings:
-            break;
-    }
-    return settings;
+    const bool settings = task == FileTask::kOpen && name.ends_with(".toml");
+    return settings || name.ends_with(ending_of(task));
 }
 
 }  // namespace
+
+const char* ending_of(FileTask task) {
+    switch (task) {
+        case FileTask::kOpen:
+        case FileTask::kSaveCreature:
+            break;
+        case FileTask::kSaveSettings:
+            return ".toml";
+        case FileTask::kSaveStatistics:
+            return ".csv";
+        case FileTask::kSavePlot:
+            return ".png";
+    }
+    return ".creature.json";
+}
 
 FolderListing list_folder(const std::filesystem::path& folder, FileTask task) {
     namespace fs = std::filesystem;

@@ -23,8 +23,12 @@ struct FileBrowser {
     FileTask task = FileTask::kOpen;
     FolderListing listing;
     std::string suggested_name;
+    PictureSize picture;  // of a plot to be saved
     unsigned opened = 0;  // counts openings, so that the panel resets what was typed
 };
+
+// How the names of files written for a task end; of kOpen, how those of creatures do.
+const char* ending_of(FileTask task);
 
 // Reads a folder; hidden entries are left out.
 FolderListing list_folder(const std::filesystem::path& folder, FileTask task);

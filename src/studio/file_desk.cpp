@@ -2,6 +2,7 @@
 
 #include "core/file_io.h"
 #include "persist/settings_file.h"
+#include "persist/statistics_csv.h"
 
 #include <utility>
 
@@ -56,6 +57,13 @@ void FileDesk::save_settings(const std::filesystem::path& path,
                              const ExperimentSettings& settings) {
     run([path, settings, &kinds = kinds_](const std::stop_token&) {
         return saved(path, cambrian::save_settings(path, settings, kinds));
+    });
+}
+
+void FileDesk::save_statistics(const std::filesystem::path& path,
+                               std::vector<GenerationStatistics> history) {
+    run([path, history = std::move(history)](const std::stop_token&) {
+        return saved(path, write_file(path, statistics_csv(history)));
     });
 }
 

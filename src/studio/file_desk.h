@@ -3,6 +3,7 @@
 // Reading and writing files without the window waiting: tasks go to the background worker, what
 // came of them is collected as events.
 
+#include "evolution/statistics.h"
 #include "persist/creature_file.h"
 #include "render/image.h"
 #include "studio/background_worker.h"
@@ -45,6 +46,8 @@ public:
     void load(const std::filesystem::path& path);
     void save_creature(const std::filesystem::path& path, CreatureDocument document);
     void save_settings(const std::filesystem::path& path, const ExperimentSettings& settings);
+    void save_statistics(const std::filesystem::path& path,
+                         std::vector<GenerationStatistics> history);
     void save_picture(const std::filesystem::path& path, Image image);
     void list(const std::filesystem::path& folder, FileTask task);
 

@@ -11,6 +11,7 @@
 #include "studio/playback.h"
 #include "studio/sample_shelf.h"
 #include "studio/settings_editor.h"
+#include "studio/stars.h"
 #include "studio/view_state.h"
 
 #include <memory>
@@ -38,6 +39,7 @@ struct FrameContext {
     const ScoreReport* score = nullptr;  // of the creature on show, once computed
     const ViewState& view;
     const FileBrowser& files;
+    const Stars& stars;
     const Notice* notice = nullptr;
     bool help_shown = false;
     Highlight highlight = {};
@@ -46,6 +48,7 @@ struct FrameContext {
     const SampleShelf* samples = nullptr;
     int tour_step = -1;       // none
     unsigned find_asked = 0;  // how often a setting was to be found
+    Place focus = Place::kNone;  // to get the keyboard now
 };
 
 }  // namespace cambrian

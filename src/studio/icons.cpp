@@ -92,6 +92,33 @@ void draw_question(const Pen& pen) {
     pen.list.AddCircleFilled(pen.at(0.0F, 0.78F), 1.0F * pen.width, pen.color, 10);
 }
 
+// Ten corners, the outer ones on a circle.
+std::array<ImVec2, 10> star_corners(const Pen& pen) {
+    std::array<ImVec2, 10> corners;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const double angle = kPi * (0.2 * static_cast<double>(i) - 0.5);
+        const float radius = i % 2 == 0 ? 1.0F : 0.45F;
+        corners[i] = pen.at(radius * static_cast<float>(cosine(angle)),
+                            radius * static_cast<float>(sine(angle)));
+    }
+    return corners;
+}
+
+void draw_star(const Pen& pen) {
+    const auto corners = star_corners(pen);
+    for (std::size_t i = 0; i < corners.size(); i += 2) {
+        const ImVec2& before = corners[(i + corners.size() - 1) % corners.size()];
+        pen.triangle(before, corners[i], corners[i + 1]);
+        pen.triangle(before, corners[i + 1], pen.center);
+    }
+}
+
+void draw_star_outline(const Pen& pen) {
+    const auto corners = star_corners(pen);
+    pen.list.AddPolyline(corners.data(), static_cast<int>(corners.size()), pen.color,
+                         ImDrawFlags_Closed, pen.width);
+}
+
 }  // namespace
 
 void draw_icon(ImDrawList& list, Icon icon, const ImVec2& center, float size, const Color& color) {
@@ -158,6 +185,12 @@ void draw_icon(ImDrawList& list, Icon icon, const ImVec2& center, float size, co
         case Icon::kSearch:
             pen.list.AddCircle(pen.at(-0.2F, -0.2F), 0.55F * pen.half, pen.color, 20, pen.width);
             pen.line(0.22F, 0.22F, 0.8F, 0.8F);
+            break;
+        case Icon::kStar:
+            draw_star(pen);
+            break;
+        case Icon::kStarOutline:
+            draw_star_outline(pen);
             break;
     }
 }

@@ -25,6 +25,8 @@ enum class Icon : unsigned char {
     kGhost,
     kHelp,
     kSearch,
+    kStar,
+    kStarOutline,
 };
 
 // Drawn, not a font: centred, `size` pixels across.

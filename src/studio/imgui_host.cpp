@@ -1,12 +1,25 @@
 #include "studio/imgui_host.h"
 
+#include "render/framebuffer.h"
 #include "render/gl.h"
 #include "studio/window.h"
 
+#include <array>
 #include <backends/imgui_impl_glfw.h>
 #include <backends/imgui_impl_opengl3.h>
 
 namespace cambrian {
+namespace {
+
+// The bound framebuffer, all of it.
+void clear(const Color& color, int width, int height) {
+    glViewport(0, 0, width, height);
+    glDisable(GL_SCISSOR_TEST);
+    glClearColor(color.r, color.g, color.b, 1.0F);
+    glClear(GL_COLOR_BUFFER_BIT);
+}
+
+}  // namespace
 
 ImGuiHost::ImGuiHost(Window& window, float scale, ThemeKind theme) : window_(window) {
     ImGui::CreateContext();
@@ -47,14 +60,37 @@ void ImGuiHost::begin_frame(const std::vector<KeyPress>& pressed) {
     }
 }
 
+Result<Image> ImGuiHost::picture(int width, int height,
+                                 const std::function<void(ImDrawList&)>& draw) {
+    auto framebuffer = Framebuffer::create(width, height);
+    if (!framebuffer) return framebuffer.error();
+    ImDrawList list(ImGui::GetDrawListSharedData());
+    list._ResetForNewFrame();
+    list.PushTextureID(ImGui::GetIO().Fonts->TexID);
+    const ImVec2 size = {static_cast<float>(width), static_cast<float>(height)};
+    list.PushClipRect({0, 0}, size);
+    draw(list);
+    std::array<ImDrawList*, 1> lists = {&list};
+    ImDrawData data;
+    data.Valid = true;
+    data.CmdLists = lists.data();
+    data.CmdListsCount = 1;
+    data.TotalIdxCount = list.IdxBuffer.Size;
+    data.TotalVtxCount = list.VtxBuffer.Size;
+    data.DisplaySize = size;
+    data.FramebufferScale = {1, 1};
+    framebuffer->bind();
+    clear(context_.palette.panel, width, height);
+    ImGui_ImplOpenGL3_RenderDrawData(&data);
+    Image image = read_pixels(width, height);
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    return image;
+}
+
 void ImGuiHost::end_frame(int width, int height) {
     ImGui::Render();
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
-    glViewport(0, 0, width, height);
-    glDisable(GL_SCISSOR_TEST);
-    const Color& back = context_.palette.panel;
-    glClearColor(back.r, back.g, back.b, 1.0F);
-    glClear(GL_COLOR_BUFFER_BIT);
+    clear(context_.palette.panel, width, height);
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
 }
 

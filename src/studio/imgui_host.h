@@ -2,8 +2,11 @@
 
 // Dear ImGui's context, its back-ends, fonts and style.
 
+#include "core/result.h"
+#include "render/image.h"
 #include "studio/ui_context.h"
 
+#include <functional>
 #include <vector>
 
 namespace cambrian {
@@ -23,6 +26,8 @@ public:
     void begin_frame(const std::vector<KeyPress>& pressed);
     // Draws everything into the window's framebuffer of the given size.
     void end_frame(int width, int height);
+    // Something drawn by itself, on the panels' colour; between begin_frame and end_frame.
+    Result<Image> picture(int width, int height, const std::function<void(ImDrawList&)>& draw);
     void set_theme(ThemeKind theme);
     const UiContext& context() const { return context_; }
 

@@ -9,9 +9,10 @@ namespace cambrian {
 namespace {
 
 void draw_in(const char* name, const Rect& rect, Panel& panel, const FrameContext& frame,
-             Requests& out) {
+             Requests& out, Place place = Place::kNone) {
     ui().places[std::string("panel ") + name] = rect;
     if (rect.width < 1.0F || rect.height < 1.0F) return;
+    if (place != Place::kNone && place == frame.focus) ImGui::SetNextWindowFocus();
     begin_place(name, rect);
     panel.draw(frame, out);
     end_place();
@@ -79,8 +80,8 @@ void MainWindow::draw(const FrameContext& frame, int framebuffer_height, Request
     transport_.draw(frame, out);
     end_place();
     draw_in("inspector", layout.inspector, inspector_, frame, out);
-    draw_in("timeline", layout.timeline, timeline_, frame, out);
-    draw_in("population", layout.population, population_, frame, out);
+    draw_in("timeline", layout.timeline, timeline_, frame, out, Place::kTimeline);
+    draw_in("population", layout.population, population_, frame, out, Place::kPopulation);
     ViewState view = frame.view;
     if (drag_gaps(layout, view)) out.ask(ChangeView{view});
     draw_overlays(frame, layout, out);

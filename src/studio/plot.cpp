@@ -3,9 +3,22 @@
 #include "studio/text.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace cambrian {
+namespace {
+
+// One past the last point that falls into the pixel column of the point at `begin`.
+std::size_t end_of_column(const PlotScale& scale, std::span<const double> xs, std::size_t begin) {
+    const float column = std::floor(scale.x_at(xs[begin]));
+    std::size_t end = begin + 1;
+    while (end < xs.size() && std::floor(scale.x_at(xs[end])) == column)
+        ++end;
+    return end;
+}
+
+}  // namespace
 
 float PlotScale::x_at(double x) const {
     return area.x + area.width * static_cast<float>((x - x_low) / (x_high - x_low));
@@ -43,30 +56,69 @@ Range plot_range(double low, double high) {
     return {low, high + 0.08 * (high - low)};
 }
 
+std::vector<std::size_t> thinned(const PlotScale& scale, std::span<const double> xs,
+                                 std::span<const double> ys) {
+    std::vector<std::size_t> kept;
+    for (std::size_t begin = 0; begin < xs.size();) {
+        const std::size_t end = end_of_column(scale, xs, begin);
+        std::array<std::size_t, 4> corners = {begin, begin, begin, end - 1};
+        for (std::size_t i = begin; i < end; ++i) {
+            if (ys[i] < ys[corners[1]]) corners[1] = i;
+            if (ys[i] > ys[corners[2]]) corners[2] = i;
+        }
+        std::sort(corners.begin(), corners.end());
+        kept.insert(kept.end(), corners.begin(), std::unique(corners.begin(), corners.end()));
+        begin = end;
+    }
+    return kept;
+}
+
+std::vector<BandColumn> band_columns(const PlotScale& scale, std::span<const double> xs,
+                                     std::span<const double> lower, std::span<const double> upper) {
+    std::vector<BandColumn> columns;
+    for (std::size_t begin = 0; begin < xs.size();) {
+        const std::size_t end = end_of_column(scale, xs, begin);
+        BandColumn column{xs[begin], lower[begin], upper[begin]};
+        for (std::size_t i = begin; i < end; ++i) {
+            column.lower = std::min(column.lower, lower[i]);
+            column.upper = std::max(column.upper, upper[i]);
+        }
+        columns.push_back(column);
+        begin = end;
+    }
+    return columns;
+}
+
 void draw_curve(ImDrawList& list, const PlotScale& scale, std::span<const double> xs,
                 std::span<const double> ys, const Color& color, float width) {
     std::vector<ImVec2> points;
-    points.reserve(xs.size());
-    for (std::size_t i = 0; i < xs.size(); ++i)
+    for (const std::size_t i : thinned(scale, xs, ys))
         points.emplace_back(scale.x_at(xs[i]), scale.y_at(ys[i]));
     if (points.size() == 1) {
         list.AddCircleFilled(points.front(), 1.5F * width, paint(color));
         return;
     }
-    list.AddPolyline(points.data(), static_cast<int>(points.size()), paint(color), ImDrawFlags_None,
-                     width);
+    // Each piece by itself: a joined line grows thin where it turns sharply.
+    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+        list.PathLineTo(points[i]);
+        list.PathLineTo(points[i + 1]);
+        list.PathStroke(paint(color), ImDrawFlags_None, width);
+    }
 }
 
 void draw_band(ImDrawList& list, const PlotScale& scale, std::span<const double> xs,
                std::span<const double> lower, std::span<const double> upper, const Color& color) {
+    const std::vector<BandColumn> columns = band_columns(scale, xs, lower, upper);
     // Without anti-aliasing, neighbouring quads meet without a seam.
     const ImDrawListFlags flags = list.Flags;
     list.Flags &= ~ImDrawListFlags_AntiAliasedFill;
-    for (std::size_t i = 0; i + 1 < xs.size(); ++i) {
-        const float left = scale.x_at(xs[i]);
-        const float right = scale.x_at(xs[i + 1]);
-        list.AddQuadFilled({left, scale.y_at(upper[i])}, {right, scale.y_at(upper[i + 1])},
-                           {right, scale.y_at(lower[i + 1])}, {left, scale.y_at(lower[i])},
+    for (std::size_t i = 0; i + 1 < columns.size(); ++i) {
+        const BandColumn& from = columns[i];
+        const BandColumn& to = columns[i + 1];
+        const float left = scale.x_at(from.x);
+        const float right = scale.x_at(to.x);
+        list.AddQuadFilled({left, scale.y_at(from.upper)}, {right, scale.y_at(to.upper)},
+                           {right, scale.y_at(to.lower)}, {left, scale.y_at(from.lower)},
                            paint(color));
     }
     list.Flags = flags;

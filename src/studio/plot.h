@@ -34,6 +34,20 @@ struct Range {
 };
 Range plot_range(double low, double high);
 
+// Which points a curve needs at this size: of the points that share a pixel column, the first, the
+// lowest, the highest and the last. xs must not fall.
+std::vector<std::size_t> thinned(const PlotScale& scale, std::span<const double> xs,
+                                 std::span<const double> ys);
+// A band's extent, one entry a pixel column that has points.
+struct BandColumn {
+    double x = 0.0;
+    double lower = 0.0;
+    double upper = 0.0;
+};
+std::vector<BandColumn> band_columns(const PlotScale& scale, std::span<const double> xs,
+                                     std::span<const double> lower, std::span<const double> upper);
+
+// Curves and bands of any number of points cost no more than the pixels they cover.
 void draw_curve(ImDrawList& list, const PlotScale& scale, std::span<const double> xs,
                 std::span<const double> ys, const Color& color, float width);
 // The area between two curves.

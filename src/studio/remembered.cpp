@@ -4,6 +4,8 @@
 #include "persist/settings_file.h"
 #include "studio/overlays.h"
 #include "studio/text.h"
+#include "studio/tile_list.h"
+#include "studio/timeline_plots.h"
 
 #include <algorithm>
 #include <array>
@@ -54,6 +56,12 @@ void read_line(const std::string& name, const std::string& value, ViewState& vie
         const float units = std::strtof(value.c_str(), nullptr);
         if (name == size.name && units >= 0.0F && units < kMostSize) view.*size.place = units;
     }
+    for (const TimelinePlot& plot : timeline_plots()) {
+        if (name == "timeline" && value == plot.id) view.quantity = plot.quantity;
+    }
+    for (const TileSorting& sorting : tile_sortings()) {
+        if (name == "population" && value == sorting.id) view.order = sorting.order;
+    }
     if (name == "theme") view.theme = value == "light" ? ThemeKind::kLight : ThemeKind::kDark;
     if (name != "speed") return;
     const double speed = std::strtod(value.c_str(), nullptr);
@@ -73,6 +81,8 @@ std::string write_view(const ViewState& view) {
     for (const Size& size : kSizes)
         text += format("%s = %.0f\n", size.name, static_cast<double>(view.*size.place));
     text += std::string("theme = ") + (view.theme == ThemeKind::kLight ? "light" : "dark") + "\n";
+    text += std::string("timeline = ") + timeline_plot(view.quantity).id + "\n";
+    text += std::string("population = ") + tile_sorting(view.order).id + "\n";
     return text + format("speed = %g\n", view.speed);
 }
 

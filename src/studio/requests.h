@@ -4,7 +4,7 @@
 // panels draw, carried out after.
 
 #include "evolution/command.h"
-#include "evolution/individual.h"
+#include "evolution/snapshot.h"
 #include "studio/highlight.h"
 #include "studio/view_state.h"
 
@@ -15,6 +15,9 @@
 #include <vector>
 
 namespace cambrian {
+
+// Places of the window that the keyboard can be sent to.
+enum class Place : std::uint8_t { kNone, kTimeline, kPopulation };
 
 struct ToggleEvolution {};
 struct RunOneGeneration {};
@@ -61,14 +64,35 @@ struct ShowHighlight {
 struct ShowChampion {
     std::uint32_t generation = 0;
 };
+// A creature of some generation, under the settings that judged it.
 struct ShowIndividual {
-    IndividualPtr individual;
+    ChampionRecord creature;
 };
 struct ShowNewest {};
+struct ToggleStar {
+    ChampionRecord creature;
+};
+struct ToggleStarOfShown {};
+struct RestoreStar {};  // the one taken away last
+struct FocusPlace {
+    Place place = Place::kNone;
+};
 
-enum class FileTask : std::uint8_t { kOpen, kSaveCreature, kSaveSettings };
+enum class FileTask : std::uint8_t {
+    kOpen,
+    kSaveCreature,
+    kSaveSettings,
+    kSaveStatistics,
+    kSavePlot
+};
+// In pixels.
+struct PictureSize {
+    int width = 1280;
+    int height = 720;
+};
 struct OpenFilePanel {
     FileTask task = FileTask::kOpen;
+    PictureSize picture = {};  // of a plot
 };
 struct CloseFilePanel {};
 struct ListFolder {
@@ -82,6 +106,13 @@ struct SaveCreatureFile {
 };
 struct SaveSettingsFile {
     std::filesystem::path path;
+};
+struct SaveStatisticsFile {
+    std::filesystem::path path;
+};
+struct SavePlotPicture {
+    std::filesystem::path path;
+    PictureSize size;
 };
 struct SaveScreenshot {
     std::filesystem::path path;  // empty: a new name in the present folder
@@ -107,9 +138,10 @@ using StudioAction =
                  StartNewRun, StartFromShown, DropStructuralEdits, AddNewcomers, TogglePlayback,
                  RestartPlayback, StepPlayback, StepPlaybackBack, SeekPlayback, ChangeView, FitView,
                  PokePart, ReleasePoke, ShowHighlight, ShowChampion, ShowIndividual, ShowNewest,
-                 OpenFilePanel, CloseFilePanel, ListFolder, LoadFile, SaveCreatureFile,
-                 SaveSettingsFile, SaveScreenshot, FindSetting, ToggleSamples, DismissNotice,
-                 ToggleHelp, ShowHelp, TurnTour, QuitStudio>;
+                 ToggleStar, ToggleStarOfShown, RestoreStar, FocusPlace, OpenFilePanel,
+                 CloseFilePanel, ListFolder, LoadFile, SaveCreatureFile, SaveSettingsFile,
+                 SaveStatisticsFile, SavePlotPicture, SaveScreenshot, FindSetting, ToggleSamples,
+                 DismissNotice, ToggleHelp, ShowHelp, TurnTour, QuitStudio>;
 
 class Requests {
 public:

@@ -5,6 +5,7 @@
 #include "genome/random_genome.h"
 #include "studio/text.h"
 
+#include <algorithm>
 #include <utility>
 #include <variant>
 
@@ -73,6 +74,7 @@ void Session::update(double now, double elapsed) {
 
 void Session::carry_out(Requests& requests) {
     highlight_ = {};
+    focus_ = Place::kNone;
     for (const StudioAction& action : requests.take())
         std::visit([this](const auto& each) { apply(each); }, action);
 }
@@ -87,6 +89,7 @@ FrameContext Session::frame_context() const {
             .score = stage_.score(),
             .view = view_,
             .files = files_,
+            .stars = stars_,
             .notice = notice_,
             .help_shown = help_shown_,
             .highlight = highlight_,
@@ -94,7 +97,8 @@ FrameContext Session::frame_context() const {
             .help = &help_,
             .samples = &samples_,
             .tour_step = tour_step_,
-            .find_asked = find_asked_};
+            .find_asked = find_asked_,
+            .focus = focus_};
 }
 
 bool Session::animating() const {
@@ -266,24 +270,61 @@ void Session::apply(const PokePart& action) {
     stage_.playback().poke(action.part, action.point_in_part, action.target);
 }
 
+const ChampionRecord* Session::champion_of(std::uint32_t generation) const {
+    const auto& champions = experiment_.snapshot().champions;
+    const auto found = std::lower_bound(
+        champions.begin(), champions.end(), generation,
+        [](const ChampionRecord& each, std::uint32_t wanted) { return each.generation < wanted; });
+    const bool known = found != champions.end() && found->generation == generation;
+    return known ? &*found : nullptr;
+}
+
+// Null for one that belongs to no generation of this experiment and has no star.
+std::optional<ChampionRecord> Session::creature_on_show() const {
+    if (stage_.playback().empty()) return std::nullopt;
+    const Exhibit& exhibit = stage_.playback().exhibit();
+    for (const ChampionRecord& starred : stars_.all()) {
+        if (starred.individual->genome == exhibit.genome) return starred;
+    }
+    const ChampionRecord* champion = champion_of(exhibit.generation);
+    if (champion == nullptr) return std::nullopt;
+    if (champion->individual->genome == exhibit.genome) return *champion;
+    for (const IndividualPtr& individual : experiment_.snapshot().population) {
+        if (individual->genome == exhibit.genome)
+            return ChampionRecord{exhibit.generation, individual, champion->settings};
+    }
+    return std::nullopt;
+}
+
 void Session::apply(const ShowChampion& action) {
     view_.newest_champion = false;
-    for (const ChampionRecord& champion : experiment_.snapshot().champions) {
-        if (champion.generation != action.generation) continue;
-        const bool shown = stage_.playback().exhibit().source == ExhibitSource::kChampion &&
-                           stage_.playback().exhibit().generation == action.generation;
-        if (!shown) show_champion(champion);
-        return;
-    }
+    const ChampionRecord* champion = champion_of(action.generation);
+    if (champion == nullptr) return;
+    const Playback& playback = stage_.playback();
+    const bool shown = !playback.empty() && playback.exhibit().source == ExhibitSource::kChampion &&
+                       playback.exhibit().generation == action.generation;
+    if (!shown) show_champion(*champion);
 }
 
 void Session::apply(const ShowIndividual& action) {
     view_.newest_champion = false;
-    const EvolutionSnapshot& snapshot = experiment_.snapshot();
-    if (snapshot.champions.empty()) return;
-    const ChampionRecord& newest = snapshot.champions.back();
-    show(exhibit_of(*action.individual, *newest.settings, newest.generation,
+    const ChampionRecord& creature = action.creature;
+    show(exhibit_of(*creature.individual, *creature.settings, creature.generation,
                     ExhibitSource::kPopulation));
+}
+
+void Session::apply(const ToggleStar& action) {
+    stars_.toggle(action.creature);
+    const Individual& individual = *action.creature.individual;
+    log_.write(stars_.has(individual) ? "starred" : "star taken",
+               {{"uid", uid_text(individual.uid)}});
+}
+
+void Session::apply(const ToggleStarOfShown&) {
+    if (const auto creature = creature_on_show()) return apply(ToggleStar{*creature});
+    tell(NoticeKind::kProblem,
+         "Only creatures of this experiment can have a star; save this one "
+         "to keep it.");
 }
 
 void Session::apply(const ShowNewest&) {

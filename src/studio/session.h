@@ -54,6 +54,9 @@ public:
     std::optional<std::filesystem::path> take_picture_request() {
         return std::exchange(picture_wanted_, std::nullopt);
     }
+    std::optional<SavePlotPicture> take_plot_request() {
+        return std::exchange(plot_wanted_, std::nullopt);
+    }
 
 private:
     void apply(const ToggleEvolution&);
@@ -79,12 +82,18 @@ private:
     void apply(const ShowChampion& action);
     void apply(const ShowIndividual& action);
     void apply(const ShowNewest&);
+    void apply(const ToggleStar& action);
+    void apply(const ToggleStarOfShown&);
+    void apply(const RestoreStar&) { stars_.restore(); }
+    void apply(const FocusPlace& action) { focus_ = action.place; }
     void apply(const OpenFilePanel& action);
     void apply(const CloseFilePanel&) { files_.open = false; }
     void apply(const ListFolder& action) { desk_.list(action.folder, files_.task); }
     void apply(const LoadFile& action) { desk_.load(action.path); }
     void apply(const SaveCreatureFile& action);
     void apply(const SaveSettingsFile& action);
+    void apply(const SaveStatisticsFile& action);
+    void apply(const SavePlotPicture& action) { plot_wanted_ = action; }
     void apply(const SaveScreenshot& action) { picture_wanted_ = action.path; }
     void apply(const DismissNotice&) { notices_.dismiss(); }
     void apply(const FindSetting&);
@@ -105,6 +114,8 @@ private:
     void follow_champion();
     void show(Exhibit exhibit);
     void show_champion(const ChampionRecord& champion);
+    const ChampionRecord* champion_of(std::uint32_t generation) const;
+    std::optional<ChampionRecord> creature_on_show() const;
     void commit_settings();
     void log_tick();
     void follow_world(const Environment& before);
@@ -137,7 +148,10 @@ private:
     bool quit_wanted_ = false;
     bool fit_wanted_ = false;
     std::optional<std::filesystem::path> picture_wanted_;
+    std::optional<SavePlotPicture> plot_wanted_;
+    Stars stars_;
     Highlight highlight_;
+    Place focus_ = Place::kNone;
     double playback_seconds_ = 0.0;
     double shown_since_ = 0.0;  // s, of the creature on show
     std::uint64_t seen_experiment_ = 0;

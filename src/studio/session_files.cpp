@@ -2,6 +2,7 @@
 
 #include "studio/session.h"
 #include "studio/text.h"
+#include "studio/timeline_plots.h"
 
 #include <algorithm>
 #include <cctype>
@@ -97,15 +98,25 @@ void Session::apply(const OpenFilePanel& action) {
         tell(NoticeKind::kProblem, "There is no creature on show to save.");
         return;
     }
+    const bool of_run =
+        action.task == FileTask::kSaveStatistics || action.task == FileTask::kSavePlot;
+    if (of_run && experiment_.snapshot().history.empty()) {
+        tell(NoticeKind::kProblem, "There are no statistics yet; evolve a generation first.");
+        return;
+    }
     files_.open = true;
     files_.task = action.task;
     ++files_.opened;
+    files_.picture = action.picture;
     files_.suggested_name.clear();
     if (action.task == FileTask::kSaveCreature) {
         const Exhibit& exhibit = stage_.playback().exhibit();
         files_.suggested_name = file_stem(exhibit.title) + ".creature.json";
     }
     if (action.task == FileTask::kSaveSettings) files_.suggested_name = "experiment.toml";
+    if (action.task == FileTask::kSaveStatistics) files_.suggested_name = "statistics.csv";
+    if (action.task == FileTask::kSavePlot)
+        files_.suggested_name = std::string(timeline_plot(view_.quantity).id) + ".png";
     desk_.list(files_.listing.folder, files_.task);
 }
 
@@ -116,6 +127,10 @@ void Session::apply(const SaveCreatureFile& action) {
 
 void Session::apply(const SaveSettingsFile& action) {
     desk_.save_settings(action.path, experiment_.editor().draft());
+}
+
+void Session::apply(const SaveStatisticsFile& action) {
+    desk_.save_statistics(action.path, experiment_.snapshot().history);
 }
 
 void Session::keep_picture(const std::filesystem::path& path, Image image) {

@@ -50,6 +50,24 @@ void save_settings(const FrameContext&, Requests& out) {
     out.ask(OpenFilePanel{FileTask::kSaveSettings});
 }
 
+void export_statistics(const FrameContext&, Requests& out) {
+    out.ask(OpenFilePanel{FileTask::kSaveStatistics});
+}
+
+void export_plot(const FrameContext&, Requests& out) {
+    out.ask(OpenFilePanel{FileTask::kSavePlot});
+}
+
+template <Place Where>
+void focus_place(const FrameContext& frame, Requests& out) {
+    if (!frame.view.bottom_panel) {
+        ViewState view = frame.view;
+        view.bottom_panel = true;
+        out.ask(ChangeView{view});
+    }
+    out.ask(FocusPlace{Where});
+}
+
 void close_what_is_open(const FrameContext& frame, Requests& out) {
     if (frame.tour_step >= 0) {
         out.ask(TurnTour{-1});
@@ -76,10 +94,25 @@ constexpr std::array kShortcuts = {
     Shortcut{{GLFW_KEY_F}, "F", "Follow with the camera, or let go", toggle_follow},
     Shortcut{{GLFW_KEY_HOME}, "Home", "Fit the creature into view", simply<FitView>},
     Shortcut{{GLFW_KEY_N}, "N", "Show the newest champion", simply<ShowNewest>},
+    Shortcut{{GLFW_KEY_T},
+             "T",
+             "Go to the timeline: Left and Right step through champions, Up and Down change the "
+             "plot",
+             focus_place<Place::kTimeline>},
+    Shortcut{{GLFW_KEY_C},
+             "C",
+             "Go to the population: the arrow keys move through its creatures",
+             focus_place<Place::kPopulation>},
+    Shortcut{{GLFW_KEY_K},
+             "K",
+             "Star the creature on show, or take its star away",
+             simply<ToggleStarOfShown>},
     Shortcut{{GLFW_KEY_O, true}, "Ctrl+O", "Open a creature or settings", open_file},
     Shortcut{{GLFW_KEY_O, true, true}, "Ctrl+Shift+O", "Samples", simply<ToggleSamples>},
     Shortcut{{GLFW_KEY_S, true}, "Ctrl+S", "Save the creature on show", save_creature},
     Shortcut{{GLFW_KEY_S, true, true}, "Ctrl+Shift+S", "Save the settings", save_settings},
+    Shortcut{{GLFW_KEY_E, true}, "Ctrl+E", "Export the statistics as a table", export_statistics},
+    Shortcut{{GLFW_KEY_E, true, true}, "Ctrl+Shift+E", "Export the plot as a picture", export_plot},
     Shortcut{{GLFW_KEY_Z, true}, "Ctrl+Z", "Undo an edit of the settings", simply<UndoEdit>},
     Shortcut{{GLFW_KEY_Z, true, true}, "Ctrl+Shift+Z", "Redo it", simply<RedoEdit>},
     Shortcut{{GLFW_KEY_SLASH}, "/", "Find a setting", simply<FindSetting>},

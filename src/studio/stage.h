@@ -9,6 +9,7 @@
 
 #include <memory>
 #include <optional>
+#include <stop_token>
 
 namespace cambrian {
 
@@ -31,7 +32,8 @@ private:
     const EvolutionKinds& kinds_;
     Playback playback_;
     std::optional<ScoreReport> score_;
-    unsigned shown_ = 0;  // counts exhibits, to know whose score arrives
+    unsigned shown_ = 0;         // counts exhibits, to know whose score arrives
+    std::stop_source outdated_;  // tells the trial of the exhibit before to end
 };
 
 }  // namespace cambrian

@@ -8,6 +8,7 @@
 #include "studio/main_window.h"
 #include "studio/session.h"
 #include "studio/shortcuts.h"
+#include "studio/timeline_chart.h"
 
 #include <algorithm>
 #include <cmath>
@@ -98,6 +99,7 @@ private:
         const int height = window_.framebuffer_height();
         if (session_.take_fit()) main_window_.fit();
         main_window_.draw(context, height, requests);
+        if (const auto plot = session_.take_plot_request()) keep_plot(*plot, context);
         host_.end_frame(window_.framebuffer_width(), height);
         if (const auto path = session_.take_picture_request()) keep_picture(*path);
         session_.carry_out(requests);
@@ -125,6 +127,18 @@ private:
         for (int number = 1; path.empty() || std::filesystem::exists(path); ++number)
             path = "cambrian-" + std::to_string(number) + ".png";
         session_.keep_picture(std::filesystem::absolute(path), picture());
+    }
+
+    void keep_plot(const SavePlotPicture& request, const FrameContext& context) {
+        const auto [width, height] = request.size;
+        auto image = host_.picture(width, height, [&](ImDrawList& list) {
+            draw_timeline_picture(list,
+                                  {0, 0, static_cast<float>(width), static_cast<float>(height)},
+                                  context.snapshot, context.view.quantity,
+                                  goal_unit(context.snapshot.settings->goal, context.kinds.goals));
+        });
+        if (!image) return session_.tell(NoticeKind::kProblem, image.error().message);
+        session_.keep_picture(std::filesystem::absolute(request.path), std::move(*image));
     }
 
     void take_picture(const std::filesystem::path& path) {

@@ -6,6 +6,19 @@
 
 namespace cambrian {
 
+// What the timeline plots over the generations.
+enum class TimelineQuantity : unsigned char {
+    kFitness,
+    kDiversity,
+    kParts,
+    kNeurons,
+    kTrials,
+    kInvalid
+};
+
+// What the tiles of the population are sorted by; the first has most of it.
+enum class TileOrder : unsigned char { kFitness, kAge, kParts, kMass, kDifference };
+
 // Speeds of playback offered; 1 is real time.
 inline constexpr std::array kPlaybackSpeeds = {0.1, 0.25, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0};
 
@@ -37,6 +50,9 @@ struct ViewState {
     double speed = 1.0;           // of playback
     bool tour_taken = false;      // or declined
     bool newest_champion = true;  // the best of each finished generation takes the stage
+    TimelineQuantity quantity = TimelineQuantity::kFitness;
+    TileOrder order = TileOrder::kFitness;
+    bool starred_only = false;  // of the population's tiles
 
     friend bool operator==(const ViewState&, const ViewState&) = default;
 };

@@ -112,6 +112,12 @@ bool begin_choice(const char* id, const std::string& shown, float width) {
     return open;
 }
 
+bool menu_item(const char* label, const char* keys, bool enabled, bool chosen) {
+    const bool pressed = ImGui::MenuItem(label, keys, chosen, enabled);
+    note_place(label);
+    return pressed;
+}
+
 void caption(const std::string& text) {
     const WithFont font(ui().fonts.small);
     const WithTextColor color(colors().muted);
@@ -121,6 +127,12 @@ void caption(const std::string& text) {
 void panel_title(const std::string& text) {
     const WithFont font(ui().fonts.strong);
     ImGui::TextUnformatted(text.c_str());
+}
+
+void place_title(const std::string& text) {
+    const bool focused = ImGui::IsWindowFocused(ImGuiFocusedFlags_ChildWindows);
+    const WithTextColor color(focused ? colors().accent : colors().text);
+    panel_title(text);
 }
 
 void fact(const std::string& label, const std::string& value) {
@@ -170,7 +182,10 @@ void tooltip(const std::string& text) {
     // Beneath the control, which stays in sight; above it near the window's foot.
     const float foot = ImGui::GetItemRectMax().y;
     const bool above = foot > ImGui::GetIO().DisplaySize.y - px(160);
-    const ImVec2 at = {ImGui::GetIO().MousePos.x, above ? low.y - px(6) : foot + px(6)};
+    const float wide = ImGui::CalcTextSize(text.c_str(), nullptr, false, px(320)).x + px(24);
+    const float x =
+        std::min(ImGui::GetIO().MousePos.x, ImGui::GetIO().DisplaySize.x - wide - px(4));
+    const ImVec2 at = {std::max(0.0F, x), above ? low.y - px(6) : foot + px(6)};
     ImGui::SetNextWindowPos(at, ImGuiCond_Always, {0.0F, above ? 1.0F : 0.0F});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(px(12), px(9)));
     ImGui::BeginTooltip();

@@ -34,10 +34,15 @@ int segmented(const std::string& name, const std::vector<std::string>& labels, i
 // As ImGui::BeginCombo, with a chevron like all else here; ImGui::EndCombo() ends it.
 bool begin_choice(const char* id, const std::string& shown, float width);
 
+// A menu's entry; true when pressed.
+bool menu_item(const char* label, const char* keys, bool enabled = true, bool chosen = false);
+
 // Small words above a part of a panel.
 void caption(const std::string& text);
 // A panel's name, at its top.
 void panel_title(const std::string& text);
+// The same, in the accent colour while the place it heads has the keyboard.
+void place_title(const std::string& text);
 // "label   value" on one line, the value to the right.
 void fact(const std::string& label, const std::string& value);
 // Text in the small font and muted colour, wrapped.

@@ -1,5 +1,6 @@
 """The studio in a real X window: mouse and keys from outside, its status log to see what came."""
 
+import csv
 import json
 import os
 import pathlib
@@ -109,6 +110,28 @@ class StudioTest(ProgramTest):
     def press(self, key):
         self.display.tool("keydown", key, "sleep", 0.1, "keyup", key)
 
+    def drag(self, name, from_share, to_share):
+        """Over a control from one share of its width to another, in some steps; lets go there."""
+        x, y = self.place_of(name)
+        width = self.wait_for("place", name=name)[0]["width"]
+        steps = [x + int(width * (from_share + (to_share - from_share) * i / 5 - 0.5))
+                 for i in range(6)]
+        self.display.tool("mousemove", steps[0], y, "sleep", 0.2, "mousedown", 1)
+        for step in steps[1:]:
+            self.display.tool("mousemove", step, y, "sleep", 0.1)
+        self.display.tool("mouseup", 1)
+
+    def save_as(self, keys, name):
+        """Through the file panel that these keys open; the path that was written."""
+        after = len(self.events())
+        self.display.tool("key", keys)
+        time.sleep(1.0)
+        # Held for a moment, as by a hand, so that a frame sees both keys down.
+        self.display.tool("keydown", "ctrl", "keydown", "a", "sleep", 0.2, "keyup", "a", "keyup",
+                          "ctrl", "type", "--delay", "30", str(self.folder / name))
+        self.display.tool("key", "Return")
+        return pathlib.Path(self.wait_for("saved", after=after)[0]["path"])
+
     def quit(self):
         self.display.tool("key", "ctrl+q")
         self.wait_for("quit")
@@ -127,12 +150,8 @@ class StudioWindow(StudioTest):
         self.press("space")
         self.wait_for("paused", after=after)
         self.assert_painted(display.picture("evolved-1280x800.png"))
-        display.tool("key", "ctrl+s")
-        time.sleep(1.0)
-        display.tool("key", "ctrl+a", "type", "--delay", "30", str(self.folder / "kept"))
-        display.tool("key", "Return")
-        saved, _ = self.wait_for("saved")
-        self.assertEqual(saved["path"], str(self.folder / "kept.creature.json"))
+        saved = self.save_as("ctrl+s", "kept")
+        self.assertEqual(saved, self.folder / "kept.creature.json")
         self.quit()
         self.run_well("verify", "kept.creature.json")
 
@@ -141,6 +160,43 @@ class StudioWindow(StudioTest):
         self.assertIn("kept.creature.json", loaded["path"])
         self.wait_for("shown")
         self.quit()
+
+    def test_the_timeline_is_scrubbed_and_exported(self):
+        self.write("small.toml", SMALL)
+        display = self.open_display()
+        self.start(display, "small.toml", "--evolve")
+        self.wait_for("generation", number=11)
+        self.press("space")
+        _, after = self.wait_for("paused")
+        self.drag("timeline", 0.9, -0.1)
+        _, after = self.wait_for("shown", after=after, title="Champion of generation 0")
+        self.press("Right")
+        _, after = self.wait_for("shown", after=after, title="Champion of generation 1")
+        self.press("k")
+        self.wait_for("starred", after=after)
+        self.assert_painted(display.picture("scrubbed-1280x800.png"))
+        self.press("n")
+        last = max(event["number"] for event in self.events() if event["event"] == "generation")
+        self.wait_for("shown", after=after, title=f"Champion of generation {last:.0f}")
+        table = self.save_as("ctrl+e", "run")
+        self.assertEqual(table, self.folder / "run.csv")
+        self.assert_table_tells_what_happened(table)
+        plot = self.save_as("ctrl+shift+e", "plot")
+        size = subprocess.run(["identify", "-format", "%w %h %k", str(plot)], check=True,
+                              stdout=subprocess.PIPE, encoding="utf-8").stdout.split()
+        self.assertEqual(size[:2], ["1280", "720"])
+        self.assertGreater(int(size[2]), 16)
+        self.quit()
+
+    def assert_table_tells_what_happened(self, table):
+        with table.open(newline="") as file:
+            rows = list(csv.DictReader(file))
+        generations = [event for event in self.events() if event["event"] == "generation"]
+        self.assertEqual([int(row["generation"]) for row in rows],
+                         [event["number"] for event in generations])
+        for row, event in zip(rows, generations):
+            self.assertAlmostEqual(float(row["best"]), event["best"], delta=1e-6)
+            self.assertEqual(int(row["size"]), 12)
 
     def test_a_damaged_file_is_a_message_and_the_studio_goes_on(self):
         self.write("cut.creature.json", '{"format": "cambrian-creature", "ver')

@@ -33,6 +33,54 @@ TEST_CASE("the main controls stand inside a window of 1280 by 720", "[studio][ma
     CHECK(out.actions().empty());
 }
 
+TEST_CASE("the timeline's and the population's controls stand in a small window without overlap",
+          "[studio][main_window]") {
+    NullImGui gui(1280, 720);
+    MainWindow window(nullptr);
+    test::StudioFixture studio;
+    studio.show_crawler();
+    studio.finish_generation(1.0);
+    Requests out;
+    draw_whole(gui, window, studio.frame(), out);
+    for (const char* name : {"timeline quantity", "Export", "tile order", "Starred"}) {
+        INFO(name);
+        CHECK(inside(gui.place(name), 1280, 720));
+    }
+    const Rect& quantity = gui.place("timeline quantity");
+    CHECK(quantity.x + quantity.width < gui.place("Export").x);
+    CHECK(gui.place("Export").x + gui.place("Export").width < gui.place("tile order").x);
+    CHECK(gui.place("timeline").y > quantity.y + quantity.height);
+}
+
+TEST_CASE("the keyboard can be sent to the timeline and to the population",
+          "[studio][main_window]") {
+    NullImGui gui(1280, 720);
+    MainWindow window(nullptr);
+    test::StudioFixture studio;
+    studio.show_crawler();
+    for (int i = 0; i < 5; ++i)
+        studio.finish_generation(i);
+    const auto left_in = [&](Place place) {
+        FrameContext frame = studio.frame();
+        Requests out;
+        draw_whole(gui, window, frame, out);
+        frame.focus = place;
+        draw_whole(gui, window, frame, out);
+        frame.focus = Place::kNone;
+        gui.hold_key(ImGuiKey_LeftArrow, true);
+        draw_whole(gui, window, frame, out);
+        gui.hold_key(ImGuiKey_LeftArrow, false);
+        draw_whole(gui, window, frame, out);
+        return out;
+    };
+    const Requests timeline = left_in(Place::kTimeline);
+    CHECK(test::asked<ShowChampion>(timeline).generation == 3);
+    CHECK_FALSE(test::was_asked<ShowIndividual>(timeline));
+    const Requests population = left_in(Place::kPopulation);
+    CHECK(test::was_asked<ShowIndividual>(population));
+    CHECK_FALSE(test::was_asked<ShowChampion>(population));
+}
+
 TEST_CASE("the transport's controls do not overlap in a small window", "[studio][main_window]") {
     NullImGui gui(1280, 720);
     MainWindow window(nullptr);

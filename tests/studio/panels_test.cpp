@@ -103,7 +103,7 @@ TEST_CASE("a click on a tile shows its creature", "[studio][population]") {
     test::StudioFixture studio;
     studio.finish_generation(1.0);
     const Requests out = click(gui, panel, studio, "tile 0");
-    CHECK(test::asked<ShowIndividual>(out).individual == studio.snapshot().population[0]);
+    CHECK(test::asked<ShowIndividual>(out).creature.individual == studio.snapshot().population[0]);
 }
 
 TEST_CASE("the viewport draws the creature on show and takes hold of it", "[studio][viewport]") {

@@ -2,6 +2,8 @@
 
 #include "support/catch.h"
 
+#include <algorithm>
+
 namespace cambrian {
 namespace {
 
@@ -31,6 +33,46 @@ TEST_CASE("there are never many more marks than asked for", "[studio][plot]") {
             CHECK(round_marks(-0.3 * high, high, most).size() <=
                   static_cast<std::size_t>(most) + 1);
     }
+}
+
+// A thousand points in ten pixels.
+struct DenseCurve {
+    DenseCurve() {
+        for (int i = 0; i < 1000; ++i) {
+            xs.push_back(i);
+            ys.push_back(i % 7);
+        }
+        ys[503] = 1000.0;
+        ys[704] = -1000.0;
+    }
+    std::vector<double> xs;
+    std::vector<double> ys;
+    PlotScale scale{{0.0F, 0.0F, 10.0F, 100.0F}, 0.0, 1000.0, -1000.0, 1000.0};
+};
+
+TEST_CASE("a dense curve keeps its ends and its extremes, a few points a pixel", "[studio][plot]") {
+    const DenseCurve curve;
+    const std::vector<std::size_t> kept = thinned(curve.scale, curve.xs, curve.ys);
+    CHECK(kept.size() <= 40);
+    CHECK(std::is_sorted(kept.begin(), kept.end()));
+    for (const std::size_t needed : std::vector<std::size_t>{0, 503, 704, 999})
+        CHECK(std::count(kept.begin(), kept.end(), needed) == 1);
+}
+
+TEST_CASE("a sparse curve keeps every point", "[studio][plot]") {
+    const std::vector<double> xs = {0.0, 1.0, 2.0, 20.0};
+    const std::vector<double> ys = {1.0, 1.0, 3.0, 0.0};
+    CHECK(thinned(kScale, xs, ys) == std::vector<std::size_t>{0, 1, 2, 3});
+    CHECK(thinned(kScale, {}, {}).empty());
+}
+
+TEST_CASE("a dense band has one extent a pixel that covers all of its points", "[studio][plot]") {
+    const DenseCurve curve;
+    const auto columns = band_columns(curve.scale, curve.xs, curve.ys, curve.ys);
+    REQUIRE(columns.size() == 10);
+    CHECK(columns[5].upper == 1000.0);
+    CHECK(columns[5].lower == 0.0);
+    CHECK(columns[7].lower == -1000.0);
 }
 
 TEST_CASE("an empty range has no marks and a flat one can still be drawn", "[studio][plot]") {

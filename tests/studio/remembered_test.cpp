@@ -18,6 +18,8 @@ TEST_CASE("the arrangement and the settings come back as they were left", "[stud
     left.view.ghosts = GhostChoice::kTenths;
     left.view.tour_taken = true;
     left.view.left_width = 312.0F;
+    left.view.quantity = TimelineQuantity::kNeurons;
+    left.view.order = TileOrder::kMass;
     left.settings.world.environment.gravity = 1.62;
     left.settings.seed = 99;
     REQUIRE(remember(folder.path() / "new", left, test::kinds()));

@@ -1,5 +1,6 @@
 #include "studio/session.h"
 
+#include "persist/statistics_csv.h"
 #include "studio_fixture.h"
 #include "support/temporary_directory.h"
 
@@ -116,6 +117,104 @@ TEST_CASE("one generation is evaluated, logged and its champion takes the stage"
     REQUIRE_FALSE(frame.playback.empty());
     CHECK(frame.playback.exhibit().genome == frame.snapshot.champions[0].individual->genome);
     CHECK(run.log().find("{\"event\":\"generation\",\"number\":0,\"best\":") != std::string::npos);
+}
+
+// Runs until so many generations are finished.
+void finish_generations(SessionRun& run, std::size_t count) {
+    while (run.champions() < count) {
+        const std::size_t before = run.champions();
+        run.ask(RunOneGeneration{});
+        REQUIRE(run.frames_until([&] { return run.champions() == before + 1; }));
+        REQUIRE(run.frames_until(
+            [&] { return run.session.frame_context().snapshot.status == EngineStatus::kPaused; }));
+    }
+}
+
+const Exhibit& shown_in(const SessionRun& run) {
+    return run.session.frame_context().playback.exhibit();
+}
+
+TEST_CASE("scrubbing shows past champions until the newest is asked for", "[studio][session]") {
+    SessionRun run;
+    run.ask(ShowChampion{0});  // there is none yet: nothing happens
+    CHECK(run.session.frame_context().playback.empty());
+    finish_generations(run, 4);
+    for (const std::uint32_t generation : {2U, 1U, 0U, 3U, 0U}) {
+        run.ask(ShowChampion{generation});
+        CHECK(shown_in(run).generation == generation);
+        CHECK(shown_in(run).genome ==
+              run.session.frame_context().snapshot.champions[generation].individual->genome);
+    }
+    run.ask(ShowChampion{77});
+    CHECK(shown_in(run).generation == 0);
+    finish_generations(run, 5);
+    run.ask(ShowChampion{1});
+    run.ask(ShowNewest{});
+    CHECK(shown_in(run).generation == 4);
+    CHECK(run.session.view().newest_champion);
+}
+
+TEST_CASE("after a fast scrub the creature that stayed gets its score", "[studio][session]") {
+    SessionRun run;
+    finish_generations(run, 3);
+    for (int i = 0; i < 200; ++i)
+        run.ask(ShowChampion{static_cast<std::uint32_t>(i % 3)});
+    REQUIRE(run.frames_until([&] { return run.session.frame_context().score != nullptr; }));
+    CHECK(run.session.frame_context().score->record.digest == shown_in(run).result->digest);
+}
+
+TEST_CASE("statistics are exported as a table with a row a generation", "[studio][session]") {
+    SessionRun run;
+    const auto path = run.folder.path() / "run.csv";
+    run.ask(OpenFilePanel{FileTask::kSaveStatistics});
+    CHECK_FALSE(run.session.frame_context().files.open);  // nothing to export yet
+    finish_generations(run, 3);
+    run.ask(OpenFilePanel{FileTask::kSaveStatistics});
+    CHECK(run.session.frame_context().files.open);
+    run.ask(SaveStatisticsFile{path});
+    REQUIRE(run.frames_until([&] { return std::filesystem::exists(path); }));
+    std::ostringstream text;
+    text << std::ifstream(path).rdbuf();
+    CHECK(text.str() == statistics_csv(run.session.frame_context().snapshot.history));
+}
+
+TEST_CASE("a plot is asked of the window in the size that was chosen", "[studio][session]") {
+    SessionRun run;
+    finish_generations(run, 1);
+    run.ask(OpenFilePanel{FileTask::kSavePlot, {1920, 1080}});
+    CHECK(run.session.frame_context().files.picture.width == 1920);
+    CHECK(run.session.frame_context().files.suggested_name == "fitness.png");
+    run.ask(SavePlotPicture{"plot.png", {1920, 1080}});
+    const auto request = run.session.take_plot_request();
+    REQUIRE(request);
+    CHECK(request->size.height == 1080);
+    CHECK_FALSE(run.session.take_plot_request());
+}
+
+TEST_CASE("the creature on show can have a star and is shown from it under its own settings",
+          "[studio][session]") {
+    SessionRun run;
+    run.session.show_newcomer();
+    run.ask(ToggleStarOfShown{});  // not of this experiment
+    CHECK(run.session.frame_context().stars.all().empty());
+    finish_generations(run, 1);
+    run.ask(ShowNewest{});
+    run.ask(ToggleStarOfShown{});
+    REQUIRE(run.session.frame_context().stars.all().size() == 1);
+    const ChampionRecord kept = run.session.frame_context().stars.all().front();
+    ExperimentSettings moon = run.session.frame_context().editor.draft();
+    moon.world.environment.gravity = 1.62;
+    run.ask(EditSettings{moon, "environment.gravity"});
+    run.ask(FinishEdit{});
+    finish_generations(run, 3);
+    run.ask(ShowIndividual{kept});
+    CHECK(shown_in(run).genome == kept.individual->genome);
+    CHECK(shown_in(run).generation == 0);
+    CHECK(shown_in(run).world.environment.gravity == 9.81);
+    run.ask(ToggleStarOfShown{});
+    CHECK(run.session.frame_context().stars.all().empty());
+    run.ask(RestoreStar{});
+    CHECK(run.session.frame_context().stars.all().size() == 1);
 }
 
 TEST_CASE("the score shown is the one the engine found, and the replay is verified",

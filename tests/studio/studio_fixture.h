@@ -51,13 +51,16 @@ public:
                 .editor = editor_,
                 .playback = playback_,
                 .view = view_,
-                .files = files_};
+                .files = files_,
+                .stars = stars_};
     }
 
     EvolutionSnapshot& snapshot() { return snapshot_; }
     SettingsEditor& editor() { return editor_; }
     Playback& playback() { return playback_; }
     FileBrowser& files() { return files_; }
+    Stars& stars() { return stars_; }
+    ViewState& view() { return view_; }
 
 private:
     std::vector<SettingField> fields_ = setting_fields(kinds());
@@ -67,6 +70,7 @@ private:
     Playback playback_{kinds().creature};
     ViewState view_;
     FileBrowser files_;
+    Stars stars_;
 };
 
 // The only action of a kind that was asked for; fails the test if there is none.

@@ -22,6 +22,8 @@ public:
         io.IniFilename = nullptr;
         io.DisplaySize = {width, height};
         io.DeltaTime = 1.0F / 60.0F;
+        for (int key = 0; key < ImGuiKey_COUNT; ++key)
+            io.KeyMap[key] = key;
         unsigned char* pixels = nullptr;
         int atlas_width = 0;
         int atlas_height = 0;
@@ -69,6 +71,7 @@ public:
     void press(int button = 0) { ImGui::GetIO().MouseDown[button] = true; }
     void release(int button = 0) { ImGui::GetIO().MouseDown[button] = false; }
     void hold_control(bool held) { ImGui::GetIO().KeyCtrl = held; }
+    void hold_key(ImGuiKey key, bool held) { ImGui::GetIO().KeysDown[key] = held; }
     void forget_places() { context_.places.clear(); }
 
 private:

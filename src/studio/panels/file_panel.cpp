@@ -17,12 +17,12 @@ const char* title_of(FileTask task) {
             return "Save the creature on show";
         case FileTask::kSaveSettings:
             break;
+        case FileTask::kSaveStatistics:
+            return "Export the statistics";
+        case FileTask::kSavePlot:
+            return "Export the plot";
     }
     return "Save the settings";
-}
-
-const char* ending_of(FileTask task) {
-    return task == FileTask::kSaveSettings ? ".toml" : ".creature.json";
 }
 
 // A line with an icon that can be pressed.
@@ -125,6 +125,8 @@ void FilePanel::confirm(const FrameContext& frame, Requests& out) const {
     if (task == FileTask::kOpen) out.ask(LoadFile{path});
     if (task == FileTask::kSaveCreature) out.ask(SaveCreatureFile{path});
     if (task == FileTask::kSaveSettings) out.ask(SaveSettingsFile{path});
+    if (task == FileTask::kSaveStatistics) out.ask(SaveStatisticsFile{path});
+    if (task == FileTask::kSavePlot) out.ask(SavePlotPicture{path, frame.files.picture});
     out.ask(CloseFilePanel{});
 }
 

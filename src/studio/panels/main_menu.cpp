@@ -2,6 +2,7 @@
 
 #include "studio/overlays.h"
 #include "studio/panels/viewport_tools.h"
+#include "studio/panels/export_menu.h"
 #include "studio/widgets.h"
 
 #include <array>
@@ -9,39 +10,35 @@
 namespace cambrian {
 namespace {
 
-bool item(const char* label, const char* keys, bool enabled = true, bool chosen = false) {
-    const bool pressed = ImGui::MenuItem(label, keys, chosen, enabled);
-    note_place(label);
-    return pressed;
-}
-
 void draw_file_menu(const FrameContext& frame, Requests& out) {
     const bool any = !frame.playback.empty();
-    if (item("Open…", "Ctrl+O")) out.ask(OpenFilePanel{FileTask::kOpen});
-    if (item("Samples…", "Ctrl+Shift+O")) out.ask(ToggleSamples{});
+    if (menu_item("Open…", "Ctrl+O")) out.ask(OpenFilePanel{FileTask::kOpen});
+    if (menu_item("Samples…", "Ctrl+Shift+O")) out.ask(ToggleSamples{});
     ImGui::Separator();
-    if (item("Save creature…", "Ctrl+S", any)) out.ask(OpenFilePanel{FileTask::kSaveCreature});
-    if (item("Save settings…", "Ctrl+Shift+S")) out.ask(OpenFilePanel{FileTask::kSaveSettings});
-    if (item("Save picture of the window", "F12")) out.ask(SaveScreenshot{});
+    if (menu_item("Save creature…", "Ctrl+S", any)) out.ask(OpenFilePanel{FileTask::kSaveCreature});
+    if (menu_item("Save settings…", "Ctrl+Shift+S"))
+        out.ask(OpenFilePanel{FileTask::kSaveSettings});
+    draw_export_items(frame, out);
+    if (menu_item("Save picture of the window", "F12")) out.ask(SaveScreenshot{});
     ImGui::Separator();
-    if (item("Quit", "Ctrl+Q")) out.ask(QuitStudio{});
+    if (menu_item("Quit", "Ctrl+Q")) out.ask(QuitStudio{});
 }
 
 void draw_edit_menu(const FrameContext& frame, Requests& out) {
-    if (item("Undo", "Ctrl+Z", frame.editor.can_undo())) out.ask(UndoEdit{});
-    if (item("Redo", "Ctrl+Shift+Z", frame.editor.can_redo())) out.ask(RedoEdit{});
-    if (item("Find a setting", "Ctrl+F")) out.ask(FindSetting{});
+    if (menu_item("Undo", "Ctrl+Z", frame.editor.can_undo())) out.ask(UndoEdit{});
+    if (menu_item("Redo", "Ctrl+Shift+Z", frame.editor.can_redo())) out.ask(RedoEdit{});
+    if (menu_item("Find a setting", "Ctrl+F")) out.ask(FindSetting{});
     ImGui::Separator();
-    if (item("New run", nullptr)) out.ask(StartNewRun{false});
+    if (menu_item("New run", nullptr)) out.ask(StartNewRun{false});
     const bool any = !frame.snapshot.population.empty();
-    if (item("New run from these creatures", nullptr, any)) out.ask(StartNewRun{true});
-    if (item("New run from the creature on show", nullptr, !frame.playback.empty()))
+    if (menu_item("New run from these creatures", nullptr, any)) out.ask(StartNewRun{true});
+    if (menu_item("New run from the creature on show", nullptr, !frame.playback.empty()))
         out.ask(StartFromShown{});
 }
 
 void view_item(const char* label, const char* keys, bool ViewState::*flag,
                const FrameContext& frame, Requests& out) {
-    if (!item(label, keys, true, frame.view.*flag)) return;
+    if (!menu_item(label, keys, true, frame.view.*flag)) return;
     ViewState view = frame.view;
     view.*flag = !(view.*flag);
     out.ask(ChangeView{view});
@@ -54,7 +51,7 @@ void draw_view_menu(const FrameContext& frame, Requests& out) {
     ImGui::Separator();
     view_item("Follow the creature", "F", &ViewState::follow, frame, out);
     view_item("Show each new champion", nullptr, &ViewState::newest_champion, frame, out);
-    if (item("Fit into view", "Home")) out.ask(FitView{});
+    if (menu_item("Fit into view", "Home")) out.ask(FitView{});
     ImGui::Separator();
     for (const OverlayKind& overlay : overlay_kinds())
         view_item(overlay.label, nullptr, overlay.shown, frame, out);
@@ -62,7 +59,7 @@ void draw_view_menu(const FrameContext& frame, Requests& out) {
     ghost_lines(frame, out);
     ImGui::Separator();
     const bool light = frame.view.theme == ThemeKind::kLight;
-    if (item("Light theme", nullptr, true, light)) {
+    if (menu_item("Light theme", nullptr, true, light)) {
         ViewState view = frame.view;
         view.theme = light ? ThemeKind::kDark : ThemeKind::kLight;
         out.ask(ChangeView{view});
@@ -70,11 +67,11 @@ void draw_view_menu(const FrameContext& frame, Requests& out) {
 }
 
 void draw_help_menu(const FrameContext&, Requests& out) {
-    if (item("Help", "F1")) out.ask(ToggleHelp{});
-    if (item("Keys", nullptr)) out.ask(ShowHelp{kKeysPage});
-    if (item("Tour of the window", nullptr)) out.ask(TurnTour{0});
+    if (menu_item("Help", "F1")) out.ask(ToggleHelp{});
+    if (menu_item("Keys", nullptr)) out.ask(ShowHelp{kKeysPage});
+    if (menu_item("Tour of the window", nullptr)) out.ask(TurnTour{0});
     ImGui::Separator();
-    if (item("About Cambrian", nullptr)) out.ask(ShowHelp{kAboutPage});
+    if (menu_item("About Cambrian", nullptr)) out.ask(ShowHelp{kAboutPage});
 }
 
 struct Menu {

@@ -1,6 +1,7 @@
 #include "studio/panels/timeline_panel.h"
 
 #include "studio/help_mark.h"
+#include "studio/panels/export_menu.h"
 #include "studio/text.h"
 #include "studio/widgets.h"
 
@@ -12,37 +13,57 @@ namespace {
 
 constexpr double kNewcomerShare = 0.2;
 constexpr const char* kManyKinds = "map-elites";
+constexpr float kMarkReach = 5.0F;  // from a mark, within which its words are shown
+constexpr int kLongStride = 10;     // generations, with Shift
 
-void legend_entry(const char* name, const Color& color, bool band) {
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    const float middle = at.y + 0.5F * ImGui::GetFontSize();
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    const float half = band ? px(5) : px(1.2F);
-    list.AddRectFilled({at.x, middle - half}, {at.x + px(14), middle + half}, paint(color), px(1));
-    ImGui::Dummy({px(14), ImGui::GetFontSize()});
-    ImGui::SameLine(0, px(6));
-    const WithTextColor muted(colors().muted);
-    ImGui::TextUnformatted(name);
+std::string unit_of_goal(const FrameContext& frame) {
+    return goal_unit(frame.snapshot.settings->goal, frame.kinds.goals);
+}
+
+void draw_quantities(const FrameContext& frame, Requests& out) {
+    const TimelinePlot& chosen = timeline_plot(frame.view.quantity);
+    const bool open =
+        begin_choice("##quantity", timeline_title(chosen, unit_of_goal(frame)), px(128));
+    note_place("timeline quantity");
+    if (!open) return tooltip("What is plotted (Up, Down). " + std::string(chosen.what));
+    for (const TimelinePlot& plot : timeline_plots()) {
+        if (ImGui::Selectable(plot.name, &plot == &chosen)) {
+            ViewState view = frame.view;
+            view.quantity = plot.quantity;
+            out.ask(ChangeView{view});
+        }
+        note_place(plot.name);
+        tooltip(plot.what);
+    }
+    ImGui::EndCombo();
 }
 
 void draw_heading(const FrameContext& frame, Requests& out) {
-    const GoalKind* goal = frame.kinds.goals.find(frame.snapshot.settings->goal);
-    panel_title("Timeline");
+    ImGui::AlignTextToFramePadding();
+    place_title("Timeline");
     const WithFont font(ui().fonts.small);
     ImGui::SameLine(0, px(10));
-    {
-        const WithTextColor muted(colors().muted);
-        ImGui::TextUnformatted(goal == nullptr ? ""
-                                               : ("fitness in " + pretty_unit(goal->unit)).c_str());
+    draw_quantities(frame, out);
+    ImGui::SameLine();
+    const float after = ImGui::GetCursorPosX();
+    const float height = ImGui::GetFrameHeight();
+    const float export_width = px(62);
+    const float right = ImGui::GetWindowContentRegionMax().x - px(30);
+    const TimelinePlot& plot = timeline_plot(frame.view.quantity);
+    const float legend_right = right - export_width - px(12);
+    if (legend_right - legend_width(plot) > after) {
+        const ImVec2 corner = ImGui::GetWindowPos();
+        draw_legend(*ImGui::GetWindowDrawList(), plot,
+                    {corner.x + legend_right,
+                     ImGui::GetCursorScreenPos().y + 0.5F * (height - ImGui::GetFontSize())});
     }
-    const float right = ImGui::GetWindowContentRegionMax().x;
-    ImGui::SameLine(std::max(ImGui::GetCursorPosX() + px(20), right - px(246)));
-    legend_entry("best", colors().plot_best, false);
-    ImGui::SameLine(0, px(12));
-    legend_entry("median", colors().plot_median, false);
-    ImGui::SameLine(0, px(12));
-    legend_entry("10–90 %", with_alpha(colors().plot_median, 0.3F), true);
-    ImGui::SameLine(right - px(24));
+    ImGui::SameLine(right - export_width);
+    if (push_button("Export", {.look = ButtonLook::kGhost,
+                               .width = export_width,
+                               .height = height,
+                               .tooltip = "The statistics as a table, or this plot as a picture"}))
+        ImGui::OpenPopup("export");
+    ImGui::SameLine(right + px(6));
     help_mark("timeline", out);
 }
 
@@ -51,16 +72,20 @@ void draw_stagnation(const FrameContext& frame, Requests& out) {
     const auto& history = frame.snapshot.history;
     if (history.empty() || !stagnant(history.back())) return;
     const ExperimentSettings& draft = frame.editor.draft();
+    const WithFont font(ui().fonts.small);
+    const float height = ImGui::GetFrameHeight();
     ImGui::AlignTextToFramePadding();
     muted_text(format("The best has not risen for %d generations.",
                       history.back().generations_without_progress));
     ImGui::SameLine(0, px(10));
     if (push_button("Add newcomers",
-                    {.tooltip = "Once, a fifth of the next generation is new random creatures."}))
+                    {.height = height,
+                     .tooltip = "Once, a fifth of the next generation is new random creatures."}))
         out.ask(AddNewcomers{kNewcomerShare});
     if (draft.selection.method == kManyKinds) return;
     ImGui::SameLine();
-    if (push_button("Many kinds", {.tooltip = "Keep the fittest of every kind of body: the "
+    if (push_button("Many kinds", {.height = height,
+                                   .tooltip = "Keep the fittest of every kind of body: the "
                                               "selection method becomes MAP-Elites."})) {
         ExperimentSettings edited = draft;
         edited.selection.method = kManyKinds;
@@ -91,122 +116,148 @@ std::string difference(const FrameContext& frame, const ExperimentSettings& befo
     return text;
 }
 
-std::string change_at(const FrameContext& frame, std::uint32_t generation) {
-    std::string text;
+// What changed at the mark nearest to a pixel, if one is within reach.
+std::string change_near(const FrameContext& frame, const PlotScale& scale, float pixel) {
     const auto& journal = frame.snapshot.journal;
+    float nearest = px(kMarkReach);
+    std::string text;
     for (std::size_t i = 1; i < journal.size(); ++i) {
-        if (journal[i].generation != generation) continue;
+        const auto generation = static_cast<double>(journal[i].generation);
+        const float away = std::fabs(scale.x_at(generation) - pixel);
+        if (generation > scale.x_high || away > nearest) continue;
+        const bool same_mark = journal[i].generation == journal[i - 1].generation && !text.empty();
+        if (!same_mark) text = format("Changed at generation %u:", journal[i].generation);
         text += difference(frame, *journal[i - 1].settings, *journal[i].settings);
+        nearest = away;
     }
-    if (!text.empty()) text.insert(0, "\n\nChanged here:");
     return text;
+}
+
+std::string percent(double share) {
+    return pretty_number(std::round(100.0 * share)) + " %";
+}
+
+std::string reading(const GenerationStatistics& stats, const std::string& unit) {
+    std::string text = format("Generation %u\nBest ", stats.generation);
+    text += with_unit(stats.best, unit) + ", median " + pretty_number(stats.median);
+    text += "\n10–90 %: " + pretty_number(stats.lower) + " to " + pretty_number(stats.upper);
+    text += format("\n%d distinct of %d, ", stats.distinct_genomes, stats.size);
+    text += percent(stats.invalid_share) + " invalid\nOn average ";
+    text += pretty_number(stats.mean_parts) + " parts, " + pretty_number(stats.mean_neurons);
+    text += format(" neurons\nMap: %d cells filled, quality ", stats.filled_cells);
+    text += pretty_number(stats.quality);
+    text += format("\n%d creatures simulated, ", stats.evaluations);
+    return text + percent(stats.time_saved) + " of the time saved";
+}
+
+// The row whose champion is on show, or -1.
+int shown_row(const FrameContext& frame) {
+    if (frame.playback.empty()) return -1;
+    const Exhibit& exhibit = frame.playback.exhibit();
+    if (exhibit.source != ExhibitSource::kChampion) return -1;
+    const auto& history = frame.snapshot.history;
+    const auto found = std::lower_bound(history.begin(), history.end(), exhibit.generation,
+                                        [](const GenerationStatistics& row, std::uint32_t wanted) {
+                                            return row.generation < wanted;
+                                        });
+    const bool known = found != history.end() && found->generation == exhibit.generation;
+    return known ? static_cast<int>(found - history.begin()) : -1;
+}
+
+void draw_line(const PlotScale& scale, double generation, const Color& color) {
+    const float x = std::floor(scale.x_at(generation)) + 0.5F;
+    const Rect& area = scale.area;
+    ImGui::GetWindowDrawList()->AddLine({x, area.y}, {x, area.y + area.height}, paint(color),
+                                        px(1));
+}
+
+// The cursor: a line with a grip that names the generation on show.
+void draw_cursor(const PlotScale& scale, double generation, const std::string& words) {
+    draw_line(scale, generation, colors().text);
+    const WithFont font(ui().fonts.small);
+    const ImVec2 size = ImGui::CalcTextSize(words.c_str());
+    const float width = size.x + px(10);
+    const Rect& area = scale.area;
+    const float x =
+        std::clamp(scale.x_at(generation) - 0.5F * width, area.x, area.x + area.width - width);
+    const ImVec2 low = {std::floor(x), std::floor(area.y - px(8))};
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled(low, {low.x + width, low.y + size.y + px(3)}, paint(colors().text), px(4));
+    list.AddText({low.x + px(5), low.y + px(1)}, paint(colors().panel), words.c_str());
 }
 
 }  // namespace
 
-void TimelinePanel::gather(const EvolutionSnapshot& snapshot) {
-    if (snapshot.experiment != experiment_ || snapshot.history.size() < generations_.size()) {
-        for (auto* column : {&generations_, &best_, &upper_, &median_, &lower_})
-            column->clear();
-        experiment_ = snapshot.experiment;
-    }
-    for (std::size_t i = generations_.size(); i < snapshot.history.size(); ++i) {
-        const GenerationStatistics& row = snapshot.history[i];
-        generations_.push_back(row.generation);
-        best_.push_back(row.best);
-        upper_.push_back(row.upper);
-        median_.push_back(row.median);
-        lower_.push_back(row.lower);
-    }
-}
-
-PlotScale TimelinePanel::scale_for(const Rect& area) const {
-    const double lowest = *std::min_element(lower_.begin(), lower_.end());
-    const double highest = *std::max_element(best_.begin(), best_.end());
-    const Range y = plot_range(std::min(0.0, lowest), highest);
-    const double last = std::max(generations_.back(), generations_.front() + 10.0);
-    return {area, generations_.front(), last, y.low, y.high};
-}
-
 void TimelinePanel::draw(const FrameContext& frame, Requests& out) {
     draw_heading(frame, out);
+    draw_export_popup("export", frame, out);
     draw_stagnation(frame, out);
-    gather(frame.snapshot);
+    chart_.gather(frame.snapshot, frame.view.quantity);
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const ImVec2 room = ImGui::GetContentRegionAvail();
-    if (generations_.empty()) {
-        ImGui::Dummy({0, px(6)});
-        muted_text("Press Evolve: each finished generation adds a point here.");
-        return;
-    }
-    const Rect area = {at.x + px(46), at.y + px(6), room.x - px(54), room.y - px(26)};
-    if (area.height < px(20)) return;
-    const PlotScale scale = scale_for(area);
+    const Rect area = {at.x + px(46), at.y + px(8), room.x - px(54), room.y - px(28)};
+    if (area.height < px(20) || area.width < px(20)) return;
+    if (chart_.empty()) muted_text("Press Evolve: each finished generation adds a point here.");
     ImGui::SetCursorScreenPos(area.low());
     ImGui::InvisibleButton("plot", {area.width, area.height});
     note_place("timeline");
-    draw_axes(*ImGui::GetWindowDrawList(), scale);
-    draw_changes(scale, frame.snapshot);
-    draw_curves(scale);
-    handle_mouse(scale, frame, out);
-}
-
-void TimelinePanel::draw_curves(const PlotScale& scale) const {
+    if (chart_.empty()) return;
+    const PlotScale scale = chart_.scale_for(area);
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    draw_band(list, scale, generations_, lower_, upper_, with_alpha(colors().plot_median, 0.22F));
-    draw_curve(list, scale, generations_, median_, colors().plot_median, px(1.5F));
-    draw_curve(list, scale, generations_, best_, colors().plot_best, px(2));
+    draw_axes(list, scale);
+    draw_change_marks(list, scale, frame.snapshot);
+    chart_.draw(list, scale);
+    follow_mouse(scale, frame, out);
+    follow_keys(frame, out);
 }
 
-void TimelinePanel::draw_changes(const PlotScale& scale, const EvolutionSnapshot& snapshot) const {
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    const float top = scale.area.y;
-    const float bottom = top + scale.area.height;
-    for (std::size_t i = 1; i < snapshot.journal.size(); ++i) {
-        const auto generation = static_cast<double>(snapshot.journal[i].generation);
-        if (generation > scale.x_high) continue;
-        const float x = std::floor(scale.x_at(generation)) + 0.5F;
-        list.AddLine({x, top}, {x, bottom}, paint(with_alpha(colors().accent, 0.45F)));
-        list.AddTriangleFilled({x - px(5), top - px(5)}, {x + px(5), top - px(5)}, {x, top + px(3)},
-                               paint(colors().accent));
-    }
-}
-
-void TimelinePanel::handle_mouse(const PlotScale& scale, const FrameContext& frame,
+void TimelinePanel::follow_mouse(const PlotScale& scale, const FrameContext& frame,
                                  Requests& out) const {
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    const Rect& area = scale.area;
-    const auto line_at = [&](double generation, const Color& color) {
-        const float x = std::floor(scale.x_at(generation)) + 0.5F;
-        list.AddLine({x, area.y}, {x, area.y + area.height}, paint(color));
-    };
-    if (!frame.playback.empty() && frame.playback.exhibit().source == ExhibitSource::kChampion) {
-        line_at(frame.playback.exhibit().generation, with_alpha(colors().text, 0.55F));
+    const auto& history = frame.snapshot.history;
+    const float pixel = ImGui::GetIO().MousePos.x;
+    const std::size_t row = chart_.row_at(scale, pixel);
+    const bool held = ImGui::IsItemActive();
+    const bool hovered = ImGui::IsItemHovered();
+    const int shown = held ? static_cast<int>(row) : shown_row(frame);
+    if (held || hovered) {
+        if (!held) draw_line(scale, chart_.generation(row), with_alpha(colors().text, 0.3F));
+        chart_.draw_dots(*ImGui::GetWindowDrawList(), scale, row);
     }
-    if (!ImGui::IsItemHovered() && !ImGui::IsItemActive()) return;
-    const double under = scale.x_from(ImGui::GetIO().MousePos.x) - generations_.front();
-    const double last = static_cast<double>(generations_.size() - 1);
-    const auto row = static_cast<std::size_t>(std::clamp(std::round(under), 0.0, last));
-    line_at(generations_[row], with_alpha(colors().text, 0.3F));
-    list.AddCircleFilled({scale.x_at(generations_[row]), scale.y_at(best_[row])}, px(4),
-                         paint(colors().plot_best));
-    const auto generation = static_cast<std::uint32_t>(generations_[row]);
-    const GenerationStatistics& stats = frame.snapshot.history[row];
-    if (ImGui::IsItemActive()) {
-        out.ask(ShowChampion{generation});
-        return;
+    if (shown >= 0) {
+        const std::uint32_t generation = history[static_cast<std::size_t>(shown)].generation;
+        draw_cursor(scale, generation, std::to_string(generation));
     }
-    const std::string text = format(
-        "Generation %u\nBest %s, median %s\n10–90 %%: %s to %s\n%d distinct of %d, %s %% "
-        "invalid\nMap: %d cells filled, quality %s\n%d creatures simulated, %s %% of the time "
-        "saved",
-        generation, pretty_number(stats.best).c_str(), pretty_number(stats.median).c_str(),
-        pretty_number(stats.lower).c_str(), pretty_number(stats.upper).c_str(),
-        stats.distinct_genomes, stats.size,
-        pretty_number(std::round(100.0 * stats.invalid_share)).c_str(), stats.filled_cells,
-        pretty_number(stats.quality).c_str(), stats.evaluations,
-        pretty_number(std::round(100.0 * stats.time_saved)).c_str());
-    tooltip(text + change_at(frame, generation) + "\n\nClick to watch its champion.");
+    if (held && shown_row(frame) != static_cast<int>(row))
+        out.ask(ShowChampion{history[row].generation});
+    if (held || !hovered) return;
+    std::string text = reading(history[row], unit_of_goal(frame));
+    const std::string change = change_near(frame, scale, pixel);
+    if (!change.empty()) text += "\n\n" + change;
+    tooltip(text + "\n\nClick or drag to watch champions; Left and Right step through them.");
+}
+
+void TimelinePanel::follow_keys(const FrameContext& frame, Requests& out) const {
+    if (!ImGui::IsWindowFocused() || ImGui::GetIO().WantTextInput) return;
+    const auto pressed = [](ImGuiKey key) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key)); };
+    const int last = static_cast<int>(frame.snapshot.history.size()) - 1;
+    const int stride = ImGui::GetIO().KeyShift ? kLongStride : 1;
+    const int steps = pressed(ImGuiKey_RightArrow)  ? stride
+                      : pressed(ImGuiKey_LeftArrow) ? -stride
+                                                    : 0;
+    const int shown = shown_row(frame);
+    const int row = (shown < 0 ? last : shown) + steps;
+    if (steps != 0 && row > last) out.ask(ShowNewest{});
+    if (steps != 0 && row <= last) {
+        const auto wanted = static_cast<std::size_t>(std::max(0, row));
+        out.ask(ShowChampion{frame.snapshot.history[wanted].generation});
+    }
+    const int turn = pressed(ImGuiKey_DownArrow) ? 1 : pressed(ImGuiKey_UpArrow) ? -1 : 0;
+    if (turn == 0) return;
+    const int count = static_cast<int>(timeline_plots().size());
+    ViewState view = frame.view;
+    view.quantity =
+        static_cast<TimelineQuantity>((static_cast<int>(view.quantity) + turn + count) % count);
+    out.ask(ChangeView{view});
 }
 
 }  // namespace cambrian

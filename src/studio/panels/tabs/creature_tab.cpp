@@ -1,5 +1,6 @@
 #include "studio/panels/tabs/creature_tab.h"
 
+#include "studio/origin_words.h"
 #include "studio/text.h"
 #include "studio/widgets.h"
 
@@ -17,8 +18,7 @@ void section(const char* title) {
 }
 
 std::string unit_of(const FrameContext& frame) {
-    const GoalKind* goal = frame.kinds.goals.find(frame.playback.exhibit().goal);
-    return goal == nullptr ? std::string() : goal->unit;
+    return goal_unit(frame.playback.exhibit().goal, frame.kinds.goals);
 }
 
 void draw_headline(const FrameContext& frame) {
@@ -101,8 +101,7 @@ void draw_origin(const FrameContext& frame) {
     if (!exhibit.uid.empty()) fact("Identity", exhibit.uid);
     for (const MutationRecord& mutation : exhibit.mutations) {
         ImGui::Dummy({0, px(1)});
-        muted_text(capitalized(mutation.operator_id) + ": " + mutation.place + " " + mutation.from +
-                   (mutation.to.empty() ? "" : " → " + mutation.to));
+        muted_text(mutation_words(mutation, frame.kinds.mutations));
     }
 }
 
