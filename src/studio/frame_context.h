@@ -6,6 +6,7 @@
 #include "evolution/snapshot.h"
 #include "studio/file_browser.h"
 #include "studio/notices.h"
+#include "studio/picking_view.h"
 #include "studio/playback.h"
 #include "studio/settings_editor.h"
 #include "studio/view_state.h"
@@ -36,6 +37,7 @@ struct FrameContext {
     const Notice* notice = nullptr;
     bool help_shown = false;
     Highlight highlight = {};
+    const PickingView* picking = nullptr;  // null in automatic evolution
 };
 
 }  // namespace cambrian

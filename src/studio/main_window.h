@@ -9,7 +9,12 @@
 #include "studio/panels/help_panel.h"
 #include "studio/panels/inspector_panel.h"
 #include "studio/panels/notice_strip.h"
+#include "studio/panels/picking_grid_panel.h"
+#include "studio/panels/picking_panel.h"
+#include "studio/panels/picking_strip.h"
+#include "studio/panels/picking_tree_panel.h"
 #include "studio/panels/population_panel.h"
+#include "studio/panels/shelf_panel.h"
 #include "studio/panels/timeline_panel.h"
 #include "studio/panels/transport_bar.h"
 #include "studio/panels/viewport_panel.h"
@@ -18,13 +23,15 @@ namespace cambrian {
 
 class MainWindow {
 public:
-    explicit MainWindow(Renderer* renderer) : viewport_(renderer) {}
+    explicit MainWindow(Renderer* renderer) : viewport_(renderer), grid_(renderer) {}
 
     // Between the host's begin_frame and end_frame.
     void draw(const FrameContext& frame, int framebuffer_height, Requests& out);
     void fit() { viewport_.fit(); }
 
 private:
+    void draw_stage(const FrameContext& frame, const Layout& layout, Requests& out);
+    void draw_grid(const FrameContext& frame, const Layout& layout, Requests& out);
     void draw_overlays(const FrameContext& frame, const Layout& layout, Requests& out);
 
     EvolveBar bar_;
@@ -34,6 +41,11 @@ private:
     InspectorPanel inspector_;
     TimelinePanel timeline_;
     PopulationPanel population_;
+    PickingGridPanel grid_;
+    PickingStrip strip_;
+    PickingPanel picking_;
+    PickingTreePanel tree_;
+    ShelfPanel shelf_;
     FilePanel files_;
     HelpPanel help_;
     NoticeStrip notice_;

@@ -5,7 +5,9 @@
 
 #include "evolution/command.h"
 #include "evolution/individual.h"
+#include "picking/picking_command.h"
 #include "studio/highlight.h"
+#include "studio/picking_view.h"
 #include "studio/view_state.h"
 
 #include <filesystem>
@@ -61,6 +63,32 @@ struct ShowIndividual {
 };
 struct ShowNewest {};
 
+// Between automatic evolution and selection by hand.
+struct ToggleHandPicking {};
+// Back to automatic evolution, with what was picked among the next generation's creatures, or with
+// a new run that begins with it.
+enum class PicksUse : std::uint8_t { kInject, kFound };
+struct HandOverPicks {
+    PicksUse use = PicksUse::kInject;
+};
+struct AskPicking {
+    PickingCommand command;
+};
+struct FocusCell {
+    std::size_t cell = 0;
+};
+// A creature of the grid takes the stage: alone until ShowGrid, or to be saved.
+struct ShowCell {
+    std::size_t cell = 0;
+};
+struct ShowGrid {};
+struct SaveCell {
+    std::size_t cell = 0;
+};
+struct ChangePickingOptions {
+    PickingOptions options;
+};
+
 enum class FileTask : std::uint8_t { kOpen, kSaveCreature, kSaveSettings };
 struct OpenFilePanel {
     FileTask task = FileTask::kOpen;
@@ -86,13 +114,13 @@ struct DismissNotice {};
 struct ToggleHelp {};
 struct QuitStudio {};
 
-using StudioAction =
-    std::variant<ToggleEvolution, RunOneGeneration, EditSettings, FinishEdit, UndoEdit, RedoEdit,
-                 StartNewRun, StartFromShown, DropStructuralEdits, AddNewcomers, TogglePlayback,
-                 RestartPlayback, StepPlayback, ChangeView, FitView, PokePart, ReleasePoke,
-                 ShowHighlight, ShowChampion, ShowIndividual, ShowNewest, OpenFilePanel,
-                 CloseFilePanel, ListFolder, LoadFile, SaveCreatureFile, SaveSettingsFile,
-                 SaveScreenshot, DismissNotice, ToggleHelp, QuitStudio>;
+using StudioAction = std::variant<
+    ToggleEvolution, RunOneGeneration, EditSettings, FinishEdit, UndoEdit, RedoEdit, StartNewRun,
+    StartFromShown, DropStructuralEdits, AddNewcomers, TogglePlayback, RestartPlayback,
+    StepPlayback, ChangeView, FitView, PokePart, ReleasePoke, ShowHighlight, ShowChampion,
+    ShowIndividual, ShowNewest, ToggleHandPicking, HandOverPicks, AskPicking, FocusCell, ShowCell,
+    ShowGrid, SaveCell, ChangePickingOptions, OpenFilePanel, CloseFilePanel, ListFolder, LoadFile,
+    SaveCreatureFile, SaveSettingsFile, SaveScreenshot, DismissNotice, ToggleHelp, QuitStudio>;
 
 class Requests {
 public:

@@ -24,6 +24,7 @@ Session::Session(Remembered remembered, const EvolutionKinds& kinds, std::size_t
       desk_(worker_, kinds),
       stage_(worker_, kinds),
       experiment_(std::move(remembered.settings), kinds, workers),
+      picking_(kinds, workers),
       view_(remembered.view),
       kept_{view_, experiment_.editor().draft()} {
     stage_.playback().set_speed(view_.speed);
@@ -62,7 +63,8 @@ void Session::update(double now, double elapsed) {
     experiment_.poll();
     follow_engine();
     const Stopwatch spent;
-    stage_.playback().advance(elapsed, kPlaybackBudget);
+    follow_picking(elapsed);
+    if (!picking_.grid_shown()) stage_.playback().advance(elapsed, kPlaybackBudget);
     playback_seconds_ = spent.seconds();
     notice_ = notices_.current(now);
     if (now - kept_at_ > kMemoryInterval) keep_memory();
@@ -86,12 +88,14 @@ FrameContext Session::frame_context() const {
             .files = files_,
             .notice = notice_,
             .help_shown = help_shown_,
-            .highlight = highlight_};
+            .highlight = highlight_,
+            .picking = picking_view_ ? &*picking_view_ : nullptr};
 }
 
 bool Session::animating() const {
     const bool playing = stage_.playback().playing() && !stage_.playback().empty();
-    return playing || experiment_.running() || !worker_.idle() || notice_ != nullptr;
+    return playing || picking_.on() || experiment_.running() || !worker_.idle() ||
+           notice_ != nullptr;
 }
 
 void Session::tell(NoticeKind kind, const std::string& text) {
@@ -116,7 +120,8 @@ void Session::follow_engine() {
     }
     seen_champions_ = snapshot.champions.size();
     if (snapshot.status != seen_status_) follow_status();
-    if (view_.newest_champion && !snapshot.champions.empty()) follow_champion();
+    const bool followed = view_.newest_champion && !picking_.on();
+    if (followed && !snapshot.champions.empty()) follow_champion();
 }
 
 void Session::follow_status() {
@@ -171,12 +176,13 @@ void Session::follow_world(const Environment& before) {
 }
 
 void Session::apply(const ToggleEvolution&) {
+    if (picking_.on()) return;
     if (!experiment_.running()) view_.newest_champion = true;
     experiment_.toggle();
 }
 
 void Session::apply(const RunOneGeneration&) {
-    if (experiment_.running()) return;
+    if (experiment_.running() || picking_.on()) return;
     view_.newest_champion = true;
     experiment_.step();
 }
@@ -231,7 +237,13 @@ void Session::apply(const AddNewcomers& action) {
 }
 
 void Session::apply(const TogglePlayback&) {
+    if (picking_.grid_shown()) return picking_.toggle_motion();
     stage_.playback().set_playing(!stage_.playback().playing());
+}
+
+void Session::apply(const RestartPlayback&) {
+    if (picking_.grid_shown()) return picking_.restart_motion();
+    stage_.playback().restart();
 }
 
 void Session::apply(const ChangeView& action) {

@@ -4,6 +4,7 @@
 // each request of a panel does to them.
 
 #include "studio/file_desk.h"
+#include "studio/hand_picking.h"
 #include "studio/notices.h"
 #include "studio/open_experiment.h"
 #include "studio/remembered.h"
@@ -43,6 +44,8 @@ public:
     void tell(NoticeKind kind, const std::string& text);
     void keep_picture(const std::filesystem::path& path, Image image);
     // Requests that concern the window alone, for the window to take.
+    // Other controls have come to stand in the window.
+    bool take_rearranged() { return std::exchange(rearranged_, false); }
     bool take_fit() { return std::exchange(fit_wanted_, false); }
     std::optional<std::filesystem::path> take_picture_request() {
         return std::exchange(picture_wanted_, std::nullopt);
@@ -60,7 +63,7 @@ private:
     void apply(const StartFromShown&);
     void apply(const DropStructuralEdits&);
     void apply(const TogglePlayback&);
-    void apply(const RestartPlayback&) { stage_.playback().restart(); }
+    void apply(const RestartPlayback&);
     void apply(const StepPlayback&) { stage_.playback().step(); }
     void apply(const ChangeView& action);
     void apply(const FitView&) { fit_wanted_ = true; }
@@ -70,6 +73,14 @@ private:
     void apply(const ShowChampion& action);
     void apply(const ShowIndividual& action);
     void apply(const ShowNewest&);
+    void apply(const ToggleHandPicking&);
+    void apply(const HandOverPicks& action);
+    void apply(const AskPicking& action);
+    void apply(const FocusCell& action) { picking_.focus(action.cell); }
+    void apply(const ShowCell& action);
+    void apply(const ShowGrid&);
+    void apply(const SaveCell& action);
+    void apply(const ChangePickingOptions& action) { picking_.set_options(action.options); }
     void apply(const OpenFilePanel& action);
     void apply(const CloseFilePanel&) { files_.open = false; }
     void apply(const ListFolder& action) { desk_.list(action.folder, files_.task); }
@@ -87,6 +98,10 @@ private:
     void receive(FolderListed& event) { files_.listing = std::move(event.listing); }
     void receive(const FileFailed& event);
 
+    void follow_picking(double elapsed);
+    void enter_picking();
+    void leave_picking();
+    bool show_cell(std::size_t cell);
     void follow_engine();
     void follow_status();
     void follow_champion();
@@ -105,6 +120,9 @@ private:
     FileDesk desk_;
     Stage stage_;
     OpenExperiment experiment_;
+    HandPicking picking_;
+    std::optional<PickingView> picking_view_;  // of this frame
+    bool evolved_before_picking_ = false;
     ViewState view_;
     std::filesystem::path memory_;  // folder; empty remembers nothing
     Remembered kept_;
@@ -116,6 +134,7 @@ private:
     bool help_shown_ = false;
     bool quit_wanted_ = false;
     bool fit_wanted_ = false;
+    bool rearranged_ = true;
     std::optional<std::filesystem::path> picture_wanted_;
     Highlight highlight_;
     double playback_seconds_ = 0.0;

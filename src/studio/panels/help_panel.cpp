@@ -15,11 +15,15 @@ constexpr std::array kFirstSteps = {
     "the next generation evolves under it, and the timeline marks it.",
     "Take hold of a creature with the mouse; drag with the right button to look around, scroll to "
     "come closer. Click the timeline to watch an earlier champion.",
+    "Press H to select by hand: click the creatures you like in the grid and press Enter to breed "
+    "the next one from them. Backspace goes back; nothing is lost.",
 };
 
-void draw_keys() {
-    if (!ImGui::BeginTable("keys", 2, ImGuiTableFlags_SizingFixedFit)) return;
-    for (const Shortcut& shortcut : shortcuts()) {
+void draw_keys(const char* title, std::span<const Shortcut> keys) {
+    ImGui::Dummy({0, px(6)});
+    caption(title);
+    if (!ImGui::BeginTable(title, 2, ImGuiTableFlags_SizingFixedFit)) return;
+    for (const Shortcut& shortcut : keys) {
         ImGui::TableNextRow();
         ImGui::TableNextColumn();
         {
@@ -51,8 +55,8 @@ void HelpPanel::draw(const FrameContext&, Requests& out) {
         ImGui::TextUnformatted(step);
         ImGui::PopTextWrapPos();
     }
-    ImGui::Dummy({0, px(6)});
-    draw_keys();
+    draw_keys("Everywhere", shortcuts());
+    draw_keys("While picking by hand", picking_shortcuts());
     ImGui::EndChild();
 }
 

@@ -44,6 +44,9 @@ void view_item(const char* label, const char* keys, bool ViewState::*flag,
 }
 
 void draw_view_menu(const FrameContext& frame, Requests& out) {
+    const bool picking = frame.picking != nullptr;
+    if (item("Pick by hand", "H", true, picking)) out.ask(ToggleHandPicking{});
+    ImGui::Separator();
     view_item("Experiment", nullptr, &ViewState::left_panel, frame, out);
     view_item("Inspector", nullptr, &ViewState::right_panel, frame, out);
     view_item("Timeline and population", nullptr, &ViewState::bottom_panel, frame, out);
