@@ -74,6 +74,7 @@ void HandPicking::follow_grid(StatusLog& log) {
     motion_.show(grid.creatures, grid.settings->expression, world);
     if (!another) return;
     focus_ = 0;
+    single_ = false;
     log.write("grid", {{"number", static_cast<double>(grid.number)},
                        {"parent", grid.parent ? static_cast<double>(*grid.parent) : -1.0},
                        {"cells", static_cast<double>(grid.creatures.size())},

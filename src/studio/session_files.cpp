@@ -125,7 +125,8 @@ void Session::keep_picture(const std::filesystem::path& path, Image image) {
 void Session::receive(CreatureLoaded& event) {
     view_.newest_champion = false;
     show(exhibit_from(event.document, ExhibitSource::kFile, event.path));
-    if (picking_.on()) picking_.show_single(true);
+    picking_.show_single(picking_.on());
+    rearranged_ = true;
     log_.write("loaded", {{"path", event.path.string()}});
     std::string text = "Opened " + event.path.filename().string() + ".";
     if (!event.document.warnings.empty()) text += " " + event.document.warnings.front();

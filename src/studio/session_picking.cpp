@@ -4,6 +4,7 @@
 #include "studio/session.h"
 
 #include <utility>
+#include <variant>
 
 namespace cambrian {
 
@@ -51,13 +52,16 @@ void Session::apply(const HandOverPicks& action) {
     } else {
         experiment_.inject(picks);
         log_.write("injected", {{"count", static_cast<double>(picks.size())}});
-        tell(NoticeKind::kDone, "The picks join the next generation. Press Evolve to go on.");
+        tell(NoticeKind::kDone,
+             "The picks join the next generation that is bred. Press Evolve to go on.");
     }
     leave_picking();
 }
 
 void Session::apply(const AskPicking& action) {
-    if (picking_.on()) picking_.send(action.command, now_);
+    if (!picking_.on()) return;
+    if (std::holds_alternative<VisitGrid>(action.command)) apply(ShowGrid{});
+    picking_.send(action.command, now_);
 }
 
 bool Session::show_cell(std::size_t cell) {

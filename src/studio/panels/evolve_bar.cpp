@@ -38,8 +38,11 @@ std::string best_text(const FrameContext& frame) {
 void EvolveBar::draw(const FrameContext& frame, Requests& out) {
     draw_main_menu(frame, out);
     ImGui::SameLine(0, px(18));
+    const float top = ImGui::GetCursorPosY();
+    ImGui::SetCursorPosY(top + px(3));  // these are lower than the buttons beside them
     draw_modes(frame, out);
     ImGui::SameLine(0, px(18));
+    ImGui::SetCursorPosY(top);
     if (frame.picking != nullptr) {
         draw_breeding(frame, out);
         ImGui::SameLine(0, px(24));
@@ -54,14 +57,10 @@ void EvolveBar::draw(const FrameContext& frame, Requests& out) {
 // Who selects.
 void EvolveBar::draw_modes(const FrameContext& frame, Requests& out) {
     const int chosen = frame.picking == nullptr ? 0 : 1;
-    const float top = ImGui::GetCursorPosY();
-    ImGui::SetCursorPosY(top + px(3));  // as high as the buttons' middle
     const int pressed = segmented(
         "mode", {"Automatic", "Hand-pick"}, chosen,
         {"Fitness selects who breeds (H)", "You select who breeds, from a grid of creatures (H)"});
     if (pressed >= 0 && pressed != chosen) out.ask(ToggleHandPicking{});
-    ImGui::SameLine();
-    ImGui::SetCursorPosY(top);
 }
 
 void EvolveBar::draw_breeding(const FrameContext& frame, Requests& out) {
@@ -73,6 +72,7 @@ void EvolveBar::draw_breeding(const FrameContext& frame, Requests& out) {
     const WithFont font(ui().fonts.strong);
     if (frame.picking->single) {
         main.tooltip = "Esc";
+        main.width = 0.0F;
         if (push_button("Back to the grid", main)) out.ask(ShowGrid{});
     } else if (deciding(snapshot)) {
         main.look = ButtonLook::kPlain;
@@ -107,7 +107,9 @@ void EvolveBar::draw_picking(const FrameContext& frame) {
                      picking_words(snapshot).c_str());
         return;
     }
-    list.AddText({x, at.y + px(7)}, paint(color), fit_text(picking_words(snapshot), width).c_str());
+    const std::string words =
+        frame.picking->single ? "Esc leads back to the grid" : picking_words(snapshot);
+    list.AddText({x, at.y + px(7)}, paint(color), fit_text(words, width).c_str());
 }
 
 void EvolveBar::draw_buttons(const FrameContext& frame, Requests& out) {

@@ -59,13 +59,17 @@ void draw_waiting(const Rect& area, const std::string& text) {
         paint(colors().muted), text.c_str());
 }
 
-// What made the creature, in the sky above it.
+// What made the creature, in the sky above it: as many whole lines as there is room for.
 void draw_changes(const Rect& area, const Individual& creature) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    const float width = area.width - px(18);
-    list.PushClipRect(area.low(), {area.x + area.width, area.y + 0.5F * area.height}, true);
-    list.AddText(ui().fonts.small, 13.0F * ui().scale, {area.x + px(9), area.y + px(24)},
-                 paint(colors().muted), change_words(creature).c_str(), nullptr, width);
+    const float size = 13.0F * ui().scale;
+    const ImVec2 at = {area.x + px(9), area.y + px(25)};
+    const float line = ui().fonts.small->CalcTextSizeA(size, 1e6F, 0.0F, "A").y;
+    const float room = 0.62F * area.height - px(25);
+    const float foot = at.y + line * std::floor(room / line);
+    list.PushClipRect(at, {area.x + area.width, foot}, true);
+    list.AddText(ui().fonts.small, size, at, paint(colors().muted), change_words(creature).c_str(),
+                 nullptr, area.width - px(18));
     list.PopClipRect();
 }
 
@@ -220,7 +224,7 @@ void PickingGridPanel::draw_words(std::size_t cell, const FrameContext& frame) {
     const bool parent = cell == 0 && grid_of(frame).origin == GridOrigin::kBreeding;
     words(area.x + px(9), area.y + px(7), colors().muted,
           std::to_string(cell + 1) + (parent ? " · parent" : ""));
-    const float foot = area.y + area.height - px(22);
+    const float foot = area.y + area.height - px(18);
     if (picking.options.scores)
         words(area.x + px(9), foot, colors().text,
               score_words(frame, *grid_of(frame).creatures[cell]));

@@ -102,8 +102,9 @@ void draw_way_back(const PickingView& picking, Requests& out) {
     section("Back to automatic evolution");
     const bool any = !picking.snapshot.picks.empty();
     const float half = 0.5F * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x);
-    if (wide_button("Join with picks",
-                    "The picks take the places of the worst in the next generation", any, half))
+    if (wide_button("Inject picks",
+                    "The picks take the places of the worst in the next generation that is bred",
+                    any, half))
         out.ask(HandOverPicks{PicksUse::kInject});
     ImGui::SameLine();
     if (wide_button("New run", "Generation 0 anew, with the picks among its founders", any))
