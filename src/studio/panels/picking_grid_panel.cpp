@@ -67,10 +67,28 @@ void draw_changes(const Rect& area, const Individual& creature) {
     const float line = ui().fonts.small->CalcTextSizeA(size, 1e6F, 0.0F, "A").y;
     const float room = 0.62F * area.height - px(25);
     const float foot = at.y + line * std::floor(room / line);
-    list.PushClipRect(at, {area.x + area.width, foot}, true);
-    list.AddText(ui().fonts.small, size, at, paint(colors().muted), change_words(creature).c_str(),
-                 nullptr, area.width - px(18));
+    const std::string words = change_words(creature);
+    const float width = area.width - px(18);
+    const ImVec2 words_size = ui().fonts.small->CalcTextSizeA(size, 1e6F, width, words.c_str());
+    list.PushClipRect({area.x, at.y}, {area.x + area.width, foot}, true);
+    list.AddRectFilled({at.x - px(4), at.y}, {at.x + words_size.x + px(4), at.y + words_size.y},
+                       paint(with_alpha(colors().sky, 0.75F)), px(3));
+    list.AddText(ui().fonts.small, size, at, paint(colors().muted), words.c_str(), nullptr, width);
     list.PopClipRect();
+}
+
+// Borders: that of a pick with its number, within it that of the focus.
+void draw_borders(const Rect& area, int pick, bool focused) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    if (pick > 0) {
+        draw_pick_badge(list, area, pick);
+        draw_border(list, area, colors().accent, px(3));
+    }
+    if (!focused) return;
+    const float inset = pick > 0 ? px(4) : 0.0F;
+    const Rect inside = {area.x + inset, area.y + inset, area.width - 2.0F * inset,
+                         area.height - 2.0F * inset};
+    draw_border(list, inside, with_alpha(colors().text, 0.7F), px(1.5F));
 }
 
 std::string score_words(const FrameContext& frame, const Individual& creature) {
@@ -202,6 +220,7 @@ void PickingGridPanel::draw_cell(std::size_t cell, const FrameContext& frame, Re
     build_scene(cell, frame);
     canvas.add_to(*ImGui::GetWindowDrawList());
     draw_words(cell, frame);
+    draw_borders(area, pick_number(frame.picking->snapshot, cell), frame.picking->focus == cell);
 }
 
 void PickingGridPanel::draw_words(std::size_t cell, const FrameContext& frame) {
@@ -231,15 +250,6 @@ void PickingGridPanel::draw_words(std::size_t cell, const FrameContext& frame) {
     if (picking.focus == cell) draw_changes(area, *grid_of(frame).creatures[cell]);
     const std::string badge = picking.options.hints ? hint(cell) : "";
     words(area.x + area.width - px(9) - width(badge), foot, colors().plot_best, badge);
-    const int number = pick_number(picking.snapshot, cell);
-    if (number > 0) draw_pick_badge(list, area, number);
-    if (number > 0) draw_border(list, area, colors().accent, px(3));
-    if (picking.focus == cell) {
-        const Rect inside = number > 0 ? Rect{area.x + px(4), area.y + px(4), area.width - px(8),
-                                              area.height - px(8)}
-                                       : area;
-        draw_border(list, inside, with_alpha(colors().text, 0.7F), px(1.5F));
-    }
 }
 
 }  // namespace cambrian
