@@ -109,6 +109,10 @@ void pick(std::size_t cell, const FrameContext& frame, Requests& out) {
     out.ask(AskPicking{TogglePick{frame.picking->snapshot.tree.current().number, cell}});
 }
 
+void pick_first(const FrameContext& frame, Requests& out) {
+    pick(0, frame, out);
+}
+
 void pick_focused(const FrameContext& frame, Requests& out) {
     pick(frame.picking->focus, frame, out);
 }
@@ -143,12 +147,16 @@ void ask_evolution(const FrameContext& frame, Requests& out) {
     out.ask(AskPicking{AskEvolution{frame.picking->options.assisted_generations}});
 }
 
-// The keys of the first twelve cells.
+// The keys of the first twelve cells; the table below names them in one line.
 constexpr std::array kCellKeys = {GLFW_KEY_1, GLFW_KEY_2, GLFW_KEY_3,     GLFW_KEY_4,
                                   GLFW_KEY_5, GLFW_KEY_6, GLFW_KEY_7,     GLFW_KEY_8,
                                   GLFW_KEY_9, GLFW_KEY_0, GLFW_KEY_MINUS, GLFW_KEY_EQUAL};
 
 constexpr std::array kPickingShortcuts = {
+    Shortcut{{kCellKeys.front()},
+             "1 to 9, 0, -, =",
+             "Pick one of the first twelve, or let it go",
+             pick_first},
     Shortcut{{GLFW_KEY_SPACE}, "Space", "Pick the creature in focus, or let it go", pick_focused},
     Shortcut{{GLFW_KEY_LEFT}, "←", "Move the focus to the left", move_focus<-1, 0>},
     Shortcut{{GLFW_KEY_RIGHT}, "→", "Move the focus to the right", move_focus<1, 0>},
