@@ -15,7 +15,7 @@
 namespace cambrian {
 
 // Where a creature on show comes from.
-enum class ExhibitSource : std::uint8_t { kSample, kFile, kChampion, kPopulation };
+enum class ExhibitSource : std::uint8_t { kSample, kFile, kChampion, kPopulation, kHandPicked };
 
 // A creature on show, in the world it is judged in.
 struct Exhibit {

@@ -8,6 +8,7 @@
 #include "studio/ghosts.h"
 #include "studio/help_book.h"
 #include "studio/notices.h"
+#include "studio/picking_view.h"
 #include "studio/playback.h"
 #include "studio/sample_shelf.h"
 #include "studio/settings_editor.h"
@@ -46,9 +47,10 @@ struct FrameContext {
     std::span<const std::unique_ptr<Ghost>> ghosts = {};
     const HelpBook* help = nullptr;
     const SampleShelf* samples = nullptr;
-    int tour_step = -1;       // none
-    unsigned find_asked = 0;  // how often a setting was to be found
-    Place focus = Place::kNone;  // to get the keyboard now
+    int tour_step = -1;                    // none
+    unsigned find_asked = 0;               // how often a setting was to be found
+    Place focus = Place::kNone;            // to get the keyboard now
+    const PickingView* picking = nullptr;  // null in automatic evolution
 };
 
 }  // namespace cambrian

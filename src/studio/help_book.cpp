@@ -21,7 +21,11 @@ Change the world or the rules on the left at any time. The creature on show feel
 next generation evolves under it, and the timeline marks it.
 
 Take hold of a creature with the mouse; drag with the right button to look around, scroll to come
-closer. Click the timeline to watch an earlier champion.
+closer. Drag over the timeline to watch earlier champions; a star keeps a creature of the population
+when its generation has passed.
+
+Press `H` to [select by hand](hand_picking.md): click the creatures you like in the grid and press
+`Enter` to breed the next one from them. `Backspace` goes back; nothing is lost.
 
 - The *?* in the corner of each panel opens its page: [settings](experiment.md),
   [viewport](viewport.md), [inspector](inspector.md), [timeline](timeline.md).
@@ -60,11 +64,16 @@ Their sources: `github.com/ocornut/imgui`, `glfw.org`, `github.com/Dav1dde/glad`
 `github.com/marzer/tomlplusplus`, `github.com/CLIUtils/CLI11`, `rsms.me/inter`.
 )";
 
-std::string keys_text() {
-    std::string text = "# Keys\n\n| key | what it does |\n|---|---|\n";
-    for (const Shortcut& shortcut : shortcuts())
+std::string table_of(std::span<const Shortcut> keys) {
+    std::string text = "| key | what it does |\n|---|---|\n";
+    for (const Shortcut& shortcut : keys)
         text += std::string("| `") + shortcut.keys + "` | " + shortcut.what + " |\n";
-    return text +
+    return text;
+}
+
+std::string keys_text() {
+    return "# Keys\n\n" + table_of(shortcuts()) + "\n## While picking by hand\n\n" +
+           table_of(picking_shortcuts()) +
            "\nIn the filter of the settings, `Enter` goes to the value of the first setting found "
            "and `Esc` clears it. Among the samples, arrows choose and `Enter` opens.\n";
 }

@@ -67,12 +67,33 @@ void MainWindow::draw(const FrameContext& frame, int framebuffer_height, Request
     const ImVec2 size = ImGui::GetIO().DisplaySize;
     const Layout layout = divide_window(size.x, size.y, frame.view, ui().scale);
     viewport_.set_framebuffer_height(framebuffer_height);
+    grid_.set_framebuffer_height(framebuffer_height);
     draw_gaps(layout);
     begin_place("bar", layout.bar, px(12), px(10));
     bar_.draw(frame, out);
     end_place();
     draw_in("experiment", layout.experiment, experiment_, frame, out);
     ui().places["panel viewport"] = layout.viewport;
+    const bool picking = frame.picking != nullptr;
+    if (picking && !frame.picking->single) {
+        draw_grid(frame, layout, out);
+    } else {
+        draw_stage(frame, layout, out);
+    }
+    if (picking) {
+        draw_in("tree", layout.timeline, tree_, frame, out);
+        draw_in("shelf place", layout.population, shelf_, frame, out);
+    } else {
+        draw_in("timeline", layout.timeline, timeline_, frame, out, Place::kTimeline);
+        draw_in("population", layout.population, population_, frame, out, Place::kPopulation);
+    }
+    ViewState view = frame.view;
+    if (drag_gaps(layout, view)) out.ask(ChangeView{view});
+    draw_overlays(frame, layout, out);
+}
+
+// One creature, and what there is to know of it.
+void MainWindow::draw_stage(const FrameContext& frame, const Layout& layout, Requests& out) {
     begin_place("viewport", layout.viewport, 0, 0);
     viewport_.draw(frame, out);
     end_place();
@@ -80,11 +101,17 @@ void MainWindow::draw(const FrameContext& frame, int framebuffer_height, Request
     transport_.draw(frame, out);
     end_place();
     draw_in("inspector", layout.inspector, inspector_, frame, out);
-    draw_in("timeline", layout.timeline, timeline_, frame, out, Place::kTimeline);
-    draw_in("population", layout.population, population_, frame, out, Place::kPopulation);
-    ViewState view = frame.view;
-    if (drag_gaps(layout, view)) out.ask(ChangeView{view});
-    draw_overlays(frame, layout, out);
+}
+
+// The creatures to pick from.
+void MainWindow::draw_grid(const FrameContext& frame, const Layout& layout, Requests& out) {
+    begin_place("picking grid", layout.viewport, 0, 0);
+    grid_.draw(frame, out);
+    end_place();
+    begin_place("picking strip", layout.transport, px(10), px(8));
+    strip_.draw(frame, out);
+    end_place();
+    draw_in("picking", layout.inspector, picking_, frame, out);
 }
 
 void MainWindow::draw_tour(const FrameContext& frame, const Rect& whole, Requests& out) {

@@ -9,8 +9,13 @@
 #include "studio/panels/help_panel.h"
 #include "studio/panels/inspector_panel.h"
 #include "studio/panels/notice_strip.h"
+#include "studio/panels/picking_grid_panel.h"
+#include "studio/panels/picking_panel.h"
+#include "studio/panels/picking_strip.h"
+#include "studio/panels/picking_tree_panel.h"
 #include "studio/panels/population_panel.h"
 #include "studio/panels/samples_panel.h"
+#include "studio/panels/shelf_panel.h"
 #include "studio/panels/timeline_panel.h"
 #include "studio/panels/tour_card.h"
 #include "studio/panels/transport_bar.h"
@@ -20,7 +25,7 @@ namespace cambrian {
 
 class MainWindow {
 public:
-    explicit MainWindow(Renderer* renderer) : viewport_(renderer) {}
+    explicit MainWindow(Renderer* renderer) : viewport_(renderer), grid_(renderer) {}
 
     // Between the host's begin_frame and end_frame.
     void draw(const FrameContext& frame, int framebuffer_height, Requests& out);
@@ -28,6 +33,8 @@ public:
 
 private:
     void draw_tour(const FrameContext& frame, const Rect& whole, Requests& out);
+    void draw_stage(const FrameContext& frame, const Layout& layout, Requests& out);
+    void draw_grid(const FrameContext& frame, const Layout& layout, Requests& out);
     void draw_overlays(const FrameContext& frame, const Layout& layout, Requests& out);
 
     EvolveBar bar_;
@@ -37,6 +44,11 @@ private:
     InspectorPanel inspector_;
     TimelinePanel timeline_;
     PopulationPanel population_;
+    PickingGridPanel grid_;
+    PickingStrip strip_;
+    PickingPanel picking_;
+    PickingTreePanel tree_;
+    ShelfPanel shelf_;
     FilePanel files_;
     HelpPanel help_;
     SamplesPanel samples_;

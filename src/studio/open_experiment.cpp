@@ -1,6 +1,7 @@
 #include "studio/open_experiment.h"
 
 #include "evolution/backends/thread_pool_backend.h"
+#include "picking/handover.h"
 
 #include <utility>
 
@@ -81,6 +82,11 @@ void OpenExperiment::measure() {
     marked_generation_ = snapshot_->generation;
     marked_done_ = progress_.done;
     since_mark_.restart();
+}
+
+void OpenExperiment::inject(std::span<const IndividualPtr> creatures) {
+    for (Command& command : injection_of(creatures))
+        send(std::move(command));
 }
 
 void OpenExperiment::edit(ExperimentSettings settings, const std::string& field) {

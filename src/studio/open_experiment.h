@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <deque>
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace cambrian {
@@ -31,8 +32,11 @@ public:
 
     void toggle();
     void pause() { send(PauseEvolution{}); }
+    void resume() { send(ResumeEvolution{}); }
     void step() { send(StepGeneration{}); }
     void add_newcomers(const AddNewcomers& newcomers) { send(newcomers); }
+    // Creatures for the next generation, in place of its worst.
+    void inject(std::span<const IndividualPtr> creatures);
     void edit(ExperimentSettings settings, const std::string& field);
     // The engine gets what was edited: all of it while fresh, live fields otherwise.
     Status commit();

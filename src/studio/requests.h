@@ -5,7 +5,9 @@
 
 #include "evolution/command.h"
 #include "evolution/snapshot.h"
+#include "picking/picking_command.h"
 #include "studio/highlight.h"
+#include "studio/picking_view.h"
 #include "studio/view_state.h"
 
 #include <filesystem>
@@ -78,6 +80,32 @@ struct FocusPlace {
     Place place = Place::kNone;
 };
 
+// Between automatic evolution and selection by hand.
+struct ToggleHandPicking {};
+// Back to automatic evolution, with what was picked among the next generation's creatures, or with
+// a new run that begins with it.
+enum class PicksUse : std::uint8_t { kInject, kFound };
+struct HandOverPicks {
+    PicksUse use = PicksUse::kInject;
+};
+struct AskPicking {
+    PickingCommand command;
+};
+struct FocusCell {
+    std::size_t cell = 0;
+};
+// A creature of the grid takes the stage: alone until ShowGrid, or to be saved.
+struct ShowCell {
+    std::size_t cell = 0;
+};
+struct ShowGrid {};
+struct SaveCell {
+    std::size_t cell = 0;
+};
+struct ChangePickingOptions {
+    PickingOptions options;
+};
+
 enum class FileTask : std::uint8_t {
     kOpen,
     kSaveCreature,
@@ -133,15 +161,15 @@ struct TurnTour {
 };
 struct QuitStudio {};
 
-using StudioAction =
-    std::variant<ToggleEvolution, RunOneGeneration, EditSettings, FinishEdit, UndoEdit, RedoEdit,
-                 StartNewRun, StartFromShown, DropStructuralEdits, AddNewcomers, TogglePlayback,
-                 RestartPlayback, StepPlayback, StepPlaybackBack, SeekPlayback, ChangeView, FitView,
-                 PokePart, ReleasePoke, ShowHighlight, ShowChampion, ShowIndividual, ShowNewest,
-                 ToggleStar, ToggleStarOfShown, RestoreStar, FocusPlace, OpenFilePanel,
-                 CloseFilePanel, ListFolder, LoadFile, SaveCreatureFile, SaveSettingsFile,
-                 SaveStatisticsFile, SavePlotPicture, SaveScreenshot, FindSetting, ToggleSamples,
-                 DismissNotice, ToggleHelp, ShowHelp, TurnTour, QuitStudio>;
+using StudioAction = std::variant<
+    ToggleEvolution, RunOneGeneration, EditSettings, FinishEdit, UndoEdit, RedoEdit, StartNewRun,
+    StartFromShown, DropStructuralEdits, AddNewcomers, TogglePlayback, RestartPlayback,
+    StepPlayback, StepPlaybackBack, SeekPlayback, ChangeView, FitView, PokePart, ReleasePoke,
+    ShowHighlight, ShowChampion, ShowIndividual, ShowNewest, ToggleStar, ToggleStarOfShown,
+    RestoreStar, FocusPlace, ToggleHandPicking, HandOverPicks, AskPicking, FocusCell, ShowCell,
+    ShowGrid, SaveCell, ChangePickingOptions, OpenFilePanel, CloseFilePanel, ListFolder, LoadFile,
+    SaveCreatureFile, SaveSettingsFile, SaveStatisticsFile, SavePlotPicture, SaveScreenshot,
+    FindSetting, ToggleSamples, DismissNotice, ToggleHelp, ShowHelp, TurnTour, QuitStudio>;
 
 class Requests {
 public:

@@ -26,6 +26,7 @@ Session::Session(Remembered remembered, const EvolutionKinds& kinds, std::size_t
       desk_(worker_, kinds),
       stage_(worker_, kinds),
       experiment_(std::move(remembered.settings), kinds, workers),
+      picking_(kinds, workers),
       view_(remembered.view),
       kept_{view_, experiment_.editor().draft()},
       ghosts_(kinds.creature) {
@@ -65,8 +66,11 @@ void Session::update(double now, double elapsed) {
     experiment_.poll();
     follow_engine();
     const Stopwatch spent;
-    stage_.playback().advance(elapsed, kPlaybackBudget);
-    ghosts_.update(experiment_.snapshot(), view_.ghosts, stage_.playback(), kGhostBudget);
+    follow_picking(elapsed);
+    if (!picking_.grid_shown()) {
+        stage_.playback().advance(elapsed, kPlaybackBudget);
+        ghosts_.update(experiment_.snapshot(), view_.ghosts, stage_.playback(), kGhostBudget);
+    }
     playback_seconds_ = spent.seconds();
     notice_ = notices_.current(now);
     if (now - kept_at_ > kMemoryInterval) keep_memory();
@@ -98,13 +102,14 @@ FrameContext Session::frame_context() const {
             .samples = &samples_,
             .tour_step = tour_step_,
             .find_asked = find_asked_,
-            .focus = focus_};
+            .focus = focus_,
+            .picking = picking_view_ ? &*picking_view_ : nullptr};
 }
 
 bool Session::animating() const {
     const bool playing = stage_.playback().playing() && !stage_.playback().empty();
-    return playing || stage_.playback().seeking() || experiment_.running() || !worker_.idle() ||
-           notice_ != nullptr;
+    return playing || stage_.playback().seeking() || picking_.on() || experiment_.running() ||
+           !worker_.idle() || notice_ != nullptr;
 }
 
 void Session::tell(NoticeKind kind, const std::string& text) {
@@ -129,7 +134,8 @@ void Session::follow_engine() {
     }
     seen_champions_ = snapshot.champions.size();
     if (snapshot.status != seen_status_) follow_status();
-    if (view_.newest_champion && !snapshot.champions.empty()) follow_champion();
+    const bool followed = view_.newest_champion && !picking_.on();
+    if (followed && !snapshot.champions.empty()) follow_champion();
 }
 
 void Session::follow_status() {
@@ -184,12 +190,13 @@ void Session::follow_world(const Environment& before) {
 }
 
 void Session::apply(const ToggleEvolution&) {
+    if (picking_.on()) return;
     if (!experiment_.running()) view_.newest_champion = true;
     experiment_.toggle();
 }
 
 void Session::apply(const RunOneGeneration&) {
-    if (experiment_.running()) return;
+    if (experiment_.running() || picking_.on()) return;
     view_.newest_champion = true;
     experiment_.step();
 }
@@ -244,7 +251,13 @@ void Session::apply(const AddNewcomers& action) {
 }
 
 void Session::apply(const TogglePlayback&) {
+    if (picking_.grid_shown()) return picking_.toggle_motion();
     stage_.playback().set_playing(!stage_.playback().playing());
+}
+
+void Session::apply(const RestartPlayback&) {
+    if (picking_.grid_shown()) return picking_.restart_motion();
+    stage_.playback().restart();
 }
 
 void Session::apply(const StepPlayback&) {

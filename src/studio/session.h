@@ -5,6 +5,7 @@
 
 #include "studio/file_desk.h"
 #include "studio/ghosts.h"
+#include "studio/hand_picking.h"
 #include "studio/help_book.h"
 #include "studio/notices.h"
 #include "studio/open_experiment.h"
@@ -50,6 +51,8 @@ public:
     void tell(NoticeKind kind, const std::string& text);
     void keep_picture(const std::filesystem::path& path, Image image);
     // Requests that concern the window alone, for the window to take.
+    // Other controls have come to stand in the window.
+    bool take_rearranged() { return std::exchange(rearranged_, false); }
     bool take_fit() { return std::exchange(fit_wanted_, false); }
     std::optional<std::filesystem::path> take_picture_request() {
         return std::exchange(picture_wanted_, std::nullopt);
@@ -70,7 +73,7 @@ private:
     void apply(const StartFromShown&);
     void apply(const DropStructuralEdits&);
     void apply(const TogglePlayback&);
-    void apply(const RestartPlayback&) { stage_.playback().restart(); }
+    void apply(const RestartPlayback&);
     void apply(const StepPlayback&);
     void apply(const StepPlaybackBack&);
     void apply(const SeekPlayback& action) { stage_.playback().seek(action.tick); }
@@ -86,6 +89,14 @@ private:
     void apply(const ToggleStarOfShown&);
     void apply(const RestoreStar&) { stars_.restore(); }
     void apply(const FocusPlace& action) { focus_ = action.place; }
+    void apply(const ToggleHandPicking&);
+    void apply(const HandOverPicks& action);
+    void apply(const AskPicking& action);
+    void apply(const FocusCell& action) { picking_.focus(action.cell); }
+    void apply(const ShowCell& action);
+    void apply(const ShowGrid&);
+    void apply(const SaveCell& action);
+    void apply(const ChangePickingOptions& action) { picking_.set_options(action.options); }
     void apply(const OpenFilePanel& action);
     void apply(const CloseFilePanel&) { files_.open = false; }
     void apply(const ListFolder& action) { desk_.list(action.folder, files_.task); }
@@ -109,6 +120,10 @@ private:
     void receive(FolderListed& event) { files_.listing = std::move(event.listing); }
     void receive(const FileFailed& event);
 
+    void follow_picking(double elapsed);
+    void enter_picking();
+    void leave_picking();
+    bool show_cell(std::size_t cell);
     void follow_engine();
     void follow_status();
     void follow_champion();
@@ -130,6 +145,9 @@ private:
     FileDesk desk_;
     Stage stage_;
     OpenExperiment experiment_;
+    HandPicking picking_;
+    std::optional<PickingView> picking_view_;  // of this frame
+    bool evolved_before_picking_ = false;
     ViewState view_;
     std::filesystem::path memory_;  // folder; empty remembers nothing
     Remembered kept_;
@@ -147,6 +165,7 @@ private:
     unsigned find_asked_ = 0;
     bool quit_wanted_ = false;
     bool fit_wanted_ = false;
+    bool rearranged_ = true;
     std::optional<std::filesystem::path> picture_wanted_;
     std::optional<SavePlotPicture> plot_wanted_;
     Stars stars_;

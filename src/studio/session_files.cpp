@@ -140,6 +140,8 @@ void Session::keep_picture(const std::filesystem::path& path, Image image) {
 void Session::receive(CreatureLoaded& event) {
     view_.newest_champion = false;
     show(exhibit_from(event.document, ExhibitSource::kFile, event.path));
+    picking_.show_single(picking_.on());
+    rearranged_ = true;
     log_.write("loaded", {{"path", event.path.string()}});
     std::string text = "Opened " + event.path.filename().string() + ".";
     if (!event.document.warnings.empty()) text += " " + event.document.warnings.front();
@@ -156,6 +158,8 @@ void Session::receive(const SettingsLoaded& event) {
 
 void Session::receive(const FileSaved& event) {
     log_.write("saved", {{"path", event.path.string()}});
+    if (picking_.on() && event.path.string().ends_with(".creature.json"))
+        picking_.send(NoteSave{}, now_);
     tell(NoticeKind::kDone, "Saved " + event.path.string());
 }
 

@@ -77,6 +77,8 @@ void close_what_is_open(const FrameContext& frame, Requests& out) {
         out.ask(CloseFilePanel{});
     } else if (frame.help_shown) {
         out.ask(ToggleHelp{});
+    } else if (frame.picking != nullptr && frame.picking->single && frame.notice == nullptr) {
+        out.ask(ShowGrid{});
     } else {
         out.ask(DismissNotice{});
     }
@@ -93,6 +95,10 @@ constexpr std::array kShortcuts = {
     Shortcut{{GLFW_KEY_RIGHT_BRACKET}, "]", "Play faster", faster},
     Shortcut{{GLFW_KEY_F}, "F", "Follow with the camera, or let go", toggle_follow},
     Shortcut{{GLFW_KEY_HOME}, "Home", "Fit the creature into view", simply<FitView>},
+    Shortcut{{GLFW_KEY_H},
+             "H",
+             "Pick by hand, or go back to automatic evolution",
+             simply<ToggleHandPicking>},
     Shortcut{{GLFW_KEY_N}, "N", "Show the newest champion", simply<ShowNewest>},
     Shortcut{{GLFW_KEY_T},
              "T",
@@ -123,17 +129,129 @@ constexpr std::array kShortcuts = {
     Shortcut{{GLFW_KEY_Q, true}, "Ctrl+Q", "Quit", simply<QuitStudio>},
 };
 
+template <class Command>
+void ask_desk(const FrameContext&, Requests& out) {
+    out.ask(AskPicking{Command{}});
+}
+
+bool grid_shown(const FrameContext& frame) {
+    return frame.picking != nullptr && !frame.picking->single;
+}
+
+// The cells of the grid on show; 0 before there is one.
+std::size_t cells(const FrameContext& frame) {
+    const PickingTree& tree = frame.picking->snapshot.tree;
+    return tree.empty() ? 0 : tree.current().creatures.size();
+}
+
+void pick(std::size_t cell, const FrameContext& frame, Requests& out) {
+    if (cell >= cells(frame)) return;
+    out.ask(FocusCell{cell});
+    out.ask(AskPicking{TogglePick{frame.picking->snapshot.tree.current().number, cell}});
+}
+
+void pick_first(const FrameContext& frame, Requests& out) {
+    pick(0, frame, out);
+}
+
+void pick_focused(const FrameContext& frame, Requests& out) {
+    pick(frame.picking->focus, frame, out);
+}
+
+// So many cells to the right and down, if there is one.
+template <int right, int down>
+void move_focus(const FrameContext& frame, Requests& out) {
+    const auto count = static_cast<int>(cells(frame));
+    const int columns = grid_columns(count);
+    const auto focus = static_cast<int>(frame.picking->focus);
+    const int column = focus % columns + right;
+    const int next = focus + right + columns * down;
+    if (column < 0 || column >= columns || next < 0 || next >= count) return;
+    out.ask(FocusCell{static_cast<std::size_t>(next)});
+}
+
+void show_focused(const FrameContext& frame, Requests& out) {
+    out.ask(ShowCell{frame.picking->focus});
+}
+
+void save_focused(const FrameContext& frame, Requests& out) {
+    out.ask(SaveCell{frame.picking->focus});
+}
+
+void pin_focused(const FrameContext& frame, Requests& out) {
+    if (cells(frame) == 0) return;
+    out.ask(AskPicking{
+        PinCreature{frame.picking->snapshot.tree.current().number, frame.picking->focus}});
+}
+
+void ask_evolution(const FrameContext& frame, Requests& out) {
+    out.ask(AskPicking{AskEvolution{frame.picking->options.assisted_generations}});
+}
+
+// The keys of the first twelve cells; the table below names them in one line.
+constexpr std::array kCellKeys = {GLFW_KEY_1, GLFW_KEY_2, GLFW_KEY_3,     GLFW_KEY_4,
+                                  GLFW_KEY_5, GLFW_KEY_6, GLFW_KEY_7,     GLFW_KEY_8,
+                                  GLFW_KEY_9, GLFW_KEY_0, GLFW_KEY_MINUS, GLFW_KEY_EQUAL};
+
+constexpr std::array kPickingShortcuts = {
+    Shortcut{{kCellKeys.front()},
+             "1 to 9, 0, -, =",
+             "Pick one of the first twelve, or let it go",
+             pick_first},
+    Shortcut{{GLFW_KEY_SPACE}, "Space", "Pick the creature in focus, or let it go", pick_focused},
+    Shortcut{{GLFW_KEY_LEFT}, "←", "Move the focus to the left", move_focus<-1, 0>},
+    Shortcut{{GLFW_KEY_RIGHT}, "→", "Move the focus to the right", move_focus<1, 0>},
+    Shortcut{{GLFW_KEY_UP}, "↑", "Move the focus up", move_focus<0, -1>},
+    Shortcut{{GLFW_KEY_DOWN}, "↓", "Move the focus down", move_focus<0, 1>},
+    Shortcut{{GLFW_KEY_ENTER}, "Enter", "Breed the next grid from the picks", ask_desk<BreedPicks>},
+    Shortcut{{GLFW_KEY_BACKSPACE}, "Backspace", "Go back one grid", ask_desk<GoBack>},
+    Shortcut{{GLFW_KEY_BACKSPACE, false, true},
+             "Shift+Backspace",
+             "Go forward again",
+             ask_desk<GoForward>},
+    Shortcut{
+        {GLFW_KEY_R}, "R", "Newcomers in place of those not picked", ask_desk<ReplaceUnpicked>},
+    Shortcut{{GLFW_KEY_G}, "G", "Let evolution go on from the picks", ask_evolution},
+    Shortcut{{GLFW_KEY_DELETE}, "Delete", "Let all picks go", ask_desk<ClearPicks>},
+    Shortcut{{GLFW_KEY_V}, "V", "View the creature in focus alone", show_focused},
+    Shortcut{{GLFW_KEY_S}, "S", "Save the creature in focus", save_focused},
+    Shortcut{{GLFW_KEY_S, true}, "Ctrl+S", "Save the creature in focus", save_focused},
+    Shortcut{{GLFW_KEY_K}, "K", "Keep the creature in focus on the shelf", pin_focused},
+};
+
+// Whether the key is one of the table's.
+bool press_in(std::span<const Shortcut> table, const KeyPress& press, const FrameContext& frame,
+              Requests& out) {
+    const auto found = std::find_if(table.begin(), table.end(),
+                                    [&press](const Shortcut& each) { return each.press == press; });
+    if (found == table.end()) return false;
+    found->ask(frame, out);
+    return true;
+}
+
+bool press_in_grid(const KeyPress& press, const FrameContext& frame, Requests& out) {
+    if (press_in(kPickingShortcuts, press, frame, out)) return true;
+    const auto key = std::find(kCellKeys.begin(), kCellKeys.end(), press.key);
+    if (key == kCellKeys.end() || press.control || press.shift) return false;
+    pick(static_cast<std::size_t>(key - kCellKeys.begin()), frame, out);
+    return true;
+}
+
 }  // namespace
 
 std::span<const Shortcut> shortcuts() {
     return kShortcuts;
 }
 
+std::span<const Shortcut> picking_shortcuts() {
+    return kPickingShortcuts;
+}
+
 void press_shortcut(const KeyPress& press, bool typing, const FrameContext& frame, Requests& out) {
     if (typing && !press.control && press.key != GLFW_KEY_ESCAPE) return;
-    const auto found = std::find_if(kShortcuts.begin(), kShortcuts.end(),
-                                    [&press](const Shortcut& each) { return each.press == press; });
-    if (found != kShortcuts.end()) found->ask(frame, out);
+    const bool covered = frame.files.open || frame.help_shown;
+    if (grid_shown(frame) && !covered && press_in_grid(press, frame, out)) return;
+    static_cast<void>(press_in(kShortcuts, press, frame, out));
 }
 
 }  // namespace cambrian

@@ -25,6 +25,8 @@ struct Shortcut {
 };
 
 std::span<const Shortcut> shortcuts();
+// While the grid of selection by hand is shown; these go before the others.
+std::span<const Shortcut> picking_shortcuts();
 
 // Asks for what the key means, if anything. While text is typed, only keys with Ctrl count.
 void press_shortcut(const KeyPress& press, bool typing, const FrameContext& frame, Requests& out);

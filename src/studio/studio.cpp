@@ -87,6 +87,7 @@ private:
 
     void frame(double now, double elapsed) {
         session_.update(now, elapsed);
+        const bool rearranged = session_.take_rearranged();
         const FrameContext context = session_.frame_context();
         Requests requests;
         if (host_.context().theme != session_.view().theme) host_.set_theme(session_.view().theme);
@@ -103,20 +104,20 @@ private:
         host_.end_frame(window_.framebuffer_width(), height);
         if (const auto path = session_.take_picture_request()) keep_picture(*path);
         session_.carry_out(requests);
-        if (!places_logged_) log_places();
+        if (rearranged) log_places();
     }
 
-    // Where the main buttons are, for tests that press them.
+    // Where the controls are, for tests that press them; again as others come to stand there.
     void log_places() {
-        places_logged_ = true;
         for (const auto& [name, place] : host_.context().places) {
+            if (std::exchange(places_logged_[name], place) == place) continue;
             session_.log().write("place", {{"name", name},
                                            {"x", static_cast<double>(place.x)},
                                            {"y", static_cast<double>(place.y)},
                                            {"width", static_cast<double>(place.width)},
                                            {"height", static_cast<double>(place.height)}});
         }
-        session_.log().write("started");
+        if (!std::exchange(started_, true)) session_.log().write("started");
     }
 
     Image picture() {
@@ -153,7 +154,8 @@ private:
     MainWindow main_window_;
     FrameLog frame_log_;
     int quiet_frames_ = 0;
-    bool places_logged_ = false;
+    bool started_ = false;
+    std::map<std::string, Rect> places_logged_;
 };
 
 }  // namespace

@@ -82,17 +82,20 @@ bool toggle_switch(const std::string& label, bool& on) {
     return pressed;
 }
 
-int segmented(const std::string& name, const std::vector<std::string>& labels, int chosen) {
+int segmented(const std::string& name, const std::vector<std::string>& labels, int chosen,
+              const std::vector<std::string>& tooltips) {
     ImGui::PushID(name.c_str());
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(px(2), 0.0F));
     int pressed = -1;
     for (int i = 0; i < static_cast<int>(labels.size()); ++i) {
         if (i > 0) ImGui::SameLine();
-        const std::string& label = labels[static_cast<std::size_t>(i)];
+        const auto index = static_cast<std::size_t>(i);
+        const std::string& label = labels[index];
         ButtonStyle style;
         style.look = i == chosen ? ButtonLook::kSelected : ButtonLook::kGhost;
         style.width = ImGui::CalcTextSize(label.c_str()).x + px(16);
         style.height = px(28);
+        if (index < tooltips.size()) style.tooltip = tooltips[index].c_str();
         if (push_button(label, style)) pressed = i;
     }
     ImGui::PopStyleVar();

@@ -28,8 +28,9 @@ bool push_button(const std::string& label, const ButtonStyle& style = {});
 // An on/off switch; true when flipped.
 bool toggle_switch(const std::string& label, bool& on);
 
-// A row of choices, one of which is chosen; the index pressed, or -1.
-int segmented(const std::string& name, const std::vector<std::string>& labels, int chosen);
+// A row of choices, one of which is chosen; the index pressed, or -1. Tooltips go with the labels.
+int segmented(const std::string& name, const std::vector<std::string>& labels, int chosen,
+              const std::vector<std::string>& tooltips = {});
 
 // As ImGui::BeginCombo, with a chevron like all else here; ImGui::EndCombo() ends it.
 bool begin_choice(const char* id, const std::string& shown, float width);

@@ -95,7 +95,9 @@ class StudioTest(ProgramTest):
 
     def place_of(self, name):
         """The middle of a control, on the screen."""
-        found = self.wait_for("place", name=name)[0]
+        self.wait_for("place", name=name)
+        found = [event for event in self.events()
+                 if event["event"] == "place" and event["name"] == name][-1]
         lines = self.display.tool("getwindowgeometry", "--shell", self.window).split()
         origin = dict(line.split("=") for line in lines)
         return (int(origin["X"]) + int(found["x"] + found["width"] / 2),
@@ -197,6 +199,46 @@ class StudioWindow(StudioTest):
         for row, event in zip(rows, generations):
             self.assertAlmostEqual(float(row["best"]), event["best"], delta=1e-6)
             self.assertEqual(int(row["size"]), 12)
+
+    def test_a_person_picks_breeds_goes_back_branches_and_saves(self):
+        self.write("small.toml", SMALL)
+        display = self.open_display()
+        self.start(display, "small.toml")
+        self.press("g")
+        self.wait_for("generation", number=0)
+        self.wait_for("paused")
+        self.click("Hand-pick")
+        self.wait_for("hand-picking", on=True)
+        first, after = self.wait_for("grid", number=0)
+        self.assertEqual(first["origin"], "chosen from the population")
+        for count, cell in enumerate(["cell 2", "cell 5", "cell 7"], start=1):
+            self.click(cell)
+            _, after = self.wait_for("picks", after=after, count=count)
+        display.picture("hand-pick-1280x800.png")
+        self.press("Return")
+        _, after = self.wait_for("grid", after=after, number=1, parent=0,
+                                 origin="bred from 3 picks")
+        self.press("BackSpace")
+        _, after = self.wait_for("grid", after=after, number=0)
+        self.press("Delete")
+        _, after = self.wait_for("picks", after=after, count=0)
+        self.press("4")
+        _, after = self.wait_for("picks", after=after, count=1)
+        self.press("Return")
+        branch, after = self.wait_for("grid", after=after, number=2)
+        self.assertEqual((branch["parent"], branch["origin"], branch["grids"]),
+                         (0, "bred from 1 pick", 3))
+        self.assert_painted(display.picture("hand-pick-branch-1280x800.png"))
+        self.press("s")
+        time.sleep(1.0)
+        display.tool("key", "ctrl+a", "type", "--delay", "30", str(self.folder / "picked"))
+        display.tool("key", "Return")
+        saved, _ = self.wait_for("saved", after=after)
+        self.assertEqual(saved["path"], str(self.folder / "picked.creature.json"))
+        self.press("h")
+        self.wait_for("hand-picking", after=after, on=False)
+        self.quit()
+        self.run_well("verify", "picked.creature.json")
 
     def test_a_damaged_file_is_a_message_and_the_studio_goes_on(self):
         self.write("cut.creature.json", '{"format": "cambrian-creature", "ver')

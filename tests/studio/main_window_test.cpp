@@ -117,5 +117,68 @@ TEST_CASE("files lie over the panels and can be cancelled", "[studio][main_windo
     CHECK(test::was_asked<CloseFilePanel>(out));
 }
 
+TEST_CASE("in selection by hand the controls stand inside a window of 1280 by 720",
+          "[studio][main_window][picking]") {
+    NullImGui gui(1280, 720);
+    MainWindow window(nullptr);
+    test::StudioFixture studio;
+    studio.show_grid(25);
+    Requests out;
+    draw_whole(gui, window, studio.frame(), out);
+    for (const char* name :
+         {"Automatic", "Hand-pick",    "Breed",   "cell 1",
+          "cell 25",   "Back",         "Forward", "View",
+          "Keep",      "Save…",        "Scores",  "Hints",
+          "25",        "Wild",         "dial",    "Newcomers for the rest",
+          "Assist",    "Inject picks", "New run", "Grid from the creature on show",
+          "grid 1",    "shelf"}) {
+        INFO(name);
+        CHECK(inside(gui.place(name), 1280, 720));
+    }
+    CHECK(out.actions().empty());
+}
+
+TEST_CASE("a creature of the grid dragged to the shelf is kept", "[studio][main_window][picking]") {
+    NullImGui gui(1280, 720);
+    MainWindow window(nullptr);
+    test::StudioFixture studio;
+    studio.show_grid(9);
+    Requests out;
+    const auto draw = [&] { gui.bare_frame([&] { window.draw(studio.frame(), 720, out); }); };
+    draw();
+    gui.move_to(gui.place("cell 6").center());
+    draw();
+    gui.press();
+    draw();
+    gui.move_to(gui.place("shelf").center());
+    draw();
+    draw();
+    gui.release();
+    draw();
+    CHECK(test::asked_desk<PinCreature>(out).cell == 5);
+}
+
+TEST_CASE("one creature of the grid has the viewport and leads back",
+          "[studio][main_window][picking]") {
+    NullImGui gui(1280, 720);
+    MainWindow window(nullptr);
+    test::StudioFixture studio;
+    studio.show_crawler();
+    studio.show_grid(9);
+    studio.show_single();
+    Requests out;
+    const auto draw = [&] { gui.bare_frame([&] { window.draw(studio.frame(), 720, out); }); };
+    draw();
+    CHECK(gui.has("viewport"));
+    CHECK_FALSE(gui.has("cell 1"));
+    gui.move_to(gui.place("Back to the grid").center());
+    draw();
+    gui.press();
+    draw();
+    gui.release();
+    draw();
+    CHECK(test::was_asked<ShowGrid>(out));
+}
+
 }  // namespace
 }  // namespace cambrian

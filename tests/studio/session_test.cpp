@@ -1,56 +1,14 @@
-#include "studio/session.h"
-
 #include "persist/statistics_csv.h"
+#include "session_run.h"
 #include "studio_fixture.h"
-#include "support/temporary_directory.h"
 
 #include <algorithm>
-#include <chrono>
 #include <fstream>
-#include <functional>
-#include <sstream>
-#include <thread>
 
 namespace cambrian {
 namespace {
 
-ExperimentSettings small_experiment() {
-    ExperimentSettings settings;
-    settings.population.size = 6;
-    settings.world.trial.duration = 0.5;
-    settings.world.trial.settle_limit = 0.0;
-    return settings;
-}
-
-class SessionRun {
-public:
-    SessionRun() : session({{}, small_experiment()}, test::kinds(), 2, folder.path() / "log") {}
-
-    template <class Action>
-    void ask(Action action) {
-        Requests requests;
-        requests.ask(std::move(action));
-        session.carry_out(requests);
-    }
-    // Frames until something holds; gives up after many.
-    bool frames_until(const std::function<bool()>& holds) {
-        for (int i = 0; i < 20'000; ++i) {
-            session.update(0.001 * i, 0.001);
-            if (holds()) return true;
-            std::this_thread::sleep_for(std::chrono::milliseconds(1));
-        }
-        return false;
-    }
-    std::size_t champions() const { return session.frame_context().snapshot.champions.size(); }
-    std::string log() const {
-        std::ostringstream text;
-        text << std::ifstream(folder.path() / "log").rdbuf();
-        return text.str();
-    }
-
-    TemporaryDirectory folder;
-    Session session;
-};
+using test::SessionRun;
 
 TEST_CASE("the tour is offered until it was taken or declined", "[studio][session]") {
     SessionRun run;

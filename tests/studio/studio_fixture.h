@@ -2,6 +2,7 @@
 
 // What panels see, put together without an engine: settings, an empty history, a creature.
 
+#include "evolution/generation.h"
 #include "evolution/snapshot.h"
 #include "studio/frame_context.h"
 #include "studio/requests.h"
@@ -9,6 +10,8 @@
 #include "support/kinds.h"
 
 #include <memory>
+#include <optional>
+#include <utility>
 #include <variant>
 
 namespace cambrian::test {
@@ -43,6 +46,34 @@ public:
         snapshot_.champions.push_back({row.generation, champion, snapshot_.settings});
         snapshot_.population = {champion};
     }
+    // Selection by hand is on, with one more grid of so many creatures.
+    void show_grid(std::size_t cells, GridOrigin origin = GridOrigin::kPopulation) {
+        GridNode grid;
+        grid.origin = origin;
+        grid.settings = snapshot_.settings;
+        for (std::size_t i = 0; i < cells; ++i)
+            grid.creatures.push_back(make_newcomer(*snapshot_.settings, kinds(), 0, i));
+        picking_.tree.add(std::move(grid));
+        picking_.settings = snapshot_.settings;
+        motion_.show(picking_.tree.current().creatures, snapshot_.settings->expression,
+                     snapshot_.settings->world);
+        view_picking();
+    }
+    void view_picking() {
+        picking_view_.emplace(PickingView{.snapshot = picking_,
+                                          .motion = motion_,
+                                          .options = options_,
+                                          .focus = focus_,
+                                          .single = single_});
+    }
+    void focus_cell(std::size_t cell) {
+        focus_ = cell;
+        view_picking();
+    }
+    void show_single() {
+        single_ = true;
+        view_picking();
+    }
     FrameContext frame() const {
         return {.kinds = kinds(),
                 .fields = fields_,
@@ -52,9 +83,11 @@ public:
                 .playback = playback_,
                 .view = view_,
                 .files = files_,
-                .stars = stars_};
+                .stars = stars_,
+                .picking = picking_view_ ? &*picking_view_ : nullptr};
     }
 
+    PickingSnapshot& picking() { return picking_; }
     EvolutionSnapshot& snapshot() { return snapshot_; }
     SettingsEditor& editor() { return editor_; }
     Playback& playback() { return playback_; }
@@ -71,7 +104,26 @@ private:
     ViewState view_;
     FileBrowser files_;
     Stars stars_;
+    PickingSnapshot picking_;
+    GridMotion motion_{kinds().creature};
+    PickingOptions options_;
+    std::size_t focus_ = 0;
+    bool single_ = false;
+    std::optional<PickingView> picking_view_;
 };
+
+// The only command for the picking desk that was asked for; fails the test if there is none.
+template <class Command>
+const Command& asked_desk(const Requests& requests) {
+    const Command* found = nullptr;
+    for (const StudioAction& action : requests.actions()) {
+        const auto* asked = std::get_if<AskPicking>(&action);
+        if (asked == nullptr) continue;
+        if (const auto* match = std::get_if<Command>(&asked->command)) found = match;
+    }
+    REQUIRE(found != nullptr);
+    return *found;
+}
 
 // The only action of a kind that was asked for; fails the test if there is none.
 template <class Action>

@@ -39,13 +39,19 @@ public:
     // One frame of `draw`, inside a window that fills the display.
     template <class Draw>
     void frame(Draw draw) {
+        bare_frame([&draw] {
+            ImGui::SetNextWindowPos({0, 0});
+            ImGui::SetNextWindowSize(ImGui::GetIO().DisplaySize);
+            ImGui::Begin("test", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove);
+            draw();
+            ImGui::End();
+        });
+    }
+    // One frame of `draw`, which opens windows of its own.
+    template <class Draw>
+    void bare_frame(Draw draw) {
         ImGui::NewFrame();
-        ImGui::SetNextWindowPos({0, 0});
-        ImGui::SetNextWindowPos({0, 0});
-        ImGui::SetNextWindowSize(ImGui::GetIO().DisplaySize);
-        ImGui::Begin("test", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove);
         draw();
-        ImGui::End();
         ImGui::Render();
     }
 

@@ -37,10 +37,79 @@ std::string best_text(const FrameContext& frame) {
 
 void EvolveBar::draw(const FrameContext& frame, Requests& out) {
     draw_main_menu(frame, out);
-    ImGui::SameLine(0, px(22));
-    draw_buttons(frame, out);
-    ImGui::SameLine(0, px(24));
-    draw_numbers(frame);
+    ImGui::SameLine(0, px(18));
+    const float top = ImGui::GetCursorPosY();
+    ImGui::SetCursorPosY(top + px(3));  // these are lower than the buttons beside them
+    draw_modes(frame, out);
+    ImGui::SameLine(0, px(18));
+    ImGui::SetCursorPosY(top);
+    if (frame.picking != nullptr) {
+        draw_breeding(frame, out);
+        ImGui::SameLine(0, px(24));
+        draw_picking(frame);
+    } else {
+        draw_buttons(frame, out);
+        ImGui::SameLine(0, px(24));
+        draw_numbers(frame);
+    }
+}
+
+// Who selects.
+void EvolveBar::draw_modes(const FrameContext& frame, Requests& out) {
+    const int chosen = frame.picking == nullptr ? 0 : 1;
+    const int pressed = segmented(
+        "mode", {"Automatic", "Hand-pick"}, chosen,
+        {"Fitness selects who breeds (H)", "You select who breeds, from a grid of creatures (H)"});
+    if (pressed >= 0 && pressed != chosen) out.ask(ToggleHandPicking{});
+}
+
+void EvolveBar::draw_breeding(const FrameContext& frame, Requests& out) {
+    const PickingSnapshot& snapshot = frame.picking->snapshot;
+    ButtonStyle main;
+    main.look = ButtonLook::kPrimary;
+    main.width = px(118);
+    main.height = px(34);
+    const WithFont font(ui().fonts.strong);
+    if (frame.picking->single) {
+        main.tooltip = "Esc";
+        main.width = 0.0F;
+        if (push_button("Back to the grid", main)) out.ask(ShowGrid{});
+    } else if (deciding(snapshot)) {
+        main.look = ButtonLook::kPlain;
+        main.tooltip = "Stay with this grid (Backspace)";
+        main.enabled = !snapshot.tree.empty();
+        if (push_button("Stop", main)) out.ask(AskPicking{CancelDecision{}});
+    } else {
+        main.enabled = !snapshot.picks.empty();
+        main.tooltip = "The next grid from the picks (Enter)";
+        if (push_button("Breed", main)) out.ask(AskPicking{BreedPicks{}});
+    }
+}
+
+void EvolveBar::draw_picking(const FrameContext& frame) {
+    const PickingSnapshot& snapshot = frame.picking->snapshot;
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    float x = at.x;
+    const auto reading = [&](const std::string& value, const std::string& name, float least) {
+        x += std::fmax(px(least), draw_reading({x, at.y - px(1)}, value, name) + px(22));
+    };
+    const std::size_t grids = snapshot.tree.size();
+    reading(grids == 0 ? "–" : format("%u of %zu", snapshot.tree.current().number + 1, grids),
+            "grid", 84);
+    reading(format("%zu of %zu", snapshot.picks.size(), kMostPicks), "picked", 72);
+    const float width = at.x + ImGui::GetContentRegionAvail().x - x;
+    const Color color = snapshot.message.empty() ? colors().muted : colors().danger;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    if (deciding(snapshot)) {
+        ImGui::SetCursorScreenPos({x, at.y + px(5)});
+        progress_bar(frame.picking->progress, std::fmin(width, px(420)), px(7));
+        list.AddText(ui().fonts.small, 13.0F * ui().scale, {x, at.y + px(16)}, paint(color),
+                     picking_words(snapshot).c_str());
+        return;
+    }
+    const std::string words =
+        frame.picking->single ? "Esc leads back to the grid" : picking_words(snapshot);
+    list.AddText({x, at.y + px(7)}, paint(color), fit_text(words, width).c_str());
 }
 
 void EvolveBar::draw_buttons(const FrameContext& frame, Requests& out) {

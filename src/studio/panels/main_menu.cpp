@@ -1,8 +1,8 @@
 #include "studio/panels/main_menu.h"
 
 #include "studio/overlays.h"
-#include "studio/panels/viewport_tools.h"
 #include "studio/panels/export_menu.h"
+#include "studio/panels/viewport_tools.h"
 #include "studio/widgets.h"
 
 #include <array>
@@ -45,6 +45,9 @@ void view_item(const char* label, const char* keys, bool ViewState::*flag,
 }
 
 void draw_view_menu(const FrameContext& frame, Requests& out) {
+    const bool picking = frame.picking != nullptr;
+    if (menu_item("Pick by hand", "H", true, picking)) out.ask(ToggleHandPicking{});
+    ImGui::Separator();
     view_item("Experiment", nullptr, &ViewState::left_panel, frame, out);
     view_item("Inspector", nullptr, &ViewState::right_panel, frame, out);
     view_item("Timeline and population", nullptr, &ViewState::bottom_panel, frame, out);

@@ -1,5 +1,6 @@
 #include "studio/panels/viewport_panel.h"
 
+#include "studio/follow_camera.h"
 #include "studio/panels/viewport_tools.h"
 #include "studio/scene_overlays.h"
 #include "studio/text.h"
@@ -11,21 +12,9 @@
 namespace cambrian {
 namespace {
 
-constexpr double kFollowLag = 0.25;     // s
-constexpr double kFitShare = 0.32;      // of the viewport filled by a body that is fitted
-constexpr double kHorizonShare = 0.24;  // of the viewport's height below the ground
-constexpr double kWheelFactor = 1.15;   // a notch
-
-WorldWindow bounds_of(const Phenotype& phenotype, const std::vector<Pose>& poses) {
-    WorldWindow window{Vec2::Constant(1e9), Vec2::Constant(-1e9)};
-    for (std::size_t i = 0; i < poses.size(); ++i) {
-        const double reach = phenotype.plan.parts[i].half_extents.head<2>().norm();
-        const Vec2 at = poses[i].position.head<2>();
-        window.low = window.low.cwiseMin(at - Vec2::Constant(reach));
-        window.high = window.high.cwiseMax(at + Vec2::Constant(reach));
-    }
-    return window;
-}
+constexpr double kFollowLag = 0.25;    // s
+constexpr double kFitShare = 0.32;     // of the viewport filled by a body that is fitted
+constexpr double kWheelFactor = 1.15;  // a notch
 
 void shadowed_text(ImDrawList& list, ImFont* font, float size, const ImVec2& at, const Color& color,
                    const std::string& text) {
@@ -86,17 +75,13 @@ Vec2 ViewportPanel::mouse_in_world() const {
 }
 
 Vec2 ViewportPanel::follow_target(const FrameContext& frame) const {
-    Vec2 center = frame.playback.center_of_mass().head<2>();
-    if (!frame.playback.environment().has_ground) return center;
-    // The ground stays where it is on screen unless the creature rises out of sight.
-    const double height = size_.height * canvas_.camera.pixel();
-    const double level = (0.5 - kHorizonShare) * height;
-    return {center.x(), std::max(level, center.y() - 0.2 * height)};
+    return follow_center(frame.playback.center_of_mass().head<2>(),
+                         frame.playback.environment().has_ground, canvas_.camera, size_);
 }
 
 void ViewportPanel::fit_now(const FrameContext& frame) {
     fit_wanted_ = false;
-    const WorldWindow bounds = bounds_of(frame.playback.phenotype(), frame.playback.poses());
+    const WorldWindow bounds = body_window(frame.playback.phenotype(), frame.playback.poses());
     canvas_.camera.fit(bounds, kFitShare, size_);
     canvas_.camera.center = follow_target(frame);
 }
@@ -106,7 +91,7 @@ void ViewportPanel::place_camera(const FrameContext& frame) {
     seen_ = &frame.playback.phenotype();
     if (changed && !fit_wanted_) {
         // Another creature keeps the scale, so that sizes compare, unless it would not be seen.
-        const WorldWindow bounds = bounds_of(*seen_, frame.playback.poses());
+        const WorldWindow bounds = body_window(*seen_, frame.playback.poses());
         const Vec2 pixels = (bounds.high - bounds.low) * canvas_.camera.pixels_per_metre;
         const double share = std::max(pixels.x() / size_.width, pixels.y() / size_.height);
         fit_wanted_ = share > 0.7 || share < 0.12;
