@@ -5,6 +5,7 @@
 #include "evolution/setting_field.h"
 #include "evolution/snapshot.h"
 #include "studio/file_browser.h"
+#include "studio/gene_editor.h"
 #include "studio/notices.h"
 #include "studio/playback.h"
 #include "studio/settings_editor.h"
@@ -36,6 +37,10 @@ struct FrameContext {
     const Notice* notice = nullptr;
     bool help_shown = false;
     Highlight highlight = {};
+    const GeneEditor* genes = nullptr;  // of the creature on show; null where it cannot be edited
+
+    bool can_undo() const { return editor.can_undo() || (genes != nullptr && genes->can_undo()); }
+    bool can_redo() const { return editor.can_redo() || (genes != nullptr && genes->can_redo()); }
 };
 
 }  // namespace cambrian

@@ -43,6 +43,9 @@ void Playback::begin(std::unique_ptr<Trial> trial) {
     owed_ = 0.0;
     disturbed_ = false;
     poked_part_ = -1;
+    forced_.clear();
+    signals_.clear();
+    energy_.clear();
     trail_.clear();
     capture(current_);
     current_center_ = trial_->scene().center_of_mass();
@@ -88,11 +91,29 @@ void Playback::tick() {
     previous_center_ = current_center_;
     pull();
     trial_->tick();
+    keep_readings();
     capture(current_);
     current_center_ = trial_->scene().center_of_mass();
     if (trial_->ticks() % kTicksADot != 0) return;
     if (trail_.size() == kTrailLength) trail_.erase(trail_.begin());
     trail_.push_back(current_center_.head<2>());
+}
+
+void Playback::keep_readings() {
+    const Trial& trial = *trial_;
+    signals_.add(trial.creature().brain(), phenotype_->network.outputs.size());
+    if (!trial.settling() && !trial.finished()) energy_.add(trial.time(), trial.scene().audit());
+}
+
+void Playback::force(std::size_t neuron, double value) {
+    trial_->creature().brain().force(neuron, value);
+    forced_[neuron] = value;
+    disturbed_ = true;
+}
+
+void Playback::release_neuron(std::size_t neuron) {
+    trial_->creature().brain().release(neuron);
+    forced_.erase(neuron);
 }
 
 void Playback::poke(std::size_t part, const Vec3& point_in_part, const Vec3& target) {

@@ -5,8 +5,11 @@
 
 #include "core/result.h"
 #include "math/pose.h"
+#include "studio/energy_trace.h"
 #include "studio/exhibit.h"
+#include "studio/signal_trace.h"
 
+#include <map>
 #include <memory>
 #include <vector>
 
@@ -36,6 +39,13 @@ public:
     void poke(std::size_t part, const Vec3& point_in_part, const Vec3& target);
     void release() { poked_part_ = -1; }
     bool disturbed() const { return disturbed_; }
+    // From the next tick on a neuron says this value, whatever it computes, until released or
+    // restarted; disturbs as a poke does.
+    void force(std::size_t neuron, double value);
+    void release_neuron(std::size_t neuron);
+    const std::map<std::size_t, double>& forced() const { return forced_; }
+    const SignalTrace& signals() const { return signals_; }
+    const EnergyTrace& energy() const { return energy_; }  // of the test phase
 
     bool empty() const { return trial_ == nullptr; }
     const Exhibit& exhibit() const { return exhibit_; }
@@ -58,6 +68,7 @@ private:
     void begin(std::unique_ptr<Trial> trial);
     void tick();
     void pull();
+    void keep_readings();
     void capture(std::vector<Pose>& poses) const;
     void interpolate();
 
@@ -77,6 +88,9 @@ private:
     Vec3 shown_center_ = Vec3::Zero();
     std::vector<Vec2> trail_;
     bool disturbed_ = false;
+    std::map<std::size_t, double> forced_;  // neurons and what they are made to say
+    SignalTrace signals_;
+    EnergyTrace energy_;
     int poked_part_ = -1;
     Vec3 poke_point_ = Vec3::Zero();
     Vec3 poke_target_ = Vec3::Zero();

@@ -5,6 +5,8 @@
 
 #include "evolution/command.h"
 #include "evolution/individual.h"
+#include "studio/exhibit.h"
+#include "studio/gene_editor.h"
 #include "studio/highlight.h"
 #include "studio/view_state.h"
 
@@ -25,7 +27,7 @@ struct EditSettings {
     std::string field;
 };
 struct FinishEdit {};  // the control was let go: the engine gets the draft
-struct UndoEdit {};
+struct UndoEdit {};    // of the genes on show; if none was edited, of the settings
 struct RedoEdit {};
 // Generation 0 anew with the draft, from random creatures or the present population.
 struct StartNewRun {
@@ -48,6 +50,14 @@ struct PokePart {
     Vec3 target = Vec3::Zero();
 };
 struct ReleasePoke {};
+// A neuron says the value, whatever it computes, until released or restarted.
+struct ForceNeuron {
+    std::size_t neuron = 0;
+    double value = 0.0;
+};
+struct ReleaseNeuron {
+    std::size_t neuron = 0;
+};
 // For the next frame, in viewport, brain and genotype alike.
 struct ShowHighlight {
     Highlight highlight;
@@ -60,6 +70,16 @@ struct ShowIndividual {
     IndividualPtr individual;
 };
 struct ShowNewest {};
+struct ShowExhibit {
+    std::shared_ptr<const Exhibit> exhibit;
+};
+
+// The creature on show with one gene changed.
+struct EditGenes {
+    GenomePtr genome;
+    GeneChange change;
+};
+struct FinishGeneEdit {};  // the control was let go
 
 enum class FileTask : std::uint8_t { kOpen, kSaveCreature, kSaveSettings };
 struct OpenFilePanel {
@@ -90,9 +110,10 @@ using StudioAction =
     std::variant<ToggleEvolution, RunOneGeneration, EditSettings, FinishEdit, UndoEdit, RedoEdit,
                  StartNewRun, StartFromShown, DropStructuralEdits, AddNewcomers, TogglePlayback,
                  RestartPlayback, StepPlayback, ChangeView, FitView, PokePart, ReleasePoke,
-                 ShowHighlight, ShowChampion, ShowIndividual, ShowNewest, OpenFilePanel,
-                 CloseFilePanel, ListFolder, LoadFile, SaveCreatureFile, SaveSettingsFile,
-                 SaveScreenshot, DismissNotice, ToggleHelp, QuitStudio>;
+                 ForceNeuron, ReleaseNeuron, ShowHighlight, ShowChampion, ShowIndividual,
+                 ShowNewest, ShowExhibit, EditGenes, FinishGeneEdit, OpenFilePanel, CloseFilePanel,
+                 ListFolder, LoadFile, SaveCreatureFile, SaveSettingsFile, SaveScreenshot,
+                 DismissNotice, ToggleHelp, QuitStudio>;
 
 class Requests {
 public:

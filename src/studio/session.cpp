@@ -86,7 +86,8 @@ FrameContext Session::frame_context() const {
             .files = files_,
             .notice = notice_,
             .help_shown = help_shown_,
-            .highlight = highlight_};
+            .highlight = highlight_,
+            .genes = &genes_};
 }
 
 bool Session::animating() const {
@@ -151,13 +152,16 @@ void Session::show(Exhibit exhibit) {
     const std::string title = exhibit.title;
     const std::string uid = exhibit.uid;
     if (Status status = stage_.show(std::move(exhibit)); !status) return report(status);
+    genes_.clear();
     shown_since_ = now_;
     log_.write("shown", {{"title", title}, {"uid", uid}});
 }
 
 void Session::show_champion(const ChampionRecord& champion) {
-    show(exhibit_of(*champion.individual, *champion.settings, champion.generation,
-                    ExhibitSource::kChampion));
+    Exhibit exhibit = exhibit_of(*champion.individual, *champion.settings, champion.generation,
+                                 ExhibitSource::kChampion);
+    exhibit.experiment = experiment_.snapshot().experiment;
+    show(std::move(exhibit));
 }
 
 void Session::commit_settings() {
@@ -193,6 +197,11 @@ void Session::apply(const FinishEdit&) {
 }
 
 void Session::apply(const UndoEdit&) {
+    if (genes_.can_undo()) {
+        genes_.undo();
+        log_.write("gene undone");
+        return show_edited();
+    }
     const Environment before = experiment_.editor().draft().world.environment;
     experiment_.undo();
     follow_world(before);
@@ -200,6 +209,11 @@ void Session::apply(const UndoEdit&) {
 }
 
 void Session::apply(const RedoEdit&) {
+    if (genes_.can_redo()) {
+        genes_.redo();
+        log_.write("gene redone");
+        return show_edited();
+    }
     const Environment before = experiment_.editor().draft().world.environment;
     experiment_.redo();
     follow_world(before);
@@ -259,8 +273,10 @@ void Session::apply(const ShowIndividual& action) {
     const EvolutionSnapshot& snapshot = experiment_.snapshot();
     if (snapshot.champions.empty()) return;
     const ChampionRecord& newest = snapshot.champions.back();
-    show(exhibit_of(*action.individual, *newest.settings, newest.generation,
-                    ExhibitSource::kPopulation));
+    Exhibit exhibit = exhibit_of(*action.individual, *newest.settings, newest.generation,
+                                 ExhibitSource::kPopulation);
+    exhibit.experiment = snapshot.experiment;
+    show(std::move(exhibit));
 }
 
 void Session::apply(const ShowNewest&) {

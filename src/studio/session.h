@@ -4,6 +4,7 @@
 // each request of a panel does to them.
 
 #include "studio/file_desk.h"
+#include "studio/gene_editor.h"
 #include "studio/notices.h"
 #include "studio/open_experiment.h"
 #include "studio/remembered.h"
@@ -66,10 +67,15 @@ private:
     void apply(const FitView&) { fit_wanted_ = true; }
     void apply(const PokePart& action);
     void apply(const ReleasePoke&) { stage_.playback().release(); }
-    void apply(const ShowHighlight& action) { highlight_ = action.highlight; }
+    void apply(const ShowHighlight& action) { highlight_.join(action.highlight); }
     void apply(const ShowChampion& action);
     void apply(const ShowIndividual& action);
     void apply(const ShowNewest&);
+    void apply(const ShowExhibit& action);
+    void apply(const ForceNeuron& action);
+    void apply(const ReleaseNeuron& action);
+    void apply(const EditGenes& action);
+    void apply(const FinishGeneEdit&) { genes_.finish(); }
     void apply(const OpenFilePanel& action);
     void apply(const CloseFilePanel&) { files_.open = false; }
     void apply(const ListFolder& action) { desk_.list(action.folder, files_.task); }
@@ -92,6 +98,7 @@ private:
     void follow_champion();
     void show(Exhibit exhibit);
     void show_champion(const ChampionRecord& champion);
+    void show_edited();
     void commit_settings();
     void follow_world(const Environment& before);
     void report(const Status& status);
@@ -104,6 +111,7 @@ private:
     BackgroundWorker worker_;
     FileDesk desk_;
     Stage stage_;
+    GeneEditor genes_;  // of the creature on show
     OpenExperiment experiment_;
     ViewState view_;
     std::filesystem::path memory_;  // folder; empty remembers nothing

@@ -74,7 +74,7 @@ constexpr std::array kShortcuts = {
     Shortcut{{GLFW_KEY_O, true}, "Ctrl+O", "Open a creature or settings", open_file},
     Shortcut{{GLFW_KEY_S, true}, "Ctrl+S", "Save the creature on show", save_creature},
     Shortcut{{GLFW_KEY_S, true, true}, "Ctrl+Shift+S", "Save the settings", save_settings},
-    Shortcut{{GLFW_KEY_Z, true}, "Ctrl+Z", "Undo an edit of the settings", simply<UndoEdit>},
+    Shortcut{{GLFW_KEY_Z, true}, "Ctrl+Z", "Undo an edit of genes or settings", simply<UndoEdit>},
     Shortcut{{GLFW_KEY_Z, true, true}, "Ctrl+Shift+Z", "Redo it", simply<RedoEdit>},
     Shortcut{{GLFW_KEY_F12}, "F12", "Keep a picture of the window", simply<SaveScreenshot>},
     Shortcut{{GLFW_KEY_F1}, "F1", "Help", simply<ToggleHelp>},

@@ -11,6 +11,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <string>
 #include <utility>
 
 namespace cambrian {
@@ -98,20 +100,23 @@ private:
         host_.end_frame(window_.framebuffer_width(), height);
         if (const auto path = session_.take_picture_request()) keep_picture(*path);
         session_.carry_out(requests);
-        if (!places_logged_) log_places();
+        log_places();
+        if (!std::exchange(started_, true)) session_.log().write("started");
     }
 
-    // Where the main buttons are, for tests that press them.
+    // Where controls are, each time they moved, for tests that press them.
     void log_places() {
-        places_logged_ = true;
+        if (options_.status_log.empty()) return;
         for (const auto& [name, place] : host_.context().places) {
+            const auto known = places_.find(name);
+            if (known != places_.end() && known->second == place) continue;
+            places_[name] = place;
             session_.log().write("place", {{"name", name},
                                            {"x", static_cast<double>(place.x)},
                                            {"y", static_cast<double>(place.y)},
                                            {"width", static_cast<double>(place.width)},
                                            {"height", static_cast<double>(place.height)}});
         }
-        session_.log().write("started");
     }
 
     Image picture() {
@@ -136,7 +141,8 @@ private:
     MainWindow main_window_;
     FrameLog frame_log_;
     int quiet_frames_ = 0;
-    bool places_logged_ = false;
+    bool started_ = false;
+    std::map<std::string, Rect> places_;  // as logged last
 };
 
 }  // namespace

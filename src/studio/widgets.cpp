@@ -54,6 +54,13 @@ ImVec2 button_size(const std::string& label, const ButtonStyle& style) {
             style.height > 0.0F ? style.height : px(30)};
 }
 
+float row_width(const std::vector<std::string>& labels, float padding) {
+    float width = 0.0F;
+    for (const std::string& label : labels)
+        width += ImGui::CalcTextSize(label.c_str()).x + padding;
+    return width;
+}
+
 }  // namespace
 
 bool push_button(const std::string& label, const ButtonStyle& style) {
@@ -85,16 +92,19 @@ bool toggle_switch(const std::string& label, bool& on) {
 int segmented(const std::string& name, const std::vector<std::string>& labels, int chosen) {
     ImGui::PushID(name.c_str());
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(px(2), 0.0F));
+    const bool roomy = row_width(labels, px(18)) <= ImGui::GetContentRegionAvail().x;
+    ImGui::PushFont(roomy ? ui().fonts.body : ui().fonts.small);
     int pressed = -1;
     for (int i = 0; i < static_cast<int>(labels.size()); ++i) {
         if (i > 0) ImGui::SameLine();
         const std::string& label = labels[static_cast<std::size_t>(i)];
         ButtonStyle style;
         style.look = i == chosen ? ButtonLook::kSelected : ButtonLook::kGhost;
-        style.width = ImGui::CalcTextSize(label.c_str()).x + px(16);
+        style.width = ImGui::CalcTextSize(label.c_str()).x + (roomy ? px(16) : px(10));
         style.height = px(28);
         if (push_button(label, style)) pressed = i;
     }
+    ImGui::PopFont();
     ImGui::PopStyleVar();
     ImGui::PopID();
     return pressed;
@@ -121,6 +131,16 @@ void caption(const std::string& text) {
 void panel_title(const std::string& text) {
     const WithFont font(ui().fonts.strong);
     ImGui::TextUnformatted(text.c_str());
+}
+
+void section(const char* title) {
+    ImGui::Dummy({0, px(4)});
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float width = ImGui::GetContentRegionAvail().x;
+    ImGui::GetWindowDrawList()->AddLine(at, {at.x + width, at.y}, paint(colors().border));
+    ImGui::Dummy({0, px(2)});
+    const WithFont font(ui().fonts.strong);
+    ImGui::TextUnformatted(title);
 }
 
 void fact(const std::string& label, const std::string& value) {
@@ -170,8 +190,10 @@ void tooltip(const std::string& text) {
     // Beneath the control, which stays in sight; above it near the window's foot.
     const float foot = ImGui::GetItemRectMax().y;
     const bool above = foot > ImGui::GetIO().DisplaySize.y - px(160);
+    // To the left of the mouse near the window's right edge.
+    const bool left = ImGui::GetIO().MousePos.x > ImGui::GetIO().DisplaySize.x - px(350);
     const ImVec2 at = {ImGui::GetIO().MousePos.x, above ? low.y - px(6) : foot + px(6)};
-    ImGui::SetNextWindowPos(at, ImGuiCond_Always, {0.0F, above ? 1.0F : 0.0F});
+    ImGui::SetNextWindowPos(at, ImGuiCond_Always, {left ? 1.0F : 0.0F, above ? 1.0F : 0.0F});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(px(12), px(9)));
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(px(320));

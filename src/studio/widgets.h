@@ -28,7 +28,8 @@ bool push_button(const std::string& label, const ButtonStyle& style = {});
 // An on/off switch; true when flipped.
 bool toggle_switch(const std::string& label, bool& on);
 
-// A row of choices, one of which is chosen; the index pressed, or -1.
+// A row of choices, one of which is chosen; the index pressed, or -1. In the small font where there
+// is no room.
 int segmented(const std::string& name, const std::vector<std::string>& labels, int chosen);
 
 // As ImGui::BeginCombo, with a chevron like all else here; ImGui::EndCombo() ends it.
@@ -38,6 +39,8 @@ bool begin_choice(const char* id, const std::string& shown, float width);
 void caption(const std::string& text);
 // A panel's name, at its top.
 void panel_title(const std::string& text);
+// A line across, and the name of what follows.
+void section(const char* title);
 // "label   value" on one line, the value to the right.
 void fact(const std::string& label, const std::string& value);
 // Text in the small font and muted colour, wrapped.

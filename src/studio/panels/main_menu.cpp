@@ -25,8 +25,8 @@ void draw_file_menu(const FrameContext& frame, Requests& out) {
 }
 
 void draw_edit_menu(const FrameContext& frame, Requests& out) {
-    if (item("Undo", "Ctrl+Z", frame.editor.can_undo())) out.ask(UndoEdit{});
-    if (item("Redo", "Ctrl+Shift+Z", frame.editor.can_redo())) out.ask(RedoEdit{});
+    if (item("Undo", "Ctrl+Z", frame.can_undo())) out.ask(UndoEdit{});
+    if (item("Redo", "Ctrl+Shift+Z", frame.can_redo())) out.ask(RedoEdit{});
     ImGui::Separator();
     if (item("New run", nullptr)) out.ask(StartNewRun{false});
     const bool any = !frame.snapshot.population.empty();
