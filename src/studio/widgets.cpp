@@ -95,12 +95,14 @@ int segmented(const std::string& name, const std::vector<std::string>& labels, i
     const bool roomy = row_width(labels, px(18)) <= ImGui::GetContentRegionAvail().x;
     ImGui::PushFont(roomy ? ui().fonts.body : ui().fonts.small);
     int pressed = -1;
+    const float right_edge = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
     for (int i = 0; i < static_cast<int>(labels.size()); ++i) {
-        if (i > 0) ImGui::SameLine();
         const std::string& label = labels[static_cast<std::size_t>(i)];
         ButtonStyle style;
         style.look = i == chosen ? ButtonLook::kSelected : ButtonLook::kGhost;
         style.width = ImGui::CalcTextSize(label.c_str()).x + (roomy ? px(16) : px(10));
+        const float end = ImGui::GetItemRectMax().x + px(2) + style.width;
+        if (i > 0 && end <= right_edge) ImGui::SameLine();
         style.height = px(28);
         if (push_button(label, style)) pressed = i;
     }

@@ -29,7 +29,7 @@ bool push_button(const std::string& label, const ButtonStyle& style = {});
 bool toggle_switch(const std::string& label, bool& on);
 
 // A row of choices, one of which is chosen; the index pressed, or -1. In the small font where there
-// is no room.
+// is no room, and in several lines where that is not enough.
 int segmented(const std::string& name, const std::vector<std::string>& labels, int chosen);
 
 // As ImGui::BeginCombo, with a chevron like all else here; ImGui::EndCombo() ends it.

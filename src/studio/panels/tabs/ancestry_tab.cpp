@@ -34,8 +34,23 @@ std::string change_line(const Individual& individual) {
                                         : change_words(individual.mutations.front());
 }
 
-std::string fitness_words(const Individual& individual) {
-    return individual.evaluated ? pretty_number(individual.result.fitness) : "not judged";
+// As it was judged; of a creature on show that never was, as it scores now.
+std::string fitness_words(const Individual& individual, const FrameContext& frame) {
+    if (individual.evaluated) return pretty_number(individual.result.fitness);
+    const bool shown = frame.playback.exhibit().genome == individual.genome;
+    return shown && frame.score != nullptr ? pretty_number(frame.score->score.value) : "not judged";
+}
+
+std::string born_words(const Individual& individual, const Exhibit& head) {
+    if (individual.method == "edited") return "Edited by hand";
+    if (head.experiment == 0) return "The original";  // nothing bred it here
+    return "Generation " + std::to_string(individual.born);
+}
+
+std::string length_words(std::size_t steps) {
+    if (steps == 0) return "From the creature to its first ancestor.";
+    return format("%zu %s to its first ancestor; click one to show it.", steps,
+                  steps == 1 ? "step" : "steps");
 }
 
 std::string step_words(const Individual& individual, const MutationRegistry& kinds) {
@@ -71,20 +86,17 @@ void draw_line(const RowLine& line, float left, float right, float y) {
     list.AddText({right - width, y}, paint(line.right_color), line.right.c_str());
 }
 
-void draw_words(const AncestryStep& step, const ImVec2& low, const ImVec2& high) {
+void draw_words(const AncestryStep& step, const std::string& born, const std::string& fitness,
+                const ImVec2& low, const ImVec2& high) {
     const Individual& individual = *step.individual;
     const Palette& p = colors();
-    const bool edited = individual.method == "edited";
     const bool gained = step.gained && *step.gained > 0.0;
     const float left = low.x + px(kPictureWidth + 12);
     const float right = high.x - px(10);
-    const std::string born =
-        edited ? "Edited by hand" : "Generation " + std::to_string(individual.born);
     draw_line({born, p.text, gained_words(step), gained ? p.accent : p.muted}, left, right,
               low.y + px(10));
     draw_line({place_line(individual), p.muted, {}, p.muted}, left, right, low.y + px(30));
-    draw_line({change_line(individual), p.muted, fitness_words(individual), p.text}, left, right,
-              low.y + px(50));
+    draw_line({change_line(individual), p.muted, fitness, p.text}, left, right, low.y + px(50));
 }
 
 void end_of_line(const Individual& oldest) {
@@ -111,10 +123,7 @@ void AncestryTab::follow(const Exhibit& shown) {
 void AncestryTab::draw(const FrameContext& frame, Requests& out) {
     follow(frame.playback.exhibit());
     bodies_.begin_frame(kGrownAFrame);
-    muted_text(line_.size() == 1 ? std::string("From the creature to its first ancestor.")
-                                 : format("%zu steps from the creature to its first ancestor; "
-                                          "click one to show it.",
-                                          line_.size() - 1));
+    muted_text(length_words(line_.size() - 1));
     ImGui::BeginChild("line", {0, 0}, false, ImGuiWindowFlags_NoBackground);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(px(8), px(kRowGap)));
     ImGuiListClipper clipper;
@@ -149,7 +158,7 @@ void AncestryTab::draw_step(std::size_t index, const FrameContext& frame, Reques
     if (frame.playback.exhibit().genome == individual.genome)
         list.AddRect(low, high, paint(colors().accent), px(5), ImDrawFlags_None, px(2));
     draw_body(index, frame, low);
-    draw_words(step, low, high);
+    draw_words(step, born_words(individual, *head_), fitness_words(individual, frame), low, high);
 }
 
 void AncestryTab::draw_body(std::size_t index, const FrameContext& frame, const ImVec2& at) {

@@ -36,9 +36,20 @@ constexpr std::array kShares = {
                 &EnergySample::unexplained, [] { return colors().danger; }},
 };
 
-struct Stack {
+struct Band {
     std::vector<double> lower;
     std::vector<double> upper;
+
+    void add(double low, double high) {
+        lower.push_back(low);
+        upper.push_back(high);
+    }
+};
+
+// A share that changes its sign has a band above zero and one below.
+struct Stack {
+    Band above;
+    Band below;
 };
 using Stacks = std::array<Stack, kShares.size()>;
 
@@ -50,24 +61,25 @@ Stacks stack_up(const std::vector<EnergySample>& samples) {
         double below = 0.0;
         for (std::size_t i = 0; i < kShares.size(); ++i) {
             const double value = sample.*kShares[i].value;
-            double& edge = value >= 0.0 ? above : below;
-            stacks[i].lower.push_back(std::min(edge, edge + value));
-            stacks[i].upper.push_back(std::max(edge, edge + value));
-            edge += value;
+            const double top = above + std::max(value, 0.0);
+            const double bottom = below + std::min(value, 0.0);
+            stacks[i].above.add(above, top);
+            stacks[i].below.add(bottom, below);
+            above = top;
+            below = bottom;
         }
     }
     return stacks;
 }
 
 Range energy_range(const Stacks& stacks) {
+    const Stack& outermost = stacks.back();
     double low = 0.0;
     double high = 0.0;
-    for (const Stack& stack : stacks) {
-        for (std::size_t i = 0; i < stack.upper.size(); ++i) {
-            low = std::min(low, stack.lower[i]);
-            high = std::max(high, stack.upper[i]);
-        }
-    }
+    for (const double bottom : outermost.below.lower)
+        low = std::min(low, bottom);
+    for (const double top : outermost.above.upper)
+        high = std::max(high, top);
     return plot_range(low, high);
 }
 
@@ -92,8 +104,9 @@ void draw_plot(const std::vector<EnergySample>& samples, double duration) {
         work.push_back(sample.muscles);
     }
     for (std::size_t i = 0; i < kShares.size(); ++i) {
-        draw_band(list, scale, times, stacks[i].lower, stacks[i].upper,
-                  with_alpha(kShares[i].color(), 0.75F));
+        const Color color = with_alpha(kShares[i].color(), 0.75F);
+        for (const Band* band : {&stacks[i].above, &stacks[i].below})
+            draw_band(list, scale, times, band->lower, band->upper, color);
     }
     if (!times.empty()) draw_curve(list, scale, times, work, colors().text, px(1.5F));
 }

@@ -14,6 +14,7 @@ namespace cambrian {
 namespace {
 
 constexpr float kRowHeight = 72.0F;
+constexpr float kLeastRowHeight = 54.0F;
 constexpr float kGraphShare = 0.45F;  // of the tab, at most
 constexpr std::size_t kMostInRow = 4;
 
@@ -112,8 +113,9 @@ void GenotypeTab::draw(const FrameContext& frame, Requests& out) {
     if (genome_ != frame.playback.exhibit().genome) rebuild(frame.playback.exhibit().genome);
     muted_text(
         "What grows from what. Loops repeat; orange mirrors; blue grows at the end of a chain.");
-    const float wanted = static_cast<float>(row_count_) * px(kRowHeight);
+    const auto rows = static_cast<float>(row_count_);
     const float most = kGraphShare * ImGui::GetContentRegionAvail().y;
+    const float wanted = std::clamp(most, rows * px(kLeastRowHeight), rows * px(kRowHeight));
     ImGui::BeginChild("graph", {0, std::max(px(kRowHeight), std::min(wanted, most))}, false,
                       ImGuiWindowFlags_NoBackground);
     const ImVec2 at = ImGui::GetCursorScreenPos();
