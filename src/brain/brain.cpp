@@ -27,9 +27,14 @@ void Brain::think(double dt) {
         }
         const double result = evaluate_[index](inputs.data(), memory_.data() + neuron.memory, dt);
         values_[network_->neuron_slot(index)] = limit_signal(result);
+        if (!forced_.empty()) overwrite(index);
     }
-    for (const auto& [neuron, value] : forced_)
-        values_[network_->neuron_slot(neuron)] = value;
+}
+
+void Brain::overwrite(std::size_t neuron) {
+    for (const auto& [forced, value] : forced_) {
+        if (forced == neuron) values_[network_->neuron_slot(neuron)] = value;
+    }
 }
 
 double Brain::output(std::size_t index) const {

@@ -24,11 +24,14 @@ public:
     double value(Slot slot) const { return values_[slot]; }
     std::span<const double> values() const { return values_; }
     std::span<const double> memory() const { return memory_; }
-    // Overwrites a neuron's value at the end of each think() until released (inspector's slider).
+    // Whatever a neuron computes, it says this value until released.
     void force(std::size_t neuron, double value);
     void release(std::size_t neuron);
+    void release_all() { forced_.clear(); }
 
 private:
+    void overwrite(std::size_t neuron);
+
     const Network* network_;
     std::vector<NeuronFunctionKind::Evaluate> evaluate_;  // one a neuron
     std::vector<double> values_;

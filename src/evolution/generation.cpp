@@ -79,7 +79,7 @@ IndividualPtr breed_child(const Nursery& nursery, std::size_t child, std::size_t
         second = draw_partner(nursery, first, breeding);
         if (second == first) method = &single_parent_kind(nursery.kinds.breeding);
     }
-    return make_child({*nursery.ranked[first], *nursery.ranked[second], *method}, nursery.settings,
+    return make_child({nursery.ranked[first], nursery.ranked[second], *method}, nursery.settings,
                       nursery.kinds, nursery.generation, child, breeding);
 }
 
@@ -88,9 +88,9 @@ IndividualPtr breed_child(const Nursery& nursery, std::size_t child, std::size_t
 IndividualPtr make_child(const Mating& mating, const ExperimentSettings& settings,
                          const EvolutionKinds& kinds, std::uint32_t generation, std::uint64_t child,
                          RandomStream& breeding) {
-    const Individual& mother = mating.first;
+    const Individual& mother = *mating.first;
     const bool paired = mating.method.parents > 1;
-    const Individual& father = paired ? mating.second : mating.first;
+    const Individual& father = paired ? *mating.second : mother;
     const KindCatalog& catalog = kinds.creature.catalog;
     Genome genome = mating.method.breed(*mother.genome, *father.genome, catalog, breeding);
     RandomStream mutation(stream_seed(settings.seed, generation, child, Purpose::kMutation));
@@ -106,6 +106,7 @@ IndividualPtr make_child(const Mating& mating, const ExperimentSettings& setting
     Individual individual = make_individual(std::make_shared<const Genome>(std::move(genome)),
                                             settings, generation, child, mating.method.id);
     individual.parents = {mother.uid, paired ? father.uid : 0};
+    individual.mother = ParentLink(mating.first);
     for (const Individual* parent : {&father, &mother}) {
         if (same_body(*individual.genome, *parent->genome))
             individual.body_born = parent->body_born;

@@ -19,8 +19,8 @@ std::vector<IndividualPtr> next_generation(std::span<const IndividualPtr> ranked
 
 // Who has a child, and how.
 struct Mating {
-    const Individual& first;
-    const Individual& second;  // not looked at by methods of one parent
+    const IndividualPtr& first;
+    const IndividualPtr& second;  // not looked at by methods of one parent
     const BreedingKind& method;
     int extra_mutations = 0;  // besides those the settings draw
 };

@@ -2,6 +2,7 @@
 
 #include "breeding/mutation_kind.h"
 #include "evolution/behavior.h"
+#include "evolution/parent_link.h"
 #include "genome/genome.h"
 #include "simulator/audit.h"
 
@@ -52,6 +53,7 @@ struct Individual {
     GenomePtr genome;
     std::uint64_t genome_hash = 0;
     std::array<std::uint64_t, 2> parents = {0, 0};  // uids; 0 for none
+    ParentLink mother;                              // the first parent as it was judged, if known
     std::string method;                             // breeding kind, or "random", "imported"
     std::vector<MutationRecord> mutations;
     std::uint64_t expected_work = 0;  // that of its parents; 0 if unknown

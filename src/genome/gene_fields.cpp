@@ -45,13 +45,29 @@ double draw_root_angle(const FounderSettings& /*settings*/, RandomStream& stream
 }
 
 constexpr std::array<GeneField<NodeGene>, 4> kNodeFields = {{
-    {{"length", "length", kMinSize, kMaxLength, 0.5, false, {0.20, 0.1}, draw_length},
+    {{"length", "length", kMinSize, kMaxLength, 0.5, false, {0.20, 0.1}, draw_length, "m"},
      &NodeGene::length},
-    {{"width", "width", kMinSize, kMaxWidth, 0.2, false, {0.20, 0.1}, draw_width},
+    {{"width", "width", kMinSize, kMaxWidth, 0.2, false, {0.20, 0.1}, draw_width, "m"},
      &NodeGene::width},
-    {{"low limit", "limits/0", -kMaxLimit, -kMinLimit, -1.0, false, {0.25, 0.2}, draw_limit_low},
+    {{"low limit",
+      "limits/0",
+      -kMaxLimit,
+      -kMinLimit,
+      -1.0,
+      false,
+      {0.25, 0.2},
+      draw_limit_low,
+      "rad"},
      &NodeGene::limit_low},
-    {{"high limit", "limits/1", kMinLimit, kMaxLimit, 1.0, false, {0.25, 0.2}, draw_limit_high},
+    {{"high limit",
+      "limits/1",
+      kMinLimit,
+      kMaxLimit,
+      1.0,
+      false,
+      {0.25, 0.2},
+      draw_limit_high,
+      "rad"},
      &NodeGene::limit_high},
 }};
 
@@ -60,7 +76,15 @@ constexpr GeneStep kPositionStep = {0.06, 1.0, 0.25 / 0.06, 0.2};
 
 constexpr std::array<GeneField<EdgeGene>, 3> kEdgeFields = {{
     {{"position", "pos", 0.0, 1.0, 0.0, true, kPositionStep, draw_position}, &EdgeGene::position},
-    {{"angle", "angle", -kMaxEdgeAngle, kMaxEdgeAngle, 0.0, false, {0.25, 0.3}, draw_edge_angle},
+    {{"angle",
+      "angle",
+      -kMaxEdgeAngle,
+      kMaxEdgeAngle,
+      0.0,
+      false,
+      {0.25, 0.3},
+      draw_edge_angle,
+      "rad"},
      &EdgeGene::angle},
     {{"scale", "scale", kMinScale, kMaxScale, 1.0, false, {0.15, 0.3}, draw_scale},
      &EdgeGene::scale},
@@ -72,7 +96,7 @@ constexpr std::array<GeneField<InputGene>, 1> kInputFields = {{
 }};
 
 constexpr std::array<GeneField<Genome>, 1> kGenomeFields = {{
-    {{"root angle", "rootAngle", -kPi, kPi, 0.0, true, {0.3, 0.3}, draw_root_angle},
+    {{"root angle", "rootAngle", -kPi, kPi, 0.0, true, {0.3, 0.3}, draw_root_angle, "rad"},
      &Genome::root_angle},
 }};
 

@@ -30,6 +30,7 @@ struct FieldRule {
     bool wraps = false;  // the range is a circle: reduce modulo its width instead of reflecting
     GeneStep step = {};
     double (*draw)(const FounderSettings& settings, RandomStream& stream) = nullptr;
+    const char* unit = "";  // "m", "rad" or a plain number
 };
 
 template <class Gene>

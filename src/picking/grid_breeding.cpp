@@ -53,7 +53,7 @@ private:
         const BreedingKind* kind = kinds_.breeding.find(method);
         CAMBRIAN_ASSERT(kind != nullptr, "the three ways of breeding are always registered");
         return make_child(
-            {*order_.parents[first], *order_.parents[second], *kind, order_.extra_mutations},
+            {order_.parents[first], order_.parents[second], *kind, order_.extra_mutations},
             settings_, kinds_, order_.node, next_child_++, stream);
     }
 

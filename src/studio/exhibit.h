@@ -27,9 +27,12 @@ struct Exhibit {
     std::string title;  // "Champion of generation 12"
     std::uint64_t seed = 0;
     std::uint32_t generation = 0;
-    std::string uid;  // as files name it
+    std::uint64_t experiment = 0;  // of the engine that bred it; 0 if none did
+    std::uint32_t born = 0;        // generation
+    std::string uid;               // as files name it
     std::string method;
     std::vector<std::string> parents;
+    ParentLink mother;
     std::vector<MutationRecord> mutations;
     std::optional<EvaluationResult> result;  // as evaluated, if it was
 };
@@ -43,11 +46,15 @@ struct ScoreReport {
 
 // A uid as sixteen hexadecimal digits; empty for 0.
 std::string uid_text(std::uint64_t uid);
+// The number such digits stand for; 0 for any other text.
+std::uint64_t uid_of(const std::string& text);
 
 // In which a goal (by its id) measures fitness; empty if it is not known.
 std::string goal_unit(const std::string& goal, const GoalRegistry& goals);
 
 Exhibit exhibit_of(const Individual& individual, const ExperimentSettings& settings,
                    std::uint32_t generation, ExhibitSource source);
+// The creature on show as an individual, a parent for others.
+IndividualPtr individual_of(const Exhibit& exhibit);
 
 }  // namespace cambrian

@@ -5,6 +5,7 @@
 #include "evolution/setting_field.h"
 #include "evolution/snapshot.h"
 #include "studio/file_browser.h"
+#include "studio/gene_editor.h"
 #include "studio/ghosts.h"
 #include "studio/help_book.h"
 #include "studio/notices.h"
@@ -51,6 +52,10 @@ struct FrameContext {
     unsigned find_asked = 0;               // how often a setting was to be found
     Place focus = Place::kNone;            // to get the keyboard now
     const PickingView* picking = nullptr;  // null in automatic evolution
+    const GeneEditor* genes = nullptr;  // of the creature on show; null where it cannot be edited
+
+    bool can_undo() const { return editor.can_undo() || (genes != nullptr && genes->can_undo()); }
+    bool can_redo() const { return editor.can_redo() || (genes != nullptr && genes->can_redo()); }
 };
 
 }  // namespace cambrian

@@ -7,13 +7,21 @@
 namespace cambrian {
 
 // What the mouse points at, wherever it does: one part of the body, or all parts grown from one
-// gene node. -1 is none.
+// gene node; and the gene node chosen in the inspector. -1 is none.
 struct Highlight {
     int part = -1;
     int node = -1;
+    int chosen = -1;
 
     bool covers(std::size_t index, const BodyPart& body_part) const {
-        return static_cast<int>(index) == part || static_cast<int>(body_part.node) == node;
+        const auto grown_from = static_cast<int>(body_part.node);
+        return static_cast<int>(index) == part || grown_from == node || grown_from == chosen;
+    }
+    // What the other names takes the place of what this one does.
+    void join(const Highlight& other) {
+        if (other.part >= 0) part = other.part;
+        if (other.node >= 0) node = other.node;
+        if (other.chosen >= 0) chosen = other.chosen;
     }
     friend bool operator==(const Highlight&, const Highlight&) = default;
 };

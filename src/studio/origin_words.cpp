@@ -1,6 +1,7 @@
 #include "studio/origin_words.h"
 
 #include "studio/exhibit.h"
+#include "studio/mutation_words.h"
 #include "studio/text.h"
 
 #include <algorithm>
@@ -25,14 +26,6 @@ std::string method_words(const std::string& method, const EvolutionKinds& kinds)
 }
 
 }  // namespace
-
-std::string mutation_words(const MutationRecord& mutation, const MutationRegistry& kinds) {
-    const MutationKind* kind = kinds.find(mutation.operator_id);
-    std::string words = kind == nullptr ? capitalized(mutation.operator_id) : kind->label;
-    words += ": " + mutation.place;
-    if (!mutation.from.empty()) words += " " + mutation.from;
-    return mutation.to.empty() ? words : words + " → " + mutation.to;
-}
 
 std::string origin_words(const Individual& individual, std::span<const IndividualPtr> population,
                          const EvolutionKinds& kinds) {

@@ -10,9 +10,6 @@
 
 namespace cambrian {
 
-// "Node size: part 2 length 0.4 → 0.5"
-std::string mutation_words(const MutationRecord& mutation, const MutationRegistry& kinds);
-
 // When it was born, how it was bred, its parents (by their rank, if they live) and its mutations, a
 // line each. population: best first.
 std::string origin_words(const Individual& individual, std::span<const IndividualPtr> population,

@@ -40,6 +40,8 @@ void Playback::begin(std::unique_ptr<Replay> replay) {
     owed_ = 0.0;
     sought_.reset();
     hold_.reset();
+    signals_.clear();
+    energy_.clear();
     dots_.clear();
     show_present();
 }
@@ -72,6 +74,7 @@ void Playback::seek(std::uint64_t tick) {
     hold_.reset();
     if (tick >= replay_->ticks()) return;
     replay_->go_back(tick);
+    signals_.clear();
     dots_.resize(replay_->ticks() / kTicksADot);
 }
 
@@ -114,8 +117,27 @@ void Playback::tick() {
     if (diverged()) return;
     replay_->tick(hold());
     motion_.follow(trial().scene());
+    keep_readings();
     if (replay_->ticks() % kTicksADot == 0)
         dots_.push_back(trial().scene().center_of_mass().head<2>());
+}
+
+void Playback::keep_readings() {
+    signals_.add(trial().creature().brain(), phenotype_->network.outputs.size());
+    if (!trial().settling() && !trial().finished())
+        energy_.add(trial().time(), trial().scene().audit());
+}
+
+void Playback::force(std::size_t neuron, double value) {
+    auto forced = replay_->forced();
+    forced[neuron] = value;
+    replay_->set_forced(forced);
+}
+
+void Playback::release_neuron(std::size_t neuron) {
+    auto forced = replay_->forced();
+    forced.erase(neuron);
+    replay_->set_forced(forced);
 }
 
 void Playback::poke(std::size_t part, const Vec3& point_in_part, const Vec3& target) {

@@ -5,10 +5,13 @@
 
 #include "core/result.h"
 #include "math/pose.h"
+#include "studio/energy_trace.h"
 #include "studio/exhibit.h"
 #include "studio/replay.h"
 #include "studio/shown_motion.h"
+#include "studio/signal_trace.h"
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -49,7 +52,14 @@ public:
     // disturbed until restarted, or until the moment shown lies before the poke.
     void poke(std::size_t part, const Vec3& point_in_part, const Vec3& target);
     void release() { hold_.reset(); }
-    bool disturbed() const { return !empty() && (hold_ || replay_->pulled()); }
+    bool disturbed() const { return !empty() && (hold_ || replay_->disturbed()); }
+    // From the next tick on a neuron says this value, whatever it computes, until released or
+    // restarted; disturbs as a poke does.
+    void force(std::size_t neuron, double value);
+    void release_neuron(std::size_t neuron);
+    const std::map<std::size_t, double>& forced() const { return replay_->forced(); }
+    const SignalTrace& signals() const { return signals_; }
+    const EnergyTrace& energy() const { return energy_; }  // of the test phase
 
     bool empty() const { return replay_ == nullptr; }
     const Exhibit& exhibit() const { return exhibit_; }
@@ -73,6 +83,7 @@ private:
     void begin(std::unique_ptr<Replay> replay);
     void tick();
     void go_on_seeking(double budget);
+    void keep_readings();
     void show_present() { motion_.jump_to(trial().scene()); }
 
     const Kinds* kinds_;
@@ -86,6 +97,8 @@ private:
     ShownMotion motion_;
     std::vector<Vec2> dots_;  // of the trail, all since the start
     std::optional<Hold> hold_;
+    SignalTrace signals_;
+    EnergyTrace energy_;
 };
 
 }  // namespace cambrian

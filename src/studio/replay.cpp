@@ -47,8 +47,7 @@ const Hold* Replay::known_hold() const {
 void Replay::tick(const Hold* hold) {
     if (diverged()) return;
     const auto change = first_change_from(ticks());
-    if (change != changes_.end() && change->tick == ticks())
-        trial_->scene().set_environment(change->environment);
+    if (change != changes_.end() && change->tick == ticks()) apply(*change);
     if (ticks() < known_until_) {
         hold = known_hold();
     } else if (hold != nullptr) {
@@ -71,20 +70,28 @@ void Replay::pull(const Hold& hold) {
     scene.pull(hold.part, hold.point_in_part, force);
 }
 
+void Replay::apply(const Change& change) {
+    trial_->scene().set_environment(change.environment);
+    Brain& brain = trial_->creature().brain();
+    brain.release_all();
+    for (const auto& [neuron, value] : change.forced)
+        brain.force(neuron, value);
+}
+
 void Replay::go_back(std::uint64_t tick) {
-    const Environment present = environment();
+    const Change present = changes_.back();
     const auto later = std::find_if(kept_.begin(), kept_.end(),
                                     [tick](const Kept& each) { return each.tick > tick; });
     kept_.erase(later, kept_.end());
-    trial_->scene().set_environment(environment_before(kept_.back().tick));
     trial_->restore(kept_.back().state);
+    apply(change_before(kept_.back().tick));
     pulls_.erase(from_tick(pulls_, tick), pulls_.end());
     known_until_ = tick;
-    if (!(present == environment_before(tick))) set_environment(present);
+    change_from_now(present);
 }
 
-const Environment& Replay::environment_before(std::uint64_t tick) const {
-    return std::prev(first_change_from(tick))->environment;
+const Replay::Change& Replay::change_before(std::uint64_t tick) const {
+    return *std::prev(first_change_from(tick));
 }
 
 std::vector<Replay::Change>::const_iterator Replay::first_change_from(std::uint64_t tick) const {
@@ -92,10 +99,29 @@ std::vector<Replay::Change>::const_iterator Replay::first_change_from(std::uint6
                         [tick](const Change& each) { return each.tick >= tick; });
 }
 
+void Replay::change_from_now(Change change) {
+    change.tick = std::max(ticks(), known_until_);
+    changes_.erase(first_change_from(change.tick), changes_.end());
+    const Change& before = changes_.back();
+    if (before.environment == change.environment && before.forced == change.forced) return;
+    changes_.push_back(std::move(change));
+}
+
 void Replay::set_environment(const Environment& environment) {
-    const std::uint64_t from = std::max(ticks(), known_until_);
-    changes_.erase(first_change_from(from), changes_.end());
-    changes_.push_back({from, environment});
+    Change change = changes_.back();
+    change.environment = environment;
+    change_from_now(std::move(change));
+}
+
+void Replay::set_forced(const std::map<std::size_t, double>& forced) {
+    Change change = changes_.back();
+    change.forced = forced;
+    change_from_now(std::move(change));
+}
+
+bool Replay::disturbed() const {
+    return !pulls_.empty() || std::any_of(changes_.begin(), changes_.end(),
+                                          [](const Change& each) { return !each.forced.empty(); });
 }
 
 }  // namespace cambrian

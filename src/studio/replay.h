@@ -6,7 +6,9 @@
 #include "core/result.h"
 #include "simulator/trial.h"
 
+#include <cstddef>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <vector>
 
@@ -40,8 +42,11 @@ public:
     // Felt from the next tick on, or from where the repeated course ends.
     void set_environment(const Environment& environment);
     const Environment& environment() const { return changes_.back().environment; }
-    // Whether a hand pulled up to now.
-    bool pulled() const { return !pulls_.empty(); }
+    // What neurons say instead of what they compute; the same holds for it.
+    void set_forced(const std::map<std::size_t, double>& forced);
+    const std::map<std::size_t, double>& forced() const { return changes_.back().forced; }
+    // Whether a hand pulled, or a neuron was forced, up to now.
+    bool disturbed() const;
 
 private:
     struct Kept {
@@ -52,9 +57,11 @@ private:
         std::uint64_t tick = 0;
         Hold hold;
     };
+    // What holds from a tick on.
     struct Change {
         std::uint64_t tick = 0;
         Environment environment;
+        std::map<std::size_t, double> forced = {};
     };
 
     explicit Replay(std::unique_ptr<Trial> trial);
@@ -62,7 +69,9 @@ private:
     void pull(const Hold& hold);
     const Hold* known_hold() const;
     // In force when the tick of that number began being computed, changes at that very tick aside.
-    const Environment& environment_before(std::uint64_t tick) const;
+    const Change& change_before(std::uint64_t tick) const;
+    void change_from_now(Change change);
+    void apply(const Change& change);
     std::vector<Change>::const_iterator first_change_from(std::uint64_t tick) const;
 
     std::unique_ptr<Trial> trial_;

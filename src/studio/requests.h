@@ -6,6 +6,8 @@
 #include "evolution/command.h"
 #include "evolution/snapshot.h"
 #include "picking/picking_command.h"
+#include "studio/exhibit.h"
+#include "studio/gene_editor.h"
 #include "studio/highlight.h"
 #include "studio/picking_view.h"
 #include "studio/view_state.h"
@@ -30,7 +32,7 @@ struct EditSettings {
     std::string field;
 };
 struct FinishEdit {};  // the control was let go: the engine gets the draft
-struct UndoEdit {};
+struct UndoEdit {};    // of the genes on show; if none was edited, of the settings
 struct RedoEdit {};
 // Generation 0 anew with the draft, from random creatures or the present population.
 struct StartNewRun {
@@ -58,6 +60,14 @@ struct PokePart {
     Vec3 target = Vec3::Zero();
 };
 struct ReleasePoke {};
+// A neuron says the value, whatever it computes, until released or restarted.
+struct ForceNeuron {
+    std::size_t neuron = 0;
+    double value = 0.0;
+};
+struct ReleaseNeuron {
+    std::size_t neuron = 0;
+};
 // For the next frame, in viewport, brain and genotype alike.
 struct ShowHighlight {
     Highlight highlight;
@@ -79,6 +89,16 @@ struct RestoreStar {};  // the one taken away last
 struct FocusPlace {
     Place place = Place::kNone;
 };
+struct ShowExhibit {
+    std::shared_ptr<const Exhibit> exhibit;
+};
+
+// The creature on show with one gene changed.
+struct EditGenes {
+    GenomePtr genome;
+    GeneChange change;
+};
+struct FinishGeneEdit {};  // the control was let go
 
 // Between automatic evolution and selection by hand.
 struct ToggleHandPicking {};
@@ -161,15 +181,17 @@ struct TurnTour {
 };
 struct QuitStudio {};
 
-using StudioAction = std::variant<
-    ToggleEvolution, RunOneGeneration, EditSettings, FinishEdit, UndoEdit, RedoEdit, StartNewRun,
-    StartFromShown, DropStructuralEdits, AddNewcomers, TogglePlayback, RestartPlayback,
-    StepPlayback, StepPlaybackBack, SeekPlayback, ChangeView, FitView, PokePart, ReleasePoke,
-    ShowHighlight, ShowChampion, ShowIndividual, ShowNewest, ToggleStar, ToggleStarOfShown,
-    RestoreStar, FocusPlace, ToggleHandPicking, HandOverPicks, AskPicking, FocusCell, ShowCell,
-    ShowGrid, SaveCell, ChangePickingOptions, OpenFilePanel, CloseFilePanel, ListFolder, LoadFile,
-    SaveCreatureFile, SaveSettingsFile, SaveStatisticsFile, SavePlotPicture, SaveScreenshot,
-    FindSetting, ToggleSamples, DismissNotice, ToggleHelp, ShowHelp, TurnTour, QuitStudio>;
+using StudioAction =
+    std::variant<ToggleEvolution, RunOneGeneration, EditSettings, FinishEdit, UndoEdit, RedoEdit,
+                 StartNewRun, StartFromShown, DropStructuralEdits, AddNewcomers, TogglePlayback,
+                 RestartPlayback, StepPlayback, StepPlaybackBack, SeekPlayback, ChangeView, FitView,
+                 PokePart, ReleasePoke, ForceNeuron, ReleaseNeuron, ShowHighlight, ShowChampion,
+                 ShowIndividual, ShowNewest, ShowExhibit, EditGenes, FinishGeneEdit, ToggleStar,
+                 ToggleStarOfShown, RestoreStar, FocusPlace, ToggleHandPicking, HandOverPicks,
+                 AskPicking, FocusCell, ShowCell, ShowGrid, SaveCell, ChangePickingOptions,
+                 OpenFilePanel, CloseFilePanel, ListFolder, LoadFile, SaveCreatureFile,
+                 SaveSettingsFile, SaveStatisticsFile, SavePlotPicture, SaveScreenshot, FindSetting,
+                 ToggleSamples, DismissNotice, ToggleHelp, ShowHelp, TurnTour, QuitStudio>;
 
 class Requests {
 public:

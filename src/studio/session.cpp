@@ -103,7 +103,8 @@ FrameContext Session::frame_context() const {
             .tour_step = tour_step_,
             .find_asked = find_asked_,
             .focus = focus_,
-            .picking = picking_view_ ? &*picking_view_ : nullptr};
+            .picking = picking_view_ ? &*picking_view_ : nullptr,
+            .genes = &genes_};
 }
 
 bool Session::animating() const {
@@ -170,13 +171,16 @@ void Session::show(Exhibit exhibit) {
     const std::string title = exhibit.title;
     const std::string uid = exhibit.uid;
     if (Status status = stage_.show(std::move(exhibit)); !status) return report(status);
+    genes_.clear();
     shown_since_ = now_;
     log_.write("shown", {{"title", title}, {"uid", uid}});
 }
 
 void Session::show_champion(const ChampionRecord& champion) {
-    show(exhibit_of(*champion.individual, *champion.settings, champion.generation,
-                    ExhibitSource::kChampion));
+    Exhibit exhibit = exhibit_of(*champion.individual, *champion.settings, champion.generation,
+                                 ExhibitSource::kChampion);
+    exhibit.experiment = experiment_.snapshot().experiment;
+    show(std::move(exhibit));
 }
 
 void Session::commit_settings() {
@@ -213,6 +217,11 @@ void Session::apply(const FinishEdit&) {
 }
 
 void Session::apply(const UndoEdit&) {
+    if (genes_.can_undo()) {
+        genes_.undo();
+        log_.write("gene undone");
+        return show_edited();
+    }
     const Environment before = experiment_.editor().draft().world.environment;
     experiment_.undo();
     follow_world(before);
@@ -220,6 +229,11 @@ void Session::apply(const UndoEdit&) {
 }
 
 void Session::apply(const RedoEdit&) {
+    if (genes_.can_redo()) {
+        genes_.redo();
+        log_.write("gene redone");
+        return show_edited();
+    }
     const Environment before = experiment_.editor().draft().world.environment;
     experiment_.redo();
     follow_world(before);
@@ -322,8 +336,12 @@ void Session::apply(const ShowChampion& action) {
 void Session::apply(const ShowIndividual& action) {
     view_.newest_champion = false;
     const ChampionRecord& creature = action.creature;
-    show(exhibit_of(*creature.individual, *creature.settings, creature.generation,
-                    ExhibitSource::kPopulation));
+    Exhibit exhibit = exhibit_of(*creature.individual, *creature.settings, creature.generation,
+                                 ExhibitSource::kPopulation);
+    const ChampionRecord* contemporary = champion_of(creature.generation);
+    if (contemporary != nullptr && contemporary->settings == creature.settings)
+        exhibit.experiment = experiment_.snapshot().experiment;
+    show(std::move(exhibit));
 }
 
 void Session::apply(const ToggleStar& action) {

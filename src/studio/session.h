@@ -4,6 +4,7 @@
 // each request of a panel does to them.
 
 #include "studio/file_desk.h"
+#include "studio/gene_editor.h"
 #include "studio/ghosts.h"
 #include "studio/hand_picking.h"
 #include "studio/help_book.h"
@@ -50,9 +51,6 @@ public:
     void drop(const std::filesystem::path& path) { apply(LoadFile{path}); }
     void tell(NoticeKind kind, const std::string& text);
     void keep_picture(const std::filesystem::path& path, Image image);
-    // Requests that concern the window alone, for the window to take.
-    // Other controls have come to stand in the window.
-    bool take_rearranged() { return std::exchange(rearranged_, false); }
     bool take_fit() { return std::exchange(fit_wanted_, false); }
     std::optional<std::filesystem::path> take_picture_request() {
         return std::exchange(picture_wanted_, std::nullopt);
@@ -81,7 +79,7 @@ private:
     void apply(const FitView&) { fit_wanted_ = true; }
     void apply(const PokePart& action);
     void apply(const ReleasePoke&) { stage_.playback().release(); }
-    void apply(const ShowHighlight& action) { highlight_ = action.highlight; }
+    void apply(const ShowHighlight& action) { highlight_.join(action.highlight); }
     void apply(const ShowChampion& action);
     void apply(const ShowIndividual& action);
     void apply(const ShowNewest&);
@@ -97,6 +95,11 @@ private:
     void apply(const ShowGrid&);
     void apply(const SaveCell& action);
     void apply(const ChangePickingOptions& action) { picking_.set_options(action.options); }
+    void apply(const ShowExhibit& action);
+    void apply(const ForceNeuron& action);
+    void apply(const ReleaseNeuron& action);
+    void apply(const EditGenes& action);
+    void apply(const FinishGeneEdit&) { genes_.finish(); }
     void apply(const OpenFilePanel& action);
     void apply(const CloseFilePanel&) { files_.open = false; }
     void apply(const ListFolder& action) { desk_.list(action.folder, files_.task); }
@@ -131,6 +134,7 @@ private:
     void show_champion(const ChampionRecord& champion);
     const ChampionRecord* champion_of(std::uint32_t generation) const;
     std::optional<ChampionRecord> creature_on_show() const;
+    void show_edited();
     void commit_settings();
     void log_tick();
     void follow_world(const Environment& before);
@@ -144,6 +148,7 @@ private:
     BackgroundWorker worker_;
     FileDesk desk_;
     Stage stage_;
+    GeneEditor genes_;  // of the creature on show
     OpenExperiment experiment_;
     HandPicking picking_;
     std::optional<PickingView> picking_view_;  // of this frame
@@ -165,7 +170,6 @@ private:
     unsigned find_asked_ = 0;
     bool quit_wanted_ = false;
     bool fit_wanted_ = false;
-    bool rearranged_ = true;
     std::optional<std::filesystem::path> picture_wanted_;
     std::optional<SavePlotPicture> plot_wanted_;
     Stars stars_;

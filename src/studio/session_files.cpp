@@ -141,7 +141,6 @@ void Session::receive(CreatureLoaded& event) {
     view_.newest_champion = false;
     show(exhibit_from(event.document, ExhibitSource::kFile, event.path));
     picking_.show_single(picking_.on());
-    rearranged_ = true;
     log_.write("loaded", {{"path", event.path.string()}});
     std::string text = "Opened " + event.path.filename().string() + ".";
     if (!event.document.warnings.empty()) text += " " + event.document.warnings.front();

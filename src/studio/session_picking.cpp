@@ -10,9 +10,7 @@ namespace cambrian {
 
 void Session::follow_picking(double elapsed) {
     picking_.use(experiment_.snapshot().settings, now_);
-    const std::optional<std::uint32_t> grid = picking_.grid_number();
     picking_.update(elapsed * view_.speed, log_);
-    if (picking_.grid_number() != grid) rearranged_ = true;
     picking_view_.reset();
     if (picking_.on()) picking_view_.emplace(picking_.view());
 }
@@ -23,14 +21,12 @@ void Session::enter_picking() {
     GenomePtr shown;
     if (!stage_.playback().empty()) shown = stage_.playback().exhibit().genome;
     picking_.enter(experiment_.snapshot(), shown, now_);
-    rearranged_ = true;
     log_.write("hand-picking", {{"on", true}});
 }
 
 void Session::leave_picking() {
     picking_.leave(experiment_.snapshot());
     picking_view_.reset();
-    rearranged_ = true;
     log_.write("hand-picking", {{"on", false}});
 }
 
@@ -74,12 +70,10 @@ bool Session::show_cell(std::size_t cell) {
 void Session::apply(const ShowCell& action) {
     if (!show_cell(action.cell)) return;
     picking_.show_single(true);
-    rearranged_ = true;
 }
 
 void Session::apply(const ShowGrid&) {
     picking_.show_single(false);
-    rearranged_ = true;
 }
 
 void Session::apply(const SaveCell& action) {

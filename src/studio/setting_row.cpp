@@ -56,52 +56,11 @@ std::string number_pattern(const SliderRange& range, const SettingField& field) 
     return unit.empty() ? number : number + (tight ? "" : " ") + unit;
 }
 
-// Share of a slider at which a value stands, on the scale Dear ImGui uses.
-float slider_share(const SliderRange& range, double value, bool logarithmic) {
-    const double inside = std::clamp(value, range.low, range.high);
-    if (logarithmic && range.low > 0.0) {
-        return static_cast<float>(std::log(inside / range.low) / std::log(range.high / range.low));
-    }
-    return static_cast<float>((inside - range.low) / (range.high - range.low));
-}
-
-void draw_slider_back(float share, float width) {
-    const ImVec2 low = ImGui::GetCursorScreenPos();
-    const ImVec2 high = {low.x + width, low.y + ImGui::GetFrameHeight()};
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    list.AddRectFilled(low, high, paint(colors().raised), px(5));
-    const float fill = share * width;
-    if (fill < px(2)) return;
-    list.PushClipRect(low, {low.x + fill, high.y}, true);
-    list.AddRectFilled(low, high, paint(mix(colors().raised, colors().accent, 0.38F)), px(5));
-    list.PopClipRect();
-}
-
-// A slider drawn as a bar that fills; the handle itself is not shown.
 template <class Number>
 bool number_slider(const SettingField& field, Number& value, double standard, float width) {
     const SliderRange range = slider_range(field, standard, static_cast<double>(value));
-    draw_slider_back(slider_share(range, static_cast<double>(value), field.logarithmic), width);
-    const Color clear = with_alpha(colors().raised, 0.0F);
-    for (const ImGuiCol slot : {ImGuiCol_FrameBg, ImGuiCol_FrameBgHovered, ImGuiCol_FrameBgActive,
-                                ImGuiCol_SliderGrab, ImGuiCol_SliderGrabActive}) {
-        ImGui::PushStyleColor(slot, paint(clear));
-    }
-    ImGui::SetNextItemWidth(width);
-    const ImGuiSliderFlags flags =
-        field.logarithmic ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None;
-    bool edited = false;
-    if constexpr (std::is_floating_point_v<Number>) {
-        const std::string pattern = number_pattern(range, field);
-        edited = ImGui::SliderScalar("##value", ImGuiDataType_Double, &value, &range.low,
-                                     &range.high, pattern.c_str(), flags);
-    } else {
-        const auto low = static_cast<int>(range.low);
-        const auto high = static_cast<int>(range.high);
-        edited =
-            ImGui::SliderScalar("##value", ImGuiDataType_S32, &value, &low, &high, "%d", flags);
-    }
-    ImGui::PopStyleColor(5);
+    const bool edited =
+        value_slider(value, {range, field.logarithmic, number_pattern(range, field), width});
     if (edited) {
         value = static_cast<Number>(std::clamp(static_cast<double>(value), field.low, field.high));
     }

@@ -4,16 +4,13 @@
 
 #include "evolution/setting_field.h"
 #include "studio/ui_context.h"
+#include "studio/value_slider.h"
 
 #include <string>
 
 namespace cambrian {
 
 // The part of a number's range that its slider covers; beyond it numbers can be typed.
-struct SliderRange {
-    double low = 0.0;
-    double high = 1.0;
-};
 SliderRange slider_range(const SettingField& field, double standard, double present);
 
 enum class RowEvent : unsigned char {

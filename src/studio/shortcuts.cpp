@@ -119,7 +119,7 @@ constexpr std::array kShortcuts = {
     Shortcut{{GLFW_KEY_S, true, true}, "Ctrl+Shift+S", "Save the settings", save_settings},
     Shortcut{{GLFW_KEY_E, true}, "Ctrl+E", "Export the statistics as a table", export_statistics},
     Shortcut{{GLFW_KEY_E, true, true}, "Ctrl+Shift+E", "Export the plot as a picture", export_plot},
-    Shortcut{{GLFW_KEY_Z, true}, "Ctrl+Z", "Undo an edit of the settings", simply<UndoEdit>},
+    Shortcut{{GLFW_KEY_Z, true}, "Ctrl+Z", "Undo an edit of genes or settings", simply<UndoEdit>},
     Shortcut{{GLFW_KEY_Z, true, true}, "Ctrl+Shift+Z", "Redo it", simply<RedoEdit>},
     Shortcut{{GLFW_KEY_SLASH}, "/", "Find a setting", simply<FindSetting>},
     Shortcut{{GLFW_KEY_F, true}, "Ctrl+F", "The same", simply<FindSetting>},

@@ -7,15 +7,16 @@
 namespace cambrian {
 namespace {
 
+template <class Unwanted>
 std::optional<ScoreReport> run_and_score(std::shared_ptr<const Phenotype> phenotype,
                                          const Kinds& kinds, const TrialWorld& world,
-                                         const GoalKind& goal,
-                                         const std::function<bool()>& stopped) {
+                                         const GoalKind& goal, const Unwanted& unwanted) {
+    if (unwanted()) return std::nullopt;
     auto trial = Trial::start(std::move(phenotype), kinds, world);
     if (!trial) return std::nullopt;
-    while (!stopped() && (*trial)->tick()) {
+    while (!unwanted() && (*trial)->tick()) {
     }
-    if (stopped()) return std::nullopt;
+    if (unwanted()) return std::nullopt;
     ScoreReport report;
     report.record = (*trial)->take_record();
     report.unit = goal.unit;
@@ -28,9 +29,8 @@ std::optional<ScoreReport> run_and_score(std::shared_ptr<const Phenotype> phenot
 Status Stage::show(Exhibit exhibit) {
     if (Status status = playback_.show(std::move(exhibit)); !status) return status;
     score_.reset();
-    ++shown_;
-    outdated_.request_stop();
-    outdated_ = {};
+    *outdated_ = true;
+    outdated_ = std::make_shared<std::atomic<bool>>(false);
     request_score();
     return {};
 }
@@ -38,15 +38,13 @@ Status Stage::show(Exhibit exhibit) {
 void Stage::request_score() {
     const GoalKind* goal = kinds_.goals.find(playback_.exhibit().goal);
     if (goal == nullptr) return;
-    worker_.submit([this, goal, shown = shown_, outdated = outdated_.get_token(),
-                    phenotype = playback_.shared_phenotype(),
+    worker_.submit([this, goal, outdated = outdated_, phenotype = playback_.shared_phenotype(),
                     world = playback_.exhibit().world](const std::stop_token& stop) {
-        const auto stopped = [&] { return stop.stop_requested() || outdated.stop_requested(); };
-        if (stopped()) return BackgroundWorker::Completion([] {});
-        auto report = run_and_score(phenotype, kinds_.creature, world, *goal, stopped);
-        return BackgroundWorker::Completion([this, shown, report = std::move(report)] {
-            if (shown == shown_ && report) score_ = report;
-        });
+        const auto unwanted = [&] { return stop.stop_requested() || *outdated; };
+        auto report = run_and_score(phenotype, kinds_.creature, world, *goal, unwanted);
+        return [this, outdated, report = std::move(report)] {
+            if (!*outdated && report) score_ = report;
+        };
     });
 }
 

@@ -7,6 +7,7 @@
 #include "studio/background_worker.h"
 #include "studio/playback.h"
 
+#include <atomic>
 #include <memory>
 #include <optional>
 #include <stop_token>
@@ -32,8 +33,8 @@ private:
     const EvolutionKinds& kinds_;
     Playback playback_;
     std::optional<ScoreReport> score_;
-    unsigned shown_ = 0;         // counts exhibits, to know whose score arrives
-    std::stop_source outdated_;  // tells the trial of the exhibit before to end
+    // Set once another creature has taken the place of the one being scored.
+    std::shared_ptr<std::atomic<bool>> outdated_ = std::make_shared<std::atomic<bool>>(false);
 };
 
 }  // namespace cambrian

@@ -12,6 +12,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <string>
 #include <utility>
 
 namespace cambrian {
@@ -87,7 +89,6 @@ private:
 
     void frame(double now, double elapsed) {
         session_.update(now, elapsed);
-        const bool rearranged = session_.take_rearranged();
         const FrameContext context = session_.frame_context();
         Requests requests;
         if (host_.context().theme != session_.view().theme) host_.set_theme(session_.view().theme);
@@ -104,20 +105,23 @@ private:
         host_.end_frame(window_.framebuffer_width(), height);
         if (const auto path = session_.take_picture_request()) keep_picture(*path);
         session_.carry_out(requests);
-        if (rearranged) log_places();
+        log_places();
+        if (!std::exchange(started_, true)) session_.log().write("started");
     }
 
-    // Where the controls are, for tests that press them; again as others come to stand there.
+    // Where controls are, each time they moved, for tests that press them.
     void log_places() {
+        if (options_.status_log.empty()) return;
         for (const auto& [name, place] : host_.context().places) {
-            if (std::exchange(places_logged_[name], place) == place) continue;
+            const auto known = places_.find(name);
+            if (known != places_.end() && known->second == place) continue;
+            places_[name] = place;
             session_.log().write("place", {{"name", name},
                                            {"x", static_cast<double>(place.x)},
                                            {"y", static_cast<double>(place.y)},
                                            {"width", static_cast<double>(place.width)},
                                            {"height", static_cast<double>(place.height)}});
         }
-        if (!std::exchange(started_, true)) session_.log().write("started");
     }
 
     Image picture() {
@@ -155,7 +159,7 @@ private:
     FrameLog frame_log_;
     int quiet_frames_ = 0;
     bool started_ = false;
-    std::map<std::string, Rect> places_logged_;
+    std::map<std::string, Rect> places_;  // as logged last
 };
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <imgui.h>
 
 #include <map>
+#include <optional>
 #include <string>
 
 namespace cambrian {
@@ -37,6 +38,7 @@ struct UiContext {
     // The item under the mouse and since when (s), for the delay of tooltips.
     ImVec2 hovered = {-1.0F, -1.0F};
     double hovered_since = 0.0;
+    std::optional<double> typed;  // into a slider, so far
 };
 
 UiContext& ui();

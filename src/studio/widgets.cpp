@@ -54,6 +54,13 @@ ImVec2 button_size(const std::string& label, const ButtonStyle& style) {
             style.height > 0.0F ? style.height : px(30)};
 }
 
+float row_width(const std::vector<std::string>& labels, float padding) {
+    float width = 0.0F;
+    for (const std::string& label : labels)
+        width += ImGui::CalcTextSize(label.c_str()).x + padding;
+    return width;
+}
+
 }  // namespace
 
 bool push_button(const std::string& label, const ButtonStyle& style) {
@@ -86,18 +93,23 @@ int segmented(const std::string& name, const std::vector<std::string>& labels, i
               const std::vector<std::string>& tooltips) {
     ImGui::PushID(name.c_str());
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(px(2), 0.0F));
+    const bool roomy = row_width(labels, px(18)) <= ImGui::GetContentRegionAvail().x;
+    ImGui::PushFont(roomy ? ui().fonts.body : ui().fonts.small);
     int pressed = -1;
+    const float right_edge = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
     for (int i = 0; i < static_cast<int>(labels.size()); ++i) {
-        if (i > 0) ImGui::SameLine();
         const auto index = static_cast<std::size_t>(i);
         const std::string& label = labels[index];
         ButtonStyle style;
         style.look = i == chosen ? ButtonLook::kSelected : ButtonLook::kGhost;
-        style.width = ImGui::CalcTextSize(label.c_str()).x + px(16);
+        style.width = ImGui::CalcTextSize(label.c_str()).x + (roomy ? px(16) : px(10));
+        const float end = ImGui::GetItemRectMax().x + px(2) + style.width;
+        if (i > 0 && end <= right_edge) ImGui::SameLine();
         style.height = px(28);
         if (index < tooltips.size()) style.tooltip = tooltips[index].c_str();
         if (push_button(label, style)) pressed = i;
     }
+    ImGui::PopFont();
     ImGui::PopStyleVar();
     ImGui::PopID();
     return pressed;
@@ -136,6 +148,16 @@ void place_title(const std::string& text) {
     const bool focused = ImGui::IsWindowFocused(ImGuiFocusedFlags_ChildWindows);
     const WithTextColor color(focused ? colors().accent : colors().text);
     panel_title(text);
+}
+
+void section(const char* title) {
+    ImGui::Dummy({0, px(4)});
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float width = ImGui::GetContentRegionAvail().x;
+    ImGui::GetWindowDrawList()->AddLine(at, {at.x + width, at.y}, paint(colors().border));
+    ImGui::Dummy({0, px(2)});
+    const WithFont font(ui().fonts.strong);
+    ImGui::TextUnformatted(title);
 }
 
 void fact(const std::string& label, const std::string& value) {

@@ -28,7 +28,8 @@ bool push_button(const std::string& label, const ButtonStyle& style = {});
 // An on/off switch; true when flipped.
 bool toggle_switch(const std::string& label, bool& on);
 
-// A row of choices, one of which is chosen; the index pressed, or -1. Tooltips go with the labels.
+// A row of choices, one of which is chosen; the index pressed, or -1. In the small font where there
+// is no room, and in several lines where that is not enough. Tooltips go with the labels.
 int segmented(const std::string& name, const std::vector<std::string>& labels, int chosen,
               const std::vector<std::string>& tooltips = {});
 
@@ -44,6 +45,8 @@ void caption(const std::string& text);
 void panel_title(const std::string& text);
 // The same, in the accent colour while the place it heads has the keyboard.
 void place_title(const std::string& text);
+// A line across, and the name of what follows.
+void section(const char* title);
 // "label   value" on one line, the value to the right.
 void fact(const std::string& label, const std::string& value);
 // Text in the small font and muted colour, wrapped.

@@ -109,6 +109,14 @@ TEST_CASE("a reset brain repeats its life", "[brain]") {
     }
 }
 
+TEST_CASE("what hears a forced neuron hears the forced value in the same tick", "[brain]") {
+    const Network network = ring(3);
+    Brain brain(network, functions());
+    brain.force(0, 3.0);
+    brain.think(1.0 / 60.0);
+    CHECK(brain.output(0) == 3.0);
+}
+
 TEST_CASE("a forced neuron keeps its value until released", "[brain]") {
     const Network network = ring(2);
     Brain brain(network, functions());

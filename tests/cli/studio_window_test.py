@@ -94,14 +94,23 @@ class StudioTest(ProgramTest):
         return self.fail(f"no '{event}' {fields} in {self.events()[after:]}")
 
     def place_of(self, name):
-        """The middle of a control, on the screen."""
+        """The middle of a control, on the screen, where it was drawn last."""
         self.wait_for("place", name=name)
+        time.sleep(0.3)  # it may be moving
         found = [event for event in self.events()
                  if event["event"] == "place" and event["name"] == name][-1]
         lines = self.display.tool("getwindowgeometry", "--shell", self.window).split()
         origin = dict(line.split("=") for line in lines)
         return (int(origin["X"]) + int(found["x"] + found["width"] / 2),
                 int(origin["Y"]) + int(found["y"] + found["height"] / 2))
+
+    def type_into(self, name, text):
+        """A number typed into a slider, after Ctrl+click."""
+        x, y = self.place_of(name)
+        self.display.tool("mousemove", x, y, "sleep", 0.2, "keydown", "ctrl", "sleep", 0.1,
+                          "mousedown", 1, "sleep", 0.1, "mouseup", 1, "sleep", 0.1, "keyup", "ctrl")
+        self.display.tool("key", "ctrl+a", "type", "--delay", "60", text)
+        self.display.tool("key", "Return")
 
     def click(self, name):
         x, y = self.place_of(name)
@@ -162,6 +171,36 @@ class StudioWindow(StudioTest):
         self.assertIn("kept.creature.json", loaded["path"])
         self.wait_for("shown")
         self.quit()
+
+    def test_a_gene_is_edited_undone_made_again_and_saved(self):
+        self.write("small.toml", SMALL)
+        display = self.open_display()
+        self.start(display, "small.toml")
+        self.press("g")
+        shown, _ = self.wait_for("shown", title="Champion of generation 0")
+        self.click("Genotype")
+        self.type_into("part 0 length", "1.25")
+        edited, after = self.wait_for("gene edited", place="part 0 length", to="1.25 m")
+        display.tool("key", "ctrl+z")
+        _, after = self.wait_for("gene undone", after=after)
+        display.tool("key", "ctrl+shift+z")
+        self.wait_for("gene redone", after=after)
+        self.type_into("part 0 width", "7")
+        refused, _ = self.wait_for("notice", problem=True)
+        self.assertIn("/nodes/0/width", refused["text"])
+        self.assert_painted(display.picture("genotype-1280x800.png"))
+        display.tool("key", "ctrl+s")
+        time.sleep(1.0)
+        display.tool("key", "ctrl+a", "type", "--delay", "30", str(self.folder / "edited"))
+        display.tool("key", "Return")
+        self.wait_for("saved")
+        self.quit()
+        saved = json.loads((self.folder / "edited.creature.json").read_text())
+        self.assertEqual(saved["method"], "edited")
+        self.assertEqual(saved["parents"], [shown["uid"]])
+        self.assertEqual(saved["nodes"][0]["length"], 1.25)
+        self.assertNotEqual(edited["from"], "1.25 m")
+        self.run_well("verify", "edited.creature.json")
 
     def test_the_timeline_is_scrubbed_and_exported(self):
         self.write("small.toml", SMALL)

@@ -170,5 +170,42 @@ TEST_CASE("a poke pulls the creature towards the mouse", "[studio][playback]") {
     CHECK(playback.trial().scene().center_of_mass().x() > before + 0.1);
 }
 
+TEST_CASE("a forced neuron disturbs the motion until restarted", "[studio][playback]") {
+    Playback free(test::kinds().creature);
+    Playback forced(test::kinds().creature);
+    REQUIRE(free.show(crawler_exhibit()));
+    REQUIRE(forced.show(crawler_exhibit()));
+    forced.force(0, 2.0);
+    CHECK(forced.disturbed());
+    for (int i = 0; i < 60; ++i) {
+        free.step();
+        forced.step();
+    }
+    CHECK(forced.trial().creature().brain().value(forced.phenotype().network.neuron_slot(0)) ==
+          2.0);
+    CHECK(forced.poses()[1].position != free.poses()[1].position);
+    forced.restart();
+    CHECK(forced.forced().empty());
+    CHECK_FALSE(forced.disturbed());
+    free.restart();
+    for (int i = 0; i < 60; ++i) {
+        free.step();
+        forced.step();
+    }
+    CHECK(forced.poses()[1].position == free.poses()[1].position);
+}
+
+TEST_CASE("the last 3 s of every signal are kept", "[studio][playback]") {
+    Playback playback(test::kinds().creature);
+    REQUIRE(playback.show(crawler_exhibit()));
+    for (std::size_t i = 0; i < SignalTrace::kLength + 20; ++i)
+        playback.step();
+    const Brain& brain = playback.trial().creature().brain();
+    const Slot slot = playback.phenotype().network.neuron_slot(0);
+    CHECK(playback.signals().of_slot(slot).size() == SignalTrace::kLength);
+    CHECK(playback.signals().of_slot(slot).back() == brain.value(slot));
+    CHECK(playback.signals().of_output(1).back() == brain.output(1));
+}
+
 }  // namespace
 }  // namespace cambrian

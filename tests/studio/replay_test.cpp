@@ -64,7 +64,7 @@ TEST_CASE("hands and a changed world are repeated up to the moment sought", "[st
     replay->go_back(70);
     play_to(*replay, 70);
     CHECK(bits_of(*replay) == there);
-    CHECK(replay->pulled());
+    CHECK(replay->disturbed());
 }
 
 TEST_CASE("from the moment gone back to, the present world holds", "[studio][replay]") {

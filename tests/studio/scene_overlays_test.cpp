@@ -49,7 +49,8 @@ TEST_CASE("each overlay switches something of the picture on and off", "[studio]
                                      .editor = seen.editor,
                                      .playback = seen.playback,
                                      .view = view,
-                                     .files = seen.files};
+                                     .files = seen.files,
+                                     .stars = seen.stars};
             Requests out;
             gui.frame([&] { panel.draw(frame, out); });
             shapes[shown ? 1 : 0] = panel.scene().shapes.size();

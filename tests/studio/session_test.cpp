@@ -272,5 +272,105 @@ TEST_CASE("undo takes an edit back from the engine too", "[studio][session]") {
         [&] { return run.session.frame_context().snapshot.settings->population.size == 6; }));
 }
 
+EditGenes lengthen_root(const FrameContext& frame, double length) {
+    Genome genome = *frame.playback.exhibit().genome;
+    genome.nodes[0].length = length;
+    return {std::make_shared<const Genome>(genome), {"part 0 length", "old", "new"}};
+}
+
+double root_length(const SessionRun& run) {
+    return run.session.frame_context().playback.exhibit().genome->nodes[0].length;
+}
+
+TEST_CASE("an edited gene is on stage at once, can be undone and made again", "[studio][session]") {
+    SessionRun run;
+    run.session.show_newcomer();
+    const double before = root_length(run);
+    run.ask(lengthen_root(run.session.frame_context(), 1.5));
+    run.ask(FinishGeneEdit{});
+    CHECK(run.session.frame_context().playback.phenotype().parts[0].length == 1.5);
+    CHECK(run.session.frame_context().playback.exhibit().method == "edited");
+    run.ask(UndoEdit{});
+    CHECK(root_length(run) == before);
+    CHECK(run.session.frame_context().playback.exhibit().method == "random");
+    run.ask(RedoEdit{});
+    CHECK(root_length(run) == 1.5);
+    CHECK(run.log().find("{\"event\":\"gene edited\",\"place\":\"part 0 length\"") !=
+          std::string::npos);
+    CHECK(run.log().find("gene undone") != std::string::npos);
+}
+
+TEST_CASE("an edited creature is scored anew and saved as edited", "[studio][session]") {
+    SessionRun run;
+    run.ask(RunOneGeneration{});
+    REQUIRE(run.frames_until([&] { return run.champions() == 1; }));
+    const std::string parent = run.session.frame_context().playback.exhibit().uid;
+    run.ask(lengthen_root(run.session.frame_context(), 1.1));
+    run.ask(lengthen_root(run.session.frame_context(), 1.2));
+    CHECK(run.session.frame_context().score == nullptr);
+    REQUIRE(run.frames_until([&] { return run.session.frame_context().score != nullptr; }));
+    const auto path = run.folder.path() / "edited.creature.json";
+    run.ask(SaveCreatureFile{path});
+    REQUIRE(run.frames_until([&] { return std::filesystem::exists(path); }));
+    const auto saved = load_creature(path, test::kinds());
+    REQUIRE(saved);
+    CHECK(saved->method == "edited");
+    CHECK(saved->parents == std::vector<std::string>{parent});
+    CHECK(saved->genome.nodes[0].length == 1.2);
+}
+
+TEST_CASE("a gene outside its range is refused with a message", "[studio][session]") {
+    SessionRun run;
+    run.session.show_newcomer();
+    const double before = root_length(run);
+    run.ask(lengthen_root(run.session.frame_context(), 25.0));
+    run.session.update(0.1, 0.0);
+    CHECK(root_length(run) == before);
+    REQUIRE(run.session.frame_context().notice != nullptr);
+    CHECK(run.session.frame_context().notice->text.find("/nodes/0/length") != std::string::npos);
+    CHECK_FALSE(run.session.frame_context().can_undo());
+}
+
+TEST_CASE("with another creature on show, undo is of the settings again", "[studio][session]") {
+    SessionRun run;
+    run.session.show_newcomer();
+    const auto other =
+        std::make_shared<const Exhibit>(run.session.frame_context().playback.exhibit());
+    run.ask(lengthen_root(run.session.frame_context(), 1.5));
+    ExperimentSettings moon = run.session.frame_context().editor.draft();
+    moon.world.environment.gravity = 1.62;
+    run.ask(EditSettings{moon, "environment.gravity"});
+    run.ask(ShowExhibit{other});
+    run.ask(UndoEdit{});
+    CHECK(run.session.frame_context().editor.draft().world.environment.gravity == 9.81);
+}
+
+TEST_CASE("a forced neuron marks the run as disturbed", "[studio][session]") {
+    SessionRun run;
+    run.ask(ForceNeuron{0, 1.0});  // nothing on show: nothing happens
+    run.ask(RunOneGeneration{});
+    REQUIRE(run.frames_until([&] { return run.champions() == 1; }));
+    REQUIRE_FALSE(run.session.frame_context().playback.phenotype().network.neurons.empty());
+    run.ask(ForceNeuron{0, 1.0});
+    CHECK(run.session.frame_context().playback.disturbed());
+    run.ask(ReleaseNeuron{0});
+    CHECK(run.session.frame_context().playback.forced().empty());
+    run.ask(RestartPlayback{});
+    CHECK_FALSE(run.session.frame_context().playback.disturbed());
+}
+
+TEST_CASE("a champion on show knows its line", "[studio][session]") {
+    SessionRun run;
+    for (std::size_t i = 0; i < 4; ++i) {
+        run.ask(RunOneGeneration{});
+        REQUIRE(run.frames_until([&] { return run.champions() == i + 1; }));
+    }
+    run.ask(ShowChampion{3});
+    const FrameContext frame = run.session.frame_context();
+    const Exhibit& exhibit = frame.playback.exhibit();
+    CHECK(exhibit.experiment == frame.snapshot.experiment);
+    CHECK(exhibit.mother.get() == frame.snapshot.champions[3].individual->mother.get());
+}
+
 }  // namespace
 }  // namespace cambrian

@@ -1,8 +1,10 @@
 #include "studio/panels/inspector_panel.h"
 
 #include "studio/help_mark.h"
+#include "studio/panels/tabs/ancestry_tab.h"
 #include "studio/panels/tabs/brain_tab.h"
 #include "studio/panels/tabs/creature_tab.h"
+#include "studio/panels/tabs/energy_tab.h"
 #include "studio/panels/tabs/genotype_tab.h"
 #include "studio/widgets.h"
 
@@ -12,6 +14,8 @@ InspectorPanel::InspectorPanel() {
     tabs_.push_back({"Creature", std::make_unique<CreatureTab>()});
     tabs_.push_back({"Brain", std::make_unique<BrainTab>()});
     tabs_.push_back({"Genotype", std::make_unique<GenotypeTab>()});
+    tabs_.push_back({"Ancestry", std::make_unique<AncestryTab>()});
+    tabs_.push_back({"Energy", std::make_unique<EnergyTab>()});
 }
 
 void InspectorPanel::draw(const FrameContext& frame, Requests& out) {

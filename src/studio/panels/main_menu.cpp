@@ -25,8 +25,8 @@ void draw_file_menu(const FrameContext& frame, Requests& out) {
 }
 
 void draw_edit_menu(const FrameContext& frame, Requests& out) {
-    if (menu_item("Undo", "Ctrl+Z", frame.editor.can_undo())) out.ask(UndoEdit{});
-    if (menu_item("Redo", "Ctrl+Shift+Z", frame.editor.can_redo())) out.ask(RedoEdit{});
+    if (menu_item("Undo", "Ctrl+Z", frame.can_undo())) out.ask(UndoEdit{});
+    if (menu_item("Redo", "Ctrl+Shift+Z", frame.can_redo())) out.ask(RedoEdit{});
     if (menu_item("Find a setting", "Ctrl+F")) out.ask(FindSetting{});
     ImGui::Separator();
     if (menu_item("New run", nullptr)) out.ask(StartNewRun{false});

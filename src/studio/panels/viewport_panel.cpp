@@ -243,7 +243,7 @@ void ViewportPanel::draw_ghost_labels(const FrameContext& frame) const {
     std::vector<Vec2> taken;
     const double line = static_cast<double>(px(20)) * canvas_.camera.pixel();
     for (const auto& ghost : frame.ghosts) {
-        const WorldWindow bounds = bounds_of(ghost->phenotype(), ghost->poses());
+        const WorldWindow bounds = body_window(ghost->phenotype(), ghost->poses());
         Vec2 at = {0.5 * (bounds.low.x() + bounds.high.x()), bounds.high.y() + line};
         const auto covers = [&](const Vec2& other) {
             return std::fabs(other.x() - at.x()) < 4.5 * line &&

@@ -1,21 +1,12 @@
 #include "studio/panels/tabs/creature_tab.h"
 
+#include "studio/mutation_words.h"
 #include "studio/origin_words.h"
 #include "studio/text.h"
 #include "studio/widgets.h"
 
 namespace cambrian {
 namespace {
-
-void section(const char* title) {
-    ImGui::Dummy({0, px(4)});
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    const float width = ImGui::GetContentRegionAvail().x;
-    ImGui::GetWindowDrawList()->AddLine(at, {at.x + width, at.y}, paint(colors().border));
-    ImGui::Dummy({0, px(2)});
-    const WithFont font(ui().fonts.strong);
-    ImGui::TextUnformatted(title);
-}
 
 std::string unit_of(const FrameContext& frame) {
     return goal_unit(frame.playback.exhibit().goal, frame.kinds.goals);
@@ -99,43 +90,10 @@ void draw_origin(const FrameContext& frame) {
     for (std::size_t i = 0; i < exhibit.parents.size(); ++i)
         fact(i == 0 ? "Parent" : "Second parent", exhibit.parents[i]);
     if (!exhibit.uid.empty()) fact("Identity", exhibit.uid);
-    for (const MutationRecord& mutation : exhibit.mutations) {
-        ImGui::Dummy({0, px(1)});
-        muted_text(mutation_words(mutation, frame.kinds.mutations));
-    }
-}
-
-void draw_verdict(AuditVerdict verdict) {
-    const WithTextColor color(verdict == AuditVerdict::kClean ? colors().accent : colors().danger);
-    ImGui::TextUnformatted(capitalized(std::string(verdict_name(verdict))).c_str());
-    tooltip(
-        "Clean: contacts, limits and rounding gave the creature no energy worth mentioning. "
-        "Suspect: they may have. Invalid: the motion could not be computed.");
-}
-
-std::string share_text(double work, double scale) {
-    return scale > 0.0 ? format("%.2g %%", 100.0 * work / scale) : measured(work, "J");
-}
-
-void draw_audit(const FrameContext& frame) {
-    if (frame.score == nullptr) return;
-    section("Energy audit");
-    const SceneAudit& audit = frame.score->record.audit;
-    draw_verdict(judge(frame.score->record));
-    fact("Muscle work", measured(audit.gross_motor_work, "J"));
-    fact("Lost to drag", measured(-audit.drag_work, "J"));
-    fact("Lost to contact", measured(-audit.contact_work - audit.impulse_work, "J"));
-    fact("Unexplained", share_text(audit.energy_residual, audit.energy_scale));
-    fact("Given by contacts", share_text(audit.positive_work, audit.energy_scale));
-    fact("Deepest contact", measured(1e3 * audit.max_penetration, "mm"));
-    fact("Farthest past a limit", measured(audit.max_limit_overrun, "rad"));
-    fact("Fastest part", measured(audit.max_part_speed, "m/s"));
-    section("Work of the computer");
-    fact("Evaluations", std::to_string(audit.evaluations));
-    fact("Steps", std::to_string(audit.steps));
-    fact("Steps tried again", std::to_string(audit.rejections));
-    fact("Impacts", std::to_string(audit.events));
-    fact("Fallbacks", std::to_string(audit.fallbacks));
+    if (exhibit.mutations.empty()) return;
+    section("What changed in it");
+    for (const MutationRecord& mutation : exhibit.mutations)
+        draw_mutation(mutation, frame.kinds.mutations);
 }
 
 }  // namespace
@@ -146,7 +104,6 @@ void CreatureTab::draw(const FrameContext& frame, Requests&) {
     draw_score(frame);
     draw_body(frame);
     draw_origin(frame);
-    draw_audit(frame);
     ImGui::PopStyleVar();
 }
 

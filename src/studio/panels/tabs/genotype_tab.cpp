@@ -1,6 +1,6 @@
 #include "studio/panels/tabs/genotype_tab.h"
 
-#include "math/angle.h"
+#include "studio/gene_table.h"
 #include "studio/scene_builder.h"
 #include "studio/text.h"
 #include "studio/widgets.h"
@@ -8,12 +8,14 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
+#include <utility>
 
 namespace cambrian {
 namespace {
 
-constexpr float kRowHeight = 84.0F;
-constexpr float kFactsHeight = 190.0F;
+constexpr float kRowHeight = 72.0F;
+constexpr float kLeastRowHeight = 54.0F;
+constexpr float kGraphShare = 0.45F;  // of the tab, at most
 constexpr std::size_t kMostInRow = 4;
 
 ImVec2 half_size(const NodeGene& node) {
@@ -50,9 +52,15 @@ Color edge_color(const EdgeGene& edge) {
     return colors().muted;
 }
 
-std::string degrees_text(double low, double high) {
-    return pretty_number(std::round(to_degrees(low))) + "° to " +
-           pretty_number(std::round(to_degrees(high))) + "°";
+// Whether the same nodes lead to the same nodes, so that what was chosen in one means the same in
+// the other.
+bool same_graph(const Genome& a, const Genome& b) {
+    const auto same_targets = [](const NodeGene& one, const NodeGene& other) {
+        return std::equal(
+            one.edges.begin(), one.edges.end(), other.edges.begin(), other.edges.end(),
+            [](const EdgeGene& x, const EdgeGene& y) { return x.target == y.target; });
+    };
+    return std::equal(a.nodes.begin(), a.nodes.end(), b.nodes.begin(), b.nodes.end(), same_targets);
 }
 
 }  // namespace
@@ -78,8 +86,11 @@ std::vector<std::size_t> steps_from_root(const Genome& genome) {
 }
 
 void GenotypeTab::rebuild(const GenomePtr& genome) {
+    if (genome_ == nullptr || !same_graph(*genome_, *genome)) {
+        chosen_ = 0;
+        lit_ = false;
+    }
     genome_ = genome;
-    chosen_ = 0;
     std::vector<GraphEdge> edges;
     for (std::size_t i = 0; i < genome->nodes.size(); ++i) {
         for (const EdgeGene& edge : genome->nodes[i].edges)
@@ -102,15 +113,22 @@ void GenotypeTab::draw(const FrameContext& frame, Requests& out) {
     if (genome_ != frame.playback.exhibit().genome) rebuild(frame.playback.exhibit().genome);
     muted_text(
         "What grows from what. Loops repeat; orange mirrors; blue grows at the end of a chain.");
+    const auto rows = static_cast<float>(row_count_);
+    const float most = kGraphShare * ImGui::GetContentRegionAvail().y;
+    const float wanted = std::clamp(most, rows * px(kLeastRowHeight), rows * px(kRowHeight));
+    ImGui::BeginChild("graph", {0, std::max(px(kRowHeight), std::min(wanted, most))}, false,
+                      ImGuiWindowFlags_NoBackground);
     const ImVec2 at = ImGui::GetCursorScreenPos();
-    const ImVec2 room = ImGui::GetContentRegionAvail();
-    const float wanted = static_cast<float>(row_count_) * px(kRowHeight);
-    const float height = std::max(wanted, std::min(room.y - px(kFactsHeight), 1.4F * wanted));
-    area_ = {at.x, at.y, room.x - px(10), height};
+    area_ = {at.x, at.y, ImGui::GetContentRegionAvail().x - px(10), wanted};
     draw_edges();
     draw_nodes(frame, out);
-    ImGui::SetCursorScreenPos({at.x, at.y + height});
-    draw_facts(frame);
+    ImGui::SetCursorScreenPos({at.x, at.y + wanted});
+    ImGui::EndChild();
+    if (lit_) out.ask(ShowHighlight{{.chosen = static_cast<int>(chosen_)}});
+    draw_heading(frame, out);
+    ImGui::BeginChild("genes", {0, 0}, false, ImGuiWindowFlags_NoBackground);
+    draw_genes(frame, out);
+    ImGui::EndChild();
 }
 
 void GenotypeTab::draw_edges() const {
@@ -144,13 +162,14 @@ void GenotypeTab::draw_nodes(const FrameContext& frame, Requests& out) {
         const ImVec2 high = {at.x + half.x, at.y + half.y};
         ImGui::SetCursorScreenPos(low);
         ImGui::PushID(static_cast<int>(i));
-        ImGui::InvisibleButton("gene", {2 * half.x, 2 * half.y});
+        if (ImGui::InvisibleButton("gene", {2 * half.x, 2 * half.y})) {
+            lit_ = chosen_ != i || !lit_;
+            chosen_ = i;
+        }
         ImGui::PopID();
         note_place("gene " + std::to_string(i));
-        if (ImGui::IsItemHovered()) {
-            chosen_ = i;
-            out.ask(ShowHighlight{{.node = static_cast<int>(i)}});
-        }
+        if (ImGui::IsItemHovered()) out.ask(ShowHighlight{{.node = static_cast<int>(i)}});
+        tooltip("Click to edit its genes and keep its parts lit; click again to let go.");
         BodyPart part;
         part.node = static_cast<std::uint8_t>(i);
         const bool grown = std::any_of(parts.begin(), parts.end(),
@@ -161,8 +180,9 @@ void GenotypeTab::draw_nodes(const FrameContext& frame, Requests& out) {
         const Color fill = part_color(part, genome_->hue);
         list.AddRectFilled(low, high, paint(with_alpha(fill, grown ? 1.0F : 0.25F)), px(6));
         const bool strong = lit || i == chosen_;
-        list.AddRect(low, high, paint(strong ? colors().text : mix(fill, colors().window, 0.4F)),
-                     px(6), ImDrawFlags_None, strong ? px(2) : px(1));
+        const Color rim = i == chosen_ ? colors().accent : colors().text;
+        list.AddRect(low, high, paint(strong ? rim : mix(fill, colors().window, 0.4F)), px(6),
+                     ImDrawFlags_None, strong ? px(2.5F) : px(1));
         const std::string label = std::to_string(i);
         const ImVec2 size = ImGui::CalcTextSize(label.c_str());
         list.AddText({at.x - 0.5F * size.x, at.y - 0.5F * size.y}, paint(color_of(0x0B0E12)),
@@ -170,24 +190,43 @@ void GenotypeTab::draw_nodes(const FrameContext& frame, Requests& out) {
     }
 }
 
-void GenotypeTab::draw_facts(const FrameContext& frame) const {
-    if (chosen_ >= genome_->nodes.size()) return;
-    const NodeGene& node = genome_->nodes[chosen_];
+// Which gene the rows below are of, and what can be done with an edited creature.
+void GenotypeTab::draw_heading(const FrameContext& frame, Requests& out) const {
+    panel_title(chosen_ == 0 ? "Gene 0, the root" : "Gene " + std::to_string(chosen_));
     const auto& parts = frame.playback.phenotype().parts;
     const auto grown = std::count_if(parts.begin(), parts.end(),
                                      [this](const BodyPart& part) { return part.node == chosen_; });
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(px(8), px(4)));
-    panel_title(chosen_ == 0 ? "Gene 0, the root" : "Gene " + std::to_string(chosen_));
-    fact("Parts grown from it", std::to_string(grown));
-    fact("Size", pretty_number(node.length) + " × " + with_unit(node.width, "m"));
-    if (chosen_ > 0) {
-        fact("Joint", frame.kinds.creature.catalog.joints[node.joint].label);
-        fact("Limits", degrees_text(node.limit_low, node.limit_high));
-    }
-    fact("Repeats at most", std::to_string(node.recursion_limit));
-    fact("Mirror pairs", node.symmetric ? "yes" : "no");
-    fact("Neurons", std::to_string(node.neurons.size()));
+    ImGui::SameLine(0, px(10));
+    caption(grown == 1 ? "1 part" : std::to_string(grown) + " parts");
+    const GeneEditor* genes = frame.genes;
+    const bool can_undo = genes != nullptr && genes->can_undo();
+    const bool can_redo = genes != nullptr && genes->can_redo();
+    if (!can_undo && !can_redo && frame.playback.exhibit().method != "edited") return;
+    const auto button = [](const char* label, const char* help, bool enabled) {
+        return push_button(label, {.height = px(26), .enabled = enabled, .tooltip = help});
+    };
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(px(4), px(4)));
+    if (button("Undo gene", "Take back the last edit of a gene (Ctrl+Z)", can_undo))
+        out.ask(UndoEdit{});
+    ImGui::SameLine();
+    if (button("Redo", "Make it again (Ctrl+Shift+Z)", can_redo)) out.ask(RedoEdit{});
+    ImGui::SameLine();
+    if (button("Save", "Keep the edited creature in a file (Ctrl+S)", true))
+        out.ask(OpenFilePanel{FileTask::kSaveCreature});
+    ImGui::SameLine();
+    if (button("Found run", "Begin a new run with this creature as its founder", true))
+        out.ask(StartFromShown{});
     ImGui::PopStyleVar();
+}
+
+void GenotypeTab::draw_genes(const FrameContext& frame, Requests& out) const {
+    Genome genome = *genome_;
+    GeneEdit edit = gene_table(genome, chosen_, frame.kinds.creature);
+    if (edit.change) {
+        out.ask(
+            EditGenes{std::make_shared<const Genome>(std::move(genome)), std::move(*edit.change)});
+    }
+    if (edit.finished) out.ask(FinishGeneEdit{});
 }
 
 }  // namespace cambrian

@@ -1,0 +1,33 @@
+#pragma once
+
+// From an individual to the one it was bred from, so that whoever lives keeps its line of descent,
+// and lines that died out are forgotten. Lines grow without limit: letting go of one does not
+// recurse.
+
+#include <memory>
+#include <utility>
+
+namespace cambrian {
+
+struct Individual;
+
+class ParentLink {
+public:
+    ParentLink() = default;  // to nobody
+    explicit ParentLink(std::shared_ptr<const Individual> parent) : parent_(std::move(parent)) {}
+    ParentLink(const ParentLink&) = default;
+    ParentLink(ParentLink&&) noexcept = default;
+    ParentLink& operator=(ParentLink other) noexcept {
+        std::swap(parent_, other.parent_);
+        return *this;
+    }
+    ~ParentLink();
+
+    // Null at the end of what is known of the line.
+    const std::shared_ptr<const Individual>& get() const { return parent_; }
+
+private:
+    std::shared_ptr<const Individual> parent_;
+};
+
+}  // namespace cambrian

@@ -1,0 +1,35 @@
+#pragma once
+
+// Where the energy of a trial went, read from the books as it is played (physics.md 9).
+
+#include "world/physics_scene.h"
+
+#include <vector>
+
+namespace cambrian {
+
+// Since the test began, in J. What the muscles gave is the sum of all the rest.
+struct EnergySample {
+    double time = 0.0;      // s
+    double muscles = 0.0;   // net
+    double stored = 0.0;    // change of kinetic and potential energy
+    double drag = 0.0;      // lost to the medium
+    double contacts = 0.0;  // lost to friction, impacts and joint limits
+    double unexplained = 0.0;
+};
+
+EnergySample energy_sample(double time, const SceneAudit& audit);
+
+class EnergyTrace {
+public:
+    void clear() { samples_.clear(); }
+    // Keeps a reading every tenth of a second; a time before the last one takes back what came
+    // after.
+    void add(double time, const SceneAudit& audit);
+    const std::vector<EnergySample>& samples() const { return samples_; }
+
+private:
+    std::vector<EnergySample> samples_;
+};
+
+}  // namespace cambrian
