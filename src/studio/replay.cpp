@@ -83,8 +83,8 @@ void Replay::go_back(std::uint64_t tick) {
     const auto later = std::find_if(kept_.begin(), kept_.end(),
                                     [tick](const Kept& each) { return each.tick > tick; });
     kept_.erase(later, kept_.end());
+    trial_->scene().set_environment(change_before(kept_.back().tick).environment);
     trial_->restore(kept_.back().state);
-    apply(change_before(kept_.back().tick));
     pulls_.erase(from_tick(pulls_, tick), pulls_.end());
     known_until_ = tick;
     change_from_now(present);

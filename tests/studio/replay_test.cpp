@@ -67,6 +67,32 @@ TEST_CASE("hands and a changed world are repeated up to the moment sought", "[st
     CHECK(replay->disturbed());
 }
 
+TEST_CASE("a forced neuron is repeated, and stays forced from the moment sought",
+          "[studio][replay]") {
+    const auto replay = crawling();
+    play_to(*replay, 45);
+    const std::uint64_t free = bits_of(*replay);
+    replay->set_forced({{0, 0.8}});
+    play_to(*replay, 70);
+    const std::uint64_t forced = bits_of(*replay);
+    CHECK(replay->disturbed());
+    play_to(*replay, 100);
+    replay->go_back(70);
+    play_to(*replay, 70);
+    CHECK(bits_of(*replay) == forced);
+    replay->go_back(45);
+    play_to(*replay, 45);
+    CHECK(bits_of(*replay) == free);
+    CHECK(replay->forced().count(0) == 1);
+    play_to(*replay, 70);
+    CHECK(bits_of(*replay) == forced);
+    replay->go_back(45);
+    replay->set_forced({});
+    play_to(*replay, 70);
+    CHECK(bits_of(*replay) != forced);
+    CHECK_FALSE(replay->disturbed());
+}
+
 TEST_CASE("from the moment gone back to, the present world holds", "[studio][replay]") {
     const auto replay = crawling();
     const auto other = crawling();
