@@ -19,13 +19,12 @@ InspectorPanel::InspectorPanel() {
 }
 
 void InspectorPanel::draw(const FrameContext& frame, Requests& out) {
+    place_title("Inspector", "inspector", out);
     std::vector<std::string> titles;
     for (const Tab& tab : tabs_)
         titles.push_back(tab.title);
     const int pressed = segmented("inspector", titles, chosen_);
     if (pressed >= 0) chosen_ = pressed;
-    ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - px(24));
-    help_mark("inspector", out);
     ImGui::Dummy({0, px(2)});
     if (frame.playback.empty()) {
         muted_text("Nothing on show yet. Open a creature (Ctrl+O) or press Evolve.");

@@ -206,7 +206,7 @@ void GenotypeTab::draw_heading(const FrameContext& frame, Requests& out) const {
         return push_button(label, {.height = px(26), .enabled = enabled, .tooltip = help});
     };
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(px(4), px(4)));
-    if (button("Undo gene", "Take back the last edit of a gene (Ctrl+Z)", can_undo))
+    if (button("Undo", "Take back the last edit of a gene (Ctrl+Z)", can_undo))
         out.ask(UndoEdit{});
     ImGui::SameLine();
     if (button("Redo", "Make it again (Ctrl+Shift+Z)", can_redo)) out.ask(RedoEdit{});
@@ -214,7 +214,7 @@ void GenotypeTab::draw_heading(const FrameContext& frame, Requests& out) const {
     if (button("Save", "Keep the edited creature in a file (Ctrl+S)", true))
         out.ask(OpenFilePanel{FileTask::kSaveCreature});
     ImGui::SameLine();
-    if (button("Found run", "Begin a new run with this creature as its founder", true))
+    if (button("New run", "Begin a new run with this creature as its founder", true))
         out.ask(StartFromShown{});
     ImGui::PopStyleVar();
 }
