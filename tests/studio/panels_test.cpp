@@ -1,22 +1,16 @@
+#include "panel_press.h"
 #include "studio/panels/evolve_bar.h"
 #include "studio/panels/file_panel.h"
 #include "studio/panels/population_panel.h"
 #include "studio/panels/timeline_panel.h"
 #include "studio/panels/transport_bar.h"
 #include "studio/panels/viewport_panel.h"
-#include "studio_fixture.h"
 #include "support/null_imgui.h"
 
 namespace cambrian {
 namespace {
 
-// Clicks a control of a panel and returns what it asked for.
-Requests click(NullImGui& gui, Panel& panel, const test::StudioFixture& studio,
-               const std::string& name) {
-    Requests out;
-    gui.click(name, [&] { panel.draw(studio.frame(), out); });
-    return out;
-}
+using test::click;
 
 TEST_CASE("pressing Evolve asks to evolve, once", "[studio][evolve_bar]") {
     NullImGui gui;

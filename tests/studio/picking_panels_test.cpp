@@ -1,22 +1,16 @@
+#include "panel_press.h"
 #include "studio/panels/evolve_bar.h"
 #include "studio/panels/picking_grid_panel.h"
 #include "studio/panels/picking_panel.h"
 #include "studio/panels/picking_strip.h"
 #include "studio/panels/picking_tree_panel.h"
 #include "studio/panels/shelf_panel.h"
-#include "studio_fixture.h"
 #include "support/null_imgui.h"
 
 namespace cambrian {
 namespace {
 
-Requests click(NullImGui& gui, Panel& panel, const test::StudioFixture& studio,
-               const std::string& name, int button = 0) {
-    Requests out;
-    gui.click(
-        name, [&] { panel.draw(studio.frame(), out); }, button);
-    return out;
-}
+using test::click;
 
 TEST_CASE("a click on a cell picks in the grid that was seen", "[studio][picking]") {
     NullImGui gui;

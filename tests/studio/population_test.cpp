@@ -1,12 +1,15 @@
+#include "panel_press.h"
 #include "studio/origin_words.h"
 #include "studio/panels/population_panel.h"
-#include "studio_fixture.h"
 #include "support/null_imgui.h"
 
 #include <algorithm>
 
 namespace cambrian {
 namespace {
+
+using test::click;
+using test::press_key;
 
 constexpr std::size_t kMany = 2000;
 
@@ -27,28 +30,6 @@ void populate(test::StudioFixture& studio, std::size_t count) {
         individual->result.mass = static_cast<double>((i * 13) % count);
         population.push_back(individual);
     }
-}
-
-Requests click(NullImGui& gui, PopulationPanel& panel, const test::StudioFixture& studio,
-               const std::string& name) {
-    Requests out;
-    gui.click(name, [&] { panel.draw(studio.frame(), out); });
-    return out;
-}
-
-Requests press_key(NullImGui& gui, PopulationPanel& panel, const test::StudioFixture& studio,
-                   ImGuiKey key) {
-    Requests out;
-    const auto draw = [&] {
-        ImGui::SetWindowFocus();
-        panel.draw(studio.frame(), out);
-    };
-    gui.frame(draw);
-    gui.hold_key(key, true);
-    gui.frame(draw);
-    gui.hold_key(key, false);
-    gui.frame(draw);
-    return out;
 }
 
 void show(test::StudioFixture& studio, const ChampionRecord& creature) {

@@ -1,6 +1,6 @@
+#include "panel_press.h"
 #include "studio/panels/timeline_panel.h"
 #include "studio/timeline_chart.h"
-#include "studio_fixture.h"
 #include "support/null_imgui.h"
 
 #include <cmath>
@@ -8,33 +8,13 @@
 namespace cambrian {
 namespace {
 
+using test::click;
+using test::press_key;
+
 // One frame of the panel; what it asked for.
 Requests frame_of(NullImGui& gui, TimelinePanel& panel, const test::StudioFixture& studio) {
     Requests out;
     gui.frame([&] { panel.draw(studio.frame(), out); });
-    return out;
-}
-
-Requests click(NullImGui& gui, TimelinePanel& panel, const test::StudioFixture& studio,
-               const std::string& name) {
-    Requests out;
-    gui.click(name, [&] { panel.draw(studio.frame(), out); });
-    return out;
-}
-
-// A key held for one frame, with the keyboard in the panel.
-Requests press_key(NullImGui& gui, TimelinePanel& panel, const test::StudioFixture& studio,
-                   ImGuiKey key) {
-    Requests out;
-    const auto draw = [&] {
-        ImGui::SetWindowFocus();
-        panel.draw(studio.frame(), out);
-    };
-    gui.frame(draw);
-    gui.hold_key(key, true);
-    gui.frame(draw);
-    gui.hold_key(key, false);
-    gui.frame(draw);
     return out;
 }
 

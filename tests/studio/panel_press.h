@@ -1,0 +1,36 @@
+#pragma once
+
+// What a person does to a panel that stands alone, and what the panel asks for.
+
+#include "studio/panel.h"
+#include "studio_fixture.h"
+#include "support/null_imgui.h"
+
+#include <string>
+
+namespace cambrian::test {
+
+inline Requests click(NullImGui& gui, Panel& panel, const StudioFixture& studio,
+                      const std::string& name, int button = 0) {
+    Requests out;
+    gui.click(
+        name, [&] { panel.draw(studio.frame(), out); }, button);
+    return out;
+}
+
+// A key held for one frame, with the keyboard in the panel.
+inline Requests press_key(NullImGui& gui, Panel& panel, const StudioFixture& studio, ImGuiKey key) {
+    Requests out;
+    const auto draw = [&] {
+        ImGui::SetWindowFocus();
+        panel.draw(studio.frame(), out);
+    };
+    gui.frame(draw);
+    gui.hold_key(key, true);
+    gui.frame(draw);
+    gui.hold_key(key, false);
+    gui.frame(draw);
+    return out;
+}
+
+}  // namespace cambrian::test
