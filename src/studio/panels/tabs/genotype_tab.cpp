@@ -206,8 +206,7 @@ void GenotypeTab::draw_heading(const FrameContext& frame, Requests& out) const {
         return push_button(label, {.height = px(26), .enabled = enabled, .tooltip = help});
     };
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(px(4), px(4)));
-    if (button("Undo", "Take back the last edit of a gene (Ctrl+Z)", can_undo))
-        out.ask(UndoEdit{});
+    if (button("Undo", "Take back the last edit of a gene (Ctrl+Z)", can_undo)) out.ask(UndoEdit{});
     ImGui::SameLine();
     if (button("Redo", "Make it again (Ctrl+Shift+Z)", can_redo)) out.ask(RedoEdit{});
     ImGui::SameLine();
