@@ -29,7 +29,7 @@ Errors errors_of(Function function, Reference reference, double low, double high
     Errors errors;
     for (int i = 0; i < kPoints; ++i) {
         const double x = stream.uniform(low, high);
-        const long double exact = reference(x);
+        const long double exact = reference(static_cast<long double>(x));
         const long double error = std::fabs(static_cast<long double>(function(x)) - exact);
         errors.absolute = std::fmax(errors.absolute, error);
         if (exact != 0) errors.relative = std::fmax(errors.relative, error / std::fabs(exact));
