@@ -35,16 +35,16 @@ Trial::Trial(std::shared_ptr<const Phenotype> phenotype, const Kinds& kinds,
       world_(world),
       scene_(std::move(scene)),
       creature_(*phenotype_, kinds, world_.scene),
-      rest_(*phenotype_, kinds) {
-    record_.duration = world_.trial.duration;
-    record_.body_length = phenotype_->rest_length();
-    record_.mass = scene_->mass();
-    record_.samples.reserve(
+      progress_{.rest = RestWatch(*phenotype_, kinds)} {
+    progress_.record.duration = world_.trial.duration;
+    progress_.record.body_length = phenotype_->rest_length();
+    progress_.record.mass = scene_->mass();
+    progress_.record.samples.reserve(
         static_cast<std::size_t>(ticks_in(world_.trial.duration) / kTicksPerSample) + 2);
     place_at_start();
-    scene_->add_to_digest(digest_);
-    settling_ = world_.environment.has_ground && world_.trial.settle_limit > 0.0;
-    if (!settling_) {
+    scene_->add_to_digest(progress_.digest);
+    progress_.settling = world_.environment.has_ground && world_.trial.settle_limit > 0.0;
+    if (!progress_.settling) {
         begin_test();
     } else if (world_.trial.limp_settle) {
         scene_->set_limp(true);
@@ -60,13 +60,13 @@ void Trial::place_at_start() {
 
 bool Trial::tick() {
     if (scene_->status() != SceneStatus::kRunning) return false;
-    ++total_ticks_;
-    if (settling_) {
+    ++progress_.total_ticks;
+    if (progress_.settling) {
         settle_tick();
     } else {
         test_tick();
     }
-    return !finished_;
+    return !progress_.finished;
 }
 
 void Trial::settle_tick() {
@@ -76,18 +76,19 @@ void Trial::settle_tick() {
         return;
     }
     const double calm = kCalmEnergy * static_cast<double>(phenotype_->parts.size());
-    calm_ticks_ = scene_->kinetic_energy() < calm ? calm_ticks_ + 1 : 0;
-    record_.settle_time = static_cast<double>(total_ticks_) * kBrainTick;
-    const bool out_of_time = static_cast<int>(total_ticks_) >= ticks_in(world_.trial.settle_limit);
-    if (calm_ticks_ >= kCalmTicks || out_of_time) begin_test();
+    progress_.calm_ticks = scene_->kinetic_energy() < calm ? progress_.calm_ticks + 1 : 0;
+    progress_.record.settle_time = static_cast<double>(progress_.total_ticks) * kBrainTick;
+    const bool out_of_time =
+        static_cast<int>(progress_.total_ticks) >= ticks_in(world_.trial.settle_limit);
+    if (progress_.calm_ticks >= kCalmTicks || out_of_time) begin_test();
 }
 
 void Trial::begin_test() {
-    if (settling_ && world_.trial.limp_settle) scene_->set_limp(false);
-    settling_ = false;
+    if (progress_.settling && world_.trial.limp_settle) scene_->set_limp(false);
+    progress_.settling = false;
     scene_->restart_audit();
     for (const std::uint16_t part : phenotype_->effector_parts) {
-        reversals_.emplace_back(scene_->joint_coordinate(part));
+        progress_.reversals.emplace_back(scene_->joint_coordinate(part));
     }
     sample();
     if (ticks_in(world_.trial.duration) == 0) finish();
@@ -96,45 +97,45 @@ void Trial::begin_test() {
 void Trial::test_tick() {
     creature_.act(*scene_, kBrainTick);
     const SceneStatus status = scene_->advance(kBrainTick);
-    ++test_ticks_;
-    if (finished_) return;
+    ++progress_.test_ticks;
+    if (progress_.finished) return;
     if (status != SceneStatus::kRunning) {
         fail_with(status);
         return;
     }
-    for (std::size_t i = 0; i < reversals_.size(); ++i) {
-        reversals_[i].watch(scene_->joint_coordinate(phenotype_->effector_parts[i]));
+    for (std::size_t i = 0; i < progress_.reversals.size(); ++i) {
+        progress_.reversals[i].watch(scene_->joint_coordinate(phenotype_->effector_parts[i]));
     }
     check_guards();
-    if (finished_) return;
-    const bool last = static_cast<int>(test_ticks_) >= ticks_in(world_.trial.duration);
-    if (last || test_ticks_ % kTicksPerSample == 0) sample();
+    if (progress_.finished) return;
+    const bool last = static_cast<int>(progress_.test_ticks) >= ticks_in(world_.trial.duration);
+    if (last || progress_.test_ticks % kTicksPerSample == 0) sample();
     if (last) {
         finish();
-    } else if (world_.trial.stop_at_rest && rest_.watch(*scene_, creature_.brain())) {
+    } else if (world_.trial.stop_at_rest && progress_.rest.watch(*scene_, creature_.brain())) {
         stop_early(Outcome::kCompleted, "");
     }
 }
 
 void Trial::stop_early(Outcome outcome, std::string reason) {
     const auto all = static_cast<std::uint64_t>(ticks_in(world_.trial.duration));
-    for (std::uint64_t tick = test_ticks_ + 1; tick <= all; ++tick) {
+    for (std::uint64_t tick = progress_.test_ticks + 1; tick <= all; ++tick) {
         if (tick != all && tick % kTicksPerSample != 0) continue;
-        MotionSample repeated = record_.samples.back();
+        MotionSample repeated = progress_.record.samples.back();
         repeated.time = static_cast<double>(tick) * kBrainTick;
-        record_.samples.push_back(repeated);
+        progress_.record.samples.push_back(repeated);
     }
-    record_.outcome = outcome;
-    record_.reason = std::move(reason);
+    progress_.record.outcome = outcome;
+    progress_.record.reason = std::move(reason);
     finish();
 }
 
 void Trial::sample() {
     const Bounds bounds = scene_->bounds();
     const Vec3 sides = bounds.high - bounds.low;
-    record_.body_length = std::max({record_.body_length, sides.x(), sides.y()});
-    record_.samples.push_back({time(), scene_->center_of_mass(), bounds});
-    scene_->add_to_digest(digest_);
+    progress_.record.body_length = std::max({progress_.record.body_length, sides.x(), sides.y()});
+    progress_.record.samples.push_back({time(), scene_->center_of_mass(), bounds});
+    scene_->add_to_digest(progress_.digest);
 }
 
 void Trial::check_guards() {
@@ -146,13 +147,14 @@ void Trial::check_guards() {
         fail(Outcome::kCheated, "a part spun faster than the limit");
     } else if (audit.max_penetration > limits.max_ground_depth) {
         const bool deep = scene_->bounds().low.y() < -limits.max_ground_depth;
-        deep_ticks_ = world_.environment.has_ground && deep ? deep_ticks_ + 1 : 0;
-        if (deep_ticks_ > kDeepTicks) fail(Outcome::kCheated, "a part sank into the ground");
+        progress_.deep_ticks = world_.environment.has_ground && deep ? progress_.deep_ticks + 1 : 0;
+        if (progress_.deep_ticks > kDeepTicks)
+            fail(Outcome::kCheated, "a part sank into the ground");
     }
 }
 
 void Trial::fail_with(SceneStatus status) {
-    const std::string when = settling_ ? " while settling" : "";
+    const std::string when = progress_.settling ? " while settling" : "";
     if (status == SceneStatus::kOverBudget) {
         fail(Outcome::kOverBudget,
              "the motion is too stiff or too violent to compute" + when + ": it takes more than " +
@@ -163,54 +165,46 @@ void Trial::fail_with(SceneStatus status) {
 }
 
 Trial::State Trial::save() const {
-    return {scene_->save(), creature_.save(), record_,     digest_,     reversals_, rest_,
-            total_ticks_,   test_ticks_,      calm_ticks_, deep_ticks_, settling_,  finished_};
+    return {scene_->save(), creature_.save(), progress_};
 }
 
 void Trial::restore(const State& state) {
-    scene_->set_limp(state.settling && world_.trial.limp_settle);
+    scene_->set_limp(state.progress.settling && world_.trial.limp_settle);
     scene_->restore(*state.scene);
     creature_.restore(state.creature);
-    record_ = state.record;
-    digest_ = state.digest;
-    reversals_ = state.reversals;
-    rest_ = state.rest;
-    total_ticks_ = state.total_ticks;
-    test_ticks_ = state.test_ticks;
-    calm_ticks_ = state.calm_ticks;
-    deep_ticks_ = state.deep_ticks;
-    settling_ = state.settling;
-    finished_ = state.finished;
+    progress_ = state.progress;
 }
 
 void Trial::heed(const std::stop_token& stop) {
-    if (finished_ || scene_->audit().evaluations <= kLongTrial || !stop.stop_requested()) return;
+    if (progress_.finished || scene_->audit().evaluations <= kLongTrial || !stop.stop_requested())
+        return;
     fail(Outcome::kInterrupted, "stopped before its end");
 }
 
 void Trial::fail(Outcome outcome, std::string reason) {
-    record_.outcome = outcome;
-    record_.reason = std::move(reason);
-    settling_ = false;
+    progress_.record.outcome = outcome;
+    progress_.record.reason = std::move(reason);
+    progress_.settling = false;
     finish();
 }
 
 void Trial::finish() {
-    finished_ = true;
-    record_.audit = scene_->audit();
-    record_.digest = digest_.value();
+    progress_.finished = true;
+    progress_.record.audit = scene_->audit();
+    progress_.record.digest = progress_.digest.value();
     int most = 0;
     int all = 0;
-    for (const ReversalCounter& joint : reversals_) {
+    for (const ReversalCounter& joint : progress_.reversals) {
         most = std::max(most, joint.count());
         all += joint.count();
     }
-    record_.computed_time = time();
-    const bool failed = is_invalid(record_.outcome);
+    progress_.record.computed_time = time();
+    const bool failed = is_invalid(progress_.record.outcome);
     const double lasted = failed ? time() : ticks_in(world_.trial.duration) * kBrainTick;
-    if (lasted <= 0.0 || reversals_.empty()) return;
-    record_.reversal_rate = 0.5 * most / lasted;
-    record_.mean_reversal_rate = 0.5 * all / static_cast<double>(reversals_.size()) / lasted;
+    if (lasted <= 0.0 || progress_.reversals.empty()) return;
+    progress_.record.reversal_rate = 0.5 * most / lasted;
+    progress_.record.mean_reversal_rate =
+        0.5 * all / static_cast<double>(progress_.reversals.size()) / lasted;
 }
 
 Result<TrialRecord> run_trial(std::shared_ptr<const Phenotype> phenotype, const Kinds& kinds,

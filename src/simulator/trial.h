@@ -30,6 +30,20 @@ struct TrialWorld {
 };
 
 class Trial {
+    // How far it is, and what was seen so far.
+    struct Progress {
+        TrialRecord record = {};
+        Hash64 digest = {};
+        std::vector<ReversalCounter> reversals = {};  // one an effector part
+        RestWatch rest;
+        std::uint64_t total_ticks = 0;
+        std::uint64_t test_ticks = 0;
+        int calm_ticks = 0;
+        int deep_ticks = 0;
+        bool settling = false;
+        bool finished = false;
+    };
+
 public:
     // Places the creature in its start pose. Fails if physics refuses the body.
     static Result<std::unique_ptr<Trial>> start(std::shared_ptr<const Phenotype> phenotype,
@@ -42,16 +56,18 @@ public:
     // recorded.
     bool tick();
 
-    bool settling() const { return settling_; }
-    bool finished() const { return finished_; }
+    bool settling() const { return progress_.settling; }
+    bool finished() const { return progress_.finished; }
     // Ends it with the outcome kInterrupted if a stop is asked for and it has become long; ordinary
     // trials are better finished.
     void heed(const std::stop_token& stop);
     double time() const {
-        return static_cast<double>(test_ticks_) * kBrainTick;
-    }                                                     // s, of the test phase
-    std::uint64_t ticks() const { return total_ticks_; }  // settling included
-    std::uint64_t settle_ticks() const { return total_ticks_ - test_ticks_; }  // so far
+        return static_cast<double>(progress_.test_ticks) * kBrainTick;
+    }                                                              // s, of the test phase
+    std::uint64_t ticks() const { return progress_.total_ticks; }  // settling included
+    std::uint64_t settle_ticks() const {
+        return progress_.total_ticks - progress_.test_ticks;
+    }  // so far
 
     const TrialWorld& world() const { return world_; }
     const Phenotype& phenotype() const { return *phenotype_; }
@@ -63,16 +79,7 @@ public:
     struct State {
         std::unique_ptr<SceneState> scene;
         Creature::State creature;
-        TrialRecord record;
-        Hash64 digest;
-        std::vector<ReversalCounter> reversals;
-        RestWatch rest;
-        std::uint64_t total_ticks = 0;
-        std::uint64_t test_ticks = 0;
-        int calm_ticks = 0;
-        int deep_ticks = 0;
-        bool settling = false;
-        bool finished = false;
+        Progress progress;
     };
     State save() const;
     // Back to a moment saved by this trial, to go on from there with the same bits. The scene must
@@ -81,8 +88,8 @@ public:
     // Ends the test phase now, as if nothing moved any more: further samples repeat the last one.
     void stop_early(Outcome outcome, std::string reason);
     // Complete once finished().
-    const TrialRecord& record() const { return record_; }
-    TrialRecord take_record() { return std::move(record_); }
+    const TrialRecord& record() const { return progress_.record; }
+    TrialRecord take_record() { return std::move(progress_.record); }
 
 private:
     Trial(std::shared_ptr<const Phenotype> phenotype, const Kinds& kinds, const TrialWorld& world,
@@ -101,16 +108,7 @@ private:
     TrialWorld world_;
     std::unique_ptr<PhysicsScene> scene_;
     Creature creature_;
-    TrialRecord record_;
-    Hash64 digest_;
-    std::vector<ReversalCounter> reversals_;  // one an effector part
-    RestWatch rest_;
-    std::uint64_t total_ticks_ = 0;
-    std::uint64_t test_ticks_ = 0;
-    int calm_ticks_ = 0;
-    int deep_ticks_ = 0;
-    bool settling_ = false;
-    bool finished_ = false;
+    Progress progress_;
 };
 
 // A whole trial. One that has become long gives up when asked to stop, with the outcome
