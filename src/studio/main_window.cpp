@@ -8,6 +8,13 @@
 namespace cambrian {
 namespace {
 
+void draw_padded(const char* name, const Rect& rect, const ImVec2& padding, Panel& panel,
+                 const FrameContext& frame, Requests& out) {
+    begin_place(name, rect, padding.x, padding.y);
+    panel.draw(frame, out);
+    end_place();
+}
+
 void draw_in(const char* name, const Rect& rect, Panel& panel, const FrameContext& frame,
              Requests& out, Place place = Place::kNone) {
     ui().places[std::string("panel ") + name] = rect;
@@ -69,9 +76,7 @@ void MainWindow::draw(const FrameContext& frame, int framebuffer_height, Request
     viewport_.set_framebuffer_height(framebuffer_height);
     grid_.set_framebuffer_height(framebuffer_height);
     draw_gaps(layout);
-    begin_place("bar", layout.bar, px(12), px(10));
-    bar_.draw(frame, out);
-    end_place();
+    draw_padded("bar", layout.bar, {px(12), px(10)}, bar_, frame, out);
     draw_in("experiment", layout.experiment, experiment_, frame, out);
     ui().places["panel viewport"] = layout.viewport;
     const bool picking = frame.picking != nullptr;
@@ -94,23 +99,15 @@ void MainWindow::draw(const FrameContext& frame, int framebuffer_height, Request
 
 // One creature, and what there is to know of it.
 void MainWindow::draw_stage(const FrameContext& frame, const Layout& layout, Requests& out) {
-    begin_place("viewport", layout.viewport, 0, 0);
-    viewport_.draw(frame, out);
-    end_place();
-    begin_place("transport", layout.transport, px(10), px(6));
-    transport_.draw(frame, out);
-    end_place();
+    draw_padded("viewport", layout.viewport, {0, 0}, viewport_, frame, out);
+    draw_padded("transport", layout.transport, {px(10), px(6)}, transport_, frame, out);
     draw_in("inspector", layout.inspector, inspector_, frame, out);
 }
 
 // The creatures to pick from.
 void MainWindow::draw_grid(const FrameContext& frame, const Layout& layout, Requests& out) {
-    begin_place("picking grid", layout.viewport, 0, 0);
-    grid_.draw(frame, out);
-    end_place();
-    begin_place("picking strip", layout.transport, px(10), px(8));
-    strip_.draw(frame, out);
-    end_place();
+    draw_padded("picking grid", layout.viewport, {0, 0}, grid_, frame, out);
+    draw_padded("picking strip", layout.transport, {px(10), px(8)}, strip_, frame, out);
     draw_in("picking", layout.inspector, picking_, frame, out);
 }
 
