@@ -49,10 +49,12 @@ public:
         while (!window_.close_wanted() && !session_.quit_wanted()) {
             wait_for_frame(clock, last_start);
             const double now = clock.seconds();
+            frame_log_.begin_frame();
+            session_.log().begin_frame(frame_log_.frame());
             frame(now, now - last_start);
             const double work = clock.seconds() - now;
             window_.show_frame();
-            frame_log_.write(now - last_start, work, session_.playback_seconds());
+            frame_log_.end_frame({now - last_start, work, session_.playback_seconds()});
             last_start = now;
             if (options_.quit_after > 0.0 && now > options_.quit_after) break;
         }
@@ -94,8 +96,10 @@ private:
         if (host_.context().theme != session_.view().theme) host_.set_theme(session_.view().theme);
         const std::vector<KeyPress> pressed = window_.take_keys();
         host_.begin_frame(pressed);
-        for (const KeyPress& press : pressed)
+        for (const KeyPress& press : pressed) {
+            session_.log().write("pressed", {{"key", static_cast<double>(press.key)}});
             press_shortcut(press, ImGui::GetIO().WantTextInput, context, requests);
+        }
         for (const std::filesystem::path& path : window_.take_dropped_files())
             session_.drop(path);
         const int height = window_.framebuffer_height();
