@@ -2,6 +2,7 @@
 
 #include "render/framebuffer.h"
 #include "render/gl.h"
+#include "studio/area_painting.h"
 #include "studio/window.h"
 
 #include <array>
@@ -87,11 +88,15 @@ Result<Image> ImGuiHost::picture(int width, int height,
     return image;
 }
 
-void ImGuiHost::end_frame(int width, int height) {
+void ImGuiHost::end_frame() {
     ImGui::Render();
+    const ImDrawData& data = *ImGui::GetDrawData();
+    const Color& background = context_.palette.panel;
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
-    clear(context_.palette.panel, width, height);
-    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+    if (!stamp_.found()) changed_ = {};
+    for (const Rect& area : changed_.update(data, paint(background)))
+        paint_area(data, area, background);
+    stamp_.put(background);
 }
 
 }  // namespace cambrian

@@ -106,7 +106,7 @@ private:
         if (session_.take_fit()) main_window_.fit();
         main_window_.draw(context, height, requests);
         if (const auto plot = session_.take_plot_request()) keep_plot(*plot, context);
-        host_.end_frame(window_.framebuffer_width(), height);
+        host_.end_frame();
         if (const auto path = session_.take_picture_request()) keep_picture(*path);
         session_.carry_out(requests);
         log_places();
