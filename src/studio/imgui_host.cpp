@@ -33,6 +33,7 @@ ImGuiHost::ImGuiHost(Window& window, float scale, ThemeKind theme) : window_(win
     set_theme(theme);
     ImGui_ImplGlfw_InitForOpenGL(window.handle(), true);
     ImGui_ImplOpenGL3_Init("#version 330 core");
+    ImGui_ImplOpenGL3_CreateDeviceObjects();  // draws all letters, which no frame should wait for
 }
 
 ImGuiHost::~ImGuiHost() {
