@@ -10,6 +10,7 @@ SubcommandRegistry builtin_subcommands() {
     subcommands.add(simulate_subcommand());
     subcommands.add(verify_subcommand());
     subcommands.add(settings_subcommand());
+    subcommands.add(schema_subcommand());
     return subcommands;
 }
 

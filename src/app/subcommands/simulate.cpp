@@ -77,6 +77,8 @@ public:
         say_of(options_.creature, document->warnings);
         const Result<ExperimentSettings> settings = world_of(options_, *document, kinds);
         if (!settings) return fail(settings.error());
+        if (!options_.environment.empty())
+            say_of(options_.creature, foreign_kinds(document->genome, settings->founders, kinds));
         const auto genome = std::make_shared<const Genome>(document->genome);
         if (!options_.trace.empty()) {
             const ExitStatus traced = write_trace(genome, *settings, kinds.creature);

@@ -5,6 +5,7 @@
 namespace cambrian {
 
 SubcommandKind evolve_subcommand();
+SubcommandKind schema_subcommand();
 SubcommandKind settings_subcommand();
 SubcommandKind simulate_subcommand();
 SubcommandKind studio_subcommand();
