@@ -1,4 +1,5 @@
 #include "app/evolution_run.h"
+#include "app/option_types.h"
 #include "app/subcommands/subcommands.h"
 
 #include <CLI/CLI.hpp>
@@ -9,20 +10,24 @@ namespace {
 class EvolveSubcommand final : public Subcommand {
 public:
     void add_options(CLI::App& app) override {
-        auto* settings = app.add_option("settings", run_.settings_file, "Settings file (*.toml)");
+        auto* settings = app.add_option("settings", run_.settings_file, "Settings file (*.toml)")
+                             ->type_name(option_type::kSettings);
         app.add_option("-n,--generations", run_.generations, "Generations, instead of the file's")
             ->check(CLI::Range(1, 1'000'000));
         auto* seed = app.add_option("-s,--seed", run_.seed, "Seed, instead of the file's");
         auto* founders = app.add_option("-f,--founders", run_.founders,
-                                        "Creature files to begin with instead of random creatures");
+                                        "Creature files to begin with instead of random creatures")
+                             ->type_name(option_type::kCreature);
         app.add_option("-t,--threads", run_.threads,
                        "Threads; one a core unless given. Never changes a result")
             ->check(CLI::Range(1, 1024));
         app.add_option("-o,--out", run_.out,
                        "Experiment file to keep (*.cambrian), file of the champion, or folder "
-                       "for both (current folder)");
+                       "for both (current folder)")
+            ->type_name(option_type::kExperiment);
         app.add_option("-r,--resume", run_.resume,
                        "Go on with an experiment file, to the generations given")
+            ->type_name(option_type::kExperiment)
             ->excludes(settings, seed, founders);
         app.add_flag("--json", run_.json, "Report as JSON, one object a line");
     }
