@@ -7,6 +7,7 @@ SubcommandRegistry builtin_subcommands() {
     SubcommandRegistry subcommands;
     subcommands.add(studio_subcommand());
     subcommands.add(evolve_subcommand());
+    subcommands.add(export_subcommand());
     subcommands.add(simulate_subcommand());
     subcommands.add(verify_subcommand());
     subcommands.add(settings_subcommand());
