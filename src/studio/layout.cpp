@@ -132,6 +132,7 @@ void begin_place(const char* name, const Rect& rect, float padding_x, float padd
                                                             padding_y < 0 ? usual.y : padding_y));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1, 1));
     ImGui::Begin(name, nullptr, flags);
+    note_place(std::string("panel ") + name, rect);
     ImGui::PopStyleVar(2);
 }
 

@@ -17,7 +17,6 @@ void draw_padded(const char* name, const Rect& rect, const ImVec2& padding, Pane
 
 void draw_in(const char* name, const Rect& rect, Panel& panel, const FrameContext& frame,
              Requests& out, Place place = Place::kNone) {
-    ui().places[std::string("panel ") + name] = rect;
     if (rect.width < 1.0F || rect.height < 1.0F) return;
     if (place != Place::kNone && place == frame.focus) ImGui::SetNextWindowFocus();
     begin_place(name, rect);
@@ -53,6 +52,8 @@ Rect card_place(const Rect& over, float width, float height) {
 
 void draw_card(const char* name, const Rect& rect, Panel& panel, const FrameContext& frame,
                Requests& out) {
+    draw_shadow(rect, rounding);
+    note_place(std::string("panel ") + name, rect);
     begin_overlay(name, rect, {px(20), px(18)}, px(10));
     panel.draw(frame, out);
     end_overlay();
@@ -78,7 +79,6 @@ void MainWindow::draw(const FrameContext& frame, int framebuffer_height, Request
     draw_gaps(layout);
     draw_padded("bar", layout.bar, {px(12), px(10)}, bar_, frame, out);
     draw_in("experiment", layout.experiment, experiment_, frame, out);
-    ui().places["panel viewport"] = layout.viewport;
     const bool picking = frame.picking != nullptr;
     if (picking && !frame.picking->single) {
         draw_grid(frame, layout, out);
@@ -114,7 +114,8 @@ void MainWindow::draw_grid(const FrameContext& frame, const Layout& layout, Requ
 void MainWindow::draw_tour(const FrameContext& frame, const Rect& whole, Requests& out) {
     const auto& places = ui().places;
     const auto found = places.find(tour_steps()[static_cast<std::size_t>(frame.tour_step)].place);
-    const Rect subject = found == places.end() ? Rect{} : found->second;
+    const bool shown = found != places.end() && found->second.frame == ImGui::GetFrameCount();
+    const Rect subject = shown ? found->second.rect : Rect{};
     if (subject.width > 1.0F) outline_subject(subject);
     draw_card("tour", tour_card_place(subject.width > 1.0F ? subject : whole, whole), tour_, frame,
               out);

@@ -191,7 +191,7 @@ void PopulationPanel::draw_tile(std::size_t index, const FrameContext& frame, Re
     const Rect star = star_of(area);
     if (index < kNotedTiles) {
         note_place(name);
-        ui().places[format("star %zu", index)] = star;
+        note_place(format("star %zu", index), star);
     }
     if (pressed && star.contains(ImGui::GetIO().MousePos)) {
         out.ask(ToggleStar{tile.creature});
