@@ -62,7 +62,7 @@ void draw_view_menu(const FrameContext& frame, Requests& out) {
     ghost_lines(frame, out);
     ImGui::Separator();
     const bool light = frame.view.theme == ThemeKind::kLight;
-    if (menu_item("Light theme", nullptr, true, light)) {
+    if (menu_item("Light theme", "Ctrl+L", true, light)) {
         ViewState view = frame.view;
         view.theme = light ? ThemeKind::kDark : ThemeKind::kLight;
         out.ask(ChangeView{view});
