@@ -144,12 +144,6 @@ void panel_title(const std::string& text) {
     ImGui::TextUnformatted(text.c_str());
 }
 
-void place_title(const std::string& text) {
-    const bool focused = ImGui::IsWindowFocused(ImGuiFocusedFlags_ChildWindows);
-    const WithTextColor color(focused ? colors().accent : colors().text);
-    panel_title(text);
-}
-
 void section(const char* title) {
     ImGui::Dummy({0, px(4)});
     const ImVec2 at = ImGui::GetCursorScreenPos();
