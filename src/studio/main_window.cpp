@@ -24,17 +24,36 @@ void draw_in(const char* name, const Rect& rect, Panel& panel, const FrameContex
     end_place();
 }
 
+// Soft and around the window being drawn, so that it stands out from what it covers.
+void draw_shadow(const Rect& rect, float rounding) {
+    constexpr int rings = 14;
+    const Color edge =
+        with_alpha(color_of(0x000000), ui().theme == ThemeKind::kLight ? 0.06F : 0.22F);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.PushClipRectFullScreen();
+    for (int ring = 1; ring <= rings; ++ring) {
+        const float out = px(static_cast<float>(ring) - 0.5F);
+        const float left = 1.0F - static_cast<float>(ring) / (rings + 1);
+        list.AddRect(
+            {rect.x - out, rect.y - out}, {rect.x + rect.width + out, rect.y + rect.height + out},
+            paint(with_alpha(edge, edge.a * left)), rounding + out, ImDrawFlags_None, px(1.5F));
+    }
+    list.PopClipRect();
+}
+
 // A window over the panels.
 void begin_overlay(const char* name, const Rect& rect, const ImVec2& padding, float rounding) {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, rounding);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0F);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, padding);
-    ImGui::PushStyleColor(ImGuiCol_WindowBg, paint(mix(colors().panel, colors().raised, 0.45F)));
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, paint(colors().overlay));
     ImGui::SetNextWindowPos(rect.low());
     ImGui::SetNextWindowSize({rect.width, rect.height});
     ImGui::Begin(name, nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing);
+    draw_shadow(rect, rounding);
+    note_place(std::string("panel ") + name, rect);
 }
 
 void end_overlay() {
@@ -52,8 +71,6 @@ Rect card_place(const Rect& over, float width, float height) {
 
 void draw_card(const char* name, const Rect& rect, Panel& panel, const FrameContext& frame,
                Requests& out) {
-    draw_shadow(rect, rounding);
-    note_place(std::string("panel ") + name, rect);
     begin_overlay(name, rect, {px(20), px(18)}, px(10));
     panel.draw(frame, out);
     end_overlay();
