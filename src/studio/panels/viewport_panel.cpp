@@ -196,7 +196,9 @@ void ViewportPanel::draw_marks(const FrameContext& frame) {
         const std::string label = with_unit(i * spacing, "m");
         const Vec2 at = camera.to_screen({i * spacing, 0.0}, size_);
         const float width = ImGui::CalcTextSize(label.c_str()).x;
-        list.AddText({std::round(canvas_.area.x + static_cast<float>(at.x()) - 0.5F * width),
+        const float left = static_cast<float>(at.x()) - 0.5F * width;
+        if (left < 0.0F || left + width > canvas_.area.width) continue;
+        list.AddText({std::round(canvas_.area.x + left),
                       std::round(canvas_.area.y + static_cast<float>(at.y()) + px(10))},
                      paint(colors().muted), label.c_str());
     }
