@@ -35,19 +35,22 @@ def png_of_dump(dump):
     def chunk(kind, data):
         checked = kind + data
         return struct.pack(">I", len(data)) + checked + struct.pack(">I", zlib.crc32(checked))
-    return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">2I5B", width, height, 8, 2, 0, 0, 0))
+    about = struct.pack(">2I5B", width, height, 8, 2, 0, 0, 0)
+    return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", about)
             + chunk(b"IDAT", zlib.compress(rows, 1)) + chunk(b"IEND", b""))
 
 
 class Display:
-    """A virtual X display of its own, so that tests can run side by side."""
+    """A virtual X display of its own, so that tests can run side by side. Held keys do not repeat:
+    on a busy machine they would be held for long."""
 
     def __init__(self, width, height):
         self.memory = tempfile.TemporaryDirectory(prefix="cambrian-screen-")
         reading, writing = os.pipe()
         self.server = subprocess.Popen(
             ["Xvfb", "-displayfd", str(writing), "-screen", "0", f"{width}x{height}x24",
-             "-fbdir", self.memory.name, "-nolisten", "tcp"], pass_fds=[writing], stderr=subprocess.DEVNULL)
+             "-r", "-fbdir", self.memory.name, "-nolisten", "tcp"],
+            pass_fds=[writing], stderr=subprocess.DEVNULL)
         os.close(writing)
         with os.fdopen(reading) as numbers:
             self.name = ":" + numbers.readline().strip()
