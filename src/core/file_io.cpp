@@ -68,13 +68,6 @@ int write_device(const std::string& path, std::string_view bytes) {
     return failure != 0 ? failure : file.close();
 }
 
-// Short, so that it is a possible name beside any other, and not shared with another thread.
-std::filesystem::path temporary_beside(const std::filesystem::path& target) {
-    static std::atomic<unsigned> count = 0;
-    return target.parent_path() /
-           (".cambrian-" + std::to_string(::getpid()) + "-" + std::to_string(++count));
-}
-
 int replace_file(const std::filesystem::path& target, std::string_view bytes) {
     const std::string temporary = temporary_beside(target).string();
     int failure = write_new_file(temporary, bytes);
@@ -106,7 +99,28 @@ Status outcome(int failure, const std::filesystem::path& path) {
     return Error{"cannot write " + path.string() + ": " + system_message(failure)};
 }
 
+int flush_file(const std::string& path) {
+    FileDescriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+    if (file.get() < 0) return errno;
+    return ::fsync(file.get()) == 0 ? file.close() : errno;
+}
+
 }  // namespace
+
+// Short, so that it is a possible name beside any other, and not shared with another thread.
+std::filesystem::path temporary_beside(const std::filesystem::path& target) {
+    static std::atomic<unsigned> count = 0;
+    return target.parent_path() /
+           (".cambrian-" + std::to_string(::getpid()) + "-" + std::to_string(++count));
+}
+
+Status move_into_place(const std::filesystem::path& temporary,
+                       const std::filesystem::path& target) {
+    int failure = flush_file(temporary.string());
+    if (failure == 0 && ::rename(temporary.c_str(), target.c_str()) != 0) failure = errno;
+    if (failure != 0) ::unlink(temporary.c_str());
+    return outcome(failure, target);
+}
 
 Result<std::string> read_file(const std::filesystem::path& path, std::size_t max_bytes) {
     FileDescriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));

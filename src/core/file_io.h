@@ -24,4 +24,10 @@ Status write_file(const std::filesystem::path& path, std::string_view bytes);
 // behind. The message is the one write_file would give.
 Status check_writable(const std::filesystem::path& path);
 
+// A name for a new file in the target's folder, given to nobody else.
+std::filesystem::path temporary_beside(const std::filesystem::path& target);
+
+// Flushes a file to the disk and puts it in the target's place. On failure it is removed.
+Status move_into_place(const std::filesystem::path& temporary, const std::filesystem::path& target);
+
 }  // namespace cambrian
