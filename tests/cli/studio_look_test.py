@@ -119,16 +119,22 @@ class StudioLook(StudioTest):
         self.look(f"experiment-{page}", pointed=True)
 
     def look_at_cards(self):
-        for name, keys in [("open", "ctrl+o"), ("save", "ctrl+s"), ("samples", "ctrl+shift+o"),
-                           ("help", "F1")]:
+        for name, keys, control in [("open", "ctrl+o", "file name"),
+                                    ("save", "ctrl+s", "file name"),
+                                    ("samples", "ctrl+shift+o", "Close samples"),
+                                    ("help", "F1", "Close help")]:
             self.keys(keys)
+            self.wait_until(lambda: control in self.seen(), f"{name} does not open")
             self.look(name)
             self.keys("Escape")
+            self.wait_until(lambda: control not in self.seen(), f"{name} does not close")
         for name, entry in [("keys", "Keys"), ("about", "About Cambrian")]:
             self.tap("Help")
             self.tap(entry)
+            self.wait_until(lambda: "Close help" in self.seen(), f"{name} does not open")
             self.look(name)
             self.keys("Escape")
+            self.wait_until(lambda: "Close help" not in self.seen(), f"{name} does not close")
 
     def look_at_inspector(self):
         for tab in INSPECTOR_TABS:
@@ -203,7 +209,10 @@ class StudioLook(StudioTest):
 
     def point_at(self, name):
         self.wait_until(lambda: name in self.seen(), f"no '{name}' in sight")
-        place = self.places[name]
+        place = None
+        while place != self.seen().get(name, place):  # menus find their place in a few frames
+            place = self.places[name]
+            time.sleep(0.1)
         self.display.tool("mousemove", int(place["x"] + place["width"] / 2),
                           int(place["y"] + place["height"] / 2), "sleep", 0.12)
 
