@@ -89,6 +89,8 @@ class StudioTest(ProgramTest):
             view.write_text("tour-taken = yes\n")
         self.log = self.folder / "status.log"
         self.log.unlink(missing_ok=True)
+        self.log_read = 0  # bytes
+        self.happened = []
         self.display = display
         studio = subprocess.Popen(
             [CAMBRIAN, "studio", "--status-log", str(self.log), "--state-dir",
@@ -107,10 +109,13 @@ class StudioTest(ProgramTest):
         studio.wait(PATIENCE)
 
     def events(self):
-        if not self.log.exists():
-            return []
-        whole_lines = self.log.read_text().split("\n")[:-1]
-        return [json.loads(line) for line in whole_lines]
+        if self.log.exists():
+            with self.log.open("rb") as file:
+                file.seek(self.log_read)
+                whole_lines, newline, _ = file.read().rpartition(b"\n")
+            self.log_read += len(whole_lines + newline)
+            self.happened += [json.loads(line) for line in whole_lines.splitlines()]
+        return self.happened
 
     def wait_for(self, event, after=0, **fields):
         """The first such event at or after that place in the log; its successor's place too."""
