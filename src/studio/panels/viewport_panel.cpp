@@ -189,7 +189,7 @@ void ViewportPanel::draw_marks(const FrameContext& frame) {
     const Camera& camera = canvas_.camera;
     const WorldWindow window = camera.window(size_);
     if (window.low.y() > 0.0) return;
-    const double spacing = mark_spacing(camera, 70.0);
+    const double spacing = mark_spacing(camera, static_cast<double>(px(70)));
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const WithFont font(ui().fonts.small);
     for (double i = std::ceil(window.low.x() / spacing); i * spacing < window.high.x(); i += 1.0) {
