@@ -105,13 +105,13 @@ int segmented(const std::string& name, const std::vector<std::string>& labels, i
     const float room = ImGui::GetContentRegionAvail().x;
     const float right_edge = ImGui::GetCursorScreenPos().x + room;
     const int a_line = labels_a_line(static_cast<int>(labels.size()),
-                                     row_width(labels, px(roomy ? 18 : 12)) - px(2), room);
+                                     row_width(labels, px(roomy ? 18 : 10)) - px(2), room);
     for (int i = 0; i < static_cast<int>(labels.size()); ++i) {
         const auto index = static_cast<std::size_t>(i);
         const std::string& label = labels[index];
         ButtonStyle style;
         style.look = i == chosen ? ButtonLook::kSelected : ButtonLook::kGhost;
-        style.width = ImGui::CalcTextSize(label.c_str()).x + (roomy ? px(16) : px(10));
+        style.width = ImGui::CalcTextSize(label.c_str()).x + (roomy ? px(16) : px(8));
         const float end = ImGui::GetItemRectMax().x + px(2) + style.width;
         if (i % a_line != 0 && end <= right_edge) ImGui::SameLine();
         style.height = px(28);
