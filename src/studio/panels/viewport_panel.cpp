@@ -189,7 +189,10 @@ void ViewportPanel::draw_marks(const FrameContext& frame) {
     const Camera& camera = canvas_.camera;
     const WorldWindow window = camera.window(size_);
     if (window.low.y() > 0.0) return;
-    const double spacing = mark_spacing(camera, static_cast<double>(px(70)));
+    // On ticks of the ground, as many apart as the words need.
+    const double tick = mark_spacing(camera, kTickPixels);
+    const double room = kTickPixels * static_cast<double>(ui().scale);
+    const double spacing = tick * std::ceil(room / (tick * camera.pixels_per_metre));
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const WithFont font(ui().fonts.small);
     for (double i = std::ceil(window.low.x() / spacing); i * spacing < window.high.x(); i += 1.0) {
