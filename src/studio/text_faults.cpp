@@ -52,7 +52,7 @@ bool goes_on(const Line& line, const ImRect& box, const ImRect& clip) {
 void add_letter(std::vector<Line>& lines, const ImRect& box, const ImRect& clip, unsigned code) {
     if (lines.empty() || !goes_on(lines.back(), box, clip)) {
         lines.push_back({{}, {}, box, clip});
-    } else if (box.Min.x - lines.back().boxes.back().Max.x > 0.22F * lines.back().all.GetHeight()) {
+    } else if (box.Min.x - lines.back().boxes.back().Max.x > 0.4F * lines.back().all.GetHeight()) {
         lines.back().text += ' ';
     }
     Line& line = lines.back();

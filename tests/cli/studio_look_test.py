@@ -21,7 +21,7 @@ CLOSED_AT_FIRST = ["breeding", "mutation.weights", "body", "body.joints", "body.
 INSPECTOR_TABS = ["Creature", "Brain", "Genotype", "Ancestry", "Energy"]
 PLOTS = ["fitness", "diversity", "parts", "neurons", "trials", "invalid"]
 TOUR_STEPS = 5
-MOST_PAGES = 40  # of the experiment panel
+MOST_PAGES = 20  # of the experiment panel
 # Panels, grounds that controls lie on, and parts of a row that is named besides.
 NOT_CONTROLS = ("panel ", "viewport", "tile ", "cell ", "shelf", "##")
 
@@ -105,6 +105,20 @@ class StudioLook(StudioTest):
         self.tap("goal.behavior")
         self.look("experiment-goals")
         self.tap_nowhere()
+        before = self.seen()["panel timeline"]
+        self.switch_bottom()
+        self.wait_until(lambda: "panel timeline" not in self.seen(), "the timeline stays")
+        self.look_through_settings()
+        self.switch_bottom()
+        self.wait_until(lambda: "panel timeline" in self.seen(), "the timeline stays away")
+        self.assertEqual(self.seen()["panel timeline"], before)
+
+    def switch_bottom(self):
+        self.tap("View")
+        self.tap("Timeline and population")
+
+    def look_through_settings(self):
+        """Down the panel, opening what is closed."""
         self.point_at("group goal")
         closed = list(CLOSED_AT_FIRST)
         page = 0
