@@ -1,5 +1,7 @@
 #include "studio/studio.h"
 
+#include "app/assets_folder.h"
+#include "app/option_types.h"
 #include "app/subcommands/subcommands.h"
 #include "app/without_window.h"
 
@@ -24,13 +26,14 @@ class StudioSubcommand final : public Subcommand {
 public:
     StudioSubcommand() {
         options_.state_dir = usual_state_dir();
-        options_.assets = CAMBRIAN_ASSETS;
-        const std::filesystem::path sample = CAMBRIAN_ASSETS "/creatures/walker.creature.json";
+        options_.assets = assets_folder();
+        const std::filesystem::path sample = options_.assets / "creatures/walker.creature.json";
         std::error_code ignored;
         if (std::filesystem::exists(sample, ignored)) options_.sample_creature = sample;
     }
     void add_options(CLI::App& app) override {
-        app.add_option("file", options_.open_file, "Creature or settings file to open");
+        app.add_option("file", options_.open_file, "Creature or settings file to open")
+            ->type_name(option_type::kAnyOfOurs);
         app.add_flag("--evolve", options_.evolve, "Begin to evolve at once");
         app.add_option("-t,--threads", options_.workers,
                        "Threads that evaluate; one a core unless given")
@@ -43,13 +46,17 @@ public:
                        "Size of everything drawn; the display's unless given")
             ->check(CLI::Range(0.5, 4.0));
         app.add_option("--state-dir", options_.state_dir,
-                       "Folder of what is remembered from one start to the next; \"\" for nothing");
+                       "Folder of what is remembered from one start to the next; \"\" for nothing")
+            ->type_name(option_type::kFolder);
         app.add_option("--status-log", options_.status_log,
-                       "Append what happens to this file, one JSON object a line");
+                       "Append what happens to this file, one JSON object a line")
+            ->type_name(option_type::kFile);
         app.add_option("--frame-log", options_.frame_log,
-                       "Write the time of every frame to this file");
+                       "Write the time of every frame to this file")
+            ->type_name(option_type::kFile);
         app.add_option("--screenshot", options_.screenshot,
-                       "Write a picture of the window at the end");
+                       "Write a picture of the window at the end")
+            ->type_name(option_type::kPicture);
         app.add_option("--quit-after", options_.quit_after,
                        "Close the window after so many seconds")
             ->check(CLI::NonNegativeNumber);
