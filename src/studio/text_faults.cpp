@@ -49,7 +49,9 @@ bool goes_on(const Line& line, const ImRect& box, const ImRect& clip) {
     return level && next && clip.Min.x == line.clip.Min.x && clip.Max.x == line.clip.Max.x;
 }
 
+// A letter of which nothing is seen is left out.
 void add_letter(std::vector<Line>& lines, const ImRect& box, const ImRect& clip, unsigned code) {
+    if (!clip.Overlaps(box)) return;
     if (lines.empty() || !goes_on(lines.back(), box, clip)) {
         lines.push_back({{}, {}, box, clip});
     } else if (box.Min.x - lines.back().boxes.back().Max.x > 0.4F * lines.back().all.GetHeight()) {
@@ -95,7 +97,6 @@ bool scrolls_down(const ImGuiWindow* window) {
 
 bool is_cut(const Line& line, bool scrolled) {
     const ImRect& clip = line.clip;
-    if (!clip.Overlaps(line.all)) return false;
     const float slack = kSlack * line.all.GetHeight();
     const bool beside = line.all.Min.x < clip.Min.x - slack || line.all.Max.x > clip.Max.x + slack;
     const bool above_or_below =
@@ -110,11 +111,18 @@ bool overlap(const ImRect& a, const ImRect& b) {
     return width * height > kOverlapShare * std::min(a.GetArea(), b.GetArea());
 }
 
+// Where it is seen.
+ImRect seen_part(ImRect box, const ImRect& clip) {
+    box.ClipWith(clip);
+    return box;
+}
+
 bool overlap(const Line& a, const Line& b) {
     if (!a.all.Overlaps(b.all)) return false;
-    return std::any_of(a.boxes.begin(), a.boxes.end(), [&b](const ImRect& box) {
-        return std::any_of(b.boxes.begin(), b.boxes.end(),
-                           [&box](const ImRect& other) { return overlap(box, other); });
+    return std::any_of(a.boxes.begin(), a.boxes.end(), [&](const ImRect& box) {
+        return std::any_of(b.boxes.begin(), b.boxes.end(), [&](const ImRect& other) {
+            return overlap(seen_part(box, a.clip), seen_part(other, b.clip));
+        });
     });
 }
 
