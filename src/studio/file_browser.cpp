@@ -8,8 +8,10 @@ namespace cambrian {
 namespace {
 
 bool suits(std::string_view name, FileTask task) {
-    const bool settings = task == FileTask::kOpen && name.ends_with(".toml");
-    return settings || name.ends_with(ending_of(task));
+    const bool other =
+        task == FileTask::kOpen &&
+        (name.ends_with(".toml") || name.ends_with(ending_of(FileTask::kSaveExperiment)));
+    return other || name.ends_with(ending_of(task));
 }
 
 }  // namespace
@@ -19,6 +21,8 @@ const char* ending_of(FileTask task) {
         case FileTask::kOpen:
         case FileTask::kSaveCreature:
             break;
+        case FileTask::kSaveExperiment:
+            return ".cambrian";
         case FileTask::kSaveSettings:
             return ".toml";
         case FileTask::kSaveStatistics:

@@ -28,9 +28,16 @@ FileEvent load_file(const std::filesystem::path& path, const EvolutionKinds& kin
         if (document) return CreatureLoaded{path, std::move(*document)};
         return FileFailed{path, document.error().message};
     }
+    if (name.ends_with(".cambrian")) {
+        auto experiment = open_experiment(path, kinds);
+        if (experiment)
+            return ExperimentLoaded{path,
+                                    std::make_shared<OpenedExperiment>(*std::move(experiment))};
+        return FileFailed{path, experiment.error().message};
+    }
     return FileFailed{path, path.string() +
-                                " is not a file the studio opens; expected *.creature.json or "
-                                "settings *.toml"};
+                                " is not a file the studio opens; expected *.creature.json, an "
+                                "experiment *.cambrian or settings *.toml"};
 }
 
 template <class Work>
@@ -50,6 +57,13 @@ void FileDesk::save_creature(const std::filesystem::path& path, CreatureDocument
          &kinds = kinds_](const std::stop_token& stop) mutable {
         recompute_score(document, kinds, stop);
         return saved(path, cambrian::save_creature(path, document, kinds));
+    });
+}
+
+void FileDesk::save_experiment(const std::filesystem::path& path,
+                               std::shared_ptr<KeptExperiment> experiment) {
+    run([path, experiment = std::move(experiment)](const std::stop_token&) {
+        return saved(path, experiment->move_to(path));
     });
 }
 

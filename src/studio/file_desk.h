@@ -5,11 +5,13 @@
 
 #include "evolution/statistics.h"
 #include "persist/creature_file.h"
+#include "persist/kept_experiment.h"
 #include "render/image.h"
 #include "studio/background_worker.h"
 #include "studio/file_browser.h"
 
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <variant>
 #include <vector>
@@ -24,6 +26,10 @@ struct SettingsLoaded {
     std::filesystem::path path;
     ExperimentSettings settings;
 };
+struct ExperimentLoaded {
+    std::filesystem::path path;
+    std::shared_ptr<OpenedExperiment> experiment;
+};
 struct FileSaved {
     std::filesystem::path path;
 };
@@ -34,7 +40,8 @@ struct FileFailed {
     std::filesystem::path path;
     std::string message;
 };
-using FileEvent = std::variant<CreatureLoaded, SettingsLoaded, FileSaved, FolderListed, FileFailed>;
+using FileEvent = std::variant<CreatureLoaded, SettingsLoaded, ExperimentLoaded, FileSaved,
+                               FolderListed, FileFailed>;
 
 class FileDesk {
 public:
@@ -42,9 +49,11 @@ public:
     FileDesk(BackgroundWorker& worker, const EvolutionKinds& kinds)
         : worker_(worker), kinds_(kinds) {}
 
-    // By the name's ending: a creature or settings.
+    // By the name's ending: a creature, settings or an experiment.
     void load(const std::filesystem::path& path);
     void save_creature(const std::filesystem::path& path, CreatureDocument document);
+    void save_experiment(const std::filesystem::path& path,
+                         std::shared_ptr<KeptExperiment> experiment);
     void save_settings(const std::filesystem::path& path, const ExperimentSettings& settings);
     void save_statistics(const std::filesystem::path& path,
                          std::vector<GenerationStatistics> history);
