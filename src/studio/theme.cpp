@@ -56,7 +56,7 @@ void apply_colors(const Palette& p, ImGuiStyle& style) {
     set(ImGuiCol_TextDisabled, p.muted);
     set(ImGuiCol_WindowBg, p.panel);
     set(ImGuiCol_ChildBg, with_alpha(p.panel, 0.0F));
-    set(ImGuiCol_PopupBg, mix(p.panel, p.raised, 0.6F));
+    set(ImGuiCol_PopupBg, p.overlay);
     set(ImGuiCol_Border, p.border);
     set(ImGuiCol_FrameBg, p.raised);
     set(ImGuiCol_FrameBgHovered, p.hovered);
@@ -75,6 +75,8 @@ void apply_colors(const Palette& p, ImGuiStyle& style) {
     set(ImGuiCol_HeaderHovered, p.hovered);
     set(ImGuiCol_HeaderActive, p.hovered);
     set(ImGuiCol_Separator, p.border);
+    set(ImGuiCol_TableBorderLight, p.border);
+    set(ImGuiCol_TableBorderStrong, p.border);
     set(ImGuiCol_TextSelectedBg, with_alpha(p.accent, 0.35F));
     set(ImGuiCol_NavHighlight, p.accent);
 }
@@ -91,6 +93,7 @@ Palette palette_of(ThemeKind kind) {
     p.panel = choose(0x171B21, 0xF4F5F7);
     p.raised = choose(0x242A33, 0xE3E6EB);
     p.hovered = choose(0x303844, 0xD5DAE1);
+    p.overlay = choose(0x1E242C, 0xFDFDFE);
     p.border = choose(0x2A313B, 0xCDD2D9);
     p.text = choose(0xE6EAEF, 0x1C2127);
     p.muted = choose(0x98A3B1, 0x5A6573);
