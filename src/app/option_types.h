@@ -10,6 +10,7 @@ inline constexpr const char* kFolder = "FOLDER";
 inline constexpr const char* kCreature = "FILE.creature.json";
 inline constexpr const char* kSettings = "FILE.toml";
 inline constexpr const char* kExperiment = "FILE.cambrian";
+inline constexpr const char* kCreatureOrExperiment = "FILE.creature.json|FILE.cambrian";
 inline constexpr const char* kAnyOfOurs = "FILE.creature.json|FILE.toml|FILE.cambrian";
 inline constexpr const char* kTable = "FILE.csv";
 inline constexpr const char* kPicture = "FILE.png";

@@ -81,7 +81,7 @@ class VerifySubcommand final : public Subcommand {
 public:
     void add_options(CLI::App& app) override {
         app.add_option("creatures", files_, "Creature files, or experiments to be computed anew")
-            ->type_name(option_type::kAnyOfOurs)
+            ->type_name(option_type::kCreatureOrExperiment)
             ->required();
     }
     ExitStatus run(const EvolutionKinds& kinds) override {
@@ -100,7 +100,9 @@ private:
 
 SubcommandKind verify_subcommand() {
     return {.id = "verify",
-            .summary = "Run the trial that scored a creature, or a whole experiment, again; compare every bit.",
+            .summary =
+                "Run the trial that scored a creature, or a whole experiment, again; compare every "
+                "bit.",
             .example = "cambrian verify champion-walking-seed7.creature.json",
             .make = []() -> std::unique_ptr<Subcommand> {
                 return std::make_unique<VerifySubcommand>();
