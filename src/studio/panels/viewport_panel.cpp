@@ -233,13 +233,23 @@ void ViewportPanel::draw_plate(const Vec2& at, const std::string& name) const {
     list.AddText(low, paint(colors().text), name.c_str());
 }
 
+// Those that would cover another one are left out.
 void ViewportPanel::draw_part_names(const FrameContext& frame) const {
     const Phenotype& phenotype = frame.playback.phenotype();
+    std::vector<Vec2> taken;
+    const double line = static_cast<double>(px(20)) * canvas_.camera.pixel();
     for (std::size_t i = 0; i < frame.playback.poses().size(); ++i) {
         const std::string name =
             i == 0 ? "root"
                    : std::to_string(i) + " · gene " + std::to_string(phenotype.parts[i].node);
-        draw_plate(frame.playback.poses()[i].position.head<2>(), name);
+        const Vec2 at = frame.playback.poses()[i].position.head<2>();
+        const auto covers = [&](const Vec2& other) {
+            return std::fabs(other.x() - at.x()) < 5.0 * line &&
+                   std::fabs(other.y() - at.y()) < line;
+        };
+        if (std::any_of(taken.begin(), taken.end(), covers)) continue;
+        taken.push_back(at);
+        draw_plate(at, name);
     }
 }
 
