@@ -1,5 +1,7 @@
 #include "studio/file_browser.h"
 
+#include "persist/creature_card.h"
+
 #include <algorithm>
 #include <string_view>
 #include <system_error>
@@ -8,8 +10,10 @@ namespace cambrian {
 namespace {
 
 bool suits(std::string_view name, FileTask task) {
-    const bool settings = task == FileTask::kOpen && name.ends_with(".toml");
-    return settings || name.ends_with(ending_of(task));
+    if (name.ends_with(ending_of(task))) return true;
+    // Cards that travelled may have lost the rest of their ending.
+    if (task == FileTask::kOpen) return name.ends_with(".toml") || name.ends_with(".png");
+    return task == FileTask::kSaveCreature && name.ends_with(kCardEnding);
 }
 
 }  // namespace

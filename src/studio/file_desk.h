@@ -3,13 +3,16 @@
 // Reading and writing files without the window waiting: tasks go to the background worker, what
 // came of them is collected as events.
 
+#include "core/image.h"
 #include "evolution/statistics.h"
 #include "persist/creature_file.h"
-#include "render/image.h"
+#include "pictures/subject.h"
 #include "studio/background_worker.h"
 #include "studio/file_browser.h"
 
+#include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -27,6 +30,15 @@ struct SettingsLoaded {
 struct FileSaved {
     std::filesystem::path path;
 };
+// A card of which all is known but its picture.
+struct PreparedCard {
+    std::filesystem::path path;
+    std::string text;  // of the creature file inside
+    Subject subject;
+};
+struct CardPrepared {
+    PreparedCard card;
+};
 struct FolderListed {
     FolderListing listing;
 };
@@ -34,7 +46,16 @@ struct FileFailed {
     std::filesystem::path path;
     std::string message;
 };
-using FileEvent = std::variant<CreatureLoaded, SettingsLoaded, FileSaved, FolderListed, FileFailed>;
+using FileEvent =
+    std::variant<CreatureLoaded, SettingsLoaded, FileSaved, CardPrepared, FolderListed, FileFailed>;
+
+struct CardOrder {
+    std::filesystem::path path;
+    CreatureDocument document;
+    std::string title;                 // of one without a name
+    ExperimentSettings settings = {};  // what its trial runs under
+    std::optional<std::uint32_t> generation = {};
+};
 
 class FileDesk {
 public:
@@ -42,9 +63,12 @@ public:
     FileDesk(BackgroundWorker& worker, const EvolutionKinds& kinds)
         : worker_(worker), kinds_(kinds) {}
 
-    // By the name's ending: a creature or settings.
+    // By the name's ending: a creature, alone or in a card, or settings.
     void load(const std::filesystem::path& path);
     void save_creature(const std::filesystem::path& path, CreatureDocument document);
+    // A card is prepared here, its picture drawn by the window, and saved here.
+    void prepare_card(CardOrder order);
+    void save_card(const std::filesystem::path& path, Image picture, std::string document);
     void save_settings(const std::filesystem::path& path, const ExperimentSettings& settings);
     void save_statistics(const std::filesystem::path& path,
                          std::vector<GenerationStatistics> history);
@@ -62,6 +86,9 @@ private:
     const EvolutionKinds& kinds_;
     std::vector<FileEvent> events_;
 };
+
+// Whether a creature saved under this name becomes a card.
+bool is_card_name(const std::filesystem::path& path);
 
 // What loading a path gives; blocks.
 FileEvent load_file(const std::filesystem::path& path, const EvolutionKinds& kinds);

@@ -3,7 +3,7 @@
 // Dear ImGui's context, its back-ends, fonts and style.
 
 #include "core/result.h"
-#include "render/image.h"
+#include "render/pixels.h"
 #include "studio/ui_context.h"
 
 #include <functional>

@@ -9,7 +9,7 @@ import subprocess
 import time
 import unittest
 
-from program import CAMBRIAN, DONE, SMALL, ProgramTest
+from program import CAMBRIAN, DONE, ROOT, SMALL, ProgramTest
 
 PICTURES = pathlib.Path(os.environ.get("CAMBRIAN_PICTURES", "pictures"))
 PATIENCE = 120  # s; for anything to happen on a busy machine
@@ -57,12 +57,16 @@ class StudioTest(ProgramTest):
         if not first_time and not view.exists():
             view.parent.mkdir(exist_ok=True)
             view.write_text("tour-taken = yes\n")
+        self.open_window(display, "studio", "--state-dir", self.folder / "state", "--threads", "1",
+                         *arguments)
+
+    def open_window(self, display, subcommand, *arguments):
+        """Starts a subcommand that opens a window and waits for its first frame."""
         self.log = self.folder / "status.log"
         self.log.unlink(missing_ok=True)
         self.display = display
         studio = subprocess.Popen(
-            [CAMBRIAN, "studio", "--status-log", str(self.log), "--state-dir",
-             str(self.folder / "state"), "--threads", "1", *map(str, arguments)],
+            [CAMBRIAN, subcommand, "--status-log", str(self.log), *map(str, arguments)],
             cwd=self.folder, env=display.environment, stdout=subprocess.DEVNULL,
             stderr=subprocess.DEVNULL)
         self.addCleanup(self.stop, studio)
@@ -290,6 +294,46 @@ class StudioWindow(StudioTest):
         self.wait_for("running")
         self.assert_painted(display.picture("damaged-file-1280x800.png"))
         self.quit()
+
+    def test_a_creature_becomes_a_card_and_comes_back_from_it(self):
+        walker = ROOT / "assets/creatures/walker.creature.json"
+        display = self.open_display()
+        self.start(display, walker)
+        self.display.tool("key", "ctrl+s")
+        self.click("Card")
+        time.sleep(0.5)
+        self.assert_painted(display.picture("save-card-1280x800.png"))
+        display.tool("key", "Escape")
+        card = self.save_as("ctrl+s", "posted.card.png")
+        self.assertEqual(card, self.folder / "posted.card.png")
+        self.quit()
+        self.assertIn("replay verified", self.run_well("verify", card).stdout)
+        shutil.copy(card, PICTURES / "saved-card.png")
+
+        self.start(display, card)
+        loaded, _ = self.wait_for("loaded")
+        self.assertEqual(loaded["path"], str(card))
+        self.assert_painted(display.picture("opened-card-1280x800.png"))
+        self.quit()
+
+    def test_the_viewer_shows_one_creature_and_nothing_else(self):
+        display = self.open_display()
+        self.open_window(display, "view", ROOT / "assets/creatures/acrobat.creature.json")
+        self.assertEqual(display.tool("getwindowname", self.window).strip(), "Acrobat – Cambrian")
+        self.wait_for("place", name="viewport")
+        names = {event["name"] for event in self.events() if event["event"] == "place"}
+        self.assertIn("Restart", names)
+        self.assertFalse({"Evolve", "File", "timeline", "Newest", "Brain"} & names)
+        self.press("period")
+        tick, after = self.wait_for("tick")
+        self.press("g")
+        self.press("h")
+        self.press("period")
+        self.wait_for("tick", after=after, number=tick["number"] + 1)
+        self.assertNotIn("running", [event["event"] for event in self.events()])
+        self.assert_painted(display.picture("viewer-960x640.png"))
+        self.quit()
+        self.assertEqual(self.files(), ["status.log"])
 
     def test_a_large_window_is_painted_whole(self):
         display = self.open_display(1920, 1080)

@@ -5,9 +5,11 @@
 namespace cambrian {
 
 SubcommandKind evolve_subcommand();
+SubcommandKind render_subcommand();
 SubcommandKind settings_subcommand();
 SubcommandKind simulate_subcommand();
 SubcommandKind studio_subcommand();
 SubcommandKind verify_subcommand();
+SubcommandKind view_subcommand();
 
 }  // namespace cambrian

@@ -1,6 +1,6 @@
 #include "studio/panels/picking_panel.h"
 
-#include "studio/text.h"
+#include "core/pretty_text.h"
 #include "studio/widgets.h"
 
 #include <algorithm>
