@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kWidth = 1280.0;  // pixels, of a clip laid out as it is
 constexpr double kHeight = 720.0;
+constexpr double kLeastUnit = 0.6;   // smaller words could not be read
 constexpr double kBodyShare = 0.42;  // of the picture filled by the creature
 constexpr std::size_t kTrail = 90;   // dots
 
@@ -23,7 +24,8 @@ std::uint64_t clip_frames(const ClipTiming& timing) {
 
 void draw_clip_frame(Easel& easel, const Subject& subject, const Palette& palette,
                      const ClipTiming& timing, std::uint64_t frame) {
-    const double unit = std::min(easel.width() / kWidth, easel.height() / kHeight);
+    const double unit =
+        std::max(kLeastUnit, std::min(easel.width() / kWidth, easel.height() / kHeight));
     const Area whole = {0, 0, static_cast<double>(easel.width()),
                         static_cast<double>(easel.height())};
     const double time = static_cast<double>(frame) * timing.speed / timing.frames_a_second;
