@@ -69,13 +69,6 @@ int write_device(const std::string& path, std::string_view bytes) {
     return failure != 0 ? failure : file.close();
 }
 
-// Short, so that it is a possible name beside any other, and not shared with another thread.
-std::filesystem::path temporary_beside(const std::filesystem::path& target) {
-    static std::atomic<unsigned> count = 0;
-    return target.parent_path() /
-           (".cambrian-" + std::to_string(::getpid()) + "-" + std::to_string(++count));
-}
-
 int replace_file(const std::filesystem::path& target, std::string_view bytes) {
     const std::string temporary = temporary_beside(target).string();
     int failure = write_new_file(temporary, bytes);
@@ -137,14 +130,28 @@ Result<std::string> read_bytes(const FileDescriptor& file, std::size_t count,
     return bytes;
 }
 
-// 0, or the error code.
-int flush_to_disk(const std::string& path) {
+int flush_file(const std::string& path) {
     FileDescriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
-    if (file.get() < 0 || ::fsync(file.get()) != 0) return errno;
-    return file.close();
+    if (file.get() < 0) return errno;
+    return ::fsync(file.get()) == 0 ? file.close() : errno;
 }
 
 }  // namespace
+
+// Short, so that it is a possible name beside any other, and not shared with another thread.
+std::filesystem::path temporary_beside(const std::filesystem::path& target) {
+    static std::atomic<unsigned> count = 0;
+    return target.parent_path() /
+           (".cambrian-" + std::to_string(::getpid()) + "-" + std::to_string(++count));
+}
+
+Status move_into_place(const std::filesystem::path& temporary,
+                       const std::filesystem::path& target) {
+    int failure = flush_file(temporary.string());
+    if (failure == 0 && ::rename(temporary.c_str(), target.c_str()) != 0) failure = errno;
+    if (failure != 0) ::unlink(temporary.c_str());
+    return outcome(failure, target);
+}
 
 Result<std::string> read_file(const std::filesystem::path& path, std::size_t max_bytes) {
     const FileDescriptor file(open_to_read(path));
@@ -174,26 +181,21 @@ Result<PendingFile> PendingFile::beside(const std::filesystem::path& target) {
     if (const Status writable = check_writable(target); !writable) return writable.error();
     const Target facts = target_of(target);
     if (facts.device) return Error{"cannot write " + target.string() + ": not a regular file"};
-    PendingFile pending(target);
-    pending.target_ = facts.path;
-    pending.temporary_ = temporary_beside(facts.path);
-    return pending;
+    return PendingFile(facts.path);
 }
 
+PendingFile::PendingFile(std::filesystem::path target)
+    : target_(std::move(target)), temporary_(temporary_beside(target_)) {}
+
 PendingFile::PendingFile(PendingFile&& other) noexcept
-    : asked_(std::move(other.asked_)),
-      target_(std::move(other.target_)),
-      temporary_(std::exchange(other.temporary_, {})) {}
+    : target_(std::move(other.target_)), temporary_(std::exchange(other.temporary_, {})) {}
 
 PendingFile::~PendingFile() {
     if (!temporary_.empty()) ::unlink(temporary_.c_str());
 }
 
 Status PendingFile::commit() {
-    int failure = flush_to_disk(temporary_);
-    if (failure == 0 && ::rename(temporary_.c_str(), target_.c_str()) != 0) failure = errno;
-    if (failure == 0) temporary_.clear();
-    return outcome(failure, asked_);
+    return move_into_place(std::exchange(temporary_, {}), target_);
 }
 
 Status check_writable(const std::filesystem::path& path) {

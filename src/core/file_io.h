@@ -40,15 +40,20 @@ public:
     Status commit();
 
 private:
-    explicit PendingFile(std::filesystem::path asked) : asked_(std::move(asked)) {}
+    explicit PendingFile(std::filesystem::path target);
 
-    std::filesystem::path asked_;
-    std::filesystem::path target_;
+    std::filesystem::path target_;     // links followed
     std::filesystem::path temporary_;  // empty once renamed
 };
 
 // Whether write_file could succeed now, found out by trying beside the target; leaves nothing
 // behind. The message is the one write_file would give.
 Status check_writable(const std::filesystem::path& path);
+
+// A name for a new file in the target's folder, given to nobody else.
+std::filesystem::path temporary_beside(const std::filesystem::path& target);
+
+// Flushes a file to the disk and puts it in the target's place. On failure it is removed.
+Status move_into_place(const std::filesystem::path& temporary, const std::filesystem::path& target);
 
 }  // namespace cambrian

@@ -11,6 +11,9 @@
 
 namespace cambrian {
 
+class ExperimentLog;
+struct SavedExperiment;
+
 // What may be asked of a running engine. Plain values; they take effect between generations,
 // pausing between trials.
 struct PauseEvolution {};
@@ -29,11 +32,17 @@ struct AddNewcomers {
 // Begins anew, paused, at generation 0.
 struct StartExperiment {
     SettingsPtr settings;
-    std::vector<GenomePtr> founders;  // empty: random
+    std::vector<GenomePtr> founders;               // empty: random
+    std::shared_ptr<ExperimentLog> log = nullptr;  // to be kept there; null: nowhere
+};
+// Goes on, paused, where an experiment was left.
+struct ContinueExperiment {
+    std::shared_ptr<const SavedExperiment> saved;
+    std::shared_ptr<ExperimentLog> log = nullptr;  // that it came from; null: not kept any more
 };
 
 using Command = std::variant<PauseEvolution, ResumeEvolution, StepGeneration, ChangeSettings,
-                             InjectGenome, AddNewcomers, StartExperiment>;
+                             InjectGenome, AddNewcomers, StartExperiment, ContinueExperiment>;
 using EngineInbox = WorkerInbox<Command, 256>;
 
 }  // namespace cambrian

@@ -11,9 +11,10 @@ constexpr int kUntilPaused = -1;
 }  // namespace
 
 EvolutionEngine::EvolutionEngine(SettingsPtr settings, const EvolutionKinds& kinds,
-                                 std::unique_ptr<EvaluationBackend> backend)
+                                 std::unique_ptr<EvaluationBackend> backend,
+                                 std::shared_ptr<ExperimentLog> log)
     : kinds_(kinds), backend_(std::move(backend)) {
-    apply(StartExperiment{std::move(settings), {}});
+    apply(StartExperiment{std::move(settings), {}, std::move(log)});
     publish();
     thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
 }
@@ -46,9 +47,7 @@ void EvolutionEngine::run(const std::stop_token& stop) {
             inbox_.work_until_command(
                 stop, [this](const std::stop_token& interrupted) { run_generation(interrupted); });
         } catch (const std::exception& failure) {
-            generations_to_run_ = 0;
-            shown_.status = EngineStatus::kFailed;
-            shown_.failure = failure.what();
+            stop_with(failure.what());
             publish();
         }
     }
@@ -56,18 +55,61 @@ void EvolutionEngine::run(const std::stop_token& stop) {
 
 void EvolutionEngine::run_generation(const std::stop_token& interrupted) {
     if (!evolution_->evaluate(*backend_, progress_, interrupted)) return;
-    record_generation();
+    if (const Status kept = keep_generation(); !kept) {
+        stop_with(kept.error().message);
+        publish();
+        return;
+    }
+    show_generation();
     evolution_->breed();
+    for (SteeringCommand& command : std::exchange(deferred_, {}))
+        std::visit([this](auto& each) { apply(std::move(each)); }, command);
     if (generations_to_run_ > 0) --generations_to_run_;
     if (generations_to_run_ == 0) shown_.status = EngineStatus::kPaused;
     publish();
 }
 
-void EvolutionEngine::record_generation() {
+void EvolutionEngine::show_generation() {
     shown_.population = evolution_->population();
     shown_.history = evolution_->history();
     shown_.champions.push_back({evolution_->generation(), evolution_->population().front(),
                                 evolution_->shared_settings()});
+}
+
+void EvolutionEngine::stop_with(std::string failure) {
+    generations_to_run_ = 0;
+    shown_.status = EngineStatus::kFailed;
+    shown_.failure = std::move(failure);
+}
+
+Status EvolutionEngine::keep_notes() {
+    if (!log_) unkept_notes_.clear();
+    if (log_ && unkept_start_) {
+        if (Status begun = log_->begin(unkept_start_->settings, unkept_start_->founders); !begun)
+            return begun;
+        unkept_start_.reset();
+    }
+    while (!unkept_notes_.empty()) {
+        if (Status noted = log_->note(unkept_notes_.front()); !noted) return noted;
+        unkept_notes_.pop_front();
+    }
+    return {};
+}
+
+Status EvolutionEngine::keep_generation() {
+    if (Status kept = keep_notes(); !kept) return kept;
+    return log_ ? log_->record(*evolution_) : Status();
+}
+
+// Whether the command acts now; if so it is noted.
+bool EvolutionEngine::steer(const SteeringCommand& command) {
+    if (evolution_->evaluated()) {
+        deferred_.push_back(command);
+        return false;
+    }
+    unkept_notes_.push_back({evolution_->generation(), command});
+    if (const Status kept = keep_notes(); !kept) stop_with(kept.error().message);
+    return true;
 }
 
 void EvolutionEngine::apply(PauseEvolution) {
@@ -78,6 +120,7 @@ void EvolutionEngine::apply(PauseEvolution) {
 void EvolutionEngine::apply(ResumeEvolution) {
     generations_to_run_ = kUntilPaused;
     shown_.status = EngineStatus::kRunning;
+    shown_.failure.clear();
 }
 
 void EvolutionEngine::apply(StepGeneration) {
@@ -86,25 +129,47 @@ void EvolutionEngine::apply(StepGeneration) {
 }
 
 void EvolutionEngine::apply(ChangeSettings command) {
-    if (*command.settings == evolution_->settings()) return;
+    if (*command.settings == evolution_->settings() || !steer(command)) return;
     evolution_->replace_settings(command.settings);
     shown_.journal.push_back({evolution_->generation(), std::move(command.settings)});
 }
 
 void EvolutionEngine::apply(InjectGenome command) {
-    evolution_->inject(std::move(command.genome));
+    if (steer(command)) evolution_->inject(std::move(command.genome));
 }
 
 void EvolutionEngine::apply(AddNewcomers command) {
-    evolution_->add_newcomers(command.share);
+    if (steer(command)) evolution_->add_newcomers(command.share);
 }
 
 void EvolutionEngine::apply(StartExperiment command) {
-    evolution_.emplace(command.settings, kinds_, std::move(command.founders));
+    evolution_.emplace(command.settings, kinds_, command.founders);
+    start_showing(command.log);
+    shown_.journal.push_back({0, command.settings});
+    unkept_start_ = std::move(command);
+    if (const Status kept = keep_notes(); !kept) stop_with(kept.error().message);
+}
+
+void EvolutionEngine::apply(ContinueExperiment command) {
+    const SavedExperiment& saved = *command.saved;
+    evolution_.emplace(resumed(saved, kinds_));
+    start_showing(std::move(command.log));
+    unkept_start_.reset();
+    shown_.journal = setting_changes(saved);
+    shown_.champions = saved.champions;
+    if (!saved.latest) return;
+    shown_.population = saved.latest->population;
+    shown_.history = saved.latest->history;
+}
+
+// Another experiment takes the place of the one before.
+void EvolutionEngine::start_showing(std::shared_ptr<ExperimentLog> log) {
+    log_ = std::move(log);
+    unkept_notes_.clear();
+    deferred_.clear();
     const std::uint64_t experiment = shown_.experiment + 1;
     shown_ = {};
     shown_.experiment = experiment;
-    shown_.journal.push_back({0, std::move(command.settings)});
     generations_to_run_ = 0;
     progress_.done = 0;
     progress_.total = 0;

@@ -7,19 +7,25 @@
 #include "evolution/command.h"
 #include "evolution/evaluation_backend.h"
 #include "evolution/evolution.h"
+#include "evolution/experiment_log.h"
 #include "evolution/snapshot.h"
 
+#include <deque>
 #include <memory>
 #include <optional>
+#include <string>
 #include <thread>
+#include <vector>
 
 namespace cambrian {
 
 class EvolutionEngine {
 public:
-    // Begins paused at generation 0 of the settings, which must pass check_settings.
+    // Begins paused at generation 0 of the settings, which must pass check_settings. Without a log
+    // nothing is kept.
     EvolutionEngine(SettingsPtr settings, const EvolutionKinds& kinds,
-                    std::unique_ptr<EvaluationBackend> backend);
+                    std::unique_ptr<EvaluationBackend> backend,
+                    std::shared_ptr<ExperimentLog> log = nullptr);
     ~EvolutionEngine();  // stops within one trial
     EvolutionEngine(const EvolutionEngine&) = delete;
     EvolutionEngine& operator=(const EvolutionEngine&) = delete;
@@ -33,7 +39,12 @@ public:
 private:
     void run(const std::stop_token& stop);
     void run_generation(const std::stop_token& interrupted);
-    void record_generation();
+    void show_generation();
+    void start_showing(std::shared_ptr<ExperimentLog> log);
+    bool steer(const SteeringCommand& command);
+    Status keep_notes();
+    Status keep_generation();
+    void stop_with(std::string failure);
     void apply(PauseEvolution command);
     void apply(ResumeEvolution command);
     void apply(StepGeneration command);
@@ -41,6 +52,7 @@ private:
     void apply(InjectGenome command);
     void apply(AddNewcomers command);
     void apply(StartExperiment command);
+    void apply(ContinueExperiment command);
     void publish();
 
     const EvolutionKinds& kinds_;
@@ -53,6 +65,12 @@ private:
     std::optional<Evolution> evolution_;
     EvolutionSnapshot shown_;
     int generations_to_run_ = 0;  // -1: until paused
+
+    std::shared_ptr<ExperimentLog> log_;
+    std::optional<StartExperiment> unkept_start_;  // until the log has taken it
+    std::deque<NotedCommand> unkept_notes_;
+    // Given while an evaluated generation could not be kept; they are for the next one.
+    std::vector<SteeringCommand> deferred_;
 
     std::jthread thread_;  // last: started after, joined before everything else
 };

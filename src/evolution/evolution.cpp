@@ -26,6 +26,16 @@ Evolution::Evolution(SettingsPtr settings, const EvolutionKinds& kinds,
     }
 }
 
+Evolution::Evolution(EvolutionState state, const EvolutionKinds& kinds)
+    : settings_(std::move(state.settings)),
+      kinds_(&kinds),
+      generation_(state.generation),
+      evaluated_(true),
+      memory_(std::move(state.memory)),
+      population_(std::move(state.population)),
+      history_(std::move(state.history)),
+      bar_audit_(state.bar_audit) {}
+
 IndividualPtr Evolution::make_founder(std::size_t slot,
                                       const std::vector<GenomePtr>& founders) const {
     const bool given_place = slot < founders.size();
@@ -193,9 +203,11 @@ void Evolution::remember_scores() {
 
 void Evolution::replace_settings(SettingsPtr settings) {
     const bool keeps_scores = same_judgement(*settings_, *settings);
+    const bool keeps_bars = settings_->stop_hopeless == settings->stop_hopeless;
     settings_ = std::move(settings);
+    // A plan is one of the settings in the end, whenever they came.
+    if (!keeps_scores || !keeps_bars) forget_plan();
     if (keeps_scores) return;
-    forget_plan();
     memory_ = {};
     judged_anew_ = true;
     least_survivor_.reset();

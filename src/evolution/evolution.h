@@ -16,6 +16,16 @@
 
 namespace cambrian {
 
+// All that the rest of a run depends on, once a generation is evaluated and before it is bred from.
+struct EvolutionState {
+    SettingsPtr settings;  // that judged it
+    std::uint32_t generation = 0;
+    std::vector<IndividualPtr> population;  // all evaluated, best first; not empty
+    std::vector<GenerationStatistics> history;
+    SelectionMemory memory;
+    BarAudit bar_audit;
+};
+
 class Evolution {
 public:
     // Settings must pass check_settings. founders: genomes to begin with, as many as there are
@@ -23,6 +33,8 @@ public:
     // Empty: all random.
     Evolution(SettingsPtr settings, const EvolutionKinds& kinds,
               const std::vector<GenomePtr>& founders = {});
+    // Goes on from there.
+    Evolution(EvolutionState state, const EvolutionKinds& kinds);
 
     // Evaluates the present generation. False if stopped; trials already done are kept and the call
     // may be repeated.

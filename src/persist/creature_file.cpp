@@ -19,17 +19,6 @@ using namespace creature_format;
 constexpr std::size_t kLongestSignature = 8;  // bytes; of a file that is no JSON
 constexpr std::size_t kMaxFormat = 4096;      // bytes; only to be quoted
 
-KindNames names_of(const KindCatalog& catalog) {
-    KindNames names;
-    for (const FunctionEntry& function : catalog.functions) {
-        names.functions.push_back(function.id);
-        names.arities.push_back(function.arity);
-    }
-    for (const JointChoice& joint : catalog.joints)
-        names.joints.push_back(joint.id);
-    return names;
-}
-
 constexpr std::array kScoreTables = {"goal", "environment", "simulation", "trial"};
 // Of [body]; the others are about founders.
 constexpr std::array kGrowthKeys = {"max-parts", "max-depth", "max-neurons", "strict-overlap"};
@@ -118,7 +107,46 @@ void finish_genome(Genome& genome, std::uint64_t check, const KindCatalog& catal
         errors.error("E07", "", fault);
 }
 
+std::vector<std::string> parents_of(const Individual& individual) {
+    std::vector<std::string> parents;
+    for (const std::uint64_t parent : individual.parents) {
+        if (parent != 0) parents.push_back(hex_text(parent));
+    }
+    return parents;
+}
+
+// What describe_identity() writes of an individual.
+struct Identity {
+    const Genome& genome;
+    std::string uid;
+    std::vector<std::string> parents;
+    const std::string& method;
+};
+
 }  // namespace
+
+KindNames creature_format::names_of(const KindCatalog& catalog) {
+    KindNames names;
+    for (const FunctionEntry& function : catalog.functions) {
+        names.functions.push_back(function.id);
+        names.arities.push_back(function.arity);
+    }
+    for (const JointChoice& joint : catalog.joints)
+        names.joints.push_back(joint.id);
+    return names;
+}
+
+void creature_format::write_genotype(std::string& text, const Individual& individual,
+                                     const KindNames& names) {
+    JsonWriter writer(text, Layout::kCompact);
+    begin_document(writer);
+    const Identity identity{*individual.genome, hex_text(individual.uid), parents_of(individual),
+                            individual.method};
+    describe_identity(writer, identity);
+    describe_genes(writer, *individual.genome, names);
+    writer.digest("check", individual.genome_hash);
+    writer.end();
+}
 
 Result<CreatureDocument> parse_creature(std::string_view text, std::string_view source,
                                         const EvolutionKinds& kinds) {
@@ -144,8 +172,7 @@ Result<CreatureDocument> parse_creature(std::string_view text, std::string_view 
 std::string write_creature(const CreatureDocument& document, const EvolutionKinds& kinds) {
     std::string text;
     JsonWriter writer(text);
-    writer.text("format", kFormat, kMaxWord);
-    writer.integer("version", kVersion, 1, kVersion);
+    begin_document(writer);
     describe_identity(writer, document);
     describe_genes(writer, document.genome, names_of(kinds.creature.catalog));
     if (document.scored) {
@@ -185,9 +212,7 @@ CreatureDocument creature_document(const Individual& individual, const Experimen
     document.genome = *individual.genome;
     document.uid = hex_text(individual.uid);
     document.method = individual.method;
-    for (const std::uint64_t parent : individual.parents) {
-        if (parent != 0) document.parents.push_back(hex_text(parent));
-    }
+    document.parents = parents_of(individual);
     if (!individual.evaluated || individual.result.outcome == Outcome::kStoppedEarly)
         return document;  // a trial given up is no score to stand by
     const GoalKind* goal = kinds.goals.find(settings.goal);

@@ -50,6 +50,8 @@ struct KindNames {
     std::vector<int> arities;  // one a function
 };
 
+KindNames names_of(const KindCatalog& catalog);
+
 template <class Gene>
 const FieldRule& rule_of(std::span<const GeneField<Gene>> fields, std::string_view key) {
     const auto found = std::find_if(fields.begin(), fields.end(),
@@ -143,6 +145,12 @@ void describe_genes(Archive& archive, Genes& genome, const KindNames& names) {
                  });
 }
 
+template <class Archive>
+void begin_document(Archive& archive) {
+    archive.text("format", kFormat, kMaxWord);
+    archive.integer("version", kVersion, 1, kVersion);
+}
+
 inline constexpr FieldRule kHue{
     .name = "hue", .key = "hue", .low = 0.0, .high = 1.0, .fallback = 0.0, .wraps = true};
 
@@ -191,5 +199,8 @@ void describe_scored(Archive& archive, Scored& scored, Settings& settings,
     archive.optional_object("recomputed", scored.finer, Layout::kCompact,
                             [](Archive& inner, auto& finer) { describe_finer(inner, finer); });
 }
+
+// Appends a document without a score, on few lines.
+void write_genotype(std::string& text, const Individual& individual, const KindNames& names);
 
 }  // namespace cambrian::creature_format

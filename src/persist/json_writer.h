@@ -26,7 +26,9 @@ public:
     static constexpr bool kReading = false;
 
     // Writes one object into `text`: begin, calls, end.
-    explicit JsonWriter(std::string& text) : text_(text) { open('{', Layout::kLines); }
+    explicit JsonWriter(std::string& text, Layout layout = Layout::kLines) : text_(text) {
+        open('{', layout);
+    }
     void end() { close('}'); }
 
     bool has(const char* /*key*/) const { return true; }

@@ -1,6 +1,7 @@
 #include "core/hash.h"
 #include "evolution/backends/thread_pool_backend.h"
 #include "evolution/evolution.h"
+#include "evolution/population_digest.h"
 #include "golden/founders.h"
 #include "golden/golden.h"
 #include "support/kinds.h"
@@ -20,22 +21,13 @@ SettingsPtr settings() {
     return made;
 }
 
-void add_population(Hash64& hash, const Evolution& evolution) {
-    for (const IndividualPtr& one : evolution.population()) {
-        hash.add(one->uid);
-        hash.add(one->genome_hash);
-        hash.add(one->result.fitness);
-        hash.add(one->result.digest);
-    }
-}
-
 void add_evolution(Digests& digests, std::size_t threads) {
     const auto backend = make_thread_pool_backend(test::kinds(), threads);
     Evolution evolution(settings(), test::kinds());
     EvaluationProgress progress;
     Hash64 all;
     while (evolution.evaluate(*backend, progress, {})) {
-        add_population(all, evolution);
+        add_population(all, evolution.population());
         if (evolution.history().size() == kGenerations) break;
         evolution.breed();
     }

@@ -1,0 +1,45 @@
+#pragma once
+
+// Text made small, as in zlib streams (RFC 1950), which the sqlite3 shell reads with
+// sqlar_uncompress().
+
+#include "core/result.h"
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <string_view>
+
+struct libdeflate_compressor;
+struct libdeflate_decompressor;
+
+namespace cambrian {
+
+class Deflater {
+public:
+    Deflater();
+    // Valid until the next call.
+    std::string_view deflate(std::string_view text);
+
+private:
+    struct Free {
+        void operator()(libdeflate_compressor* compressor) const;
+    };
+    std::unique_ptr<libdeflate_compressor, Free> compressor_;
+    std::string buffer_;
+};
+
+class Inflater {
+public:
+    Inflater();
+    // size: of the text, in bytes. Fails if that is not what the bytes hold.
+    Result<std::string> inflate(std::string_view bytes, std::size_t size);
+
+private:
+    struct Free {
+        void operator()(libdeflate_decompressor* decompressor) const;
+    };
+    std::unique_ptr<libdeflate_decompressor, Free> decompressor_;
+};
+
+}  // namespace cambrian

@@ -1,0 +1,181 @@
+#include "persist/experiment_file.h"
+
+#include "core/file_io.h"
+#include "persist/experiment_reader.h"
+#include "persist/experiment_schema.h"
+#include "persist/experiment_writer.h"
+#include "persist/file_lock.h"
+
+#include <cerrno>
+#include <fcntl.h>
+#include <system_error>
+#include <unistd.h>
+#include <utility>
+
+namespace cambrian {
+namespace {
+
+Error failure(const char* task, const std::filesystem::path& path, const std::string& reason) {
+    const std::string place = path.empty() ? "a temporary file" : path.string();
+    return Error{std::string(task) + " " + place + ": " + reason};
+}
+
+constexpr const char* kKeeping = "cannot keep the experiment in";
+constexpr const char* kOpening = "cannot open";
+
+// 0, or the error code.
+int make_empty_file(const std::filesystem::path& path) {
+    const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644);
+    if (file < 0) return errno;
+    ::close(file);
+    return 0;
+}
+
+void make_durable(Database& database) {
+    // Readers do not wait for the writer; a commit is on the disk when it returns.
+    database.execute("PRAGMA journal_mode = WAL");
+    database.execute("PRAGMA synchronous = FULL");
+}
+
+}  // namespace
+
+// An open file. The lock outlives the connection: to close any descriptor of a file takes SQLite's
+// own locks on it away.
+struct ExperimentFile::Open {
+    std::filesystem::path path;
+    FileLock lock;
+    ExperimentWriter writer;
+};
+
+ExperimentFile::ExperimentFile(std::unique_ptr<Open> open, const EvolutionKinds& kinds)
+    : kinds_(kinds), open_(std::move(open)) {}
+
+ExperimentFile::~ExperimentFile() = default;
+
+Result<std::shared_ptr<ExperimentFile>> ExperimentFile::create(const std::filesystem::path& path,
+                                                               const EvolutionKinds& kinds) {
+    FileLock lock;
+    if (!path.empty()) {
+        if (const int code = make_empty_file(path); code != 0)
+            return failure(kKeeping, path, std::generic_category().message(code));
+        Result<FileLock> taken = FileLock::take(path);
+        if (!taken) return failure(kKeeping, path, taken.error().message);
+        lock = std::move(*taken);
+    }
+    try {
+        Database database(path, Database::Access::kCreate);
+        if (!path.empty()) make_durable(database);
+        create_tables(database);
+        auto open = std::unique_ptr<Open>(
+            new Open{path, std::move(lock), ExperimentWriter(std::move(database), kinds)});
+        return std::shared_ptr<ExperimentFile>(new ExperimentFile(std::move(open), kinds));
+    } catch (const DatabaseError& error) {
+        ::unlink(path.c_str());
+        return failure(kKeeping, path, error.what());
+    }
+}
+
+template <class Write>
+Status ExperimentFile::write(Write write) {
+    const std::lock_guard guard(mutex_);
+    if (!open_->lock.in_place()) {
+        return failure(kKeeping, open_->path,
+                       "it was removed or replaced meanwhile; save the experiment elsewhere");
+    }
+    try {
+        write(open_->writer);
+    } catch (const DatabaseError& error) {
+        return failure(kKeeping, open_->path, error.what());
+    }
+    return {};
+}
+
+Status ExperimentFile::begin(const SettingsPtr& settings, const std::vector<GenomePtr>& founders) {
+    return write([&](ExperimentWriter& writer) { writer.begin(settings, founders); });
+}
+
+Status ExperimentFile::note(const NotedCommand& command) {
+    return write([&](ExperimentWriter& writer) { writer.note(command); });
+}
+
+Status ExperimentFile::record(const Evolution& evolution) {
+    return write([&](ExperimentWriter& writer) { writer.record(evolution); });
+}
+
+Status ExperimentFile::copy_into(const std::filesystem::path& temporary) const {
+    try {
+        open_->writer.copy_to(temporary);
+        return {};
+    } catch (const DatabaseError& error) {
+        ::unlink(temporary.c_str());
+        return Error{error.what()};
+    }
+}
+
+Status ExperimentFile::move_to(const std::filesystem::path& path) {
+    const std::lock_guard guard(mutex_);
+    std::error_code other;
+    if (!open_->path.empty() && open_->lock.in_place() &&
+        std::filesystem::equivalent(path, open_->path, other))
+        return {};
+    if (Status free = FileLock::check_free(path); !free)
+        return failure(kKeeping, path, free.error().message);
+    const std::filesystem::path temporary = temporary_beside(path);
+    if (Status copied = copy_into(temporary); !copied)
+        return failure(kKeeping, path, copied.error().message);
+    if (Status moved = move_into_place(temporary, path); !moved) return moved;
+    try {
+        Result<FileLock> lock = FileLock::take(path);
+        if (!lock) return failure(kKeeping, path, lock.error().message);
+        Database database(path, Database::Access::kWrite);
+        make_durable(database);
+        auto open = std::unique_ptr<Open>(
+            new Open{path, std::move(*lock), ExperimentWriter(std::move(database), kinds_)});
+        open->writer.remember(open_->writer);
+        open_ = std::move(open);
+        return {};
+    } catch (const DatabaseError& error) {
+        return failure(kKeeping, path, error.what());
+    }
+}
+
+std::filesystem::path ExperimentFile::path() const {
+    const std::lock_guard guard(mutex_);
+    return open_->path;
+}
+
+Result<OpenedExperiment> open_experiment(const std::filesystem::path& path,
+                                         const EvolutionKinds& kinds) {
+    Result<FileLock> lock = FileLock::take(path);
+    if (!lock) return failure(kOpening, path, lock.error().message);
+    try {
+        Database database(path, Database::Access::kWrite);
+        if (Status known = check_tables(database); !known)
+            return failure(kOpening, path, known.error().message);
+        make_durable(database);
+        ReadExperiment read = read_experiment(database, kinds);
+        auto open = std::unique_ptr<ExperimentFile::Open>(new ExperimentFile::Open{
+            path, std::move(*lock), ExperimentWriter(std::move(database), kinds)});
+        open->writer.remember(read.saved, read.population);
+        return OpenedExperiment{
+            std::shared_ptr<ExperimentFile>(new ExperimentFile(std::move(open), kinds)),
+            std::move(read.saved)};
+    } catch (const DatabaseError& error) {
+        return failure(kOpening, path, error.what());
+    }
+}
+
+Result<SavedExperiment> load_experiment(const std::filesystem::path& path,
+                                        const EvolutionKinds& kinds) {
+    try {
+        Database database(path, Database::Access::kRead);
+        if (Status known = check_tables(database); !known)
+            return failure(kOpening, path, known.error().message);
+        ReadExperiment read = read_experiment(database, kinds);
+        return std::move(read.saved);
+    } catch (const DatabaseError& error) {
+        return failure(kOpening, path, error.what());
+    }
+}
+
+}  // namespace cambrian

@@ -1,0 +1,148 @@
+#include "persist/experiment_reader.h"
+
+#include "evolution/population_digest.h"
+#include "persist/individual_reader.h"
+#include "persist/settings_file.h"
+#include "persist/statistics_columns.h"
+
+#include <map>
+#include <string>
+#include <utility>
+
+namespace cambrian {
+namespace {
+
+constexpr std::size_t kLargestPopulation = 100'000;
+
+RowRef row_ref(const Statement& row, int column) {
+    return {row.integer(column), row.integer(column + 1)};
+}
+
+class ExperimentReader {
+public:
+    ExperimentReader(const Database& database, const EvolutionKinds& kinds)
+        : database_(database), kinds_(kinds), individuals_(database, kinds), genotypes_(kinds) {}
+
+    ReadExperiment read() {
+        read_journal();
+        read_generations();
+        if (read_.saved.latest) read_latest();
+        return std::move(read_);
+    }
+
+private:
+    SettingsPtr settings(std::int64_t id) {
+        SettingsPtr& place = settings_[id];
+        if (place) return place;
+        Statement row = database_.prepare("SELECT toml FROM settings WHERE id = ?");
+        row.bind(id);
+        const std::string name = "settings " + std::to_string(id);
+        if (!row.step()) throw DatabaseError(name + " are missing");
+        Result<ExperimentSettings> parsed = parse_settings(row.text(0), name, kinds_);
+        if (!parsed) throw DatabaseError(parsed.error().message);
+        place = std::make_shared<const ExperimentSettings>(std::move(*parsed));
+        return place;
+    }
+
+    GenomePtr genotype(const Statement& row, int column) {
+        const std::int64_t size = row.integer(column);
+        if (size < 0) throw DatabaseError("a genotype's size is negative");
+        Result<GenomePtr> genome =
+            genotypes_.read(row.bytes(column + 1), static_cast<std::size_t>(size));
+        if (!genome) throw DatabaseError(genome.error().message);
+        return *genome;
+    }
+
+    void read_journal() {
+        Statement row = database_.prepare(
+            "SELECT generation, command, settings, share, size, genotype FROM journal ORDER BY id");
+        while (row.step()) {
+            std::uint32_t generation = 0;
+            read_column(row, 0, generation);
+            read_command(row, generation);
+        }
+        if (!read_.saved.settings) throw DatabaseError("the journal has no beginning");
+    }
+
+    void read_command(const Statement& row, std::uint32_t generation) {
+        const std::string_view command = row.text(1);
+        std::vector<NotedCommand>& journal = read_.saved.journal;
+        if ((command == "start") == (read_.saved.settings != nullptr))
+            throw DatabaseError("the journal has no beginning, or two");
+        if (command == "start") {
+            read_.saved.settings = settings(row.integer(2));
+        } else if (command == "founder") {
+            read_.saved.founders.push_back(genotype(row, 4));
+        } else if (command == "settings") {
+            journal.push_back({generation, ChangeSettings{settings(row.integer(2))}});
+        } else if (command == "inject") {
+            journal.push_back({generation, InjectGenome{genotype(row, 4)}});
+        } else if (command == "newcomers") {
+            journal.push_back({generation, AddNewcomers{row.real(3)}});
+        } else {
+            throw DatabaseError("unknown command \"" + std::string(command) + "\"");
+        }
+    }
+
+    void read_generations() {
+        const int more = static_cast<int>(kStatisticsColumns.size());
+        Statement row = database_.prepare(
+            "SELECT " + column_names<GenerationStatistics>(kStatisticsColumns) +
+            ", champion, champion_judged, settings, population_digest, audited, "
+            "audited_survivors, novelty_threshold, novelty_quiet FROM generations "
+            "ORDER BY generation");
+        EvolutionState latest;
+        while (row.step()) {
+            GenerationStatistics statistics;
+            read_columns<GenerationStatistics>(row, 0, kStatisticsColumns, statistics);
+            if (statistics.generation != latest.history.size()) {
+                throw DatabaseError("generation " + std::to_string(latest.history.size()) +
+                                    " is missing");
+            }
+            latest.history.push_back(statistics);
+            latest.generation = statistics.generation;
+            latest.settings = settings(row.integer(more + 2));
+            read_.saved.champions.push_back(
+                {statistics.generation, individuals_.read(row_ref(row, more)), latest.settings});
+            read_.saved.digests.push_back(static_cast<std::uint64_t>(row.integer(more + 3)));
+            read_column(row, more + 4, latest.bar_audit.finished);
+            read_column(row, more + 5, latest.bar_audit.survived);
+            latest.memory.threshold = row.real(more + 6);
+            read_column(row, more + 7, latest.memory.quiet_generations);
+        }
+        if (!latest.history.empty()) read_.saved.latest = std::move(latest);
+    }
+
+    void read_latest() {
+        EvolutionState& latest = *read_.saved.latest;
+        Statement place =
+            database_.prepare("SELECT individual, judged FROM population ORDER BY place");
+        while (place.step()) {
+            read_.population.push_back(row_ref(place, 0));
+            latest.population.push_back(individuals_.read(read_.population.back()));
+            if (latest.population.size() > kLargestPopulation)
+                throw DatabaseError("the population is too large");
+        }
+        Statement novel = database_.prepare("SELECT individual, judged FROM novel ORDER BY place");
+        while (novel.step())
+            latest.memory.archive.push_back(individuals_.read(row_ref(novel, 0)));
+        if (latest.population.empty() ||
+            population_digest(latest.population) != read_.saved.digests.back())
+            throw DatabaseError("the latest population is not the one that was written");
+    }
+
+    const Database& database_;
+    const EvolutionKinds& kinds_;
+    IndividualReader individuals_;
+    GenotypeReader genotypes_;
+    std::map<std::int64_t, SettingsPtr> settings_;
+    ReadExperiment read_;
+};
+
+}  // namespace
+
+ReadExperiment read_experiment(const Database& database, const EvolutionKinds& kinds) {
+    return ExperimentReader(database, kinds).read();
+}
+
+}  // namespace cambrian

@@ -1,0 +1,169 @@
+#include "persist/experiment_writer.h"
+
+#include "evolution/population_digest.h"
+#include "persist/creature_file.h"
+#include "persist/experiment_schema.h"
+#include "persist/settings_file.h"
+
+#include <utility>
+
+namespace cambrian {
+namespace {
+
+constexpr std::size_t kMoreGenerationColumns = 8;  // besides the statistics
+
+}  // namespace
+
+ExperimentWriter::ExperimentWriter(Database database, const EvolutionKinds& kinds)
+    : database_(std::move(database)),
+      kinds_(kinds),
+      kept_(database_, kinds, known_.individuals),
+      insert_settings_(database_.prepare("INSERT INTO settings (toml) VALUES (?)")),
+      insert_command_(
+          database_.prepare("INSERT INTO journal (generation, command, settings, share, size, "
+                            "genotype) VALUES (?, ?, ?, ?, ?, ?)")),
+      clear_population_(database_.prepare("DELETE FROM population")),
+      insert_place_(database_.prepare("INSERT INTO population VALUES (?, ?, ?)")),
+      clear_novel_(database_.prepare("DELETE FROM novel")),
+      insert_novel_(database_.prepare("INSERT INTO novel VALUES (?, ?, ?)")),
+      insert_generation_(database_.prepare(
+          "INSERT INTO generations VALUES (?" +
+          more_places(kStatisticsColumns.size() + kMoreGenerationColumns - 1) + ")")) {}
+
+void ExperimentWriter::remember(const SavedExperiment& saved,
+                                const std::vector<RowRef>& population) {
+    if (!saved.latest) return;
+    const EvolutionState& latest = *saved.latest;
+    for (std::size_t i = 0; i < population.size(); ++i) {
+        const IndividualPtr& individual = latest.population[i];
+        kept_.remember(individual, population[i], individual->born < latest.generation);
+    }
+    for (const ChampionRecord& champion : saved.champions)
+        kept_.hold_score(champion.individual);
+    for (const IndividualPtr& novel : latest.memory.archive)
+        kept_.hold_score(novel);
+    known_.novel = latest.memory.archive;
+}
+
+// All of it, or nothing: neither in the file nor in what is known of it.
+template <class Work>
+void ExperimentWriter::transact(Work work) {
+    Transaction transaction(database_);
+    Known before = known_;
+    try {
+        work();
+        transaction.commit();
+    } catch (...) {
+        known_ = std::move(before);
+        throw;
+    }
+}
+
+void ExperimentWriter::begin(const SettingsPtr& settings, const std::vector<GenomePtr>& founders) {
+    transact([&] {
+        insert_command("start", 0, row_of(settings), std::nullopt);
+        for (const GenomePtr& founder : founders)
+            insert_genotype("founder", 0, *founder);
+    });
+}
+
+void ExperimentWriter::note(const NotedCommand& noted) {
+    transact([&] {
+        std::visit([&](const auto& command) { insert(noted.generation, command); }, noted.command);
+    });
+}
+
+void ExperimentWriter::record(const Evolution& evolution) {
+    transact([&] {
+        insert_population(evolution);
+        insert_novel(evolution.selection_memory());
+        kept_.hold_score(evolution.population().front());
+        insert_generation(evolution);
+        kept_.drop_others(evolution.population());
+    });
+}
+
+void ExperimentWriter::copy_to(const std::filesystem::path& path) const {
+    database_.prepare("VACUUM INTO ?").run(path.string());
+}
+
+std::int64_t ExperimentWriter::row_of(const SettingsPtr& settings) {
+    if (known_.settings && *known_.settings == *settings) return known_.settings_row;
+    insert_settings_.run(write_settings(*settings, kinds_));
+    known_.settings = settings;
+    known_.settings_row = insert_settings_.inserted_row();
+    return known_.settings_row;
+}
+
+void ExperimentWriter::insert_command(const char* command, std::uint32_t generation,
+                                      std::optional<std::int64_t> settings,
+                                      std::optional<double> share) {
+    insert_command_.run(generation, command, settings, share, std::nullopt, std::nullopt);
+}
+
+void ExperimentWriter::insert_genotype(const char* command, std::uint32_t generation,
+                                       const Genome& genome) {
+    CreatureDocument document;
+    document.genome = genome;
+    const std::string text = write_creature(document, kinds_);
+    insert_command_.bind(generation, command, std::nullopt, std::nullopt,
+                         std::uint64_t{text.size()});
+    insert_command_.bind_bytes(deflater_.deflate(text));
+    insert_command_.finish();
+}
+
+void ExperimentWriter::insert(std::uint32_t generation, const ChangeSettings& command) {
+    insert_command("settings", generation, row_of(command.settings), std::nullopt);
+}
+
+void ExperimentWriter::insert(std::uint32_t generation, const InjectGenome& command) {
+    insert_genotype("inject", generation, *command.genome);
+}
+
+void ExperimentWriter::insert(std::uint32_t generation, const AddNewcomers& command) {
+    insert_command("newcomers", generation, std::nullopt, command.share);
+}
+
+void ExperimentWriter::insert_population(const Evolution& evolution) {
+    clear_population_.run();
+    std::uint64_t place = 0;
+    for (const IndividualPtr& individual : evolution.population()) {
+        const RowRef row = kept_.keep(individual, evolution.generation());
+        insert_place_.run(++place, row.individual, row.judged);
+    }
+}
+
+// Those that became novel when the last generation was bred; all if the memory begins anew.
+void ExperimentWriter::insert_novel(const SelectionMemory& memory) {
+    const std::vector<IndividualPtr>& archive = memory.archive;
+    std::size_t known = known_.novel.size();
+    if (archive.size() < known || (known > 0 && archive[known - 1] != known_.novel.back())) {
+        clear_novel_.run();
+        known = 0;
+    }
+    for (std::size_t i = known; i < archive.size(); ++i) {
+        const RowRef row = kept_.row_of(*archive[i]);
+        insert_novel_.run(std::uint64_t{i + 1}, row.individual, row.judged);
+        kept_.hold_score(archive[i]);
+    }
+    known_.novel = archive;
+}
+
+void ExperimentWriter::insert_generation(const Evolution& evolution) {
+    const RowRef champion = kept_.row_of(*evolution.population().front());
+    const SelectionMemory& memory = evolution.selection_memory();
+    insert_generation_.restart();
+    bind_columns<GenerationStatistics>(insert_generation_, kStatisticsColumns,
+                                       evolution.history().back());
+    insert_generation_.bind_next(champion.individual);
+    insert_generation_.bind_next(champion.judged);
+    insert_generation_.bind_next(row_of(evolution.shared_settings()));
+    insert_generation_.bind_next(population_digest(evolution.population()));
+    insert_generation_.bind_next(evolution.bar_audit().finished);
+    insert_generation_.bind_next(evolution.bar_audit().survived);
+    insert_generation_.bind_next(memory.threshold);
+    insert_generation_.bind_next(memory.quiet_generations);
+    insert_generation_.finish();
+}
+
+}  // namespace cambrian

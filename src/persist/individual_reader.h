@@ -1,0 +1,44 @@
+#pragma once
+
+// Creatures of an experiment file with their lines of descent. Throws DatabaseError for whatever is
+// missing or cannot be.
+
+#include "evolution/individual.h"
+#include "persist/database.h"
+#include "persist/genotype_text.h"
+#include "persist/kept_individuals.h"
+
+#include <cstdint>
+#include <map>
+#include <utility>
+
+namespace cambrian {
+
+class IndividualReader {
+public:
+    IndividualReader(const Database& database, const EvolutionKinds& kinds);
+
+    // The same pointer for the same row.
+    IndividualPtr read(const RowRef& row);
+
+private:
+    struct Row {
+        Individual individual;  // with the summary of its score
+        std::int64_t mother = 0;
+    };
+
+    Row read_row(std::int64_t id);
+    GenomePtr read_genome(std::int64_t id, std::uint64_t hash);
+    EvaluationResult read_result(const RowRef& row);
+    IndividualPtr ancestor(std::int64_t id, std::int64_t child);
+
+    GenotypeReader genotypes_;
+    Statement select_individual_;
+    Statement select_genotype_;
+    Statement select_result_;
+    std::map<std::int64_t, GenomePtr> genomes_;
+    std::map<std::int64_t, IndividualPtr> ancestors_;
+    std::map<std::pair<std::int64_t, std::int64_t>, IndividualPtr> individuals_;
+};
+
+}  // namespace cambrian

@@ -1,0 +1,310 @@
+#include "persist/experiment_file.h"
+
+#include "evolution/population_digest.h"
+#include "persist/experiment_schema.h"
+#include "persist/settings_file.h"
+#include "persist/steered_run.h"
+#include "support/temporary_directory.h"
+
+#include <cmath>
+#include <fstream>
+
+using namespace cambrian;
+using namespace cambrian::test;
+
+namespace {
+
+SettingsPtr shared(const ExperimentSettings& settings) {
+    return std::make_shared<const ExperimentSettings>(settings);
+}
+
+// A file of a run of so many generations; closed again.
+void write_run(const std::filesystem::path& path, const ExperimentSettings& settings,
+               std::size_t generations, const std::vector<NotedCommand>& steering = {}) {
+    const auto file = ExperimentFile::create(path, kinds());
+    REQUIRE(file);
+    REQUIRE((*file)->begin(shared(settings), {}));
+    Evolution evolution(shared(settings), kinds());
+    run_on(evolution, **file, generations, steering);
+}
+
+std::vector<std::uint64_t> digests_of(const std::filesystem::path& path) {
+    const auto saved = load_experiment(path, kinds());
+    INFO((saved ? "" : saved.error().message));
+    REQUIRE(saved);
+    return saved->digests;
+}
+
+void check_equal(const Individual& a, const Individual& b) {
+    CHECK(a.uid == b.uid);
+    CHECK(a.born == b.born);
+    CHECK(a.body_born == b.body_born);
+    CHECK(a.parents == b.parents);
+    CHECK(a.method == b.method);
+    CHECK(a.genome_hash == b.genome_hash);
+    CHECK(*a.genome == *b.genome);
+    CHECK(a.genome->hue == b.genome->hue);
+    CHECK(a.mutations.size() == b.mutations.size());
+    CHECK(a.result.fitness == b.result.fitness);
+    CHECK(a.result.outcome == b.result.outcome);
+    CHECK(a.result.reason == b.result.reason);
+    CHECK(a.result.digest == b.result.digest);
+    CHECK(a.result.phenotype == b.result.phenotype);
+    CHECK(a.result.behavior == b.result.behavior);
+    CHECK(a.result.work == b.result.work);
+    CHECK(a.result.verdict == b.result.verdict);
+    CHECK(a.result.finer == b.result.finer);
+    CHECK(a.result.audit.energy_residual == b.result.audit.energy_residual);
+    CHECK(a.result.audit.fallbacks == b.result.audit.fallbacks);
+}
+
+std::string refusal(const std::filesystem::path& path) {
+    const auto opened = open_experiment(path, kinds());
+    REQUIRE_FALSE(opened);
+    return opened.error().message;
+}
+
+}  // namespace
+
+TEST_CASE("a population comes back as it was written", "[persist][experiment_file]") {
+    const TemporaryDirectory folder;
+    const auto file = ExperimentFile::create(folder / "a.cambrian", kinds());
+    REQUIRE(file);
+    const SettingsPtr settings = shared(small_settings());
+    REQUIRE((*file)->begin(settings, {}));
+    Evolution evolution(settings, kinds());
+    run_on(evolution, **file, 4);
+    const auto saved = load_experiment(folder / "a.cambrian", kinds());
+    REQUIRE(saved);
+    REQUIRE(saved->latest);
+    CHECK(saved->latest->generation == 3);
+    CHECK(write_settings(*saved->latest->settings, kinds()) == write_settings(*settings, kinds()));
+    REQUIRE(saved->latest->population.size() == evolution.population().size());
+    for (std::size_t i = 0; i < evolution.population().size(); ++i)
+        check_equal(*saved->latest->population[i], *evolution.population()[i]);
+    CHECK(saved->digests.back() == population_digest(evolution.population()));
+    CHECK(saved->champions.size() == 4);
+    CHECK(saved->latest->history.back().best == evolution.history().back().best);
+}
+
+TEST_CASE("lines of descent come back to their beginning", "[persist][experiment_file]") {
+    const TemporaryDirectory folder;
+    const auto file = ExperimentFile::create(folder / "a.cambrian", kinds());
+    const SettingsPtr settings = shared(small_settings());
+    REQUIRE((*file)->begin(settings, {}));
+    Evolution evolution(settings, kinds());
+    run_on(evolution, **file, 8);
+    const auto saved = load_experiment(folder / "a.cambrian", kinds());
+    REQUIRE(saved);
+    std::size_t generations = 0;
+    for (std::size_t i = 0; i < evolution.population().size(); ++i) {
+        IndividualPtr original = evolution.population()[i];
+        IndividualPtr copy = saved->latest->population[i];
+        for (; original; ++generations) {
+            REQUIRE(copy);
+            CHECK(copy->uid == original->uid);
+            CHECK(copy->result.fitness == original->result.fitness);
+            CHECK(*copy->genome == *original->genome);
+            original = original->mother.get();
+            copy = copy->mother.get();
+        }
+        CHECK_FALSE(copy);
+    }
+    CHECK(generations > 2 * evolution.population().size());
+}
+
+TEST_CASE("resumed at any generation a run goes on as if never stopped",
+          "[persist][experiment_file]") {
+    const std::string selection =
+        GENERATE("truncation", "roulette", "novelty", "map-elites", "age-protection");
+    const TemporaryDirectory folder;
+    constexpr std::size_t kGenerations = 6;
+    ExperimentSettings settings = small_settings(selection);
+    settings.stop_hopeless = selection == "truncation";
+    const auto steering = some_steering(settings);
+    write_run(folder / "whole.cambrian", settings, kGenerations, steering);
+    const auto expected = digests_of(folder / "whole.cambrian");
+    for (std::size_t stop = 1; stop < kGenerations; ++stop) {
+        const std::filesystem::path path = folder / ("stopped" + std::to_string(stop));
+        write_run(path, settings, stop, steering);
+        {
+            auto opened = open_experiment(path, kinds());
+            REQUIRE(opened);
+            Evolution evolution = resumed(opened->saved, kinds());
+            CHECK(evolution.generation() == stop);
+            run_on(evolution, *opened->file, kGenerations, steering);
+        }
+        CHECK(digests_of(path) == expected);
+    }
+}
+
+TEST_CASE("commands given to a generation that was never finished are not lost",
+          "[persist][experiment_file]") {
+    const TemporaryDirectory folder;
+    const ExperimentSettings settings = small_settings();
+    write_run(folder / "a.cambrian", settings, 2);
+    ExperimentSettings moon = settings;
+    moon.world.environment.gravity = 1.62;
+    {
+        const auto opened = open_experiment(folder / "a.cambrian", kinds());
+        REQUIRE(opened);
+        REQUIRE(opened->file->note({2, ChangeSettings{shared(moon)}}));
+    }
+    const auto saved = load_experiment(folder / "a.cambrian", kinds());
+    REQUIRE(saved);
+    const Evolution evolution = resumed(*saved, kinds());
+    CHECK(evolution.settings().world.environment.gravity == 1.62);
+    CHECK(setting_changes(*saved).size() == 2);
+}
+
+TEST_CASE("an experiment that has not begun to be judged keeps its founders",
+          "[persist][experiment_file]") {
+    const TemporaryDirectory folder;
+    const GenomePtr founder = crawler(kinds().creature.catalog);
+    {
+        const auto file = ExperimentFile::create(folder / "a.cambrian", kinds());
+        REQUIRE((*file)->begin(shared(small_settings()), {founder}));
+    }
+    const auto opened = open_experiment(folder / "a.cambrian", kinds());
+    REQUIRE(opened);
+    CHECK_FALSE(opened->saved.latest);
+    const Evolution evolution = resumed(opened->saved, kinds());
+    CHECK(*evolution.population().front()->genome == *founder);
+}
+
+TEST_CASE("minus zero is not zero in a file", "[persist][experiment_file]") {
+    Database database({}, Database::Access::kCreate);
+    database.execute("CREATE TABLE t (" + column_definitions<Behavior>(kBehaviorColumns) + ")");
+    Behavior behavior;
+    behavior.travel = -0.0;
+    Statement insertion = database.prepare("INSERT INTO t VALUES (?" + more_places(6) + ")");
+    insertion.restart();
+    bind_columns<Behavior>(insertion, kBehaviorColumns, behavior);
+    insertion.finish();
+    Statement selection = database.prepare("SELECT * FROM t");
+    REQUIRE(selection.step());
+    Behavior read;
+    read_columns<Behavior>(selection, 0, kBehaviorColumns, read);
+    CHECK(std::signbit(read.travel));
+}
+
+TEST_CASE("genotypes of those who neither survived nor bore are let go",
+          "[persist][experiment_file]") {
+    const TemporaryDirectory folder;
+    write_run(folder / "a.cambrian", small_settings(), 12);
+    const Database database(folder / "a.cambrian", Database::Access::kRead);
+    const auto individuals = database.integer("SELECT count(*) FROM individuals");
+    const auto genotypes = database.integer("SELECT count(*) FROM genotypes");
+    const auto results = database.integer("SELECT count(*) FROM results");
+    CHECK(individuals > 100);
+    CHECK(genotypes < individuals * 2 / 3);
+    CHECK(results <= 14 + 12);
+    CHECK(database.integer("SELECT count(*) FROM generations JOIN genotypes ON individual = "
+                           "champion") == 12);
+}
+
+TEST_CASE("an experiment moves to another file and goes on there", "[persist][experiment_file]") {
+    const TemporaryDirectory folder;
+    const auto steering = some_steering(small_settings());
+    write_run(folder / "whole.cambrian", small_settings(), 6, steering);
+    const std::string origin = GENERATE("a.cambrian", "");
+    const auto file =
+        ExperimentFile::create(origin.empty() ? std::filesystem::path() : folder / origin, kinds());
+    REQUIRE(file);
+    const SettingsPtr settings = shared(small_settings());
+    REQUIRE((*file)->begin(settings, {}));
+    Evolution evolution(settings, kinds());
+    run_on(evolution, **file, 3, steering);
+    std::ofstream(folder / "b.cambrian") << "something else";
+    REQUIRE((*file)->move_to(folder / "b.cambrian"));
+    CHECK((*file)->path() == folder / "b.cambrian");
+    run_on(evolution, **file, 6, steering);
+    CHECK(digests_of(folder / "b.cambrian") == digests_of(folder / "whole.cambrian"));
+    if (!origin.empty()) CHECK(digests_of(folder / origin).size() == 3);
+}
+
+TEST_CASE("an experiment that is removed or replaced is not written to",
+          "[persist][experiment_file]") {
+    const TemporaryDirectory folder;
+    const auto file = ExperimentFile::create(folder / "a.cambrian", kinds());
+    const SettingsPtr settings = shared(small_settings());
+    REQUIRE((*file)->begin(settings, {}));
+    Evolution evolution(settings, kinds());
+    run_on(evolution, **file, 1);
+    std::filesystem::remove(folder / "a.cambrian");
+    const Status refused = (*file)->record(evolution);
+    REQUIRE_FALSE(refused);
+    CHECK_THAT(refused.error().message, Catch::Contains("removed or replaced"));
+    CHECK_FALSE(std::filesystem::exists(folder / "a.cambrian"));
+    REQUIRE((*file)->move_to(folder / "b.cambrian"));
+    CHECK(digests_of(folder / "b.cambrian").size() == 1);
+}
+
+TEST_CASE("one experiment is open in one place only", "[persist][experiment_file]") {
+    const TemporaryDirectory folder;
+    write_run(folder / "a.cambrian", small_settings(), 1);
+    const auto opened = open_experiment(folder / "a.cambrian", kinds());
+    REQUIRE(opened);
+    CHECK_THAT(refusal(folder / "a.cambrian"), Catch::Contains("open in another window"));
+    CHECK(load_experiment(folder / "a.cambrian", kinds()));
+}
+
+TEST_CASE("what is no experiment is refused and stays as it was", "[persist][experiment_file]") {
+    const TemporaryDirectory folder;
+    CHECK_THAT(refusal(folder / "none.cambrian"), Catch::Contains("No such file"));
+    CHECK_FALSE(std::filesystem::exists(folder / "none.cambrian"));
+    std::ofstream(folder / "text.cambrian") << std::string(5000, 'x');
+    CHECK_THAT(refusal(folder / "text.cambrian"), Catch::Contains("not an SQLite database"));
+    std::ofstream(folder / "empty.cambrian").flush();
+    CHECK_THAT(refusal(folder / "empty.cambrian"), Catch::Contains("another program's"));
+    {
+        Database(folder / "other.cambrian", Database::Access::kCreate)
+            .execute("CREATE TABLE t (a)");
+    }
+    CHECK_THAT(refusal(folder / "other.cambrian"), Catch::Contains("another program's"));
+    CHECK(std::filesystem::file_size(folder / "empty.cambrian") == 0);
+    const auto existing = ExperimentFile::create(folder / "text.cambrian", kinds());
+    REQUIRE_FALSE(existing);
+    CHECK_THAT(existing.error().message, Catch::Contains("File exists"));
+}
+
+TEST_CASE("whatever is wrong inside an experiment is one message", "[persist][experiment_file]") {
+    const auto [sql, words] = GENERATE(table<std::string, std::string>({
+        {"PRAGMA user_version = 99", "its version 99 is newer than this program (1)"},
+        {"PRAGMA user_version = 0", "its version 0 never existed"},
+        {"DROP TABLE novel", "table \"novel\" is missing"},
+        {"ALTER TABLE novel ADD COLUMN more", "table \"novel\" has other columns"},
+        {"DELETE FROM journal", "the journal has no beginning"},
+        {"UPDATE journal SET command = 'explode' WHERE id = 2", "unknown command \"explode\""},
+        {"DELETE FROM generations WHERE generation = 1", "generation 1 is missing"},
+        {"UPDATE generations SET best = 'good'", "column \"best\": expected a number"},
+        {"UPDATE settings SET toml = 'nonsense'", "settings 1"},
+        {"DELETE FROM results", "its score is missing"},
+        {"DELETE FROM genotypes", "its genotype is missing"},
+        {"UPDATE genotypes SET document = x'00'", "cannot be decompressed"},
+        {"UPDATE genotypes SET size = -1", "size is negative"},
+        {"UPDATE genotypes SET size = 100000000", "genotype too large"},
+        {"UPDATE genotypes SET document = (SELECT document FROM genotypes LIMIT 1), "
+         "size = (SELECT size FROM genotypes LIMIT 1)",
+         "its genotype is another's"},
+        {"UPDATE individuals SET mother = id", "it is older than its mother"},
+        {"UPDATE individuals SET mother = 1000000 WHERE mother IS NOT NULL",
+         "it is older than its mother"},
+        {"UPDATE individuals SET mutations = '[1]'", "mutations"},
+        {"UPDATE individuals SET born = -1", "-1 is too large or too small"},
+        {"UPDATE results SET outcome = 'won'", "\"won\" is no outcome"},
+        {"UPDATE results SET travel = 9e999", "travel is not a number"},
+        {"UPDATE results SET fitness = 7", "not the one that was written"},
+        {"DELETE FROM population WHERE place = 3", "not the one that was written"},
+        {"DELETE FROM population", "not the one that was written"},
+        {"UPDATE population SET individual = 99999", "is missing"},
+    }));
+    const TemporaryDirectory folder;
+    const auto path = folder / "a.cambrian";
+    write_run(path, small_settings(), 3, {{1, AddNewcomers{0.3}}});
+    Database(path, Database::Access::kWrite).execute(sql);
+    INFO(sql);
+    CHECK_THAT(refusal(path), Catch::Contains(words) && Catch::Contains(path.string()));
+    const auto loaded = load_experiment(path, kinds());
+    CHECK_FALSE(loaded);
+}

@@ -1,0 +1,2 @@
+find_package(SQLite3 3.37 REQUIRED)
+cambrian_wrap(sqlite SQLite::SQLite3)
