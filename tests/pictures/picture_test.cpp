@@ -122,16 +122,17 @@ TEST_CASE("a score stands beside the trial it was given for only", "[pictures][s
     document.genome = *test::crawler(test::kinds().creature.catalog);
     ExperimentSettings settings;
     settings.world.trial.duration = 0.5;
-    document.scored = ScoredRecord{.world = settings.world,
-                                   .expression = settings.expression,
-                                   .goal = settings.goal,
-                                   .fitness = 42.0,
-                                   .unit = "BL/s"};
+    ScoredRecord& scored = document.scored.emplace();
+    scored.world = settings.world;
+    scored.expression = settings.expression;
+    scored.goal = settings.goal;
+    scored.fitness = 42.0;
+    scored.unit = "BL/s";
     const auto own = subject_of(document, settings, "", test::kinds());
     REQUIRE(own);
     CHECK(own->fitness == "42 BL/s");
     CHECK(own->verified == false);
-    document.scored->trajectory = own->trial.record.digest;
+    scored.trajectory = own->trial.record.digest;
     CHECK(subject_of(document, settings, "", test::kinds()).value().verified == true);
     settings.world.environment.gravity *= 0.5;
     const auto elsewhere = subject_of(document, settings, "", test::kinds());

@@ -78,7 +78,7 @@ void FilePanel::draw(const FrameContext& frame, Requests& out) {
     }
     draw_places(frame, out);
     const bool creature = frame.files.task == FileTask::kSaveCreature;
-    const float foot = px(30) * 2 + px(34) + (creature ? px(38) : 0.0F);
+    const float foot = px(30) * 2 + px(34) + (creature ? px(50) : 0.0F);
     ImGui::BeginChild("entries", {0, -foot}, false, ImGuiWindowFlags_NoBackground);
     draw_entries(frame, out);
     ImGui::EndChild();
@@ -124,6 +124,7 @@ void FilePanel::draw_format() {
         {"*.creature.json: the creature as text, to be opened again or read by other programs",
          "*.card.png: a picture of the creature that carries all of it inside. Whoever gets the "
          "picture can drop it on the window."});
+    ImGui::Dummy({0, px(2)});
     if (chosen < 0) return;
     write_name(with_ending(name, chosen == 1 ? kCardEnding : ".creature.json"));
     focus_wanted_ = true;
