@@ -12,6 +12,9 @@ SubcommandRegistry builtin_subcommands() {
     subcommands.add(render_subcommand());
     subcommands.add(verify_subcommand());
     subcommands.add(settings_subcommand());
+    subcommands.add(schema_subcommand());
+    subcommands.add(manual_subcommand());
+    subcommands.add(completion_subcommand());
     return subcommands;
 }
 

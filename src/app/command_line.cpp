@@ -1,6 +1,7 @@
 #include "app/command_line.h"
 
 #include "app/builtin_kinds.h"
+#include "app/command_tree.h"
 #include "app/subcommand.h"
 
 #include <CLI/CLI.hpp>
@@ -19,7 +20,15 @@ struct Offered {
     std::unique_ptr<Subcommand> subcommand;
 };
 
+constexpr const char* kProgram = "cambrian";
+constexpr const char* kSummary =
+    "Cambrian: evolve creatures in two dimensions. Without a subcommand: the studio.";
+
+// Declares everything the program can be asked on its command line.
 std::vector<Offered> offer_all(CLI::App& app) {
+    app.set_version_flag("--version", "cambrian " CAMBRIAN_VERSION, "Tell the version and exit");
+    app.require_subcommand(0, 1);
+    app.footer("`cambrian SUBCOMMAND --help` explains one of them, with an example.");
     std::vector<Offered> offered;
     const SubcommandRegistry subcommands = builtin_subcommands();
     for (const SubcommandKind& kind : subcommands.all()) {
@@ -43,12 +52,14 @@ Subcommand* chosen(const std::vector<Offered>& offered) {
 
 }  // namespace
 
+Command command_tree() {
+    CLI::App app(kSummary, kProgram);
+    const std::vector<Offered> offered = offer_all(app);
+    return describe(app);
+}
+
 ExitStatus run_command_line(int argc, char** argv) {
-    CLI::App app("Cambrian: evolve creatures in two dimensions. Without a subcommand: the studio.",
-                 "cambrian");
-    app.set_version_flag("--version", "cambrian " CAMBRIAN_VERSION);
-    app.require_subcommand(0, 1);
-    app.footer("`cambrian SUBCOMMAND --help` explains one of them, with an example.");
+    CLI::App app(kSummary, kProgram);
     const std::vector<Offered> offered = offer_all(app);
     try {
         app.parse(argc, argv);

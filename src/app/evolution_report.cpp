@@ -83,6 +83,10 @@ std::string json_of(const GenerationStatistics& statistics, const std::string& u
          {"unit", quoted_text(unit)}});
 }
 
+std::string json_of_path(const std::filesystem::path& path) {
+    return path.empty() ? "null" : quoted_text(path.string());
+}
+
 }  // namespace
 
 std::string origin_in_words(const Individual& individual) {
@@ -105,13 +109,14 @@ std::string generation_line(const GenerationStatistics& statistics, const std::s
 }
 
 std::string final_line(std::span<const GenerationStatistics> history, const std::string& unit,
-                       const Individual& champion, const std::filesystem::path& file,
+                       const Individual& champion, const RunOutputs& files,
                        std::string_view stopped_by, bool json) {
     const GenerationStatistics& first = history.front();
     const GenerationStatistics& last = history.back();
     const bool interrupted = stopped_by == "interruption";
     if (json) {
-        return json_object({{"champion", quoted_text(file.string())},
+        return json_object({{"champion", json_of_path(files.champion)},
+                            {"experiment", json_of_path(files.experiment)},
                             {"uid", quoted_text(hex_text(champion.uid))},
                             {"born", std::to_string(champion.born)},
                             {"method", quoted_text(champion.method)},
@@ -124,10 +129,14 @@ std::string final_line(std::span<const GenerationStatistics> history, const std:
                             {"stopped_by", quoted_text(stopped_by)},
                             {"interrupted", json_truth(interrupted)}});
     }
-    return std::string(interrupted ? "interrupted; best" : "best") + " of generation " +
-           std::to_string(first.generation) + ": " + fixed(first.best) + " " + unit +
-           ", of generation " + std::to_string(last.generation) + ": " + fixed(last.best) + " " +
-           unit + "\nchampion: " + file.string() + " (" + origin_in_words(champion) + ")";
+    std::string text = std::string(interrupted ? "interrupted; best" : "best") + " of generation " +
+                       std::to_string(first.generation) + ": " + fixed(first.best) + " " + unit +
+                       ", of generation " + std::to_string(last.generation) + ": " +
+                       fixed(last.best) + " " + unit + "\nchampion: ";
+    if (!files.champion.empty()) text += files.champion.string() + " ";
+    text += "(" + origin_in_words(champion) + ")";
+    if (!files.experiment.empty()) text += "\nexperiment: " + files.experiment.string();
+    return text;
 }
 
 }  // namespace cambrian

@@ -3,14 +3,15 @@
 #include "app/evolution_report.h"
 #include "app/interruption.h"
 #include "app/messages.h"
-#include "app/output_path.h"
 #include "app/progress_bar.h"
+#include "app/run_outputs.h"
 #include "core/thread_pool.h"
 #include "evolution/backends/thread_pool_backend.h"
 #include "evolution/evolution.h"
 #include "evolution/setting_field.h"
 #include "evolution/stopping.h"
 #include "persist/creature_file.h"
+#include "persist/experiment_file.h"
 #include "persist/settings_file.h"
 
 #include <memory>
@@ -61,28 +62,88 @@ Result<std::filesystem::path> save_champion(const std::filesystem::path& path,
     return Error{saved.error().message + "; the champion is in " + refuge.string()};
 }
 
-// What an evolution came to.
-struct Harvest {
-    IndividualPtr champion;       // of the last generation evaluated; null if there was none
-    std::string_view stopped_by;  // a stop_reason() or "interruption"
+// What is run: from a generation on, until when, and where it is kept.
+struct Course {
+    Evolution evolution;
+    ExperimentSettings limits;  // say when it is over
+    std::shared_ptr<ExperimentFile> file;
+    RunOutputs outputs;
 };
 
-// Evaluates and breeds until the run is over.
-Harvest evolve(Evolution& evolution, EvaluationBackend& backend, const std::string& unit,
-               bool json) {
+Result<Course> new_course(const EvolutionRun& run, const EvolutionKinds& kinds) {
+    const Result<SettingsPtr> settings = settings_of(run, kinds);
+    if (!settings) return settings.error();
+    for (const std::string& warning : setting_warnings(**settings, kinds))
+        say(warning);
+    const auto founders = founders_of(run, (*settings)->population.size, kinds);
+    if (!founders) return founders.error();
+    Result<RunOutputs> outputs = run_outputs(run.out, **settings);
+    if (!outputs) return outputs.error();
+    std::shared_ptr<ExperimentFile> file;
+    if (!outputs->experiment.empty()) {
+        auto created = ExperimentFile::create(outputs->experiment, kinds);
+        if (!created) return created.error();
+        file = *created;
+        if (const Status begun = file->begin(*settings, *founders); !begun) return begun.error();
+    }
+    return Course{Evolution(*settings, kinds, *founders), **settings, std::move(file),
+                  *std::move(outputs)};
+}
+
+Result<Course> resumed_course(const EvolutionRun& run, const EvolutionKinds& kinds) {
+    Result<OpenedExperiment> opened = open_experiment(run.resume, kinds);
+    if (!opened) return opened.error();
+    const SavedExperiment& saved = opened->saved;
+    ExperimentSettings limits = saved.latest ? *saved.latest->settings : *saved.settings;
+    limits.generations = run.generations.value_or(limits.generations);
+    if (saved.latest && !stop_reason(saved.latest->history, limits).empty()) {
+        return Error{run.resume + ": has come to its end, " +
+                     std::to_string(saved.latest->history.size()) +
+                     " generations; --generations N asks for more"};
+    }
+    Result<RunOutputs> outputs = run.out.empty() ? RunOutputs{} : run_outputs(run.out, limits);
+    if (!outputs) return outputs.error();
+    outputs->experiment = run.resume;
+    return Course{resumed(saved, kinds), std::move(limits), std::move(opened->file),
+                  *std::move(outputs)};
+}
+
+Result<Course> course_of(const EvolutionRun& run, const EvolutionKinds& kinds) {
+    if (!run.resume.empty()) return resumed_course(run, kinds);
+    if (run.settings_file.empty())
+        return Error{"a settings file to begin with, or --resume FILE, is required"};
+    return new_course(run, kinds);
+}
+
+// What an evolution came to.
+struct Harvest {
+    IndividualPtr champion;       // of the last generation kept; null if there was none
+    SettingsPtr settings;         // that judged it
+    std::string_view stopped_by;  // a stop_reason(), "interruption" or "failure"
+    Status kept;
+};
+
+// Evaluates, keeps and breeds until the run is over.
+Harvest evolve(Course& course, EvaluationBackend& backend, const std::string& unit, bool json) {
     Harvest harvest;
     const Interruption interruption;
     EvaluationProgress progress;
-    const auto generations = static_cast<std::uint32_t>(evolution.settings().generations);
-    ProgressBar bar(progress, generations);
+    Evolution& evolution = course.evolution;
+    ProgressBar bar(progress, static_cast<std::uint32_t>(course.limits.generations));
     for (;;) {
         if (!evolution.evaluate(backend, progress, interruption.token())) {
             harvest.stopped_by = "interruption";
             return harvest;
         }
+        if (course.file) harvest.kept = course.file->record(evolution);
+        if (!harvest.kept) {
+            harvest.stopped_by = "failure";
+            return harvest;
+        }
         harvest.champion = evolution.population().front();
+        harvest.settings = evolution.shared_settings();
         bar.finish_generation(generation_line(evolution.history().back(), unit, json));
-        harvest.stopped_by = stop_reason(evolution.history(), evolution.settings());
+        harvest.stopped_by = stop_reason(evolution.history(), course.limits);
         if (harvest.stopped_by.empty() && interruption.requested())
             harvest.stopped_by = "interruption";
         if (!harvest.stopped_by.empty()) return harvest;
@@ -90,36 +151,45 @@ Harvest evolve(Evolution& evolution, EvaluationBackend& backend, const std::stri
     }
 }
 
+// The champion's file and the words about it.
+ExitStatus report(const Course& course, const Harvest& harvest, const std::string& unit, bool json,
+                  const EvolutionKinds& kinds) {
+    RunOutputs outputs = course.outputs;
+    if (!outputs.champion.empty()) {
+        CreatureDocument champion = creature_document(*harvest.champion, *harvest.settings, kinds);
+        recompute_score(champion, kinds);
+        const auto saved = save_champion(outputs.champion, champion, kinds);
+        if (!saved) return fail(saved.error(), ExitStatus::kFailed);
+        outputs.champion = *saved;
+    }
+    print_line(final_line(course.evolution.history(), unit, *harvest.champion, outputs,
+                          harvest.stopped_by, json));
+    return ExitStatus::kDone;
+}
+
+void say_how_to_go_on(const Course& course) {
+    if (course.file)
+        say("to go on: cambrian evolve --resume " + course.outputs.experiment.string());
+}
+
 }  // namespace
 
 ExitStatus run_evolution(const EvolutionRun& run, const EvolutionKinds& kinds) {
-    const Result<SettingsPtr> settings = settings_of(run, kinds);
-    if (!settings) return fail(settings.error());
-    for (const std::string& warning : setting_warnings(**settings, kinds))
-        say(warning);
-    const auto founders = founders_of(run, (*settings)->population.size, kinds);
-    if (!founders) return fail(founders.error());
-    const Result<std::filesystem::path> path =
-        output_path(run.out, "champion-" + (*settings)->goal + "-seed" +
-                                 std::to_string((*settings)->seed) + ".creature.json");
-    if (!path) return fail(path.error());
-
+    Result<Course> course = course_of(run, kinds);
+    if (!course) return fail(course.error());
     const auto backend =
         make_thread_pool_backend(kinds, run.threads.value_or(ThreadPool::default_workers()));
-    const std::string unit = kinds.goals.find((*settings)->goal)->unit;
-    Evolution evolution(*settings, kinds, *founders);
-    const Harvest harvest = evolve(evolution, *backend, unit, run.json);
-    if (!harvest.champion)
-        return fail({"interrupted before the first generation was judged; nothing to save"},
-                    ExitStatus::kFailed);
-
-    CreatureDocument champion = creature_document(*harvest.champion, **settings, kinds);
-    recompute_score(champion, kinds);
-    const auto saved = save_champion(*path, champion, kinds);
-    if (!saved) return fail(saved.error(), ExitStatus::kFailed);
-    print_line(final_line(evolution.history(), unit, *harvest.champion, *saved, harvest.stopped_by,
-                          run.json));
-    return ExitStatus::kDone;
+    const std::string unit = kinds.goals.find(course->limits.goal)->unit;
+    const Harvest harvest = evolve(*course, *backend, unit, run.json);
+    ExitStatus status = ExitStatus::kFailed;
+    if (harvest.champion) {
+        status = report(*course, harvest, unit, run.json, kinds);
+    } else if (harvest.kept) {
+        say("interrupted before a generation was judged");
+    }
+    if (!harvest.kept) status = fail(harvest.kept.error(), ExitStatus::kFailed);
+    if (harvest.stopped_by == "interruption" || !harvest.kept) say_how_to_go_on(*course);
+    return status;
 }
 
 }  // namespace cambrian

@@ -1,7 +1,8 @@
 #pragma once
 
-// An unattended evolution: generation after generation with a report of each, and the champion's
-// file at the end. What `cambrian evolve` does, and `cambrian studio` where there is no display.
+// An unattended evolution: generation after generation with a report of each, kept in an experiment
+// file, and the champion's file at the end. What `cambrian evolve` does, and `cambrian studio`
+// where there is no display.
 
 #include "app/exit_status.h"
 #include "evolution/evolution_kinds.h"
@@ -16,12 +17,13 @@
 namespace cambrian {
 
 struct EvolutionRun {
-    std::string settings_file;
+    std::string settings_file;           // empty to resume
+    std::string resume;                  // experiment file to go on with
     std::vector<std::string> founders;   // creature files to begin with; empty: random creatures
     std::optional<int> generations;      // instead of the file's
     std::optional<std::uint64_t> seed;   // instead of the file's
     std::optional<std::size_t> threads;  // one a core if absent; never changes a result
-    std::string out;                     // file or folder; empty: the current folder
+    std::string out;                     // see run_outputs(); empty to resume: no more files
     bool json = false;                   // a JSON object a line instead of words
 };
 

@@ -2,6 +2,7 @@
 
 #include "app/evolution_run.h"
 #include "app/messages.h"
+#include "app/option_types.h"
 
 #include <CLI/CLI.hpp>
 
@@ -9,7 +10,8 @@ namespace cambrian {
 
 void WithoutWindow::add_options(CLI::App& app) {
     app.add_option("--if-no-display", settings_,
-                   "Where no window can be opened, evolve these settings instead");
+                   "Where no window can be opened, evolve these settings instead")
+        ->type_name(option_type::kSettings);
 }
 
 ExitStatus WithoutWindow::run(const Error& reason, const EvolutionKinds& kinds) const {

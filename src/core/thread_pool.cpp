@@ -18,7 +18,7 @@ struct ThreadPool::Range {
     std::exception_ptr failure;  // guarded by failure_mutex
 };
 
-ThreadPool::ThreadPool(std::size_t workers) {
+ThreadPool::ThreadPool(std::size_t workers, ThreadPriority priority) : priority_(priority) {
     CAMBRIAN_ASSERT(workers >= 1, "a pool has at least the calling thread");
     threads_.reserve(workers - 1);
     for (std::size_t worker = 1; worker < workers; ++worker) {
@@ -52,6 +52,7 @@ void ThreadPool::take_part(Range& range, std::size_t worker) {
 }
 
 void ThreadPool::serve(const std::stop_token& stop, std::size_t worker) {
+    take_priority(priority_);
     std::size_t seen_round = 0;
     std::unique_lock lock(mutex_);
     while (wake_.wait(lock, stop, [&] { return range_ != nullptr && round_ != seen_round; })) {
@@ -69,6 +70,7 @@ void ThreadPool::serve(const std::stop_token& stop, std::size_t worker) {
 bool ThreadPool::parallel_for(std::size_t count,
                               const std::function<void(std::size_t, std::size_t)>& work,
                               std::stop_token stop) {
+    take_priority(priority_);
     Range range{
         .count = count, .work = work, .stop = std::move(stop), .failure_mutex = {}, .failure = {}};
     {

@@ -4,6 +4,8 @@
 // Workers take the next index from one counter, so the order of work is not fixed, and a function
 // must therefore write only what belongs to its index (and its worker's scratch).
 
+#include "core/thread_priority.h"
+
 #include <condition_variable>
 #include <cstddef>
 #include <functional>
@@ -16,8 +18,9 @@ namespace cambrian {
 
 class ThreadPool {
 public:
-    // workers >= 1. The calling thread takes part in parallel_for, so workers - 1 threads start.
-    explicit ThreadPool(std::size_t workers);
+    // workers >= 1. The calling thread takes part in parallel_for, so workers - 1 threads start;
+    // it takes their priority too.
+    explicit ThreadPool(std::size_t workers, ThreadPriority priority = ThreadPriority::kNormal);
     ~ThreadPool();
     ThreadPool(const ThreadPool&) = delete;
     ThreadPool& operator=(const ThreadPool&) = delete;
@@ -39,6 +42,7 @@ private:
     void serve(const std::stop_token& stop, std::size_t worker);
     static void take_part(Range& range, std::size_t worker);
 
+    const ThreadPriority priority_;
     std::mutex mutex_;
     std::condition_variable_any wake_;
     std::condition_variable_any done_;

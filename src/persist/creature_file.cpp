@@ -3,13 +3,12 @@
 #include "core/file_io.h"
 #include "core/number_text.h"
 #include "evolution/evaluation.h"
+#include "genome/disabled_kinds.h"
 #include "persist/creature_card.h"
 #include "persist/creature_format.h"
 #include "persist/digest_text.h"
 #include "persist/json_reader.h"
 #include "persist/png_file.h"
-
-#include <array>
 
 namespace cambrian {
 namespace {
@@ -18,27 +17,6 @@ using namespace creature_format;
 
 constexpr std::size_t kLongestSignature = 8;  // bytes; of a file that is no JSON
 constexpr std::size_t kMaxFormat = 4096;      // bytes; only to be quoted
-
-constexpr std::array kScoreTables = {"goal", "environment", "simulation", "trial"};
-// Of [body]; the others are about founders.
-constexpr std::array kGrowthKeys = {"max-parts", "max-depth", "max-neurons", "strict-overlap"};
-
-bool decides_a_score(const SettingField& field) {
-    if (field.table == "body")
-        return std::find(kGrowthKeys.begin(), kGrowthKeys.end(), field.key) != kGrowthKeys.end();
-    return std::find(kScoreTables.begin(), kScoreTables.end(), field.table) != kScoreTables.end();
-}
-
-std::vector<ScoreTable> score_tables(const EvolutionKinds& kinds) {
-    std::vector<ScoreTable> tables;
-    for (SettingField& field : setting_fields(kinds)) {
-        if (!decides_a_score(field)) continue;
-        if (tables.empty() || tables.back().name != field.table)
-            tables.push_back({field.table, {}});
-        tables.back().fields.push_back(std::move(field));
-    }
-    return tables;
-}
 
 void read_scored(JsonReader& reader, ScoredRecord& scored, const EvolutionKinds& kinds) {
     ExperimentSettings settings;
@@ -125,17 +103,6 @@ struct Identity {
 
 }  // namespace
 
-KindNames creature_format::names_of(const KindCatalog& catalog) {
-    KindNames names;
-    for (const FunctionEntry& function : catalog.functions) {
-        names.functions.push_back(function.id);
-        names.arities.push_back(function.arity);
-    }
-    for (const JointChoice& joint : catalog.joints)
-        names.joints.push_back(joint.id);
-    return names;
-}
-
 void creature_format::write_genotype(std::string& text, const Individual& individual,
                                      const KindNames& names) {
     JsonWriter writer(text, Layout::kCompact);
@@ -204,6 +171,17 @@ Result<CreatureDocument> load_creature(const std::filesystem::path& path,
 Status save_creature(const std::filesystem::path& path, const CreatureDocument& document,
                      const EvolutionKinds& kinds) {
     return write_file(path, write_creature(document, kinds));
+}
+
+std::vector<std::string> foreign_kinds(const Genome& genome, const FounderSettings& settings,
+                                       const EvolutionKinds& kinds) {
+    std::vector<std::string> messages;
+    for (const DisabledKind& kind : disabled_kinds(genome, settings, kinds.creature.catalog)) {
+        std::string message = "W04 ";
+        message.append(kind.place).append(": ").append(kind.what);
+        messages.push_back(message + " is not enabled in this experiment");
+    }
+    return messages;
 }
 
 CreatureDocument creature_document(const Individual& individual, const ExperimentSettings& settings,

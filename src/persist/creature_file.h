@@ -62,6 +62,10 @@ Result<CreatureDocument> parse_creature(std::string_view text, std::string_view 
 // The genome must be valid.
 std::string write_creature(const CreatureDocument& document, const EvolutionKinds& kinds);
 
+// What a genome uses that the experiment it is brought into has not enabled (W04), a message each.
+std::vector<std::string> foreign_kinds(const Genome& genome, const FounderSettings& settings,
+                                       const EvolutionKinds& kinds);
+
 // What to save of an individual judged under the settings.
 CreatureDocument creature_document(const Individual& individual, const ExperimentSettings& settings,
                                    const EvolutionKinds& kinds);

@@ -1,7 +1,8 @@
 #pragma once
 
 // The creature file's format (evolution.md 10.2), described once: the same calls read it through a
-// JsonReader and write it through a JsonWriter. Objects are const when writing.
+// JsonReader, write it through a JsonWriter and tell its rules through a JsonSchemaWriter. Objects
+// are const when writing.
 
 #include "genome/gene_fields.h"
 #include "genome/source_rules.h"
@@ -63,7 +64,8 @@ const FieldRule& rule_of(std::span<const GeneField<Gene>> fields, std::string_vi
 // The archive writes or reads the fields a source of that kind has.
 template <class Archive, class Source>
 void describe_source(Archive& archive, Source& source, SourceScope scope) {
-    if (!archive.choice("kind", source.kind, kSources, "source")) return;
+    archive.type(scope == SourceScope::kPart ? "partSource" : "centralSource");
+    if (!archive.variant("kind", source.kind, kSources, "source")) return;
     archive.require(is_allowed(source.kind, scope), "E12", "kind",
                     "\"" + kSources[static_cast<std::size_t>(source.kind)] + "\" is only for " +
                         (scope == SourceScope::kPart ? "central" : "part") + " neurons");
@@ -89,20 +91,25 @@ void describe_input(Archive& archive, Input& input, SourceScope scope, const cha
 
 template <class Archive, class Neuron>
 void describe_neuron(Archive& archive, Neuron& neuron, SourceScope scope, const KindNames& names) {
-    const bool known = archive.choice("fn", neuron.function, names.functions, "function");
-    archive.list(
-        "in", neuron.inputs, 0, gene_range::kMaxArity, Layout::kCompact,
-        [&](Archive& inner, auto& input) { describe_input(inner, input, scope, "from", "w"); });
+    const bool part = scope == SourceScope::kPart;
+    archive.type(part ? "partNeuron" : "centralNeuron");
+    const bool known = archive.variant("fn", neuron.function, names.functions, "function");
+    archive.list("in", neuron.inputs, 0, gene_range::kMaxArity, Layout::kCompact,
+                 [&](Archive& inner, auto& input) {
+                     inner.type(part ? "partInput" : "centralInput");
+                     describe_input(inner, input, scope, "from", "w");
+                 });
     if (!known) return;
     const auto arity = static_cast<std::size_t>(names.arities[neuron.function]);
-    archive.require(neuron.inputs.size() == arity, "E11", "in",
-                    "function \"" + names.functions[neuron.function] + "\" needs " +
-                        std::to_string(arity) + (arity == 1 ? " input" : " inputs") + ", found " +
-                        std::to_string(neuron.inputs.size()));
+    archive.require_count("in", neuron.inputs.size(), arity, "E11",
+                          "function \"" + names.functions[neuron.function] + "\" needs " +
+                              std::to_string(arity) + (arity == 1 ? " input" : " inputs") +
+                              ", found " + std::to_string(neuron.inputs.size()));
 }
 
 template <class Archive, class Edge>
 void describe_edge(Archive& archive, Edge& edge, std::size_t node_count) {
+    archive.type("edge");
     archive.index("target", edge.target, node_count, node_count == 1 ? "node" : "nodes");
     archive.real("pos", edge.position, rule_of(edge_fields(), "pos"));
     archive.real("angle", edge.angle, rule_of(edge_fields(), "angle"));
@@ -113,6 +120,7 @@ void describe_edge(Archive& archive, Edge& edge, std::size_t node_count) {
 
 template <class Archive, class Node>
 void describe_node(Archive& archive, Node& node, std::size_t node_count, const KindNames& names) {
+    archive.type("node");
     if (archive.has("uid")) archive.integer("uid", node.uid, 0, 4294967295.0);
     archive.real("length", node.length, rule_of(node_fields(), "length"));
     archive.real("width", node.width, rule_of(node_fields(), "width"));
@@ -123,6 +131,7 @@ void describe_node(Archive& archive, Node& node, std::size_t node_count, const K
     archive.flag("symmetric", node.symmetric);
     archive.choice("mirrorAxis", node.mirror_axis, kMirrorAxes, "axis");
     archive.object("effector", Layout::kCompact, [&](Archive& inner) {
+        inner.type("effector");
         describe_input(inner, node.effector, SourceScope::kPart, "source", "weight");
     });
     archive.list("neurons", node.neurons, 0, gene_range::kMaxNodeNeurons, Layout::kLines,
@@ -156,6 +165,7 @@ inline constexpr FieldRule kHue{
 
 template <class Archive, class Document>
 void describe_identity(Archive& archive, Document& document) {
+    archive.type("creature");
     auto& genome = document.genome;
     if (archive.has("name")) archive.text("name", genome.name, kMaxName);
     if (archive.has("uid")) archive.text("uid", document.uid, kMaxUid);
@@ -173,9 +183,11 @@ struct ScoreTable {
     std::string name;
     std::vector<SettingField> fields;
 };
+std::vector<ScoreTable> score_tables(const EvolutionKinds& kinds);
 
 template <class Archive, class Finer>
 void describe_finer(Archive& archive, Finer& finer) {
+    archive.type("recomputed");
     archive.choice("outcome", finer.outcome, kOutcomes, "outcome");
     archive.plain_real("fitness", finer.score);
     archive.choice("verdict", finer.verdict, kVerdicts, "verdict");
@@ -184,6 +196,7 @@ void describe_finer(Archive& archive, Finer& finer) {
 template <class Archive, class Scored, class Settings>
 void describe_scored(Archive& archive, Scored& scored, Settings& settings,
                      const std::vector<ScoreTable>& tables) {
+    archive.type("scored");
     for (const ScoreTable& table : tables) {
         if (!archive.has(table.name.c_str())) continue;
         archive.object(table.name.c_str(), Layout::kLines, [&](Archive& inner) {

@@ -23,11 +23,18 @@ Error failure(const char* task, const std::filesystem::path& path, const std::st
 constexpr const char* kKeeping = "cannot keep the experiment in";
 constexpr const char* kOpening = "cannot open";
 
+// What SQLite keeps beside a file while it is open, left by a killed program.
+void remove_companions(const std::filesystem::path& path) {
+    for (const char* ending : {"-wal", "-shm"})
+        ::unlink((path.string() + ending).c_str());
+}
+
 // 0, or the error code.
 int make_empty_file(const std::filesystem::path& path) {
     const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644);
     if (file < 0) return errno;
     ::close(file);
+    remove_companions(path);  // of a file that is gone
     return 0;
 }
 
@@ -102,6 +109,14 @@ Status ExperimentFile::record(const Evolution& evolution) {
     return write([&](ExperimentWriter& writer) { writer.record(evolution); });
 }
 
+Status ExperimentFile::keep_picking(const PickingRecord& picking) {
+    return write([&](ExperimentWriter& writer) { writer.keep_picking(picking); });
+}
+
+Status ExperimentFile::keep_stars(const std::vector<ChampionRecord>& stars) {
+    return write([&](ExperimentWriter& writer) { writer.keep_stars(stars); });
+}
+
 Status ExperimentFile::copy_into(const std::filesystem::path& temporary) const {
     try {
         open_->writer.copy_to(temporary);
@@ -123,6 +138,7 @@ Status ExperimentFile::move_to(const std::filesystem::path& path) {
     const std::filesystem::path temporary = temporary_beside(path);
     if (Status copied = copy_into(temporary); !copied)
         return failure(kKeeping, path, copied.error().message);
+    remove_companions(path);
     if (Status moved = move_into_place(temporary, path); !moved) return moved;
     try {
         Result<FileLock> lock = FileLock::take(path);
@@ -156,10 +172,10 @@ Result<OpenedExperiment> open_experiment(const std::filesystem::path& path,
         ReadExperiment read = read_experiment(database, kinds);
         auto open = std::unique_ptr<ExperimentFile::Open>(new ExperimentFile::Open{
             path, std::move(*lock), ExperimentWriter(std::move(database), kinds)});
-        open->writer.remember(read.saved, read.population);
+        open->writer.remember(read);
         return OpenedExperiment{
             std::shared_ptr<ExperimentFile>(new ExperimentFile(std::move(open), kinds)),
-            std::move(read.saved)};
+            std::move(read.saved), std::move(read.picking), std::move(read.stars)};
     } catch (const DatabaseError& error) {
         return failure(kOpening, path, error.what());
     }

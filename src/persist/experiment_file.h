@@ -7,10 +7,12 @@
 #include "core/result.h"
 #include "evolution/evolution_kinds.h"
 #include "evolution/experiment_log.h"
+#include "persist/picking_record.h"
 
 #include <filesystem>
 #include <memory>
 #include <mutex>
+#include <vector>
 
 namespace cambrian {
 
@@ -27,6 +29,9 @@ public:
     Status begin(const SettingsPtr& settings, const std::vector<GenomePtr>& founders) override;
     Status note(const NotedCommand& command) override;
     Status record(const Evolution& evolution) override;
+    // Any thread.
+    Status keep_picking(const PickingRecord& picking);
+    Status keep_stars(const std::vector<ChampionRecord>& stars);
 
     // The whole experiment as another file, in place of what is there; everything from now on goes
     // there too. Any thread.
@@ -53,6 +58,8 @@ private:
 struct OpenedExperiment {
     std::shared_ptr<ExperimentFile> file;
     SavedExperiment saved;
+    PickingRecord picking;
+    std::vector<ChampionRecord> stars;
 };
 
 // Fails, leaving the file as it is, if it is damaged, of another kind or version, or in use.

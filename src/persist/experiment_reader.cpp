@@ -5,6 +5,8 @@
 #include "persist/settings_file.h"
 #include "persist/statistics_columns.h"
 
+#include <algorithm>
+#include <charconv>
 #include <map>
 #include <string>
 #include <utility>
@@ -13,6 +15,16 @@ namespace cambrian {
 namespace {
 
 constexpr std::size_t kLargestPopulation = 100'000;
+
+constexpr std::size_t kMostCells = 25;
+
+template <std::size_t Count>
+std::size_t index_of(std::string_view name, const std::array<std::string_view, Count>& names) {
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found == names.end())
+        throw DatabaseError("\"" + std::string(name.substr(0, 40)) + "\" is not known");
+    return static_cast<std::size_t>(found - names.begin());
+}
 
 RowRef row_ref(const Statement& row, int column) {
     return {row.integer(column), row.integer(column + 1)};
@@ -27,6 +39,9 @@ public:
         read_journal();
         read_generations();
         if (read_.saved.latest) read_latest();
+        read_grids();
+        read_.picking.shelf = shelf();
+        read_.stars = kept("star");
         return std::move(read_);
     }
 
@@ -129,6 +144,101 @@ private:
         if (latest.population.empty() ||
             population_digest(latest.population) != read_.saved.digests.back())
             throw DatabaseError("the latest population is not the one that was written");
+    }
+
+    IndividualPtr chosen(const RowRef& row) {
+        const IndividualPtr individual = individuals_.read(row);
+        read_.chosen.emplace_back(individual, row);
+        return individual;
+    }
+
+    void read_grids() {
+        Statement row = database_.prepare(
+            "SELECT parent, origin, cells, boldness, fitness_weight, generations, settings, "
+            "picks, number FROM grids ORDER BY number");
+        PickingTree& tree = read_.picking.tree;
+        while (row.step()) {
+            if (row.integer(8) != static_cast<std::int64_t>(tree.size()))
+                throw DatabaseError("grid " + std::to_string(tree.size()) + " is missing");
+            if (row.is_null(0) != tree.empty()) throw DatabaseError("a grid has no parent");
+            if (!tree.empty()) {
+                std::uint32_t parent = 0;
+                read_column(row, 0, parent);
+                if (!tree.visit(parent)) throw DatabaseError("a grid's parent is missing");
+            }
+            tree.add(grid(row, static_cast<std::uint32_t>(tree.size())));
+        }
+        if (!tree.empty()) read_place();
+    }
+
+    GridNode grid(const Statement& row, std::uint32_t number) {
+        GridNode node;
+        node.origin = static_cast<GridOrigin>(index_of(row.text(1), kOriginNames));
+        read_column(row, 2, node.grid.cells);
+        node.grid.boldness = static_cast<Boldness>(index_of(row.text(3), kBoldnessNames));
+        node.grid.fitness_weight = row.real(4);
+        read_column(row, 5, node.generations);
+        node.settings = settings(row.integer(6));
+        if (const Status valid = check_grid(node.grid); !valid)
+            throw DatabaseError(valid.error().message);
+        Statement cell = database_.prepare(
+            "SELECT individual, judged FROM grid_cells WHERE grid = ? ORDER BY cell LIMIT 100");
+        cell.bind(number);
+        while (cell.step())
+            node.creatures.push_back(chosen(row_ref(cell, 0)));
+        if (node.creatures.empty()) throw DatabaseError("a grid is empty");
+        const PickingTree& tree = read_.picking.tree;
+        node.picks =
+            picks(row.text(7), tree.empty() ? kMostCells : tree.current().creatures.size());
+        return node;
+    }
+
+    static std::vector<std::size_t> picks(std::string_view text, std::size_t cells) {
+        const auto picks = parse_picks(text);
+        if (!picks || std::any_of(picks->begin(), picks->end(),
+                                  [cells](std::size_t cell) { return cell >= cells; }))
+            throw DatabaseError("\"" + std::string(text.substr(0, 40)) + "\" are no picks");
+        return *picks;
+    }
+
+    // Where the person was.
+    void read_place() {
+        const auto shown = fact("grid_on_show");
+        PickingTree& tree = read_.picking.tree;
+        std::uint32_t number = 0;
+        const char* end = shown.data() + shown.size();
+        if (std::from_chars(shown.data(), end, number).ptr != end || !tree.visit(number))
+            throw DatabaseError("the grid on show is missing");
+        read_.picking.picks = picks(fact("picks_on_show"), tree.current().creatures.size());
+    }
+
+    std::string fact(const char* name) {
+        Statement row = database_.prepare("SELECT value FROM facts WHERE name = ?");
+        row.bind(name);
+        return row.step() ? std::string(row.text(0)) : std::string();
+    }
+
+    std::vector<ChampionRecord> kept(const char* role) {
+        std::vector<ChampionRecord> creatures;
+        Statement row = database_.prepare(
+            "SELECT individual, judged, generation, settings FROM kept WHERE role = ? "
+            "ORDER BY place");
+        row.bind(role);
+        while (row.step()) {
+            ChampionRecord each;
+            each.individual = chosen(row_ref(row, 0));
+            read_column(row, 2, each.generation);
+            each.settings = settings(row.integer(3));
+            creatures.push_back(std::move(each));
+        }
+        return creatures;
+    }
+
+    std::vector<PinnedCreature> shelf() {
+        std::vector<PinnedCreature> shelf;
+        for (ChampionRecord& each : kept("shelf"))
+            shelf.push_back({std::move(each.individual), std::move(each.settings)});
+        return shelf;
     }
 
     const Database& database_;

@@ -6,7 +6,9 @@
 #include "evolution/experiment_log.h"
 #include "persist/database.h"
 #include "persist/kept_individuals.h"
+#include "persist/picking_record.h"
 
+#include <utility>
 #include <vector>
 
 namespace cambrian {
@@ -14,6 +16,10 @@ namespace cambrian {
 struct ReadExperiment {
     SavedExperiment saved;
     std::vector<RowRef> population;  // rows of the latest one
+    PickingRecord picking;
+    std::vector<ChampionRecord> stars;
+    // Whoever is in grids, on the shelf or starred.
+    std::vector<std::pair<IndividualPtr, RowRef>> chosen;
 };
 
 // Of a database whose tables were checked.

@@ -18,6 +18,7 @@ ExperimentWriter::ExperimentWriter(Database database, const EvolutionKinds& kind
     : database_(std::move(database)),
       kinds_(kinds),
       kept_(database_, kinds, known_.individuals),
+      chosen_(database_, kinds, known_.chosen),
       insert_settings_(database_.prepare("INSERT INTO settings (toml) VALUES (?)")),
       insert_command_(
           database_.prepare("INSERT INTO journal (generation, command, settings, share, size, "
@@ -28,18 +29,27 @@ ExperimentWriter::ExperimentWriter(Database database, const EvolutionKinds& kind
       insert_novel_(database_.prepare("INSERT INTO novel VALUES (?, ?, ?)")),
       insert_generation_(database_.prepare(
           "INSERT INTO generations VALUES (?" +
-          more_places(kStatisticsColumns.size() + kMoreGenerationColumns - 1) + ")")) {}
+          more_places(kStatisticsColumns.size() + kMoreGenerationColumns - 1) + ")")),
+      insert_grid_(database_.prepare("INSERT INTO grids VALUES (?" + more_places(8) + ")")),
+      insert_cell_(database_.prepare("INSERT INTO grid_cells VALUES (?, ?, ?, ?)")),
+      clear_kept_(database_.prepare("DELETE FROM kept WHERE role = ?")),
+      insert_kept_(database_.prepare("INSERT INTO kept VALUES (?, ?, ?, ?, ?, ?)")),
+      set_fact_(database_.prepare("INSERT OR REPLACE INTO facts VALUES (?, ?)")) {}
 
-void ExperimentWriter::remember(const SavedExperiment& saved,
-                                const std::vector<RowRef>& population) {
-    if (!saved.latest) return;
-    const EvolutionState& latest = *saved.latest;
-    for (std::size_t i = 0; i < population.size(); ++i) {
+void ExperimentWriter::remember(const ReadExperiment& read) {
+    for (const auto& [individual, row] : read.chosen)
+        chosen_.remember(individual, row, true);
+    known_.grids = read.picking.tree.size();
+    if (!read.saved.latest) return;
+    const EvolutionState& latest = *read.saved.latest;
+    for (std::size_t i = 0; i < read.population.size(); ++i) {
         const IndividualPtr& individual = latest.population[i];
-        kept_.remember(individual, population[i], individual->born < latest.generation);
+        kept_.remember(individual, read.population[i], individual->born < latest.generation);
     }
-    for (const ChampionRecord& champion : saved.champions)
+    for (const ChampionRecord& champion : read.saved.champions)
         kept_.hold_score(champion.individual);
+    for (const auto& [individual, row] : read.chosen)
+        kept_.hold_score(individual);
     for (const IndividualPtr& novel : latest.memory.archive)
         kept_.hold_score(novel);
     known_.novel = latest.memory.archive;
@@ -81,6 +91,69 @@ void ExperimentWriter::record(const Evolution& evolution) {
         insert_generation(evolution);
         kept_.drop_others(evolution.population());
     });
+}
+
+void ExperimentWriter::keep_picking(const PickingRecord& picking) {
+    transact([&] {
+        if (picking.tree.size() < known_.grids) {
+            database_.execute("DELETE FROM grids; DELETE FROM grid_cells");
+            known_.grids = 0;
+        }
+        for (; known_.grids < picking.tree.size(); ++known_.grids)
+            insert_grid(picking.tree.node(static_cast<std::uint32_t>(known_.grids)));
+        std::vector<ChampionRecord> shelf;
+        for (const PinnedCreature& pinned : picking.shelf)
+            shelf.push_back({0, pinned.creature, pinned.settings});
+        replace_kept("shelf", shelf);
+        if (picking.tree.empty()) return;
+        set_fact("grid_on_show", std::to_string(picking.tree.current().number));
+        set_fact("picks_on_show", picks_text(picking.picks));
+    });
+}
+
+void ExperimentWriter::keep_stars(const std::vector<ChampionRecord>& stars) {
+    transact([&] { replace_kept("star", stars); });
+}
+
+// Creatures of the population keep their rows; others get some of their own.
+RowRef ExperimentWriter::keep_chosen(const IndividualPtr& individual, std::int64_t judged) {
+    const auto known = known_.chosen.find(individual->uid);
+    const auto living = known_.individuals.find(individual->uid);
+    if (known == known_.chosen.end() && living != known_.individuals.end() &&
+        living->second.individual == individual) {
+        kept_.hold_score(individual);
+        chosen_.remember(individual, living->second.row, true);
+    }
+    const RowRef row = chosen_.keep(individual, judged);
+    chosen_.hold_score(individual);
+    return row;
+}
+
+void ExperimentWriter::insert_grid(const GridNode& grid) {
+    insert_grid_.run(grid.number, grid.parent, kOriginNames[static_cast<std::size_t>(grid.origin)],
+                     grid.grid.cells, kBoldnessNames[static_cast<std::size_t>(grid.grid.boldness)],
+                     grid.grid.fitness_weight, grid.generations, row_of(grid.settings),
+                     picks_text(grid.picks));
+    for (std::size_t cell = 0; cell < grid.creatures.size(); ++cell) {
+        // Scores of grids are told from those of generations by their sign.
+        const RowRef row = keep_chosen(grid.creatures[cell], -1 - std::int64_t{grid.number});
+        insert_cell_.run(grid.number, std::uint64_t{cell}, row.individual, row.judged);
+    }
+}
+
+void ExperimentWriter::replace_kept(const char* role,
+                                    const std::vector<ChampionRecord>& creatures) {
+    clear_kept_.run(role);
+    std::uint64_t place = 0;
+    for (const ChampionRecord& each : creatures) {
+        const RowRef row = keep_chosen(each.individual, each.generation);
+        insert_kept_.run(role, place++, row.individual, row.judged, each.generation,
+                         row_of(each.settings));
+    }
+}
+
+void ExperimentWriter::set_fact(const char* name, const std::string& value) {
+    set_fact_.run(name, value);
 }
 
 void ExperimentWriter::copy_to(const std::filesystem::path& path) const {

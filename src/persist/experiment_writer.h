@@ -6,7 +6,9 @@
 #include "evolution/experiment_log.h"
 #include "persist/database.h"
 #include "persist/deflated_text.h"
+#include "persist/experiment_reader.h"
 #include "persist/kept_individuals.h"
+#include "persist/picking_record.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -23,14 +25,17 @@ public:
     ExperimentWriter(const ExperimentWriter&) = delete;
     ExperimentWriter& operator=(const ExperimentWriter&) = delete;
 
-    // What a database opened to be gone on with holds; population: rows of the latest one.
-    void remember(const SavedExperiment& saved, const std::vector<RowRef>& population);
+    // What a database opened to be gone on with holds.
+    void remember(const ReadExperiment& read);
     // The database is a copy of the other's.
     void remember(const ExperimentWriter& other) { known_ = other.known_; }
 
     void begin(const SettingsPtr& settings, const std::vector<GenomePtr>& founders);
     void note(const NotedCommand& noted);
     void record(const Evolution& evolution);
+    // Grids that are new, and where the person is among them.
+    void keep_picking(const PickingRecord& picking);
+    void keep_stars(const std::vector<ChampionRecord>& stars);
     void copy_to(const std::filesystem::path& path) const;
 
 private:
@@ -40,6 +45,8 @@ private:
         SettingsPtr settings;  // written last
         std::int64_t settings_row = 0;
         std::vector<IndividualPtr> novel;
+        KeptIndividuals::Knowledge chosen;  // by a person: in grids, on the shelf, starred
+        std::size_t grids = 0;
     };
 
     template <class Work>
@@ -54,11 +61,16 @@ private:
     void insert_population(const Evolution& evolution);
     void insert_novel(const SelectionMemory& memory);
     void insert_generation(const Evolution& evolution);
+    RowRef keep_chosen(const IndividualPtr& individual, std::int64_t judged);
+    void insert_grid(const GridNode& grid);
+    void replace_kept(const char* role, const std::vector<ChampionRecord>& creatures);
+    void set_fact(const char* name, const std::string& value);
 
     Database database_;  // outlives its statements
     const EvolutionKinds& kinds_;
     Known known_;
     KeptIndividuals kept_;
+    KeptIndividuals chosen_;
     Deflater deflater_;
     Statement insert_settings_;
     Statement insert_command_;
@@ -67,6 +79,11 @@ private:
     Statement clear_novel_;
     Statement insert_novel_;
     Statement insert_generation_;
+    Statement insert_grid_;
+    Statement insert_cell_;
+    Statement clear_kept_;
+    Statement insert_kept_;
+    Statement set_fact_;
 };
 
 }  // namespace cambrian

@@ -19,15 +19,21 @@ std::string range_message(double number, double low, double high, bool open = fa
            (open ? ")" : "]");
 }
 
-SettingValue setting_value(const JsonValue& value) {
+// To JSON 15 and 15.0 are the same number, so whole settings take either.
+bool is_whole(const SettingRef& place) {
+    return std::holds_alternative<int*>(place) || std::holds_alternative<std::uint64_t*>(place);
+}
+
+SettingValue setting_value(const JsonValue& value, bool whole) {
     switch (value.kind) {
         case JsonValue::Kind::kFlag:
             return value.flag;
         case JsonValue::Kind::kReal:
-            return value.number;
         case JsonValue::Kind::kInteger: {
-            if (std::fabs(value.number) > kLargestWhole) return value.number;
-            return static_cast<std::int64_t>(value.number);
+            const bool as_integer = whole && value.number == std::floor(value.number) &&
+                                    std::fabs(value.number) <= kLargestWhole;
+            if (as_integer) return static_cast<std::int64_t>(value.number);
+            return value.number;
         }
         case JsonValue::Kind::kText:
             return value.text;
@@ -206,7 +212,8 @@ void JsonReader::setting(const SettingField& field, ExperimentSettings& settings
     known_.push_back(field.key);
     const JsonValue* value = object_.find(field.key);
     if (value == nullptr) return;
-    const SettingCheck check = assign(field, setting_value(*value), settings);
+    const SettingCheck check =
+        assign(field, setting_value(*value, is_whole(field.at(settings))), settings);
     if (check.fault != SettingFault::kNone)
         errors_.error(code_of(check.fault), place(field.key), check.message);
 }

@@ -28,9 +28,17 @@ public:
     // Warns of keys nobody asked for (W01).
     void end();
 
+    // The name of what is described; of interest to a schema only.
+    void type(const char* /*name*/) const {}
     bool has(const char* key) const { return object_.find(key) != nullptr; }
     void require(bool condition, const char* code, const char* key, const std::string& message) {
         if (!condition) errors_.error(code, place(key), message);
+    }
+
+    // That the list read holds as many values as another field asks for.
+    void require_count(const char* key, std::size_t found, std::size_t count, const char* code,
+                       const std::string& message) {
+        require(found == count, code, key, message);
     }
 
     void real(const char* key, double& value, const FieldRule& rule);
@@ -57,6 +65,12 @@ public:
         const auto found = choice_index(key, names, what);
         if (found) value = static_cast<Choice>(*found);
         return found.has_value();
+    }
+    // A choice on which it depends what other fields there are.
+    template <class Choice>
+    bool variant(const char* key, Choice& value, std::span<const std::string> names,
+                 const char* what) {
+        return choice(key, value, names, what);
     }
     void text(const char* key, std::string& value, std::size_t max_bytes);
     void texts(const char* key, std::vector<std::string>& values, std::size_t max_count,

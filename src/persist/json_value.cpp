@@ -8,7 +8,8 @@
 namespace cambrian {
 namespace {
 
-constexpr int kNumberOverflow = 406;  // the parser's id of that error
+constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";  // put first by some editors; no harm
+constexpr int kNumberOverflow = 406;                         // the parser's id of that error
 
 std::string megabytes(std::size_t bytes) {
     const std::size_t tenths = (bytes + 50'000) / 100'000;
@@ -190,10 +191,16 @@ std::optional<JsonValue> parse_json(std::string_view text, const JsonLimits& lim
         errors.error("E01", "", "the file is empty");
         return std::nullopt;
     }
-    const std::size_t start = std::min(text.find_first_not_of(" \t\r\n"), text.size());
+    const std::size_t mark = text.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0;
+    const std::size_t start = std::min(text.find_first_not_of(" \t\r\n", mark), text.size());
     if (start == text.size() || (text[start] != '{' && text[start] != '[')) {
         errors.error("E01", line_and_column(text, start + 1),
                      "this is not a JSON object, as creature files are");
+        return std::nullopt;
+    }
+    // The parser takes one for the end of the text.
+    if (const std::size_t nul = text.find('\0'); nul != std::string_view::npos) {
+        errors.error("E01", line_and_column(text, nul + 1), "a byte of value 0, as no text has");
         return std::nullopt;
     }
     TreeBuilder builder(text, limits, errors);

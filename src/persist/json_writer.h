@@ -31,13 +31,19 @@ public:
     }
     void end() { close('}'); }
 
+    void type(const char* /*name*/) const {}
     bool has(const char* /*key*/) const { return true; }
     void require(bool condition, const char* /*code*/, const char* /*key*/,
                  const std::string& /*message*/) const {
         CAMBRIAN_ASSERT(condition, "only valid documents are written");
     }
 
-    void real(const char* key, double value, const FieldRule& /*rule*/);
+    void require_count(const char* key, std::size_t found, std::size_t count, const char* code,
+                       const std::string& message) const {
+        require(found == count, code, key, message);
+    }
+
+    void real(const char* key, double value, const FieldRule& rule);
     void pair(const char* key, double first, const FieldRule& first_rule, double second,
               const FieldRule& second_rule);
     void plain_real(const char* key, double value);
@@ -55,6 +61,11 @@ public:
                 const char* /*what*/) {
         item(key, quoted_text(names[static_cast<std::size_t>(value)]));
         return true;
+    }
+    template <class Choice>
+    bool variant(const char* key, Choice value, std::span<const std::string> names,
+                 const char* what) {
+        return choice(key, value, names, what);
     }
     void text(const char* key, std::string_view value, std::size_t /*max_bytes*/) {
         item(key, quoted_text(value));

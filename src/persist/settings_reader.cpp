@@ -2,15 +2,7 @@
 #include "persist/error_list.h"
 #include "persist/setting_value.h"
 #include "persist/settings_file.h"
-
-#define TOML_EXCEPTIONS 0
-// The library takes some of what a file may hold, such as a table named "[=]", for impossible: it
-// asserts, or in release builds assumes. Without either it reports the error.
-#define TOML_ASSERT(condition) static_cast<void>(0)
-#pragma push_macro("NDEBUG")
-#undef NDEBUG
-#include <toml++/toml.h>
-#pragma pop_macro("NDEBUG")
+#include "persist/toml.h"
 
 #include <algorithm>
 

@@ -6,6 +6,7 @@
 #include "evolution/experiment_settings.h"
 #include "evolution/individual.h"
 #include "picking/grid_settings.h"
+#include "picking/picking_snapshot.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -23,6 +24,12 @@ struct ShowPopulation {
 // A grid of given creatures' children, the first in cell 1; of random ones if none is given.
 struct StartFromCreatures {
     std::vector<GenomePtr> genomes;  // at most kMostPicks
+};
+// The grids of another time, and where the person was among them.
+struct RestoreGrids {
+    PickingTree tree;                // empty: begin anew
+    std::vector<std::size_t> picks;  // cells of the grid on show
+    std::vector<PinnedCreature> shelf;
 };
 // Grids bred from now on are judged by other settings, which must pass check_settings.
 struct UseSettings {
@@ -72,8 +79,8 @@ struct PlacePinned {  // a new grid: this one with a pinned creature in the cell
 struct NoteSave {};  // a creature was saved to a file
 
 using PickingCommand =
-    std::variant<ShowPopulation, StartFromCreatures, UseSettings, ChangeGrid, TogglePick,
-                 ClearPicks, BreedPicks, ReplaceUnpicked, AskEvolution, CancelDecision, GoBack,
-                 GoForward, VisitGrid, PinCreature, UnpinCreature, PlacePinned, NoteSave>;
+    std::variant<ShowPopulation, StartFromCreatures, RestoreGrids, UseSettings, ChangeGrid,
+                 TogglePick, ClearPicks, BreedPicks, ReplaceUnpicked, AskEvolution, CancelDecision,
+                 GoBack, GoForward, VisitGrid, PinCreature, UnpinCreature, PlacePinned, NoteSave>;
 
 }  // namespace cambrian

@@ -80,6 +80,22 @@ Status PickingSession::carry_out(StartFromCreatures& command) {
     return {};
 }
 
+Status PickingSession::carry_out(RestoreGrids& command) {
+    const std::size_t cells = command.tree.empty() ? 0 : command.tree.current().creatures.size();
+    for (const std::size_t pick : command.picks) {
+        if (pick >= cells) return Error{"the grid has no cell " + std::to_string(pick + 1)};
+    }
+    stop_work();
+    shown_.tree = std::move(command.tree);
+    shown_.picks = std::move(command.picks);
+    shown_.shelf = std::move(command.shelf);
+    shown_.log.shown_since = now_;
+    if (shown_.tree.empty()) return {};
+    shown_.grid = shown_.tree.current().grid;
+    breed_ahead();
+    return {};
+}
+
 // --- what the next grid depends on
 
 Status PickingSession::carry_out(UseSettings& command) {

@@ -46,6 +46,7 @@ private:
 
     Status carry_out(ShowPopulation& command);
     Status carry_out(StartFromCreatures& command);
+    Status carry_out(RestoreGrids& command);
     Status carry_out(UseSettings& command);
     Status carry_out(const ChangeGrid& command);
     Status carry_out(const TogglePick& command);

@@ -104,16 +104,16 @@ void add_grid(SceneFrame& frame, const Palette& palette, const Camera& camera,
               const Viewport& viewport) {
     const WorldWindow window = camera.window(viewport);
     const double spacing = mark_spacing(camera, kGridPixels);
-    const Color fine = with_alpha(palette.faint, 0.10F);
-    const Color coarse = with_alpha(palette.faint, 0.26F);
-    const auto color_at = [&](double index) {
-        return std::fmod(std::fabs(index), 5.0) < 0.5 ? coarse : fine;
-    };
-    for (double i = std::ceil(window.low.x() / spacing); i * spacing < window.high.x(); i += 1.0) {
-        add_vertical(frame, i * spacing, window, camera.pixel(), color_at(i));
-    }
-    for (double i = std::ceil(window.low.y() / spacing); i * spacing < window.high.y(); i += 1.0) {
-        add_horizontal(frame, i * spacing, window, camera.pixel(), color_at(i));
+    // Opaque, which is painted much faster; so coarse lines come after the fine ones they cross.
+    for (const bool coarse : {false, true}) {
+        const Color color = mix(frame.background, palette.faint, coarse ? 0.26F : 0.10F);
+        const auto wanted = [coarse](double index) {
+            return (std::fmod(std::fabs(index), 5.0) < 0.5) == coarse;
+        };
+        for (double i = std::ceil(window.low.x() / spacing); i * spacing < window.high.x(); i += 1)
+            if (wanted(i)) add_vertical(frame, i * spacing, window, camera.pixel(), color);
+        for (double i = std::ceil(window.low.y() / spacing); i * spacing < window.high.y(); i += 1)
+            if (wanted(i)) add_horizontal(frame, i * spacing, window, camera.pixel(), color);
     }
 }
 

@@ -17,7 +17,7 @@ constexpr double kHeader = 104.0;
 constexpr double kGap = 14.0;
 constexpr double kCaption = 30.0;     // under each pose
 constexpr double kBestAspect = 1.35;  // width over height of a pose
-constexpr double kBodyShare = 0.7;   // of a pose filled by the creature
+constexpr double kBodyShare = 0.7;    // of a pose filled by the creature
 
 struct Grid {
     int columns = 1;

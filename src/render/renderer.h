@@ -4,34 +4,29 @@
 // multisampling is needed and the software renderer stays fast.
 
 #include "render/camera.h"
+#include "render/pixel_rect.h"
 #include "render/scene_frame.h"
 #include "render/shader.h"
 #include "render/vertex_buffer.h"
 
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace cambrian {
-
-// A rectangle of the bound framebuffer; x, y is its lower left corner.
-struct PixelRect {
-    int x = 0;
-    int y = 0;
-    int width = 1;
-    int height = 1;
-};
 
 class Renderer {
 public:
     // Needs a current OpenGL 3.3 context from here to its death.
     static Result<std::unique_ptr<Renderer>> create();
 
-    // Clears the rectangle and draws the frame into it. Leaves blending and scissoring on.
+    // Clears the rectangle and draws the frame into it. Boxes that the frame begins with are moved
+    // to whole pixels if they are opaque, upright and sharp. Leaves blending and scissoring on.
     void draw(const SceneFrame& frame, const Camera& camera, const PixelRect& target);
 
 private:
     explicit Renderer(Shader shader);
-    void collect(const SceneFrame& frame, const Camera& camera, const Viewport& viewport);
+    void collect(std::span<const Shape> shapes, const Camera& camera, const Viewport& viewport);
 
     Shader shader_;
     VertexBuffer buffer_;

@@ -1,30 +1,49 @@
 #pragma once
 
-#include "core/stopwatch.h"
-
+#include <chrono>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 
 namespace cambrian {
 
-// Times of every frame as CSV: when it began, how long the last one took from start to start, and
-// how long this one took to prepare (without waiting for the display); milliseconds but the first.
+// Of one frame, in seconds.
+struct FrameTimes {
+    double interval = 0.0;  // from the start of the one before to the start of this one
+    double work = 0.0;      // to prepare it, without waiting for the display
+    double playback = 0.0;  // of the work, for the motion of creatures
+};
+
+// Times of every frame as CSV: its number, counted from 1 as in the status log, when it began and
+// when it had been handed to the display (s, on the system's monotonic clock), and its times in
+// milliseconds.
 class FrameLog {
 public:
     explicit FrameLog(const std::filesystem::path& path) {
         if (path.empty()) return;
         file_.open(path);
-        file_ << "time_s,interval_ms,work_ms,playback_ms\n";
+        file_ << "frame,began_s,shown_s,interval_ms,work_ms,playback_ms\n" << std::fixed;
     }
-    void write(double interval, double work, double playback) {
+    void begin_frame() {
+        ++frame_;
+        began_ = now();
+    }
+    std::uint64_t frame() const { return frame_; }
+    void end_frame(const FrameTimes& times) {
         if (!file_.is_open()) return;
-        file_ << since_start_.seconds() << ',' << 1e3 * interval << ',' << 1e3 * work << ','
-              << 1e3 * playback << '\n';
+        file_ << frame_ << ',' << began_ << ',' << now() << ',' << 1e3 * times.interval << ','
+              << 1e3 * times.work << ',' << 1e3 * times.playback << '\n';
     }
 
 private:
+    static double now() {
+        return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch())
+            .count();
+    }
+
     std::ofstream file_;
-    Stopwatch since_start_;
+    std::uint64_t frame_ = 0;
+    double began_ = 0.0;  // s
 };
 
 }  // namespace cambrian

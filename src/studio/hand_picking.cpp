@@ -9,8 +9,9 @@ namespace cambrian {
 void HandPicking::enter(const EvolutionSnapshot& evolution, const GenomePtr& on_show, double now) {
     const bool first = desk_ == nullptr;
     if (first) {
-        desk_ = std::make_unique<PickingDesk>(evolution.settings, kinds_,
-                                              make_thread_pool_backend(kinds_, workers_));
+        desk_ = std::make_unique<PickingDesk>(
+            evolution.settings, kinds_,
+            make_thread_pool_backend(kinds_, workers_, ThreadPriority::kBackground));
         snapshot_ = desk_->latest();
         used_ = evolution.settings;
     }

@@ -2,6 +2,7 @@
 
 #include "render/framebuffer.h"
 #include "render/gl.h"
+#include "studio/area_painting.h"
 #include "studio/window.h"
 
 #include <array>
@@ -32,6 +33,7 @@ ImGuiHost::ImGuiHost(Window& window, float scale, ThemeKind theme) : window_(win
     set_theme(theme);
     ImGui_ImplGlfw_InitForOpenGL(window.handle(), true);
     ImGui_ImplOpenGL3_Init("#version 330 core");
+    ImGui_ImplOpenGL3_CreateDeviceObjects();  // draws all letters, which no frame should wait for
 }
 
 ImGuiHost::~ImGuiHost() {
@@ -87,11 +89,15 @@ Result<Image> ImGuiHost::picture(int width, int height,
     return image;
 }
 
-void ImGuiHost::end_frame(int width, int height) {
+void ImGuiHost::end_frame() {
     ImGui::Render();
+    const ImDrawData& data = *ImGui::GetDrawData();
+    const Color& background = context_.palette.panel;
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
-    clear(context_.palette.panel, width, height);
-    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+    if (!stamp_.found()) changed_ = {};
+    for (const Rect& area : changed_.update(data, paint(background)))
+        paint_area(data, area, background);
+    stamp_.put(background);
 }
 
 }  // namespace cambrian

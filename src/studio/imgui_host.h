@@ -3,7 +3,9 @@
 // Dear ImGui's context, its back-ends, fonts and style.
 
 #include "core/result.h"
+#include "render/picture_stamp.h"
 #include "render/pixels.h"
+#include "studio/changed_areas.h"
 #include "studio/ui_context.h"
 
 #include <functional>
@@ -24,8 +26,8 @@ public:
 
     // Keys pressed since the last frame count even if they were let go again at once.
     void begin_frame(const std::vector<KeyPress>& pressed);
-    // Draws everything into the window's framebuffer of the given size.
-    void end_frame(int width, int height);
+    // Has everything in the window's framebuffer; paints only what changed.
+    void end_frame();
     // Something drawn by itself, on the panels' colour; between begin_frame and end_frame.
     Result<Image> picture(int width, int height, const std::function<void(ImDrawList&)>& draw);
     void set_theme(ThemeKind theme);
@@ -34,6 +36,8 @@ public:
 private:
     Window& window_;
     UiContext context_;
+    PictureStamp stamp_;
+    ChangedAreas changed_;
 };
 
 }  // namespace cambrian

@@ -25,7 +25,7 @@ OpenExperiment::OpenExperiment(ExperimentSettings settings, const EvolutionKinds
       fields_(setting_fields(kinds)),
       editor_(completed(std::move(settings), fields_)),
       engine_(std::make_shared<const ExperimentSettings>(editor_.draft()), kinds,
-              make_thread_pool_backend(kinds, workers)),
+              make_thread_pool_backend(kinds, workers, ThreadPriority::kBackground)),
       snapshot_(engine_.latest()) {}
 
 void OpenExperiment::poll() {

@@ -20,6 +20,7 @@ StatusLog::StatusLog(const std::filesystem::path& path) {
 void StatusLog::write(const std::string& event, std::initializer_list<Field> fields) {
     if (!file_.is_open()) return;
     std::string line = "{\"event\":" + json_text(event);
+    if (frame_ > 0) line += ",\"frame\":" + std::to_string(frame_);
     for (const auto& [name, value] : fields)
         line += ",\"" + std::string(name) + "\":" + json_value(value);
     file_ << line << "}\n" << std::flush;

@@ -1,8 +1,10 @@
 #pragma once
 
 // What happened, one JSON object a line, written at once: for tests that drive the window from
-// outside and wait for what follows.
+// outside and wait for what follows. Each tells its frame, as numbered in the frame log, unless it
+// comes before the first.
 
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <initializer_list>
@@ -19,10 +21,13 @@ public:
 
     // Nothing is written if the path is empty or cannot be opened.
     explicit StatusLog(const std::filesystem::path& path);
+    // What is written from now on belongs to this frame.
+    void begin_frame(std::uint64_t number) { frame_ = number; }
     void write(const std::string& event, std::initializer_list<Field> fields = {});
 
 private:
     std::ofstream file_;
+    std::uint64_t frame_ = 0;
 };
 
 // The text as JSON writes it, quotes included.

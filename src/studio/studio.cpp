@@ -52,10 +52,12 @@ public:
         while (!window_.close_wanted() && !session_.quit_wanted()) {
             wait_for_frame(clock, last_start);
             const double now = clock.seconds();
+            frame_log_.begin_frame();
+            session_.log().begin_frame(frame_log_.frame());
             frame(now, now - last_start);
             const double work = clock.seconds() - now;
             window_.show_frame();
-            frame_log_.write(now - last_start, work, session_.playback_seconds());
+            frame_log_.end_frame({now - last_start, work, session_.playback_seconds()});
             last_start = now;
             if (options_.quit_after > 0.0 && now > options_.quit_after) break;
         }
@@ -103,8 +105,10 @@ private:
         if (host_.context().theme != session_.view().theme) host_.set_theme(session_.view().theme);
         const std::vector<KeyPress> pressed = window_.take_keys();
         host_.begin_frame(pressed);
-        for (const KeyPress& press : pressed)
+        for (const KeyPress& press : pressed) {
+            session_.log().write("pressed", {{"key", static_cast<double>(press.key)}});
             press_shortcut(press, ImGui::GetIO().WantTextInput, context, requests);
+        }
         for (const std::filesystem::path& path : window_.take_dropped_files())
             session_.drop(path);
         const int height = window_.framebuffer_height();
@@ -112,7 +116,7 @@ private:
         if (session_.take_fit()) main_window_.fit();
         main_window_.draw(context, height, requests);
         if (const auto plot = session_.take_plot_request()) keep_plot(*plot, context);
-        host_.end_frame(window_.framebuffer_width(), height);
+        host_.end_frame();
         if (const auto path = session_.take_picture_request()) keep_picture(*path);
         if (const auto card = session_.take_card_request()) keep_card(*card);
         session_.carry_out(requests);

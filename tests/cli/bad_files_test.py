@@ -1,8 +1,10 @@
 """Files that are empty, cut off, of another kind, huge or hostile: one message, status 2."""
 
+import os
+import subprocess
 import unittest
 
-from program import BAD_INPUT, ProgramTest
+from program import BAD_INPUT, CAMBRIAN, ProgramTest
 
 
 class BadFiles(ProgramTest):
@@ -70,6 +72,28 @@ class BadFiles(ProgramTest):
         self.refuse_creature("deep.creature.json", "E02 nested deeper than 32 levels")
         self.write("deep.toml", "a = " + "[" * 500_000)
         self.refuse_settings("deep.toml", "line 1")
+
+    def memory_of(self, *arguments):
+        """The most memory the program held while it ran, in bytes."""
+        with subprocess.Popen([CAMBRIAN, *arguments], cwd=self.folder, stdout=subprocess.DEVNULL,
+                              stderr=subprocess.DEVNULL) as process:
+            _, status, usage = os.wait4(process.pid, 0)
+            process.returncode = os.waitstatus_to_exitcode(status)
+        self.assertEqual(process.returncode, BAD_INPUT)
+        return usage.ru_maxrss * 1024
+
+    def test_no_creature_file_takes_more_than_64_megabytes(self):
+        size = 3_999_000
+        idle = self.memory_of("simulate", "none.creature.json")
+        for name, begin, item, end in [
+                ("lists", "[", "[],", "0]"), ("objects", "[", '{"a":{}},', "0]"),
+                ("keys", "[", "{" + ",".join(f'"{i}":0' for i in range(250)) + "},", "0]"),
+                ("texts", "[", '"0123456789abcdef0123456789abcdef",', "0]"),
+                ("one text", '["', "\\u00e4", '"]'), ("one number", "[", "1", "]"),
+                ("errors", '{"format": "cambrian-creature", "version": 1, "nodes": [', "{},", "0]}")]:
+            self.write("big.creature.json", begin + item * ((size - 99) // len(item)) + end)
+            with self.subTest(name):
+                self.assertLess(self.memory_of("simulate", "big.creature.json") - idle, 64e6)
 
     def test_a_mistyped_setting_stops_the_run(self):
         self.write("typo.toml", "[environment]\ngravty = 3\n")

@@ -9,6 +9,9 @@ import unittest
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 CAMBRIAN = os.environ.get("CAMBRIAN", str(ROOT / "build/release/bin/cambrian"))
 
+RANDOM_CREATURES = os.environ.get("RANDOM_CREATURES",
+                                  str(ROOT / "build/release/bin/random_creatures"))
+
 DONE, FAILED, BAD_INPUT = 0, 1, 2
 
 # A short trial of few creatures: seconds, not minutes, on one core of any build.

@@ -335,6 +335,31 @@ class StudioWindow(StudioTest):
         self.quit()
         self.assertEqual(self.files(), ["status.log"])
 
+    def test_a_picture_painted_in_parts_is_as_one_painted_at_once(self):
+        display = self.open_display()
+        self.start(display)
+        self.press("p")
+        for name in ("File", "Brain", "Genotype", "timeline"):
+            self.click(name)
+            display.tool("key", "Escape")
+        for _ in range(3):
+            self.press("F1")
+            time.sleep(0.3)
+        self.press("Escape")
+        display.tool("mousemove", 640, 300)
+        time.sleep(2.0)
+        in_parts = display.picture("painted-in-parts.png")
+        display.tool("windowsize", "--sync", self.window, 1200, 760)
+        display.tool("windowsize", "--sync", self.window, 1280, 800)
+        time.sleep(2.0)
+        at_once = display.picture("painted-at-once.png")
+        # The corner tells frames apart by a shade.
+        result = subprocess.run(["compare", "-metric", "AE", "-fuzz", "4%", str(in_parts),
+                                 str(at_once), "null:"], check=False, stderr=subprocess.PIPE,
+                                encoding="utf-8")
+        self.assertEqual(result.stderr.split()[0], "0")
+        self.quit()
+
     def test_a_large_window_is_painted_whole(self):
         display = self.open_display(1920, 1080)
         self.start(display, "--width", 1920, "--height", 1080)

@@ -56,7 +56,7 @@ TEST_CASE("whatever the settings, they are read back and written to the same byt
           "[persist][settings_file]") {
     RandomStream stream(81);
     int checked = 0;
-    while (checked < 200) {
+    while (checked < 1000) {
         ExperimentSettings settings;
         for (const SettingField& field : setting_fields(kinds()))
             randomize(field, settings, stream);

@@ -1,4 +1,5 @@
 #include "app/evolution_run.h"
+#include "app/option_types.h"
 #include "app/subcommands/subcommands.h"
 
 #include <CLI/CLI.hpp>
@@ -9,17 +10,25 @@ namespace {
 class EvolveSubcommand final : public Subcommand {
 public:
     void add_options(CLI::App& app) override {
-        app.add_option("settings", run_.settings_file, "Settings file (*.toml)")->required();
+        auto* settings = app.add_option("settings", run_.settings_file, "Settings file (*.toml)")
+                             ->type_name(option_type::kSettings);
         app.add_option("-n,--generations", run_.generations, "Generations, instead of the file's")
             ->check(CLI::Range(1, 1'000'000));
-        app.add_option("-s,--seed", run_.seed, "Seed, instead of the file's");
-        app.add_option("-f,--founders", run_.founders,
-                       "Creature files to begin with instead of random creatures");
+        auto* seed = app.add_option("-s,--seed", run_.seed, "Seed, instead of the file's");
+        auto* founders = app.add_option("-f,--founders", run_.founders,
+                                        "Creature files to begin with instead of random creatures")
+                             ->type_name(option_type::kCreature);
         app.add_option("-t,--threads", run_.threads,
                        "Threads; one a core unless given. Never changes a result")
             ->check(CLI::Range(1, 1024));
         app.add_option("-o,--out", run_.out,
-                       "File of the champion, or the folder it goes into (current folder)");
+                       "Experiment file to keep (*.cambrian), file of the champion, or folder "
+                       "for both (current folder)")
+            ->type_name(option_type::kExperiment);
+        app.add_option("-r,--resume", run_.resume,
+                       "Go on with an experiment file, to the generations given")
+            ->type_name(option_type::kExperiment)
+            ->excludes(settings, seed, founders);
         app.add_flag("--json", run_.json, "Report as JSON, one object a line");
     }
     ExitStatus run(const EvolutionKinds& kinds) override { return run_evolution(run_, kinds); }
@@ -33,8 +42,8 @@ private:
 SubcommandKind evolve_subcommand() {
     return {.id = "evolve",
             .summary =
-                "Evolve without a window and keep the champion. Ctrl+C finishes the "
-                "generation and keeps the champion so far.",
+                "Evolve without a window; keep the experiment and its champion. Ctrl+C stops and "
+                "says how to go on.",
             .example =
                 "cambrian evolve assets/settings/walking.toml --generations 30 --seed 7 "
                 "--out champions/",

@@ -2,6 +2,7 @@
 #include "app/creature_world.h"
 #include "app/interruption.h"
 #include "app/messages.h"
+#include "app/option_types.h"
 #include "app/output_path.h"
 #include "app/subcommands/subcommands.h"
 #include "core/pretty_text.h"
@@ -128,14 +129,17 @@ public:
     void add_options(CLI::App& app) override {
         app.add_option("creature", options_.creature,
                        "Creature file (*.creature.json) or card (*.card.png)")
+            ->type_name(option_type::kCreature)
             ->required();
         app.add_option("-o,--out", options_.out,
                        "Picture to write: a sheet of poses (*.png), a clip (*.mp4, *.gif; needs "
                        "ffmpeg) or a card that carries the creature (*.card.png)")
+            ->type_name(option_type::kDrawing)
             ->required();
         app.add_flag("--card", options_.card, "A card, whatever the picture's name");
         app.add_option("--size", options_.size,
                        "WIDTHxHEIGHT in pixels (sheet 1600x900, clip 1280x720, card 960x1280)")
+            ->type_name("WIDTHxHEIGHT")
             ->check(check_size);
         app.add_option("--theme", options_.theme, "dark or light")
             ->check(CLI::IsMember({"dark", "light"}))
@@ -150,7 +154,8 @@ public:
                        "So much of the trial from its start; all of it unless given")
             ->check(CLI::Range(0.01, 86400.0));
         app.add_option("-e,--environment", options_.environment,
-                       "Settings file whose world and goal to use instead of the creature's own");
+                       "Settings file whose world and goal to use instead of the creature's own")
+            ->type_name(option_type::kSettings);
     }
 
     ExitStatus run(const EvolutionKinds& kinds) override {

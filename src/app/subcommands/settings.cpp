@@ -1,4 +1,5 @@
 #include "app/messages.h"
+#include "app/option_types.h"
 #include "app/output_path.h"
 #include "app/subcommands/subcommands.h"
 #include "core/file_io.h"
@@ -15,10 +16,12 @@ namespace {
 class SettingsSubcommand final : public Subcommand {
 public:
     void add_options(CLI::App& app) override {
-        app.add_option("settings", file_, "Settings file to complete; without one, the defaults");
+        app.add_option("settings", file_, "Settings file to complete; without one, the defaults")
+            ->type_name(option_type::kSettings);
         app.add_option("-g,--goal", goal_, "What is selected for, with the world it makes sense in")
             ->excludes("settings");
-        app.add_option("-o,--out", out_, "File or folder to write to, instead of the screen");
+        app.add_option("-o,--out", out_, "File or folder to write to, instead of the screen")
+            ->type_name(option_type::kSettings);
     }
     ExitStatus run(const EvolutionKinds& kinds) override {
         const Result<ExperimentSettings> settings =

@@ -1,6 +1,7 @@
 #include "app/creature_world.h"
 #include "app/messages.h"
 #include "app/motion_trace.h"
+#include "app/option_types.h"
 #include "app/output_path.h"
 #include "app/subcommands/subcommands.h"
 #include "app/trial_report.h"
@@ -60,14 +61,17 @@ class SimulateSubcommand final : public Subcommand {
 public:
     void add_options(CLI::App& app) override {
         app.add_option("creature", options_.creature, "Creature file (*.creature.json)")
+            ->type_name(option_type::kCreature)
             ->required();
         app.add_option("-e,--environment", options_.environment,
-                       "Settings file whose world and goal to use instead of the creature's own");
+                       "Settings file whose world and goal to use instead of the creature's own")
+            ->type_name(option_type::kSettings);
         app.add_option("--integrator", options_.integrator,
                        "Integrator to use instead of the world's; 'cambrian settings' lists them");
         app.add_option("--seconds", options_.seconds, "Length of the trial, instead of its own");
         app.add_option("--trace", options_.trace,
-                       "Write every part's motion to this file, as CSV with a row a tick");
+                       "Write every part's motion to this file, as CSV with a row a tick")
+            ->type_name(option_type::kTable);
         app.add_flag("--json", options_.json, "Report as one JSON object");
     }
     ExitStatus run(const EvolutionKinds& kinds) override {
@@ -76,6 +80,8 @@ public:
         say_of(options_.creature, document->warnings);
         const Result<ExperimentSettings> settings = settings_for(options_, *document, kinds);
         if (!settings) return fail(settings.error());
+        if (!options_.environment.empty())
+            say_of(options_.creature, foreign_kinds(document->genome, settings->founders, kinds));
         const auto genome = std::make_shared<const Genome>(document->genome);
         if (!options_.trace.empty()) {
             const ExitStatus traced = write_trace(genome, *settings, kinds.creature);

@@ -1,5 +1,7 @@
 #include "studio/studio.h"
 
+#include "app/assets_folder.h"
+#include "app/option_types.h"
 #include "app/subcommands/subcommands.h"
 #include "app/window_options.h"
 #include "app/without_window.h"
@@ -25,20 +27,22 @@ class StudioSubcommand final : public Subcommand {
 public:
     StudioSubcommand() {
         options_.state_dir = usual_state_dir();
-        options_.assets = CAMBRIAN_ASSETS;
-        const std::filesystem::path sample = CAMBRIAN_ASSETS "/creatures/walker.creature.json";
+        options_.assets = assets_folder();
+        const std::filesystem::path sample = options_.assets / "creatures/walker.creature.json";
         std::error_code ignored;
         if (std::filesystem::exists(sample, ignored)) options_.sample_creature = sample;
     }
     void add_options(CLI::App& app) override {
-        app.add_option("file", options_.open_file, "Creature file, card or settings file to open");
+        app.add_option("file", options_.open_file, "Creature file, card or settings file to open")
+            ->type_name(option_type::kAnyOfOurs);
         app.add_flag("--evolve", options_.evolve, "Begin to evolve at once");
         app.add_option("-t,--threads", options_.workers,
                        "Threads that evaluate; one a core unless given")
             ->check(CLI::Range(1, 1024));
         add_window_options(app, options_);
         app.add_option("--state-dir", options_.state_dir,
-                       "Folder of what is remembered from one start to the next; \"\" for nothing");
+                       "Folder of what is remembered from one start to the next; \"\" for nothing")
+            ->type_name(option_type::kFolder);
         without_window_.add_options(app);
     }
     ExitStatus run(const EvolutionKinds& kinds) override {

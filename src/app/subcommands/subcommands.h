@@ -4,8 +4,11 @@
 
 namespace cambrian {
 
+SubcommandKind completion_subcommand();
 SubcommandKind evolve_subcommand();
+SubcommandKind manual_subcommand();
 SubcommandKind render_subcommand();
+SubcommandKind schema_subcommand();
 SubcommandKind settings_subcommand();
 SubcommandKind simulate_subcommand();
 SubcommandKind studio_subcommand();

@@ -1,4 +1,5 @@
 #include "app/messages.h"
+#include "app/option_types.h"
 #include "app/subcommands/subcommands.h"
 #include "app/trial_report.h"
 #include "core/number_text.h"
@@ -55,7 +56,9 @@ ExitStatus verify(const std::string& file, const EvolutionKinds& kinds) {
 class VerifySubcommand final : public Subcommand {
 public:
     void add_options(CLI::App& app) override {
-        app.add_option("creatures", files_, "Creature files (*.creature.json)")->required();
+        app.add_option("creatures", files_, "Creature files (*.creature.json)")
+            ->type_name(option_type::kCreature)
+            ->required();
     }
     ExitStatus run(const EvolutionKinds& kinds) override {
         ExitStatus worst = ExitStatus::kDone;

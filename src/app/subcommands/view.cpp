@@ -1,4 +1,5 @@
 #include "app/messages.h"
+#include "app/option_types.h"
 #include "app/subcommands/subcommands.h"
 #include "app/window_options.h"
 #include "persist/creature_file.h"
@@ -19,6 +20,7 @@ public:
     void add_options(CLI::App& app) override {
         app.add_option("creature", options_.open_file,
                        "Creature file (*.creature.json) or card (*.card.png)")
+            ->type_name(option_type::kCreature)
             ->required();
         app.add_option("--theme", theme_, "dark or light")
             ->check(CLI::IsMember({"dark", "light"}))

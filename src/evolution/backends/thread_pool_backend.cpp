@@ -11,8 +11,8 @@ namespace {
 
 class ThreadPoolBackend final : public EvaluationBackend {
 public:
-    ThreadPoolBackend(const EvolutionKinds& kinds, std::size_t workers)
-        : kinds_(kinds), pool_(workers) {}
+    ThreadPoolBackend(const EvolutionKinds& kinds, std::size_t workers, ThreadPriority priority)
+        : kinds_(kinds), pool_(workers, priority) {}
 
     bool evaluate(std::span<const EvaluationRequest> requests,
                   std::span<std::optional<EvaluationResult>> results,
@@ -45,8 +45,9 @@ private:
 }  // namespace
 
 std::unique_ptr<EvaluationBackend> make_thread_pool_backend(const EvolutionKinds& kinds,
-                                                            std::size_t workers) {
-    return std::make_unique<ThreadPoolBackend>(kinds, workers);
+                                                            std::size_t workers,
+                                                            ThreadPriority priority) {
+    return std::make_unique<ThreadPoolBackend>(kinds, workers, priority);
 }
 
 }  // namespace cambrian

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/thread_priority.h"
 #include "evolution/evaluation_backend.h"
 
 #include <cstddef>
@@ -7,8 +8,10 @@
 
 namespace cambrian {
 
-// Evaluates on this machine, one trial a worker at a time. kinds must outlive it.
-std::unique_ptr<EvaluationBackend> make_thread_pool_backend(const EvolutionKinds& kinds,
-                                                            std::size_t workers);
+// Evaluates on this machine, one trial a worker at a time, with this priority; so does the thread
+// that asks for it. kinds must outlive it.
+std::unique_ptr<EvaluationBackend> make_thread_pool_backend(
+    const EvolutionKinds& kinds, std::size_t workers,
+    ThreadPriority priority = ThreadPriority::kNormal);
 
 }  // namespace cambrian

@@ -1,0 +1,115 @@
+#include "app/completion.h"
+
+namespace cambrian {
+namespace {
+
+// What the script defines first: $word is the word to complete.
+constexpr const char* kHelpers = R"(# Completion for bash.
+
+_cambrian_words() {
+    mapfile -t -O "${#COMPREPLY[@]}" COMPREPLY < <(compgen -W "$1" -- "$word")
+}
+
+_cambrian_folders() {
+    compopt -o filenames 2>/dev/null
+    mapfile -t -O "${#COMPREPLY[@]}" COMPREPLY < <(compgen -d -- "$word")
+}
+
+# Files with one of these endings, and folders that may hold them.
+_cambrian_files() {
+    local ending
+    _cambrian_folders
+    for ending; do
+        while IFS= read -r file; do
+            [[ -d $file ]] || COMPREPLY+=("$file")
+        done < <(compgen -f -X "!*$ending" -- "$word")
+    done
+}
+
+)";
+
+std::string words_of(const std::vector<std::string>& words) {
+    std::string text;
+    for (const std::string& word : words)
+        text += (text.empty() ? "" : " ") + word;
+    return text;
+}
+
+// The command that offers a value; empty if nothing can be said about it.
+std::string offer(const std::string& value) {
+    if (is_folder(value)) return "_cambrian_folders";
+    if (const auto words = value_words(value); !words.empty())
+        return "_cambrian_words '" + words_of(words) + "'";
+    std::string endings;
+    for (const std::string& ending : file_endings(value))
+        endings += " '" + ending + "'";
+    return endings.empty() ? "" : "_cambrian_files" + endings;
+}
+
+// After an option that takes a value, its values only.
+std::string value_cases(const Command& command) {
+    std::string text;
+    for (const CommandOption& option : command.options) {
+        if (option.positional || option.value.empty()) continue;
+        text += "        ";
+        for (const std::string& name : option.names)
+            text += (name == option.names.front() ? "" : " | ") + command.name + "," + name;
+        const std::string values = offer(option.value);
+        text += ") " + (values.empty() ? "" : values + "; ") + "return ;;\n";
+    }
+    return text;
+}
+
+// Of a command: its options once a dash is typed, else what its positionals may be.
+std::string command_case(const Command& command, const std::string& positionals) {
+    std::vector<std::string> names;
+    for (const CommandOption& option : command.options) {
+        if (!option.positional) names.insert(names.end(), option.names.begin(), option.names.end());
+    }
+    std::string text = "        " + command.name + ")\n";
+    text += "            if [[ $word == -* ]]; then _cambrian_words '" + words_of(names) + "'\n";
+    text += "            else " + (positionals.empty() ? ":" : positionals) + "\n";
+    return text + "            fi ;;\n";
+}
+
+std::string positionals_of(const Command& command) {
+    std::string offers;
+    for (const CommandOption& option : command.options) {
+        if (!option.positional) continue;
+        const std::string values = offer(option.value);
+        if (!values.empty()) offers += (offers.empty() ? "" : "; ") + values;
+    }
+    return offers;
+}
+
+}  // namespace
+
+std::string bash_completion(const Command& program) {
+    std::vector<std::string> names;
+    std::string cases = value_cases(program);
+    std::string commands;
+    std::string either;
+    for (const Command& command : program.subcommands) {
+        names.push_back(command.name);
+        either += (either.empty() ? "" : " | ") + command.name;
+        cases += value_cases(command);
+        commands += command_case(command, positionals_of(command));
+    }
+    commands += command_case(program, "_cambrian_words '" + words_of(names) + "'");
+    return std::string(kHelpers) + "_cambrian() {\n" +
+           "    local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD - 1]}\n"
+           "    local command=" +
+           program.name +
+           " i\n"
+           "    COMPREPLY=()\n"
+           "    for ((i = 1; i < COMP_CWORD; i++)); do\n"
+           "        case ${COMP_WORDS[i]} in " +
+           either +
+           ") command=${COMP_WORDS[i]} && break ;; esac\n"
+           "    done\n"
+           "    case $command,$before in\n" +
+           cases + "    esac\n    case $command in\n" + commands +
+           "    esac\n}\n\ncomplete -F _cambrian " + program.name + "\n";
+}
+
+}  // namespace cambrian

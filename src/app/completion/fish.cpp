@@ -1,0 +1,58 @@
+#include "app/completion.h"
+
+namespace cambrian {
+namespace {
+
+std::string quoted(std::string_view text) {
+    std::string result = "'";
+    for (const char letter : text) {
+        if (letter == '\'' || letter == '\\') result += '\\';
+        result += letter;
+    }
+    return result + "'";
+}
+
+// The words and files a value may be, as a list that fish evaluates.
+std::string values_of(const std::string& value) {
+    std::string text;
+    if (is_folder(value)) return "(__fish_complete_directories)";
+    for (const std::string& word : value_words(value))
+        text += (text.empty() ? "" : " ") + word;
+    for (const std::string& ending : file_endings(value)) {
+        text += text.empty() ? "" : " ";
+        text +=
+            ending.empty() ? "(__fish_complete_path)" : "(__fish_complete_suffix " + ending + ")";
+    }
+    return text;
+}
+
+std::string line(const std::string& program, const std::string& condition,
+                 const CommandOption& option) {
+    std::string text = "complete -c " + program + " -n " + quoted(condition);
+    for (const std::string& name : option.names) {
+        if (option.positional) break;
+        text += name.starts_with("--") ? " -l " + name.substr(2) : " -s " + name.substr(1);
+    }
+    if (!option.positional && !option.value.empty()) text += " -x";
+    const std::string values = values_of(option.value);
+    if (option.positional && values.empty()) return "";
+    if (!values.empty()) text += " -a " + quoted(values);
+    return text + (option.positional ? "" : " -d " + quoted(option.help)) + "\n";
+}
+
+}  // namespace
+
+std::string fish_completion(const Command& program) {
+    std::string text = "# Completion for fish.\n\ncomplete -c " + program.name + " -f\n";
+    for (const CommandOption& option : program.options)
+        text += line(program.name, "__fish_use_subcommand", option);
+    for (const Command& command : program.subcommands) {
+        text += "complete -c " + program.name + " -n '__fish_use_subcommand' -a " + command.name +
+                " -d " + quoted(command.summary) + "\n";
+        for (const CommandOption& option : command.options)
+            text += line(program.name, "__fish_seen_subcommand_from " + command.name, option);
+    }
+    return text;
+}
+
+}  // namespace cambrian

@@ -1,0 +1,87 @@
+#include "app/completion.h"
+
+namespace cambrian {
+namespace {
+
+// Text within single quotes inside an argument of _arguments, where colons and brackets mean
+// something.
+std::string quoted(std::string_view text) {
+    std::string result;
+    for (const char letter : text) {
+        if (letter == '\'') {
+            result += "'\\''";
+        } else {
+            if (letter == ':' || letter == '[' || letter == ']' || letter == '\\') result += '\\';
+            result += letter;
+        }
+    }
+    return result;
+}
+
+// "FILE.toml:_files -g "*.toml""
+std::string action(const std::string& value) {
+    if (is_folder(value)) return "_files -/";
+    std::string text;
+    if (const auto words = value_words(value); !words.empty()) {
+        for (const std::string& word : words)
+            text += (text.empty() ? "" : " ") + word;
+        return "(" + text + ")";
+    }
+    for (const std::string& ending : file_endings(value))
+        text += (text.empty() ? "*" : "|*") + ending;
+    if (text.empty()) return " ";
+    return "_files -g \"" + (text.find('|') == std::string::npos ? text : "(" + text + ")") + "\"";
+}
+
+std::string argument(const CommandOption& option) {
+    const std::string message = quoted(option.help) + ":" + action(option.value);
+    if (option.positional) {
+        const std::string place = option.several ? "*" : option.required ? "1" : "::";
+        return "'" + (place == "::" ? "1::" : place + ":") + message + "'";
+    }
+    std::string names;
+    std::string excluded;
+    for (const std::string& name : option.names) {
+        names += (names.empty() ? "" : ",") + name;
+        excluded += (excluded.empty() ? "" : " ") + name;
+    }
+    if (option.names.size() > 1) names = "{" + names + "}";
+    std::string text = option.several ? "'*'" : "'(" + excluded + ")'";
+    text += names + "'[" + quoted(option.help) + "]";
+    if (!option.value.empty()) text += ":" + quoted(option.value) + ":" + action(option.value);
+    return text + "'";
+}
+
+std::string arguments(const Command& command, const std::string& indent) {
+    std::string text;
+    for (const CommandOption& option : command.options)
+        text += " \\\n" + indent + argument(option);
+    return text;
+}
+
+}  // namespace
+
+std::string zsh_completion(const Command& program) {
+    std::string names;
+    std::string cases;
+    for (const Command& command : program.subcommands) {
+        names += "        '" + command.name + ":" + quoted(command.summary) + "'\n";
+        cases += "            " + command.name + ")\n                _arguments" +
+                 arguments(command, "                    ") + " ;;\n";
+    }
+    return "#compdef " + program.name +
+           "\n# Completion for zsh.\n\n_cambrian() {\n    local curcontext=$curcontext state line\n"
+           "    local -a subcommands=(\n" +
+           names + "    )\n    _arguments -C" + arguments(program, "        ") +
+           " \\\n        '1:subcommand:->subcommand' '*::argument:->argument'\n"
+           "    case $state in\n"
+           "        subcommand) _describe subcommand subcommands ;;\n"
+           "        argument) case $words[1] in\n" +
+           cases +
+           "        esac ;;\n"
+           "    esac\n}\n\nif [[ $zsh_eval_context[-1] == loadautofunc ]]; then _cambrian \"$@\"\n"
+           "else compdef _cambrian " +
+           program.name + "\nfi\n";
+}
+
+}  // namespace cambrian

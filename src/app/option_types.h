@@ -1,0 +1,19 @@
+#pragma once
+
+// What an option takes, as its help names it. Completion reads the endings of files from these
+// words: FILE and an ending, several of them with '|' between.
+
+namespace cambrian::option_type {
+
+inline constexpr const char* kFile = "FILE";
+inline constexpr const char* kFolder = "FOLDER";
+inline constexpr const char* kCreature = "FILE.creature.json|FILE.card.png";
+inline constexpr const char* kSettings = "FILE.toml";
+inline constexpr const char* kExperiment = "FILE.cambrian";
+inline constexpr const char* kAnyOfOurs =
+    "FILE.creature.json|FILE.card.png|FILE.toml|FILE.cambrian";
+inline constexpr const char* kTable = "FILE.csv";
+inline constexpr const char* kPicture = "FILE.png";
+inline constexpr const char* kDrawing = "FILE.png|FILE.mp4|FILE.gif";
+
+}  // namespace cambrian::option_type

@@ -1,0 +1,32 @@
+#include "app/manual.h"
+
+#include "app/subcommands/subcommands.h"
+
+#include <CLI/CLI.hpp>
+
+#include <cstdio>
+
+namespace cambrian {
+namespace {
+
+class ManualSubcommand final : public Subcommand {
+public:
+    void add_options(CLI::App& /*app*/) override {}
+    ExitStatus run(const EvolutionKinds& /*kinds*/) override {
+        std::fputs(manual_page(command_tree(), CAMBRIAN_VERSION).c_str(), stdout);
+        return ExitStatus::kDone;
+    }
+};
+
+}  // namespace
+
+SubcommandKind manual_subcommand() {
+    return {.id = "manual",
+            .summary = "Write the manual page: every subcommand and option, as roff.",
+            .example = "cambrian manual | man -l -",
+            .make = []() -> std::unique_ptr<Subcommand> {
+                return std::make_unique<ManualSubcommand>();
+            }};
+}
+
+}  // namespace cambrian

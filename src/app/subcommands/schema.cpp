@@ -1,0 +1,31 @@
+#include "app/subcommands/subcommands.h"
+#include "persist/creature_schema.h"
+
+#include <CLI/CLI.hpp>
+
+#include <cstdio>
+
+namespace cambrian {
+namespace {
+
+class SchemaSubcommand final : public Subcommand {
+public:
+    void add_options(CLI::App& /*app*/) override {}
+    ExitStatus run(const EvolutionKinds& kinds) override {
+        std::fputs(creature_schema(kinds).c_str(), stdout);
+        return ExitStatus::kDone;
+    }
+};
+
+}  // namespace
+
+SubcommandKind schema_subcommand() {
+    return {.id = "schema",
+            .summary = "Write the rules of creature files as a JSON Schema.",
+            .example = "cambrian schema > creature-1.schema.json",
+            .make = []() -> std::unique_ptr<Subcommand> {
+                return std::make_unique<SchemaSubcommand>();
+            }};
+}
+
+}  // namespace cambrian

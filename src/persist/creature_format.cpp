@@ -1,0 +1,42 @@
+#include "persist/creature_format.h"
+
+#include <array>
+
+namespace cambrian::creature_format {
+namespace {
+
+constexpr std::array kScoreTables = {"goal", "environment", "simulation", "trial"};
+// Of [body]; the others are about founders.
+constexpr std::array kGrowthKeys = {"max-parts", "max-depth", "max-neurons", "strict-overlap"};
+
+bool decides_a_score(const SettingField& field) {
+    if (field.table == "body")
+        return std::find(kGrowthKeys.begin(), kGrowthKeys.end(), field.key) != kGrowthKeys.end();
+    return std::find(kScoreTables.begin(), kScoreTables.end(), field.table) != kScoreTables.end();
+}
+
+}  // namespace
+
+KindNames names_of(const KindCatalog& catalog) {
+    KindNames names;
+    for (const FunctionEntry& function : catalog.functions) {
+        names.functions.push_back(function.id);
+        names.arities.push_back(function.arity);
+    }
+    for (const JointChoice& joint : catalog.joints)
+        names.joints.push_back(joint.id);
+    return names;
+}
+
+std::vector<ScoreTable> score_tables(const EvolutionKinds& kinds) {
+    std::vector<ScoreTable> tables;
+    for (SettingField& field : setting_fields(kinds)) {
+        if (!decides_a_score(field)) continue;
+        if (tables.empty() || tables.back().name != field.table)
+            tables.push_back({field.table, {}});
+        tables.back().fields.push_back(std::move(field));
+    }
+    return tables;
+}
+
+}  // namespace cambrian::creature_format

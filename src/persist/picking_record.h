@@ -1,0 +1,31 @@
+#pragma once
+
+// What of selection by hand is kept with an experiment: the whole path, and where the person is.
+
+#include "picking/picking_snapshot.h"
+
+#include <array>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace cambrian {
+
+struct PickingRecord {
+    PickingTree tree;
+    std::vector<std::size_t> picks;  // in the grid on show
+    std::vector<PinnedCreature> shelf;
+};
+
+// As in the tables, in the order of the enumerations.
+inline constexpr std::array<std::string_view, 6> kOriginNames = {
+    "population", "creatures", "breeding", "newcomers", "assistance", "shelf"};
+inline constexpr std::array<std::string_view, 3> kBoldnessNames = {"gentle", "bold", "wild"};
+
+// "0 3 7": cells in order of picking.
+std::string picks_text(std::span<const std::size_t> picks);
+std::optional<std::vector<std::size_t>> parse_picks(std::string_view text);
+
+}  // namespace cambrian

@@ -1,0 +1,257 @@
+"""Whether the studio feels fast while it evolves: the real program in a window of its own, on a
+virtual display with OpenGL in software, timed by its own logs. README.md beside it tells more."""
+
+import argparse
+import csv
+import json
+import mmap
+import os
+import pathlib
+import statistics
+import struct
+import subprocess
+import sys
+import tempfile
+import time
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+WIDTH, HEIGHT = 1920, 1080
+PATIENCE = 60  # s; for the window to come, to answer and to go
+LONG_FRAME = 33.0  # ms
+INPUT_EVERY = 3.0  # s
+
+# name: (most that is well, unit)
+AIMS = {
+    "frames over 33 ms": (5.0, "%"),
+    "longest frame": (100.0, "ms"),
+    "start to first frame": (1000.0, "ms"),
+    "input to visible effect": (2.0, "frames"),
+    "memory": (300.0, "MB"),
+}
+
+EVOLVING = "[population]\nsize = {size}\n"
+# What is kept of a creature does not depend on how long it was tried, so short trials reach the
+# generation at which memory is read within minutes.
+QUICK = EVOLVING + "[trial]\nduration = 1\n"
+
+
+class Display:
+    """A virtual X display of its own whose pixels can be looked at while they change."""
+
+    def __init__(self, folder):
+        reading, writing = os.pipe()
+        self.server = subprocess.Popen(
+            ["Xvfb", "-displayfd", str(writing), "-screen", "0", f"{WIDTH}x{HEIGHT}x24",
+             "-fbdir", str(folder), "-nolisten", "tcp"], pass_fds=[writing],
+            stderr=subprocess.DEVNULL)
+        os.close(writing)
+        with os.fdopen(reading) as numbers:
+            name = ":" + numbers.readline().strip()
+        self.environment = dict(os.environ, DISPLAY=name, LIBGL_ALWAYS_SOFTWARE="1")
+        with (folder / "Xvfb_screen0").open("rb") as file:
+            self.screen = mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ)
+        # The head of an XWD file: its own length, and further on the bytes of a line of pixels and
+        # how many colours stand between head and pixels, each of 12 bytes.
+        head = struct.unpack(">25I", self.screen[:100])
+        self.first_pixel, self.line = head[0] + 12 * head[19], head[12]
+
+    def pixel(self, x, y):
+        place = self.first_pixel + y * self.line + 4 * x
+        return self.screen[place:place + 3]
+
+    def tool(self, *arguments):
+        return subprocess.run(["xdotool", *map(str, arguments)], env=self.environment, check=True,
+                              stdout=subprocess.PIPE, encoding="utf-8", timeout=PATIENCE).stdout
+
+    def close(self):
+        self.server.terminate()
+        self.server.wait(PATIENCE)
+
+
+class Studio:
+    """The program, evolving from its start, with its logs in a folder."""
+
+    def __init__(self, display, folder, options, settings):
+        self.display = display
+        self.frame_log = folder / "frames.csv"
+        self.status_log = folder / "status.log"
+        self.status_log.unlink(missing_ok=True)
+        settings_file = folder / "settings.toml"
+        settings_file.write_text(settings)
+        command = [options.program, "studio", settings_file, "--evolve", "--width", WIDTH,
+                   "--height", HEIGHT, "--state-dir", "", "--frame-log", self.frame_log,
+                   "--status-log", self.status_log]
+        if options.threads:
+            command += ["--threads", options.threads]
+        self.launched = time.monotonic()
+        self.process = subprocess.Popen(list(map(str, command)), env=display.environment)
+        self.wait_for("started")
+        self.window = display.tool("search", "--sync", "--name", "Cambrian").split()[0]
+        display.tool("windowfocus", "--sync", self.window)
+
+    def events(self, name):
+        if not self.status_log.exists():
+            return []
+        whole_lines = self.status_log.read_text().split("\n")[:-1]
+        return [event for event in map(json.loads, whole_lines) if event["event"] == name]
+
+    def wait_for(self, name, count=1, patience=PATIENCE):
+        """The last of so many events of this name."""
+        end = time.monotonic() + patience
+        while time.monotonic() < end:
+            found = self.events(name)
+            if len(found) >= count:
+                return found[count - 1]
+            if self.process.poll() is not None:
+                sys.exit(f"the studio ended before '{name}'")
+            time.sleep(0.05)
+        return sys.exit(f"no '{name}' within {patience} s")
+
+    def memory(self):
+        """Resident, in MB."""
+        status = pathlib.Path(f"/proc/{self.process.pid}/status").read_text()
+        resident = next(line for line in status.splitlines() if line.startswith("VmRSS:"))
+        return int(resident.split()[1]) / 1024
+
+    def frames(self):
+        """As logged; whole once the program has ended."""
+        with self.frame_log.open(newline="") as file:
+            return [{name: float(value) for name, value in row.items()}
+                    for row in csv.DictReader(file)]
+
+    def close(self):
+        self.display.tool("key", "ctrl+q")
+        self.process.wait(PATIENCE)
+
+
+class Toggle:
+    """The help card, which F1 brings and takes away: what was pressed when, and when the screen
+    showed it."""
+
+    # In the margin of the card, in the middle of the window; the viewport is under it.
+    PLACE = (WIDTH // 2 - 420, HEIGHT // 2 - 310)
+
+    def __init__(self, studio):
+        self.studio = studio
+        self.pressed = 0
+        self.seen = []  # (which press, s when visible)
+        without = self.studio.display.pixel(*self.PLACE)
+        self.press()
+        time.sleep(1.0)
+        self.colors = [without, self.studio.display.pixel(*self.PLACE)]
+        if self.colors[0] == self.colors[1]:
+            sys.exit("F1 brings no help card")
+
+    def press(self):
+        self.studio.display.tool("key", "F1")
+        self.pressed += 1
+
+    def press_and_watch(self):
+        self.studio.display.tool("keydown", "F1")
+        self.pressed += 1
+        wanted = self.pressed % 2
+        end = time.monotonic() + PATIENCE
+        while self.studio.display.pixel(*self.PLACE) != self.colors[wanted]:
+            if time.monotonic() > end:
+                sys.exit("F1 has no visible effect")
+            time.sleep(0.0005)
+        self.seen.append((self.pressed, time.monotonic()))
+        self.studio.display.tool("keyup", "F1")
+
+    def frames(self):
+        """For each press seen: the frames begun from the one that read it to the one that showed
+        it, both counted."""
+        begun = self.studio.frames()
+        presses = self.studio.events("pressed")
+        return [sum(frame["began_s"] <= seen and frame["frame"] >= presses[press - 1]["frame"]
+                    for frame in begun)
+                for press, seen in self.seen]
+
+
+def quantile(values, share):
+    ordered = sorted(values)
+    return ordered[round(share * (len(ordered) - 1))]
+
+
+def measure_frames(display, folder, options):
+    """A while of evolving, the help card coming and going."""
+    studio = Studio(display, folder, options, EVOLVING.format(size=options.size))
+    end = studio.launched + options.seconds
+    time.sleep(5.0)
+    toggle = Toggle(studio)
+    while time.monotonic() < end:
+        time.sleep(INPUT_EVERY)
+        toggle.press_and_watch()
+    generations = len(studio.events("generation"))
+    memory = studio.memory()
+    studio.close()
+    frames = studio.frames()
+    intervals = [frame["interval_ms"] for frame in frames]
+    work = [frame["work_ms"] for frame in frames]
+    steps = toggle.frames()
+    print(f"frames                   {len(frames)} in {options.seconds:.0f} s, "
+          f"{generations} generations of {options.size}, {memory:.0f} MB at the end")
+    for name, values in (("frame time", intervals), ("work of it", work)):
+        print(f"{name:24} median {statistics.median(values):.1f}, p95 {quantile(values, 0.95):.1f},"
+              f" p99 {quantile(values, 0.99):.1f}, longest {max(values):.1f} ms")
+    print(f"presses watched          {len(steps)}: {' '.join(map(str, steps))} frames")
+    return {
+        "frames over 33 ms": 100 * sum(each > LONG_FRAME for each in intervals) / len(intervals),
+        "longest frame": max(intervals),
+        "start to first frame": 1000 * (frames[0]["shown_s"] - studio.launched),
+        "input to visible effect": statistics.median(steps),
+    }
+
+
+def measure_memory(display, folder, options):
+    studio = Studio(display, folder, options, QUICK.format(size=options.size))
+    for passed in range(50, options.generations + 1, 50):
+        studio.wait_for("generation", count=passed, patience=3600)
+        print(f"memory                   {studio.memory():.0f} MB after {passed} generations")
+    memory = studio.memory()
+    studio.close()
+    return {"memory": memory}
+
+
+def warm_up(display, folder, options):
+    """Has the program's files in memory before its start is timed."""
+    Studio(display, folder, options, EVOLVING.format(size=options.size)).close()
+
+
+def judge(figures):
+    missed = 0
+    for name, (most, unit) in AIMS.items():
+        if name not in figures:
+            continue
+        well = figures[name] <= most
+        missed += not well
+        print(f"{'met   ' if well else 'MISSED'} {name:24} {figures[name]:.1f} {unit}, "
+              f"at most {most:.0f}")
+    return missed
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("program", nargs="?", default=ROOT / "build/release/bin/cambrian")
+    parser.add_argument("--seconds", type=float, default=60.0, help="how long frames are timed")
+    parser.add_argument("--size", type=int, default=300, help="creatures in the population")
+    parser.add_argument("--threads", type=int, help="that evaluate; one a core unless given")
+    parser.add_argument("--generations", type=int, default=0,
+                        help="read the memory after so many quick ones too; 0 does not")
+    options = parser.parse_args()
+    with tempfile.TemporaryDirectory(prefix="cambrian-frames-") as name:
+        folder = pathlib.Path(name)
+        display = Display(folder)
+        try:
+            print(f"load before              {os.getloadavg()[0]:.1f} on {os.cpu_count()} cores")
+            warm_up(display, folder, options)
+            figures = measure_frames(display, folder, options)
+            if options.generations:
+                figures |= measure_memory(display, folder, options)
+        finally:
+            display.close()
+    sys.exit(1 if judge(figures) else 0)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,40 @@
+// Prints the files of so many random creatures as one JSON list: founders, and genomes repaired
+// from garbage, which stand at the ends of their ranges.
+
+#include "genome/random_garbage.h"
+#include "genome/random_genome.h"
+#include "persist/creature_file.h"
+#include "support/kinds.h"
+
+#include <cstdio>
+#include <cstdlib>
+
+using namespace cambrian;
+using namespace cambrian::test;
+
+namespace {
+
+CreatureDocument random_document(RandomStream& stream) {
+    const KindCatalog& catalog = kinds().creature.catalog;
+    CreatureDocument document;
+    if (stream.chance(0.5)) {
+        document.genome = random_genome(FounderSettings{}, catalog, stream);
+    } else {
+        document.genome = garbage_genome(stream);
+        repair(document.genome, catalog);
+    }
+    if (stream.chance(0.1)) document.scored.emplace().goal = "walking";
+    return document;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    const int count = argc > 1 ? std::atoi(argv[1]) : 1;
+    RandomStream stream(91);
+    for (int i = 0; i < count; ++i) {
+        const std::string text = write_creature(random_document(stream), kinds());
+        std::printf("%s%s", i == 0 ? "[" : ",\n", text.c_str());
+    }
+    std::puts("]");
+}

@@ -1,0 +1,74 @@
+"""The JSON Schema of creature files says what the reader does."""
+
+import json
+import subprocess
+import unittest
+
+import jsonschema
+
+from program import RANDOM_CREATURES, ROOT, ProgramTest
+
+KEPT = ROOT / "tests/persist/creatures"
+# Not to be said in a schema: what is no JSON, too large or too deep, a target beyond the nodes,
+# and a key twice; nor what is a matter of JSON's own numbers or of more keys than anyone needs.
+BEYOND = ["E01", "E02", "E09", "E13", "E10_keys", "E07_overflow"]
+
+
+def schema():
+    return json.loads((ROOT / "assets/schema/creature-1.schema.json").read_text())
+
+
+class Schema(ProgramTest):
+    @classmethod
+    def setUpClass(cls):
+        cls.rules = jsonschema.Draft202012Validator(schema())
+
+    def documents(self, begin):
+        for path in sorted(KEPT.glob(begin + "*.creature.json")):
+            if not any(path.name.startswith(name) for name in BEYOND):
+                yield path.name, json.loads(path.read_text(encoding="utf-8-sig"))
+
+    def test_the_kept_schema_is_as_the_program_writes_it(self):
+        kept = (ROOT / "assets/schema/creature-1.schema.json").read_text()
+        self.assertEqual(self.run_well("schema").stdout, kept)
+        jsonschema.Draft202012Validator.check_schema(schema())
+
+    def test_the_sample_creatures_keep_to_the_schema(self):
+        samples = sorted((ROOT / "assets/creatures").glob("*.creature.json"))
+        self.assertGreaterEqual(len(samples), 10)
+        for sample in samples:
+            self.rules.validate(json.loads(sample.read_text()))
+
+    def test_a_thousand_random_creatures_keep_to_the_schema(self):
+        creatures = json.loads(subprocess.check_output([RANDOM_CREATURES, "1000"]))
+        self.assertEqual(len(creatures), 1000)
+        for creature in creatures:
+            self.rules.validate(creature)
+
+    def test_what_the_reader_loads_keeps_to_the_schema(self):
+        for begin in ["sound", "W"]:
+            for name, document in self.documents(begin):
+                with self.subTest(name):
+                    self.rules.validate(document)
+
+    def test_what_the_reader_refuses_breaks_the_schema(self):
+        codes = set()
+        for name, document in self.documents("E"):
+            with self.subTest(name):
+                self.assertFalse(self.rules.is_valid(document))
+            codes.add(name[:3])
+        self.assertEqual(codes, {"E03", "E04", "E05", "E06", "E07", "E08", "E10", "E11", "E12"})
+
+    def test_every_rule_is_explained(self):
+        def explained(rules):
+            for key, rule in rules.get("properties", {}).items():
+                self.assertTrue(rule.get("description"), key)
+                explained(rule)
+            for each in rules.get("oneOf", []):
+                explained(each)
+        for rules in schema()["$defs"].values():
+            explained(rules)
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)

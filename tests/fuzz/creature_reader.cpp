@@ -1,0 +1,61 @@
+// Creature files: a valid genome or a message; what is loaded is written and read again as it was,
+// can be grown, and moves for a tenth of a second within the work it is allowed.
+
+#include "fuzz/fuzz_target.h"
+#include "persist/creature_file.h"
+#include "simulator/trial.h"
+#include "support/kinds.h"
+
+#include <algorithm>
+
+using namespace cambrian;
+using namespace cambrian::test;
+
+namespace {
+
+constexpr double kDuration = 0.1;         // s
+constexpr double kMostEvaluations = 2e3;  // a simulated second
+
+void read_again(const CreatureDocument& document) {
+    const std::string text = write_creature(document, kinds());
+    const auto again = parse_creature(text, "again", kinds());
+    promise(again.has_value(), "what is written can be read");
+    promise(again->genome == document.genome, "a genome is read as it was written");
+    promise(again->scored == document.scored, "a score is read as it was written");
+    promise(write_creature(*again, kinds()) == text, "writing again gives the same bytes");
+}
+
+TrialWorld brief(TrialWorld world) {
+    world.trial.duration = std::min(world.trial.duration, kDuration);
+    world.trial.settle_limit = std::min(world.trial.settle_limit, kDuration);
+    world.scene.max_evaluations = std::min(world.scene.max_evaluations, kMostEvaluations);
+    return world;
+}
+
+void live(const CreatureDocument& document) {
+    const ScoredRecord scored = document.scored.value_or(ScoredRecord{});
+    const TrialWorld world = brief(scored.world);
+    const auto phenotype = std::make_shared<const Phenotype>(
+        express(document.genome, kinds().creature, scored.expression, world.scene));
+    const std::size_t parts = phenotype->plan.parts.size();
+    promise(parts >= 1 && parts <= static_cast<std::size_t>(scored.expression.max_parts),
+            "a body keeps to its limit of parts");
+    const auto record = run_trial(phenotype, kinds().creature, world);
+    promise(record.has_value() || !record.error().message.empty(),
+            "a body that physics refuses comes with a reason");
+}
+
+}  // namespace
+
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    const auto document = parse_creature(text_of(data, size), "input", kinds());
+    if (!document) {
+        promise(document.error().message.starts_with("input: E"), "a refusal has a code");
+        return 0;
+    }
+    promise(validate(document->genome, kinds().creature.catalog).empty(),
+            "what is loaded is valid");
+    read_again(*document);
+    live(*document);
+    return 0;
+}
