@@ -11,9 +11,10 @@ namespace {
 
 bool suits(std::string_view name, FileTask task) {
     if (name.ends_with(ending_of(task))) return true;
+    if (task == FileTask::kSaveCreature) return name.ends_with(kCardEnding);
     // Cards that travelled may have lost the rest of their ending.
-    if (task == FileTask::kOpen) return name.ends_with(".toml") || name.ends_with(".png");
-    return task == FileTask::kSaveCreature && name.ends_with(kCardEnding);
+    return task == FileTask::kOpen && (name.ends_with(".toml") || name.ends_with(".png") ||
+                                       name.ends_with(ending_of(FileTask::kSaveExperiment)));
 }
 
 }  // namespace
@@ -23,6 +24,8 @@ const char* ending_of(FileTask task) {
         case FileTask::kOpen:
         case FileTask::kSaveCreature:
             break;
+        case FileTask::kSaveExperiment:
+            return ".cambrian";
         case FileTask::kSaveSettings:
             return ".toml";
         case FileTask::kSaveStatistics:

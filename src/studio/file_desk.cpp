@@ -16,6 +16,11 @@ FileEvent saved(const std::filesystem::path& path, const Status& status) {
     return FileFailed{path, status.error().message};
 }
 
+FileEvent saved_creature(const std::filesystem::path& path, const Status& status) {
+    if (status) return FileSaved{.path = path, .creature = true};
+    return saved(path, status);
+}
+
 FileEvent prepared(CardOrder order, const EvolutionKinds& kinds, const std::stop_token& stop) {
     recompute_score(order.document, kinds, stop);
     auto subject = subject_of(order.document, order.settings, order.title, kinds);
@@ -42,9 +47,16 @@ FileEvent load_file(const std::filesystem::path& path, const EvolutionKinds& kin
         if (document) return CreatureLoaded{path, std::move(*document)};
         return FileFailed{path, document.error().message};
     }
+    if (name.ends_with(".cambrian")) {
+        auto experiment = open_experiment(path, kinds);
+        if (experiment)
+            return ExperimentLoaded{path,
+                                    std::make_shared<OpenedExperiment>(*std::move(experiment))};
+        return FileFailed{path, experiment.error().message};
+    }
     return FileFailed{path, path.string() +
                                 " is not a file the studio opens; expected *.creature.json, a card "
-                                "(*.png) or settings *.toml"};
+                                "*.png, an experiment *.cambrian or settings *.toml"};
 }
 
 template <class Work>
@@ -63,7 +75,7 @@ void FileDesk::save_creature(const std::filesystem::path& path, CreatureDocument
     run([path, document = std::move(document),
          &kinds = kinds_](const std::stop_token& stop) mutable {
         recompute_score(document, kinds, stop);
-        return saved(path, cambrian::save_creature(path, document, kinds));
+        return saved_creature(path, cambrian::save_creature(path, document, kinds));
     });
 }
 
@@ -76,7 +88,14 @@ void FileDesk::prepare_card(CardOrder order) {
 void FileDesk::save_card(const std::filesystem::path& path, Image picture, std::string document) {
     run([path, picture = std::move(picture),
          document = std::move(document)](const std::stop_token&) {
-        return saved(path, cambrian::save_card(path, picture, document));
+        return saved_creature(path, cambrian::save_card(path, picture, document));
+    });
+}
+
+void FileDesk::save_experiment(const std::filesystem::path& path,
+                               std::shared_ptr<KeptExperiment> experiment) {
+    run([path, experiment = std::move(experiment)](const std::stop_token&) {
+        return saved(path, experiment->move_to(path));
     });
 }
 

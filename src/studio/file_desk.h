@@ -6,12 +6,14 @@
 #include "core/image.h"
 #include "evolution/statistics.h"
 #include "persist/creature_file.h"
+#include "persist/kept_experiment.h"
 #include "pictures/subject.h"
 #include "studio/background_worker.h"
 #include "studio/file_browser.h"
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -27,8 +29,13 @@ struct SettingsLoaded {
     std::filesystem::path path;
     ExperimentSettings settings;
 };
+struct ExperimentLoaded {
+    std::filesystem::path path;
+    std::shared_ptr<OpenedExperiment> experiment;
+};
 struct FileSaved {
     std::filesystem::path path;
+    bool creature = false;  // that file is one, or a card
 };
 // A card of which all is known but its picture.
 struct PreparedCard {
@@ -46,8 +53,8 @@ struct FileFailed {
     std::filesystem::path path;
     std::string message;
 };
-using FileEvent =
-    std::variant<CreatureLoaded, SettingsLoaded, FileSaved, CardPrepared, FolderListed, FileFailed>;
+using FileEvent = std::variant<CreatureLoaded, SettingsLoaded, ExperimentLoaded, FileSaved,
+                               CardPrepared, FolderListed, FileFailed>;
 
 struct CardOrder {
     std::filesystem::path path;
@@ -63,12 +70,14 @@ public:
     FileDesk(BackgroundWorker& worker, const EvolutionKinds& kinds)
         : worker_(worker), kinds_(kinds) {}
 
-    // By the name's ending: a creature, alone or in a card, or settings.
+    // By the name's ending: a creature, alone or in a card, settings or an experiment.
     void load(const std::filesystem::path& path);
     void save_creature(const std::filesystem::path& path, CreatureDocument document);
     // A card is prepared here, its picture drawn by the window, and saved here.
     void prepare_card(CardOrder order);
     void save_card(const std::filesystem::path& path, Image picture, std::string document);
+    void save_experiment(const std::filesystem::path& path,
+                         std::shared_ptr<KeptExperiment> experiment);
     void save_settings(const std::filesystem::path& path, const ExperimentSettings& settings);
     void save_statistics(const std::filesystem::path& path,
                          std::vector<GenerationStatistics> history);

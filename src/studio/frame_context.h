@@ -54,6 +54,7 @@ struct FrameContext {
     Place focus = Place::kNone;            // to get the keyboard now
     const PickingView* picking = nullptr;  // null in automatic evolution
     const GeneEditor* genes = nullptr;  // of the creature on show; null where it cannot be edited
+    bool previous_run = false;          // whether there is one that could be opened
 
     bool can_undo() const { return editor.can_undo() || (genes != nullptr && genes->can_undo()); }
     bool can_redo() const { return editor.can_redo() || (genes != nullptr && genes->can_redo()); }

@@ -18,6 +18,13 @@ void HandPicking::enter(const EvolutionSnapshot& evolution, const GenomePtr& on_
     on_ = true;
     single_ = false;
     use(evolution.settings, now);
+    if (restored_) {
+        PickingRecord record = *std::exchange(restored_, std::nullopt);
+        const bool empty = record.tree.empty();
+        send(RestoreGrids{std::move(record.tree), std::move(record.picks), std::move(record.shelf)},
+             now);
+        if (!empty) return;
+    }
     const std::pair population = {evolution.experiment, evolution.history.size()};
     if (!evolution.population.empty() && (first || population != left_)) {
         send(ShowPopulation{evolution.settings, evolution.population}, now);
@@ -32,6 +39,15 @@ void HandPicking::leave(const EvolutionSnapshot& evolution) {
     on_ = false;
     single_ = false;
     left_ = {evolution.experiment, evolution.history.size()};
+}
+
+void HandPicking::restore(PickingRecord record, double now) {
+    if (desk_ == nullptr && record.tree.empty() && record.shelf.empty()) return;
+    restored_ = std::move(record);
+    if (!on_) return;
+    PickingRecord present = *std::exchange(restored_, std::nullopt);
+    send(RestoreGrids{std::move(present.tree), std::move(present.picks), std::move(present.shelf)},
+         now);
 }
 
 void HandPicking::send(PickingCommand command, double now) {

@@ -5,6 +5,7 @@
 
 #include "evolution/evolution_kinds.h"
 #include "evolution/snapshot.h"
+#include "persist/picking_record.h"
 #include "picking/picking_desk.h"
 #include "studio/exhibit.h"
 #include "studio/picking_view.h"
@@ -30,6 +31,8 @@ public:
     // children of the creature on show (null: of random ones).
     void enter(const EvolutionSnapshot& evolution, const GenomePtr& on_show, double now);
     void leave(const EvolutionSnapshot& evolution);
+    // The grids of the experiment that was opened, to be gone on with at the next entry.
+    void restore(PickingRecord record, double now);
     bool on() const { return on_; }
     // The creatures of the grid fill the viewport's place, rather than one of them.
     bool grid_shown() const { return on_ && !single_; }
@@ -40,6 +43,8 @@ public:
     // Once a frame: news of the desk, written to the log; `elapsed` seconds of motion.
     void update(double elapsed, StatusLog& log);
 
+    // Null before the first entry.
+    const std::shared_ptr<const PickingSnapshot>& shared_snapshot() const { return snapshot_; }
     // Of an entered one.
     const PickingSnapshot& snapshot() const { return *snapshot_; }
     std::vector<IndividualPtr> picks() const;
@@ -66,6 +71,7 @@ private:
     std::deque<std::pair<PickingCommand, double>> unsent_;  // the desk's inbox was full
     std::shared_ptr<const PickingSnapshot> snapshot_;
     SettingsPtr used_;  // last told to the desk
+    std::optional<PickingRecord> restored_;
     GridMotion motion_;
     PickingOptions options_;
     std::size_t focus_ = 0;  // cell

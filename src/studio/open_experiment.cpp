@@ -24,8 +24,9 @@ OpenExperiment::OpenExperiment(ExperimentSettings settings, const EvolutionKinds
     : kinds_(kinds),
       fields_(setting_fields(kinds)),
       editor_(completed(std::move(settings), fields_)),
+      kept_(std::make_shared<KeptExperiment>(std::filesystem::path(), kinds)),
       engine_(std::make_shared<const ExperimentSettings>(editor_.draft()), kinds,
-              make_thread_pool_backend(kinds, workers, ThreadPriority::kBackground)),
+              make_thread_pool_backend(kinds, workers, ThreadPriority::kBackground), kept_),
       snapshot_(engine_.latest()) {}
 
 void OpenExperiment::poll() {
@@ -98,7 +99,7 @@ Status OpenExperiment::commit() {
     if (Status fault = check_settings(editor_.draft(), kinds_); !fault) return fault;
     if (fresh()) {
         if (editor_.draft() == *snapshot_->settings) return {};
-        send(StartExperiment{std::make_shared<const ExperimentSettings>(editor_.draft()), {}});
+        start({});
         return {};
     }
     const ExperimentSettings next =
@@ -127,9 +128,29 @@ void OpenExperiment::drop_structural_edits() {
 Status OpenExperiment::start_new_run(std::vector<GenomePtr> founders) {
     editor_.finish();
     if (Status fault = check_settings(editor_.draft(), kinds_); !fault) return fault;
-    send(StartExperiment{std::make_shared<const ExperimentSettings>(editor_.draft()),
-                         std::move(founders)});
+    start(std::move(founders));
     return {};
+}
+
+// A place of its own for every run, so that one before can still be written to its end.
+void OpenExperiment::start(std::vector<GenomePtr> founders) {
+    file_.clear();
+    kept_ = std::make_shared<KeptExperiment>(autosave_, kinds_);
+    send(StartExperiment{std::make_shared<const ExperimentSettings>(editor_.draft()),
+                         std::move(founders), kept_});
+}
+
+void OpenExperiment::autosave_in(const std::filesystem::path& file) {
+    autosave_ = file;
+    start({});
+}
+
+void OpenExperiment::go_on(SavedExperiment saved, std::shared_ptr<ExperimentFile> file,
+                           const std::filesystem::path& path) {
+    file_ = path == autosave_ ? std::filesystem::path() : path;
+    editor_.replace(completed(*setting_changes(saved).back().settings, fields_));
+    kept_ = std::make_shared<KeptExperiment>(std::move(file), kinds_);
+    send(ContinueExperiment{std::make_shared<const SavedExperiment>(std::move(saved)), kept_});
 }
 
 Status OpenExperiment::replace(const ExperimentSettings& settings) {

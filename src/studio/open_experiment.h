@@ -4,11 +4,13 @@
 
 #include "core/stopwatch.h"
 #include "evolution/engine.h"
+#include "persist/kept_experiment.h"
 #include "studio/frame_context.h"
 #include "studio/settings_editor.h"
 
 #include <cstdint>
 #include <deque>
+#include <filesystem>
 #include <memory>
 #include <span>
 #include <vector>
@@ -19,6 +21,18 @@ class OpenExperiment {
 public:
     // Settings must pass check_settings. Uses `workers` threads to evaluate.
     OpenExperiment(ExperimentSettings settings, const EvolutionKinds& kinds, std::size_t workers);
+
+    // From now on new runs are kept in this file (KeptExperiment); before, nowhere for long.
+    void autosave_in(const std::filesystem::path& file);
+    // Goes on with an experiment that was kept, paused.
+    void go_on(SavedExperiment saved, std::shared_ptr<ExperimentFile> file,
+               const std::filesystem::path& path);
+    // It is kept there from now on.
+    void moved_to(const std::filesystem::path& path) { file_ = path; }
+    // The file a person gave it; empty if none.
+    const std::filesystem::path& file() const { return file_; }
+    // Where the present one is kept; any thread.
+    const std::shared_ptr<KeptExperiment>& kept() const { return kept_; }
 
     // Once a frame: sends what waited for room and measures progress.
     void poll();
@@ -50,11 +64,15 @@ public:
 
 private:
     void send(Command command);
+    void start(std::vector<GenomePtr> founders);
     void measure();
 
     const EvolutionKinds& kinds_;
     std::vector<SettingField> fields_;
     SettingsEditor editor_;
+    std::filesystem::path autosave_;
+    std::filesystem::path file_;
+    std::shared_ptr<KeptExperiment> kept_;
     EvolutionEngine engine_;
     std::deque<Command> unsent_;  // the engine's inbox was full
     std::shared_ptr<const EvolutionSnapshot> snapshot_;

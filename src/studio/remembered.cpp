@@ -106,6 +106,8 @@ Remembered recall(const std::filesystem::path& folder, const EvolutionKinds& kin
         remembered.view = parse_view(*view);
     if (auto settings = load_settings(folder / "experiment.toml", kinds))
         remembered.settings = std::move(*settings);
+    if (auto path = read_file(folder / "experiment.path", kMostBytes))
+        remembered.experiment = std::move(*path);
     return remembered;
 }
 
@@ -116,7 +118,13 @@ Status remember(const std::filesystem::path& folder, const Remembered& remembere
     if (error) return Error{folder.string() + " cannot be made: " + error.message()};
     if (Status status = write_file(folder / "view.conf", write_view(remembered.view)); !status)
         return status;
+    if (Status status = write_file(folder / "experiment.path", remembered.experiment); !status)
+        return status;
     return save_settings(folder / "experiment.toml", remembered.settings, kinds);
+}
+
+std::filesystem::path own_experiment(const std::filesystem::path& folder) {
+    return folder / "experiment.cambrian";
 }
 
 }  // namespace cambrian

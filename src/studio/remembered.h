@@ -1,7 +1,7 @@
 #pragma once
 
-// What the studio remembers between two runs of the program: its arrangement and the experiment's
-// settings.
+// What the studio remembers between two runs of the program: its arrangement, the settings as
+// edited and which experiment was open.
 
 #include "core/result.h"
 #include "evolution/evolution_kinds.h"
@@ -17,6 +17,7 @@ namespace cambrian {
 struct Remembered {
     ViewState view;
     ExperimentSettings settings;
+    std::string experiment;  // file of the one that is open; empty: the folder's own
 
     friend bool operator==(const Remembered&, const Remembered&) = default;
 };
@@ -26,6 +27,9 @@ Remembered recall(const std::filesystem::path& folder, const EvolutionKinds& kin
 // Makes the folder if need be.
 Status remember(const std::filesystem::path& folder, const Remembered& remembered,
                 const EvolutionKinds& kinds);
+
+// Where the experiment of a folder is kept that has no file of its own.
+std::filesystem::path own_experiment(const std::filesystem::path& folder);
 
 // The arrangement as text, "name = value" a line. Lines that are not understood are passed over.
 std::string write_view(const ViewState& view);

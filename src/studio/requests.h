@@ -129,6 +129,7 @@ struct ChangePickingOptions {
 enum class FileTask : std::uint8_t {
     kOpen,
     kSaveCreature,
+    kSaveExperiment,
     kSaveSettings,
     kSaveStatistics,
     kSavePlot
@@ -152,6 +153,10 @@ struct LoadFile {
 struct SaveCreatureFile {
     std::filesystem::path path;
 };
+struct SaveExperimentFile {
+    std::filesystem::path path;
+};
+struct OpenPreviousRun {};
 struct SaveSettingsFile {
     std::filesystem::path path;
 };
@@ -190,8 +195,9 @@ using StudioAction =
                  ToggleStarOfShown, RestoreStar, FocusPlace, ToggleHandPicking, HandOverPicks,
                  AskPicking, FocusCell, ShowCell, ShowGrid, SaveCell, ChangePickingOptions,
                  OpenFilePanel, CloseFilePanel, ListFolder, LoadFile, SaveCreatureFile,
-                 SaveSettingsFile, SaveStatisticsFile, SavePlotPicture, SaveScreenshot, FindSetting,
-                 ToggleSamples, DismissNotice, ToggleHelp, ShowHelp, TurnTour, QuitStudio>;
+                 SaveExperimentFile, OpenPreviousRun, SaveSettingsFile, SaveStatisticsFile,
+                 SavePlotPicture, SaveScreenshot, FindSetting, ToggleSamples, DismissNotice,
+                 ToggleHelp, ShowHelp, TurnTour, QuitStudio>;
 
 class Requests {
 public:

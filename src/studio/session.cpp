@@ -28,7 +28,7 @@ Session::Session(Remembered remembered, const EvolutionKinds& kinds, std::size_t
       experiment_(std::move(remembered.settings), kinds, workers),
       picking_(kinds, workers),
       view_(remembered.view),
-      kept_{view_, experiment_.editor().draft()},
+      kept_{view_, experiment_.editor().draft(), std::move(remembered.experiment)},
       ghosts_(kinds.creature) {
     stage_.playback().set_speed(view_.speed);
     files_.listing.folder = std::filesystem::current_path();
@@ -72,6 +72,7 @@ void Session::update(double now, double elapsed) {
         ghosts_.update(experiment_.snapshot(), view_.ghosts, stage_.playback(), kGhostBudget);
     }
     playback_seconds_ = spent.seconds();
+    keep_stars();
     notice_ = notices_.current(now);
     if (now - kept_at_ > kMemoryInterval) keep_memory();
 }
@@ -105,7 +106,8 @@ FrameContext Session::frame_context() const {
             .find_asked = find_asked_,
             .focus = focus_,
             .picking = picking_view_ ? &*picking_view_ : nullptr,
-            .genes = &genes_};
+            .genes = &genes_,
+            .previous_run = previous_run_};
 }
 
 bool Session::animating() const {
@@ -151,8 +153,8 @@ void Session::follow_status() {
             log_.write("paused");
             break;
         case EngineStatus::kFailed:
-            tell(NoticeKind::kProblem, "Evolution stopped: " + snapshot.failure +
-                                           ". Start a new run from the Edit menu.");
+            tell(NoticeKind::kProblem,
+                 "Evolution stopped: " + snapshot.failure + ". Press Evolve to try again.");
             break;
     }
 }
@@ -246,6 +248,7 @@ void Session::apply(const StartNewRun& action) {
     for (const IndividualPtr& individual : experiment_.snapshot().population) {
         if (action.keep_population) founders.push_back(individual->genome);
     }
+    previous_run_ = previous_run_ || (!memory_.empty() && !experiment_.snapshot().history.empty());
     report(experiment_.start_new_run(std::move(founders)));
     log_.write("new run");
 }

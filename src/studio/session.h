@@ -27,8 +27,10 @@ public:
     Session(Remembered remembered, const EvolutionKinds& kinds, std::size_t workers,
             const std::filesystem::path& status_log);
 
-    // From now on, keeps arrangement and settings in a folder whenever they changed.
-    void remember_in(const std::filesystem::path& folder) { memory_ = folder; }
+    // From now on, keeps arrangement, settings and experiment in a folder whenever they changed.
+    void remember_in(const std::filesystem::path& folder);
+    // In the background: the experiment that was open when the folder was last used.
+    void reopen_last();
     void keep_memory();
     // Shows one creature and offers nothing else.
     void be_viewer() { viewer_ = true; }
@@ -113,6 +115,8 @@ private:
     void apply(const ListFolder& action) { desk_.list(action.folder, files_.task); }
     void apply(const LoadFile& action) { desk_.load(action.path); }
     void apply(const SaveCreatureFile& action);
+    void apply(const SaveExperimentFile& action);
+    void apply(const OpenPreviousRun&);
     void apply(const SaveSettingsFile& action);
     void apply(const SaveStatisticsFile& action);
     void apply(const SavePlotPicture& action) { plot_wanted_ = action; }
@@ -127,12 +131,15 @@ private:
 
     void receive(CreatureLoaded& event);
     void receive(const SettingsLoaded& event);
+    void receive(ExperimentLoaded& event);
     void receive(const FileSaved& event);
     void receive(CardPrepared& event) { card_wanted_ = std::move(event.card); }
     void receive(FolderListed& event) { files_.listing = std::move(event.listing); }
     void receive(const FileFailed& event);
 
     void follow_picking(double elapsed);
+    void keep_picking();
+    void keep_stars();
     void enter_picking();
     void leave_picking();
     bool show_cell(std::size_t cell);
@@ -166,6 +173,10 @@ private:
     std::filesystem::path memory_;  // folder; empty remembers nothing
     Remembered kept_;
     double kept_at_ = 0.0;  // s
+    bool previous_run_ = false;
+    bool reopening_ = false;  // what was open last is being read
+    std::shared_ptr<const PickingSnapshot> kept_picking_;
+    std::uint64_t kept_stars_ = 0;  // revision
     FileBrowser files_;
     Notices notices_;
     double now_ = 0.0;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <system_error>
 #include <utility>
 
 namespace cambrian {
@@ -82,9 +83,28 @@ CreatureDocument Session::document_on_show() const {
     return document;
 }
 
+void Session::remember_in(const std::filesystem::path& folder) {
+    memory_ = folder;
+    if (folder.empty()) return;
+    experiment_.autosave_in(own_experiment(folder));
+    std::error_code unknown;
+    previous_run_ = std::filesystem::exists(previous_run(own_experiment(folder)), unknown);
+}
+
+void Session::reopen_last() {
+    if (memory_.empty()) return;
+    std::filesystem::path path = kept_.experiment;
+    std::error_code unknown;
+    if (path.empty()) path = own_experiment(memory_);
+    const bool named = !kept_.experiment.empty();
+    reopening_ = named || std::filesystem::exists(path, unknown);
+    if (reopening_) desk_.load(path);
+}
+
 void Session::keep_memory() {
     kept_at_ = now_;
-    Remembered present{view_, experiment_.editor().draft()};
+    Remembered present{view_, experiment_.editor().draft(),
+                       reopening_ ? kept_.experiment : experiment_.file().string()};
     if (memory_.empty() || present == kept_) return;
     kept_ = present;
     worker_.submit([this, folder = memory_, present = std::move(present)](const std::stop_token&) {
@@ -113,6 +133,11 @@ void Session::apply(const OpenFilePanel& action) {
         const Exhibit& exhibit = stage_.playback().exhibit();
         files_.suggested_name = file_stem(exhibit.title) + ".creature.json";
     }
+    if (action.task == FileTask::kSaveExperiment) {
+        files_.suggested_name = experiment_.file().empty()
+                                    ? file_stem(experiment_.editor().draft().goal) + ".cambrian"
+                                    : experiment_.file().filename().string();
+    }
     if (action.task == FileTask::kSaveSettings) files_.suggested_name = "experiment.toml";
     if (action.task == FileTask::kSaveStatistics) files_.suggested_name = "statistics.csv";
     if (action.task == FileTask::kSavePlot)
@@ -134,6 +159,16 @@ void Session::apply(const SaveCreatureFile& action) {
 
 void Session::keep_card(const PreparedCard& card, Image picture) {
     desk_.save_card(card.path, std::move(picture), card.text);
+}
+
+void Session::apply(const SaveExperimentFile& action) {
+    desk_.save_experiment(action.path, experiment_.kept());
+}
+
+// The one before the present one, wherever that is by now.
+void Session::apply(const OpenPreviousRun&) {
+    const std::filesystem::path own = own_experiment(memory_);
+    desk_.load(experiment_.snapshot().history.empty() ? own : previous_run(own));
 }
 
 void Session::apply(const SaveSettingsFile& action) {
@@ -166,15 +201,56 @@ void Session::receive(const SettingsLoaded& event) {
                                 ". Press Evolve to begin with these settings.");
 }
 
+void Session::receive(ExperimentLoaded& event) {
+    if (std::exchange(reopening_, false) && !experiment_.fresh()) {
+        return tell(NoticeKind::kProblem, "The experiment left last time stays in " +
+                                              event.path.string() +
+                                              "; open it from the File menu.");
+    }
+    OpenedExperiment& opened = *event.experiment;
+    const std::size_t generations = opened.saved.champions.size();
+    experiment_.go_on(std::move(opened.saved), std::move(opened.file), event.path);
+    stars_.replace(std::move(opened.stars));
+    kept_stars_ = stars_.revision();
+    picking_.restore(std::move(opened.picking), now_);
+    kept_picking_.reset();
+    view_.newest_champion = true;
+    log_.write("experiment",
+               {{"path", event.path.string()}, {"generations", static_cast<double>(generations)}});
+    tell(NoticeKind::kDone, "The experiment is where it was left: " + std::to_string(generations) +
+                                (generations == 1 ? " generation" : " generations") +
+                                ". Press Evolve to go on.");
+}
+
+// What was picked by hand goes into the experiment's file as it happens.
+void Session::keep_picking() {
+    const std::shared_ptr<const PickingSnapshot> picking = picking_.shared_snapshot();
+    if (!picking || picking == kept_picking_ || picking->tree.empty()) return;
+    kept_picking_ = picking;
+    worker_.submit([this, picking, kept = experiment_.kept()](const std::stop_token&) {
+        const Status status = kept->keep_picking({picking->tree, picking->picks, picking->shelf});
+        return [this, status] { report(status); };
+    });
+}
+
+void Session::keep_stars() {
+    if (stars_.revision() == kept_stars_) return;
+    kept_stars_ = stars_.revision();
+    worker_.submit([this, stars = stars_.all(), kept = experiment_.kept()](const std::stop_token&) {
+        const Status status = kept->keep_stars(stars);
+        return [this, status] { report(status); };
+    });
+}
+
 void Session::receive(const FileSaved& event) {
     log_.write("saved", {{"path", event.path.string()}});
-    const bool creature =
-        event.path.string().ends_with(".creature.json") || is_card_name(event.path);
-    if (picking_.on() && creature) picking_.send(NoteSave{}, now_);
+    if (event.path.extension() == ".cambrian") experiment_.moved_to(event.path);
+    if (picking_.on() && event.creature) picking_.send(NoteSave{}, now_);
     tell(NoticeKind::kDone, "Saved " + event.path.string());
 }
 
 void Session::receive(const FileFailed& event) {
+    reopening_ = false;
     log_.write("failed", {{"path", event.path.string()}});
     tell(NoticeKind::kProblem, event.message);
 }

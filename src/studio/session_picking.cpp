@@ -13,6 +13,7 @@ void Session::follow_picking(double elapsed) {
     picking_.update(elapsed * view_.speed, log_);
     picking_view_.reset();
     if (picking_.on()) picking_view_.emplace(picking_.view());
+    keep_picking();
 }
 
 void Session::enter_picking() {

@@ -46,6 +46,9 @@ void save_creature(const FrameContext&, Requests& out) {
     out.ask(OpenFilePanel{FileTask::kSaveCreature});
 }
 
+void save_experiment(const FrameContext&, Requests& out) {
+    out.ask(OpenFilePanel{FileTask::kSaveExperiment});
+}
 void save_settings(const FrameContext&, Requests& out) {
     out.ask(OpenFilePanel{FileTask::kSaveSettings});
 }
@@ -113,9 +116,10 @@ constexpr std::array kShortcuts = {
              "K",
              "Star the creature on show, or take its star away",
              simply<ToggleStarOfShown>},
-    Shortcut{{GLFW_KEY_O, true}, "Ctrl+O", "Open a creature or settings", open_file},
+    Shortcut{{GLFW_KEY_O, true}, "Ctrl+O", "Open a creature, an experiment or settings", open_file},
     Shortcut{{GLFW_KEY_O, true, true}, "Ctrl+Shift+O", "Samples", simply<ToggleSamples>},
     Shortcut{{GLFW_KEY_S, true}, "Ctrl+S", "Save the creature on show", save_creature},
+    Shortcut{{GLFW_KEY_K, true}, "Ctrl+K", "Save the experiment", save_experiment},
     Shortcut{{GLFW_KEY_S, true, true}, "Ctrl+Shift+S", "Save the settings", save_settings},
     Shortcut{{GLFW_KEY_E, true}, "Ctrl+E", "Export the statistics as a table", export_statistics},
     Shortcut{{GLFW_KEY_E, true, true}, "Ctrl+Shift+E", "Export the plot as a picture", export_plot},

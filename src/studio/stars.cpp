@@ -36,4 +36,10 @@ void Stars::restore() {
     if (!has(*creature.individual)) toggle(creature);
 }
 
+void Stars::replace(std::vector<ChampionRecord> all) {
+    all_ = std::move(all);
+    taken_.clear();
+    ++revision_;
+}
+
 }  // namespace cambrian

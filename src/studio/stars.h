@@ -15,6 +15,8 @@ public:
     const std::vector<ChampionRecord>& all() const { return all_; }
     bool has(const Individual& individual) const;
     void toggle(const ChampionRecord& creature);
+    // Those of another experiment.
+    void replace(std::vector<ChampionRecord> all);
     // Gives back the star that was taken away last, if any was.
     void restore();
     bool can_restore() const { return !taken_.empty(); }

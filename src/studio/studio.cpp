@@ -75,7 +75,11 @@ private:
 
     void open_first_files() {
         const std::filesystem::path& file = options_.open_file;
-        if (!file.empty()) session_.open_now(file, ExhibitSource::kFile);
+        if (!file.empty()) {
+            session_.open_now(file, ExhibitSource::kFile);
+        } else if (!options_.evolve) {
+            session_.reopen_last();
+        }
         if (session_.frame_context().playback.empty() && !options_.sample_creature.empty())
             session_.open_now(options_.sample_creature, ExhibitSource::kSample);
         if (session_.frame_context().playback.empty()) session_.show_newcomer();

@@ -14,9 +14,11 @@ namespace {
 const char* title_of(FileTask task) {
     switch (task) {
         case FileTask::kOpen:
-            return "Open a creature, card or settings";
+            return "Open a creature, a card, an experiment or settings";
         case FileTask::kSaveCreature:
             return "Save the creature on show";
+        case FileTask::kSaveExperiment:
+            return "Save the experiment";
         case FileTask::kSaveSettings:
             break;
         case FileTask::kSaveStatistics:
@@ -163,6 +165,7 @@ void FilePanel::confirm(const FrameContext& frame, Requests& out) const {
     if (task != FileTask::kOpen && !complete) path += ending;
     if (task == FileTask::kOpen) out.ask(LoadFile{path});
     if (task == FileTask::kSaveCreature) out.ask(SaveCreatureFile{path});
+    if (task == FileTask::kSaveExperiment) out.ask(SaveExperimentFile{path});
     if (task == FileTask::kSaveSettings) out.ask(SaveSettingsFile{path});
     if (task == FileTask::kSaveStatistics) out.ask(SaveStatisticsFile{path});
     if (task == FileTask::kSavePlot) out.ask(SavePlotPicture{path, frame.files.picture});

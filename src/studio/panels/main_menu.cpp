@@ -14,8 +14,10 @@ void draw_file_menu(const FrameContext& frame, Requests& out) {
     const bool any = !frame.playback.empty();
     if (menu_item("Open…", "Ctrl+O")) out.ask(OpenFilePanel{FileTask::kOpen});
     if (menu_item("Samples…", "Ctrl+Shift+O")) out.ask(ToggleSamples{});
+    if (menu_item("Open the run before", nullptr, frame.previous_run)) out.ask(OpenPreviousRun{});
     ImGui::Separator();
     if (menu_item("Save creature…", "Ctrl+S", any)) out.ask(OpenFilePanel{FileTask::kSaveCreature});
+    if (menu_item("Save experiment…", "Ctrl+K")) out.ask(OpenFilePanel{FileTask::kSaveExperiment});
     if (menu_item("Save settings…", "Ctrl+Shift+S"))
         out.ask(OpenFilePanel{FileTask::kSaveSettings});
     draw_export_items(frame, out);
