@@ -26,6 +26,18 @@ std::string grouped(long long whole) {
     return digits;
 }
 
+// "−9.63 × 10⁻⁴".
+std::string power_of_ten(double value) {
+    constexpr std::array digits = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+    const std::string text = format("%.2e", std::fabs(value));
+    const std::size_t mark = text.find('e');
+    const int exponent = std::stoi(text.substr(mark + 1));
+    std::string raised = exponent < 0 ? "⁻" : "";
+    for (const char digit : std::to_string(std::abs(exponent)))
+        raised += digits[static_cast<std::size_t>(digit - '0')];
+    return (value < 0.0 ? "−" : "") + text.substr(0, mark) + " × 10" + raised;
+}
+
 }  // namespace
 
 std::string format(const char* pattern, ...) {
@@ -49,7 +61,7 @@ std::string pretty_unit(const std::string& unit) {
 std::string pretty_number(double value) {
     if (!std::isfinite(value)) return "–";
     const double size = std::fabs(value);
-    if (size >= 1e7 || (size > 0.0 && size < 1e-3)) return format("%.2e", value);
+    if (size >= 1e7 || (size > 0.0 && size < 1e-3)) return power_of_ten(value);
     if (size >= 1000.0 || value == std::floor(value)) return grouped(std::llround(value));
     const int decimals = size >= 100.0 ? 1 : size >= 1.0 ? 2 : 3;
     std::string text = format("%.*f", decimals, size);

@@ -12,6 +12,7 @@ Palette palette_of(ThemeKind kind) {
     p.panel = choose(0x171B21, 0xF4F5F7);
     p.raised = choose(0x242A33, 0xE3E6EB);
     p.hovered = choose(0x303844, 0xD5DAE1);
+    p.overlay = choose(0x1E242C, 0xFDFDFE);
     p.border = choose(0x2A313B, 0xCDD2D9);
     p.text = choose(0xE6EAEF, 0x1C2127);
     p.muted = choose(0x98A3B1, 0x5A6573);

@@ -13,6 +13,7 @@ struct Palette {
     Color panel;
     Color raised;   // controls
     Color hovered;  // controls under the mouse
+    Color overlay;  // menus, and windows that lie over the panels
     Color border;
     Color text;
     Color muted;  // labels, units

@@ -8,7 +8,6 @@ namespace cambrian {
 namespace {
 
 constexpr double kGridPixels = 22.0;  // least distance of grid lines
-constexpr double kTickPixels = 70.0;  // least distance of labelled ground marks
 constexpr double kNodeHueStep = 0.055;
 constexpr double kPivotRadius = 0.028;  // m, at most
 

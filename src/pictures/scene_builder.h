@@ -38,6 +38,8 @@ void add_ghost(SceneFrame& frame, const Camera& camera, const CreatureLook& look
 void add_creature(SceneFrame& frame, const Palette& palette, const Camera& camera,
                   const CreatureLook& look);
 
+inline constexpr double kTickPixels = 70.0;  // least distance of the ground's ticks
+
 // Metres between labelled marks so that they stand at least `least_pixels` apart: 1, 2 or 5 times
 // a power of ten.
 double mark_spacing(const Camera& camera, double least_pixels);

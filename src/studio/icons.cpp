@@ -158,6 +158,10 @@ void draw_icon(ImDrawList& list, Icon icon, const ImVec2& center, float size, co
             pen.line(-0.3F, -0.6F, 0.35F, 0.0F);
             pen.line(0.35F, 0.0F, -0.3F, 0.6F);
             break;
+        case Icon::kChevronLeft:
+            pen.line(0.3F, -0.6F, -0.35F, 0.0F);
+            pen.line(-0.35F, 0.0F, 0.3F, 0.6F);
+            break;
         case Icon::kClose:
             pen.line(-0.6F, -0.6F, 0.6F, 0.6F);
             pen.line(-0.6F, 0.6F, 0.6F, -0.6F);

@@ -17,6 +17,7 @@ enum class Icon : unsigned char {
     kFit,
     kChevronDown,
     kChevronRight,
+    kChevronLeft,
     kClose,
     kFolder,
     kFile,

@@ -131,8 +131,8 @@ void begin_place(const char* name, const Rect& rect, float padding_x, float padd
     constexpr ImGuiWindowFlags flags =
         ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoResize |
         ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
-        ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollbar |
-        ImGuiWindowFlags_NoScrollWithMouse;
+        ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoFocusOnAppearing |
+        ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse;
     ImGui::SetNextWindowPos(rect.low());
     ImGui::SetNextWindowSize({rect.width, rect.height});
     const ImVec2 usual = ImGui::GetStyle().WindowPadding;
@@ -140,6 +140,7 @@ void begin_place(const char* name, const Rect& rect, float padding_x, float padd
                                                             padding_y < 0 ? usual.y : padding_y));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1, 1));
     ImGui::Begin(name, nullptr, flags);
+    note_place(std::string("panel ") + name, rect);
     ImGui::PopStyleVar(2);
 }
 

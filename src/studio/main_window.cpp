@@ -17,7 +17,6 @@ void draw_padded(const char* name, const Rect& rect, const ImVec2& padding, Pane
 
 void draw_in(const char* name, const Rect& rect, Panel& panel, const FrameContext& frame,
              Requests& out, Place place = Place::kNone) {
-    ui().places[std::string("panel ") + name] = rect;
     if (rect.width < 1.0F || rect.height < 1.0F) return;
     if (place != Place::kNone && place == frame.focus) ImGui::SetNextWindowFocus();
     begin_place(name, rect);
@@ -25,17 +24,36 @@ void draw_in(const char* name, const Rect& rect, Panel& panel, const FrameContex
     end_place();
 }
 
+// Soft and around the window being drawn, so that it stands out from what it covers.
+void draw_shadow(const Rect& rect, float rounding) {
+    constexpr int rings = 14;
+    const Color edge =
+        with_alpha(color_of(0x000000), ui().theme == ThemeKind::kLight ? 0.06F : 0.22F);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.PushClipRectFullScreen();
+    for (int ring = 1; ring <= rings; ++ring) {
+        const float out = px(static_cast<float>(ring) - 0.5F);
+        const float left = 1.0F - static_cast<float>(ring) / (rings + 1);
+        list.AddRect(
+            {rect.x - out, rect.y - out}, {rect.x + rect.width + out, rect.y + rect.height + out},
+            paint(with_alpha(edge, edge.a * left)), rounding + out, ImDrawFlags_None, px(1.5F));
+    }
+    list.PopClipRect();
+}
+
 // A window over the panels.
 void begin_overlay(const char* name, const Rect& rect, const ImVec2& padding, float rounding) {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, rounding);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0F);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, padding);
-    ImGui::PushStyleColor(ImGuiCol_WindowBg, paint(mix(colors().panel, colors().raised, 0.45F)));
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, paint(colors().overlay));
     ImGui::SetNextWindowPos(rect.low());
     ImGui::SetNextWindowSize({rect.width, rect.height});
     ImGui::Begin(name, nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing);
+    draw_shadow(rect, rounding);
+    note_place(std::string("panel ") + name, rect);
 }
 
 void end_overlay() {
@@ -87,7 +105,6 @@ void MainWindow::draw_studio(const FrameContext& frame, const Layout& layout, Re
     draw_gaps(layout);
     draw_padded("bar", layout.bar, {px(12), px(10)}, bar_, frame, out);
     draw_in("experiment", layout.experiment, experiment_, frame, out);
-    ui().places["panel viewport"] = layout.viewport;
     const bool picking = frame.picking != nullptr;
     if (picking && !frame.picking->single) {
         draw_grid(frame, layout, out);
@@ -123,7 +140,8 @@ void MainWindow::draw_grid(const FrameContext& frame, const Layout& layout, Requ
 void MainWindow::draw_tour(const FrameContext& frame, const Rect& whole, Requests& out) {
     const auto& places = ui().places;
     const auto found = places.find(tour_steps()[static_cast<std::size_t>(frame.tour_step)].place);
-    const Rect subject = found == places.end() ? Rect{} : found->second;
+    const bool shown = found != places.end() && found->second.frame == ImGui::GetFrameCount();
+    const Rect subject = shown ? found->second.rect : Rect{};
     if (subject.width > 1.0F) outline_subject(subject);
     draw_card("tour", tour_card_place(subject.width > 1.0F ? subject : whole, whole), tour_, frame,
               out);

@@ -12,6 +12,7 @@ namespace cambrian {
 namespace {
 
 constexpr float kLabelShare = 0.5F;
+constexpr float kLeastControl = 112.0F;  // what names may not take in narrow panels
 
 std::string value_text(const SettingField& field, const SettingRef& ref) {
     return std::visit(
@@ -150,7 +151,9 @@ RowEvent setting_row(const SettingField& field, ExperimentSettings& settings,
     const std::string name = field.table + "." + field.key;
     ImGui::PushID(name.c_str());
     const float full = ImGui::GetContentRegionAvail().x;
-    const float label_width = std::floor(kLabelShare * full);
+    const float control_width =
+        std::min((1.0F - kLabelShare) * full, std::max(px(kLeastControl), 0.38F * full));
+    const float label_width = std::floor(full - control_width);
     const bool changed = !same_value(field, settings, defaults);
     draw_label(field, changed, label_width);
     const bool label_clicked = ImGui::IsItemClicked(ImGuiMouseButton_Right);

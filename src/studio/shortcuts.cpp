@@ -19,6 +19,12 @@ void toggle_follow(const FrameContext& frame, Requests& out) {
     out.ask(ChangeView{view});
 }
 
+void switch_theme(const FrameContext& frame, Requests& out) {
+    ViewState view = frame.view;
+    view.theme = view.theme == ThemeKind::kLight ? ThemeKind::kDark : ThemeKind::kLight;
+    out.ask(ChangeView{view});
+}
+
 void faster(const FrameContext& frame, Requests& out) {
     ViewState view = frame.view;
     for (const double speed : kPlaybackSpeeds) {
@@ -127,6 +133,7 @@ constexpr std::array kShortcuts = {
     Shortcut{{GLFW_KEY_Z, true, true}, "Ctrl+Shift+Z", "Redo it", simply<RedoEdit>},
     Shortcut{{GLFW_KEY_SLASH}, "/", "Find a setting", simply<FindSetting>},
     Shortcut{{GLFW_KEY_F, true}, "Ctrl+F", "The same", simply<FindSetting>},
+    Shortcut{{GLFW_KEY_L, true}, "Ctrl+L", "Light theme, or dark again", switch_theme, true},
     Shortcut{{GLFW_KEY_F12}, "F12", "Keep a picture of the window", simply<SaveScreenshot>, true},
     Shortcut{{GLFW_KEY_F1}, "F1", "Help", simply<ToggleHelp>},
     Shortcut{{GLFW_KEY_ESCAPE}, "Esc", "Close what is open", close_what_is_open, true},

@@ -7,13 +7,13 @@
 #include "studio/frame_log.h"
 #include "studio/imgui_host.h"
 #include "studio/main_window.h"
+#include "studio/screen_report.h"
 #include "studio/session.h"
 #include "studio/shortcuts.h"
 #include "studio/timeline_chart.h"
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <string>
 #include <utility>
 
@@ -124,23 +124,8 @@ private:
         if (const auto path = session_.take_picture_request()) keep_picture(*path);
         if (const auto card = session_.take_card_request()) keep_card(*card);
         session_.carry_out(requests);
-        log_places();
+        if (!options_.status_log.empty()) screen_report_.write(session_.log());
         if (!std::exchange(started_, true)) session_.log().write("started");
-    }
-
-    // Where controls are, each time they moved, for tests that press them.
-    void log_places() {
-        if (options_.status_log.empty()) return;
-        for (const auto& [name, place] : host_.context().places) {
-            const auto known = places_.find(name);
-            if (known != places_.end() && known->second == place) continue;
-            places_[name] = place;
-            session_.log().write("place", {{"name", name},
-                                           {"x", static_cast<double>(place.x)},
-                                           {"y", static_cast<double>(place.y)},
-                                           {"width", static_cast<double>(place.width)},
-                                           {"height", static_cast<double>(place.height)}});
-        }
     }
 
     Image picture() {
@@ -194,7 +179,7 @@ private:
     FrameLog frame_log_;
     int quiet_frames_ = 0;
     bool started_ = false;
-    std::map<std::string, Rect> places_;  // as logged last
+    ScreenReport screen_report_;
 };
 
 }  // namespace

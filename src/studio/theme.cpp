@@ -39,7 +39,7 @@ void apply_colors(const Palette& p, ImGuiStyle& style) {
     set(ImGuiCol_TextDisabled, p.muted);
     set(ImGuiCol_WindowBg, p.panel);
     set(ImGuiCol_ChildBg, with_alpha(p.panel, 0.0F));
-    set(ImGuiCol_PopupBg, mix(p.panel, p.raised, 0.6F));
+    set(ImGuiCol_PopupBg, p.overlay);
     set(ImGuiCol_Border, p.border);
     set(ImGuiCol_FrameBg, p.raised);
     set(ImGuiCol_FrameBgHovered, p.hovered);
@@ -58,6 +58,8 @@ void apply_colors(const Palette& p, ImGuiStyle& style) {
     set(ImGuiCol_HeaderHovered, p.hovered);
     set(ImGuiCol_HeaderActive, p.hovered);
     set(ImGuiCol_Separator, p.border);
+    set(ImGuiCol_TableBorderLight, p.border);
+    set(ImGuiCol_TableBorderStrong, p.border);
     set(ImGuiCol_TextSelectedBg, with_alpha(p.accent, 0.35F));
     set(ImGuiCol_NavHighlight, p.accent);
 }

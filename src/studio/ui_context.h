@@ -28,13 +28,21 @@ struct Rect {
     friend bool operator==(const Rect&, const Rect&) = default;
 };
 
+// Where a named control was drawn last, in window pixels.
+struct NotedPlace {
+    Rect rect;
+    Rect seen;                // what of it shows; empty where it is scrolled out of sight
+    bool cut = false;         // partly out of sight where nothing scrolls
+    const char* window = "";  // the panel or popup it stands in
+    int frame = 0;            // when
+};
+
 struct UiContext {
     ThemeKind theme = ThemeKind::kDark;
     Palette palette = palette_of(ThemeKind::kDark);
     Fonts fonts;
     float scale = 1.0F;
-    // Where each named control was drawn last, in window pixels; for tests and the status log.
-    std::map<std::string, Rect> places;
+    std::map<std::string, NotedPlace> places;  // for tests, the tour and the status log
     // The item under the mouse and since when (s), for the delay of tooltips.
     ImVec2 hovered = {-1.0F, -1.0F};
     double hovered_since = 0.0;
@@ -53,8 +61,9 @@ inline const Palette& colors() {
 inline ImU32 paint(const Color& color) {
     return pack(color);
 }
-// Remembers where the item just drawn is.
+// Remembers where the item just drawn is, or where a part of the window being drawn is.
 void note_place(const std::string& name);
+void note_place(const std::string& name, const Rect& rect);
 
 // Puts a font or text colour in force for a scope.
 class WithFont {

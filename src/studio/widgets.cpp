@@ -54,6 +54,12 @@ ImVec2 button_size(const std::string& label, const ButtonStyle& style) {
             style.height > 0.0F ? style.height : px(30)};
 }
 
+// How many of so many labels go on each line for the lines to be about equally long.
+int labels_a_line(int count, float together, float room) {
+    const int lines = std::max(1, static_cast<int>(std::ceil(together / std::max(room, 1.0F))));
+    return (count + lines - 1) / lines;
+}
+
 float row_width(const std::vector<std::string>& labels, float padding) {
     float width = 0.0F;
     for (const std::string& label : labels)
@@ -96,15 +102,18 @@ int segmented(const std::string& name, const std::vector<std::string>& labels, i
     const bool roomy = row_width(labels, px(18)) <= ImGui::GetContentRegionAvail().x;
     ImGui::PushFont(roomy ? ui().fonts.body : ui().fonts.small);
     int pressed = -1;
-    const float right_edge = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
+    const float room = ImGui::GetContentRegionAvail().x;
+    const float right_edge = ImGui::GetCursorScreenPos().x + room;
+    const int a_line = labels_a_line(static_cast<int>(labels.size()),
+                                     row_width(labels, px(roomy ? 18 : 10)) - px(2), room);
     for (int i = 0; i < static_cast<int>(labels.size()); ++i) {
         const auto index = static_cast<std::size_t>(i);
         const std::string& label = labels[index];
         ButtonStyle style;
         style.look = i == chosen ? ButtonLook::kSelected : ButtonLook::kGhost;
-        style.width = ImGui::CalcTextSize(label.c_str()).x + (roomy ? px(16) : px(10));
+        style.width = ImGui::CalcTextSize(label.c_str()).x + (roomy ? px(16) : px(8));
         const float end = ImGui::GetItemRectMax().x + px(2) + style.width;
-        if (i > 0 && end <= right_edge) ImGui::SameLine();
+        if (i % a_line != 0 && end <= right_edge) ImGui::SameLine();
         style.height = px(28);
         if (index < tooltips.size()) style.tooltip = tooltips[index].c_str();
         if (push_button(label, style)) pressed = i;
@@ -142,12 +151,6 @@ void caption(const std::string& text) {
 void panel_title(const std::string& text) {
     const WithFont font(ui().fonts.strong);
     ImGui::TextUnformatted(text.c_str());
-}
-
-void place_title(const std::string& text) {
-    const bool focused = ImGui::IsWindowFocused(ImGuiFocusedFlags_ChildWindows);
-    const WithTextColor color(focused ? colors().accent : colors().text);
-    panel_title(text);
 }
 
 void section(const char* title) {

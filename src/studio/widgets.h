@@ -43,8 +43,6 @@ bool menu_item(const char* label, const char* keys, bool enabled = true, bool ch
 void caption(const std::string& text);
 // A panel's name, at its top.
 void panel_title(const std::string& text);
-// The same, in the accent colour while the place it heads has the keyboard.
-void place_title(const std::string& text);
 // A line across, and the name of what follows.
 void section(const char* title);
 // "label   value" on one line, the value to the right.

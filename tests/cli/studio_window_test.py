@@ -1,159 +1,16 @@
-"""The studio in a real X window: mouse and keys from outside, its status log to see what came."""
+"""The studio in a real X window, used as a person uses it."""
 
 import csv
 import json
-import os
-import pathlib
 import shutil
 import subprocess
 import time
 import unittest
 
-from program import CAMBRIAN, DONE, ROOT, SMALL, ProgramTest
-
-PICTURES = pathlib.Path(os.environ.get("CAMBRIAN_PICTURES", "pictures"))
-PATIENCE = 120  # s; for anything to happen on a busy machine
+from program import ROOT, SMALL
+from studio_driver import PICTURES, StudioTest
 
 
-class Display:
-    """A virtual X display of its own, so that tests can run side by side."""
-
-    def __init__(self, width, height):
-        reading, writing = os.pipe()
-        self.server = subprocess.Popen(
-            ["Xvfb", "-displayfd", str(writing), "-screen", "0", f"{width}x{height}x24",
-             "-nolisten", "tcp"], pass_fds=[writing], stderr=subprocess.DEVNULL)
-        os.close(writing)
-        with os.fdopen(reading) as numbers:
-            self.name = ":" + numbers.readline().strip()
-        self.environment = dict(os.environ, DISPLAY=self.name, LIBGL_ALWAYS_SOFTWARE="1")
-
-    def tool(self, *arguments):
-        return subprocess.run(["xdotool", *map(str, arguments)], env=self.environment, check=True,
-                              stdout=subprocess.PIPE, encoding="utf-8", timeout=PATIENCE).stdout
-
-    def picture(self, name):
-        PICTURES.mkdir(parents=True, exist_ok=True)
-        path = PICTURES / name
-        subprocess.run(["import", "-window", "root", str(path)], env=self.environment, check=True,
-                       timeout=PATIENCE)
-        return path
-
-    def close(self):
-        self.server.terminate()
-        self.server.wait(PATIENCE)
-
-
-class StudioTest(ProgramTest):
-    def open_display(self, width=1280, height=800):
-        display = Display(width, height)
-        self.addCleanup(display.close)
-        return display
-
-    def start(self, display, *arguments, first_time=False):
-        """Starts the studio, whose tour was taken unless this is the first time, and waits for its
-        first frame."""
-        view = self.folder / "state" / "view.conf"
-        if not first_time and not view.exists():
-            view.parent.mkdir(exist_ok=True)
-            view.write_text("tour-taken = yes\n")
-        self.open_window(display, "studio", "--state-dir", self.folder / "state", "--threads", "1",
-                         *arguments)
-
-    def open_window(self, display, subcommand, *arguments):
-        """Starts a subcommand that opens a window and waits for its first frame."""
-        self.log = self.folder / "status.log"
-        self.log.unlink(missing_ok=True)
-        self.display = display
-        studio = subprocess.Popen(
-            [CAMBRIAN, subcommand, "--status-log", str(self.log), *map(str, arguments)],
-            cwd=self.folder, env=display.environment, stdout=subprocess.DEVNULL,
-            stderr=subprocess.DEVNULL)
-        self.addCleanup(self.stop, studio)
-        self.studio = studio
-        self.wait_for("started")
-        self.window = display.tool("search", "--sync", "--name", "Cambrian").split()[0]
-        display.tool("windowfocus", self.window)
-
-    def stop(self, studio):
-        if studio.poll() is None:
-            studio.kill()
-        studio.wait(PATIENCE)
-
-    def events(self):
-        if not self.log.exists():
-            return []
-        whole_lines = self.log.read_text().split("\n")[:-1]
-        return [json.loads(line) for line in whole_lines]
-
-    def wait_for(self, event, after=0, **fields):
-        """The first such event at or after that place in the log; its successor's place too."""
-        end = time.monotonic() + PATIENCE
-        while time.monotonic() < end:
-            for place, found in enumerate(self.events()):
-                if place >= after and found["event"] == event and fields.items() <= found.items():
-                    return found, place + 1
-            self.assertIsNone(self.studio.poll(), f"the studio ended before '{event}'")
-            time.sleep(0.05)
-        return self.fail(f"no '{event}' {fields} in {self.events()[after:]}")
-
-    def place_of(self, name):
-        """The middle of a control, on the screen, where it was drawn last."""
-        self.wait_for("place", name=name)
-        time.sleep(0.3)  # it may be moving
-        found = [event for event in self.events()
-                 if event["event"] == "place" and event["name"] == name][-1]
-        lines = self.display.tool("getwindowgeometry", "--shell", self.window).split()
-        origin = dict(line.split("=") for line in lines)
-        return (int(origin["X"]) + int(found["x"] + found["width"] / 2),
-                int(origin["Y"]) + int(found["y"] + found["height"] / 2))
-
-    def type_into(self, name, text):
-        """A number typed into a slider, after Ctrl+click."""
-        x, y = self.place_of(name)
-        self.display.tool("mousemove", x, y, "sleep", 0.2, "keydown", "ctrl", "sleep", 0.1,
-                          "mousedown", 1, "sleep", 0.1, "mouseup", 1, "sleep", 0.1, "keyup", "ctrl")
-        self.display.tool("key", "ctrl+a", "type", "--delay", "60", text)
-        self.display.tool("key", "Return")
-
-    def click(self, name):
-        x, y = self.place_of(name)
-        # A moment between the movement and the button, as a hand has, so that each is a frame.
-        self.display.tool("mousemove", x, y, "sleep", 0.2, "mousedown", 1, "sleep", 0.1,
-                          "mouseup", 1)
-
-    def press(self, key):
-        self.display.tool("keydown", key, "sleep", 0.1, "keyup", key)
-
-    def drag(self, name, from_share, to_share):
-        """Over a control from one share of its width to another, in some steps; lets go there."""
-        x, y = self.place_of(name)
-        width = self.wait_for("place", name=name)[0]["width"]
-        steps = [x + int(width * (from_share + (to_share - from_share) * i / 5 - 0.5))
-                 for i in range(6)]
-        self.display.tool("mousemove", steps[0], y, "sleep", 0.2, "mousedown", 1)
-        for step in steps[1:]:
-            self.display.tool("mousemove", step, y, "sleep", 0.1)
-        self.display.tool("mouseup", 1)
-
-    def save_as(self, keys, name):
-        """Through the file panel that these keys open; the path that was written."""
-        after = len(self.events())
-        self.display.tool("key", keys)
-        time.sleep(1.0)
-        # Held for a moment, as by a hand, so that a frame sees both keys down.
-        self.display.tool("keydown", "ctrl", "keydown", "a", "sleep", 0.2, "keyup", "a", "keyup",
-                          "ctrl", "type", "--delay", "30", str(self.folder / name))
-        self.display.tool("key", "Return")
-        return pathlib.Path(self.wait_for("saved", after=after)[0]["path"])
-
-    def quit(self):
-        self.display.tool("key", "ctrl+q")
-        self.wait_for("quit")
-        self.assertEqual(self.studio.wait(PATIENCE), DONE)
-
-
-@unittest.skipUnless(shutil.which("Xvfb") and shutil.which("xdotool"), "needs Xvfb and xdotool")
 class StudioWindow(StudioTest):
     def test_a_person_evolves_pauses_saves_quits_and_comes_back(self):
         self.write("small.toml", SMALL)
@@ -434,18 +291,6 @@ class StudioWindow(StudioTest):
         self.assert_painted(display.picture("help-1280x800.png"))
         display.tool("key", "Escape")
         self.quit()
-
-    def assert_painted(self, picture):
-        """More than a blank or a flat picture: many colors, in each of its four quarters."""
-        size = subprocess.run(["identify", "-format", "%w %h", str(picture)], check=True,
-                              stdout=subprocess.PIPE, encoding="utf-8").stdout
-        width, height = (int(length) // 2 for length in size.split())
-        for x in [0, width]:
-            for y in [0, height]:
-                colors = subprocess.run(
-                    ["convert", str(picture), "-crop", f"{width}x{height}+{x}+{y}", "-format",
-                     "%k", "info:"], check=True, stdout=subprocess.PIPE, encoding="utf-8").stdout
-                self.assertGreater(int(colors), 16, f"the quarter at {x}, {y}")
 
 
 if __name__ == "__main__":

@@ -22,6 +22,12 @@ TEST_CASE("large whole numbers are grouped and negative ones have a true minus",
     CHECK(pretty_number(-2.5) == "−2.5");
 }
 
+TEST_CASE("very large and very small numbers are written with a power of ten",
+          "[core][pretty_text]") {
+    CHECK(pretty_number(-9.63e-4) == "−9.63 × 10⁻⁴");
+    CHECK(pretty_number(6.02e23) == "6.02 × 10²³");
+}
+
 TEST_CASE("what is not a number is a dash", "[core][pretty_text]") {
     CHECK(pretty_number(std::numeric_limits<double>::quiet_NaN()) == "–");
     CHECK(pretty_number(std::numeric_limits<double>::infinity()) == "–");

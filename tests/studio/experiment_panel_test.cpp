@@ -1,24 +1,12 @@
 #include "studio/panels/experiment_panel.h"
 
-#include "studio_fixture.h"
-#include "support/null_imgui.h"
+#include "panel_press.h"
 
 namespace cambrian {
 namespace {
 
-struct PanelRun {
-    NullImGui gui{400.0F, 6000.0F};
-    test::StudioFixture studio;
-    ExperimentPanel panel;
-    Requests out;
-
-    void click(const std::string& name, int button = 0) {
-        gui.click(
-            name, [this] { panel.draw(studio.frame(), out); }, button);
-    }
-    void frame() {
-        gui.frame([this] { panel.draw(studio.frame(), out); });
-    }
+struct PanelRun : test::PanelRun<ExperimentPanel> {
+    PanelRun() : test::PanelRun<ExperimentPanel>(400.0F, 6000.0F) {}
 };
 
 TEST_CASE("settings of other selection methods are not shown", "[studio][experiment_panel]") {

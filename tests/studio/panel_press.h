@@ -33,4 +33,27 @@ inline Requests press_key(NullImGui& gui, Panel& panel, const StudioFixture& stu
     return out;
 }
 
+// A panel alone in a window of its own; `out` gathers all that it asked for.
+template <class Kind>
+struct PanelRun {
+    NullImGui gui;
+    StudioFixture studio;
+    Kind panel;
+    Requests out;
+
+    PanelRun(float width, float height) : gui(width, height) {}
+
+    void frame() {
+        gui.frame([this] { panel.draw(studio.frame(), out); });
+    }
+    // What this click asked for; gathered too.
+    Requests click(const std::string& name, int button = 0) {
+        Requests asked = test::click(gui, panel, studio, name, button);
+        for (const StudioAction& action : asked.actions())
+            out.ask(action);
+        return asked;
+    }
+    Requests press_key(ImGuiKey key) { return test::press_key(gui, panel, studio, key); }
+};
+
 }  // namespace cambrian::test

@@ -8,9 +8,6 @@
 namespace cambrian {
 namespace {
 
-using test::click;
-using test::press_key;
-
 constexpr std::size_t kMany = 2000;
 
 // So many creatures of one generation, best first; measures differ and grow otherwise than fitness.
@@ -42,57 +39,49 @@ ChampionRecord creature_at(test::StudioFixture& studio, std::size_t rank) {
     return {best.generation, studio.snapshot().population.at(rank), best.settings};
 }
 
+struct PopulationRun : test::PanelRun<PopulationPanel> {
+    PopulationRun(float width, float height, std::size_t count)
+        : test::PanelRun<PopulationPanel>(width, height) {
+        populate(studio, count);
+    }
+};
+
 TEST_CASE("of two thousand creatures only those in sight are drawn and grown",
           "[studio][population]") {
-    NullImGui gui(640, 180);
-    PopulationPanel panel;
-    test::StudioFixture studio;
-    populate(studio, kMany);
-    Requests out;
-    const auto draw = [&] { panel.draw(studio.frame(), out); };
+    PopulationRun run(640, 180, kMany);
     for (int i = 0; i < 10; ++i)
-        gui.frame(draw);
-    CHECK(panel.tiles_drawn() >= 7);
-    CHECK(panel.tiles_drawn() <= 24);
-    CHECK(panel.bodies_kept() <= 24);
-    const std::size_t in_sight = panel.bodies_kept();
-    gui.frame(draw);
-    CHECK(panel.bodies_kept() == in_sight);
+        run.frame();
+    CHECK(run.panel.tiles_drawn() >= 7);
+    CHECK(run.panel.tiles_drawn() <= 24);
+    CHECK(run.panel.bodies_kept() <= 24);
+    const std::size_t in_sight = run.panel.bodies_kept();
+    run.frame();
+    CHECK(run.panel.bodies_kept() == in_sight);
 }
 
 TEST_CASE("however far the tiles are scrolled, few bodies are kept", "[studio][population]") {
-    NullImGui gui(640, 180);
-    PopulationPanel panel;
-    test::StudioFixture studio;
-    populate(studio, kMany);
-    Requests out;
-    const auto draw = [&] { panel.draw(studio.frame(), out); };
-    gui.frame(draw);
-    gui.move_to({300, 120});
+    PopulationRun run(640, 180, kMany);
+    run.frame();
+    run.gui.move_to({300, 120});
     for (int i = 0; i < 400; ++i) {
         ImGui::GetIO().MouseWheel = -1.0F;
-        gui.frame(draw);
-        CHECK(panel.tiles_drawn() <= 24);
-        CHECK(panel.bodies_kept() <= PhenotypeCache::kMostKept);
+        run.frame();
+        CHECK(run.panel.tiles_drawn() <= 24);
+        CHECK(run.panel.bodies_kept() <= PhenotypeCache::kMostKept);
     }
-    CHECK(panel.bodies_kept() == PhenotypeCache::kMostKept);
+    CHECK(run.panel.bodies_kept() == PhenotypeCache::kMostKept);
 }
 
 TEST_CASE("a window full of new creatures is grown over several frames", "[studio][population]") {
-    NullImGui gui(1280, 1600);
-    PopulationPanel panel;
-    test::StudioFixture studio;
-    populate(studio, kMany);
-    Requests out;
-    const auto draw = [&] { panel.draw(studio.frame(), out); };
+    PopulationRun run(1280, 1600, kMany);
     std::size_t before = 0;
     for (int i = 0; i < 20; ++i) {
-        gui.frame(draw);
-        CHECK(panel.bodies_kept() <= before + 24);
-        before = panel.bodies_kept();
+        run.frame();
+        CHECK(run.panel.bodies_kept() <= before + 24);
+        before = run.panel.bodies_kept();
     }
-    CHECK(panel.tiles_drawn() > 200);
-    CHECK(before == panel.tiles_drawn());
+    CHECK(run.panel.tiles_drawn() > 200);
+    CHECK(before == run.panel.tiles_drawn());
 }
 
 TEST_CASE("tiles are sorted by what is asked for", "[studio][population]") {
@@ -151,53 +140,43 @@ TEST_CASE("a starred creature stays when its generation has passed", "[studio][p
 
 TEST_CASE("a click on a tile's corner asks for its star, elsewhere for the creature",
           "[studio][population]") {
-    NullImGui gui(640, 300);
-    PopulationPanel panel;
-    test::StudioFixture studio;
-    populate(studio, 20);
-    const Requests star = click(gui, panel, studio, "star 2");
-    CHECK(test::asked<ToggleStar>(star).creature.individual == studio.snapshot().population[2]);
+    PopulationRun run(640, 300, 20);
+    const Requests star = run.click("star 2");
+    CHECK(test::asked<ToggleStar>(star).creature.individual == run.studio.snapshot().population[2]);
     CHECK_FALSE(test::was_asked<ShowIndividual>(star));
-    const Requests tile = click(gui, panel, studio, "tile 1");
-    CHECK(test::asked<ShowIndividual>(tile).creature.individual == studio.snapshot().population[1]);
+    const Requests tile = run.click("tile 1");
+    CHECK(test::asked<ShowIndividual>(tile).creature.individual ==
+          run.studio.snapshot().population[1]);
     CHECK_FALSE(test::was_asked<ToggleStar>(tile));
 }
 
 TEST_CASE("the arrow keys move through the tiles in the order shown", "[studio][population]") {
-    NullImGui gui(640, 180);
-    PopulationPanel panel;
-    test::StudioFixture studio;
-    populate(studio, 200);
+    PopulationRun run(640, 180, 200);
     const auto shown_by = [&](ImGuiKey key) {
-        return test::asked<ShowIndividual>(press_key(gui, panel, studio, key))
-            .creature.individual->uid;
+        return test::asked<ShowIndividual>(run.press_key(key)).creature.individual->uid;
     };
     CHECK(shown_by(ImGuiKey_RightArrow) == 1);  // none on show: the first
-    show(studio, creature_at(studio, 0));
+    show(run.studio, creature_at(run.studio, 0));
     CHECK(shown_by(ImGuiKey_RightArrow) == 2);
-    CHECK(press_key(gui, panel, studio, ImGuiKey_LeftArrow).actions().empty());
+    CHECK(run.press_key(ImGuiKey_LeftArrow).actions().empty());
     const std::uint64_t below = shown_by(ImGuiKey_DownArrow);
     CHECK(below > 4);
-    show(studio, creature_at(studio, below - 1));
+    show(run.studio, creature_at(run.studio, below - 1));
     CHECK(shown_by(ImGuiKey_UpArrow) == 1);
-    show(studio, creature_at(studio, 199));
-    CHECK(press_key(gui, panel, studio, ImGuiKey_DownArrow).actions().empty());
+    show(run.studio, creature_at(run.studio, 199));
+    CHECK(run.press_key(ImGuiKey_DownArrow).actions().empty());
 }
 
 TEST_CASE("sorting and the filter are chosen in the heading, a taken star is given back there",
           "[studio][population]") {
-    NullImGui gui(640, 300);
-    PopulationPanel panel;
-    test::StudioFixture studio;
-    populate(studio, 20);
-    click(gui, panel, studio, "tile order");
-    CHECK(test::asked<ChangeView>(click(gui, panel, studio, "by mass")).view.order ==
-          TileOrder::kMass);
-    CHECK(test::asked<ChangeView>(click(gui, panel, studio, "Starred")).view.starred_only);
-    studio.view().starred_only = true;
-    studio.stars().toggle(creature_at(studio, 0));
-    studio.stars().toggle(creature_at(studio, 0));
-    CHECK(test::was_asked<RestoreStar>(click(gui, panel, studio, "Give back")));
+    PopulationRun run(640, 300, 20);
+    run.click("tile order");
+    CHECK(test::asked<ChangeView>(run.click("by mass")).view.order == TileOrder::kMass);
+    CHECK(test::asked<ChangeView>(run.click("Starred")).view.starred_only);
+    run.studio.view().starred_only = true;
+    run.studio.stars().toggle(creature_at(run.studio, 0));
+    run.studio.stars().toggle(creature_at(run.studio, 0));
+    CHECK(test::was_asked<RestoreStar>(run.click("Give back")));
 }
 
 TEST_CASE("a creature's origin is told in words", "[studio][population]") {

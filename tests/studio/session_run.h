@@ -25,7 +25,7 @@ inline ExperimentSettings small_experiment() {
 
 class SessionRun {
 public:
-    SessionRun() : session({{}, small_experiment()}, kinds(), 2, folder.path() / "log") {}
+    SessionRun() : session({{}, small_experiment(), {}}, kinds(), 2, folder.path() / "log") {}
 
     template <class Action>
     void ask(Action action) {

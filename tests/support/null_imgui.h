@@ -70,7 +70,7 @@ public:
     const Rect& place(const std::string& name) const {
         INFO("no control noted its place as '" << name << "'");
         REQUIRE(context_.places.count(name) == 1);
-        return context_.places.at(name);
+        return context_.places.at(name).rect;
     }
     bool has(const std::string& name) const { return context_.places.count(name) == 1; }
     void move_to(const ImVec2& point) { ImGui::GetIO().MousePos = point; }

@@ -6,6 +6,7 @@ namespace cambrian {
 
 SubcommandKind completion_subcommand();
 SubcommandKind evolve_subcommand();
+SubcommandKind export_subcommand();
 SubcommandKind manual_subcommand();
 SubcommandKind render_subcommand();
 SubcommandKind schema_subcommand();

@@ -1,11 +1,16 @@
+#include "app/experiment_replay.h"
+#include "app/interruption.h"
 #include "app/messages.h"
 #include "app/option_types.h"
 #include "app/subcommands/subcommands.h"
 #include "app/trial_report.h"
 #include "core/number_text.h"
+#include "core/thread_pool.h"
+#include "evolution/backends/thread_pool_backend.h"
 #include "evolution/trials.h"
 #include "persist/creature_file.h"
 #include "persist/digest_text.h"
+#include "persist/experiment_file.h"
 
 #include <CLI/CLI.hpp>
 
@@ -53,17 +58,37 @@ ExitStatus verify(const std::string& file, const EvolutionKinds& kinds) {
     return fail({message}, ExitStatus::kFailed);
 }
 
+ExitStatus verify_experiment(const std::string& file, const EvolutionKinds& kinds) {
+    const Result<SavedExperiment> saved = load_experiment(file, kinds);
+    if (!saved) return fail(saved.error());
+    const auto backend = make_thread_pool_backend(kinds, ThreadPool::default_workers());
+    const Interruption interruption;
+    const ReplayOutcome outcome = replay_experiment(*saved, kinds, *backend, interruption.token());
+    const std::string done = std::to_string(outcome.generations) + " of " +
+                             std::to_string(saved->digests.size()) + " generations";
+    if (outcome.different) {
+        return fail({file + ": the replay differs from generation " +
+                     std::to_string(*outcome.different) + " on"},
+                    ExitStatus::kFailed);
+    }
+    if (outcome.stopped) return fail({file + ": stopped after " + done}, ExitStatus::kFailed);
+    print_line(file + ": replay verified, " + done + ", " + std::to_string(saved->journal.size()) +
+               " commands on the way");
+    return ExitStatus::kDone;
+}
+
 class VerifySubcommand final : public Subcommand {
 public:
     void add_options(CLI::App& app) override {
-        app.add_option("creatures", files_, "Creature files (*.creature.json)")
-            ->type_name(option_type::kCreature)
+        app.add_option("creatures", files_, "Creature files, or experiments to be computed anew")
+            ->type_name(option_type::kAnyOfOurs)
             ->required();
     }
     ExitStatus run(const EvolutionKinds& kinds) override {
         ExitStatus worst = ExitStatus::kDone;
         for (const std::string& file : files_)
-            worst = std::max(worst, verify(file, kinds));
+            worst = std::max(worst, file.ends_with(".cambrian") ? verify_experiment(file, kinds)
+                                                                : verify(file, kinds));
         return worst;
     }
 
@@ -75,7 +100,9 @@ private:
 
 SubcommandKind verify_subcommand() {
     return {.id = "verify",
-            .summary = "Run the trial that scored a creature again and compare every bit.",
+            .summary =
+                "Run the trial that scored a creature, or a whole experiment, again; compare every "
+                "bit.",
             .example = "cambrian verify champion-walking-seed7.creature.json",
             .make = []() -> std::unique_ptr<Subcommand> {
                 return std::make_unique<VerifySubcommand>();

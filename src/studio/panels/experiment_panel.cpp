@@ -16,6 +16,8 @@
 namespace cambrian {
 namespace {
 
+constexpr float kLabelIndent = 12.0F;  // of the rows' names
+
 struct GroupName {
     std::string_view table;
     std::string_view title;
@@ -93,7 +95,9 @@ void draw_goal_help(const FrameContext& frame) {
     const ExperimentSettings& draft = frame.editor.draft();
     const GoalKind* goal = frame.kinds.goals.find(draft.goal);
     if (goal == nullptr) return;
+    ImGui::Indent(px(kLabelIndent));
     muted_text(goal->help);
+    ImGui::Unindent(px(kLabelIndent));
     const std::string mismatch =
         goal->mismatch == nullptr ? "" : goal->mismatch(draft.world.environment);
     if (mismatch.empty()) return;

@@ -142,8 +142,9 @@ void FilePanel::draw_name(const FrameContext& frame, Requests& out) {
     if (focus_wanted_) ImGui::SetKeyboardFocusHere();
     focus_wanted_ = false;
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
-    const bool entered = ImGui::InputText("##name", name_.data(), name_.size(),
-                                          ImGuiInputTextFlags_EnterReturnsTrue);
+    const bool entered =
+        ImGui::InputText("##name", name_.data(), name_.size(),
+                         ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
     note_place("file name");
     const bool saving = frame.files.task != FileTask::kOpen;
     const char* verb = saving ? "Save" : "Open";

@@ -6,6 +6,7 @@
 #include "studio/widgets.h"
 
 #include <array>
+#include <cfloat>
 
 namespace cambrian {
 namespace {
@@ -64,7 +65,7 @@ void draw_view_menu(const FrameContext& frame, Requests& out) {
     ghost_lines(frame, out);
     ImGui::Separator();
     const bool light = frame.view.theme == ThemeKind::kLight;
-    if (menu_item("Light theme", nullptr, true, light)) {
+    if (menu_item("Light theme", "Ctrl+L", true, light)) {
         ViewState view = frame.view;
         view.theme = light ? ThemeKind::kDark : ThemeKind::kLight;
         out.ask(ChangeView{view});
@@ -110,6 +111,8 @@ void draw_main_menu(const FrameContext& frame, Requests& out) {
         const ImVec2 below = {ImGui::GetItemRectMin().x, ImGui::GetItemRectMax().y + px(4)};
         ImGui::SameLine();
         ImGui::SetNextWindowPos(below);
+        const float room = ImGui::GetIO().DisplaySize.y - below.y - px(8);
+        ImGui::SetNextWindowSizeConstraints({0, 0}, {FLT_MAX, room});
         ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(px(10), px(8)));
         ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(px(18), px(8)));
         if (ImGui::BeginPopup(menu.title)) {

@@ -1,6 +1,7 @@
 #include "studio/panels/picking_panel.h"
 
 #include "core/pretty_text.h"
+#include "studio/help_mark.h"
 #include "studio/widgets.h"
 
 #include <algorithm>
@@ -115,7 +116,7 @@ void draw_way_back(const PickingView& picking, Requests& out) {
 
 void PickingPanel::draw(const FrameContext& frame, Requests& out) {
     const PickingView& picking = *frame.picking;
-    panel_title("Next grid");
+    place_title("Next grid", "hand_picking", out);
     ImGui::BeginChild("picking", {0, 0}, false, ImGuiWindowFlags_NoBackground);
     GridSettings grid = picking.snapshot.grid;
     draw_size(grid);

@@ -7,8 +7,30 @@
 namespace cambrian {
 namespace {
 
+constexpr float kNarrow = 560.0F;  // a strip in which the buttons stand closer
+
+bool is_narrow() {
+    return ImGui::GetWindowWidth() < px(kNarrow);
+}
+
+float width_of(const char* label) {
+    return ImGui::CalcTextSize(label).x + px(is_narrow() ? 14 : 24);
+}
+
 bool ghost(const char* label, const char* hint, bool enabled = true, bool chosen = false) {
     return push_button(label, {.look = chosen ? ButtonLook::kSelected : ButtonLook::kGhost,
+                               .width = width_of(label),
+                               .enabled = enabled,
+                               .tooltip = hint});
+}
+
+// One step through the grids: in words where there is room, a chevron elsewhere.
+bool step(const char* label, Icon icon, const char* hint, bool enabled) {
+    if (!is_narrow()) return ghost(label, hint, enabled);
+    return push_button(label, {.look = ButtonLook::kGhost,
+                               .icon = icon,
+                               .label_shown = false,
+                               .width = px(30),
                                .enabled = enabled,
                                .tooltip = hint});
 }
@@ -16,12 +38,13 @@ bool ghost(const char* label, const char* hint, bool enabled = true, bool chosen
 void draw_walk(const PickingView& picking, Requests& out) {
     const PickingTree& tree = picking.snapshot.tree;
     const bool any = !tree.empty();
-    if (ghost("Back", "The grid before this one (Backspace); nothing is lost",
-              any && (tree.current().parent || deciding(picking.snapshot))))
+    if (step("Back", Icon::kChevronLeft, "The grid before this one (Backspace); nothing is lost",
+             any && (tree.current().parent || deciding(picking.snapshot))))
         out.ask(AskPicking{GoBack{}});
     ImGui::SameLine();
-    if (ghost("Forward", "To the grid last bred from this one (Shift+Backspace)",
-              any && tree.next().has_value()))
+    if (step("Forward", Icon::kChevronRight,
+             "To the grid last bred from this one (Shift+Backspace)",
+             any && tree.next().has_value()))
         out.ask(AskPicking{GoForward{}});
 }
 
@@ -40,8 +63,7 @@ void draw_focused(const PickingView& picking, Requests& out) {
 
 void draw_options(const PickingView& picking, Requests& out) {
     PickingOptions options = picking.options;
-    const auto width = [](const char* label) { return ImGui::CalcTextSize(label).x + px(24); };
-    ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - width("Scores") - width("Hints") -
+    ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - width_of("Scores") - width_of("Hints") -
                     px(4));
     if (ghost("Scores", "Write each creature's fitness into its cell", true, options.scores))
         options.scores = !options.scores;
@@ -63,9 +85,10 @@ void PickingStrip::draw(const FrameContext& frame, Requests& out) {
                              .width = px(34),
                              .tooltip = "Hold the creatures still, or let them move (P)"}))
         out.ask(TogglePlayback{});
-    ImGui::SameLine(0, px(12));
+    const float gap = px(is_narrow() ? 4 : 12);
+    ImGui::SameLine(0, gap);
     draw_walk(picking, out);
-    ImGui::SameLine(0, px(12));
+    ImGui::SameLine(0, gap);
     draw_focused(picking, out);
     draw_options(picking, out);
     ImGui::PopStyleVar();

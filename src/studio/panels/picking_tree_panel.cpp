@@ -2,6 +2,7 @@
 
 #include "core/pretty_text.h"
 #include "studio/creature_tile.h"
+#include "studio/help_mark.h"
 #include "studio/widgets.h"
 
 #include <algorithm>
@@ -47,7 +48,7 @@ void draw_link(ImDrawList& list, const Rect& from, const Rect& to) {
 
 void PickingTreePanel::draw(const FrameContext& frame, Requests& out) {
     const PickingTree& tree = frame.picking->snapshot.tree;
-    panel_title("Grids so far");
+    place_title("Grids so far", "hand_picking", out);
     {
         const WithFont font(ui().fonts.small);
         const WithTextColor muted(colors().muted);

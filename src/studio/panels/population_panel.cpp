@@ -82,8 +82,7 @@ void draw_filter(const FrameContext& frame, Requests& out) {
 }
 
 void draw_heading(const FrameContext& frame, std::size_t count, Requests& out) {
-    ImGui::AlignTextToFramePadding();
-    place_title("Population");
+    place_title("Population", "timeline", out);
     const WithFont font(ui().fonts.small);
     ImGui::SameLine(0, px(10));
     draw_order(frame, out);
@@ -96,7 +95,7 @@ void draw_heading(const FrameContext& frame, std::size_t count, Requests& out) {
             : format("%zu of generation %u", count, frame.snapshot.history.back().generation);
     ImGui::SameLine(0, px(12));
     const float room =
-        ImGui::GetContentRegionAvail().x - px(28) - ImGui::CalcTextSize(words.c_str()).x;
+        ImGui::GetContentRegionAvail().x - px(kHelpMarkRoom) - ImGui::CalcTextSize(words.c_str()).x;
     if (room < 0.0F) return ImGui::NewLine();
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() + room);
     const WithTextColor muted(colors().muted);
@@ -143,10 +142,6 @@ void PopulationPanel::gather(const FrameContext& frame) {
 
 void PopulationPanel::draw(const FrameContext& frame, Requests& out) {
     gather(frame);
-    const ImVec2 corner = ImGui::GetCursorPos();
-    ImGui::SetCursorPosX(ImGui::GetWindowContentRegionMax().x - px(24));
-    help_mark("timeline", out);
-    ImGui::SetCursorPos(corner);
     draw_heading(frame, tiles_.size(), out);
     tiles_drawn_ = 0;
     if (tiles_.empty()) {
@@ -191,7 +186,7 @@ void PopulationPanel::draw_tile(std::size_t index, const FrameContext& frame, Re
     const Rect star = star_of(area);
     if (index < kNotedTiles) {
         note_place(name);
-        ui().places[format("star %zu", index)] = star;
+        note_place(format("star %zu", index), star);
     }
     if (pressed && star.contains(ImGui::GetIO().MousePos)) {
         out.ask(ToggleStar{tile.creature});

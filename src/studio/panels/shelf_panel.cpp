@@ -2,6 +2,7 @@
 
 #include "studio/creature_tile.h"
 #include "studio/drag_payload.h"
+#include "studio/help_mark.h"
 #include "studio/widgets.h"
 
 #include <algorithm>
@@ -17,7 +18,7 @@ constexpr int kGrownAFrame = 8;
 }  // namespace
 
 void ShelfPanel::draw(const FrameContext& frame, Requests& out) {
-    panel_title("Shelf");
+    place_title("Shelf", "hand_picking", out);
     const auto& shelf = frame.picking->snapshot.shelf;
     bodies_.begin_frame(kGrownAFrame);
     const ImVec2 room = ImGui::GetContentRegionAvail();

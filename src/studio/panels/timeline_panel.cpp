@@ -39,8 +39,7 @@ void draw_quantities(const FrameContext& frame, Requests& out) {
 }
 
 void draw_heading(const FrameContext& frame, Requests& out) {
-    ImGui::AlignTextToFramePadding();
-    place_title("Timeline");
+    place_title("Timeline", "timeline", out);
     const WithFont font(ui().fonts.small);
     ImGui::SameLine(0, px(10));
     draw_quantities(frame, out);
@@ -48,7 +47,7 @@ void draw_heading(const FrameContext& frame, Requests& out) {
     const float after = ImGui::GetCursorPosX();
     const float height = ImGui::GetFrameHeight();
     const float export_width = px(62);
-    const float right = ImGui::GetWindowContentRegionMax().x - px(30);
+    const float right = ImGui::GetWindowContentRegionMax().x - px(kHelpMarkRoom);
     const TimelinePlot& plot = timeline_plot(frame.view.quantity);
     const float legend_right = right - export_width - px(12);
     if (legend_right - legend_width(plot) > after) {
@@ -63,8 +62,6 @@ void draw_heading(const FrameContext& frame, Requests& out) {
                                .height = height,
                                .tooltip = "The statistics as a table, or this plot as a picture"}))
         ImGui::OpenPopup("export");
-    ImGui::SameLine(right + px(6));
-    help_mark("timeline", out);
 }
 
 // What may help where the best has not risen for long (evolution.md 6.4); nothing is done unasked.

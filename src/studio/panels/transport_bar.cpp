@@ -13,6 +13,10 @@ namespace {
 
 constexpr float kNarrow = 640.0F;  // a bar in which the speeds do not all fit
 
+bool is_narrow() {
+    return ImGui::GetWindowWidth() < px(kNarrow);
+}
+
 bool icon_button(const char* name, Icon icon, const char* hint, bool chosen = false) {
     return push_button(name, {.look = chosen ? ButtonLook::kSelected : ButtonLook::kGhost,
                               .icon = icon,
@@ -68,7 +72,7 @@ int choose_speed(const std::vector<std::string>& labels, int chosen) {
     int pressed = -1;
     ImGui::SetCursorPosY(ImGui::GetCursorPosY() + px(2));
     const std::string shown = chosen < 0 ? "" : labels[static_cast<std::size_t>(chosen)];
-    if (begin_choice("##speed", shown, px(76))) {
+    if (begin_choice("##speed", shown, px(64))) {
         for (int i = 0; i < static_cast<int>(labels.size()); ++i) {
             if (ImGui::Selectable(labels[static_cast<std::size_t>(i)].c_str(), i == chosen))
                 pressed = i;
@@ -87,8 +91,8 @@ void draw_speeds(const FrameContext& frame, Requests& out) {
     for (std::size_t i = 0; i < kPlaybackSpeeds.size(); ++i) {
         if (kPlaybackSpeeds[i] == frame.view.speed) chosen = static_cast<int>(i);
     }
-    const int pressed = ImGui::GetWindowWidth() < px(kNarrow) ? choose_speed(labels, chosen)
-                                                              : segmented("speed", labels, chosen);
+    const int pressed =
+        is_narrow() ? choose_speed(labels, chosen) : segmented("speed", labels, chosen);
     if (pressed < 0) return;
     ViewState view = frame.view;
     view.speed = kPlaybackSpeeds[static_cast<std::size_t>(pressed)];
@@ -97,7 +101,7 @@ void draw_speeds(const FrameContext& frame, Requests& out) {
 
 // To the right; a viewer, in which nothing evolves, has only the room for what follows.
 void draw_newest(const FrameContext& frame, Requests& out) {
-    const float width = px(78);
+    const float width = px(is_narrow() ? 66 : 78);
     const float after = px(34) * 2 + px(4) * 4;
     const float right = ImGui::GetWindowContentRegionMax().x;
     if (frame.viewer) return ImGui::SameLine(right - after + px(12));
@@ -127,7 +131,7 @@ void TransportBar::draw(const FrameContext& frame, Requests& out) {
         out.ask(TogglePlayback{});
     ImGui::SameLine();
     if (icon_button("One tick", Icon::kStep, "One tick of 1/60 s (.)")) out.ask(StepPlayback{});
-    ImGui::SameLine(0, px(16));
+    ImGui::SameLine(0, px(is_narrow() ? 8 : 16));
     draw_speeds(frame, out);
     draw_newest(frame, out);
     if (icon_button("Follow", Icon::kFollow, "Follow the creature (F)", frame.view.follow)) {

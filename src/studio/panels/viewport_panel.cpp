@@ -190,14 +190,19 @@ void ViewportPanel::draw_marks(const FrameContext& frame) {
     const Camera& camera = canvas_.camera;
     const WorldWindow window = camera.window(size_);
     if (window.low.y() > 0.0) return;
-    const double spacing = mark_spacing(camera, 70.0);
+    // On ticks of the ground, as many apart as the words need.
+    const double tick = mark_spacing(camera, kTickPixels);
+    const double room = kTickPixels * static_cast<double>(ui().scale);
+    const double spacing = tick * std::ceil(room / (tick * camera.pixels_per_metre));
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const WithFont font(ui().fonts.small);
     for (double i = std::ceil(window.low.x() / spacing); i * spacing < window.high.x(); i += 1.0) {
         const std::string label = with_unit(i * spacing, "m");
         const Vec2 at = camera.to_screen({i * spacing, 0.0}, size_);
         const float width = ImGui::CalcTextSize(label.c_str()).x;
-        list.AddText({std::round(canvas_.area.x + static_cast<float>(at.x()) - 0.5F * width),
+        const float left = static_cast<float>(at.x()) - 0.5F * width;
+        if (left < 0.0F || left + width > canvas_.area.width) continue;
+        list.AddText({std::round(canvas_.area.x + left),
                       std::round(canvas_.area.y + static_cast<float>(at.y()) + px(10))},
                      paint(colors().muted), label.c_str());
     }

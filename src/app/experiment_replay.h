@@ -1,0 +1,23 @@
+#pragma once
+
+// A whole experiment computed anew from its beginning, with every command at its time.
+
+#include "evolution/evaluation_backend.h"
+#include "evolution/experiment_log.h"
+
+#include <cstdint>
+#include <optional>
+#include <stop_token>
+
+namespace cambrian {
+
+struct ReplayOutcome {
+    std::uint32_t generations = 0;           // that were the same
+    std::optional<std::uint32_t> different;  // the first that was not
+    bool stopped = false;
+};
+
+ReplayOutcome replay_experiment(const SavedExperiment& saved, const EvolutionKinds& kinds,
+                                EvaluationBackend& backend, const std::stop_token& stop);
+
+}  // namespace cambrian

@@ -1,0 +1,203 @@
+"""Experiment files: kept while a run goes on, resumed, exported, computed anew, killed."""
+
+import contextlib
+import json
+import os
+import random
+import signal
+import sqlite3
+import subprocess
+import time
+import unittest
+
+from program import CAMBRIAN, DONE, FAILED, SMALL, ProgramTest
+
+KILLS = int(os.environ.get("CAMBRIAN_KILLS", "12"))
+
+
+def opened(path):
+    return contextlib.closing(sqlite3.connect(path, isolation_level=None))
+
+
+def digests(path):
+    with opened(path) as database:
+        return [row[0] for row in database.execute(
+            "SELECT population_digest FROM generations ORDER BY generation")]
+
+
+class Experiment(ProgramTest):
+    def setUp(self):
+        super().setUp()
+        self.write("small.toml", SMALL)
+
+    def test_a_run_is_kept_beside_its_champion_unless_told_otherwise(self):
+        self.run_well("evolve", "small.toml", "-n", 1)
+        self.run_well("evolve", "small.toml", "-n", 1)
+        self.assertEqual(self.files(), ["champion-walking-seed1.creature.json", "small.toml",
+                                        "walking-seed1-2.cambrian", "walking-seed1.cambrian"])
+        report = self.run_well("evolve", "small.toml", "-n", 1, "-o", "a.cambrian", "--json").stdout
+        last = json.loads(report.splitlines()[-1])
+        self.assertEqual((last["experiment"], last["champion"]), ("a.cambrian", None))
+        self.run_well("evolve", "small.toml", "-n", 1, "-o", "b.creature.json")
+        self.assertNotIn("b.cambrian", self.files())
+
+    def test_resumed_it_is_the_run_that_was_never_stopped(self):
+        self.run_well("evolve", "small.toml", "-n", 20, "-t", 1, "-o", "whole.cambrian")
+        expected = digests(self.folder / "whole.cambrian")
+        self.assertEqual(len(expected), 20)
+        self.run_well("evolve", "small.toml", "-n", 4, "-t", 2, "-o", "a.cambrian")
+        self.run_well("evolve", "--resume", "a.cambrian", "-n", 13, "-t", 7)
+        report = self.run_well("evolve", "-r", "a.cambrian", "-n", 20, "--json").stdout
+        self.assertEqual(digests(self.folder / "a.cambrian"), expected)
+        self.assertEqual(len(report.splitlines()), 8)
+        for options in [["--champion"], ["--stats"], ["--settings"], ["-g", "7"]]:
+            both = [self.run_well("export", name, *options).stdout
+                    for name in ["whole.cambrian", "a.cambrian"]]
+            if "--settings" not in options:
+                self.assertEqual(both[0], both[1])
+
+    def test_what_is_exported_can_be_used(self):
+        self.run_well("evolve", "small.toml", "-o", "a.cambrian")
+        self.run_well("export", "a.cambrian", "--champion", "-o", "best.creature.json")
+        self.assertIn("replay verified", self.run_well("verify", "best.creature.json").stdout)
+        self.run_well("export", "a.cambrian", "--settings", "-o", "again.toml")
+        self.run_well("evolve", "again.toml", "-n", 3, "-o", "b.cambrian")
+        self.assertEqual(digests(self.folder / "a.cambrian"), digests(self.folder / "b.cambrian"))
+        table = self.run_well("export", "a.cambrian", "--stats").stdout.splitlines()
+        self.assertEqual(len(table), 4)
+        self.assertTrue(table[0].startswith("generation,size,evaluations,best"))
+        self.assert_refused(self.run_program("export", "a.cambrian", "-g", 3), "no generation 3")
+
+    def test_a_whole_run_is_computed_anew_and_compared(self):
+        self.run_well("evolve", "small.toml", "-o", "a.cambrian")
+        self.assertIn("3 of 3 generations", self.run_well("verify", "a.cambrian").stdout)
+        with opened(self.folder / "a.cambrian") as database:
+            database.execute("UPDATE generations SET population_digest = 1 WHERE generation = 1")
+        self.assert_refused(self.run_program("verify", "a.cambrian"),
+                            "differs from generation 1 on", status=FAILED)
+
+    def test_the_tables_answer_the_questions_of_the_help_page(self):
+        self.run_well("evolve", "small.toml", "-n", 6, "-o", "a.cambrian")
+        with opened(self.folder / "a.cambrian") as database:
+            self.assertEqual(len(database.execute("SELECT * FROM champions").fetchall()), 6)
+            line = database.execute(
+                "WITH RECURSIVE line(id) AS (SELECT champion FROM generations WHERE generation = 5 "
+                "UNION ALL SELECT mother FROM individuals JOIN line USING (id) "
+                "WHERE mother IS NOT NULL) "
+                "SELECT born, method FROM line JOIN individuals USING (id)").fetchall()
+            self.assertEqual(line[-1], (0, "random"))
+            self.assertEqual(sorted((born for born, _ in line), reverse=True),
+                             [born for born, _ in line])
+
+    def test_misuse_is_one_message(self):
+        self.run_well("evolve", "small.toml", "-o", "a.cambrian")
+        before = (self.folder / "a.cambrian").read_bytes()
+        self.assert_refused(self.run_program("evolve", "small.toml", "-o", "a.cambrian"),
+                            "a.cambrian", "File exists")
+        self.assert_refused(self.run_program("evolve", "-r", "a.cambrian"), "--generations N")
+        self.assert_refused(self.run_program("evolve", "-r", "small.toml"), "not an SQLite database")
+        self.assert_refused(self.run_program("evolve", "-r", "none.cambrian"), "No such file")
+        self.assert_refused(self.run_program("evolve"), "--resume")
+        self.assert_refused(self.run_program("evolve", "small.toml", "-o", "no/a.cambrian"),
+                            "No such file")
+        self.assertEqual((self.folder / "a.cambrian").read_bytes(), before)
+
+    def test_interrupted_it_says_how_to_go_on(self):
+        process = self.start("evolve", "small.toml", "-n", "100000", "-o", "a.cambrian")
+        process.stdout.readline()
+        process.send_signal(signal.SIGINT)
+        _, messages = process.communicate(timeout=600)
+        self.assertEqual(process.returncode, DONE, messages)
+        self.assertIn("cambrian evolve --resume a.cambrian", messages)
+        kept = len(digests(self.folder / "a.cambrian"))
+        self.run_well("evolve", "--resume", "a.cambrian", "-n", kept + 1)
+
+    def test_a_file_in_use_is_refused(self):
+        process = self.start("evolve", "small.toml", "-n", "100000", "-o", "a.cambrian")
+        try:
+            process.stdout.readline()
+            self.assert_refused(self.run_program("evolve", "-r", "a.cambrian", "-n", "200000"),
+                                "open in another window or program")
+            self.run_well("export", "a.cambrian", "--champion")
+        finally:
+            process.kill()
+            process.communicate()
+
+    def test_removed_while_open_the_run_stops_with_a_message(self):
+        process = self.start("evolve", "small.toml", "-n", "100000", "-o", "a.cambrian")
+        process.stdout.readline()
+        (self.folder / "a.cambrian").unlink()
+        _, messages = process.communicate(timeout=600)
+        self.assertEqual(process.returncode, FAILED)
+        self.assertIn("removed or replaced", messages)
+
+    def test_a_full_disk_loses_nothing_that_was_kept(self):
+        disk = self.folder / "disk"
+        disk.mkdir()
+        mounted = subprocess.run(["mount", "-t", "tmpfs", "-o", "size=600k", "tmpfs", str(disk)],
+                                 stderr=subprocess.DEVNULL, check=False).returncode == 0
+        if not mounted:
+            self.skipTest("no small disk can be mounted here")
+        try:
+            self.write("large.toml", SMALL.replace("size = 12", "size = 60"))
+            result = self.run_program("evolve", "large.toml", "-n", 1000, "-o", "disk/a.cambrian")
+            self.assertEqual(result.returncode, FAILED)
+            self.assertIn("the disk is full", result.stderr)
+            self.assertIn("--resume", result.stderr)
+            for path in disk.glob("a.cambrian*"):  # what could not be moved out of the log too
+                (self.folder / path.name).write_bytes(path.read_bytes())
+            kept = digests(self.folder / "a.cambrian")
+            self.assertGreater(len(kept), 0)
+        finally:
+            subprocess.run(["umount", str(disk)], check=False)
+        self.run_well("evolve", "-r", "a.cambrian", "-n", len(kept) + 1)
+        self.run_well("evolve", "large.toml", "-n", len(kept) + 1, "-o", "b.cambrian")
+        self.assertEqual(digests(self.folder / "a.cambrian"), digests(self.folder / "b.cambrian"))
+
+    def test_killed_at_any_moment_it_goes_on_to_the_same_end(self):
+        """kill -9 KILLS times on the way to the last generation; never more than one is lost."""
+        self.write("tiny.toml", SMALL.replace("duration = 2", "duration = 0.5"))
+        generations = 30 * KILLS
+        chance = random.Random(7)
+        self.start("evolve", "tiny.toml", "-n", str(generations), "-o", "a.cambrian")
+        kills, kept = 0, 0
+        while kills < KILLS:
+            time.sleep(chance.uniform(0.02, 0.35))
+            self.process.kill()
+            self.process.communicate()
+            kills += 1
+            if (self.folder / "a.cambrian").stat().st_size == 0:
+                (self.folder / "a.cambrian").unlink()  # killed while it was being made
+            path = self.folder / "a.cambrian"
+            begun = path.exists() and self.run_program("export", "a.cambrian",
+                                                       "--settings").returncode == DONE
+            if begun:
+                now = len(digests(path))
+                self.assertGreaterEqual(now, kept)
+                kept = now
+                self.start("evolve", "-r", "a.cambrian", "-n", str(max(generations, kept + 1)))
+            else:
+                self.assertEqual(kept, 0)
+                path.unlink(missing_ok=True)
+                self.start("evolve", "tiny.toml", "-n", str(generations), "-o", "a.cambrian")
+        self.process.kill()
+        self.process.communicate()
+        kept = len(digests(self.folder / "a.cambrian"))
+        self.run_well("evolve", "-r", "a.cambrian", "-n", kept + 2)
+        self.run_well("evolve", "tiny.toml", "-n", kept + 2, "-o", "whole.cambrian")
+        self.assertEqual(digests(self.folder / "a.cambrian"),
+                         digests(self.folder / "whole.cambrian"))
+        self.assertEqual(self.run_well("export", "a.cambrian", "--champion").stdout,
+                         self.run_well("export", "whole.cambrian", "--champion").stdout)
+
+    def start(self, *arguments):
+        self.process = subprocess.Popen([CAMBRIAN, *arguments], cwd=self.folder,
+                                        stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                                        encoding="utf-8")
+        self.addCleanup(self.process.stdout.close)
+        self.addCleanup(self.process.stderr.close)
+        return self.process
+
+
+if __name__ == "__main__":
+    unittest.main()

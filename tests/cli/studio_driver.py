@@ -1,0 +1,200 @@
+"""Drives the studio in a real X window: mouse and keys from outside, its status log to see what
+came."""
+
+import json
+import os
+import pathlib
+import shutil
+import struct
+import subprocess
+import tempfile
+import time
+import unittest
+import zlib
+
+from program import CAMBRIAN, DONE, ProgramTest
+
+PICTURES = pathlib.Path(os.environ.get("CAMBRIAN_PICTURES", "pictures"))
+PATIENCE = 120  # s; for anything to happen on a busy machine
+
+
+def png_of_dump(dump):
+    """A picture of an X server's screen from its dump in the format of xwd, 32 bits a pixel."""
+    header = struct.unpack(">25I", dump[:100])
+    size, width, height, bits, stride, colors = (header[i] for i in [0, 4, 5, 11, 12, 19])
+    assert bits == 32, f"{bits} bits a pixel"
+    start = size + 12 * colors
+    pixels = memoryview(dump)[start:start + stride * height]
+    rows = bytearray((3 * width + 1) * height)
+    for row in range(height):
+        line = bytearray(3 * width)
+        source = pixels[row * stride:row * stride + 4 * width]
+        line[0::3], line[1::3], line[2::3] = source[2::4], source[1::4], source[0::4]
+        rows[row * (3 * width + 1) + 1:(row + 1) * (3 * width + 1)] = line
+
+    def chunk(kind, data):
+        checked = kind + data
+        return struct.pack(">I", len(data)) + checked + struct.pack(">I", zlib.crc32(checked))
+    about = struct.pack(">2I5B", width, height, 8, 2, 0, 0, 0)
+    return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", about)
+            + chunk(b"IDAT", zlib.compress(rows, 1)) + chunk(b"IEND", b""))
+
+
+class Display:
+    """A virtual X display of its own, so that tests can run side by side. Held keys do not repeat:
+    on a busy machine they would be held for long."""
+
+    def __init__(self, width, height):
+        self.memory = tempfile.TemporaryDirectory(prefix="cambrian-screen-")
+        reading, writing = os.pipe()
+        self.server = subprocess.Popen(
+            ["Xvfb", "-displayfd", str(writing), "-screen", "0", f"{width}x{height}x24",
+             "-r", "-fbdir", self.memory.name, "-nolisten", "tcp"],
+            pass_fds=[writing], stderr=subprocess.DEVNULL)
+        os.close(writing)
+        with os.fdopen(reading) as numbers:
+            self.name = ":" + numbers.readline().strip()
+        self.environment = dict(os.environ, DISPLAY=self.name, LIBGL_ALWAYS_SOFTWARE="1")
+
+    def tool(self, *arguments):
+        return subprocess.run(["xdotool", *map(str, arguments)], env=self.environment, check=True,
+                              stdout=subprocess.PIPE, encoding="utf-8", timeout=PATIENCE).stdout
+
+    def picture(self, name):
+        PICTURES.mkdir(parents=True, exist_ok=True)
+        path = PICTURES / name
+        screen = pathlib.Path(self.memory.name, "Xvfb_screen0").read_bytes()
+        path.write_bytes(png_of_dump(screen))
+        return path
+
+    def close(self):
+        self.server.terminate()
+        self.server.wait(PATIENCE)
+        self.memory.cleanup()
+
+
+@unittest.skipUnless(shutil.which("Xvfb") and shutil.which("xdotool"), "needs Xvfb and xdotool")
+class StudioTest(ProgramTest):
+    def open_display(self, width=1280, height=800):
+        display = Display(width, height)
+        self.addCleanup(display.close)
+        return display
+
+    def start(self, display, *arguments, first_time=False):
+        """Starts the studio, whose tour was taken unless this is the first time, and waits for its
+        first frame."""
+        view = self.folder / "state" / "view.conf"
+        if not first_time and not view.exists():
+            view.parent.mkdir(exist_ok=True)
+            view.write_text("tour-taken = yes\n")
+        self.open_window(display, "studio", "--state-dir", self.folder / "state", "--threads", "1",
+                         *arguments)
+
+    def open_window(self, display, subcommand, *arguments):
+        """Starts a subcommand that opens a window and waits for its first frame."""
+        self.log = self.folder / "status.log"
+        self.log.unlink(missing_ok=True)
+        self.log_read = 0  # bytes
+        self.happened = []
+        self.display = display
+        studio = subprocess.Popen(
+            [CAMBRIAN, subcommand, "--status-log", str(self.log), *map(str, arguments)],
+            cwd=self.folder, env=display.environment, stdout=subprocess.DEVNULL,
+            stderr=subprocess.DEVNULL)
+        self.addCleanup(self.stop, studio)
+        self.studio = studio
+        self.wait_for("started")
+        self.window = display.tool("search", "--sync", "--name", "Cambrian").split()[0]
+        display.tool("windowfocus", self.window)
+
+    def stop(self, studio):
+        if studio.poll() is None:
+            studio.kill()
+        studio.wait(PATIENCE)
+
+    def events(self):
+        if self.log.exists():
+            with self.log.open("rb") as file:
+                file.seek(self.log_read)
+                whole_lines, newline, _ = file.read().rpartition(b"\n")
+            self.log_read += len(whole_lines + newline)
+            self.happened += [json.loads(line) for line in whole_lines.splitlines()]
+        return self.happened
+
+    def wait_for(self, event, after=0, **fields):
+        """The first such event at or after that place in the log; its successor's place too."""
+        end = time.monotonic() + PATIENCE
+        while time.monotonic() < end:
+            for place, found in enumerate(self.events()):
+                if place >= after and found["event"] == event and fields.items() <= found.items():
+                    return found, place + 1
+            self.assertIsNone(self.studio.poll(), f"the studio ended before '{event}'")
+            time.sleep(0.05)
+        return self.fail(f"no '{event}' {fields} in {self.events()[after:]}")
+
+    def place_of(self, name):
+        """The middle of a control, on the screen, where it was drawn last."""
+        self.wait_for("place", name=name)
+        time.sleep(0.3)  # it may be moving
+        found = [event for event in self.events()
+                 if event["event"] == "place" and event["name"] == name][-1]
+        lines = self.display.tool("getwindowgeometry", "--shell", self.window).split()
+        origin = dict(line.split("=") for line in lines)
+        return (int(origin["X"]) + int(found["x"] + found["width"] / 2),
+                int(origin["Y"]) + int(found["y"] + found["height"] / 2))
+
+    def type_into(self, name, text):
+        """A number typed into a slider, after Ctrl+click."""
+        x, y = self.place_of(name)
+        self.display.tool("mousemove", x, y, "sleep", 0.2, "keydown", "ctrl", "sleep", 0.1,
+                          "mousedown", 1, "sleep", 0.1, "mouseup", 1, "sleep", 0.1, "keyup", "ctrl")
+        self.display.tool("key", "ctrl+a", "type", "--delay", "60", text)
+        self.display.tool("key", "Return")
+
+    def click(self, name):
+        x, y = self.place_of(name)
+        # A moment between the movement and the button, as a hand has, so that each is a frame.
+        self.display.tool("mousemove", x, y, "sleep", 0.2, "mousedown", 1, "sleep", 0.1,
+                          "mouseup", 1)
+
+    def press(self, key):
+        self.display.tool("keydown", key, "sleep", 0.1, "keyup", key)
+
+    def drag(self, name, from_share, to_share):
+        """Over a control from one share of its width to another, in some steps; lets go there."""
+        x, y = self.place_of(name)
+        width = self.wait_for("place", name=name)[0]["width"]
+        steps = [x + int(width * (from_share + (to_share - from_share) * i / 5 - 0.5))
+                 for i in range(6)]
+        self.display.tool("mousemove", steps[0], y, "sleep", 0.2, "mousedown", 1)
+        for step in steps[1:]:
+            self.display.tool("mousemove", step, y, "sleep", 0.1)
+        self.display.tool("mouseup", 1)
+
+    def save_as(self, keys, name):
+        """Through the file panel that these keys open; the path that was written."""
+        after = len(self.events())
+        self.display.tool("key", keys)
+        time.sleep(1.0)
+        # Held for a moment, as by a hand, so that a frame sees both keys down.
+        self.display.tool("keydown", "ctrl", "keydown", "a", "sleep", 0.2, "keyup", "a", "keyup",
+                          "ctrl", "type", "--delay", "30", str(self.folder / name))
+        self.display.tool("key", "Return")
+        return pathlib.Path(self.wait_for("saved", after=after)[0]["path"])
+
+    def quit(self):
+        self.display.tool("key", "ctrl+q")
+        self.wait_for("quit")
+        self.assertEqual(self.studio.wait(PATIENCE), DONE)
+
+    def assert_painted(self, picture):
+        """More than a blank or a flat picture: many colors, in each of its four quarters."""
+        size = subprocess.run(["identify", "-format", "%w %h", str(picture)], check=True,
+                              stdout=subprocess.PIPE, encoding="utf-8").stdout
+        width, height = (int(length) // 2 for length in size.split())
+        for x in [0, width]:
+            for y in [0, height]:
+                colors = subprocess.run(
+                    ["convert", str(picture), "-crop", f"{width}x{height}+{x}+{y}", "-format",
+                     "%k", "info:"], check=True, stdout=subprocess.PIPE, encoding="utf-8").stdout
+                self.assertGreater(int(colors), 16, f"the quarter at {x}, {y}")

@@ -1,0 +1,282 @@
+"""How the studio looks: every panel and mode at several sizes, on the dark and the light theme.
+
+The pictures are for the eye. What a program can tell it asserts at each of them: controls stand
+whole in their window and do not lie over each other, and no text is cut or written over other text.
+"""
+
+import time
+import unittest
+
+from studio_driver import PATIENCE, StudioTest
+
+# Little to evolve, and every part of the window with something to show.
+RUN = """
+[population]
+size = 24
+[trial]
+duration = 2
+"""
+CLOSED_AT_FIRST = ["breeding", "mutation.weights", "body", "body.joints", "body.functions",
+                   "body.sensors", "body.references", "simulation", "trial", "run"]
+INSPECTOR_TABS = ["Creature", "Brain", "Genotype", "Ancestry", "Energy"]
+PLOTS = ["fitness", "diversity", "parts", "neurons", "trials", "invalid"]
+TOUR_STEPS = 5
+MOST_PAGES = 20  # of the experiment panel
+# Panels, grounds that controls lie on, and parts of a row that is named besides.
+NOT_CONTROLS = ("panel ", "viewport", "tile ", "cell ", "shelf", "##")
+
+
+def corners(place):
+    return [place[name] for name in ["x", "y", "width", "height"]]
+
+
+def overlap(a, b):
+    """By more than a pixel both ways."""
+    return (min(a["x"] + a["width"], b["x"] + b["width"]) - max(a["x"], b["x"]) > 1 and
+            min(a["y"] + a["height"], b["y"] + b["height"]) - max(a["y"], b["y"]) > 1)
+
+
+def place_faults(places):
+    places = [place for name, place in sorted(places.items()) if not name.startswith(NOT_CONTROLS)]
+    faults = [f"{place['name']} is cut" for place in places if place["cut"]]
+    for index, place in enumerate(places):
+        faults += [f"{place['name']} and {other['name']} overlap" for other in places[:index]
+                   if place["panel"] == other["panel"] and overlap(place, other)]
+    return faults
+
+
+class StudioLook(StudioTest):
+    def test_everything_looks_right_at_1280x720(self):
+        self.look_at_everything(1280, 720, 1)
+
+    def test_everything_looks_right_at_1920x1080(self):
+        self.look_at_everything(1920, 1080, 1)
+
+    def test_everything_looks_right_at_1920x1080_twice_as_large(self):
+        self.look_at_everything(1920, 1080, 2)
+
+    def test_everything_looks_right_at_2560x1440_twice_as_large(self):
+        self.look_at_everything(2560, 1440, 2, [self.look_at_window, self.look_at_menus,
+                                                self.look_at_cards, self.look_at_inspector,
+                                                self.look_at_hand_picking])
+
+    def look_at_everything(self, width, height, scale, looks=None):
+        self.size = f"{width}x{height}" + ("" if scale == 1 else f"@{scale}x")
+        self.corner = (width - 2, 2)
+        self.read = 0
+        self.places = {}
+        self.faults = []
+        self.write("run.toml", RUN)
+        self.write("cut.creature.json", '{"format": "cambrian-creature", "ver')
+        display = self.open_display(width, height)
+        self.start(display, "run.toml", "--width", width, "--height", height, "--scale", scale)
+        for number in range(3):
+            self.press("g")
+            self.wait_for("generation", number=number)
+        for look in looks or [
+                self.look_at_window, self.look_at_menus, self.look_at_experiment,
+                self.look_at_cards, self.look_at_inspector, self.look_at_timeline,
+                self.look_at_population, self.look_at_tour, self.look_at_overlays,
+                self.look_at_hand_picking]:
+            look()
+        self.quit()
+        self.assertEqual(self.faults, [], "\n".join(self.faults))
+
+    def look_at_window(self):
+        self.look("window")
+        self.keys("ctrl+o")
+        self.type(str(self.folder / "cut.creature.json"))
+        self.keys("Return")
+        self.wait_for("notice", problem=True)
+        self.look("error")
+        self.keys("Escape")
+
+    def look_at_menus(self):
+        self.tap("File")
+        for menu in ["File", "Edit", "View", "Help"]:
+            self.point_at(menu)
+            self.look("menu-" + menu.lower(), pointed=True)
+        self.tap_nowhere()
+        self.tap("Export")
+        self.look("menu-export")
+        self.tap_nowhere()
+
+    def look_at_experiment(self):
+        self.keys("slash")
+        self.type("grav")
+        self.look("experiment-filter")
+        self.keys("Escape")
+        self.tap("goal.behavior")
+        self.look("experiment-goals")
+        self.tap_nowhere()
+        before = corners(self.seen()["panel timeline"])
+        self.switch_bottom()
+        self.wait_until(lambda: "panel timeline" not in self.seen(), "the timeline stays")
+        self.look_through_settings()
+        self.switch_bottom()
+        self.wait_until(lambda: "panel timeline" in self.seen(), "the timeline stays away")
+        self.assertEqual(corners(self.seen()["panel timeline"]), before)
+
+    def switch_bottom(self):
+        self.tap("View")
+        self.tap("Timeline and population")
+
+    def look_through_settings(self):
+        """Down the panel, opening what is closed."""
+        self.point_at("group goal")
+        closed = list(CLOSED_AT_FIRST)
+        page = 0
+        while closed:
+            while closed and "group " + closed[0] in self.seen():
+                self.tap("group " + closed.pop(0))
+            self.look(f"experiment-{page}", pointed=True)
+            page += 1
+            self.display.tool("click", "--repeat", 4, "--delay", 30, 5, "sleep", 0.2)
+            self.assertLess(page, MOST_PAGES, f"{closed} are not in sight")
+        self.display.tool("click", "--repeat", 20, "--delay", 30, 5, "sleep", 0.2)
+        self.look(f"experiment-{page}", pointed=True)
+
+    def look_at_cards(self):
+        for name, keys, control in [("open", "ctrl+o", "file name"),
+                                    ("save", "ctrl+s", "file name"),
+                                    ("samples", "ctrl+shift+o", "Close samples"),
+                                    ("help", "F1", "Close help")]:
+            self.keys(keys)
+            self.wait_until(lambda: control in self.seen(), f"{name} does not open")
+            self.look(name)
+            self.keys("Escape")
+            self.wait_until(lambda: control not in self.seen(), f"{name} does not close")
+        for name, entry in [("keys", "Keys"), ("about", "About Cambrian")]:
+            self.tap("Help")
+            self.tap(entry)
+            self.wait_until(lambda: "Close help" in self.seen(), f"{name} does not open")
+            self.look(name)
+            self.keys("Escape")
+            self.wait_until(lambda: "Close help" not in self.seen(), f"{name} does not close")
+
+    def look_at_inspector(self):
+        for tab in INSPECTOR_TABS:
+            self.tap(tab)
+            self.look("inspector-" + tab.lower())
+        self.tap("Genotype")
+        self.tap("gene 0")
+        self.look("inspector-gene")
+
+    def look_at_timeline(self):
+        self.keys("t")
+        for plot in PLOTS:
+            self.look("timeline-" + plot)
+            self.keys("Down")
+        self.keys("Left")
+        self.point_at("timeline")
+        time.sleep(0.6)
+        self.look("timeline-pointed-at", pointed=True)
+
+    def look_at_population(self):
+        self.keys("c", "Right", "k")
+        self.look("population-starred")
+        self.tap("tile order")
+        self.look("population-orders")
+        self.tap_nowhere()
+
+    def look_at_tour(self):
+        self.tap("Help")
+        self.tap("Tour of the window")
+        for step in range(TOUR_STEPS):
+            self.look(f"tour-{step}")
+            self.keys("Return")
+
+    def look_at_overlays(self):
+        self.tap("Overlays")
+        for overlay in ["Contact forces", "Joint torques", "Joint limits", "Sensors", "Part names"]:
+            if overlay in self.seen():
+                self.tap(overlay)
+        self.look("overlays-menu")
+        self.tap_nowhere()
+        self.tap("Ghosts")
+        self.look("ghosts-menu")
+        self.tap("Five across the run")
+        self.tap_nowhere()
+        self.look("overlays")
+
+    def look_at_hand_picking(self):
+        self.keys("h")
+        self.wait_for("grid", number=0)
+        self.keys("1", "3", "8")
+        self.look("hand-picking")
+        self.keys("Return")
+        self.wait_for("grid", number=1)
+        self.keys("2", "k", "BackSpace", "5", "Return")
+        self.wait_for("grid", number=2)
+        self.keys("3", "k")
+        self.look("hand-picking-branched")
+        self.keys("v")
+        self.look("hand-picking-viewed")
+        self.keys("Escape", "h")
+
+    def keys(self, *names):
+        for name in names:
+            keys = name.split("+")
+            self.display.tool(*[word for key in keys for word in ["keydown", key]], "sleep", 0.08,
+                              *[word for key in reversed(keys) for word in ["keyup", key]])
+            time.sleep(0.05)
+
+    def type(self, text):
+        time.sleep(0.4)
+        self.display.tool("key", "ctrl+a", "type", "--delay", "15", text)
+
+    def point_at(self, name):
+        self.wait_until(lambda: name in self.seen(), f"no '{name}' in sight")
+        place = None
+        while place != self.seen().get(name, place):  # menus find their place in a few frames
+            place = self.places[name]
+            time.sleep(0.1)
+        self.display.tool("mousemove", int(place["x"] + place["width"] / 2),
+                          int(place["y"] + place["height"] / 2), "sleep", 0.12)
+
+    def tap(self, name):
+        self.point_at(name)
+        self.display.tool("mousedown", 1, "sleep", 0.08, "mouseup", 1, "sleep", 0.15)
+
+    def tap_nowhere(self):
+        self.display.tool("mousemove", *self.corner, "sleep", 0.1, "mousedown", 1, "sleep", 0.08,
+                          "mouseup", 1)
+        self.wait_until(lambda: not any(place["panel"].startswith("##")
+                                        for place in self.seen().values()), "the menu stays")
+
+    def wait_until(self, done, complaint):
+        end = time.monotonic() + PATIENCE
+        while not done():
+            self.assertLess(time.monotonic(), end, complaint)
+            time.sleep(0.05)
+
+    def seen(self):
+        """Where everything is that is in sight."""
+        events = self.events()
+        for event in events[self.read:]:
+            if event["event"] == "place":
+                self.places[event["name"]] = event
+            elif event["event"] == "gone":
+                self.places.pop(event["name"], None)
+            elif event["event"] == "text fault":
+                self.faults.append(f"{self.size}: {event}")
+        self.read = len(events)
+        return self.places
+
+    def look(self, name, pointed=False):
+        """Keeps a picture on each theme, the pointer out of the way unless it points at something.
+        """
+        if not pointed:
+            self.display.tool("mousemove", *self.corner)
+        time.sleep(0.1)  # for what follows the pointer
+        for theme in ["light", "dark"]:
+            # Keys come in order: what was asked for before this one has been drawn, too.
+            after = len(self.events())
+            self.keys("ctrl+l")
+            self.wait_for("theme", after=after, light=theme == "light")
+            self.display.picture(f"{self.size}-{theme}-{name}.png")
+        self.faults += [f"{self.size} {name}: {fault}" for fault in place_faults(self.seen())]
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)
