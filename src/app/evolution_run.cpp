@@ -185,7 +185,9 @@ ExitStatus run_evolution(const EvolutionRun& run, const EvolutionKinds& kinds) {
     if (harvest.champion) {
         status = report(*course, harvest, unit, run.json, kinds);
     } else if (harvest.kept) {
-        say("interrupted before a generation was judged");
+        const bool first = course->evolution.history().empty();
+        say(std::string("interrupted before the ") + (first ? "first" : "next") +
+            " generation was judged");
     }
     if (!harvest.kept) status = fail(harvest.kept.error(), ExitStatus::kFailed);
     if (harvest.stopped_by == "interruption" || !harvest.kept) say_how_to_go_on(*course);

@@ -10,6 +10,8 @@ inline constexpr const char* kFolder = "FOLDER";
 inline constexpr const char* kCreature = "FILE.creature.json|FILE.card.png";
 inline constexpr const char* kSettings = "FILE.toml";
 inline constexpr const char* kExperiment = "FILE.cambrian";
+inline constexpr const char* kCreatureOrExperiment =
+    "FILE.creature.json|FILE.card.png|FILE.cambrian";
 inline constexpr const char* kAnyOfOurs =
     "FILE.creature.json|FILE.card.png|FILE.toml|FILE.cambrian";
 inline constexpr const char* kTable = "FILE.csv";

@@ -139,7 +139,8 @@ private:
     }
 
     void keep_plot(const SavePlotPicture& request, const FrameContext& context) {
-        const auto [width, height] = request.size;
+        const int width = request.size.width;
+        const int height = request.size.height;
         auto image = host_.picture(width, height, [&](ImDrawList& list) {
             draw_timeline_picture(list,
                                   {0, 0, static_cast<float>(width), static_cast<float>(height)},

@@ -22,9 +22,10 @@ Rect seen_part(const Rect& rect, const ImRect& window) {
 
 // Whether the window, or one around it, can be scrolled along an axis.
 bool scrolls(const ImGuiWindow* window, ImGuiAxis axis) {
+    const auto index = static_cast<std::size_t>(axis);
     for (; window != nullptr; window = window->ParentWindow) {
         const bool allowed = (window->Flags & ImGuiWindowFlags_NoScrollWithMouse) == 0;
-        if (allowed && window->ScrollMax[axis] > 0.0F) return true;
+        if (allowed && window->ScrollMax[index] > 0.0F) return true;
         if ((window->Flags & ImGuiWindowFlags_ChildWindow) == 0) return false;
     }
     return false;

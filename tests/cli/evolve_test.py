@@ -33,9 +33,10 @@ class Evolve(ProgramTest):
     def test_every_generation_is_one_line_and_the_best_never_falls(self):
         self.write("small.toml", SMALL)
         lines = self.run_well("evolve", "small.toml", "-n", 4).stdout.splitlines()
-        self.assertEqual(len(lines), 6)
+        self.assertEqual(len(lines), 7)
         for number, line in enumerate(lines[:4]):
             self.assertRegex(line, rf"^generation +{number}   best +[0-9.]+ BL/s   median")
+        self.assertEqual(lines[6], "experiment: walking-seed1.cambrian")
         best = [float(line.split()[3]) for line in lines[:4]]
         self.assertEqual(best, sorted(best))
         self.assertIn("best of generation 0:", lines[4])

@@ -67,6 +67,7 @@ class Experiment(ProgramTest):
         self.assertEqual(len(table), 4)
         self.assertTrue(table[0].startswith("generation,size,evaluations,best"))
         self.assert_refused(self.run_program("export", "a.cambrian", "-g", 3), "no generation 3")
+        self.assert_refused(self.run_program("export", "a.cambrian"), "--champion, --generation G")
 
     def test_a_whole_run_is_computed_anew_and_compared(self):
         self.run_well("evolve", "small.toml", "-o", "a.cambrian")

@@ -107,7 +107,7 @@ class Extremes(ProgramTest):
         self.assertEqual(process.returncode, FAILED)
         self.assertEqual(output, "")
         self.assertIn("interrupted before the first generation was judged", messages)
-        self.assertEqual(self.files(), ["long.toml"])
+        self.assertEqual(self.files(), ["long.toml", "walking-seed1.cambrian"])
 
 
 if __name__ == "__main__":

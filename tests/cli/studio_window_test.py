@@ -1,8 +1,10 @@
 """The studio in a real X window, used as a person uses it."""
 
 import csv
+import contextlib
 import json
 import shutil
+import sqlite3
 import subprocess
 import time
 import unittest
@@ -139,6 +141,80 @@ class StudioWindow(StudioTest):
         self.wait_for("hand-picking", after=after, on=False)
         self.quit()
         self.run_well("verify", "picked.creature.json")
+
+    def test_an_experiment_steered_by_hand_comes_back_and_is_the_same_anew(self):
+        """Closed in the middle of a generation; the next window has it all: settings, champions,
+        the path of picks. The journal gives the same bits."""
+        state = self.folder / "state"
+        self.write("small.toml", SMALL)
+        display = self.open_display()
+        self.start(display, "small.toml")
+        self.click("Evolve")
+        _, after = self.wait_for("generation", number=1)
+        self.type_into("environment.gravity", "1.62")
+        _, after = self.wait_for("edited", field="environment.gravity")
+        steered, _ = self.wait_for("generation", after=after)
+        self.wait_for("generation", after=after, number=steered["number"] + 2)
+        self.quit()
+        with contextlib.closing(sqlite3.connect(state / "experiment.cambrian")) as database:
+            changes = database.execute("SELECT generation, toml FROM journal JOIN settings ON "
+                                       "settings.id = settings WHERE command = 'settings'"
+                                       ).fetchall()
+        self.assertEqual(len(changes), 1)
+        self.assertIn("gravity = 1.62", changes[0][1])
+        verified = self.run_well("verify", state / "experiment.cambrian").stdout
+        self.assertIn("1 commands on the way", verified)
+
+        self.start(display)
+        back, after = self.wait_for("experiment")
+        self.assertGreaterEqual(back["generations"], steered["number"] + 2)
+        self.press("h")
+        _, after = self.wait_for("grid", after=after, number=0)
+        self.click("cell 2")
+        _, after = self.wait_for("picks", after=after, count=1)
+        self.press("Return")
+        _, after = self.wait_for("grid", after=after, number=1, parent=0)
+        self.click("cell 3")
+        _, after = self.wait_for("picks", after=after, count=1)
+        display.tool("key", "ctrl+k")
+        time.sleep(1.0)
+        display.tool("key", "ctrl+a", "type", "--delay", "30", str(self.folder / "mine"))
+        display.tool("key", "Return")
+        self.wait_for("saved", after=after)
+        self.quit()
+
+        self.start(display, str(self.folder / "mine.cambrian"))
+        again, after = self.wait_for("experiment")
+        self.assertEqual(again["generations"], back["generations"])
+        self.press("h")
+        grid, after = self.wait_for("grid", after=after)
+        self.assertEqual((grid["number"], grid["grids"]), (1, 2))
+        self.wait_for("picks", count=1)
+        self.press("BackSpace")
+        self.wait_for("grid", after=after, number=0)
+        self.press("h")
+        self.click("Evolve")
+        self.wait_for("generation", number=again["generations"])
+        self.quit()
+
+    def test_a_window_that_is_killed_loses_one_generation_at_most(self):
+        state = self.folder / "state"
+        self.write("small.toml", SMALL)
+        display = self.open_display()
+        self.start(display, "small.toml")
+        self.click("Evolve")
+        kept = 0
+        for _ in range(4):
+            reached, _ = self.wait_for("generation", number=kept + 2)
+            self.studio.kill()
+            self.studio.wait()
+            self.start(display)
+            back, _ = self.wait_for("experiment")
+            self.assertGreaterEqual(back["generations"], reached["number"])
+            kept = back["generations"]
+            self.press("space")
+        self.quit()
+        self.run_well("verify", state / "experiment.cambrian")
 
     def test_a_damaged_file_is_a_message_and_the_studio_goes_on(self):
         self.write("cut.creature.json", '{"format": "cambrian-creature", "ver')

@@ -21,17 +21,22 @@ public:
         app.add_option("experiment", file_, "Experiment file (*.cambrian)")
             ->type_name(option_type::kExperiment)
             ->required();
-        auto* what = app.add_option_group("what", "What to export");
-        what->add_flag("--champion", champion_, "The best creature of the last generation");
-        what->add_option("-g,--generation", generation_, "The best creature of this generation")
-            ->check(CLI::Range(0, 10'000'000));
-        what->add_flag("--stats", stats_, "Every generation's statistics, as CSV");
-        what->add_flag("--settings", settings_, "The settings of the last generation");
-        what->require_option(1);
+        auto* champion =
+            app.add_flag("--champion", champion_, "The best creature of the last generation");
+        auto* generation =
+            app.add_option("-g,--generation", generation_, "The best creature of this generation")
+                ->check(CLI::Range(0, 10'000'000))
+                ->excludes(champion);
+        auto* stats = app.add_flag("--stats", stats_, "Every generation's statistics, as CSV")
+                          ->excludes(champion, generation);
+        app.add_flag("--settings", settings_, "The settings of the last generation")
+            ->excludes(champion, generation, stats);
         app.add_option("-o,--out", out_, "File to write; standard output unless given")
             ->type_name(option_type::kFile);
     }
     ExitStatus run(const EvolutionKinds& kinds) override {
+        if (!champion_ && !generation_ && !stats_ && !settings_)
+            return fail({"what to export: --champion, --generation G, --stats or --settings"});
         const Result<SavedExperiment> saved = load_experiment(file_, kinds);
         if (!saved) return fail(saved.error());
         const Result<std::string> text = text_of(*saved, kinds);

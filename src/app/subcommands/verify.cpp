@@ -81,7 +81,7 @@ class VerifySubcommand final : public Subcommand {
 public:
     void add_options(CLI::App& app) override {
         app.add_option("creatures", files_, "Creature files, or experiments to be computed anew")
-            ->type_name(option_type::kAnyOfOurs)
+            ->type_name(option_type::kCreatureOrExperiment)
             ->required();
     }
     ExitStatus run(const EvolutionKinds& kinds) override {
