@@ -6,9 +6,11 @@ namespace cambrian {
 SubcommandRegistry builtin_subcommands() {
     SubcommandRegistry subcommands;
     subcommands.add(studio_subcommand());
+    subcommands.add(view_subcommand());
     subcommands.add(evolve_subcommand());
     subcommands.add(export_subcommand());
     subcommands.add(simulate_subcommand());
+    subcommands.add(render_subcommand());
     subcommands.add(verify_subcommand());
     subcommands.add(settings_subcommand());
     subcommands.add(schema_subcommand());

@@ -1,5 +1,6 @@
 #include "core/file_io.h"
 
+#include <algorithm>
 #include <atomic>
 #include <cerrno>
 #include <cstdio>
@@ -99,6 +100,36 @@ Status outcome(int failure, const std::filesystem::path& path) {
     return Error{"cannot write " + path.string() + ": " + system_message(failure)};
 }
 
+int open_to_read(const std::filesystem::path& path) {
+    return ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+}
+
+// Right after opening; fails if that did.
+Result<std::size_t> size_of(const FileDescriptor& file, const std::filesystem::path& path) {
+    if (file.get() < 0) return Error{"cannot open " + path.string() + ": " + system_message(errno)};
+    struct stat facts {};
+    if (::fstat(file.get(), &facts) != 0 || !S_ISREG(facts.st_mode)) {
+        return Error{path.string() + " is not a regular file"};
+    }
+    return static_cast<std::size_t>(facts.st_size);
+}
+
+// From the start, as many as there are.
+Result<std::string> read_bytes(const FileDescriptor& file, std::size_t count,
+                               const std::filesystem::path& path) {
+    std::string bytes(count, '\0');
+    std::size_t filled = 0;
+    while (filled < bytes.size()) {
+        const ssize_t got = ::read(file.get(), bytes.data() + filled, bytes.size() - filled);
+        if (got < 0 && errno == EINTR) continue;
+        if (got < 0) return Error{"cannot read " + path.string() + ": " + system_message(errno)};
+        if (got == 0) break;
+        filled += static_cast<std::size_t>(got);
+    }
+    bytes.resize(filled);
+    return bytes;
+}
+
 int flush_file(const std::string& path) {
     FileDescriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
     if (file.get() < 0) return errno;
@@ -123,34 +154,48 @@ Status move_into_place(const std::filesystem::path& temporary,
 }
 
 Result<std::string> read_file(const std::filesystem::path& path, std::size_t max_bytes) {
-    FileDescriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
-    if (file.get() < 0) return Error{"cannot open " + path.string() + ": " + system_message(errno)};
-    struct stat facts {};
-    if (::fstat(file.get(), &facts) != 0 || !S_ISREG(facts.st_mode)) {
-        return Error{path.string() + " is not a regular file"};
-    }
-    if (static_cast<std::size_t>(facts.st_size) > max_bytes) {
-        return Error{path.string() +
-                     ": file too large: " + megabytes(static_cast<double>(facts.st_size)) +
+    const FileDescriptor file(open_to_read(path));
+    const Result<std::size_t> size = size_of(file, path);
+    if (!size) return size.error();
+    if (*size > max_bytes) {
+        return Error{path.string() + ": file too large: " + megabytes(static_cast<double>(*size)) +
                      ", limit " + megabytes(static_cast<double>(max_bytes))};
     }
-    std::string bytes(static_cast<std::size_t>(facts.st_size), '\0');
-    std::size_t filled = 0;
-    while (filled < bytes.size()) {
-        const ssize_t got = ::read(file.get(), bytes.data() + filled, bytes.size() - filled);
-        if (got < 0 && errno == EINTR) continue;
-        if (got < 0) return Error{"cannot read " + path.string() + ": " + system_message(errno)};
-        if (got == 0) break;
-        filled += static_cast<std::size_t>(got);
-    }
-    bytes.resize(filled);
-    return bytes;
+    return read_bytes(file, *size, path);
+}
+
+Result<std::string> read_start(const std::filesystem::path& path, std::size_t most) {
+    const FileDescriptor file(open_to_read(path));
+    const Result<std::size_t> size = size_of(file, path);
+    if (!size) return size.error();
+    return read_bytes(file, std::min(*size, most), path);
 }
 
 Status write_file(const std::filesystem::path& path, std::string_view bytes) {
     const Target target = target_of(path);
     return outcome(
         target.device ? write_device(target.path, bytes) : replace_file(target.path, bytes), path);
+}
+
+Result<PendingFile> PendingFile::beside(const std::filesystem::path& target) {
+    if (const Status writable = check_writable(target); !writable) return writable.error();
+    const Target facts = target_of(target);
+    if (facts.device) return Error{"cannot write " + target.string() + ": not a regular file"};
+    return PendingFile(facts.path);
+}
+
+PendingFile::PendingFile(std::filesystem::path target)
+    : target_(std::move(target)), temporary_(temporary_beside(target_)) {}
+
+PendingFile::PendingFile(PendingFile&& other) noexcept
+    : target_(std::move(other.target_)), temporary_(std::exchange(other.temporary_, {})) {}
+
+PendingFile::~PendingFile() {
+    if (!temporary_.empty()) ::unlink(temporary_.c_str());
+}
+
+Status PendingFile::commit() {
+    return move_into_place(std::exchange(temporary_, {}), target_);
 }
 
 Status check_writable(const std::filesystem::path& path) {

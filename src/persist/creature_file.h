@@ -46,7 +46,11 @@ struct CreatureDocument {
     std::vector<std::string> warnings;
 };
 
-// The message names the file and the first error; further ones follow, a line each.
+// The JSON of a creature file, or of the one inside a card (creature_card.h).
+Result<std::string> read_creature_text(const std::filesystem::path& path);
+
+// A creature file or a card, whatever its name. The message names the file and the first error;
+// further ones follow, a line each.
 Result<CreatureDocument> load_creature(const std::filesystem::path& path,
                                        const EvolutionKinds& kinds);
 Status save_creature(const std::filesystem::path& path, const CreatureDocument& document,

@@ -1,6 +1,6 @@
 #include "studio/creature_tile.h"
 
-#include "studio/scene_builder.h"
+#include "pictures/scene_builder.h"
 
 #include <algorithm>
 #include <array>

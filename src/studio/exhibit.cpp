@@ -1,6 +1,6 @@
 #include "studio/exhibit.h"
 
-#include "studio/text.h"
+#include "core/pretty_text.h"
 
 #include <algorithm>
 #include <charconv>

@@ -1,5 +1,7 @@
 #include "studio/file_browser.h"
 
+#include "persist/creature_card.h"
+
 #include <algorithm>
 #include <string_view>
 #include <system_error>
@@ -8,10 +10,11 @@ namespace cambrian {
 namespace {
 
 bool suits(std::string_view name, FileTask task) {
-    const bool other =
-        task == FileTask::kOpen &&
-        (name.ends_with(".toml") || name.ends_with(ending_of(FileTask::kSaveExperiment)));
-    return other || name.ends_with(ending_of(task));
+    if (name.ends_with(ending_of(task))) return true;
+    if (task == FileTask::kSaveCreature) return name.ends_with(kCardEnding);
+    // Cards that travelled may have lost the rest of their ending.
+    return task == FileTask::kOpen && (name.ends_with(".toml") || name.ends_with(".png") ||
+                                       name.ends_with(ending_of(FileTask::kSaveExperiment)));
 }
 
 }  // namespace

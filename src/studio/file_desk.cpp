@@ -1,6 +1,8 @@
 #include "studio/file_desk.h"
 
 #include "core/file_io.h"
+#include "persist/creature_card.h"
+#include "persist/png_file.h"
 #include "persist/settings_file.h"
 #include "persist/statistics_csv.h"
 
@@ -14,7 +16,24 @@ FileEvent saved(const std::filesystem::path& path, const Status& status) {
     return FileFailed{path, status.error().message};
 }
 
+FileEvent saved_creature(const std::filesystem::path& path, const Status& status) {
+    if (status) return FileSaved{.path = path, .creature = true};
+    return saved(path, status);
+}
+
+FileEvent prepared(CardOrder order, const EvolutionKinds& kinds, const std::stop_token& stop) {
+    recompute_score(order.document, kinds, stop);
+    auto subject = subject_of(order.document, order.settings, order.title, kinds);
+    if (!subject) return FileFailed{order.path, subject.error().message};
+    subject->generation = order.generation;
+    return CardPrepared{{order.path, write_creature(order.document, kinds), std::move(*subject)}};
+}
+
 }  // namespace
+
+bool is_card_name(const std::filesystem::path& path) {
+    return path.extension() == ".png";
+}
 
 FileEvent load_file(const std::filesystem::path& path, const EvolutionKinds& kinds) {
     const std::string name = path.filename().string();
@@ -23,7 +42,7 @@ FileEvent load_file(const std::filesystem::path& path, const EvolutionKinds& kin
         if (settings) return SettingsLoaded{path, std::move(*settings)};
         return FileFailed{path, settings.error().message};
     }
-    if (name.ends_with(".json")) {
+    if (name.ends_with(".json") || is_card_name(path)) {
         auto document = load_creature(path, kinds);
         if (document) return CreatureLoaded{path, std::move(*document)};
         return FileFailed{path, document.error().message};
@@ -36,8 +55,8 @@ FileEvent load_file(const std::filesystem::path& path, const EvolutionKinds& kin
         return FileFailed{path, experiment.error().message};
     }
     return FileFailed{path, path.string() +
-                                " is not a file the studio opens; expected *.creature.json, an "
-                                "experiment *.cambrian or settings *.toml"};
+                                " is not a file the studio opens; expected *.creature.json, a card "
+                                "*.png, an experiment *.cambrian or settings *.toml"};
 }
 
 template <class Work>
@@ -56,7 +75,20 @@ void FileDesk::save_creature(const std::filesystem::path& path, CreatureDocument
     run([path, document = std::move(document),
          &kinds = kinds_](const std::stop_token& stop) mutable {
         recompute_score(document, kinds, stop);
-        return saved(path, cambrian::save_creature(path, document, kinds));
+        return saved_creature(path, cambrian::save_creature(path, document, kinds));
+    });
+}
+
+void FileDesk::prepare_card(CardOrder order) {
+    run([order = std::move(order), &kinds = kinds_](const std::stop_token& stop) mutable {
+        return prepared(std::move(order), kinds, stop);
+    });
+}
+
+void FileDesk::save_card(const std::filesystem::path& path, Image picture, std::string document) {
+    run([path, picture = std::move(picture),
+         document = std::move(document)](const std::stop_token&) {
+        return saved_creature(path, cambrian::save_card(path, picture, document));
     });
 }
 
@@ -83,7 +115,8 @@ void FileDesk::save_statistics(const std::filesystem::path& path,
 
 void FileDesk::save_picture(const std::filesystem::path& path, Image image) {
     run([path, image = std::move(image)](const std::stop_token&) {
-        return saved(path, write_file(path, encode_png(image)));
+        const Result<std::string> png = encode_png(image);
+        return saved(path, png ? write_file(path, *png) : Status(png.error()));
     });
 }
 

@@ -44,6 +44,7 @@ struct FrameContext {
     const Stars& stars;
     const Notice* notice = nullptr;
     bool help_shown = false;
+    bool viewer = false;  // the viewport and its transport alone
     Highlight highlight = {};
     std::span<const std::unique_ptr<Ghost>> ghosts = {};
     const HelpBook* help = nullptr;

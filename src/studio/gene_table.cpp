@@ -1,9 +1,9 @@
 #include "studio/gene_table.h"
 
+#include "core/pretty_text.h"
 #include "genome/gene_fields.h"
 #include "genome/words.h"
 #include "math/angle.h"
-#include "studio/text.h"
 #include "studio/value_slider.h"
 #include "studio/widgets.h"
 

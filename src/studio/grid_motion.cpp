@@ -10,15 +10,6 @@ namespace {
 constexpr int kTicksAJob = 60;
 constexpr double kLongestGap = 0.1;  // s; after a longer pause of the window, play on from here
 
-MotionFrame frame_of(const PhysicsScene& scene) {
-    MotionFrame frame;
-    frame.poses.resize(scene.part_count());
-    for (std::size_t part = 0; part < frame.poses.size(); ++part)
-        frame.poses[part] = scene.part_pose(part);
-    frame.center_of_mass = scene.center_of_mass();
-    return frame;
-}
-
 }  // namespace
 
 // Grows a creature and runs its trial, a stretch at a time; one thread at a time.
@@ -44,33 +35,12 @@ struct GridMotion::Recorder {
             const bool going_on = trial->tick();
             complete = !going_on || static_cast<double>(recorded) * kBrainTick >= kLongestLoop;
             if (trial->settling() && !complete) continue;
-            frames.push_back(frame_of(trial->scene()));
+            frames.push_back(motion_frame(trial->scene()));
             ++recorded;
         }
         return frames;
     }
 };
-
-double RecordedMotion::length() const {
-    return frames.empty() ? 0.0 : static_cast<double>(frames.size() - 1) * kBrainTick;
-}
-
-MotionFrame RecordedMotion::at(double time) const {
-    const double ticks = std::max(0.0, time / kBrainTick);
-    const auto before = static_cast<std::size_t>(ticks);
-    if (before + 1 >= frames.size()) return frames.back();
-    const MotionFrame& from = frames[before];
-    const MotionFrame& to = frames[before + 1];
-    const double share = ticks - static_cast<double>(before);
-    MotionFrame between = from;
-    for (std::size_t i = 0; i < between.poses.size(); ++i) {
-        between.poses[i].position += share * (to.poses[i].position - from.poses[i].position);
-        between.poses[i].orientation =
-            from.poses[i].orientation.slerp(share, to.poses[i].orientation);
-    }
-    between.center_of_mass += share * (to.center_of_mass - from.center_of_mass);
-    return between;
-}
 
 void GridMotion::show(const std::vector<IndividualPtr>& creatures,
                       const ExpressionSettings& expression, const TrialWorld& world) {

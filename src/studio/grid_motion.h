@@ -4,6 +4,7 @@
 // shown, so that no frame waits for it; on show all by one clock, again and again.
 
 #include "evolution/individual.h"
+#include "pictures/recorded_motion.h"
 #include "simulator/trial.h"
 #include "studio/background_worker.h"
 
@@ -14,23 +15,6 @@
 namespace cambrian {
 
 inline constexpr double kLongestLoop = 12.0;  // s; longer trials begin anew then
-
-struct MotionFrame {
-    std::vector<Pose> poses;  // of the parts
-    Vec3 center_of_mass = Vec3::Zero();
-};
-
-// One creature's trial from the end of settling on, a frame a tick of 1/60 s.
-struct RecordedMotion {
-    std::shared_ptr<const Phenotype> phenotype;  // null until grown
-    std::vector<MotionFrame> frames;
-    bool complete = false;
-
-    bool empty() const { return frames.empty(); }
-    double length() const;  // s
-    // Between two frames; the last one from its end on. Not of an empty one.
-    MotionFrame at(double time) const;
-};
 
 class GridMotion {
 public:

@@ -1,8 +1,8 @@
 #include "studio/help_book.h"
 
 #include "core/file_io.h"
+#include "core/pretty_text.h"
 #include "studio/shortcuts.h"
-#include "studio/text.h"
 
 #include <algorithm>
 #include <system_error>

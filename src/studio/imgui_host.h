@@ -3,8 +3,8 @@
 // Dear ImGui's context, its back-ends, fonts and style.
 
 #include "core/result.h"
-#include "render/image.h"
 #include "render/picture_stamp.h"
+#include "render/pixels.h"
 #include "studio/changed_areas.h"
 #include "studio/ui_context.h"
 

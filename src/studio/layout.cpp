@@ -80,6 +80,14 @@ Layout divide_window(float width, float height, const ViewState& view, float sca
     return layout;
 }
 
+Layout viewer_layout(float width, float height, float scale) {
+    const float transport = std::round(kTransportHeight * scale);
+    Layout layout;
+    layout.viewport = {0, 0, width, height - transport};
+    layout.transport = {0, height - transport, width, transport};
+    return layout;
+}
+
 bool drag_gaps(const Layout& layout, ViewState& view) {
     const float scale = ui().scale;
     const float thick = px(6);

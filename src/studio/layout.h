@@ -20,6 +20,9 @@ struct Layout {
 // Hidden panels get no width. Sizes shrink with small windows so that the viewport keeps room.
 Layout divide_window(float width, float height, const ViewState& view, float scale);
 
+// The viewport and its transport fill the window; nothing else has a place.
+Layout viewer_layout(float width, float height, float scale);
+
 // Lets the gaps between panels be dragged; true if the view was changed.
 bool drag_gaps(const Layout& layout, ViewState& view);
 

@@ -89,10 +89,19 @@ Rect notice_place(const Rect& viewport, const std::string& text) {
 }  // namespace
 
 void MainWindow::draw(const FrameContext& frame, int framebuffer_height, Requests& out) {
-    const ImVec2 size = ImGui::GetIO().DisplaySize;
-    const Layout layout = divide_window(size.x, size.y, frame.view, ui().scale);
     viewport_.set_framebuffer_height(framebuffer_height);
     grid_.set_framebuffer_height(framebuffer_height);
+    const ImVec2 size = ImGui::GetIO().DisplaySize;
+    if (frame.viewer) {
+        const Layout layout = viewer_layout(size.x, size.y, ui().scale);
+        draw_stage(frame, layout, out);
+        draw_overlays(frame, layout, out);
+    } else {
+        draw_studio(frame, divide_window(size.x, size.y, frame.view, ui().scale), out);
+    }
+}
+
+void MainWindow::draw_studio(const FrameContext& frame, const Layout& layout, Requests& out) {
     draw_gaps(layout);
     draw_padded("bar", layout.bar, {px(12), px(10)}, bar_, frame, out);
     draw_in("experiment", layout.experiment, experiment_, frame, out);

@@ -32,6 +32,7 @@ public:
     void fit() { viewport_.fit(); }
 
 private:
+    void draw_studio(const FrameContext& frame, const Layout& layout, Requests& out);
     void draw_tour(const FrameContext& frame, const Rect& whole, Requests& out);
     void draw_stage(const FrameContext& frame, const Layout& layout, Requests& out);
     void draw_grid(const FrameContext& frame, const Layout& layout, Requests& out);

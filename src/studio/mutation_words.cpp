@@ -1,6 +1,6 @@
 #include "studio/mutation_words.h"
 
-#include "studio/text.h"
+#include "core/pretty_text.h"
 #include "studio/widgets.h"
 
 namespace cambrian {

@@ -1,8 +1,8 @@
 #include "studio/origin_words.h"
 
+#include "core/pretty_text.h"
 #include "studio/exhibit.h"
 #include "studio/mutation_words.h"
-#include "studio/text.h"
 
 #include <algorithm>
 

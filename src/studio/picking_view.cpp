@@ -1,6 +1,6 @@
 #include "studio/picking_view.h"
 
-#include "studio/text.h"
+#include "core/pretty_text.h"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 #include "studio/plot.h"
 
-#include "studio/text.h"
+#include "core/pretty_text.h"
 
 #include <algorithm>
 #include <array>

@@ -1,9 +1,9 @@
 #include "studio/remembered.h"
 
 #include "core/file_io.h"
+#include "core/pretty_text.h"
 #include "persist/settings_file.h"
 #include "studio/overlays.h"
-#include "studio/text.h"
 #include "studio/tile_list.h"
 #include "studio/timeline_plots.h"
 

@@ -6,9 +6,9 @@
 #include "evolution/command.h"
 #include "evolution/snapshot.h"
 #include "picking/picking_command.h"
+#include "pictures/highlight.h"
 #include "studio/exhibit.h"
 #include "studio/gene_editor.h"
-#include "studio/highlight.h"
 #include "studio/picking_view.h"
 #include "studio/view_state.h"
 

@@ -1,7 +1,7 @@
 #include "studio/sample_shelf.h"
 
+#include "core/pretty_text.h"
 #include "persist/creature_file.h"
-#include "studio/text.h"
 
 #include <algorithm>
 #include <system_error>

@@ -1,9 +1,9 @@
 #include "studio/session.h"
 
+#include "core/pretty_text.h"
 #include "core/random.h"
 #include "core/stopwatch.h"
 #include "genome/random_genome.h"
-#include "studio/text.h"
 
 #include <algorithm>
 #include <utility>
@@ -97,6 +97,7 @@ FrameContext Session::frame_context() const {
             .stars = stars_,
             .notice = notice_,
             .help_shown = help_shown_,
+            .viewer = viewer_,
             .highlight = highlight_,
             .ghosts = ghosts_.all(),
             .help = &help_,

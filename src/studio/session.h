@@ -32,6 +32,8 @@ public:
     // In the background: the experiment that was open when the folder was last used.
     void reopen_last();
     void keep_memory();
+    // Shows one creature and offers nothing else.
+    void be_viewer() { viewer_ = true; }
     // Help pages and samples come from here.
     void use_assets(const std::filesystem::path& folder);
     // The tour, unless it was taken before.
@@ -52,6 +54,8 @@ public:
     double playback_seconds() const { return playback_seconds_; }  // spent in the last update
     void drop(const std::filesystem::path& path) { apply(LoadFile{path}); }
     void tell(NoticeKind kind, const std::string& text);
+    // What the window's graphics have drawn for a card that was asked for.
+    void keep_card(const PreparedCard& card, Image picture);
     void keep_picture(const std::filesystem::path& path, Image image);
     bool take_fit() { return std::exchange(fit_wanted_, false); }
     std::optional<std::filesystem::path> take_picture_request() {
@@ -59,6 +63,10 @@ public:
     }
     std::optional<SavePlotPicture> take_plot_request() {
         return std::exchange(plot_wanted_, std::nullopt);
+    }
+
+    std::optional<PreparedCard> take_card_request() {
+        return std::exchange(card_wanted_, std::nullopt);
     }
 
 private:
@@ -125,6 +133,7 @@ private:
     void receive(const SettingsLoaded& event);
     void receive(ExperimentLoaded& event);
     void receive(const FileSaved& event);
+    void receive(CardPrepared& event) { card_wanted_ = std::move(event.card); }
     void receive(FolderListed& event) { files_.listing = std::move(event.listing); }
     void receive(const FileFailed& event);
 
@@ -179,10 +188,12 @@ private:
     SampleShelf samples_;
     int tour_step_ = -1;
     unsigned find_asked_ = 0;
+    bool viewer_ = false;
     bool quit_wanted_ = false;
     bool fit_wanted_ = false;
     std::optional<std::filesystem::path> picture_wanted_;
     std::optional<SavePlotPicture> plot_wanted_;
+    std::optional<PreparedCard> card_wanted_;
     Stars stars_;
     Highlight highlight_;
     Place focus_ = Place::kNone;

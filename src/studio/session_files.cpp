@@ -1,7 +1,7 @@
 // What a session does with files.
 
+#include "core/pretty_text.h"
 #include "studio/session.h"
-#include "studio/text.h"
 #include "studio/timeline_plots.h"
 
 #include <algorithm>
@@ -147,7 +147,18 @@ void Session::apply(const OpenFilePanel& action) {
 
 void Session::apply(const SaveCreatureFile& action) {
     if (stage_.playback().empty()) return;
-    desk_.save_creature(action.path, document_on_show());
+    if (!is_card_name(action.path)) return desk_.save_creature(action.path, document_on_show());
+    const Exhibit& exhibit = stage_.playback().exhibit();
+    CardOrder order{.path = action.path, .document = document_on_show(), .title = exhibit.title};
+    order.settings.world = exhibit.world;
+    order.settings.goal = exhibit.goal;
+    order.settings.expression = exhibit.expression;
+    if (exhibit.experiment != 0) order.generation = exhibit.born;
+    desk_.prepare_card(std::move(order));
+}
+
+void Session::keep_card(const PreparedCard& card, Image picture) {
+    desk_.save_card(card.path, std::move(picture), card.text);
 }
 
 void Session::apply(const SaveExperimentFile& action) {
@@ -234,8 +245,7 @@ void Session::keep_stars() {
 void Session::receive(const FileSaved& event) {
     log_.write("saved", {{"path", event.path.string()}});
     if (event.path.extension() == ".cambrian") experiment_.moved_to(event.path);
-    if (picking_.on() && event.path.string().ends_with(".creature.json"))
-        picking_.send(NoteSave{}, now_);
+    if (picking_.on() && event.creature) picking_.send(NoteSave{}, now_);
     tell(NoticeKind::kDone, "Saved " + event.path.string());
 }
 

@@ -1,7 +1,7 @@
 #include "studio/setting_row.h"
 
+#include "core/pretty_text.h"
 #include "studio/settings_editor.h"
-#include "studio/text.h"
 #include "studio/widgets.h"
 
 #include <algorithm>

@@ -96,14 +96,14 @@ void close_what_is_open(const FrameContext& frame, Requests& out) {
 constexpr std::array kShortcuts = {
     Shortcut{{GLFW_KEY_SPACE}, "Space", "Evolve or pause", simply<ToggleEvolution>},
     Shortcut{{GLFW_KEY_G}, "G", "Evolve one generation", simply<RunOneGeneration>},
-    Shortcut{{GLFW_KEY_P}, "P", "Play or pause the creature on show", simply<TogglePlayback>},
-    Shortcut{{GLFW_KEY_R}, "R", "Restart the creature on show", simply<RestartPlayback>},
-    Shortcut{{GLFW_KEY_PERIOD}, ".", "Play one tick", simply<StepPlayback>},
-    Shortcut{{GLFW_KEY_COMMA}, ",", "Go back one tick", simply<StepPlaybackBack>},
-    Shortcut{{GLFW_KEY_LEFT_BRACKET}, "[", "Play slower", slower},
-    Shortcut{{GLFW_KEY_RIGHT_BRACKET}, "]", "Play faster", faster},
-    Shortcut{{GLFW_KEY_F}, "F", "Follow with the camera, or let go", toggle_follow},
-    Shortcut{{GLFW_KEY_HOME}, "Home", "Fit the creature into view", simply<FitView>},
+    Shortcut{{GLFW_KEY_P}, "P", "Play or pause the creature on show", simply<TogglePlayback>, true},
+    Shortcut{{GLFW_KEY_R}, "R", "Restart the creature on show", simply<RestartPlayback>, true},
+    Shortcut{{GLFW_KEY_PERIOD}, ".", "Play one tick", simply<StepPlayback>, true},
+    Shortcut{{GLFW_KEY_COMMA}, ",", "Go back one tick", simply<StepPlaybackBack>, true},
+    Shortcut{{GLFW_KEY_LEFT_BRACKET}, "[", "Play slower", slower, true},
+    Shortcut{{GLFW_KEY_RIGHT_BRACKET}, "]", "Play faster", faster, true},
+    Shortcut{{GLFW_KEY_F}, "F", "Follow with the camera, or let go", toggle_follow, true},
+    Shortcut{{GLFW_KEY_HOME}, "Home", "Fit the creature into view", simply<FitView>, true},
     Shortcut{{GLFW_KEY_H},
              "H",
              "Pick by hand, or go back to automatic evolution",
@@ -133,11 +133,11 @@ constexpr std::array kShortcuts = {
     Shortcut{{GLFW_KEY_Z, true, true}, "Ctrl+Shift+Z", "Redo it", simply<RedoEdit>},
     Shortcut{{GLFW_KEY_SLASH}, "/", "Find a setting", simply<FindSetting>},
     Shortcut{{GLFW_KEY_F, true}, "Ctrl+F", "The same", simply<FindSetting>},
-    Shortcut{{GLFW_KEY_L, true}, "Ctrl+L", "Light theme, or dark again", switch_theme},
-    Shortcut{{GLFW_KEY_F12}, "F12", "Keep a picture of the window", simply<SaveScreenshot>},
+    Shortcut{{GLFW_KEY_L, true}, "Ctrl+L", "Light theme, or dark again", switch_theme, true},
+    Shortcut{{GLFW_KEY_F12}, "F12", "Keep a picture of the window", simply<SaveScreenshot>, true},
     Shortcut{{GLFW_KEY_F1}, "F1", "Help", simply<ToggleHelp>},
-    Shortcut{{GLFW_KEY_ESCAPE}, "Esc", "Close what is open", close_what_is_open},
-    Shortcut{{GLFW_KEY_Q, true}, "Ctrl+Q", "Quit", simply<QuitStudio>},
+    Shortcut{{GLFW_KEY_ESCAPE}, "Esc", "Close what is open", close_what_is_open, true},
+    Shortcut{{GLFW_KEY_Q, true}, "Ctrl+Q", "Quit", simply<QuitStudio>, true},
 };
 
 template <class Command>
@@ -230,11 +230,17 @@ constexpr std::array kPickingShortcuts = {
     Shortcut{{GLFW_KEY_K}, "K", "Keep the creature in focus on the shelf", pin_focused},
 };
 
+// What a viewer has on top of those of the studio that make sense there.
+constexpr std::array kViewerShortcuts = {
+    Shortcut{{GLFW_KEY_SPACE}, "Space", "Play or pause the creature", simply<TogglePlayback>, true},
+};
+
 // Whether the key is one of the table's.
 bool press_in(std::span<const Shortcut> table, const KeyPress& press, const FrameContext& frame,
               Requests& out) {
-    const auto found = std::find_if(table.begin(), table.end(),
-                                    [&press](const Shortcut& each) { return each.press == press; });
+    const auto found = std::find_if(table.begin(), table.end(), [&](const Shortcut& each) {
+        return each.press == press && (!frame.viewer || each.in_viewer);
+    });
     if (found == table.end()) return false;
     found->ask(frame, out);
     return true;
@@ -262,6 +268,7 @@ void press_shortcut(const KeyPress& press, bool typing, const FrameContext& fram
     if (typing && !press.control && press.key != GLFW_KEY_ESCAPE) return;
     const bool covered = frame.files.open || frame.help_shown;
     if (grid_shown(frame) && !covered && press_in_grid(press, frame, out)) return;
+    if (frame.viewer && press_in(kViewerShortcuts, press, frame, out)) return;
     static_cast<void>(press_in(kShortcuts, press, frame, out));
 }
 

@@ -22,6 +22,7 @@ struct Shortcut {
     const char* keys;  // as shown: "Ctrl+S"
     const char* what;  // "Save the creature on show"
     void (*ask)(const FrameContext& frame, Requests& out);
+    bool in_viewer = false;  // works where there is only a viewport, too
 };
 
 std::span<const Shortcut> shortcuts();

@@ -1,6 +1,6 @@
 #include "studio/status_log.h"
 
-#include "studio/text.h"
+#include "core/pretty_text.h"
 
 namespace cambrian {
 namespace {

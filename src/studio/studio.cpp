@@ -2,6 +2,7 @@
 
 #include "core/stopwatch.h"
 #include "core/thread_pool.h"
+#include "pictures/card_picture.h"
 #include "render/renderer.h"
 #include "studio/frame_log.h"
 #include "studio/imgui_host.h"
@@ -29,13 +30,15 @@ public:
            Renderer& renderer)
         : options_(options),
           window_(window),
-          session_(recall(options.state_dir, kinds), kinds,
+          renderer_(renderer),
+          session_(remembered(options, kinds), kinds,
                    options.workers > 0 ? options.workers : ThreadPool::default_workers(),
                    options.status_log),
           host_(window, options.scale > 0.0 ? static_cast<float>(options.scale) : window.scale(),
                 session_.view().theme),
           main_window_(&renderer),
           frame_log_(options.frame_log) {
+        if (options.viewer) session_.be_viewer();
         session_.remember_in(options.state_dir);
         session_.use_assets(options.assets);
         open_first_files();
@@ -64,6 +67,12 @@ public:
     }
 
 private:
+    static Remembered remembered(const StudioOptions& options, const EvolutionKinds& kinds) {
+        Remembered remembered = recall(options.state_dir, kinds);
+        if (options.theme) remembered.view.theme = *options.theme;
+        return remembered;
+    }
+
     void open_first_files() {
         const std::filesystem::path& file = options_.open_file;
         if (!file.empty()) {
@@ -107,11 +116,13 @@ private:
         for (const std::filesystem::path& path : window_.take_dropped_files())
             session_.drop(path);
         const int height = window_.framebuffer_height();
+        if (options_.viewer) window_.set_title(context.playback.exhibit().title + " – Cambrian");
         if (session_.take_fit()) main_window_.fit();
         main_window_.draw(context, height, requests);
         if (const auto plot = session_.take_plot_request()) keep_plot(*plot, context);
         host_.end_frame();
         if (const auto path = session_.take_picture_request()) keep_picture(*path);
+        if (const auto card = session_.take_card_request()) keep_card(*card);
         session_.carry_out(requests);
         if (!options_.status_log.empty()) screen_report_.write(session_.log());
         if (!std::exchange(started_, true)) session_.log().write("started");
@@ -140,6 +151,21 @@ private:
         session_.keep_picture(std::filesystem::absolute(request.path), std::move(*image));
     }
 
+    void keep_card(const PreparedCard& card) {
+        auto picture = draw_card_picture(card.subject);
+        if (!picture) return session_.tell(NoticeKind::kProblem, picture.error().message);
+        session_.keep_card(card, std::move(*picture));
+    }
+
+    Result<Image> draw_card_picture(const Subject& subject) {
+        const auto lettering = Lettering::load();
+        if (!lettering) return lettering.error();
+        auto easel = Easel::create(renderer_, **lettering, kCardWidth, kCardHeight);
+        if (!easel) return easel.error();
+        draw_card(*easel, subject, palette_of(session_.view().theme));
+        return easel->finish();
+    }
+
     void take_picture(const std::filesystem::path& path) {
         frame(1e9, 0.0);
         session_.keep_picture(path, picture());
@@ -147,6 +173,7 @@ private:
 
     const StudioOptions& options_;
     Window& window_;
+    Renderer& renderer_;
     Session session_;
     ImGuiHost host_;
     MainWindow main_window_;

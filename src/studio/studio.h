@@ -5,10 +5,12 @@
 
 #include "core/result.h"
 #include "evolution/evolution_kinds.h"
+#include "pictures/palette.h"
 #include "studio/window.h"
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 
 namespace cambrian {
 
@@ -20,6 +22,8 @@ struct StudioOptions {
     std::filesystem::path status_log;       // a JSON line for each event, appended; or empty
     std::filesystem::path screenshot;       // PNG of the window at the end; or empty
     double quit_after = 0.0;                // s; 0 stays open
+    bool viewer = false;                    // the viewport and its transport alone
+    std::optional<ThemeKind> theme;         // instead of the one remembered
     bool evolve = false;                    // begins evolving at once
     int width = 1280;                       // of the window, in units of 1/96 inch
     int height = 800;

@@ -101,6 +101,12 @@ void Window::install_callbacks() {
                                    [](GLFWwindow* w, int, int) { owner_of(w).activity_ = true; });
 }
 
+void Window::set_title(const std::string& title) {
+    if (title == title_) return;
+    title_ = title;
+    glfwSetWindowTitle(window_, title_.c_str());
+}
+
 bool Window::close_wanted() const {
     return glfwWindowShouldClose(window_) == GLFW_TRUE;
 }

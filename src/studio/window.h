@@ -26,6 +26,7 @@ public:
     Window& operator=(const Window&) = delete;
 
     GLFWwindow* handle() { return window_; }
+    void set_title(const std::string& title);
     bool close_wanted() const;
     float scale() const { return scale_; }  // of the display
     int framebuffer_width() const;
@@ -47,6 +48,7 @@ private:
 
     GLFWwindow* window_ = nullptr;
     float scale_ = 1.0F;
+    std::string title_;
     std::vector<KeyPress> keys_;
     std::vector<std::filesystem::path> dropped_;
     bool activity_ = true;

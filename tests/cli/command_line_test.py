@@ -4,7 +4,7 @@ import unittest
 
 from program import BAD_INPUT, DONE, FAILED, ROOT, ProgramTest
 
-SUBCOMMANDS = ["studio", "evolve", "simulate", "verify", "settings"]
+SUBCOMMANDS = ["studio", "view", "evolve", "simulate", "render", "verify", "settings"]
 
 
 class CommandLine(ProgramTest):

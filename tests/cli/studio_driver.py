@@ -87,14 +87,18 @@ class StudioTest(ProgramTest):
         if not first_time and not view.exists():
             view.parent.mkdir(exist_ok=True)
             view.write_text("tour-taken = yes\n")
+        self.open_window(display, "studio", "--state-dir", self.folder / "state", "--threads", "1",
+                         *arguments)
+
+    def open_window(self, display, subcommand, *arguments):
+        """Starts a subcommand that opens a window and waits for its first frame."""
         self.log = self.folder / "status.log"
         self.log.unlink(missing_ok=True)
         self.log_read = 0  # bytes
         self.happened = []
         self.display = display
         studio = subprocess.Popen(
-            [CAMBRIAN, "studio", "--status-log", str(self.log), "--state-dir",
-             str(self.folder / "state"), "--threads", "1", *map(str, arguments)],
+            [CAMBRIAN, subcommand, "--status-log", str(self.log), *map(str, arguments)],
             cwd=self.folder, env=display.environment, stdout=subprocess.DEVNULL,
             stderr=subprocess.DEVNULL)
         self.addCleanup(self.stop, studio)

@@ -3,13 +3,14 @@
 import csv
 import contextlib
 import json
+import shutil
 import sqlite3
 import subprocess
 import time
 import unittest
 
-from program import SMALL
-from studio_driver import StudioTest
+from program import ROOT, SMALL
+from studio_driver import PICTURES, StudioTest
 
 
 class StudioWindow(StudioTest):
@@ -226,6 +227,46 @@ class StudioWindow(StudioTest):
         self.wait_for("running")
         self.assert_painted(display.picture("damaged-file-1280x800.png"))
         self.quit()
+
+    def test_a_creature_becomes_a_card_and_comes_back_from_it(self):
+        walker = ROOT / "assets/creatures/walker.creature.json"
+        display = self.open_display()
+        self.start(display, walker)
+        self.display.tool("key", "ctrl+s")
+        self.click("Card")
+        time.sleep(0.5)
+        self.assert_painted(display.picture("save-card-1280x800.png"))
+        display.tool("key", "Escape")
+        card = self.save_as("ctrl+s", "posted.card.png")
+        self.assertEqual(card, self.folder / "posted.card.png")
+        self.quit()
+        self.assertIn("replay verified", self.run_well("verify", card).stdout)
+        shutil.copy(card, PICTURES / "saved-card.png")
+
+        self.start(display, card)
+        loaded, _ = self.wait_for("loaded")
+        self.assertEqual(loaded["path"], str(card))
+        self.assert_painted(display.picture("opened-card-1280x800.png"))
+        self.quit()
+
+    def test_the_viewer_shows_one_creature_and_nothing_else(self):
+        display = self.open_display()
+        self.open_window(display, "view", ROOT / "assets/creatures/acrobat.creature.json")
+        self.assertEqual(display.tool("getwindowname", self.window).strip(), "Acrobat – Cambrian")
+        self.wait_for("place", name="viewport")
+        names = {event["name"] for event in self.events() if event["event"] == "place"}
+        self.assertIn("Restart", names)
+        self.assertFalse({"Evolve", "File", "timeline", "Newest", "Brain"} & names)
+        self.press("period")
+        tick, after = self.wait_for("tick")
+        self.press("g")
+        self.press("h")
+        self.press("period")
+        self.wait_for("tick", after=after, number=tick["number"] + 1)
+        self.assertNotIn("running", [event["event"] for event in self.events()])
+        self.assert_painted(display.picture("viewer-960x640.png"))
+        self.quit()
+        self.assertEqual(self.files(), ["status.log"])
 
     def test_a_picture_painted_in_parts_is_as_one_painted_at_once(self):
         display = self.open_display()

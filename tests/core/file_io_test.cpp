@@ -134,3 +134,31 @@ TEST_CASE("a link to a file stays a link and its target gets the text", "[core][
     CHECK(std::filesystem::is_symlink(folder / "link"));
     CHECK(get_text(folder / "target") == "new");
 }
+
+TEST_CASE("a pending file takes its name only when committed", "[core][file_io]") {
+    const TemporaryDirectory folder;
+    put_text(folder / "target", "old");
+    {
+        const auto pending = PendingFile::beside(folder / "target");
+        REQUIRE(pending);
+        put_text(pending->path(), "half");
+        CHECK(get_text(folder / "target") == "old");
+    }
+    CHECK(std::distance(std::filesystem::directory_iterator(folder.path()), {}) == 1);
+    auto pending = PendingFile::beside(folder / "target");
+    REQUIRE(pending);
+    put_text(pending->path(), "new");
+    REQUIRE(pending->commit());
+    CHECK(get_text(folder / "target") == "new");
+    CHECK(std::distance(std::filesystem::directory_iterator(folder.path()), {}) == 1);
+    CHECK_FALSE(PendingFile::beside(folder.path()));
+    CHECK_FALSE(PendingFile::beside("/dev/null"));
+}
+
+TEST_CASE("the start of a file is as much as there is", "[core][file_io]") {
+    const TemporaryDirectory folder;
+    put_text(folder / "file", "abcdef");
+    CHECK(read_start(folder / "file", 3).value() == "abc");
+    CHECK(read_start(folder / "file", 99).value() == "abcdef");
+    CHECK_FALSE(read_start(folder / "none", 3));
+}

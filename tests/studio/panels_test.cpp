@@ -186,5 +186,27 @@ TEST_CASE("a saved creature gets its ending", "[studio][file_panel]") {
     CHECK(test::asked<SaveCreatureFile>(out).path == "/creatures/hopper.creature.json");
 }
 
+TEST_CASE("a creature can be saved as a card and back, by a button or by its name",
+          "[studio][file_panel]") {
+    NullImGui gui;
+    FilePanel panel;
+    test::StudioFixture studio;
+    studio.files().open = true;
+    studio.files().opened = 1;
+    studio.files().task = FileTask::kSaveCreature;
+    studio.files().suggested_name = "hopper.creature.json";
+    studio.files().listing.folder = "/creatures";
+    const auto saved_as = [&] {
+        return test::asked<SaveCreatureFile>(click(gui, panel, studio, "Save")).path;
+    };
+    click(gui, panel, studio, "Card");
+    CHECK(saved_as() == "/creatures/hopper.card.png");
+    click(gui, panel, studio, "Creature file");
+    CHECK(saved_as() == "/creatures/hopper.creature.json");
+    studio.files().opened = 2;
+    studio.files().suggested_name = "posted.png";
+    CHECK(saved_as() == "/creatures/posted.png");
+}
+
 }  // namespace
 }  // namespace cambrian

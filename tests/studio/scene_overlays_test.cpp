@@ -18,7 +18,7 @@ public:
     template <class Add>
     SceneFrame drawn(Add add) {
         const Playback& playback = studio.playback();
-        const CreatureLook look{playback.phenotype(), playback.poses(), nullptr, 0.3, {}};
+        const CreatureLook look{playback.phenotype(), playback.poses(), {}, 0.3, {}};
         const Palette palette = palette_of(ThemeKind::kDark);
         SceneFrame frame;
         add(frame,
@@ -76,7 +76,7 @@ TEST_CASE("what the brain hears is drawn where it is felt", "[studio][overlays]"
     Phenotype sensing = playback.phenotype();
     sensing.sensors = {{.part = 1, .kind = kind("joint")},
                        {.part = 0, .kind = kind("contact"), .channel = 1, .handedness = -1}};
-    const CreatureLook look{sensing, playback.poses(), nullptr, 0.3, {}};
+    const CreatureLook look{sensing, playback.poses(), {}, 0.3, {}};
     const Palette palette = palette_of(ThemeKind::kDark);
     SceneFrame frame;
     add_sensor_readings(frame,

@@ -201,6 +201,31 @@ TEST_CASE("a saved creature loads as the same creature", "[studio][session]") {
     CHECK(*run.session.frame_context().playback.exhibit().genome == *genome);
 }
 
+TEST_CASE("a creature saved as a card is prepared, drawn by the window and comes back",
+          "[studio][session]") {
+    SessionRun run;
+    run.ask(RunOneGeneration{});
+    REQUIRE(run.frames_until([&] { return run.champions() == 1; }));
+    const GenomePtr genome = run.session.frame_context().playback.exhibit().genome;
+    const auto path = run.folder.path() / "best.card.png";
+    run.ask(SaveCreatureFile{path});
+    std::optional<PreparedCard> card;
+    REQUIRE(run.frames_until([&] {
+        if (!card) card = run.session.take_card_request();
+        return card.has_value();
+    }));
+    CHECK(card->subject.generation == 0);
+    CHECK(card->subject.verified == true);
+    CHECK_FALSE(std::filesystem::exists(path));
+    run.session.keep_card(*card, {2, 2, std::vector<std::uint8_t>(12, 128)});
+    REQUIRE(run.frames_until([&] { return std::filesystem::exists(path); }));
+    run.ask(LoadFile{path});
+    REQUIRE(run.frames_until([&] {
+        return run.session.frame_context().playback.exhibit().source == ExhibitSource::kFile;
+    }));
+    CHECK(*run.session.frame_context().playback.exhibit().genome == *genome);
+}
+
 TEST_CASE("a file that cannot be opened is a notice and changes nothing", "[studio][session]") {
     SessionRun run;
     const auto path = run.folder.path() / "broken.creature.json";

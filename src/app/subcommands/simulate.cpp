@@ -1,3 +1,4 @@
+#include "app/creature_world.h"
 #include "app/messages.h"
 #include "app/motion_trace.h"
 #include "app/option_types.h"
@@ -10,7 +11,6 @@
 #include "evolution/setting_field.h"
 #include "evolution/trials.h"
 #include "persist/creature_file.h"
-#include "persist/settings_file.h"
 
 #include <CLI/CLI.hpp>
 
@@ -28,12 +28,11 @@ struct SimulateOptions {
     bool json = false;
 };
 
-// The world the creature is put in: a settings file's, or the one it was scored in.
-Result<ExperimentSettings> world_of(const SimulateOptions& options,
-                                    const CreatureDocument& document, const EvolutionKinds& kinds) {
-    Result<ExperimentSettings> settings =
-        document.scored ? settings_of(*document.scored) : ExperimentSettings{};
-    if (!options.environment.empty()) settings = load_settings(options.environment, kinds);
+// What the options say besides the world.
+Result<ExperimentSettings> settings_for(const SimulateOptions& options,
+                                        const CreatureDocument& document,
+                                        const EvolutionKinds& kinds) {
+    Result<ExperimentSettings> settings = world_of(document, options.environment, kinds);
     if (!settings) return settings.error();
     if (!options.integrator.empty()) settings->world.scene.integrator = options.integrator;
     settings->world.trial.duration = options.seconds.value_or(settings->world.trial.duration);
@@ -79,7 +78,7 @@ public:
         const Result<CreatureDocument> document = load_creature(options_.creature, kinds);
         if (!document) return fail(document.error());
         say_of(options_.creature, document->warnings);
-        const Result<ExperimentSettings> settings = world_of(options_, *document, kinds);
+        const Result<ExperimentSettings> settings = settings_for(options_, *document, kinds);
         if (!settings) return fail(settings.error());
         if (!options_.environment.empty())
             say_of(options_.creature, foreign_kinds(document->genome, settings->founders, kinds));

@@ -3,6 +3,7 @@
 #include "app/assets_folder.h"
 #include "app/option_types.h"
 #include "app/subcommands/subcommands.h"
+#include "app/window_options.h"
 #include "app/without_window.h"
 
 #include <CLI/CLI.hpp>
@@ -32,34 +33,16 @@ public:
         if (std::filesystem::exists(sample, ignored)) options_.sample_creature = sample;
     }
     void add_options(CLI::App& app) override {
-        app.add_option("file", options_.open_file, "Creature or settings file to open")
+        app.add_option("file", options_.open_file, "Creature file, card or settings file to open")
             ->type_name(option_type::kAnyOfOurs);
         app.add_flag("--evolve", options_.evolve, "Begin to evolve at once");
         app.add_option("-t,--threads", options_.workers,
                        "Threads that evaluate; one a core unless given")
             ->check(CLI::Range(1, 1024));
-        app.add_option("--width", options_.width, "Width of the window")
-            ->check(CLI::Range(320, 16384));
-        app.add_option("--height", options_.height, "Height of the window")
-            ->check(CLI::Range(240, 16384));
-        app.add_option("--scale", options_.scale,
-                       "Size of everything drawn; the display's unless given")
-            ->check(CLI::Range(0.5, 4.0));
+        add_window_options(app, options_);
         app.add_option("--state-dir", options_.state_dir,
                        "Folder of what is remembered from one start to the next; \"\" for nothing")
             ->type_name(option_type::kFolder);
-        app.add_option("--status-log", options_.status_log,
-                       "Append what happens to this file, one JSON object a line")
-            ->type_name(option_type::kFile);
-        app.add_option("--frame-log", options_.frame_log,
-                       "Write the time of every frame to this file")
-            ->type_name(option_type::kFile);
-        app.add_option("--screenshot", options_.screenshot,
-                       "Write a picture of the window at the end")
-            ->type_name(option_type::kPicture);
-        app.add_option("--quit-after", options_.quit_after,
-                       "Close the window after so many seconds")
-            ->check(CLI::NonNegativeNumber);
         without_window_.add_options(app);
     }
     ExitStatus run(const EvolutionKinds& kinds) override {

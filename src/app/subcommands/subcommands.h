@@ -8,10 +8,12 @@ SubcommandKind completion_subcommand();
 SubcommandKind evolve_subcommand();
 SubcommandKind export_subcommand();
 SubcommandKind manual_subcommand();
+SubcommandKind render_subcommand();
 SubcommandKind schema_subcommand();
 SubcommandKind settings_subcommand();
 SubcommandKind simulate_subcommand();
 SubcommandKind studio_subcommand();
 SubcommandKind verify_subcommand();
+SubcommandKind view_subcommand();
 
 }  // namespace cambrian

@@ -1,7 +1,7 @@
 #include "studio/panels/evolve_bar.h"
 
+#include "core/pretty_text.h"
 #include "studio/panels/main_menu.h"
-#include "studio/text.h"
 #include "studio/widgets.h"
 
 #include <cmath>

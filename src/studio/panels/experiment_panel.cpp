@@ -1,9 +1,9 @@
 #include "studio/panels/experiment_panel.h"
 
+#include "core/pretty_text.h"
 #include "studio/help_mark.h"
 #include "studio/setting_presets.h"
 #include "studio/setting_row.h"
-#include "studio/text.h"
 #include "studio/widgets.h"
 
 #include <algorithm>

@@ -1,5 +1,7 @@
 #include "studio/panels/file_panel.h"
 
+#include "persist/creature_card.h"
+#include "studio/file_desk.h"
 #include "studio/widgets.h"
 
 #include <algorithm>
@@ -12,7 +14,7 @@ namespace {
 const char* title_of(FileTask task) {
     switch (task) {
         case FileTask::kOpen:
-            return "Open a creature, an experiment or settings";
+            return "Open a creature, a card, an experiment or settings";
         case FileTask::kSaveCreature:
             return "Save the creature on show";
         case FileTask::kSaveExperiment:
@@ -25,6 +27,21 @@ const char* title_of(FileTask task) {
             return "Export the plot";
     }
     return "Save the settings";
+}
+
+bool is_creature_name(std::string_view name) {
+    return name.ends_with(".creature.json") || is_card_name(name);
+}
+
+// The name with another ending in place of the one of a creature file or card.
+std::string with_ending(std::string name, std::string_view ending) {
+    for (const std::string_view known :
+         {std::string_view(".creature.json"), kCardEnding, std::string_view(".png")}) {
+        if (!name.ends_with(known)) continue;
+        name.resize(name.size() - known.size());
+        break;
+    }
+    return name.append(ending);
 }
 
 // A line with an icon that can be pressed.
@@ -54,8 +71,7 @@ void FilePanel::draw(const FrameContext& frame, Requests& out) {
     const FileBrowser& files = frame.files;
     if (opening_ != files.opened) {
         opening_ = files.opened;
-        name_.fill('\0');
-        files.suggested_name.copy(name_.data(), name_.size() - 1);
+        write_name(files.suggested_name);
         focus_wanted_ = true;
     }
     {
@@ -63,10 +79,12 @@ void FilePanel::draw(const FrameContext& frame, Requests& out) {
         ImGui::TextUnformatted(title_of(files.task));
     }
     draw_places(frame, out);
-    const float foot = px(30) * 2 + px(34);
+    const bool creature = frame.files.task == FileTask::kSaveCreature;
+    const float foot = px(30) * 2 + px(34) + (creature ? px(50) : 0.0F);
     ImGui::BeginChild("entries", {0, -foot}, false, ImGuiWindowFlags_NoBackground);
     draw_entries(frame, out);
     ImGui::EndChild();
+    if (creature) draw_format();
     draw_name(frame, out);
 }
 
@@ -91,13 +109,32 @@ void FilePanel::draw_entries(const FrameContext& frame, Requests& out) {
         const bool chosen = name == name_.data();
         if (!entry_line(name, Icon::kFile, chosen)) continue;
         const bool twice = ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left) || chosen;
-        name_.fill('\0');
-        name.copy(name_.data(), name_.size() - 1);
+        write_name(name);
         if (twice && frame.files.task == FileTask::kOpen) confirm(frame, out);
     }
     if (listing.folders.empty() && listing.files.empty() && listing.problem.empty())
         muted_text("No folders and no files of this kind here.");
     ImGui::PopStyleVar();
+}
+
+// What the name's ending says, and another way to change it.
+void FilePanel::draw_format() {
+    const std::string name = name_.data();
+    const bool card = is_card_name(name);
+    const int chosen = segmented(
+        "format", {"Creature file", "Card"}, card ? 1 : 0,
+        {"*.creature.json: the creature as text, to be opened again or read by other programs",
+         "*.card.png: a picture of the creature that carries all of it inside. Whoever gets the "
+         "picture can drop it on the window."});
+    ImGui::Dummy({0, px(2)});
+    if (chosen < 0) return;
+    write_name(with_ending(name, chosen == 1 ? kCardEnding : ".creature.json"));
+    focus_wanted_ = true;
+}
+
+void FilePanel::write_name(const std::string& name) {
+    name_.fill('\0');
+    name.copy(name_.data(), name_.size() - 1);
 }
 
 void FilePanel::draw_name(const FrameContext& frame, Requests& out) {
@@ -124,7 +161,9 @@ void FilePanel::confirm(const FrameContext& frame, Requests& out) const {
     std::filesystem::path path = frame.files.listing.folder / name_.data();
     const FileTask task = frame.files.task;
     const std::string ending = ending_of(task);
-    if (task != FileTask::kOpen && !path.string().ends_with(ending)) path += ending;
+    const bool complete = path.string().ends_with(ending) ||
+                          (task == FileTask::kSaveCreature && is_creature_name(path.string()));
+    if (task != FileTask::kOpen && !complete) path += ending;
     if (task == FileTask::kOpen) out.ask(LoadFile{path});
     if (task == FileTask::kSaveCreature) out.ask(SaveCreatureFile{path});
     if (task == FileTask::kSaveExperiment) out.ask(SaveExperimentFile{path});

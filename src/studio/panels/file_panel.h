@@ -3,6 +3,7 @@
 #include "studio/panel.h"
 
 #include <array>
+#include <string>
 
 namespace cambrian {
 
@@ -15,7 +16,9 @@ public:
 private:
     void draw_places(const FrameContext& frame, Requests& out);
     void draw_entries(const FrameContext& frame, Requests& out);
+    void draw_format();
     void draw_name(const FrameContext& frame, Requests& out);
+    void write_name(const std::string& name);
     void confirm(const FrameContext& frame, Requests& out) const;
 
     unsigned opening_ = 0;           // the opening its fields were last reset for

@@ -1,9 +1,9 @@
 #include "studio/panels/picking_grid_panel.h"
 
+#include "core/pretty_text.h"
+#include "pictures/follow_camera.h"
+#include "pictures/scene_builder.h"
 #include "studio/drag_payload.h"
-#include "studio/follow_camera.h"
-#include "studio/scene_builder.h"
-#include "studio/text.h"
 #include "studio/widgets.h"
 
 #include <algorithm>
@@ -14,24 +14,10 @@ namespace {
 
 constexpr float kCellGap = 4.0F;
 constexpr double kBodyShare = 0.7;        // of a cell filled by the largest body
-constexpr std::size_t kTicksADot = 4;     // of the trail
 constexpr std::size_t kTrailLength = 60;  // dots
 
 const GridNode& grid_of(const FrameContext& frame) {
     return frame.picking->snapshot.tree.current();
-}
-
-// Where the centre of mass was, oldest first.
-std::vector<Vec2> trail_of(const RecordedMotion& motion, double time) {
-    const auto now = std::min(static_cast<std::size_t>(time / kBrainTick),
-                              motion.frames.empty() ? 0 : motion.frames.size() - 1);
-    const std::size_t dots = std::min(now / kTicksADot, kTrailLength);
-    std::vector<Vec2> trail;
-    for (std::size_t dot = dots; dot > 0; --dot) {
-        const std::size_t tick = (now / kTicksADot - dot + 1) * kTicksADot;
-        trail.push_back(motion.frames[tick].center_of_mass.head<2>());
-    }
-    return trail;
 }
 
 void draw_pick_badge(ImDrawList& list, const Rect& area, int number) {
@@ -183,15 +169,15 @@ void PickingGridPanel::build_scene(std::size_t cell, const FrameContext& frame) 
     canvas.camera.center =
         follow_center(shown.center_of_mass.head<2>(), ground, canvas.camera, size_);
     const CreatureLook look{
-        *recorded.phenotype, shown.poses, nullptr, grid_of(frame).creatures[cell]->genome->hue, {}};
+        *recorded.phenotype, shown.poses, {}, grid_of(frame).creatures[cell]->genome->hue, {}};
     if (frame.view.grid) add_grid(canvas.frame, palette, canvas.camera, size_);
     if (ground) {
         add_ground(canvas.frame, palette, canvas.camera, size_);
         add_shadow(canvas.frame, look);
     }
     if (frame.view.trail) {
-        canvas.frame.add_trail(trail_of(recorded, motion.time()), 1.6 * canvas.camera.pixel(),
-                               with_alpha(palette.accent, 0.8F));
+        canvas.frame.add_trail(recorded.trail(motion.time(), kTrailLength),
+                               1.6 * canvas.camera.pixel(), with_alpha(palette.accent, 0.8F));
     }
     add_creature(canvas.frame, palette, canvas.camera, look);
 }

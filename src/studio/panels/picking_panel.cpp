@@ -1,7 +1,7 @@
 #include "studio/panels/picking_panel.h"
 
+#include "core/pretty_text.h"
 #include "studio/help_mark.h"
-#include "studio/text.h"
 #include "studio/widgets.h"
 
 #include <algorithm>

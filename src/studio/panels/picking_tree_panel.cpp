@@ -1,8 +1,8 @@
 #include "studio/panels/picking_tree_panel.h"
 
+#include "core/pretty_text.h"
 #include "studio/creature_tile.h"
 #include "studio/help_mark.h"
-#include "studio/text.h"
 #include "studio/widgets.h"
 
 #include <algorithm>

@@ -1,9 +1,9 @@
 #include "studio/panels/population_panel.h"
 
+#include "core/pretty_text.h"
 #include "studio/creature_tile.h"
 #include "studio/help_mark.h"
 #include "studio/origin_words.h"
-#include "studio/text.h"
 #include "studio/widgets.h"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 #include "studio/panels/timeline_panel.h"
 
+#include "core/pretty_text.h"
 #include "studio/help_mark.h"
 #include "studio/panels/export_menu.h"
-#include "studio/text.h"
 #include "studio/widgets.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "studio/panels/transport_bar.h"
 
-#include "studio/text.h"
+#include "core/pretty_text.h"
 #include "studio/widgets.h"
 
 #include <algorithm>
@@ -99,6 +99,22 @@ void draw_speeds(const FrameContext& frame, Requests& out) {
     out.ask(ChangeView{view});
 }
 
+// To the right; a viewer, in which nothing evolves, has only the room for what follows.
+void draw_newest(const FrameContext& frame, Requests& out) {
+    const float width = px(is_narrow() ? 66 : 78);
+    const float after = px(34) * 2 + px(4) * 4;
+    const float right = ImGui::GetWindowContentRegionMax().x;
+    if (frame.viewer) return ImGui::SameLine(right - after + px(12));
+    ImGui::SameLine(right - after - width);
+    const bool newest = frame.view.newest_champion;
+    if (push_button("Newest",
+                    {.look = newest ? ButtonLook::kSelected : ButtonLook::kGhost,
+                     .width = width,
+                     .tooltip = "The best of each finished generation takes the stage (N)"}))
+        out.ask(ShowNewest{});
+    ImGui::SameLine(0, px(12));
+}
+
 }  // namespace
 
 void TransportBar::draw(const FrameContext& frame, Requests& out) {
@@ -117,16 +133,7 @@ void TransportBar::draw(const FrameContext& frame, Requests& out) {
     if (icon_button("One tick", Icon::kStep, "One tick of 1/60 s (.)")) out.ask(StepPlayback{});
     ImGui::SameLine(0, px(is_narrow() ? 8 : 16));
     draw_speeds(frame, out);
-    const float newest_width = px(is_narrow() ? 66 : 78);
-    const float right = ImGui::GetWindowContentRegionMax().x;
-    ImGui::SameLine(right - px(34) * 2 - px(4) * 4 - newest_width);
-    const bool newest = frame.view.newest_champion;
-    if (push_button("Newest",
-                    {.look = newest ? ButtonLook::kSelected : ButtonLook::kGhost,
-                     .width = newest_width,
-                     .tooltip = "The best of each finished generation takes the stage (N)"}))
-        out.ask(ShowNewest{});
-    ImGui::SameLine(0, px(12));
+    draw_newest(frame, out);
     if (icon_button("Follow", Icon::kFollow, "Follow the creature (F)", frame.view.follow)) {
         ViewState view = frame.view;
         view.follow = !view.follow;

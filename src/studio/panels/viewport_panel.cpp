@@ -1,9 +1,9 @@
 #include "studio/panels/viewport_panel.h"
 
-#include "studio/follow_camera.h"
+#include "core/pretty_text.h"
+#include "pictures/follow_camera.h"
 #include "studio/panels/viewport_tools.h"
 #include "studio/scene_overlays.h"
-#include "studio/text.h"
 #include "studio/widgets.h"
 
 #include <algorithm>
@@ -160,8 +160,9 @@ void ViewportPanel::build_scene(const FrameContext& frame) {
     const Playback& playback = frame.playback;
     const Palette& palette = colors();
     SceneFrame& scene = canvas_.frame;
-    const CreatureLook look{playback.phenotype(), playback.poses(),
-                            frame.view.contacts ? &playback.trial().scene() : nullptr,
+    std::vector<FaceSet> touched;
+    if (frame.view.contacts) touched = touched_faces(playback.trial().scene());
+    const CreatureLook look{playback.phenotype(), playback.poses(), touched,
                             playback.exhibit().genome->hue, frame.highlight};
     if (frame.view.grid) add_grid(scene, palette, canvas_.camera, size_);
     if (playback.environment().has_ground) {
@@ -174,7 +175,7 @@ void ViewportPanel::build_scene(const FrameContext& frame) {
     }
     for (const auto& ghost : frame.ghosts)
         add_ghost(scene, canvas_.camera,
-                  {ghost->phenotype(), ghost->poses(), nullptr, ghost->genome().hue});
+                  {ghost->phenotype(), ghost->poses(), {}, ghost->genome().hue});
     add_creature(scene, palette, canvas_.camera, look);
     add_overlays(frame, look);
     const Hold* hold = playback.hold();

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "pictures/scene_builder.h"
 #include "studio/panel.h"
-#include "studio/scene_builder.h"
 #include "studio/scene_canvas.h"
 
 #include <memory>

@@ -81,17 +81,21 @@ void ghost_lines(const FrameContext& frame, Requests& out) {
 }
 
 void draw_viewport_tools(const FrameContext& frame, const Rect& area, Requests& out) {
-    const float width = px(30) * 2 + px(24) + px(4) * 2;
+    const float width = frame.viewer ? px(30) : px(30) * 2 + px(24) + px(4) * 2;
     ImGui::SetCursorScreenPos({area.x + area.width - width - px(10), area.y + px(10)});
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(px(4), px(4)));
-    menu_button("Ghosts", Icon::kGhost, "Champions of other generations beside this one",
-                frame.view.ghosts != GhostChoice::kNone, ghost_lines, frame, out);
-    ImGui::SameLine();
+    if (!frame.viewer) {
+        menu_button("Ghosts", Icon::kGhost, "Champions of other generations beside this one",
+                    frame.view.ghosts != GhostChoice::kNone, ghost_lines, frame, out);
+        ImGui::SameLine();
+    }
     menu_button("Overlays", Icon::kEye, "What is drawn over the creature", false, overlay_lines,
                 frame, out);
-    ImGui::SameLine();
-    ImGui::SetCursorPosY(ImGui::GetCursorPosY() + px(3));
-    help_mark("viewport", out);
+    if (!frame.viewer) {
+        ImGui::SameLine();
+        ImGui::SetCursorPosY(ImGui::GetCursorPosY() + px(3));
+        help_mark("viewport", out);
+    }
     ImGui::PopStyleVar();
 }
 

@@ -1,8 +1,8 @@
 #include "studio/panels/tabs/ancestry_tab.h"
 
+#include "core/pretty_text.h"
 #include "studio/creature_tile.h"
 #include "studio/mutation_words.h"
-#include "studio/text.h"
 #include "studio/widgets.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include "studio/panels/tabs/brain_tab.h"
 
+#include "core/pretty_text.h"
 #include "studio/plot.h"
-#include "studio/text.h"
 #include "studio/value_slider.h"
 #include "studio/widgets.h"
 

@@ -1,8 +1,8 @@
 #include "studio/panels/tabs/creature_tab.h"
 
+#include "core/pretty_text.h"
 #include "studio/mutation_words.h"
 #include "studio/origin_words.h"
-#include "studio/text.h"
 #include "studio/widgets.h"
 
 namespace cambrian {

@@ -1,7 +1,7 @@
 #include "studio/panels/tabs/energy_tab.h"
 
+#include "core/pretty_text.h"
 #include "studio/plot.h"
-#include "studio/text.h"
 #include "studio/widgets.h"
 
 #include <algorithm>

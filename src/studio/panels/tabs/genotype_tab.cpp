@@ -1,8 +1,8 @@
 #include "studio/panels/tabs/genotype_tab.h"
 
+#include "core/pretty_text.h"
+#include "pictures/scene_builder.h"
 #include "studio/gene_table.h"
-#include "studio/scene_builder.h"
-#include "studio/text.h"
 #include "studio/widgets.h"
 
 #include <algorithm>

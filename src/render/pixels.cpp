@@ -1,14 +1,9 @@
-#ifndef __clang_analyzer__  // the library is not ours to analyse
-#define STB_IMAGE_WRITE_IMPLEMENTATION
-#endif
-#define STB_IMAGE_WRITE_STATIC
-#include "render/image.h"
+#include "render/pixels.h"
 
 #include "render/gl.h"
 
 #include <algorithm>
 #include <cstddef>
-#include <stb/stb_image_write.h>
 
 namespace cambrian {
 
@@ -24,17 +19,6 @@ Image read_pixels(int width, int height) {
         std::swap_ranges(first, first + static_cast<std::ptrdiff_t>(row), last);
     }
     return image;
-}
-
-std::string encode_png(const Image& image) {
-    std::string bytes;
-    const auto append = [](void* context, void* data, int size) {
-        static_cast<std::string*>(context)->append(static_cast<const char*>(data),
-                                                   static_cast<std::size_t>(size));
-    };
-    stbi_write_png_to_func(append, &bytes, image.width, image.height, 3, image.rgb.data(),
-                           image.width * 3);
-    return bytes;
 }
 
 }  // namespace cambrian

@@ -3,23 +3,23 @@
 // A creature and its world as shapes to draw.
 
 #include "creature/phenotype.h"
+#include "pictures/highlight.h"
+#include "pictures/palette.h"
+#include "pictures/touched_faces.h"
 #include "render/camera.h"
 #include "render/scene_frame.h"
-#include "studio/highlight.h"
-#include "studio/theme.h"
-#include "world/body_view.h"
 
 #include <span>
 #include <vector>
 
 namespace cambrian {
 
-// What to draw of a creature. The plan's parts are at `poses`; `body` tells which faces touch and
-// may be null.
+// What to draw of a creature. The plan's parts are at `poses`; `touched` holds the faces to light
+// up of each part, or nothing.
 struct CreatureLook {
     const Phenotype& phenotype;
     std::span<const Pose> poses;
-    const BodyView* body = nullptr;
+    std::span<const FaceSet> touched = {};
     double hue = 0.0;  // of its lineage, in turns
     Highlight highlight = {};
 };

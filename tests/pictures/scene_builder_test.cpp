@@ -1,4 +1,4 @@
-#include "studio/scene_builder.h"
+#include "pictures/scene_builder.h"
 
 #include "support/catch.h"
 #include "support/creatures.h"
@@ -24,7 +24,7 @@ std::vector<Pose> rest_poses(const Phenotype& phenotype) {
     return poses;
 }
 
-TEST_CASE("every part is drawn at its pose in its size", "[studio][scene_builder]") {
+TEST_CASE("every part is drawn at its pose in its size", "[pictures][scene_builder]") {
     const Phenotype phenotype = grown_crawler();
     const auto poses = rest_poses(phenotype);
     SceneFrame frame;
@@ -41,7 +41,7 @@ TEST_CASE("every part is drawn at its pose in its size", "[studio][scene_builder
 }
 
 TEST_CASE("the root is drawn over its limbs and each moving joint has a pivot",
-          "[studio][scene_builder]") {
+          "[pictures][scene_builder]") {
     const Phenotype phenotype = grown_crawler();
     const auto poses = rest_poses(phenotype);
     SceneFrame frame;
@@ -51,13 +51,13 @@ TEST_CASE("the root is drawn over its limbs and each moving joint has a pivot",
     CHECK((frame.shapes[parts - 1].center - poses[0].position.head<2>()).norm() < 1e-9);
 }
 
-TEST_CASE("a highlighted node lights every part grown from it", "[studio][scene_builder]") {
+TEST_CASE("a highlighted node lights every part grown from it", "[pictures][scene_builder]") {
     const Phenotype phenotype = grown_crawler();
     const auto poses = rest_poses(phenotype);
     SceneFrame plain;
     SceneFrame lit;
     add_creature(plain, kPalette, kCamera, {phenotype, poses});
-    add_creature(lit, kPalette, kCamera, {phenotype, poses, nullptr, 0.0, {.node = 1}});
+    add_creature(lit, kPalette, kCamera, {phenotype, poses, {}, 0.0, {.node = 1}});
     std::ptrdiff_t changed = 0;
     for (std::size_t i = 0; i < plain.shapes.size(); ++i)
         changed += plain.shapes[i].fill == lit.shapes[i].fill ? 0 : 1;
@@ -66,7 +66,8 @@ TEST_CASE("a highlighted node lights every part grown from it", "[studio][scene_
     CHECK(changed == of_node);
 }
 
-TEST_CASE("the part under a point is found, and none beside the body", "[studio][scene_builder]") {
+TEST_CASE("the part under a point is found, and none beside the body",
+          "[pictures][scene_builder]") {
     const Phenotype phenotype = grown_crawler();
     const auto poses = rest_poses(phenotype);
     CHECK(part_at(phenotype, poses, poses[0].position.head<2>()) == 0);
@@ -74,7 +75,7 @@ TEST_CASE("the part under a point is found, and none beside the body", "[studio]
 }
 
 TEST_CASE("marks stand at 1, 2 or 5 times a power of ten, far enough apart",
-          "[studio][scene_builder]") {
+          "[pictures][scene_builder]") {
     for (double scale = 5.0; scale < 4000.0; scale *= 1.3) {
         const Camera camera{.pixels_per_metre = scale};
         const double spacing = mark_spacing(camera, 60.0);
@@ -83,7 +84,7 @@ TEST_CASE("marks stand at 1, 2 or 5 times a power of ten, far enough apart",
     }
 }
 
-TEST_CASE("no ground is drawn when it is out of sight", "[studio][scene_builder]") {
+TEST_CASE("no ground is drawn when it is out of sight", "[pictures][scene_builder]") {
     SceneFrame frame;
     const Camera high{.center = {0.0, 100.0}};
     add_ground(frame, kPalette, high, kView);

@@ -1,4 +1,4 @@
-#include "studio/text.h"
+#include "core/pretty_text.h"
 
 #include <algorithm>
 #include <array>

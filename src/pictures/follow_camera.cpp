@@ -1,4 +1,4 @@
-#include "studio/follow_camera.h"
+#include "pictures/follow_camera.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "studio/scene_builder.h"
+#include "pictures/scene_builder.h"
 
 #include <algorithm>
 #include <array>
@@ -52,7 +52,7 @@ void add_touched_faces(SceneFrame& frame, const CreatureLook& look, std::size_t 
     const double width = std::max(3.0 * pixel, 0.012);
     const double inset = 0.45 * std::min(half.x(), half.y());
     for (const Face face : {Face::kDistal, Face::kLeft, Face::kProximal, Face::kRight}) {
-        if (!look.body->face_touched(index, face)) continue;
+        if ((look.touched[index] & face_bit(face)) == 0) continue;
         const auto ends = face_ends(half, face, inset);
         frame.add_line(planar(transform(pose, {ends[0].x(), ends[0].y(), 0.0})),
                        planar(transform(pose, {ends[1].x(), ends[1].y(), 0.0})), width, color);
@@ -172,7 +172,7 @@ void add_creature(SceneFrame& frame, const Palette& palette, const Camera& camer
             shape.outline_width = std::max(2.0 * pixel, 0.010);
         }
         frame.shapes.push_back(shape);
-        if (look.body != nullptr) add_touched_faces(frame, look, i, palette.plot_best, pixel);
+        if (!look.touched.empty()) add_touched_faces(frame, look, i, palette.plot_best, pixel);
     }
     add_pivots(frame, look, pixel);
 }

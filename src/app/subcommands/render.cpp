@@ -1,0 +1,241 @@
+#include "app/clip_file.h"
+#include "app/creature_world.h"
+#include "app/interruption.h"
+#include "app/messages.h"
+#include "app/option_types.h"
+#include "app/output_path.h"
+#include "app/subcommands/subcommands.h"
+#include "core/pretty_text.h"
+#include "persist/creature_card.h"
+#include "persist/png_file.h"
+#include "pictures/card_picture.h"
+#include "pictures/clip.h"
+#include "pictures/sheet.h"
+#include "render/offscreen_context.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <charconv>
+#include <optional>
+
+namespace cambrian {
+namespace {
+
+constexpr int kLeastSide = 64;  // pixels
+constexpr int kMostSide = 4096;
+
+struct Size {
+    int width = 0;
+    int height = 0;
+};
+
+struct RenderOptions {
+    std::string creature;
+    std::string out;
+    std::string environment;
+    std::string size;  // "WxH"
+    std::string theme = "dark";
+    std::optional<int> poses;
+    std::optional<double> frames_a_second;
+    std::optional<double> speed;
+    std::optional<double> seconds;
+    bool card = false;
+};
+
+enum class Product : unsigned char { kSheet, kCard, kClip };
+
+// "1280x720"; nothing for any other text and sizes nobody can draw.
+std::optional<Size> parse_size(const std::string& text) {
+    Size size;
+    const char* end = text.data() + text.size();
+    const auto width = std::from_chars(text.data(), end, size.width);
+    if (width.ec != std::errc() || width.ptr == end || *width.ptr != 'x') return std::nullopt;
+    const auto height = std::from_chars(width.ptr + 1, end, size.height);
+    if (height.ec != std::errc() || height.ptr != end) return std::nullopt;
+    const auto possible = [](int side) { return side >= kLeastSide && side <= kMostSide; };
+    if (!possible(size.width) || !possible(size.height)) return std::nullopt;
+    return size;
+}
+
+std::string check_size(const std::string& text) {
+    if (parse_size(text)) return "";
+    return "'" + text + "' is no size; expected WIDTHxHEIGHT in pixels, each " +
+           std::to_string(kLeastSide) + " to " + std::to_string(kMostSide) + ", as 1280x720";
+}
+
+Result<Product> product_of(const RenderOptions& options) {
+    const std::filesystem::path out = options.out;
+    if (is_clip_name(out)) {
+        if (options.card) return Error{options.out + ": a card is a picture, expected *.png"};
+        return Product::kClip;
+    }
+    if (out.extension() != ".png")
+        return Error{options.out + ": expected a name that ends in .png, .mp4 or .gif"};
+    const bool named_card = options.out.ends_with(kCardEnding);
+    return options.card || named_card ? Product::kCard : Product::kSheet;
+}
+
+Size usual_size(Product product) {
+    if (product == Product::kSheet) return {1600, 900};
+    if (product == Product::kCard) return {kCardWidth, kCardHeight};
+    return {1280, 720};
+}
+
+// Options that mean nothing for what is made are mistakes, not to be passed over.
+Status check_options(const RenderOptions& options, Product product) {
+    const bool timed = options.frames_a_second || options.speed || options.seconds;
+    if (product != Product::kClip && timed)
+        return Error{options.out + ": --fps, --speed and --seconds are for clips (*.mp4, *.gif)"};
+    const Size size = parse_size(options.size).value_or(usual_size(product));
+    if (product == Product::kClip && (size.width % 2 != 0 || size.height % 2 != 0))
+        return Error{options.out + ": clips must be an even number of pixels wide and high"};
+    if (product != Product::kSheet && options.poses)
+        return Error{options.out + ": --poses is for sheets (*.png)"};
+    if (product == Product::kCard && !options.environment.empty())
+        return Error{options.out +
+                     ": a card shows the trial its creature was scored in; leave "
+                     "--environment away"};
+    return {};
+}
+
+// All that drawing needs, in the order in which it comes and goes.
+struct Workshop {
+    std::unique_ptr<OffscreenContext> context;
+    std::unique_ptr<Renderer> renderer;
+    std::unique_ptr<Lettering> lettering;
+    std::optional<Easel> easel;
+};
+
+Result<std::unique_ptr<Workshop>> open_workshop(const Size& size) {
+    auto workshop = std::make_unique<Workshop>();
+    auto context = OffscreenContext::create();
+    if (!context) return context.error();
+    workshop->context = std::move(*context);
+    auto renderer = Renderer::create();
+    if (!renderer) return renderer.error();
+    workshop->renderer = std::move(*renderer);
+    auto lettering = Lettering::load();
+    if (!lettering) return lettering.error();
+    workshop->lettering = std::move(*lettering);
+    auto easel = Easel::create(*workshop->renderer, *workshop->lettering, size.width, size.height);
+    if (!easel) return easel.error();
+    workshop->easel.emplace(std::move(*easel));
+    return workshop;
+}
+
+class RenderSubcommand final : public Subcommand {
+public:
+    void add_options(CLI::App& app) override {
+        app.add_option("creature", options_.creature,
+                       "Creature file (*.creature.json) or card (*.card.png)")
+            ->type_name(option_type::kCreature)
+            ->required();
+        app.add_option("-o,--out", options_.out,
+                       "Picture to write: a sheet of poses (*.png), a clip (*.mp4, *.gif; needs "
+                       "ffmpeg) or a card that carries the creature (*.card.png)")
+            ->type_name(option_type::kDrawing)
+            ->required();
+        app.add_flag("--card", options_.card, "A card, whatever the picture's name");
+        app.add_option("--size", options_.size,
+                       "WIDTHxHEIGHT in pixels (sheet 1600x900, clip 1280x720, card 960x1280)")
+            ->type_name("WIDTHxHEIGHT")
+            ->check(check_size);
+        app.add_option("--theme", options_.theme, "dark or light")
+            ->check(CLI::IsMember({"dark", "light"}))
+            ->capture_default_str();
+        app.add_option("--poses", options_.poses, "Poses of a sheet (12)")
+            ->check(CLI::Range(1, kMostPoses));
+        app.add_option("--fps", options_.frames_a_second, "Frames a second of a clip (30)")
+            ->check(CLI::Range(1.0, 120.0));
+        app.add_option("--speed", options_.speed, "Speed of a clip; 1 is real time")
+            ->check(CLI::Range(0.05, 20.0));
+        app.add_option("--seconds", options_.seconds,
+                       "So much of the trial from its start; all of it unless given")
+            ->check(CLI::Range(0.01, 86400.0));
+        app.add_option("-e,--environment", options_.environment,
+                       "Settings file whose world and goal to use instead of the creature's own")
+            ->type_name(option_type::kSettings);
+    }
+
+    ExitStatus run(const EvolutionKinds& kinds) override {
+        const Result<Product> product = product_of(options_);
+        if (!product) return fail(product.error());
+        if (const Status usable = check_options(options_, *product); !usable)
+            return fail(usable.error());
+        const Result<std::string> text = read_creature_text(options_.creature);
+        if (!text) return fail(text.error());
+        const auto document = parse_creature(*text, options_.creature, kinds);
+        if (!document) return fail(document.error());
+        say_of(options_.creature, document->warnings);
+        const auto settings = world_of(*document, options_.environment, kinds);
+        if (!settings) return fail(settings.error());
+        const auto path = output_path(options_.out, "");
+        if (!path) return fail(path.error());
+        const auto subject = subject_of(*document, *settings, title(), kinds);
+        if (!subject) return fail(subject.error(), ExitStatus::kFailed);
+        if (subject->verified == false)
+            say(options_.creature + ": moves otherwise than when it was scored");
+        const Status made = make(*product, *subject, *text, *path);
+        return made ? ExitStatus::kDone : fail(made.error(), ExitStatus::kFailed);
+    }
+
+private:
+    // What a creature without a name is called: its file.
+    std::string title() const {
+        const std::string name = std::filesystem::path(options_.creature).filename().string();
+        return capitalized(name.substr(0, name.find('.')));
+    }
+
+    Status make(Product product, const Subject& subject, const std::string& text,
+                const std::filesystem::path& path) const {
+        const Size size = parse_size(options_.size).value_or(usual_size(product));
+        const auto workshop = open_workshop(size);
+        if (!workshop) return workshop.error();
+        Easel& easel = *(*workshop)->easel;
+        const Palette palette =
+            palette_of(options_.theme == "light" ? ThemeKind::kLight : ThemeKind::kDark);
+        if (product == Product::kClip) return make_clip(easel, subject, palette, path);
+        if (product == Product::kCard) {
+            draw_card(easel, subject, palette);
+            return save_card(path, easel.finish(), text);
+        }
+        draw_sheet(easel, subject, palette, options_.poses.value_or(12));
+        const Result<std::string> png = encode_png(easel.finish());
+        return png ? write_file(path, *png) : Status(png.error());
+    }
+
+    Status make_clip(Easel& easel, const Subject& subject, const Palette& palette,
+                     const std::filesystem::path& path) const {
+        ClipTiming timing;
+        timing.frames_a_second = options_.frames_a_second.value_or(timing.frames_a_second);
+        timing.speed = options_.speed.value_or(timing.speed);
+        timing.seconds = std::min(options_.seconds.value_or(subject.motion().length()),
+                                  subject.motion().length());
+        const Interruption interruption;
+        auto clip = ClipFile::open(path, easel.width(), easel.height(), timing.frames_a_second);
+        if (!clip) return clip.error();
+        for (std::uint64_t frame = 0; frame < clip_frames(timing); ++frame) {
+            if (interruption.requested()) return Error{"interrupted; nothing was written"};
+            draw_clip_frame(easel, subject, palette, timing, frame);
+            if (const Status added = (*clip)->add(easel.finish()); !added) return added;
+        }
+        return (*clip)->finish();
+    }
+
+    RenderOptions options_;
+};
+
+}  // namespace
+
+SubcommandKind render_subcommand() {
+    return {
+        .id = "render",
+        .summary = "Make a picture, a clip or a card of one creature's trial. Needs no display.",
+        .example = "cambrian render champion-walking-seed7.creature.json -o clip.mp4",
+        .make = []() -> std::unique_ptr<Subcommand> {
+            return std::make_unique<RenderSubcommand>();
+        }};
+}
+
+}  // namespace cambrian

@@ -1,0 +1,53 @@
+#include "app/messages.h"
+#include "app/option_types.h"
+#include "app/subcommands/subcommands.h"
+#include "app/window_options.h"
+#include "persist/creature_file.h"
+
+#include <CLI/CLI.hpp>
+
+namespace cambrian {
+namespace {
+
+class ViewSubcommand final : public Subcommand {
+public:
+    ViewSubcommand() {
+        options_.viewer = true;
+        options_.workers = 1;
+        options_.width = 960;
+        options_.height = 640;
+    }
+    void add_options(CLI::App& app) override {
+        app.add_option("creature", options_.open_file,
+                       "Creature file (*.creature.json) or card (*.card.png)")
+            ->type_name(option_type::kCreature)
+            ->required();
+        app.add_option("--theme", theme_, "dark or light")
+            ->check(CLI::IsMember({"dark", "light"}))
+            ->capture_default_str();
+        add_window_options(app, options_);
+    }
+    ExitStatus run(const EvolutionKinds& kinds) override {
+        const auto document = load_creature(options_.open_file, kinds);
+        if (!document) return fail(document.error());
+        options_.theme = theme_ == "light" ? ThemeKind::kLight : ThemeKind::kDark;
+        const Status shown = run_studio(options_, kinds);
+        return shown ? ExitStatus::kDone : fail(shown.error(), ExitStatus::kFailed);
+    }
+
+private:
+    StudioOptions options_;
+    std::string theme_ = "dark";
+};
+
+}  // namespace
+
+SubcommandKind view_subcommand() {
+    return {
+        .id = "view",
+        .summary = "Watch one creature's trial: the window's viewport alone.",
+        .example = "cambrian view champion-walking-seed7.creature.json",
+        .make = []() -> std::unique_ptr<Subcommand> { return std::make_unique<ViewSubcommand>(); }};
+}
+
+}  // namespace cambrian

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "studio/studio.h"
+
+namespace CLI {  // NOLINT(readability-identifier-naming): the library's name
+class App;
+}
+
+namespace cambrian {
+
+// What every subcommand that opens a window offers: its size and what is written about it.
+void add_window_options(CLI::App& app, StudioOptions& options);
+
+}  // namespace cambrian

@@ -1,0 +1,44 @@
+#include "persist/creature_card.h"
+
+#include "core/file_io.h"
+#include "persist/json_value.h"
+#include "persist/png_file.h"
+
+#include <vector>
+
+namespace cambrian {
+namespace {
+
+const PngLimits kLimits{.text_bytes = JsonLimits{}.bytes};
+
+constexpr const char* kExpected =
+    "expected a creature card: a PNG picture of at most 4096 x 4096 pixels that carries one "
+    "creature of at most 4.0 MB";
+
+Error refusal(std::string_view source, const std::string& reason) {
+    return Error{std::string(source) + ": " + reason + "; " + kExpected};
+}
+
+}  // namespace
+
+Result<std::string> encode_card(const Image& picture, std::string_view document) {
+    return encode_png(picture, {{std::string(kCardKeyword), std::string(document)}});
+}
+
+Status save_card(const std::filesystem::path& path, const Image& picture,
+                 std::string_view document) {
+    const Result<std::string> bytes = encode_card(picture, document);
+    return bytes ? write_file(path, *bytes) : Status(bytes.error());
+}
+
+Result<std::string> card_document(std::string_view bytes, std::string_view source) {
+    if (bytes.size() > kMaxCardBytes) return refusal(source, "a picture of over 16 MB");
+    Result<std::vector<std::string>> texts = png_texts(bytes, kCardKeyword, kLimits);
+    if (!texts) return refusal(source, "the picture cannot be read: " + texts.error().message);
+    if (texts->empty()) return refusal(source, "a picture without a creature inside");
+    if (texts->size() > 1)
+        return refusal(source, std::to_string(texts->size()) + " creatures in one picture");
+    return std::move(texts->front());
+}
+
+}  // namespace cambrian

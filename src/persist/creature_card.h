@@ -1,0 +1,28 @@
+#pragma once
+
+// Creature cards, *.card.png: a picture of a creature that carries its whole creature file inside,
+// as a text chunk. Bytes from anywhere are safe to read.
+
+#include "core/image.h"
+#include "core/result.h"
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace cambrian {
+
+inline constexpr std::string_view kCardKeyword = "cambrian-creature";
+inline constexpr std::string_view kCardEnding = ".card.png";
+inline constexpr std::size_t kMaxCardBytes = 16'000'000;
+
+// `document` is what write_creature gives.
+Result<std::string> encode_card(const Image& picture, std::string_view document);
+Status save_card(const std::filesystem::path& path, const Image& picture,
+                 std::string_view document);
+
+// The text of the creature file inside, byte for byte. source names the card in messages.
+Result<std::string> card_document(std::string_view bytes, std::string_view source);
+
+}  // namespace cambrian

@@ -1,0 +1,133 @@
+#include "pictures/card_picture.h"
+
+#include "core/pretty_text.h"
+#include "pictures/moment.h"
+#include "pictures/scene_builder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace cambrian {
+namespace {
+
+constexpr double kMargin = 44.0;         // of a card of the usual size
+constexpr double kPortraitShare = 0.76;  // of the large picture filled by the creature
+constexpr double kStripShare = 0.82;
+constexpr int kStripPoses = 5;
+
+// A card of any size: the usual one scaled, in the middle.
+class CardSpace {
+public:
+    explicit CardSpace(const Easel& easel)
+        : unit(std::min(easel.width() / static_cast<double>(kCardWidth),
+                        easel.height() / static_cast<double>(kCardHeight))),
+          left_(0.5 * (easel.width() - unit * kCardWidth)),
+          top_(0.5 * (easel.height() - unit * kCardHeight)) {}
+
+    double x(double usual) const { return left_ + unit * usual; }
+    double y(double usual) const { return top_ + unit * usual; }
+    Area area(const Area& usual) const {
+        const double left = std::round(x(usual.x));
+        const double top = std::round(y(usual.y));
+        return {left, top, std::round(x(usual.right())) - left,
+                std::round(y(usual.bottom())) - top};
+    }
+
+    const double unit;
+
+private:
+    double left_;
+    double top_;
+};
+
+struct Fact {
+    std::string value;
+    std::string label;
+};
+
+std::vector<Fact> facts_of(const Subject& subject) {
+    const Phenotype& phenotype = subject.phenotype();
+    std::vector<Fact> facts = {{std::to_string(phenotype.parts.size()), "parts"},
+                               {std::to_string(phenotype.effector_parts.size()), "moving joints"},
+                               {std::to_string(phenotype.network.order.size()), "neurons"},
+                               {measured(subject.mass, "kg"), "mass"}};
+    if (subject.generation) facts.push_back({std::to_string(*subject.generation), "generation"});
+    return facts;
+}
+
+void add_heading(Easel& easel, const CardSpace& at, const Subject& subject,
+                 const Palette& palette) {
+    const double unit = at.unit;
+    const Ink name{Typeface::kStrong, 58.0 * unit, palette.text};
+    const Ink score{Typeface::kStrong, 46.0 * unit, palette.accent};
+    const Ink goal{Typeface::kRegular, 26.0 * unit, palette.muted};
+    const double score_width = easel.lettering().width(subject.fitness, score.typeface, score.size);
+    const double width = unit * (kCardWidth - 2.0 * kMargin) - score_width - 28.0 * unit;
+    easel.add_text(at.x(kMargin), at.y(782), subject.name, name, Align::kLeft, width);
+    easel.add_text(at.x(kCardWidth - kMargin), at.y(782), subject.fitness, score, Align::kRight);
+    easel.add_text(at.x(kCardWidth - kMargin), at.y(822), subject.goal, goal, Align::kRight);
+    // The colour of its lineage.
+    easel.add_box(at.area({kMargin, 806, 72, 8}), 4.0 * unit,
+                  color_of_hue(subject.hue, 0.70, 0.12));
+}
+
+void add_facts(Easel& easel, const CardSpace& at, const Subject& subject, const Palette& palette) {
+    const std::vector<Fact> facts = facts_of(subject);
+    const Ink value{Typeface::kStrong, 34.0 * at.unit, palette.text};
+    const Ink label{Typeface::kRegular, 21.0 * at.unit, palette.muted};
+    const double column = (kCardWidth - 2.0 * kMargin) / static_cast<double>(facts.size());
+    double x = kMargin;
+    for (const Fact& fact : facts) {
+        easel.add_text(at.x(x), at.y(896), fact.value, value);
+        easel.add_text(at.x(x), at.y(926), fact.label, label);
+        x += column;
+    }
+}
+
+void add_strip(Easel& easel, const CardSpace& at, const Subject& subject, const Palette& palette) {
+    constexpr double gap = 12.0;
+    constexpr double height = 190.0;
+    const double width = (kCardWidth - 2.0 * kMargin + gap) / kStripPoses - gap;
+    MomentStyle style{.palette = palette, .label_size = 13.0 * at.unit, .trail = 30};
+    style.pixels_per_metre =
+        scale_to_fit(subject.motion(), at.area({0, 0, width, height}), kStripShare);
+    const Ink ink{Typeface::kRegular, 20.0 * at.unit, palette.muted};
+    double x = kMargin;
+    for (const double time : even_times(subject.motion(), kStripPoses)) {
+        const Area cell = at.area({x, 962, width, height});
+        add_moment(easel, cell, subject, time, style);
+        easel.round_corners(cell, 10.0 * at.unit, palette.window);
+        easel.add_text(cell.x + 0.5 * cell.width, at.y(1182), format("%.1f s", time), ink,
+                       Align::kMiddle);
+        x += width + gap;
+    }
+}
+
+void add_foot(Easel& easel, const CardSpace& at, const Palette& palette) {
+    const Ink strong{Typeface::kStrong, 21.0 * at.unit, palette.muted};
+    const Ink small{Typeface::kRegular, 21.0 * at.unit, palette.muted};
+    easel.add_text(at.x(kMargin), at.y(1242), "Cambrian", strong);
+    easel.add_text(at.x(kCardWidth - kMargin), at.y(1242),
+                   "The creature is inside: open this picture to see it move", small,
+                   Align::kRight);
+}
+
+}  // namespace
+
+void draw_card(Easel& easel, const Subject& subject, const Palette& palette) {
+    const CardSpace at(easel);
+    easel.clear(palette.window);
+    const Area portrait = at.area({kMargin, kMargin, kCardWidth - 2.0 * kMargin, 650});
+    MomentStyle style{.palette = palette, .label_size = 18.0 * at.unit};
+    style.pixels_per_metre = scale_to_fit(subject.motion(), portrait, kPortraitShare);
+    add_moment(easel, portrait, subject, telling_time(subject.motion()), style);
+    easel.round_corners(portrait, 18.0 * at.unit, palette.window);
+    add_heading(easel, at, subject, palette);
+    add_facts(easel, at, subject, palette);
+    add_strip(easel, at, subject, palette);
+    add_foot(easel, at, palette);
+}
+
+}  // namespace cambrian

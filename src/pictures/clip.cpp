@@ -1,0 +1,48 @@
+#include "pictures/clip.h"
+
+#include "core/pretty_text.h"
+#include "pictures/moment.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cambrian {
+namespace {
+
+constexpr double kWidth = 1280.0;  // pixels, of a clip laid out as it is
+constexpr double kHeight = 720.0;
+constexpr double kLeastUnit = 0.6;   // smaller words could not be read
+constexpr double kBodyShare = 0.42;  // of the picture filled by the creature
+constexpr std::size_t kTrail = 90;   // dots
+
+}  // namespace
+
+std::uint64_t clip_frames(const ClipTiming& timing) {
+    const double frames = timing.seconds / timing.speed * timing.frames_a_second;
+    return static_cast<std::uint64_t>(std::max(1.0, std::round(frames)));
+}
+
+void draw_clip_frame(Easel& easel, const Subject& subject, const Palette& palette,
+                     const ClipTiming& timing, std::uint64_t frame) {
+    const double unit =
+        std::max(kLeastUnit, std::min(easel.width() / kWidth, easel.height() / kHeight));
+    const Area whole = {0, 0, static_cast<double>(easel.width()),
+                        static_cast<double>(easel.height())};
+    const double time = static_cast<double>(frame) * timing.speed / timing.frames_a_second;
+    MomentStyle style{.palette = palette, .label_size = 16.0 * unit, .trail = kTrail};
+    style.pixels_per_metre = scale_to_fit(subject.motion(), whole, kBodyShare);
+    easel.clear(palette.sky);
+    add_moment(easel, whole, subject, time, style);
+    const Ink title{Typeface::kStrong, 28.0 * unit, palette.text};
+    const Ink small{Typeface::kRegular, 19.0 * unit, palette.muted};
+    const double left = 24.0 * unit;
+    const double right = easel.width() - left;
+    std::string line = subject.goal;
+    if (!subject.fitness.empty()) line += "  ·  " + subject.fitness;
+    easel.add_text(left, 44.0 * unit, subject.name, title, Align::kLeft,
+                   right - left - 120.0 * unit);
+    easel.add_text(left, 72.0 * unit, line, small);
+    easel.add_text(right, 44.0 * unit, format("%.1f s", time), title, Align::kRight);
+}
+
+}  // namespace cambrian

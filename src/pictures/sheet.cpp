@@ -1,0 +1,90 @@
+#include "pictures/sheet.h"
+
+#include "core/pretty_text.h"
+#include "pictures/moment.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cambrian {
+namespace {
+
+// Everything is laid out for a sheet of this size and scaled to the one asked for.
+constexpr double kWidth = 1600.0;  // pixels
+constexpr double kHeight = 900.0;
+constexpr double kMargin = 36.0;
+constexpr double kHeader = 104.0;
+constexpr double kGap = 14.0;
+constexpr double kCaption = 30.0;     // under each pose
+constexpr double kBestAspect = 1.35;  // width over height of a pose
+constexpr double kBodyShare = 0.7;    // of a pose filled by the creature
+
+struct Grid {
+    int columns = 1;
+    int rows = 1;
+};
+
+// The division into cells of nearest the best aspect, with few empty ones.
+Grid choose_grid(int poses, const Area& room, double gap, double caption) {
+    Grid best;
+    double least = 1e9;
+    for (int columns = 1; columns <= poses; ++columns) {
+        const int rows = (poses + columns - 1) / columns;
+        const double width = (room.width + gap) / columns - gap;
+        const double height = (room.height + gap) / rows - gap - caption;
+        if (width < 1.0 || height < 1.0) continue;
+        const double misfit =
+            std::fabs(std::log(width / height / kBestAspect)) + 0.25 * (columns * rows - poses);
+        if (misfit < least) {
+            least = misfit;
+            best = {columns, rows};
+        }
+    }
+    return best;
+}
+
+void add_header(Easel& easel, const Subject& subject, const Palette& palette, double unit) {
+    const double left = kMargin * unit;
+    const double right = easel.width() - left;
+    const Ink title{Typeface::kStrong, 38.0 * unit, palette.text};
+    const Ink score{Typeface::kStrong, 38.0 * unit, palette.accent};
+    const Ink small{Typeface::kRegular, 21.0 * unit, palette.muted};
+    const double score_width = easel.lettering().width(subject.fitness, score.typeface, score.size);
+    easel.add_text(left, 62.0 * unit, subject.name, title, Align::kLeft,
+                   right - left - score_width - 40.0 * unit);
+    easel.add_text(left, 96.0 * unit, facts_line(subject), small);
+    easel.add_text(right, 62.0 * unit, subject.fitness, score, Align::kRight);
+    easel.add_text(right, 96.0 * unit, subject.goal, small, Align::kRight);
+}
+
+}  // namespace
+
+void draw_sheet(Easel& easel, const Subject& subject, const Palette& palette, int poses) {
+    const double unit = std::min(easel.width() / kWidth, easel.height() / kHeight);
+    easel.clear(palette.window);
+    add_header(easel, subject, palette, unit);
+    const Area room = {kMargin * unit, (kHeader + kGap) * unit,
+                       easel.width() - 2.0 * kMargin * unit,
+                       easel.height() - (kHeader + 2.0 * kGap) * unit};
+    const double gap = kGap * unit;
+    const double caption = kCaption * unit;
+    const Grid grid = choose_grid(poses, room, gap, caption);
+    const double width = (room.width + gap) / grid.columns - gap;
+    const double height = (room.height + gap) / grid.rows - gap - caption;
+    MomentStyle style{.palette = palette, .label_size = 15.0 * unit};
+    style.pixels_per_metre = scale_to_fit(subject.motion(), {0, 0, width, height}, kBodyShare);
+    const Ink ink{Typeface::kRegular, 19.0 * unit, palette.muted};
+    int index = 0;
+    for (const double time : even_times(subject.motion(), poses)) {
+        const Area cell = {std::round(room.x + index % grid.columns * (width + gap)),
+                           std::round(room.y + index / grid.columns * (height + gap + caption)),
+                           std::round(width), std::round(height)};
+        add_moment(easel, cell, subject, time, style);
+        easel.round_corners(cell, 8.0 * unit, palette.window);
+        easel.add_text(cell.x + 0.5 * width, cell.bottom() + 22.0 * unit, format("%.1f s", time),
+                       ink, Align::kMiddle);
+        ++index;
+    }
+}
+
+}  // namespace cambrian

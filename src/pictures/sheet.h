@@ -1,0 +1,13 @@
+#pragma once
+
+#include "pictures/easel.h"
+#include "pictures/subject.h"
+
+namespace cambrian {
+
+inline constexpr int kMostPoses = 48;
+
+// The creature in motion: so many poses (1 to kMostPoses) over its trial, all to one scale.
+void draw_sheet(Easel& easel, const Subject& subject, const Palette& palette, int poses);
+
+}  // namespace cambrian

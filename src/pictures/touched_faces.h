@@ -1,0 +1,20 @@
+#pragma once
+
+#include "world/body_view.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace cambrian {
+
+// Faces of one part, a bit each.
+using FaceSet = std::uint8_t;
+
+constexpr FaceSet face_bit(Face face) {
+    return static_cast<FaceSet>(1U << static_cast<unsigned>(face));
+}
+
+// Of every part, the faces that touched something during the last tick.
+std::vector<FaceSet> touched_faces(const BodyView& body);
+
+}  // namespace cambrian

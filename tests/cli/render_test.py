@@ -1,0 +1,170 @@
+"""Pictures, clips and cards without a display, as `cambrian render` makes them."""
+
+import json
+import os
+import signal
+import subprocess
+import time
+import unittest
+
+from program import BAD_INPUT, CAMBRIAN, FAILED, ROOT, ProgramTest
+
+WALKER = ROOT / "assets/creatures/walker.creature.json"
+SWIMMER = ROOT / "assets/creatures/finned_swimmer.creature.json"
+
+
+class Render(ProgramTest):
+    def setUp(self):
+        super().setUp()
+        for name in ["DISPLAY", "WAYLAND_DISPLAY", "XDG_RUNTIME_DIR"]:
+            saved = os.environ.pop(name, None)
+            if saved is not None:
+                self.addCleanup(os.environ.__setitem__, name, saved)
+
+    def render(self, creature, out, *options):
+        self.run_well("render", creature, "-o", out, *options)
+        return self.folder / out
+
+    def picture_facts(self, path):
+        """Width, height and number of colours, by an independent decoder."""
+        told = subprocess.run(["convert", str(path), "-format", "%w %h %k", "info:"], check=True,
+                              stdout=subprocess.PIPE, encoding="utf-8").stdout
+        return tuple(map(int, told.split()))
+
+    def clip_facts(self, path):
+        told = subprocess.run(
+            ["ffprobe", "-v", "error", "-count_frames", "-select_streams", "v:0", "-show_entries",
+             "stream=width,height,nb_read_frames,r_frame_rate", "-of", "json", str(path)],
+            check=True, stdout=subprocess.PIPE, encoding="utf-8").stdout
+        return json.loads(told)["streams"][0]
+
+    def refuse(self, *arguments, parts, status=BAD_INPUT):
+        before = self.files()
+        self.assert_refused(self.run_program("render", *arguments), *parts, status=status)
+        self.assertEqual(self.files(), before)
+
+    def test_a_sheet_is_a_picture_of_its_size(self):
+        width, height, colors = self.picture_facts(self.render(WALKER, "sheet.png"))
+        self.assertEqual((width, height), (1600, 900))
+        self.assertGreater(colors, 500)
+
+    def test_size_poses_and_theme_change_the_sheet(self):
+        dark = self.render(WALKER, "dark.png", "--size", "640x360", "--poses", "4")
+        light = self.render(WALKER, "light.png", "--size", "640x360", "--poses", "4",
+                            "--theme", "light")
+        self.assertEqual(self.picture_facts(dark)[:2], (640, 360))
+        self.assertNotEqual(dark.read_bytes(), light.read_bytes())
+        more = self.render(WALKER, "more.png", "--size", "640x360", "--poses", "9")
+        self.assertNotEqual(dark.read_bytes(), more.read_bytes())
+
+    def test_a_swimmer_has_its_sheet_too(self):
+        self.assertGreater(self.picture_facts(self.render(SWIMMER, "swimmer.png"))[2], 500)
+
+    def test_a_clip_has_the_frames_asked_for(self):
+        clip = self.render(WALKER, "clip.mp4", "--size", "320x180", "--fps", "20", "--seconds", "2")
+        facts = self.clip_facts(clip)
+        self.assertEqual((facts["width"], facts["height"]), (320, 180))
+        self.assertEqual(facts["nb_read_frames"], "40")
+        self.assertEqual(facts["r_frame_rate"], "20/1")
+
+    def test_a_clip_of_half_the_speed_has_twice_the_frames(self):
+        clip = self.render(WALKER, "slow.gif", "--size", "160x90", "--fps", "10", "--seconds", "1",
+                           "--speed", "0.5")
+        self.assertEqual(self.clip_facts(clip)["nb_read_frames"], "20")
+
+    def test_a_clip_shows_the_whole_trial_unless_told(self):
+        champion = self.evolve_champion()  # its trial takes 2 s
+        clip = self.render(champion, "whole.mp4", "--size", "96x64", "--fps", "10")
+        self.assertEqual(self.clip_facts(clip)["nb_read_frames"], "20")
+
+    def test_a_card_carries_its_creature(self):
+        card = self.render(WALKER, "walker.card.png")
+        self.assertEqual(self.picture_facts(card)[:2], (960, 1280))
+        self.assertIn(b"cambrian-creature", card.read_bytes())
+        told = [self.run_well(*command, card.name).stdout.replace(card.name, "NAME")
+                for command in (["verify"], ["simulate", "--json"])]
+        known = [self.run_well(*command, WALKER).stdout.replace(str(WALKER), "NAME")
+                 for command in (["verify"], ["simulate", "--json"])]
+        self.assertEqual(told, known)
+        again = self.render(card, "again.card.png")
+        self.assertEqual(again.read_bytes(), card.read_bytes())
+
+    def test_any_picture_can_be_made_a_card(self):
+        self.render(WALKER, "posted.png", "--card", "--size", "480x640")
+        self.assertIn("replay verified", self.run_well("verify", "posted.png").stdout)
+
+    def test_evolution_begins_with_a_card(self):
+        self.render(WALKER, "walker.card.png", "--size", "240x320")
+        self.write("small.toml", "[run]\ngenerations = 1\n[population]\nsize = 4\n"
+                                 "[trial]\nduration = 1\n")
+        self.run_well("evolve", "small.toml", "--founders", "walker.card.png", "--out",
+                      "champion.creature.json")
+
+    def test_pictures_that_are_no_cards_are_refused(self):
+        self.render(WALKER, "sheet.png", "--size", "160x90")
+        whole = self.render(WALKER, "walker.card.png", "--size", "240x320").read_bytes()
+        for name, content, part in [
+                ("sheet.png", None, "a picture without a creature inside"),
+                ("cut.png", whole[:len(whole) // 2], "cut off"),
+                ("bad.png", whole.replace(b"cambrian-creature", b"cambrian-creatures"), "CRC"),
+                ("odd.png", b"\x89PNG\r\n\x1a\n" + bytes(range(256)) * 8, "cannot be read")]:
+            if content is not None:
+                self.write(name, content)
+            for command in ["simulate", "verify"]:
+                self.assert_refused(self.run_program(command, name), name, part,
+                                    "expected a creature card")
+
+    def test_mistakes_are_told_and_write_nothing(self):
+        self.refuse(WALKER, "-o", "clip.avi", parts=["clip.avi", ".png, .mp4 or .gif"])
+        self.refuse(WALKER, "-o", "clip.mp4", "--card", parts=["a card is a picture"])
+        self.refuse(WALKER, "-o", "a.png", "--fps", "3", parts=["--fps", "are for clips"])
+        self.refuse(WALKER, "-o", "a.mp4", "--poses", "3", parts=["--poses is for sheets"])
+        self.refuse(WALKER, "-o", "a.mp4", "--size", "321x180", parts=["even"])
+        self.refuse("none.creature.json", "-o", "a.png", parts=["none.creature.json"])
+        for size in ["big", "0x0", "10x10", "640x", "x360", "640x360x2", "9999x100", "-640x360"]:
+            result = self.run_program("render", WALKER, "-o", "a.png", "--size=" + size)
+            self.assertEqual(result.returncode, BAD_INPUT, size)
+            self.assertIn("expected WIDTHxHEIGHT", result.stderr)
+        self.assertEqual(self.files(), [])
+
+    def test_a_target_that_cannot_be_written_is_told_at_once(self):
+        for name in ["nowhere/a.png", "nowhere/a.mp4", "nowhere/a.card.png"]:
+            self.refuse(WALKER, "-o", name, parts=["cannot write " + name])
+        (self.folder / "folder.png").mkdir()
+        self.refuse(WALKER, "-o", "folder.png", parts=["cannot write folder.png"])
+
+    def test_without_ffmpeg_clips_say_so_and_pictures_work(self):
+        (self.folder / "empty").mkdir()
+        result = self.run_program("render", WALKER, "-o", "a.mp4",
+                                  env={"PATH": str(self.folder / "empty")})
+        self.assert_refused(result, "ffmpeg, which is not installed", status=FAILED)
+        self.assertEqual(self.files(), ["empty"])
+        self.run_well("render", WALKER, "-o", "a.png", env={"PATH": str(self.folder / "empty")})
+
+    def test_what_ffmpeg_complains_of_is_told(self):
+        fake = self.write("ffmpeg", "#!/bin/sh\necho 'no such encoder' >&2\nexit 1\n")
+        fake.chmod(0o755)
+        result = self.run_program("render", WALKER, "-o", "a.mp4",
+                                  env={"PATH": f"{self.folder}:/usr/bin:/bin"})
+        self.assert_refused(result, "a.mp4", "no such encoder", status=FAILED)
+        self.assertEqual(self.files(), ["ffmpeg"])
+
+    def test_an_interrupted_clip_leaves_nothing(self):
+        before = self.write("clip.mp4", "the clip before")
+        process = subprocess.Popen(
+            [CAMBRIAN, "render", str(WALKER), "-o", "clip.mp4", "--fps", "120", "--speed", "0.05"],
+            cwd=self.folder, stderr=subprocess.PIPE, encoding="utf-8")
+        self.addCleanup(process.kill)
+        deadline = time.monotonic() + 120
+        while len(self.files()) < 2 and time.monotonic() < deadline:
+            time.sleep(0.05)
+        process.send_signal(signal.SIGINT)
+        _, message = process.communicate(timeout=120)
+        self.assertEqual(process.returncode, FAILED)
+        self.assertIn("interrupted", message)
+        self.assertEqual(self.files(), ["clip.mp4"])
+        self.assertEqual(before.read_text(), "the clip before")
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)

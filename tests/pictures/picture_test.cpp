@@ -1,0 +1,145 @@
+// Pictures drawn without a display, through EGL.
+
+#include "pictures/card_picture.h"
+#include "pictures/clip.h"
+#include "pictures/moment.h"
+#include "pictures/sheet.h"
+#include "render/offscreen_context.h"
+#include "support/creatures.h"
+#include "support/kinds.h"
+
+#include <set>
+
+namespace cambrian {
+namespace {
+
+Subject crawler(double duration = 0.5) {
+    CreatureDocument document;
+    document.genome = *test::crawler(test::kinds().creature.catalog);
+    ExperimentSettings settings;
+    settings.world.trial.duration = duration;
+    auto subject = subject_of(document, settings, "Crawler", test::kinds());
+    REQUIRE(subject);
+    return std::move(*subject);
+}
+
+class Workshop {
+public:
+    Workshop() {
+        context_ = opened(OffscreenContext::create());
+        renderer_ = opened(Renderer::create());
+        lettering_ = opened(Lettering::load());
+    }
+    Easel easel(int width, int height) {
+        auto easel = Easel::create(*renderer_, *lettering_, width, height);
+        REQUIRE(easel);
+        return std::move(*easel);
+    }
+
+private:
+    template <class Thing>
+    static Thing opened(Result<Thing> thing) {
+        INFO((thing ? std::string() : thing.error().message));
+        REQUIRE(thing);
+        return std::move(*thing);
+    }
+
+    std::unique_ptr<OffscreenContext> context_;
+    std::unique_ptr<Renderer> renderer_;
+    std::unique_ptr<Lettering> lettering_;
+};
+
+std::size_t colors_in(const Image& image) {
+    std::set<std::array<std::uint8_t, 3>> colors;
+    for (std::size_t i = 0; i + 2 < image.rgb.size(); i += 3)
+        colors.insert({image.rgb[i], image.rgb[i + 1], image.rgb[i + 2]});
+    return colors.size();
+}
+
+TEST_CASE("sheets, cards and frames of clips show something in their size", "[pictures][picture]") {
+    Workshop workshop;
+    const Subject subject = crawler();
+    for (const ThemeKind theme : {ThemeKind::kDark, ThemeKind::kLight}) {
+        Easel easel = workshop.easel(400, 300);
+        draw_sheet(easel, subject, palette_of(theme), 6);
+        const Image sheet = easel.finish();
+        CHECK(sheet.width == 400);
+        CHECK(sheet.height == 300);
+        CHECK(sheet.rgb.size() == 400U * 300U * 3U);
+        CHECK(colors_in(sheet) > 50);
+        draw_card(easel, subject, palette_of(theme));
+        CHECK(colors_in(easel.finish()) > 50);
+        draw_clip_frame(easel, subject, palette_of(theme), {}, 0);
+        CHECK(colors_in(easel.finish()) > 50);
+    }
+}
+
+TEST_CASE("the same moment gives the same picture and another one another", "[pictures][picture]") {
+    Workshop workshop;
+    const Subject subject = crawler();
+    Easel easel = workshop.easel(160, 120);
+    const auto frame = [&](std::uint64_t number) {
+        draw_clip_frame(easel, subject, palette_of(ThemeKind::kDark), {}, number);
+        return easel.finish().rgb;
+    };
+    const auto first = frame(0);
+    CHECK(frame(0) == first);
+    CHECK(frame(10) != first);
+}
+
+TEST_CASE("the smallest and oddest sizes can be drawn", "[pictures][picture]") {
+    Workshop workshop;
+    const Subject subject = crawler();
+    for (const auto& [width, height] : {std::pair{64, 64}, {64, 1000}, {1000, 64}}) {
+        Easel easel = workshop.easel(width, height);
+        for (const int poses : {1, 7, kMostPoses}) {
+            draw_sheet(easel, subject, palette_of(ThemeKind::kDark), poses);
+            CHECK(easel.finish().width == width);
+        }
+        draw_card(easel, subject, palette_of(ThemeKind::kDark));
+        CHECK(easel.finish().height == height);
+    }
+}
+
+TEST_CASE("a clip has a frame for each stretch of the trial", "[pictures][clip]") {
+    CHECK(clip_frames({.frames_a_second = 30, .speed = 1, .seconds = 2}) == 60);
+    CHECK(clip_frames({.frames_a_second = 30, .speed = 0.5, .seconds = 2}) == 120);
+    CHECK(clip_frames({.frames_a_second = 25, .speed = 4, .seconds = 2}) == 13);
+    CHECK(clip_frames({.frames_a_second = 30, .speed = 1, .seconds = 0}) == 1);
+}
+
+TEST_CASE("poses are spread evenly over the whole motion", "[pictures][moment]") {
+    const Subject subject = crawler();
+    CHECK(even_times(subject.motion(), 3) ==
+          std::vector<double>{0.0, 0.5 * subject.motion().length(), subject.motion().length()});
+    CHECK(even_times(subject.motion(), 1).size() == 1);
+    CHECK(telling_time(subject.motion()) >= 0.1);
+    CHECK(telling_time(subject.motion()) <= 0.4);
+}
+
+TEST_CASE("a score stands beside the trial it was given for only", "[pictures][subject]") {
+    CreatureDocument document;
+    document.genome = *test::crawler(test::kinds().creature.catalog);
+    ExperimentSettings settings;
+    settings.world.trial.duration = 0.5;
+    ScoredRecord& scored = document.scored.emplace();
+    scored.world = settings.world;
+    scored.expression = settings.expression;
+    scored.goal = settings.goal;
+    scored.fitness = 42.0;
+    scored.unit = "BL/s";
+    const auto own = subject_of(document, settings, "", test::kinds());
+    REQUIRE(own);
+    CHECK(own->fitness == "42 BL/s");
+    CHECK(own->verified == false);
+    scored.trajectory = own->trial.record.digest;
+    CHECK(subject_of(document, settings, "", test::kinds()).value().verified == true);
+    settings.world.environment.gravity *= 0.5;
+    const auto elsewhere = subject_of(document, settings, "", test::kinds());
+    REQUIRE(elsewhere);
+    CHECK(elsewhere->fitness != "42 BL/s");
+    CHECK_FALSE(elsewhere->verified);
+}
+
+}  // namespace
+}  // namespace cambrian
