@@ -81,10 +81,13 @@ Result<Course> new_course(const EvolutionRun& run, const EvolutionKinds& kinds) 
     if (!outputs) return outputs.error();
     std::shared_ptr<ExperimentFile> file;
     if (!outputs->experiment.empty()) {
-        auto created = ExperimentFile::create(outputs->experiment, kinds);
+        auto created = ExperimentFile::create(kinds, *settings, *founders);
         if (!created) return created.error();
         file = *created;
-        if (const Status begun = file->begin(*settings, *founders); !begun) return begun.error();
+        if (const Status named =
+                file->move_to(outputs->experiment, ExperimentFile::Existing::kRefuse);
+            !named)
+            return named.error();
     }
     return Course{Evolution(*settings, kinds, *founders), **settings, std::move(file),
                   *std::move(outputs)};
