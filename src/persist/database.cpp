@@ -165,6 +165,16 @@ Database::Database(const std::filesystem::path& path, Access access) {
     execute("PRAGMA mmap_size = 0");
 }
 
+Database Database::copy() const {
+    Database copied({}, Access::kCreate);
+    sqlite3* const target = copied.connection_.get();
+    sqlite3_backup* const backup = sqlite3_backup_init(target, "main", connection_.get(), "main");
+    if (backup == nullptr) fail(target, sqlite3_errcode(target));
+    sqlite3_backup_step(backup, -1);
+    if (const int code = sqlite3_backup_finish(backup); code != SQLITE_OK) fail(target, code);
+    return copied;
+}
+
 void Database::execute(const std::string& sql) {
     const int code = sqlite3_exec(connection_.get(), sql.c_str(), nullptr, nullptr, nullptr);
     if (code != SQLITE_OK) fail(connection_.get(), code);

@@ -90,6 +90,9 @@ public:
     // An empty path: a database of its own that vanishes with it.
     Database(const std::filesystem::path& path, Access access);
 
+    // A copy in memory.
+    Database copy() const;
+
     void execute(const std::string& sql);
     Statement prepare(std::string_view sql) const { return {connection_.get(), sql}; }
     // The single value of a query.

@@ -3,6 +3,7 @@
 #include "core/file_io.h"
 #include "persist/experiment_reader.h"
 #include "persist/experiment_schema.h"
+#include "persist/experiment_upgrade.h"
 #include "persist/experiment_writer.h"
 #include "persist/file_lock.h"
 
@@ -116,6 +117,7 @@ Status ExperimentFile::move_to(const std::filesystem::path& path, Existing exist
     const bool replace = existing == Existing::kReplace;
     if (!replace && std::filesystem::exists(path, other))
         return failure(kKeeping, path, std::generic_category().message(EEXIST));
+    if (Status writable = check_writable(path); !writable) return writable;
     const std::filesystem::path temporary = temporary_beside(path);
     if (Status copied = copy_into(temporary); !copied)
         return failure(kKeeping, path, copied.error().message);
@@ -153,8 +155,8 @@ Result<OpenedExperiment> open_experiment(const std::filesystem::path& path,
     if (!lock) return failure(kOpening, path, lock.error().message);
     try {
         Database database(path, Database::Access::kWrite);
-        if (Status known = check_tables(database); !known)
-            return failure(kOpening, path, known.error().message);
+        if (Status current = bring_up_to_date(database); !current)
+            return failure(kOpening, path, current.error().message);
         make_durable(database);
         ReadExperiment read = read_experiment(database, kinds);
         auto open = std::unique_ptr<ExperimentFile::Open>(new ExperimentFile::Open{
@@ -171,10 +173,9 @@ Result<OpenedExperiment> open_experiment(const std::filesystem::path& path,
 Result<SavedExperiment> load_experiment(const std::filesystem::path& path,
                                         const EvolutionKinds& kinds) {
     try {
-        Database database(path, Database::Access::kRead);
-        if (Status known = check_tables(database); !known)
-            return failure(kOpening, path, known.error().message);
-        ReadExperiment read = read_experiment(database, kinds);
+        const Result<Database> database = up_to_date(Database(path, Database::Access::kRead));
+        if (!database) return failure(kOpening, path, database.error().message);
+        ReadExperiment read = read_experiment(*database, kinds);
         return std::move(read.saved);
     } catch (const DatabaseError& error) {
         return failure(kOpening, path, error.what());

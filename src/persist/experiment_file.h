@@ -66,10 +66,11 @@ struct OpenedExperiment {
     std::vector<ChampionRecord> stars;
 };
 
-// Fails, leaving the file as it is, if it is damaged, of another kind or version, or in use.
+// One of an older version is brought up to this program's. Fails, leaving the file as it is, if it
+// is damaged, of another kind or newer, or in use.
 Result<OpenedExperiment> open_experiment(const std::filesystem::path& path,
                                          const EvolutionKinds& kinds);
-// To look at only.
+// To look at only; the file is not changed.
 Result<SavedExperiment> load_experiment(const std::filesystem::path& path,
                                         const EvolutionKinds& kinds);
 
