@@ -160,7 +160,7 @@ ExitStatus report(const Course& course, const Harvest& harvest, const std::strin
     RunOutputs outputs = course.outputs;
     if (!outputs.champion.empty()) {
         CreatureDocument champion = creature_document(*harvest.champion, *harvest.settings, kinds);
-        recompute_score(champion, kinds);
+        complete_score(champion, kinds);
         const auto saved = save_champion(outputs.champion, champion, kinds);
         if (!saved) return fail(saved.error(), ExitStatus::kFailed);
         outputs.champion = *saved;
