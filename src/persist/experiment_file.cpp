@@ -153,6 +153,7 @@ Result<OpenedExperiment> open_experiment(const std::filesystem::path& path,
                                          const EvolutionKinds& kinds) {
     Result<FileLock> lock = FileLock::take(path);
     if (!lock) return failure(kOpening, path, lock.error().message);
+    if (Status writable = check_writable(path); !writable) return writable.error();
     try {
         Database database(path, Database::Access::kWrite);
         if (Status current = bring_up_to_date(database); !current)

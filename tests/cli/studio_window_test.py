@@ -230,6 +230,27 @@ class StudioWindow(StudioTest):
         self.run_well("evolve", "small.toml", "-n", len(kept), "-o", "whole.cambrian")
         self.assertEqual(digests(self.folder / "whole.cambrian"), kept)
 
+    def test_a_full_disk_pauses_the_window_and_loses_nothing(self):
+        state = self.small_disk("700k", "state")
+        (state / "view.conf").write_text("tour-taken = yes\n")
+        self.write("large.toml", SMALL.replace("size = 12", "size = 60"))
+        display = self.open_display()
+        self.start(display, "large.toml")
+        self.click("Evolve")
+        notice, after = self.wait_for("notice", problem=True)
+        self.assertIn("the disk is full", notice["text"])
+        time.sleep(0.5)
+        self.assert_painted(display.picture("full-disk-1280x800.png"))
+        kept = len(digests(state / "experiment.cambrian"))
+        self.assertGreater(kept, 0)
+        self.remount(state, "size=50m")
+        self.press("space")
+        self.wait_for("generation", after=after, number=kept + 2)
+        self.quit()
+        kept = digests(state / "experiment.cambrian")
+        self.run_well("evolve", "large.toml", "-n", len(kept), "-o", "whole.cambrian")
+        self.assertEqual(digests(self.folder / "whole.cambrian"), kept)
+
     def start_and_kill(self, display, after):
         studio = subprocess.Popen(
             [CAMBRIAN, "studio", "--state-dir", self.folder / "state", "--threads", "1"],
