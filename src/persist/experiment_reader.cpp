@@ -15,7 +15,9 @@ namespace cambrian {
 namespace {
 
 constexpr std::size_t kLargestPopulation = 100'000;
-
+constexpr std::size_t kMostCommands = 100'000;
+constexpr std::size_t kMostNovel = 1'000'000;
+constexpr std::size_t kMostKept = 100'000;
 constexpr std::size_t kMostCells = 25;
 
 template <std::size_t Count>
@@ -24,6 +26,17 @@ std::size_t index_of(std::string_view name, const std::array<std::string_view, C
     if (found == names.end())
         throw DatabaseError("\"" + std::string(name.substr(0, 40)) + "\" is not known");
     return static_cast<std::size_t>(found - names.begin());
+}
+
+// Damaged tables can repeat their rows without end.
+void check_count(std::size_t count, std::size_t most, const char* what) {
+    if (count > most) throw DatabaseError("more than " + std::to_string(most) + " " + what);
+}
+
+double share_of(const Statement& row, int column) {
+    const double share = row.real(column);
+    if (share >= 0.0 && share <= 1.0) return share;
+    throw DatabaseError("a share of newcomers is outside [0, 1]");
 }
 
 RowRef row_ref(const Statement& row, int column) {
@@ -75,6 +88,8 @@ private:
             std::uint32_t generation = 0;
             read_column(row, 0, generation);
             read_command(row, generation);
+            check_count(read_.saved.founders.size(), kLargestPopulation, "founders");
+            check_count(read_.saved.journal.size(), kMostCommands, "commands");
         }
         if (!read_.saved.settings) throw DatabaseError("the journal has no beginning");
     }
@@ -93,7 +108,7 @@ private:
         } else if (command == "inject") {
             journal.push_back({generation, InjectGenome{genotype(row, 4)}});
         } else if (command == "newcomers") {
-            journal.push_back({generation, AddNewcomers{row.real(3)}});
+            journal.push_back({generation, AddNewcomers{share_of(row, 3)}});
         } else {
             throw DatabaseError("unknown command \"" + std::string(command) + "\"");
         }
@@ -135,12 +150,13 @@ private:
         while (place.step()) {
             read_.population.push_back(row_ref(place, 0));
             latest.population.push_back(individuals_.read(read_.population.back()));
-            if (latest.population.size() > kLargestPopulation)
-                throw DatabaseError("the population is too large");
+            check_count(latest.population.size(), kLargestPopulation, "creatures");
         }
         Statement novel = database_.prepare("SELECT individual, judged FROM novel ORDER BY place");
-        while (novel.step())
+        while (novel.step()) {
             latest.memory.archive.push_back(individuals_.read(row_ref(novel, 0)));
+            check_count(latest.memory.archive.size(), kMostNovel, "novel creatures");
+        }
         if (latest.population.empty() ||
             population_digest(latest.population) != read_.saved.digests.back())
             throw DatabaseError("the latest population is not the one that was written");
@@ -230,6 +246,7 @@ private:
             read_column(row, 2, each.generation);
             each.settings = settings(row.integer(3));
             creatures.push_back(std::move(each));
+            check_count(creatures.size(), kMostKept, "kept creatures");
         }
         return creatures;
     }

@@ -4,6 +4,8 @@
 // of the tables of a sound experiment, one that begins with P replaces bytes of its pages, and any
 // other is a file of its own.
 
+#include "persist/experiment_reader.h"
+
 #include "evolution/population_digest.h"
 #include "evolution/setting_field.h"
 #include "fuzz/byte_source.h"
@@ -22,8 +24,8 @@ namespace {
 
 constexpr std::size_t kPage = 512;  // bytes
 constexpr int kMostPatches = 32;
-constexpr std::size_t kOpenedOneIn = 16;
-constexpr int kMostBred = 100;  // creatures
+constexpr std::size_t kWrittenOneIn = 61;  // of the edited tables, to a file
+constexpr int kMostBred = 100;             // creatures
 
 // In memory, where there is such a folder.
 std::filesystem::path scratch() {
@@ -31,40 +33,35 @@ std::filesystem::path scratch() {
     return std::filesystem::exists(memory) ? memory : std::filesystem::temp_directory_path();
 }
 
+// The sample stays open, so that its tables need not be made out each time.
 struct Workplace {
     TemporaryDirectory folder{scratch()};
     std::filesystem::path path = folder / "input.cambrian";
+    std::filesystem::path edited = folder / "sample.cambrian";
     std::string sample = sample_experiment(folder.path());
-    TableEdits edits{Database(folder / "sample.cambrian", Database::Access::kRead)};
+    Database database{edited, Database::Access::kWrite};
+    TableEdits edits{database};
+
+    Workplace() { database.execute("PRAGMA journal_mode = MEMORY; PRAGMA synchronous = OFF"); }
 };
 
-// As if the program had written the population that is there now.
+// As if the program had written the population that is there now, if it is whole.
 void renew_digest(Database& database) {
     std::vector<IndividualPtr> population;
     IndividualReader individuals(database, kinds());
-    Statement place = database.prepare("SELECT individual, judged FROM population ORDER BY place");
-    while (place.step())
-        population.push_back(individuals.read({place.integer(0), place.integer(1)}));
+    try {
+        Statement place =
+            database.prepare("SELECT individual, judged FROM population ORDER BY place");
+        while (place.step())
+            population.push_back(individuals.read({place.integer(0), place.integer(1)}));
+    } catch (const DatabaseError&) {
+        return;
+    }
     database
         .prepare(
             "UPDATE generations SET population_digest = ? WHERE generation = "
             "(SELECT max(generation) FROM generations)")
         .run(population_digest(population));
-}
-
-void edit_tables(Workplace& at, ByteSource bytes) {
-    put_text(at.path, at.sample);
-    Database database(at.path, Database::Access::kWrite);
-    database.execute("PRAGMA journal_mode = MEMORY; PRAGMA synchronous = OFF; BEGIN");
-    const bool digest = bytes.number<std::uint8_t>() % 2 == 0;
-    at.edits.apply(database, bytes);
-    try {
-        if (digest) renew_digest(database);
-    } catch (const DatabaseError&) {
-        // There is no whole population any more.
-        (void)digest;
-    }
-    database.execute("COMMIT");
 }
 
 void patch_pages(const Workplace& at, ByteSource bytes) {
@@ -80,15 +77,6 @@ void patch_pages(const Workplace& at, ByteSource bytes) {
         }
     }
     put_text(at.path, file);
-}
-
-void write_input(Workplace& at, std::string_view input) {
-    for (const char* ending : {"-wal", "-shm", "-journal"})
-        std::filesystem::remove(at.path.string() + ending);
-    std::filesystem::remove(at.path);
-    if (input.starts_with('E')) return edit_tables(at, ByteSource(input.substr(1)));
-    if (input.starts_with('P')) return patch_pages(at, ByteSource(input.substr(1)));
-    put_text(at.path, input);
 }
 
 void look_at(const IndividualPtr& individual) {
@@ -148,15 +136,53 @@ void look_at(const PickingRecord& picking) {
         promise(pick < picking.tree.current().creatures.size(), "only what is there is picked");
 }
 
+// Whether it could be read.
+bool read_file_at(const std::filesystem::path& path) {
+    const auto saved = load_experiment(path, kinds());
+    promise(saved || saved.error().message.find(path.string()) != std::string::npos,
+            "a refusal names the file");
+    if (saved) look_at(*saved);
+    return saved.has_value();
+}
+
 // What is read by opening is kept as it was.
 void keep_on(const std::filesystem::path& path) {
     const auto opened = open_experiment(path, kinds());
     promise(opened.has_value(), "what can be looked at can be gone on with");
-    look_at(opened->picking);
     promise(opened->file->keep_picking(opened->picking) && opened->file->keep_stars(opened->stars),
             "what was read can be kept");
     const auto again = load_experiment(path, kinds());
     promise(again && again->digests == opened->saved.digests, "and read again");
+}
+
+void read_tables(const Database& database) {
+    try {
+        const ReadExperiment read = read_experiment(database, kinds());
+        look_at(read.saved);
+        look_at(read.picking);
+    } catch (const DatabaseError& error) {
+        promise(*error.what() != '\0', "a refusal has a reason");
+    }
+}
+
+// As a file of its own.
+void read_committed(Workplace& at) {
+    at.database.execute("COMMIT");
+    std::filesystem::copy_file(at.edited, at.path,
+                               std::filesystem::copy_options::overwrite_existing);
+    if (read_file_at(at.path)) keep_on(at.path);
+    put_text(at.edited, at.sample);
+}
+
+void read_edited(Workplace& at, std::string_view input) {
+    ByteSource bytes(input);
+    at.database.execute("BEGIN");
+    const bool digest = bytes.number<std::uint8_t>() % 2 == 0;
+    at.edits.apply(at.database, bytes);
+    if (digest) renew_digest(at.database);
+    if (input.size() % kWrittenOneIn == 0) return read_committed(at);
+    read_tables(at.database);
+    at.database.execute("ROLLBACK");
 }
 
 }  // namespace
@@ -164,14 +190,15 @@ void keep_on(const std::filesystem::path& path) {
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     static Workplace at;
     const std::string_view input = text_of(data, size);
-    write_input(at, input);
-    const auto saved = load_experiment(at.path, kinds());
-    if (!saved) {
-        promise(saved.error().message.find(at.path.string()) != std::string::npos,
-                "a refusal names the file");
+    if (input.starts_with('E')) {
+        read_edited(at, input.substr(1));
         return 0;
     }
-    look_at(*saved);
-    if (input.starts_with('E') && input.size() % kOpenedOneIn == 0) keep_on(at.path);
+    if (input.starts_with('P')) {
+        patch_pages(at, ByteSource(input.substr(1)));
+    } else {
+        put_text(at.path, input);
+    }
+    read_file_at(at.path);
     return 0;
 }

@@ -27,7 +27,7 @@ GenomePtr founder() {
 
 // Short, for the same reason.
 constexpr const char* kSettings =
-    "run.seed = 5\npopulation.size = 3\nselection.method = \"novelty\"\n"
+    "run.seed = 5\npopulation.size = 2\nselection.method = \"novelty\"\n"
     "trial.duration = 0.1\ntrial.settle-limit = 0.1\n";
 
 ExperimentSettings sample_settings() {

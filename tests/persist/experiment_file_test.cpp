@@ -276,6 +276,8 @@ TEST_CASE("whatever is wrong inside an experiment is one message", "[persist][ex
         {"ALTER TABLE novel ADD COLUMN more", "table \"novel\" has other columns"},
         {"DELETE FROM journal", "the journal has no beginning"},
         {"UPDATE journal SET command = 'explode' WHERE id = 2", "unknown command \"explode\""},
+        {"UPDATE journal SET share = 2 WHERE id = 2", "newcomers is outside [0, 1]"},
+        {"UPDATE journal SET share = NULL WHERE id = 2", "newcomers is outside [0, 1]"},
         {"DELETE FROM generations WHERE generation = 1", "generation 1 is missing"},
         {"UPDATE generations SET best = 'good'", "column \"best\": expected a number"},
         {"UPDATE settings SET toml = 'nonsense'", "settings 1"},
