@@ -15,8 +15,9 @@ namespace cambrian {
 namespace {
 
 constexpr std::size_t kLargestPopulation = 100'000;
-constexpr std::size_t kMostCommands = 100'000;
-constexpr std::size_t kMostNovel = 1'000'000;
+constexpr std::size_t kMostCommands = 20'000;   // and as many founders
+constexpr std::size_t kMostSettings = 100'000;  // bytes of one text
+constexpr std::size_t kMostNovel = 300'000;
 constexpr std::size_t kMostKept = 100'000;
 constexpr std::size_t kMostCells = 25;
 
@@ -66,6 +67,7 @@ private:
         row.bind(id);
         const std::string name = "settings " + std::to_string(id);
         if (!row.step()) throw DatabaseError(name + " are missing");
+        if (row.text(0).size() > kMostSettings) throw DatabaseError(name + " are too large");
         Result<ExperimentSettings> parsed = parse_settings(row.text(0), name, kinds_);
         if (!parsed) throw DatabaseError(parsed.error().message);
         place = std::make_shared<const ExperimentSettings>(std::move(*parsed));
@@ -88,7 +90,7 @@ private:
             std::uint32_t generation = 0;
             read_column(row, 0, generation);
             read_command(row, generation);
-            check_count(read_.saved.founders.size(), kLargestPopulation, "founders");
+            check_count(read_.saved.founders.size(), kMostCommands, "founders");
             check_count(read_.saved.journal.size(), kMostCommands, "commands");
         }
         if (!read_.saved.settings) throw DatabaseError("the journal has no beginning");

@@ -281,6 +281,8 @@ TEST_CASE("whatever is wrong inside an experiment is one message", "[persist][ex
         {"DELETE FROM generations WHERE generation = 1", "generation 1 is missing"},
         {"UPDATE generations SET best = 'good'", "column \"best\": expected a number"},
         {"UPDATE settings SET toml = 'nonsense'", "settings 1"},
+        {"UPDATE settings SET toml = printf('#%200000s', 'x')", "settings 1 are too large"},
+        {"UPDATE individuals SET mutations = printf('[%200000s]', '')", "too large"},
         {"DELETE FROM results", "its score is missing"},
         {"DELETE FROM genotypes", "its genotype is missing"},
         {"UPDATE genotypes SET document = x'00'", "cannot be decompressed"},
