@@ -81,10 +81,13 @@ Result<Course> new_course(const EvolutionRun& run, const EvolutionKinds& kinds) 
     if (!outputs) return outputs.error();
     std::shared_ptr<ExperimentFile> file;
     if (!outputs->experiment.empty()) {
-        auto created = ExperimentFile::create(outputs->experiment, kinds);
+        auto created = ExperimentFile::create(kinds, *settings, *founders);
         if (!created) return created.error();
         file = *created;
-        if (const Status begun = file->begin(*settings, *founders); !begun) return begun.error();
+        if (const Status named =
+                file->move_to(outputs->experiment, ExperimentFile::Existing::kRefuse);
+            !named)
+            return named.error();
     }
     return Course{Evolution(*settings, kinds, *founders), **settings, std::move(file),
                   *std::move(outputs)};
@@ -157,7 +160,7 @@ ExitStatus report(const Course& course, const Harvest& harvest, const std::strin
     RunOutputs outputs = course.outputs;
     if (!outputs.champion.empty()) {
         CreatureDocument champion = creature_document(*harvest.champion, *harvest.settings, kinds);
-        recompute_score(champion, kinds);
+        complete_score(champion, kinds);
         const auto saved = save_champion(outputs.champion, champion, kinds);
         if (!saved) return fail(saved.error(), ExitStatus::kFailed);
         outputs.champion = *saved;

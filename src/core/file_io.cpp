@@ -136,6 +136,28 @@ int flush_file(const std::string& path) {
     return ::fsync(file.get()) == 0 ? file.close() : errno;
 }
 
+template <class Rename>  // gives 0 or the error code
+Status move_flushed(const std::filesystem::path& temporary, const std::filesystem::path& target,
+                    Rename rename) {
+    int failure = flush_file(temporary.string());
+    if (failure == 0) failure = rename();
+    if (failure != 0) ::unlink(temporary.c_str());
+    return outcome(failure, target);
+}
+
+int rename_over(const std::filesystem::path& temporary, const std::filesystem::path& target) {
+    return ::rename(temporary.c_str(), target.c_str()) == 0 ? 0 : errno;
+}
+
+int rename_to_new(const std::filesystem::path& temporary, const std::filesystem::path& target) {
+    if (::renameat2(AT_FDCWD, temporary.c_str(), AT_FDCWD, target.c_str(), RENAME_NOREPLACE) == 0)
+        return 0;
+    if (errno != EINVAL && errno != ENOSYS) return errno;
+    // A file system that has only the plain call.
+    std::error_code unknown;
+    return std::filesystem::exists(target, unknown) ? EEXIST : rename_over(temporary, target);
+}
+
 }  // namespace
 
 // Short, so that it is a possible name beside any other, and not shared with another thread.
@@ -147,10 +169,11 @@ std::filesystem::path temporary_beside(const std::filesystem::path& target) {
 
 Status move_into_place(const std::filesystem::path& temporary,
                        const std::filesystem::path& target) {
-    int failure = flush_file(temporary.string());
-    if (failure == 0 && ::rename(temporary.c_str(), target.c_str()) != 0) failure = errno;
-    if (failure != 0) ::unlink(temporary.c_str());
-    return outcome(failure, target);
+    return move_flushed(temporary, target, [&] { return rename_over(temporary, target); });
+}
+
+Status move_to_new(const std::filesystem::path& temporary, const std::filesystem::path& target) {
+    return move_flushed(temporary, target, [&] { return rename_to_new(temporary, target); });
 }
 
 Result<std::string> read_file(const std::filesystem::path& path, std::size_t max_bytes) {

@@ -55,5 +55,7 @@ std::filesystem::path temporary_beside(const std::filesystem::path& target);
 
 // Flushes a file to the disk and puts it in the target's place. On failure it is removed.
 Status move_into_place(const std::filesystem::path& temporary, const std::filesystem::path& target);
+// The same where there is nothing yet; fails if there is.
+Status move_to_new(const std::filesystem::path& temporary, const std::filesystem::path& target);
 
 }  // namespace cambrian

@@ -134,4 +134,17 @@ FinerResult recompute(const Genome& genome, const ExperimentSettings& settings,
     return run_finer(grow(genome, settings, kinds), settings, kinds, stop).result;
 }
 
+std::optional<NotedTrial> note_ticks(const Genome& genome, const ExperimentSettings& settings,
+                                     const EvolutionKinds& kinds, const std::stop_token& stop) {
+    const auto trial = Trial::start(grow(genome, settings, kinds), kinds.creature, settings.world);
+    if (!trial) return std::nullopt;
+    NotedTrial noted;
+    for (bool more = true; more; note_tick(noted.ticks, **trial)) {
+        if (stop.stop_requested()) return std::nullopt;
+        more = (*trial)->tick();
+    }
+    noted.digest = (*trial)->record().digest;
+    return noted;
+}
+
 }  // namespace cambrian

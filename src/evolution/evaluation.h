@@ -6,6 +6,7 @@
 #include "evolution/experiment_settings.h"
 #include "evolution/hopeless.h"
 #include "evolution/individual.h"
+#include "simulator/tick_checks.h"
 
 #include <cstdint>
 #include <optional>
@@ -35,5 +36,14 @@ std::uint64_t phenotype_of(const Genome& genome, const ExperimentSettings& setti
 // before it is saved (physics.md 9).
 FinerResult recompute(const Genome& genome, const ExperimentSettings& settings,
                       const EvolutionKinds& kinds, const std::stop_token& stop = {});
+
+// The first trial once more, a byte noted for each of its ticks.
+struct NotedTrial {
+    std::uint64_t digest = 0;  // of the motion
+    TickChecks ticks;
+};
+// None if physics refuses the body or a stop was asked for meanwhile.
+std::optional<NotedTrial> note_ticks(const Genome& genome, const ExperimentSettings& settings,
+                                     const EvolutionKinds& kinds, const std::stop_token& stop = {});
 
 }  // namespace cambrian

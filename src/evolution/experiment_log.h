@@ -10,6 +10,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -37,9 +38,16 @@ public:
     virtual Status record(const Evolution& evolution) = 0;
 };
 
+// A version of the simulator, and the first generation it computed.
+struct SimulatorChange {
+    std::uint32_t generation = 0;
+    std::string version;
+};
+
 // An experiment as it was kept.
 struct SavedExperiment {
-    SettingsPtr settings;  // at generation 0
+    std::vector<SimulatorChange> simulators;  // in order; the first computed generation 0
+    SettingsPtr settings;                     // at generation 0
     std::vector<GenomePtr> founders;
     std::vector<NotedCommand> journal;      // in order
     std::vector<ChampionRecord> champions;  // one a recorded generation

@@ -2,6 +2,7 @@
 
 #include "core/file_io.h"
 #include "core/number_text.h"
+#include "evolution/ancestry_digest.h"
 #include "evolution/evaluation.h"
 #include "evolution/trial_work.h"
 #include "genome/disabled_kinds.h"
@@ -102,7 +103,13 @@ struct Identity {
     std::string uid;
     std::vector<std::string> parents;
     const std::string& method;
+    std::optional<std::uint64_t> ancestry = {};
 };
+
+// Whether the trial noted moved as the one that was scored, as far as one trial can tell.
+bool is_of(const ScoredRecord& scored, const NotedTrial& noted) {
+    return scored.world.trial.trials > 1 || noted.digest == scored.trajectory;
+}
 
 }  // namespace
 
@@ -194,6 +201,7 @@ CreatureDocument creature_document(const Individual& individual, const Experimen
     document.uid = hex_text(individual.uid);
     document.method = individual.method;
     document.parents = parents_of(individual);
+    document.ancestry = ancestry_digest(individual);
     if (!individual.evaluated || individual.result.outcome == Outcome::kStoppedEarly)
         return document;  // a trial given up is no score to stand by
     const GoalKind* goal = kinds.goals.find(settings.goal);
@@ -208,12 +216,18 @@ CreatureDocument creature_document(const Individual& individual, const Experimen
     return document;
 }
 
-void recompute_score(CreatureDocument& document, const EvolutionKinds& kinds,
-                     const std::stop_token& stop) {
-    if (!document.scored || document.scored->finer) return;
-    const FinerResult finer =
-        recompute(document.genome, settings_of(*document.scored), kinds, stop);
-    if (finer.outcome != Outcome::kInterrupted) document.scored->finer = finer;
+void complete_score(CreatureDocument& document, const EvolutionKinds& kinds,
+                    const std::stop_token& stop) {
+    if (!document.scored) return;
+    ScoredRecord& scored = *document.scored;
+    const ExperimentSettings settings = settings_of(scored);
+    if (scored.ticks.empty()) {
+        const auto noted = note_ticks(document.genome, settings, kinds, stop);
+        if (noted && is_of(scored, *noted)) scored.ticks = noted->ticks;
+    }
+    if (scored.finer) return;
+    const FinerResult finer = recompute(document.genome, settings, kinds, stop);
+    if (finer.outcome != Outcome::kInterrupted) scored.finer = finer;
 }
 
 ExperimentSettings settings_of(const ScoredRecord& scored) {

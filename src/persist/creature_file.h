@@ -7,6 +7,7 @@
 #include "evolution/evolution_kinds.h"
 #include "evolution/experiment_settings.h"
 #include "evolution/individual.h"
+#include "simulator/tick_checks.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -30,6 +31,7 @@ struct ScoredRecord {
     double fitness = 0.0;          // in `unit`
     std::string unit;              // of the goal's score: "BL/s"
     std::uint64_t trajectory = 0;  // digest of the motion
+    TickChecks ticks = {};         // of the first trial, if they were noted
     std::optional<FinerResult> finer;
     std::string simulator{kSimulatorVersion};
 
@@ -38,9 +40,10 @@ struct ScoredRecord {
 
 struct CreatureDocument {
     Genome genome;
-    std::string uid;                   // 16 hexadecimal digits, or empty
-    std::vector<std::string> parents;  // uids, at most 2
-    std::string method;                // how it was bred
+    std::string uid;                        // 16 hexadecimal digits, or empty
+    std::vector<std::string> parents;       // uids, at most 2
+    std::string method;                     // how it was bred
+    std::optional<std::uint64_t> ancestry;  // ancestry_digest(), if its line is known
     std::optional<ScoredRecord> scored;
     // Of reading only: what was odd but did no harm (W01 to W03).
     std::vector<std::string> warnings;
@@ -70,10 +73,10 @@ std::vector<std::string> foreign_kinds(const Genome& genome, const FounderSettin
 CreatureDocument creature_document(const Individual& individual, const ExperimentSettings& settings,
                                    const EvolutionKinds& kinds);
 
-// Runs the scored trial once more, finer, and keeps what came out beside the score (physics.md 9),
-// unless that was done before. If stopped meanwhile, nothing is kept.
-void recompute_score(CreatureDocument& document, const EvolutionKinds& kinds,
-                     const std::stop_token& stop = {});
+// Runs the scored trial once more to note its ticks, and once finer to keep what came out beside
+// the score (physics.md 9), unless that was done before. If stopped meanwhile, nothing is kept.
+void complete_score(CreatureDocument& document, const EvolutionKinds& kinds,
+                    const std::stop_token& stop = {});
 
 // Settings under which the scored trial can be run again; everything else is at its default.
 ExperimentSettings settings_of(const ScoredRecord& scored);

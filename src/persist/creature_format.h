@@ -171,6 +171,7 @@ void describe_identity(Archive& archive, Document& document) {
     if (archive.has("uid")) archive.text("uid", document.uid, kMaxUid);
     if (archive.has("parents")) archive.texts("parents", document.parents, 2, kMaxUid);
     if (archive.has("method")) archive.text("method", document.method, kMaxWord);
+    archive.optional_digest("ancestry", document.ancestry);
     if (archive.has("hue")) archive.real("hue", genome.hue, kHue);
     if (archive.has("reproduction"))
         archive.choice("reproduction", genome.reproduction, kReproductions, "breeding method");
@@ -209,6 +210,7 @@ void describe_scored(Archive& archive, Scored& scored, Settings& settings,
     archive.plain_real("fitness", scored.fitness);
     archive.text("unit", scored.unit, kMaxWord);
     archive.digest("trajectory", scored.trajectory);
+    archive.optional_bytes("ticks", scored.ticks, kTicksASecond, kMostTickChecks);
     archive.optional_object("recomputed", scored.finer, Layout::kCompact,
                             [](Archive& inner, auto& finer) { describe_finer(inner, finer); });
 }

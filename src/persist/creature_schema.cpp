@@ -23,6 +23,9 @@ constexpr std::array kMeanings = {
     Meaning{"creature.uid", "Its number, as 16 hexadecimal digits."},
     Meaning{"parents", "Numbers of the creatures it was bred from."},
     Meaning{"method", "How it was bred."},
+    Meaning{"ancestry",
+            "Digest of its line of descent: numbers, generations, methods and genes of its mothers "
+            "back to the first."},
     Meaning{"hue", "Its colour on the colour circle."},
     Meaning{"reproduction", "How it is bred, where the experiment lets creatures choose."},
     Meaning{"rootAngle", "Angle of the first part at birth."},
@@ -69,6 +72,9 @@ constexpr std::array kMeanings = {
     Meaning{"scored.fitness", "The score."},
     Meaning{"unit", "Unit of the score."},
     Meaning{"trajectory", "Digest of the motion."},
+    Meaning{"ticks",
+            "A byte for each tick of 1/60 s of the motion, a second a line, as hexadecimal digits: "
+            "where a replay differs is told by them."},
     Meaning{"recomputed", "What the trial came to when computed more finely."},
     Meaning{"recomputed.outcome", "How it ended."},
     Meaning{"recomputed.fitness", "The score it came to."},

@@ -2,6 +2,7 @@
 
 #include <limits>
 #include <sqlite3.h>
+#include <system_error>
 #include <utility>
 
 namespace cambrian {
@@ -40,6 +41,26 @@ int flags_of(Database::Access access) {
             break;
     }
     return SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE;
+}
+
+// Whether a file opened to be read can be: one that was in use as a write-ahead log must have a
+// place for what readers share.
+bool is_readable(sqlite3* connection) {
+    return sqlite3_exec(connection, "PRAGMA schema_version", nullptr, nullptr, nullptr) !=
+           SQLITE_CANTOPEN;
+}
+
+// As SQLite takes the name of a file that nobody changes.
+std::string unchanging(const std::filesystem::path& path) {
+    std::string name = "file:";
+    for (const char letter : path.string()) {
+        if (letter == '%' || letter == '?' || letter == '#') {
+            name += letter == '%' ? "%25" : letter == '?' ? "%3f" : "%23";
+        } else {
+            name += letter;
+        }
+    }
+    return name + "?immutable=1";
 }
 
 }  // namespace
@@ -148,14 +169,27 @@ void Database::Close::operator()(sqlite3* connection) const {
 }
 
 Database::Database(const std::filesystem::path& path, Access access) {
+    open(path.string(), flags_of(access));
+    std::error_code unknown;
+    if (access == Access::kRead && !is_readable(connection_.get()) &&
+        !std::filesystem::exists(path.string() + "-wal", unknown))
+        open(unchanging(path), flags_of(access) | SQLITE_OPEN_URI);
+    distrust();
+}
+
+void Database::open(const std::string& name, int flags) {
     sqlite3* connection = nullptr;
     const int code =
-        sqlite3_open_v2(path.c_str(), &connection, flags_of(access) | SQLITE_OPEN_NOMUTEX, nullptr);
+        sqlite3_open_v2(name.c_str(), &connection, flags | SQLITE_OPEN_NOMUTEX, nullptr);
     connection_.reset(connection);
     if (code != SQLITE_OK) fail(connection, code);
+}
+
+// The file may come from anybody.
+void Database::distrust() {
+    sqlite3* const connection = connection_.get();
     sqlite3_extended_result_codes(connection, 1);
     sqlite3_busy_timeout(connection, kPatience);
-    // The file may come from anybody.
     sqlite3_limit(connection, SQLITE_LIMIT_LENGTH, kLongestValue);
     sqlite3_db_config(connection, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
     sqlite3_db_config(connection, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
@@ -163,6 +197,16 @@ Database::Database(const std::filesystem::path& path, Access access) {
     sqlite3_db_config(connection, SQLITE_DBCONFIG_ENABLE_VIEW, 0, nullptr);
     execute("PRAGMA cell_size_check = ON");
     execute("PRAGMA mmap_size = 0");
+}
+
+Database Database::copy() const {
+    Database copied({}, Access::kCreate);
+    sqlite3* const target = copied.connection_.get();
+    sqlite3_backup* const backup = sqlite3_backup_init(target, "main", connection_.get(), "main");
+    if (backup == nullptr) fail(target, sqlite3_errcode(target));
+    sqlite3_backup_step(backup, -1);
+    if (const int code = sqlite3_backup_finish(backup); code != SQLITE_OK) fail(target, code);
+    return copied;
 }
 
 void Database::execute(const std::string& sql) {

@@ -87,8 +87,12 @@ class Database {
 public:
     enum class Access : std::uint8_t { kRead, kWrite, kCreate };
 
-    // An empty path: a database of its own that vanishes with it.
+    // An empty path: a database of its own that vanishes with it. What is only read may be on a
+    // disk that cannot be written to.
     Database(const std::filesystem::path& path, Access access);
+
+    // A copy in memory.
+    Database copy() const;
 
     void execute(const std::string& sql);
     Statement prepare(std::string_view sql) const { return {connection_.get(), sql}; }
@@ -99,6 +103,9 @@ private:
     struct Close {
         void operator()(sqlite3* connection) const;
     };
+    void open(const std::string& name, int flags);
+    void distrust();
+
     std::unique_ptr<sqlite3, Close> connection_;
 };
 

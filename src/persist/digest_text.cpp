@@ -7,13 +7,14 @@ namespace {
 
 constexpr std::string_view kPrefix = "fnv1a64:";
 constexpr std::size_t kDigits = 16;
+constexpr std::string_view kHexDigits = "0123456789abcdef";
 
 }  // namespace
 
 std::string hex_text(std::uint64_t number) {
     std::string text(kDigits, '0');
     for (std::size_t i = kDigits; i-- > 0; number >>= 4)
-        text[i] = "0123456789abcdef"[number & 15];
+        text[i] = kHexDigits[number & 15];
     return text;
 }
 
@@ -23,6 +24,26 @@ std::optional<std::uint64_t> parse_hex(std::string_view text) {
     const auto [stop, failure] = std::from_chars(text.data(), end, number, 16);
     if (failure != std::errc() || stop != end || text.size() > kDigits) return std::nullopt;
     return number;
+}
+
+std::string hex_pairs(std::span<const std::uint8_t> bytes) {
+    std::string text;
+    for (const std::uint8_t byte : bytes) {
+        text += kHexDigits[byte >> 4];
+        text += kHexDigits[byte & 15];
+    }
+    return text;
+}
+
+std::optional<std::vector<std::uint8_t>> parse_hex_pairs(std::string_view text) {
+    if (text.size() % 2 != 0) return std::nullopt;
+    std::vector<std::uint8_t> bytes(text.size() / 2);
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const std::size_t digit = kHexDigits.find(text[i]);
+        if (digit == std::string_view::npos) return std::nullopt;
+        bytes[i / 2] = static_cast<std::uint8_t>(bytes[i / 2] << 4 | digit);
+    }
+    return bytes;
 }
 
 std::string digest_text(std::uint64_t digest) {

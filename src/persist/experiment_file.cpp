@@ -3,11 +3,11 @@
 #include "core/file_io.h"
 #include "persist/experiment_reader.h"
 #include "persist/experiment_schema.h"
+#include "persist/experiment_upgrade.h"
 #include "persist/experiment_writer.h"
 #include "persist/file_lock.h"
 
 #include <cerrno>
-#include <fcntl.h>
 #include <system_error>
 #include <unistd.h>
 #include <utility>
@@ -27,15 +27,6 @@ constexpr const char* kOpening = "cannot open";
 void remove_companions(const std::filesystem::path& path) {
     for (const char* ending : {"-wal", "-shm"})
         ::unlink((path.string() + ending).c_str());
-}
-
-// 0, or the error code.
-int make_empty_file(const std::filesystem::path& path) {
-    const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644);
-    if (file < 0) return errno;
-    ::close(file);
-    remove_companions(path);  // of a file that is gone
-    return 0;
 }
 
 void make_durable(Database& database) {
@@ -59,26 +50,18 @@ ExperimentFile::ExperimentFile(std::unique_ptr<Open> open, const EvolutionKinds&
 
 ExperimentFile::~ExperimentFile() = default;
 
-Result<std::shared_ptr<ExperimentFile>> ExperimentFile::create(const std::filesystem::path& path,
-                                                               const EvolutionKinds& kinds) {
-    FileLock lock;
-    if (!path.empty()) {
-        if (const int code = make_empty_file(path); code != 0)
-            return failure(kKeeping, path, std::generic_category().message(code));
-        Result<FileLock> taken = FileLock::take(path);
-        if (!taken) return failure(kKeeping, path, taken.error().message);
-        lock = std::move(*taken);
-    }
+Result<std::shared_ptr<ExperimentFile>> ExperimentFile::create(
+    const EvolutionKinds& kinds, const SettingsPtr& settings,
+    const std::vector<GenomePtr>& founders) {
     try {
-        Database database(path, Database::Access::kCreate);
-        if (!path.empty()) make_durable(database);
+        Database database({}, Database::Access::kCreate);
         create_tables(database);
-        auto open = std::unique_ptr<Open>(
-            new Open{path, std::move(lock), ExperimentWriter(std::move(database), kinds)});
+        auto open =
+            std::unique_ptr<Open>(new Open{{}, {}, ExperimentWriter(std::move(database), kinds)});
+        open->writer.begin(settings, founders);
         return std::shared_ptr<ExperimentFile>(new ExperimentFile(std::move(open), kinds));
     } catch (const DatabaseError& error) {
-        ::unlink(path.c_str());
-        return failure(kKeeping, path, error.what());
+        return failure(kKeeping, {}, error.what());
     }
 }
 
@@ -95,10 +78,6 @@ Status ExperimentFile::write(Write write) {
         return failure(kKeeping, open_->path, error.what());
     }
     return {};
-}
-
-Status ExperimentFile::begin(const SettingsPtr& settings, const std::vector<GenomePtr>& founders) {
-    return write([&](ExperimentWriter& writer) { writer.begin(settings, founders); });
 }
 
 Status ExperimentFile::note(const NotedCommand& command) {
@@ -127,7 +106,7 @@ Status ExperimentFile::copy_into(const std::filesystem::path& temporary) const {
     }
 }
 
-Status ExperimentFile::move_to(const std::filesystem::path& path) {
+Status ExperimentFile::move_to(const std::filesystem::path& path, Existing existing) {
     const std::lock_guard guard(mutex_);
     std::error_code other;
     if (!open_->path.empty() && open_->lock.in_place() &&
@@ -135,14 +114,24 @@ Status ExperimentFile::move_to(const std::filesystem::path& path) {
         return {};
     if (Status free = FileLock::check_free(path); !free)
         return failure(kKeeping, path, free.error().message);
+    const bool replace = existing == Existing::kReplace;
+    if (!replace && std::filesystem::exists(path, other))
+        return failure(kKeeping, path, std::generic_category().message(EEXIST));
+    if (Status writable = check_writable(path); !writable) return writable;
     const std::filesystem::path temporary = temporary_beside(path);
     if (Status copied = copy_into(temporary); !copied)
         return failure(kKeeping, path, copied.error().message);
     remove_companions(path);
-    if (Status moved = move_into_place(temporary, path); !moved) return moved;
+    if (Status moved = replace ? move_into_place(temporary, path) : move_to_new(temporary, path);
+        !moved)
+        return moved;
+    return go_on_in(path);
+}
+
+Status ExperimentFile::go_on_in(const std::filesystem::path& path) {
+    Result<FileLock> lock = FileLock::take(path);
+    if (!lock) return failure(kKeeping, path, lock.error().message);
     try {
-        Result<FileLock> lock = FileLock::take(path);
-        if (!lock) return failure(kKeeping, path, lock.error().message);
         Database database(path, Database::Access::kWrite);
         make_durable(database);
         auto open = std::unique_ptr<Open>(
@@ -164,10 +153,11 @@ Result<OpenedExperiment> open_experiment(const std::filesystem::path& path,
                                          const EvolutionKinds& kinds) {
     Result<FileLock> lock = FileLock::take(path);
     if (!lock) return failure(kOpening, path, lock.error().message);
+    if (Status writable = check_writable(path); !writable) return writable.error();
     try {
         Database database(path, Database::Access::kWrite);
-        if (Status known = check_tables(database); !known)
-            return failure(kOpening, path, known.error().message);
+        if (Status current = bring_up_to_date(database); !current)
+            return failure(kOpening, path, current.error().message);
         make_durable(database);
         ReadExperiment read = read_experiment(database, kinds);
         auto open = std::unique_ptr<ExperimentFile::Open>(new ExperimentFile::Open{
@@ -184,10 +174,9 @@ Result<OpenedExperiment> open_experiment(const std::filesystem::path& path,
 Result<SavedExperiment> load_experiment(const std::filesystem::path& path,
                                         const EvolutionKinds& kinds) {
     try {
-        Database database(path, Database::Access::kRead);
-        if (Status known = check_tables(database); !known)
-            return failure(kOpening, path, known.error().message);
-        ReadExperiment read = read_experiment(database, kinds);
+        const Result<Database> database = up_to_date(Database(path, Database::Access::kRead));
+        if (!database) return failure(kOpening, path, database.error().message);
+        ReadExperiment read = read_experiment(*database, kinds);
         return std::move(read.saved);
     } catch (const DatabaseError& error) {
         return failure(kOpening, path, error.what());

@@ -9,6 +9,7 @@
 #include "evolution/experiment_log.h"
 #include "persist/picking_record.h"
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <mutex>
@@ -18,24 +19,26 @@ namespace cambrian {
 
 struct OpenedExperiment;
 
-class ExperimentFile final : public ExperimentLog {
+class ExperimentFile {
 public:
-    // A new file, where there is none yet; an empty path: one without a name that vanishes with
-    // this object.
-    static Result<std::shared_ptr<ExperimentFile>> create(const std::filesystem::path& path,
-                                                          const EvolutionKinds& kinds);
-    ~ExperimentFile() override;
+    // A new experiment, generation 0 of these founders and settings, without a name: it vanishes
+    // with this object unless it is moved.
+    static Result<std::shared_ptr<ExperimentFile>> create(const EvolutionKinds& kinds,
+                                                          const SettingsPtr& settings,
+                                                          const std::vector<GenomePtr>& founders);
+    ~ExperimentFile();
 
-    Status begin(const SettingsPtr& settings, const std::vector<GenomePtr>& founders) override;
-    Status note(const NotedCommand& command) override;
-    Status record(const Evolution& evolution) override;
+    // As ExperimentLog has them.
+    Status note(const NotedCommand& command);
+    Status record(const Evolution& evolution);
     // Any thread.
     Status keep_picking(const PickingRecord& picking);
     Status keep_stars(const std::vector<ChampionRecord>& stars);
 
-    // The whole experiment as another file, in place of what is there; everything from now on goes
-    // there too. Any thread.
-    Status move_to(const std::filesystem::path& path);
+    enum class Existing : std::uint8_t { kReplace, kRefuse };
+    // The whole experiment as another file, there from one moment to the next; everything from now
+    // on goes there too. Any thread.
+    Status move_to(const std::filesystem::path& path, Existing existing = Existing::kReplace);
     // Any thread; empty for one without a name.
     std::filesystem::path path() const;
 
@@ -48,6 +51,7 @@ private:
     template <class Write>
     Status write(Write write);
     Status copy_into(const std::filesystem::path& temporary) const;
+    Status go_on_in(const std::filesystem::path& path);
 
     const EvolutionKinds& kinds_;
     mutable std::mutex mutex_;
@@ -62,10 +66,11 @@ struct OpenedExperiment {
     std::vector<ChampionRecord> stars;
 };
 
-// Fails, leaving the file as it is, if it is damaged, of another kind or version, or in use.
+// One of an older version is brought up to this program's. Fails, leaving the file as it is, if it
+// is damaged, of another kind or newer, or in use.
 Result<OpenedExperiment> open_experiment(const std::filesystem::path& path,
                                          const EvolutionKinds& kinds);
-// To look at only.
+// To look at only; the file is not changed.
 Result<SavedExperiment> load_experiment(const std::filesystem::path& path,
                                         const EvolutionKinds& kinds);
 

@@ -50,6 +50,7 @@ public:
         : database_(database), kinds_(kinds), individuals_(database, kinds), genotypes_(kinds) {}
 
     ReadExperiment read() {
+        read_simulators();
         read_journal();
         read_generations();
         if (read_.saved.latest) read_latest();
@@ -81,6 +82,20 @@ private:
             genotypes_.read(row.bytes(column + 1), static_cast<std::size_t>(size));
         if (!genome) throw DatabaseError(genome.error().message);
         return *genome;
+    }
+
+    void read_simulators() {
+        Statement row =
+            database_.prepare("SELECT generation, version FROM simulators ORDER BY generation");
+        std::vector<SimulatorChange>& simulators = read_.saved.simulators;
+        while (row.step()) {
+            SimulatorChange change;
+            read_column(row, 0, change.generation);
+            change.version = row.text(1);
+            simulators.push_back(std::move(change));
+        }
+        if (simulators.empty() || simulators.front().generation != 0)
+            throw DatabaseError("the simulator that computed generation 0 is missing");
     }
 
     void read_journal() {

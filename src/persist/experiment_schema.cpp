@@ -45,6 +45,7 @@ std::string tables() {
            "CREATE TABLE kept (role TEXT NOT NULL, place INTEGER NOT NULL, "
            "individual INTEGER NOT NULL, judged INTEGER NOT NULL, generation INTEGER NOT NULL, "
            "settings INTEGER NOT NULL, PRIMARY KEY (role, place)) WITHOUT ROWID;"
+           "CREATE TABLE simulators (generation INTEGER PRIMARY KEY, version TEXT NOT NULL);"
            "CREATE VIEW champions AS SELECT generation, best, median, "
            "printf('%016x', uid) AS uid, method, parts, neurons, champion AS individual "
            "FROM generations JOIN individuals ON id = champion;";
@@ -59,8 +60,28 @@ std::map<std::string, std::string> statements_of(const Database& database) {
     return statements;
 }
 
-// Whether every table is as it should be; others are not looked at.
-Status compare_tables(const Database& database) {
+}  // namespace
+
+void create_tables(Database& database) {
+    database.execute("PRAGMA application_id = " + std::to_string(kExperimentApplication));
+    database.execute("PRAGMA user_version = " + std::to_string(kExperimentVersion));
+    database.execute(tables());
+}
+
+Result<std::int64_t> version_of_tables(const Database& database) {
+    if (database.integer("PRAGMA application_id") != kExperimentApplication)
+        return Error{"it is another program's database"};
+    const std::int64_t version = database.integer("PRAGMA user_version");
+    if (version > kExperimentVersion) {
+        return Error{"its version " + std::to_string(version) + " is newer than this program (" +
+                     std::to_string(kExperimentVersion) + ")"};
+    }
+    if (version < 1) return Error{"its version " + std::to_string(version) + " never existed"};
+    return version;
+}
+
+// Tables we do not know are not looked at.
+Status check_tables(const Database& database) {
     Database model({}, Database::Access::kCreate);
     model.execute(tables());
     const auto found = statements_of(database);
@@ -71,26 +92,6 @@ Status compare_tables(const Database& database) {
             return Error{"table \"" + name + "\" has other columns than expected"};
     }
     return {};
-}
-
-}  // namespace
-
-void create_tables(Database& database) {
-    database.execute("PRAGMA application_id = " + std::to_string(kExperimentApplication));
-    database.execute("PRAGMA user_version = " + std::to_string(kExperimentVersion));
-    database.execute(tables());
-}
-
-Status check_tables(Database& database) {
-    if (database.integer("PRAGMA application_id") != kExperimentApplication)
-        return Error{"it is another program's database"};
-    const std::int64_t version = database.integer("PRAGMA user_version");
-    if (version > kExperimentVersion) {
-        return Error{"its version " + std::to_string(version) + " is newer than this program (" +
-                     std::to_string(kExperimentVersion) + ")"};
-    }
-    if (version < 1) return Error{"its version " + std::to_string(version) + " never existed"};
-    return compare_tables(database);
 }
 
 }  // namespace cambrian

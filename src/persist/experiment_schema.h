@@ -15,7 +15,7 @@ namespace cambrian {
 // In the file's header, so that `file` and we know one: "Camb".
 inline constexpr std::int64_t kExperimentApplication = 0x43616d62;
 // Raised whenever a table changes; older files are brought up step by step.
-inline constexpr std::int64_t kExperimentVersion = 1;
+inline constexpr std::int64_t kExperimentVersion = 2;
 
 // What is known of an individual's score beside its words (outcome, verdict, finer trial).
 inline constexpr std::array kResultColumns = {
@@ -64,8 +64,10 @@ inline constexpr std::array kAuditColumns = {
 // Makes the tables in an empty database.
 void create_tables(Database& database);
 
-// Whether it is an experiment of a version this program reads; the message says what it is
-// otherwise.
-Status check_tables(Database& database);
+// The version of an experiment's tables. Fails, saying what the file is, if it is none or newer
+// than this program.
+Result<std::int64_t> version_of_tables(const Database& database);
+// Whether every table is as this version makes it.
+Status check_tables(const Database& database);
 
 }  // namespace cambrian

@@ -40,6 +40,7 @@ void ExperimentWriter::remember(const ReadExperiment& read) {
     for (const auto& [individual, row] : read.chosen)
         chosen_.remember(individual, row, true);
     known_.grids = read.picking.tree.size();
+    known_.simulator = read.saved.simulators.back().version;
     if (!read.saved.latest) return;
     const EvolutionState& latest = *read.saved.latest;
     for (std::size_t i = 0; i < read.population.size(); ++i) {
@@ -74,6 +75,7 @@ void ExperimentWriter::begin(const SettingsPtr& settings, const std::vector<Geno
         insert_command("start", 0, row_of(settings), std::nullopt);
         for (const GenomePtr& founder : founders)
             insert_genotype("founder", 0, *founder);
+        name_simulator(0);
     });
 }
 
@@ -89,6 +91,7 @@ void ExperimentWriter::record(const Evolution& evolution) {
         insert_novel(evolution.selection_memory());
         kept_.hold_score(evolution.population().front());
         insert_generation(evolution);
+        name_simulator(evolution.generation());
         kept_.drop_others(evolution.population());
     });
 }
@@ -150,6 +153,14 @@ void ExperimentWriter::replace_kept(const char* role,
         insert_kept_.run(role, place++, row.individual, row.judged, each.generation,
                          row_of(each.settings));
     }
+}
+
+// This program's, if it is not known yet that it computes from this generation on.
+void ExperimentWriter::name_simulator(std::uint32_t generation) {
+    if (known_.simulator == kSimulatorVersion) return;
+    database_.prepare("INSERT OR REPLACE INTO simulators VALUES (?, ?)")
+        .run(generation, kSimulatorVersion);
+    known_.simulator = kSimulatorVersion;
 }
 
 void ExperimentWriter::set_fact(const char* name, const std::string& value) {

@@ -47,6 +47,7 @@ private:
         std::vector<IndividualPtr> novel;
         KeptIndividuals::Knowledge chosen;  // by a person: in grids, on the shelf, starred
         std::size_t grids = 0;
+        std::string simulator;  // that computed the newest generation
     };
 
     template <class Work>
@@ -61,6 +62,7 @@ private:
     void insert_population(const Evolution& evolution);
     void insert_novel(const SelectionMemory& memory);
     void insert_generation(const Evolution& evolution);
+    void name_simulator(std::uint32_t generation);
     RowRef keep_chosen(const IndividualPtr& individual, std::int64_t judged);
     void insert_grid(const GridNode& grid);
     void replace_kept(const char* role, const std::vector<ChampionRecord>& creatures);

@@ -208,6 +208,23 @@ void JsonReader::digest(const char* key, std::uint64_t& value) {
     value = *parsed;
 }
 
+void JsonReader::optional_bytes(const char* key, std::vector<std::uint8_t>& bytes,
+                                std::size_t line_bytes, std::size_t max_bytes) {
+    if (!has(key)) return;
+    const JsonValue* list = sized_list(key, 1, lines_of(max_bytes, line_bytes));
+    if (list == nullptr) return;
+    const std::string expected =
+        "1 to " + std::to_string(line_bytes) + " pairs of hexadecimal digits 0 to f";
+    for (std::size_t i = 0; i < list->values.size(); ++i) {
+        const JsonValue& each = list->values[i];
+        const auto line =
+            each.kind == Kind::kText ? parse_hex_pairs(each.text) : decltype(parse_hex_pairs(""))();
+        if (!line || line->empty() || line->size() > line_bytes)
+            return wrong_type(place(key) + "/" + std::to_string(i), expected.c_str(), each);
+        bytes.insert(bytes.end(), line->begin(), line->end());
+    }
+}
+
 void JsonReader::setting(const SettingField& field, ExperimentSettings& settings) {
     known_.push_back(field.key);
     const JsonValue* value = object_.find(field.key);

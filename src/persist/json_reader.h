@@ -76,6 +76,14 @@ public:
     void texts(const char* key, std::vector<std::string>& values, std::size_t max_count,
                std::size_t max_bytes);
     void digest(const char* key, std::uint64_t& value);
+    // Present only if the key is.
+    void optional_digest(const char* key, std::optional<std::uint64_t>& value) {
+        if (has(key)) digest(key, value.emplace());
+    }
+    // A list of texts, each of up to line_bytes bytes as pairs of hexadecimal digits; empty unless
+    // the key is there.
+    void optional_bytes(const char* key, std::vector<std::uint8_t>& bytes, std::size_t line_bytes,
+                        std::size_t max_bytes);
     // A setting missing from the object keeps its value.
     void setting(const SettingField& field, ExperimentSettings& settings);
 

@@ -1,6 +1,7 @@
 #include "persist/json_schema_writer.h"
 
 #include "genome/gene_fields.h"
+#include "persist/digest_text.h"
 
 #include <cmath>
 #include <type_traits>
@@ -148,6 +149,14 @@ void JsonSchemaWriter::texts(const char* key, const std::vector<std::string>& /*
 
 void JsonSchemaWriter::digest(const char* key, std::uint64_t /*value*/) {
     put(key, {{"type", "string"}, {"pattern", "^fnv1a64:[0-9a-fA-F]{1,16}$"}});
+}
+
+void JsonSchemaWriter::optional_bytes(const char* key, std::span<const std::uint8_t> /*bytes*/,
+                                      std::size_t line_bytes, std::size_t max_bytes) {
+    const std::string pairs = "^([0-9a-f]{2}){1," + std::to_string(line_bytes) + "}$";
+    put(key,
+        list_of(Json({{"type", "string"}, {"pattern", pairs}}), 1, lines_of(max_bytes, line_bytes)),
+        true);
 }
 
 void JsonSchemaWriter::setting(const SettingField& field, ExperimentSettings& settings) {

@@ -100,6 +100,12 @@ public:
     void texts(const char* key, const std::vector<std::string>& values, std::size_t max_count,
                std::size_t max_bytes);
     void digest(const char* key, std::uint64_t value);
+    void optional_digest(const char* key, const std::optional<std::uint64_t>& /*value*/) {
+        has(key);
+        digest(key, 0);
+    }
+    void optional_bytes(const char* key, std::span<const std::uint8_t> bytes,
+                        std::size_t line_bytes, std::size_t max_bytes);
     void setting(const SettingField& field, ExperimentSettings& settings);
 
     template <class Describe>

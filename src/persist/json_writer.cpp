@@ -3,6 +3,8 @@
 #include "core/number_text.h"
 #include "persist/digest_text.h"
 
+#include <algorithm>
+
 namespace cambrian {
 
 void JsonWriter::real(const char* key, double value, const FieldRule& /*rule*/) {
@@ -30,6 +32,19 @@ void JsonWriter::texts(const char* key, const std::vector<std::string>& values,
 
 void JsonWriter::digest(const char* key, std::uint64_t value) {
     item(key, quoted_text(digest_text(value)));
+}
+
+void JsonWriter::optional_bytes(const char* key, std::span<const std::uint8_t> bytes,
+                                std::size_t line_bytes, std::size_t /*max_bytes*/) {
+    if (bytes.empty()) return;
+    begin_item(key);
+    open('[', Layout::kLines);
+    for (std::size_t start = 0; start < bytes.size(); start += line_bytes) {
+        begin_item("");
+        const auto line = bytes.subspan(start, std::min(line_bytes, bytes.size() - start));
+        text_ += quoted_text(hex_pairs(line));
+    }
+    close(']');
 }
 
 void JsonWriter::open(char bracket, Layout layout) {

@@ -73,6 +73,13 @@ public:
     void texts(const char* key, const std::vector<std::string>& values, std::size_t max_count,
                std::size_t max_bytes);
     void digest(const char* key, std::uint64_t value);
+    // Only if there is a value.
+    void optional_digest(const char* key, const std::optional<std::uint64_t>& value) {
+        if (value) digest(key, *value);
+    }
+    // Only if there are any.
+    void optional_bytes(const char* key, std::span<const std::uint8_t> bytes,
+                        std::size_t line_bytes, std::size_t max_bytes);
     void setting(const SettingField& field, const ExperimentSettings& settings) {
         item(field.key.c_str(), setting_text(value_of(field, settings)));
     }

@@ -57,32 +57,45 @@ Status KeptExperiment::record(const Evolution& evolution) {
 }
 
 Status KeptExperiment::use_autosave() {
-    if (autosave_.empty()) return make_file({});
+    Result<std::shared_ptr<ExperimentFile>> file = nameless_file();
+    if (!file) return file.error();
+    if (!autosave_.empty()) {
+        if (Status named = name_autosave(**file); !named) return named;
+    }
+    take(std::move(*file));
+    return {};
+}
+
+Status KeptExperiment::name_autosave(ExperimentFile& file) const {
     std::error_code failure;
     std::filesystem::create_directories(autosave_.parent_path(), failure);
     const std::filesystem::path path = free_name(autosave_);
     if (std::filesystem::exists(path, failure)) move_aside(path, free_name(previous_run(path)));
-    return make_file(path);
+    return file.move_to(path);
 }
 
-Status KeptExperiment::make_file(const std::filesystem::path& path) {
-    auto made = ExperimentFile::create(path, kinds_);
+// All that is to be kept so far.
+Result<std::shared_ptr<ExperimentFile>> KeptExperiment::nameless_file() const {
+    auto made = ExperimentFile::create(kinds_, beginning_->settings, beginning_->founders);
     if (!made) return made.error();
-    if (Status begun = (*made)->begin(beginning_->settings, beginning_->founders); !begun)
-        return begun;
     for (const NotedCommand& command : notes_) {
-        if (Status noted = (*made)->note(command); !noted) return noted;
+        if (Status noted = (*made)->note(command); !noted) return noted.error();
     }
-    file_ = std::move(*made);
+    return made;
+}
+
+void KeptExperiment::take(std::shared_ptr<ExperimentFile> file) {
+    file_ = std::move(file);
     notes_.clear();
-    return {};
 }
 
 Status KeptExperiment::move_to(const std::filesystem::path& path) {
     const std::lock_guard guard(mutex_);
     if (!file_) {
         if (!beginning_) return Error{"there is no experiment yet"};
-        if (Status made = make_file({}); !made) return made;
+        Result<std::shared_ptr<ExperimentFile>> file = nameless_file();
+        if (!file) return file.error();
+        take(std::move(*file));
     }
     return file_->move_to(path);
 }

@@ -38,8 +38,10 @@ private:
         std::vector<GenomePtr> founders;
     };
 
-    Status make_file(const std::filesystem::path& path);
+    Result<std::shared_ptr<ExperimentFile>> nameless_file() const;
+    Status name_autosave(ExperimentFile& file) const;
     Status use_autosave();
+    void take(std::shared_ptr<ExperimentFile> file);
 
     std::filesystem::path autosave_;
     const EvolutionKinds& kinds_;

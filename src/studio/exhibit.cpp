@@ -1,6 +1,7 @@
 #include "studio/exhibit.h"
 
 #include "core/pretty_text.h"
+#include "evolution/ancestry_digest.h"
 
 #include <algorithm>
 #include <charconv>
@@ -45,8 +46,18 @@ Exhibit exhibit_of(const Individual& individual, const ExperimentSettings& setti
         if (parent != 0) exhibit.parents.push_back(uid_text(parent));
     }
     exhibit.mutations = individual.mutations;
+    exhibit.ancestry = ancestry_digest(individual);
     if (individual.evaluated) exhibit.result = individual.result;
     return exhibit;
+}
+
+ExperimentSettings settings_of(const Exhibit& exhibit) {
+    ExperimentSettings settings;
+    settings.seed = exhibit.seed;
+    settings.goal = exhibit.goal;
+    settings.world = exhibit.world;
+    settings.expression = exhibit.expression;
+    return settings;
 }
 
 IndividualPtr individual_of(const Exhibit& exhibit) {

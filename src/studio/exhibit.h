@@ -4,6 +4,7 @@
 #include "evolution/experiment_settings.h"
 #include "evolution/individual.h"
 #include "goals/goal.h"
+#include "simulator/tick_checks.h"
 #include "simulator/trial.h"
 
 #include <cstdint>
@@ -34,7 +35,9 @@ struct Exhibit {
     std::vector<std::string> parents;
     ParentLink mother;
     std::vector<MutationRecord> mutations;
+    std::optional<std::uint64_t> ancestry;   // ancestry_digest(), if its line is known
     std::optional<EvaluationResult> result;  // as evaluated, if it was
+    TickChecks ticks;                        // of the motion, if they were noted
 };
 
 // How a creature scores in its world, from a trial of its own.
@@ -42,6 +45,8 @@ struct ScoreReport {
     TrialRecord record;
     Score score;
     std::string unit;
+    TickChecks ticks;
+    std::uint64_t digest = 0;  // of the motion in all trials its world asks for
 };
 
 // A uid as sixteen hexadecimal digits; empty for 0.
@@ -54,6 +59,8 @@ std::string goal_unit(const std::string& goal, const GoalRegistry& goals);
 
 Exhibit exhibit_of(const Individual& individual, const ExperimentSettings& settings,
                    std::uint32_t generation, ExhibitSource source);
+// Settings under which it is judged again as it was.
+ExperimentSettings settings_of(const Exhibit& exhibit);
 // The creature on show as an individual, a parent for others.
 IndividualPtr individual_of(const Exhibit& exhibit);
 

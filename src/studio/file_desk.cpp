@@ -22,7 +22,7 @@ FileEvent saved_creature(const std::filesystem::path& path, const Status& status
 }
 
 FileEvent prepared(CardOrder order, const EvolutionKinds& kinds, const std::stop_token& stop) {
-    recompute_score(order.document, kinds, stop);
+    complete_score(order.document, kinds, stop);
     auto subject = subject_of(order.document, order.settings, order.title, kinds);
     if (!subject) return FileFailed{order.path, subject.error().message};
     subject->generation = order.generation;
@@ -74,7 +74,7 @@ void FileDesk::load(const std::filesystem::path& path) {
 void FileDesk::save_creature(const std::filesystem::path& path, CreatureDocument document) {
     run([path, document = std::move(document),
          &kinds = kinds_](const std::stop_token& stop) mutable {
-        recompute_score(document, kinds, stop);
+        complete_score(document, kinds, stop);
         return saved_creature(path, cambrian::save_creature(path, document, kinds));
     });
 }

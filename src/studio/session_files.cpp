@@ -47,7 +47,9 @@ Exhibit Session::exhibit_from(const CreatureDocument& document, ExhibitSource so
     exhibit.uid = document.uid;
     exhibit.method = document.method;
     exhibit.parents = document.parents;
+    exhibit.ancestry = document.ancestry;
     if (document.scored) {
+        exhibit.ticks = document.scored->ticks;
         EvaluationResult result;
         result.fitness = document.scored->fitness;
         result.digest = document.scored->trajectory;
@@ -64,6 +66,7 @@ CreatureDocument Session::document_on_show() const {
     document.uid = exhibit.uid;
     document.parents = exhibit.parents;
     document.method = exhibit.method;
+    document.ancestry = exhibit.ancestry;
     const GoalKind* goal = kinds_.goals.find(exhibit.goal);
     const ScoreReport* score = stage_.score();
     // A trial given up is no score to stand by; the one on show is run to its end.
@@ -78,7 +81,10 @@ CreatureDocument Session::document_on_show() const {
     scored.fitness = judged ? exhibit.result->fitness : score->score.value;
     scored.unit = goal->unit;
     scored.trajectory = judged ? exhibit.result->digest : score->record.digest;
-    if (judged) scored.finer = exhibit.result->finer;
+    if (judged) {
+        scored.finer = exhibit.result->finer;
+        scored.ticks = exhibit.ticks;
+    }
     document.scored = std::move(scored);
     return document;
 }
@@ -150,9 +156,7 @@ void Session::apply(const SaveCreatureFile& action) {
     if (!is_card_name(action.path)) return desk_.save_creature(action.path, document_on_show());
     const Exhibit& exhibit = stage_.playback().exhibit();
     CardOrder order{.path = action.path, .document = document_on_show(), .title = exhibit.title};
-    order.settings.world = exhibit.world;
-    order.settings.goal = exhibit.goal;
-    order.settings.expression = exhibit.expression;
+    order.settings = settings_of(exhibit);
     if (exhibit.experiment != 0) order.generation = exhibit.born;
     desk_.prepare_card(std::move(order));
 }

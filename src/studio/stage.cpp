@@ -1,5 +1,7 @@
 #include "studio/stage.h"
 
+#include "evolution/trials.h"
+
 #include <functional>
 #include <stop_token>
 #include <utility>
@@ -14,13 +16,30 @@ std::optional<ScoreReport> run_and_score(std::shared_ptr<const Phenotype> phenot
     if (unwanted()) return std::nullopt;
     auto trial = Trial::start(std::move(phenotype), kinds, world);
     if (!trial) return std::nullopt;
-    while (!unwanted() && (*trial)->tick()) {
-    }
-    if (unwanted()) return std::nullopt;
     ScoreReport report;
+    for (bool more = true; more; note_tick(report.ticks, **trial)) {
+        if (unwanted()) return std::nullopt;
+        more = (*trial)->tick();
+    }
     report.record = (*trial)->take_record();
     report.unit = goal.unit;
+    report.digest = report.record.digest;
     if (report.record.outcome == Outcome::kCompleted) report.score = goal.score(report.record);
+    return report;
+}
+
+std::optional<ScoreReport> report_on(const Exhibit& exhibit,
+                                     std::shared_ptr<const Phenotype> phenotype,
+                                     const GoalKind& goal, const EvolutionKinds& kinds,
+                                     const std::stop_token& stop,
+                                     const std::atomic<bool>& outdated) {
+    const auto unwanted = [&] { return stop.stop_requested() || outdated; };
+    auto report =
+        run_and_score(std::move(phenotype), kinds.creature, exhibit.world, goal, unwanted);
+    if (!report || exhibit.world.trial.trials == 1) return report;
+    const ExperimentSettings settings = settings_of(exhibit);
+    const EvaluationRequest request{.genome = exhibit.genome, .trial_seed = trial_seed(settings)};
+    report->digest = evaluate_in_trials(request, settings, kinds, stop).digest;
     return report;
 }
 
@@ -39,9 +58,8 @@ void Stage::request_score() {
     const GoalKind* goal = kinds_.goals.find(playback_.exhibit().goal);
     if (goal == nullptr) return;
     worker_.submit([this, goal, outdated = outdated_, phenotype = playback_.shared_phenotype(),
-                    world = playback_.exhibit().world](const std::stop_token& stop) {
-        const auto unwanted = [&] { return stop.stop_requested() || *outdated; };
-        auto report = run_and_score(phenotype, kinds_.creature, world, *goal, unwanted);
+                    exhibit = playback_.exhibit()](const std::stop_token& stop) {
+        auto report = report_on(exhibit, phenotype, *goal, kinds_, stop, *outdated);
         return [this, outdated, report = std::move(report)] {
             if (!*outdated && report) score_ = report;
         };

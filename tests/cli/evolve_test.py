@@ -106,6 +106,20 @@ class Evolve(ProgramTest):
         self.assert_refused(self.run_program("evolve", "small.toml", "--out", "locked/"),
                             "Permission denied")
 
+    def test_a_read_only_disk_is_refused_before_anything_is_computed(self):
+        self.write("small.toml", SMALL)
+        disk = self.small_disk("4m")
+        self.run_well("evolve", "small.toml", "-n", 1, "-o", "disk/a.cambrian")
+        before = (disk / "a.cambrian").read_bytes()
+        self.remount(disk, "ro")
+        for arguments in [["evolve", "small.toml", "-o", "disk/b.cambrian"],
+                          ["evolve", "small.toml", "-o", "disk/"],
+                          ["evolve", "--resume", "disk/a.cambrian", "-n", 2]]:
+            self.assert_refused(self.run_program(*arguments), "disk/", "ead-only")
+        self.run_well("verify", "disk/a.cambrian")
+        self.run_well("export", "disk/a.cambrian", "--stats")
+        self.assertEqual((disk / "a.cambrian").read_bytes(), before)
+
     def test_a_champion_is_not_lost_when_its_place_vanishes(self):
         self.write("small.toml", SMALL)
         (self.folder / "gone").mkdir()
@@ -191,12 +205,7 @@ class Evolve(ProgramTest):
 
     def test_a_full_disk_is_reported_and_the_old_file_kept(self):
         self.write("small.toml", SMALL)
-        disk = self.folder / "disk"
-        disk.mkdir()
-        if subprocess.run(["mount", "-t", "tmpfs", "-o", "size=8k", "tmpfs", str(disk)],
-                          stderr=subprocess.DEVNULL, check=False).returncode != 0:
-            self.skipTest("a small disk cannot be mounted here")
-        self.addCleanup(subprocess.run, ["umount", str(disk)], check=False)
+        disk = self.small_disk("8k")
         (disk / "old.json").write_text("old")
         (disk / "filler").write_text("x" * 4096)
         result = self.run_program("evolve", "small.toml", "-n", 1, "-o", "disk/old.json",

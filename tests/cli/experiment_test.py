@@ -1,28 +1,17 @@
 """Experiment files: kept while a run goes on, resumed, exported, computed anew, killed."""
 
-import contextlib
 import json
 import os
 import random
 import signal
-import sqlite3
 import subprocess
 import time
 import unittest
 
+from experiment_tables import digests, opened
 from program import CAMBRIAN, DONE, FAILED, SMALL, ProgramTest
 
 KILLS = int(os.environ.get("CAMBRIAN_KILLS", "12"))
-
-
-def opened(path):
-    return contextlib.closing(sqlite3.connect(path, isolation_level=None))
-
-
-def digests(path):
-    with opened(path) as database:
-        return [row[0] for row in database.execute(
-            "SELECT population_digest FROM generations ORDER BY generation")]
 
 
 class Experiment(ProgramTest):
@@ -133,27 +122,18 @@ class Experiment(ProgramTest):
         self.assertIn("removed or replaced", messages)
 
     def test_a_full_disk_loses_nothing_that_was_kept(self):
-        disk = self.folder / "disk"
-        disk.mkdir()
-        mounted = subprocess.run(["mount", "-t", "tmpfs", "-o", "size=600k", "tmpfs", str(disk)],
-                                 stderr=subprocess.DEVNULL, check=False).returncode == 0
-        if not mounted:
-            self.skipTest("no small disk can be mounted here")
-        try:
-            self.write("large.toml", SMALL.replace("size = 12", "size = 60"))
-            result = self.run_program("evolve", "large.toml", "-n", 1000, "-o", "disk/a.cambrian")
-            self.assertEqual(result.returncode, FAILED)
-            self.assertIn("the disk is full", result.stderr)
-            self.assertIn("--resume", result.stderr)
-            for path in disk.glob("a.cambrian*"):  # what could not be moved out of the log too
-                (self.folder / path.name).write_bytes(path.read_bytes())
-            kept = digests(self.folder / "a.cambrian")
-            self.assertGreater(len(kept), 0)
-        finally:
-            subprocess.run(["umount", str(disk)], check=False)
-        self.run_well("evolve", "-r", "a.cambrian", "-n", len(kept) + 1)
+        disk = self.small_disk("600k")
+        self.write("large.toml", SMALL.replace("size = 12", "size = 60"))
+        result = self.run_program("evolve", "large.toml", "-n", 1000, "-o", "disk/a.cambrian")
+        self.assertEqual(result.returncode, FAILED)
+        self.assertIn("the disk is full", result.stderr)
+        self.assertIn("--resume", result.stderr)
+        kept = digests(disk / "a.cambrian")
+        self.assertGreater(len(kept), 0)
+        self.remount(disk, "size=20m")
+        self.run_well("evolve", "-r", "disk/a.cambrian", "-n", len(kept) + 1)
         self.run_well("evolve", "large.toml", "-n", len(kept) + 1, "-o", "b.cambrian")
-        self.assertEqual(digests(self.folder / "a.cambrian"), digests(self.folder / "b.cambrian"))
+        self.assertEqual(digests(disk / "a.cambrian"), digests(self.folder / "b.cambrian"))
 
     def test_killed_at_any_moment_it_goes_on_to_the_same_end(self):
         """kill -9 KILLS times on the way to the last generation; never more than one is lost."""
@@ -167,19 +147,15 @@ class Experiment(ProgramTest):
             self.process.kill()
             self.process.communicate()
             kills += 1
-            if (self.folder / "a.cambrian").stat().st_size == 0:
-                (self.folder / "a.cambrian").unlink()  # killed while it was being made
             path = self.folder / "a.cambrian"
-            begun = path.exists() and self.run_program("export", "a.cambrian",
-                                                       "--settings").returncode == DONE
-            if begun:
+            if path.exists():
+                self.run_well("export", "a.cambrian", "--settings")
                 now = len(digests(path))
                 self.assertGreaterEqual(now, kept)
                 kept = now
                 self.start("evolve", "-r", "a.cambrian", "-n", str(max(generations, kept + 1)))
             else:
                 self.assertEqual(kept, 0)
-                path.unlink(missing_ok=True)
                 self.start("evolve", "tiny.toml", "-n", str(generations), "-o", "a.cambrian")
         self.process.kill()
         self.process.communicate()

@@ -59,6 +59,20 @@ class ProgramTest(unittest.TestCase):
             self.assertIn(part, result.stderr)
         self.assertTrue(result.stderr.startswith("cambrian: "), result.stderr)
 
+    def small_disk(self, size, name="disk"):
+        """A folder on a disk of its own, of so many bytes ("600k"); skips where none can be had."""
+        disk = self.folder / name
+        disk.mkdir()
+        if subprocess.run(["mount", "-t", "tmpfs", "-o", f"size={size}", "tmpfs", str(disk)],
+                          stderr=subprocess.DEVNULL, check=False).returncode != 0:
+            self.skipTest("a small disk cannot be mounted here")
+        self.addCleanup(subprocess.run, ["umount", "--lazy", str(disk)], check=False)
+        return disk
+
+    @staticmethod
+    def remount(disk, options):
+        subprocess.run(["mount", "-o", f"remount,{options}", str(disk)], check=True)
+
     def files(self):
         return sorted(path.name for path in self.folder.iterdir())
 

@@ -30,6 +30,23 @@ class Simulate(ProgramTest):
         self.assertEqual(result.returncode, FAILED)
         self.assertIn("the replay differs", result.stderr)
 
+    def test_the_first_tick_that_differs_is_told(self):
+        path = self.evolve_champion()
+        creature = json.loads(path.read_text())
+        scored = creature["scored"]
+        scored["trajectory"] = "fnv1a64:0000000000000001"
+        seconds = scored["ticks"]
+        old = seconds[1][20:22]  # of tick 71
+        seconds[1] = seconds[1][:20] + ("00" if old != "00" else "01") + seconds[1][22:]
+        path.write_text(json.dumps(creature))
+        result = self.run_program("verify", path.name)
+        self.assertEqual(result.returncode, FAILED)
+        self.assertIn("the replay differs from tick 71 on", result.stderr)
+        creature["scored"]["environment"]["gravity"] = 9.7
+        path.write_text(json.dumps(creature))
+        self.assertRegex(self.run_program("verify", path.name).stderr,
+                         r"the replay differs from tick [1-9]\d* on")
+
     def test_a_creature_without_a_score_cannot_be_verified(self):
         path = self.evolve_champion()
         creature = json.loads(path.read_text())

@@ -3,14 +3,19 @@
 import csv
 import contextlib
 import json
+import os
+import random
 import shutil
 import sqlite3
 import subprocess
 import time
 import unittest
 
-from program import ROOT, SMALL
+from experiment_tables import digests
+from program import CAMBRIAN, ROOT, SMALL
 from studio_driver import PICTURES, StudioTest
+
+KILLS = int(os.environ.get("CAMBRIAN_KILLS", "4"))
 
 
 class StudioWindow(StudioTest):
@@ -197,24 +202,62 @@ class StudioWindow(StudioTest):
         self.wait_for("generation", number=again["generations"])
         self.quit()
 
-    def test_a_window_that_is_killed_loses_one_generation_at_most(self):
-        state = self.folder / "state"
+    def test_a_window_killed_at_any_moment_loses_one_generation_at_most(self):
+        kept_file = self.folder / "state" / "experiment.cambrian"
         self.write("small.toml", SMALL)
         display = self.open_display()
         self.start(display, "small.toml")
         self.click("Evolve")
-        kept = 0
-        for _ in range(4):
-            reached, _ = self.wait_for("generation", number=kept + 2)
+        self.wait_for("generation", number=1)
+        chance = random.Random(3)
+        for kill in range(KILLS):
+            time.sleep(chance.uniform(0, 1.5))
+            told = [event["number"] for event in self.events() if event["event"] == "generation"]
             self.studio.kill()
             self.studio.wait()
+            kept = digests(kept_file)
+            self.assertGreaterEqual(len(kept), max(told, default=0) + 1)
+            if kill % 4 == 3:  # once more, while it opens the file
+                self.start_and_kill(display, chance.uniform(0, 0.4))
+                self.assertEqual(digests(kept_file), kept)
             self.start(display)
             back, _ = self.wait_for("experiment")
-            self.assertGreaterEqual(back["generations"], reached["number"])
-            kept = back["generations"]
+            self.assertEqual(back["generations"], len(kept))
             self.press("space")
+            self.wait_for("running")
         self.quit()
-        self.run_well("verify", state / "experiment.cambrian")
+        kept = digests(kept_file)
+        self.run_well("evolve", "small.toml", "-n", len(kept), "-o", "whole.cambrian")
+        self.assertEqual(digests(self.folder / "whole.cambrian"), kept)
+
+    def test_a_full_disk_pauses_the_window_and_loses_nothing(self):
+        state = self.small_disk("700k", "state")
+        (state / "view.conf").write_text("tour-taken = yes\n")
+        self.write("large.toml", SMALL.replace("size = 12", "size = 60"))
+        display = self.open_display()
+        self.start(display, "large.toml")
+        self.click("Evolve")
+        notice, after = self.wait_for("notice", problem=True)
+        self.assertIn("the disk is full", notice["text"])
+        time.sleep(0.5)
+        self.assert_painted(display.picture("full-disk-1280x800.png"))
+        kept = len(digests(state / "experiment.cambrian"))
+        self.assertGreater(kept, 0)
+        self.remount(state, "size=50m")
+        self.press("space")
+        self.wait_for("generation", after=after, number=kept + 2)
+        self.quit()
+        kept = digests(state / "experiment.cambrian")
+        self.run_well("evolve", "large.toml", "-n", len(kept), "-o", "whole.cambrian")
+        self.assertEqual(digests(self.folder / "whole.cambrian"), kept)
+
+    def start_and_kill(self, display, after):
+        studio = subprocess.Popen(
+            [CAMBRIAN, "studio", "--state-dir", self.folder / "state", "--threads", "1"],
+            cwd=self.folder, env=display.environment, stderr=subprocess.DEVNULL)
+        time.sleep(after)
+        studio.kill()
+        studio.wait()
 
     def test_a_damaged_file_is_a_message_and_the_studio_goes_on(self):
         self.write("cut.creature.json", '{"format": "cambrian-creature", "ver')

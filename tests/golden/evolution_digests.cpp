@@ -9,9 +9,10 @@
 namespace cambrian::golden {
 namespace {
 
-constexpr std::uint32_t kGenerations = 4;
+constexpr std::uint32_t kGenerations = 20;
 constexpr double kDuration = 3.0;  // s
 
+// Those of run.toml, under which the program itself is run (tests/cli/same_bits_test.py).
 SettingsPtr settings() {
     auto made = std::make_shared<ExperimentSettings>();
     made->seed = 31;
@@ -34,6 +35,7 @@ void add_evolution(Digests& digests, std::size_t threads) {
     const std::string name = "evolution." + std::to_string(threads) + "_threads";
     digests.push_back({name + ".champion", evolution.population().front()->genome_hash});
     digests.push_back({name + ".generations", all.value()});
+    digests.push_back({name + ".last", population_digest(evolution.population())});
 }
 
 }  // namespace

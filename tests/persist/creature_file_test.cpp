@@ -1,6 +1,7 @@
 #include "persist/creature_file.h"
 
 #include "core/random.h"
+#include "evolution/evaluation.h"
 #include "genome/random_genome.h"
 #include "persist/sample_creature.h"
 #include "support/catch.h"
@@ -119,18 +120,35 @@ TEST_CASE("a score is recomputed more finely once, unless that is stopped",
     document.genome = *crawler(kinds().creature.catalog);
     document.scored->finer.reset();
     document.scored->world.trial.duration = 1.0;
-    recompute_score(document, kinds());
+    const ExperimentSettings settings = settings_of(*document.scored);
+    const auto once = note_ticks(document.genome, settings, kinds());
+    REQUIRE(once);
+    document.scored->trajectory = once->digest;
+    document.scored->ticks.clear();
+    complete_score(document, kinds());
+    CHECK(document.scored->ticks == once->ticks);
+    CHECK(document.scored->ticks.size() > 60);
     REQUIRE(document.scored->finer);
     CHECK(document.scored->finer->outcome == Outcome::kCompleted);
     CHECK(document.scored->finer->verdict == AuditVerdict::kClean);
     document.scored->finer->score = 77.0;
-    recompute_score(document, kinds());
+    complete_score(document, kinds());
     CHECK(document.scored->finer->score == 77.0);
 
     document.scored->finer.reset();
     document.scored->world.trial.duration = 1e4;
     std::stop_source stop;
     stop.request_stop();
-    recompute_score(document, kinds(), stop.get_token());
+    complete_score(document, kinds(), stop.get_token());
     CHECK_FALSE(document.scored->finer);
+}
+
+TEST_CASE("ticks of another motion than the one scored are not kept", "[persist][creature_file]") {
+    CreatureDocument document = sample_document();
+    document.genome = *crawler(kinds().creature.catalog);
+    document.scored->world.trial.duration = 0.5;
+    document.scored->trajectory ^= 1;
+    document.scored->ticks.clear();
+    complete_score(document, kinds());
+    CHECK(document.scored->ticks.empty());
 }

@@ -18,14 +18,24 @@ SettingsPtr shared(const ExperimentSettings& settings) {
     return std::make_shared<const ExperimentSettings>(settings);
 }
 
+using Existing = ExperimentFile::Existing;
+
+// A new one under a name, or without.
+std::shared_ptr<ExperimentFile> new_file(const std::filesystem::path& path,
+                                         const SettingsPtr& settings,
+                                         const std::vector<GenomePtr>& founders = {}) {
+    const auto file = ExperimentFile::create(kinds(), settings, founders);
+    REQUIRE(file);
+    if (!path.empty()) REQUIRE((*file)->move_to(path, Existing::kRefuse));
+    return *file;
+}
+
 // A file of a run of so many generations; closed again.
 void write_run(const std::filesystem::path& path, const ExperimentSettings& settings,
                std::size_t generations, const std::vector<NotedCommand>& steering = {}) {
-    const auto file = ExperimentFile::create(path, kinds());
-    REQUIRE(file);
-    REQUIRE((*file)->begin(shared(settings), {}));
+    const auto file = new_file(path, shared(settings));
     Evolution evolution(shared(settings), kinds());
-    run_on(evolution, **file, generations, steering);
+    run_on(evolution, *file, generations, steering);
 }
 
 std::vector<std::uint64_t> digests_of(const std::filesystem::path& path) {
@@ -68,12 +78,10 @@ std::string refusal(const std::filesystem::path& path) {
 
 TEST_CASE("a population comes back as it was written", "[persist][experiment_file]") {
     const TemporaryDirectory folder;
-    const auto file = ExperimentFile::create(folder / "a.cambrian", kinds());
-    REQUIRE(file);
     const SettingsPtr settings = shared(small_settings());
-    REQUIRE((*file)->begin(settings, {}));
+    const auto file = new_file(folder / "a.cambrian", settings);
     Evolution evolution(settings, kinds());
-    run_on(evolution, **file, 4);
+    run_on(evolution, *file, 4);
     const auto saved = load_experiment(folder / "a.cambrian", kinds());
     REQUIRE(saved);
     REQUIRE(saved->latest);
@@ -89,11 +97,10 @@ TEST_CASE("a population comes back as it was written", "[persist][experiment_fil
 
 TEST_CASE("lines of descent come back to their beginning", "[persist][experiment_file]") {
     const TemporaryDirectory folder;
-    const auto file = ExperimentFile::create(folder / "a.cambrian", kinds());
     const SettingsPtr settings = shared(small_settings());
-    REQUIRE((*file)->begin(settings, {}));
+    const auto file = new_file(folder / "a.cambrian", settings);
     Evolution evolution(settings, kinds());
-    run_on(evolution, **file, 8);
+    run_on(evolution, *file, 8);
     const auto saved = load_experiment(folder / "a.cambrian", kinds());
     REQUIRE(saved);
     std::size_t generations = 0;
@@ -161,10 +168,7 @@ TEST_CASE("an experiment that has not begun to be judged keeps its founders",
           "[persist][experiment_file]") {
     const TemporaryDirectory folder;
     const GenomePtr founder = crawler(kinds().creature.catalog);
-    {
-        const auto file = ExperimentFile::create(folder / "a.cambrian", kinds());
-        REQUIRE((*file)->begin(shared(small_settings()), {founder}));
-    }
+    new_file(folder / "a.cambrian", shared(small_settings()), {founder});
     const auto opened = open_experiment(folder / "a.cambrian", kinds());
     REQUIRE(opened);
     CHECK_FALSE(opened->saved.latest);
@@ -208,17 +212,15 @@ TEST_CASE("an experiment moves to another file and goes on there", "[persist][ex
     const auto steering = some_steering(small_settings());
     write_run(folder / "whole.cambrian", small_settings(), 6, steering);
     const std::string origin = GENERATE("a.cambrian", "");
-    const auto file =
-        ExperimentFile::create(origin.empty() ? std::filesystem::path() : folder / origin, kinds());
-    REQUIRE(file);
     const SettingsPtr settings = shared(small_settings());
-    REQUIRE((*file)->begin(settings, {}));
+    const auto file =
+        new_file(origin.empty() ? std::filesystem::path() : folder / origin, settings);
     Evolution evolution(settings, kinds());
-    run_on(evolution, **file, 3, steering);
+    run_on(evolution, *file, 3, steering);
     std::ofstream(folder / "b.cambrian") << "something else";
-    REQUIRE((*file)->move_to(folder / "b.cambrian"));
-    CHECK((*file)->path() == folder / "b.cambrian");
-    run_on(evolution, **file, 6, steering);
+    REQUIRE(file->move_to(folder / "b.cambrian"));
+    CHECK(file->path() == folder / "b.cambrian");
+    run_on(evolution, *file, 6, steering);
     CHECK(digests_of(folder / "b.cambrian") == digests_of(folder / "whole.cambrian"));
     if (!origin.empty()) CHECK(digests_of(folder / origin).size() == 3);
 }
@@ -226,17 +228,16 @@ TEST_CASE("an experiment moves to another file and goes on there", "[persist][ex
 TEST_CASE("an experiment that is removed or replaced is not written to",
           "[persist][experiment_file]") {
     const TemporaryDirectory folder;
-    const auto file = ExperimentFile::create(folder / "a.cambrian", kinds());
     const SettingsPtr settings = shared(small_settings());
-    REQUIRE((*file)->begin(settings, {}));
+    const auto file = new_file(folder / "a.cambrian", settings);
     Evolution evolution(settings, kinds());
-    run_on(evolution, **file, 1);
+    run_on(evolution, *file, 1);
     std::filesystem::remove(folder / "a.cambrian");
-    const Status refused = (*file)->record(evolution);
+    const Status refused = file->record(evolution);
     REQUIRE_FALSE(refused);
     CHECK_THAT(refused.error().message, Catch::Contains("removed or replaced"));
     CHECK_FALSE(std::filesystem::exists(folder / "a.cambrian"));
-    REQUIRE((*file)->move_to(folder / "b.cambrian"));
+    REQUIRE(file->move_to(folder / "b.cambrian"));
     CHECK(digests_of(folder / "b.cambrian").size() == 1);
 }
 
@@ -263,14 +264,16 @@ TEST_CASE("what is no experiment is refused and stays as it was", "[persist][exp
     }
     CHECK_THAT(refusal(folder / "other.cambrian"), Catch::Contains("another program's"));
     CHECK(std::filesystem::file_size(folder / "empty.cambrian") == 0);
-    const auto existing = ExperimentFile::create(folder / "text.cambrian", kinds());
+    const auto existing = new_file({}, shared(small_settings()))
+                              ->move_to(folder / "text.cambrian", Existing::kRefuse);
     REQUIRE_FALSE(existing);
     CHECK_THAT(existing.error().message, Catch::Contains("File exists"));
+    CHECK(std::filesystem::file_size(folder / "text.cambrian") == 5000);
 }
 
 TEST_CASE("whatever is wrong inside an experiment is one message", "[persist][experiment_file]") {
     const auto [sql, words] = GENERATE(table<std::string, std::string>({
-        {"PRAGMA user_version = 99", "its version 99 is newer than this program (1)"},
+        {"PRAGMA user_version = 99", "its version 99 is newer than this program (2)"},
         {"PRAGMA user_version = 0", "its version 0 never existed"},
         {"DROP TABLE novel", "table \"novel\" is missing"},
         {"ALTER TABLE novel ADD COLUMN more", "table \"novel\" has other columns"},

@@ -41,12 +41,14 @@ inline CreatureDocument sample_document() {
     document.uid = "9f3c22a1d0b4e877";
     document.parents = {"17aa040000000001", "88d1c00000000002"};
     document.method = "crossover";
+    document.ancestry = 0x0123456789abcdefULL;
     ScoredRecord scored;
     scored.goal = "walking";
     scored.seed = 7;
     scored.fitness = 0.412;
     scored.unit = "BL/s";
     scored.trajectory = 0x77e0123456789abcULL;
+    scored.ticks = {0x0a, 0xff, 0x00};
     scored.finer = {.outcome = Outcome::kCheated, .score = 0.4, .verdict = AuditVerdict::kSuspect};
     document.scored = scored;
     return document;

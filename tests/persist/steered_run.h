@@ -37,8 +37,9 @@ inline std::vector<NotedCommand> some_steering(const ExperimentSettings& setting
 }
 
 // Evaluates and records up to `generations` in all.
-inline void run_on(Evolution& evolution, ExperimentLog& log, std::size_t generations,
-                   const std::vector<NotedCommand>& steering = {}) {
+template <class Log>
+void run_on(Evolution& evolution, Log& log, std::size_t generations,
+            const std::vector<NotedCommand>& steering = {}) {
     const auto backend = make_thread_pool_backend(kinds(), 2);
     EvaluationProgress progress;
     while (evolution.history().size() < generations) {

@@ -59,7 +59,7 @@ private:
         const ChampionRecord& champion = saved.champions[generation];
         CreatureDocument document =
             creature_document(*champion.individual, *champion.settings, kinds);
-        recompute_score(document, kinds);
+        complete_score(document, kinds);
         return write_creature(document, kinds);
     }
 

@@ -27,6 +27,19 @@ EvaluationResult replay(const CreatureDocument& document, const EvolutionKinds& 
     return result;
 }
 
+// From which moment on the motion is another, if the file can tell.
+std::string where_different(const CreatureDocument& document, const EvolutionKinds& kinds) {
+    const ScoredRecord& scored = *document.scored;
+    if (scored.ticks.empty()) return {};
+    const auto noted = note_ticks(document.genome, settings_of(scored), kinds);
+    if (!noted) return " before its first tick";
+    const auto tick = first_different_tick(noted->ticks, scored.ticks);
+    if (tick) return " from tick " + std::to_string(*tick) + " on";
+    return noted->ticks.size() == kMostTickChecks
+               ? " after tick " + std::to_string(kMostTickChecks)
+               : std::string(", though the motion of the first trial does not");
+}
+
 ExitStatus verify(const std::string& file, const EvolutionKinds& kinds) {
     const Result<CreatureDocument> document = load_creature(file, kinds);
     if (!document) return fail(document.error());
@@ -47,15 +60,26 @@ ExitStatus verify(const std::string& file, const EvolutionKinds& kinds) {
         print_line(message);
         return ExitStatus::kDone;
     }
-    std::string message = file + ": the replay differs: " + short_text(result.fitness) + " " +
-                          scored.unit + " with motion " + digest_text(result.digest) +
-                          " instead of " + short_text(scored.fitness) + " with " +
-                          digest_text(scored.trajectory);
+    std::string message = file + ": the replay differs" + where_different(*document, kinds) + ": " +
+                          short_text(result.fitness) + " " + scored.unit + " with motion " +
+                          digest_text(result.digest) + " instead of " + short_text(scored.fitness) +
+                          " with " + digest_text(scored.trajectory);
     if (scored.simulator != kSimulatorVersion) {
         message += "; it was scored by simulator " + scored.simulator + ", this is " +
                    std::string(kSimulatorVersion);
     }
     return fail({message}, ExitStatus::kFailed);
+}
+
+// "; from generation 12 on it was computed by simulator 0.9, this is 1.0".
+std::string other_simulators(const SavedExperiment& saved) {
+    std::string words;
+    for (const SimulatorChange& change : saved.simulators) {
+        if (change.version == kSimulatorVersion) continue;
+        words += "; from generation " + std::to_string(change.generation) +
+                 " on it was computed by simulator " + change.version;
+    }
+    return words.empty() ? words : words + ", this is " + std::string(kSimulatorVersion);
 }
 
 ExitStatus verify_experiment(const std::string& file, const EvolutionKinds& kinds) {
@@ -68,7 +92,7 @@ ExitStatus verify_experiment(const std::string& file, const EvolutionKinds& kind
                              std::to_string(saved->digests.size()) + " generations";
     if (outcome.different) {
         return fail({file + ": the replay differs from generation " +
-                     std::to_string(*outcome.different) + " on"},
+                     std::to_string(*outcome.different) + " on" + other_simulators(*saved)},
                     ExitStatus::kFailed);
     }
     if (outcome.stopped) return fail({file + ": stopped after " + done}, ExitStatus::kFailed);

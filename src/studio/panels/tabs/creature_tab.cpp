@@ -27,16 +27,23 @@ void draw_headline(const FrameContext& frame) {
     }
 }
 
+std::string difference(const FrameContext& frame) {
+    const TickChecks& kept = frame.playback.exhibit().ticks;
+    const auto tick = kept.empty() ? std::nullopt : first_different_tick(kept, frame.score->ticks);
+    return tick ? "Replay differs from tick " + std::to_string(*tick) + " on"
+                : std::string("Replay differs from its record");
+}
+
 void draw_verification(const FrameContext& frame) {
     const auto& result = frame.playback.exhibit().result;
     if (!result || frame.score == nullptr || frame.score->record.samples.empty()) return;
-    if (result->digest == frame.score->record.digest) {
+    if (result->digest == frame.score->digest) {
         const WithTextColor color(colors().accent);
         ImGui::TextUnformatted("Replay verified");
         tooltip("The trial was run again and every position agrees to the last bit.");
     } else {
         const WithTextColor color(colors().danger);
-        ImGui::TextUnformatted("Replay differs from its record");
+        ImGui::TextUnformatted(difference(frame).c_str());
         tooltip("The trial was run again and moved otherwise than when it was scored.");
     }
 }

@@ -1,0 +1,17 @@
+#pragma once
+
+// Experiments of older versions. Throws DatabaseError.
+
+#include "core/result.h"
+#include "persist/database.h"
+
+namespace cambrian {
+
+// Brings the tables up to this program's version, a step a version, all of them or none, and checks
+// them. Fails, leaving the file as it is, if it is no experiment, too new or damaged.
+Status bring_up_to_date(Database& database);
+
+// The same for a database that is only to be read: an older one is copied first.
+Result<Database> up_to_date(Database database);
+
+}  // namespace cambrian

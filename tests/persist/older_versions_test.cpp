@@ -1,0 +1,123 @@
+// Files kept from each version of the formats: tests/persist/versions/VERSION/.
+
+#include "core/file_io.h"
+#include "evolution/trials.h"
+#include "persist/creature_file.h"
+#include "persist/experiment_file.h"
+#include "persist/experiment_schema.h"
+#include "persist/settings_file.h"
+#include "persist/steered_run.h"
+#include "support/temporary_directory.h"
+
+using namespace cambrian;
+using namespace cambrian::test;
+
+namespace {
+
+const std::filesystem::path kVersions = CAMBRIAN_SOURCE_DIR "/tests/persist/versions";
+constexpr std::size_t kLargest = 1'000'000;
+
+std::string bytes_of(const std::filesystem::path& path) {
+    const auto bytes = read_file(path, kLargest);
+    REQUIRE(bytes);
+    return *bytes;
+}
+
+std::int64_t version_in(const std::filesystem::path& path) {
+    return Database(path, Database::Access::kRead).integer("PRAGMA user_version");
+}
+
+// What every version's run.cambrian holds: four generations of eight, steered in the third, two
+// grids, a star and a shelf of one.
+void check_run(const SavedExperiment& saved) {
+    REQUIRE(saved.latest);
+    CHECK(saved.latest->generation == 3);
+    CHECK(saved.latest->population.size() == 8);
+    CHECK(saved.journal.size() == 3);
+    CHECK(setting_changes(saved).size() == 2);
+    CHECK(saved.latest->settings->world.environment.gravity == 3.71);
+    REQUIRE(saved.simulators.size() == 1);
+    CHECK(saved.simulators.front().version == "1.0");
+}
+
+}  // namespace
+
+TEST_CASE("an experiment of any version is read without a change", "[persist][older_versions]") {
+    const std::string version = GENERATE("1");
+    const TemporaryDirectory folder;
+    const auto path = folder / "run.cambrian";
+    std::filesystem::copy(kVersions / version / "run.cambrian", path);
+    const std::string before = bytes_of(path);
+    const auto saved = load_experiment(path, kinds());
+    INFO((saved ? "" : saved.error().message));
+    REQUIRE(saved);
+    check_run(*saved);
+    CHECK(bytes_of(path) == before);
+}
+
+TEST_CASE("an experiment of any version goes on as if it had been begun now",
+          "[persist][older_versions]") {
+    const std::string version = GENERATE("1");
+    const TemporaryDirectory folder;
+    const auto path = folder / "run.cambrian";
+    std::filesystem::copy(kVersions / version / "run.cambrian", path);
+    auto opened = open_experiment(path, kinds());
+    INFO((opened ? "" : opened.error().message));
+    REQUIRE(opened);
+    check_run(opened->saved);
+    CHECK(opened->stars.size() == 1);
+    CHECK(opened->picking.shelf.size() == 1);
+    CHECK(opened->picking.tree.size() == 2);
+    CHECK(opened->picking.picks == std::vector<std::size_t>{3});
+    CHECK(version_in(path) == kExperimentVersion);
+    Evolution evolution = resumed(opened->saved, kinds());
+    run_on(evolution, *opened->file, 6);
+    opened->file.reset();
+    const auto again = load_experiment(path, kinds());
+    REQUIRE(again);
+    CHECK(again->digests.size() == 6);
+
+    Evolution anew = begun_anew(*again, kinds());
+    const auto whole = ExperimentFile::create(kinds(), again->settings, again->founders);
+    REQUIRE(whole);
+    run_on(anew, **whole, 6, again->journal);
+    REQUIRE((*whole)->move_to(folder / "whole.cambrian"));
+    CHECK(load_experiment(folder / "whole.cambrian", kinds())->digests == again->digests);
+}
+
+TEST_CASE("an older experiment that is damaged stays as it was", "[persist][older_versions]") {
+    const auto [sql, words] = GENERATE(table<std::string, std::string>({
+        {"DROP TABLE novel", "table \"novel\" is missing"},
+        {"CREATE TABLE simulators (a)", "simulators"},
+    }));
+    const TemporaryDirectory folder;
+    const auto path = folder / "run.cambrian";
+    std::filesystem::copy(kVersions / "1" / "run.cambrian", path);
+    Database(path, Database::Access::kWrite).execute(sql);
+    const auto opened = open_experiment(path, kinds());
+    REQUIRE_FALSE(opened);
+    CHECK_THAT(opened.error().message, Catch::Contains(words));
+    CHECK(version_in(path) == 1);
+}
+
+TEST_CASE("a creature of any version is loaded and moves as it did", "[persist][older_versions]") {
+    const std::string version = GENERATE("1");
+    const auto document = load_creature(kVersions / version / "walker.creature.json", kinds());
+    REQUIRE(document);
+    CHECK(document->warnings.empty());
+    REQUIRE(document->scored);
+    const ExperimentSettings settings = settings_of(*document->scored);
+    const EvaluationRequest request{.genome = std::make_shared<const Genome>(document->genome),
+                                    .trial_seed = trial_seed(settings)};
+    const EvaluationResult result = evaluate_in_trials(request, settings, kinds());
+    CHECK(result.digest == document->scored->trajectory);
+    CHECK(result.fitness == document->scored->fitness);
+}
+
+TEST_CASE("settings of any version are read", "[persist][older_versions]") {
+    const std::string version = GENERATE("1");
+    const auto settings = load_settings(kVersions / version / "settings.toml", kinds());
+    REQUIRE(settings);
+    CHECK(settings->population.size == 8);
+    CHECK(settings->world.trial.duration == 0.5);
+}

@@ -1,0 +1,167 @@
+// A session used at random, as fast as frames come: every thread of the studio at work while the
+// window asks for this and that. Meant for the thread sanitizer most of all:
+//
+//   cmake --preset tsan && cmake --build build/tsan --target studio_tests
+//   CAMBRIAN_STRESS_FRAMES=40000 build/tsan/bin/studio_tests '[stress]'
+
+#include "core/random.h"
+#include "persist/creature_file.h"
+#include "persist/settings_file.h"
+#include "session_run.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <functional>
+#include <system_error>
+
+namespace cambrian {
+namespace {
+
+using test::SessionRun;
+
+int frames_wanted() {
+    const char* asked = std::getenv("CAMBRIAN_STRESS_FRAMES");
+    return asked == nullptr ? 1500 : std::atoi(asked);
+}
+
+class RestlessPerson {
+public:
+    RestlessPerson(SessionRun& run, std::uint64_t seed) : run_(run), chance_(seed) {}
+
+    void act() { std::invoke(kActs[chance_.below(kActs.size())], this); }
+
+private:
+    FrameContext frame() const { return run_.session.frame_context(); }
+    std::filesystem::path file(const char* name) const { return run_.folder.path() / name; }
+
+    void evolve() { run_.ask(ToggleEvolution{}); }
+    void step() { run_.ask(RunOneGeneration{}); }
+    void edit() {
+        ExperimentSettings draft = frame().editor.draft();
+        draft.world.environment.gravity = chance_.uniform(1.0, 20.0);
+        run_.ask(EditSettings{draft, "environment.gravity"});
+        if (chance_.chance(0.7)) run_.ask(FinishEdit{});
+    }
+    void undo() { run_.ask(UndoEdit{}); }
+    void redo() { run_.ask(RedoEdit{}); }
+    void begin_anew() { run_.ask(StartNewRun{chance_.chance(0.5)}); }
+    void add_newcomers() { run_.ask(AddNewcomers{chance_.uniform(0.0, 1.0)}); }
+    void show_champion() {
+        run_.ask(ShowChampion{static_cast<std::uint32_t>(chance_.below(run_.champions() + 1))});
+    }
+    void show_newest() { run_.ask(ShowNewest{}); }
+    void show_anyone() {
+        const EvolutionSnapshot& snapshot = frame().snapshot;
+        if (snapshot.population.empty()) return;
+        const std::size_t place = chance_.below(snapshot.population.size());
+        run_.ask(ShowIndividual{{snapshot.champions.back().generation, snapshot.population[place],
+                                 snapshot.champions.back().settings}});
+    }
+    void play() { run_.ask(TogglePlayback{}); }
+    void seek() { run_.ask(SeekPlayback{chance_.below(60)}); }
+    void star() { run_.ask(ToggleStarOfShown{}); }
+    void pick_by_hand() { run_.ask(ToggleHandPicking{}); }
+    void pick() {
+        const PickingView* picking = frame().picking;
+        if (picking == nullptr || picking->snapshot.tree.empty()) return;
+        const GridNode& grid = picking->snapshot.tree.current();
+        run_.ask(AskPicking{TogglePick{grid.number, chance_.below(grid.creatures.size())}});
+    }
+    void breed() {
+        if (frame().picking != nullptr) run_.ask(AskPicking{BreedPicks{}});
+    }
+    void go_back() {
+        if (frame().picking != nullptr) run_.ask(AskPicking{GoBack{}});
+    }
+    void ask_evolution() {
+        if (frame().picking != nullptr) run_.ask(AskPicking{AskEvolution{2}});
+    }
+    void hand_over() {
+        const bool inject = chance_.chance(0.5);
+        if (frame().picking != nullptr)
+            run_.ask(HandOverPicks{inject ? PicksUse::kInject : PicksUse::kFound});
+    }
+    void save_creature() { run_.ask(SaveCreatureFile{file("one.creature.json")}); }
+    void save_settings() { run_.ask(SaveSettingsFile{file("all.toml")}); }
+    void save_statistics() { run_.ask(SaveStatisticsFile{file("run.csv")}); }
+    void save_experiment() { run_.ask(SaveExperimentFile{file("run.cambrian")}); }
+    void load() {
+        constexpr std::array names = {"one.creature.json", "all.toml", "run.cambrian", "run.csv"};
+        run_.ask(LoadFile{file(names[chance_.below(names.size())])});
+    }
+    void list() { run_.ask(ListFolder{run_.folder.path()}); }
+
+    using Act = void (RestlessPerson::*)();
+    using P = RestlessPerson;
+    static constexpr std::array kActs = {&P::evolve,
+                                         &P::evolve,
+                                         &P::step,
+                                         &P::edit,
+                                         &P::undo,
+                                         &P::redo,
+                                         &P::begin_anew,
+                                         &P::add_newcomers,
+                                         &P::show_champion,
+                                         &P::show_newest,
+                                         &P::show_anyone,
+                                         &P::play,
+                                         &P::seek,
+                                         &P::star,
+                                         &P::pick_by_hand,
+                                         &P::pick,
+                                         &P::pick,
+                                         &P::breed,
+                                         &P::go_back,
+                                         &P::ask_evolution,
+                                         &P::hand_over,
+                                         &P::save_creature,
+                                         &P::save_settings,
+                                         &P::save_statistics,
+                                         &P::save_experiment,
+                                         &P::load,
+                                         &P::list};
+
+    SessionRun& run_;
+    RandomStream chance_;
+};
+
+// Files that are there can be read, whatever was going on when they were written.
+void check_files(const SessionRun& run) {
+    std::error_code none;
+    const auto creature = run.folder.path() / "one.creature.json";
+    if (std::filesystem::exists(creature, none)) CHECK(load_creature(creature, test::kinds()));
+    const auto settings = run.folder.path() / "all.toml";
+    if (std::filesystem::exists(settings, none)) CHECK(load_settings(settings, test::kinds()));
+    const auto experiment = run.folder.path() / "run.cambrian";
+    if (std::filesystem::exists(experiment, none)) {
+        const auto saved = load_experiment(experiment, test::kinds());
+        INFO((saved ? "" : saved.error().message));
+        CHECK(saved);
+    }
+}
+
+}  // namespace
+
+TEST_CASE("a session withstands a restless person", "[studio][session][stress][threads]") {
+    SessionRun run;
+    run.session.remember_in(run.folder.path() / "state");
+    RestlessPerson person(run, 11);
+    RandomStream pace(12);
+    std::uint64_t generations = 0;
+    const int frames = frames_wanted();
+    for (int i = 0; i < frames; ++i) {
+        run.session.update(0.016 * i, 0.016);
+        const FrameContext frame = run.session.frame_context();
+        for (const GenerationStatistics& row : frame.snapshot.history)
+            generations = std::max<std::uint64_t>(generations, row.generation + 1);
+        for (const IndividualPtr& each : frame.snapshot.population)
+            REQUIRE(each->genome != nullptr);
+        if (pace.chance(0.3)) person.act();
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    CHECK(generations > 0);
+    check_files(run);
+}
+
+}  // namespace cambrian
