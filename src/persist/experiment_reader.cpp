@@ -16,6 +16,7 @@ namespace {
 
 constexpr std::size_t kLargestPopulation = 100'000;
 constexpr std::size_t kMostCommands = 20'000;   // and as many founders
+constexpr std::size_t kLongestVersion = 64;     // bytes
 constexpr std::size_t kMostSettings = 100'000;  // bytes of one text
 constexpr std::size_t kMostNovel = 300'000;
 constexpr std::size_t kMostKept = 100'000;
@@ -91,7 +92,9 @@ private:
         while (row.step()) {
             SimulatorChange change;
             read_column(row, 0, change.generation);
-            change.version = row.text(1);
+            change.version = row.text(1).substr(0, kLongestVersion);
+            if (!simulators.empty() && change.generation <= simulators.back().generation)
+                throw DatabaseError("a generation has two simulators");
             simulators.push_back(std::move(change));
         }
         if (simulators.empty() || simulators.front().generation != 0)

@@ -72,15 +72,15 @@ void write_choices(const Evolution& evolution, ExperimentFile& file) {
 }
 
 void write_sample(const std::filesystem::path& path) {
-    const auto file = ExperimentFile::create(path, kinds());
-    promise(file.has_value(), "an experiment can be kept");
     const auto settings = std::make_shared<const ExperimentSettings>(sample_settings());
     const std::vector<GenomePtr> founders = {founder()};
-    promise((*file)->begin(settings, founders).has_value(), "an experiment can begin");
+    const auto file = ExperimentFile::create(kinds(), settings, founders);
+    promise(file.has_value(), "an experiment can be kept");
     Evolution evolution(settings, kinds(), founders);
     write_generations(evolution, **file);
     write_commands(settings, **file);
     write_choices(evolution, **file);
+    promise((*file)->move_to(path).has_value(), "an experiment can be moved");
 }
 
 }  // namespace
