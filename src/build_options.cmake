@@ -10,8 +10,11 @@ target_compile_options(cambrian_options INTERFACE -ffp-contract=off -fno-math-er
 target_compile_definitions(cambrian_options INTERFACE EIGEN_DONT_VECTORIZE
   $<$<CONFIG:Debug>:CAMBRIAN_TICK_ASSERTS>)
 if(CAMBRIAN_SANITIZE)
+  # Fuzzing runs for hours.
+  string(REGEX MATCH "fuzzer" fuzzing "${CAMBRIAN_SANITIZE}")
   target_compile_options(cambrian_options INTERFACE
-    -fsanitize=${CAMBRIAN_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer -O1)
+    -fsanitize=${CAMBRIAN_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer
+    $<IF:$<BOOL:${fuzzing}>,-O2,-O1>)
   target_link_options(cambrian_options INTERFACE -fsanitize=${CAMBRIAN_SANITIZE})
 endif()
 

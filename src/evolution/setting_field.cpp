@@ -2,6 +2,7 @@
 
 #include "core/number_text.h"
 #include "evolution/setting_table.h"
+#include "evolution/trial_work.h"
 
 #include <algorithm>
 #include <cmath>
@@ -373,6 +374,7 @@ Status check_together(const Settings& s, const EvolutionKinds& kinds) {
         return order;
     }
     if (Status cutting = check_stop_hopeless(s, kinds); !cutting) return cutting;
+    if (const auto excess = trial_excess(s.world)) return Error{"[trial] duration: " + *excess};
     double shares = 0.0;
     for (const BreedingKind& kind : kinds.breeding.all()) {
         const auto set = s.breeding.shares.find(kind.id);

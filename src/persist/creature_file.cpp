@@ -4,6 +4,7 @@
 #include "core/number_text.h"
 #include "evolution/ancestry_digest.h"
 #include "evolution/evaluation.h"
+#include "evolution/trial_work.h"
 #include "genome/disabled_kinds.h"
 #include "persist/creature_card.h"
 #include "persist/creature_format.h"
@@ -22,6 +23,8 @@ constexpr std::size_t kMaxFormat = 4096;      // bytes; only to be quoted
 void read_scored(JsonReader& reader, ScoredRecord& scored, const EvolutionKinds& kinds) {
     ExperimentSettings settings;
     describe_scored(reader, scored, settings, score_tables(kinds));
+    const auto excess = trial_excess(settings.world);
+    reader.require(!excess, "E07", "trial", excess.value_or(""));
     scored.world = settings.world;
     scored.expression = settings.expression;
     scored.goal = settings.goal;

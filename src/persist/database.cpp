@@ -8,8 +8,8 @@
 namespace cambrian {
 namespace {
 
-constexpr int kLongestValue = 64'000'000;  // bytes
-constexpr int kPatience = 2000;            // ms to wait for a reader or writer elsewhere
+constexpr int kLongestValue = 5'000'000;  // bytes
+constexpr int kPatience = 2000;           // ms to wait for a reader or writer elsewhere
 
 [[noreturn]] void fail(sqlite3* connection, int code) {
     switch (code & 0xff) {

@@ -15,7 +15,11 @@ namespace cambrian {
 namespace {
 
 constexpr std::size_t kLargestPopulation = 100'000;
-
+constexpr std::size_t kMostCommands = 20'000;   // and as many founders
+constexpr std::size_t kLongestVersion = 64;     // bytes
+constexpr std::size_t kMostSettings = 100'000;  // bytes of one text
+constexpr std::size_t kMostNovel = 300'000;
+constexpr std::size_t kMostKept = 100'000;
 constexpr std::size_t kMostCells = 25;
 
 template <std::size_t Count>
@@ -24,6 +28,17 @@ std::size_t index_of(std::string_view name, const std::array<std::string_view, C
     if (found == names.end())
         throw DatabaseError("\"" + std::string(name.substr(0, 40)) + "\" is not known");
     return static_cast<std::size_t>(found - names.begin());
+}
+
+// Damaged tables can repeat their rows without end.
+void check_count(std::size_t count, std::size_t most, const char* what) {
+    if (count > most) throw DatabaseError("more than " + std::to_string(most) + " " + what);
+}
+
+double share_of(const Statement& row, int column) {
+    const double share = row.real(column);
+    if (share >= 0.0 && share <= 1.0) return share;
+    throw DatabaseError("a share of newcomers is outside [0, 1]");
 }
 
 RowRef row_ref(const Statement& row, int column) {
@@ -54,6 +69,7 @@ private:
         row.bind(id);
         const std::string name = "settings " + std::to_string(id);
         if (!row.step()) throw DatabaseError(name + " are missing");
+        if (row.text(0).size() > kMostSettings) throw DatabaseError(name + " are too large");
         Result<ExperimentSettings> parsed = parse_settings(row.text(0), name, kinds_);
         if (!parsed) throw DatabaseError(parsed.error().message);
         place = std::make_shared<const ExperimentSettings>(std::move(*parsed));
@@ -76,7 +92,9 @@ private:
         while (row.step()) {
             SimulatorChange change;
             read_column(row, 0, change.generation);
-            change.version = row.text(1);
+            change.version = row.text(1).substr(0, kLongestVersion);
+            if (!simulators.empty() && change.generation <= simulators.back().generation)
+                throw DatabaseError("a generation has two simulators");
             simulators.push_back(std::move(change));
         }
         if (simulators.empty() || simulators.front().generation != 0)
@@ -90,6 +108,8 @@ private:
             std::uint32_t generation = 0;
             read_column(row, 0, generation);
             read_command(row, generation);
+            check_count(read_.saved.founders.size(), kMostCommands, "founders");
+            check_count(read_.saved.journal.size(), kMostCommands, "commands");
         }
         if (!read_.saved.settings) throw DatabaseError("the journal has no beginning");
     }
@@ -108,7 +128,7 @@ private:
         } else if (command == "inject") {
             journal.push_back({generation, InjectGenome{genotype(row, 4)}});
         } else if (command == "newcomers") {
-            journal.push_back({generation, AddNewcomers{row.real(3)}});
+            journal.push_back({generation, AddNewcomers{share_of(row, 3)}});
         } else {
             throw DatabaseError("unknown command \"" + std::string(command) + "\"");
         }
@@ -150,12 +170,13 @@ private:
         while (place.step()) {
             read_.population.push_back(row_ref(place, 0));
             latest.population.push_back(individuals_.read(read_.population.back()));
-            if (latest.population.size() > kLargestPopulation)
-                throw DatabaseError("the population is too large");
+            check_count(latest.population.size(), kLargestPopulation, "creatures");
         }
         Statement novel = database_.prepare("SELECT individual, judged FROM novel ORDER BY place");
-        while (novel.step())
+        while (novel.step()) {
             latest.memory.archive.push_back(individuals_.read(row_ref(novel, 0)));
+            check_count(latest.memory.archive.size(), kMostNovel, "novel creatures");
+        }
         if (latest.population.empty() ||
             population_digest(latest.population) != read_.saved.digests.back())
             throw DatabaseError("the latest population is not the one that was written");
@@ -245,6 +266,7 @@ private:
             read_column(row, 2, each.generation);
             each.settings = settings(row.integer(3));
             creatures.push_back(std::move(each));
+            check_count(creatures.size(), kMostKept, "kept creatures");
         }
         return creatures;
     }

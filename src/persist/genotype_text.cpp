@@ -5,6 +5,11 @@
 #include <memory>
 
 namespace cambrian {
+namespace {
+
+constexpr std::size_t kMostText = 500'000;  // bytes; several times what the largest genome takes
+
+}  // namespace
 
 GenotypePacker::GenotypePacker(const EvolutionKinds& kinds)
     : names_(creature_format::names_of(kinds.creature.catalog)) {}
@@ -16,8 +21,7 @@ PackedGenotype GenotypePacker::pack(const Individual& individual) {
 }
 
 Result<GenomePtr> GenotypeReader::read(std::string_view bytes, std::size_t size) {
-    if (size > JsonLimits{}.bytes)
-        return Error{"genotype too large: " + std::to_string(size) + " bytes"};
+    if (size > kMostText) return Error{"genotype too large: " + std::to_string(size) + " bytes"};
     const Result<std::string> text = inflater_.inflate(bytes, size);
     if (!text) return text.error();
     Result<CreatureDocument> document = parse_creature(*text, "genotype", kinds_);

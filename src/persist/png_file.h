@@ -27,7 +27,7 @@ bool is_png(std::string_view bytes);
 struct PngLimits {
     int side = 4096;                     // pixels; of a picture wide or high
     std::size_t text_bytes = 4'000'000;  // of one text, unpacked
-    int chunks = 64;                     // texts and the like
+    int chunks = 12;                     // texts and the like; bounds the memory they take
 };
 
 // All texts of a picture under a keyword. Reads the picture to its end: one that is cut off, is

@@ -40,6 +40,7 @@ public:
 
     void read(const toml::table& table, const std::string& path = "") {
         for (const auto& [key, node] : table) {
+            if (errors_.full()) return;
             const std::string name(key.str());
             const std::string inner = joined(path, name);
             if (node.is_table() && names_table(inner)) {

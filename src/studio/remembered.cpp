@@ -54,7 +54,7 @@ void read_line(const std::string& name, const std::string& value, ViewState& vie
     }
     for (const Size& size : kSizes) {
         const float units = std::strtof(value.c_str(), nullptr);
-        if (name == size.name && units >= 0.0F && units < kMostSize) view.*size.place = units;
+        if (name == size.name && units >= 0.0F && units <= kMostSize) view.*size.place = units;
     }
     for (const TimelinePlot& plot : timeline_plots()) {
         if (name == "timeline" && value == plot.id) view.quantity = plot.quantity;

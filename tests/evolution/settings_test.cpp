@@ -71,6 +71,21 @@ TEST_CASE("crossed limits and shares that are all zero are errors", "[evolution]
     CHECK_FALSE(check_settings(weightless, kinds()));
 }
 
+TEST_CASE("trials that take too long to judge one creature are an error", "[evolution][settings]") {
+    ExperimentSettings settings;
+    settings.world.trial.trials = 50;
+    CHECK(check_settings(settings, kinds()).has_value());
+    settings.world.trial.duration = 1e4;
+    CHECK(check_settings(settings, kinds()).error().message ==
+          "[trial] duration: 50 trials of 10000 s, 500000 s in all; limit 10000 s");
+    settings.world.trial.trials = 1;
+    CHECK(check_settings(settings, kinds()).error().message ==
+          "[trial] duration: 1 trial of 10000 s and 3 s of settling, at up to 50000 "
+          "evaluations/s 500150000 in all; limit 200000000");
+    settings.world.scene.max_evaluations = 1e4;
+    CHECK(check_settings(settings, kinds()).has_value());
+}
+
 TEST_CASE("populations of none, one and too many are errors that name the range",
           "[evolution][settings]") {
     for (const int size : {-1, 0, 1, 20001}) {

@@ -85,6 +85,11 @@ TEST_CASE("a small card that unpacks to a huge text is refused", "[persist][crea
     CHECK_THAT(refusal_of(bomb), Catch::Contains("iTXt"));
 }
 
+TEST_CASE("a card of many texts, each as large as may be, is refused", "[persist][creature_card]") {
+    const std::vector<PngText> texts(20, {"Comment", std::string(3'900'000, ' ')});
+    CHECK_THAT(refusal_of(encode_png(picture(), texts).value()), Catch::Contains("chunk cache"));
+}
+
 TEST_CASE("a card of a picture far too large is refused", "[persist][creature_card]") {
     const Image wide{5000, 1, std::vector<std::uint8_t>(15'000)};
     CHECK_THAT(refusal_of(encode_card(wide, sample_text()).value()), Catch::Contains("IHDR"));

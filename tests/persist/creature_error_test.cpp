@@ -103,6 +103,24 @@ TEST_CASE("E07: a number outside its range names the range", "[persist][creature
     CHECK_THAT(message_of(changed("\"length\": 0.5", "\"length\": NaN")), Catch::Contains("E01"));
 }
 
+TEST_CASE("E07: a creature whose trials ask for hours of computing is refused",
+          "[persist][creature_error]") {
+    CreatureDocument document = sample_document();
+    document.scored = ScoredRecord{};
+    document.scored->goal = "walking";
+    document.scored->world.trial.duration = 3000.0;
+    const auto load = [&] { return message_of(write_creature(document, kinds())); };
+    CHECK(load() == "no error");
+    document.scored->world.trial.trials = 4;
+    CHECK(load() ==
+          "some.creature.json: E07 /scored/trial: 4 trials of 3000 s, 12000 s in all; "
+          "limit 10000 s");
+    document.scored->world.trial.trials = 3;
+    CHECK_THAT(load(),
+               Catch::Contains("E07 /scored/trial: 3 trials of 3000 s and 3 s of settling") &&
+                   Catch::EndsWith(" in all; limit 200000000"));
+}
+
 TEST_CASE("E08: an unknown name brings the nearest known one", "[persist][creature_error]") {
     CHECK(message_of(changed("oscillate-wave", "oscilate-wave")) ==
           "some.creature.json: E08 /nodes/1/neurons/0/fn: unknown function \"oscilate-wave\"; did "

@@ -1,0 +1,204 @@
+// Experiment files: an experiment that is whole and can be gone on with, or a message.
+//
+// Most files are refused for their first bytes, so an input that begins with E is a list of edits
+// of the tables of a sound experiment, one that begins with P replaces bytes of its pages, and any
+// other is a file of its own.
+
+#include "persist/experiment_reader.h"
+
+#include "evolution/population_digest.h"
+#include "evolution/setting_field.h"
+#include "fuzz/byte_source.h"
+#include "fuzz/experiment_sample.h"
+#include "fuzz/fuzz_target.h"
+#include "fuzz/table_edits.h"
+#include "persist/experiment_file.h"
+#include "persist/individual_reader.h"
+#include "support/kinds.h"
+#include "support/temporary_directory.h"
+
+using namespace cambrian;
+using namespace cambrian::test;
+
+namespace {
+
+constexpr std::size_t kPage = 512;  // bytes
+constexpr int kMostPatches = 32;
+constexpr std::size_t kWrittenOneIn = 61;  // of the edited tables, to a file
+constexpr int kMostBred = 100;             // creatures
+
+// In memory, where there is such a folder.
+std::filesystem::path scratch() {
+    const std::filesystem::path memory = "/dev/shm";
+    return std::filesystem::exists(memory) ? memory : std::filesystem::temp_directory_path();
+}
+
+// The sample stays open, so that its tables need not be made out each time.
+struct Workplace {
+    TemporaryDirectory folder{scratch()};
+    std::filesystem::path path = folder / "input.cambrian";
+    std::filesystem::path edited = folder / "sample.cambrian";
+    std::string sample = sample_experiment(folder.path());
+    Database database{edited, Database::Access::kWrite};
+    TableEdits edits{database};
+
+    Workplace() { database.execute("PRAGMA journal_mode = MEMORY; PRAGMA synchronous = OFF"); }
+};
+
+// As if the program had written the population that is there now, if it is whole.
+void renew_digest(Database& database) {
+    std::vector<IndividualPtr> population;
+    IndividualReader individuals(database, kinds());
+    try {
+        Statement place =
+            database.prepare("SELECT individual, judged FROM population ORDER BY place");
+        while (place.step())
+            population.push_back(individuals.read({place.integer(0), place.integer(1)}));
+    } catch (const DatabaseError&) {
+        return;
+    }
+    database
+        .prepare(
+            "UPDATE generations SET population_digest = ? WHERE generation = "
+            "(SELECT max(generation) FROM generations)")
+        .run(population_digest(population));
+}
+
+void patch_pages(const Workplace& at, ByteSource bytes) {
+    std::string file = at.sample;
+    for (int i = 0; i < kMostPatches && !bytes.empty(); ++i) {
+        const std::size_t page = kPage * bytes.below(file.size() / kPage);
+        const std::size_t place = page + bytes.below(kPage);
+        const std::string_view text = bytes.text().substr(0, file.size() - place);
+        if (text.empty()) {
+            file.replace(page, kPage, file, kPage * bytes.below(file.size() / kPage), kPage);
+        } else {
+            file.replace(place, text.size(), text);
+        }
+    }
+    put_text(at.path, file);
+}
+
+void look_at(const IndividualPtr& individual) {
+    promise(individual && individual->genome, "there are no holes");
+    promise(validate(*individual->genome, kinds().creature.catalog).empty(),
+            "every genome is valid");
+}
+
+void look_at(const SettingsPtr& settings) {
+    static ExperimentSettings sound;  // the last that were
+    promise(settings != nullptr, "there are settings");
+    if (*settings == sound) return;
+    promise(check_settings(*settings, kinds()).has_value(), "all settings pass their check");
+    sound = *settings;
+}
+
+void look_at(const EvolutionState& latest) {
+    promise(!latest.population.empty(), "a generation has creatures");
+    promise(latest.generation + 1 == latest.history.size(), "the latest generation is the last");
+    for (std::size_t i = 0; i < latest.history.size(); ++i)
+        promise(latest.history[i].generation == i, "generations follow each other");
+    for (const IndividualPtr& individual : latest.population)
+        look_at(individual);
+    for (const IndividualPtr& individual : latest.memory.archive)
+        look_at(individual);
+    look_at(latest.settings);
+}
+
+void go_on(const SavedExperiment& saved) {
+    for (const JournalEntry& change : setting_changes(saved)) {
+        look_at(change.settings);
+        if (change.settings->population.size > kMostBred) return;
+    }
+    if (saved.latest && saved.latest->settings->population.size > kMostBred) return;
+    const Evolution evolution = resumed(saved, kinds());
+    promise(!evolution.population().empty(), "the next generation can be bred");
+}
+
+void look_at(const SavedExperiment& saved) {
+    const std::size_t generations = saved.latest ? saved.latest->history.size() : 0;
+    promise(saved.champions.size() == generations && saved.digests.size() == generations,
+            "every generation has a champion and a digest");
+    for (const ChampionRecord& champion : saved.champions)
+        look_at(champion.individual);
+    if (saved.latest) look_at(*saved.latest);
+    look_at(saved.settings);
+    go_on(saved);
+}
+
+void look_at(const PickingRecord& picking) {
+    for (std::uint32_t i = 0; i < picking.tree.size(); ++i) {
+        promise(!picking.tree.node(i).creatures.empty(), "a grid has creatures");
+        for (const IndividualPtr& individual : picking.tree.node(i).creatures)
+            look_at(individual);
+    }
+    for (const std::size_t pick : picking.picks)
+        promise(pick < picking.tree.current().creatures.size(), "only what is there is picked");
+}
+
+// Whether it could be read.
+bool read_file_at(const std::filesystem::path& path) {
+    const auto saved = load_experiment(path, kinds());
+    promise(saved || saved.error().message.find(path.string()) != std::string::npos,
+            "a refusal names the file");
+    if (saved) look_at(*saved);
+    return saved.has_value();
+}
+
+// What is read by opening is kept as it was.
+void keep_on(const std::filesystem::path& path) {
+    const auto opened = open_experiment(path, kinds());
+    promise(opened.has_value(), "what can be looked at can be gone on with");
+    promise(opened->file->keep_picking(opened->picking) && opened->file->keep_stars(opened->stars),
+            "what was read can be kept");
+    const auto again = load_experiment(path, kinds());
+    promise(again && again->digests == opened->saved.digests, "and read again");
+}
+
+void read_tables(const Database& database) {
+    try {
+        const ReadExperiment read = read_experiment(database, kinds());
+        look_at(read.saved);
+        look_at(read.picking);
+    } catch (const DatabaseError& error) {
+        promise(*error.what() != '\0', "a refusal has a reason");
+    }
+}
+
+// As a file of its own.
+void read_committed(Workplace& at) {
+    at.database.execute("COMMIT");
+    std::filesystem::copy_file(at.edited, at.path,
+                               std::filesystem::copy_options::overwrite_existing);
+    if (read_file_at(at.path)) keep_on(at.path);
+    put_text(at.edited, at.sample);
+}
+
+void read_edited(Workplace& at, std::string_view input) {
+    ByteSource bytes(input);
+    at.database.execute("BEGIN");
+    const bool digest = bytes.number<std::uint8_t>() % 2 == 0;
+    at.edits.apply(at.database, bytes);
+    if (digest) renew_digest(at.database);
+    if (input.size() % kWrittenOneIn == 0) return read_committed(at);
+    read_tables(at.database);
+    at.database.execute("ROLLBACK");
+}
+
+}  // namespace
+
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    static Workplace at;
+    const std::string_view input = text_of(data, size);
+    if (input.starts_with('E')) {
+        read_edited(at, input.substr(1));
+        return 0;
+    }
+    if (input.starts_with('P')) {
+        patch_pages(at, ByteSource(input.substr(1)));
+    } else {
+        put_text(at.path, input);
+    }
+    read_file_at(at.path);
+    return 0;
+}
