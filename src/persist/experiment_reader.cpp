@@ -15,11 +15,9 @@ namespace cambrian {
 namespace {
 
 constexpr std::size_t kLargestPopulation = 100'000;
-constexpr std::size_t kMostCommands = 20'000;   // and as many founders
 constexpr std::size_t kLongestVersion = 64;     // bytes
 constexpr std::size_t kMostSettings = 100'000;  // bytes of one text
-constexpr std::size_t kMostNovel = 300'000;
-constexpr std::size_t kMostKept = 100'000;
+constexpr std::int64_t kLeastRow = 8;           // bytes a row takes, about
 constexpr std::size_t kMostCells = 25;
 
 template <std::size_t Count>
@@ -30,9 +28,11 @@ std::size_t index_of(std::string_view name, const std::array<std::string_view, C
     return static_cast<std::size_t>(found - names.begin());
 }
 
-// Damaged tables can repeat their rows without end.
-void check_count(std::size_t count, std::size_t most, const char* what) {
-    if (count > most) throw DatabaseError("more than " + std::to_string(most) + " " + what);
+// More rows than a file of its size can hold; damaged tables can repeat theirs without end.
+std::size_t most_rows(const Database& database) {
+    const std::int64_t bytes =
+        database.integer("PRAGMA page_count") * database.integer("PRAGMA page_size");
+    return static_cast<std::size_t>(bytes / kLeastRow);
 }
 
 double share_of(const Statement& row, int column) {
@@ -48,7 +48,11 @@ RowRef row_ref(const Statement& row, int column) {
 class ExperimentReader {
 public:
     ExperimentReader(const Database& database, const EvolutionKinds& kinds)
-        : database_(database), kinds_(kinds), individuals_(database, kinds), genotypes_(kinds) {}
+        : database_(database),
+          kinds_(kinds),
+          most_rows_(most_rows(database)),
+          individuals_(database, kinds),
+          genotypes_(kinds) {}
 
     ReadExperiment read() {
         read_simulators();
@@ -108,8 +112,7 @@ private:
             std::uint32_t generation = 0;
             read_column(row, 0, generation);
             read_command(row, generation);
-            check_count(read_.saved.founders.size(), kMostCommands, "founders");
-            check_count(read_.saved.journal.size(), kMostCommands, "commands");
+            check_count(read_.saved.founders.size() + read_.saved.journal.size(), "commands");
         }
         if (!read_.saved.settings) throw DatabaseError("the journal has no beginning");
     }
@@ -170,12 +173,13 @@ private:
         while (place.step()) {
             read_.population.push_back(row_ref(place, 0));
             latest.population.push_back(individuals_.read(read_.population.back()));
-            check_count(latest.population.size(), kLargestPopulation, "creatures");
+            if (latest.population.size() > kLargestPopulation)
+                throw DatabaseError("the population is too large");
         }
         Statement novel = database_.prepare("SELECT individual, judged FROM novel ORDER BY place");
         while (novel.step()) {
             latest.memory.archive.push_back(individuals_.read(row_ref(novel, 0)));
-            check_count(latest.memory.archive.size(), kMostNovel, "novel creatures");
+            check_count(latest.memory.archive.size(), "novel creatures");
         }
         if (latest.population.empty() ||
             population_digest(latest.population) != read_.saved.digests.back())
@@ -248,6 +252,11 @@ private:
         read_.picking.picks = picks(fact("picks_on_show"), tree.current().creatures.size());
     }
 
+    void check_count(std::size_t count, const char* what) const {
+        if (count <= most_rows_) return;
+        throw DatabaseError("it is damaged: more " + std::string(what) + " than it can hold");
+    }
+
     std::string fact(const char* name) {
         Statement row = database_.prepare("SELECT value FROM facts WHERE name = ?");
         row.bind(name);
@@ -266,7 +275,7 @@ private:
             read_column(row, 2, each.generation);
             each.settings = settings(row.integer(3));
             creatures.push_back(std::move(each));
-            check_count(creatures.size(), kMostKept, "kept creatures");
+            check_count(creatures.size(), "kept creatures");
         }
         return creatures;
     }
@@ -280,6 +289,7 @@ private:
 
     const Database& database_;
     const EvolutionKinds& kinds_;
+    std::size_t most_rows_;
     IndividualReader individuals_;
     GenotypeReader genotypes_;
     std::map<std::int64_t, SettingsPtr> settings_;

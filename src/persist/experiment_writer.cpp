@@ -5,6 +5,7 @@
 #include "persist/experiment_schema.h"
 #include "persist/settings_file.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace cambrian {
@@ -37,8 +38,11 @@ ExperimentWriter::ExperimentWriter(Database database, const EvolutionKinds& kind
       set_fact_(database_.prepare("INSERT OR REPLACE INTO facts VALUES (?, ?)")) {}
 
 void ExperimentWriter::remember(const ReadExperiment& read) {
-    for (const auto& [individual, row] : read.chosen)
+    for (const auto& [individual, row] : read.chosen) {
         chosen_.remember(individual, row, true);
+        chosen_.hold_score(individual);
+    }
+    known_.outside_scores = database_.integer("SELECT min(0, ifnull(min(judged), 0)) FROM results");
     known_.grids = read.picking.tree.size();
     known_.simulator = read.saved.simulators.back().version;
     if (!read.saved.latest) return;
@@ -118,16 +122,15 @@ void ExperimentWriter::keep_stars(const std::vector<ChampionRecord>& stars) {
     transact([&] { replace_kept("star", stars); });
 }
 
-// Creatures of the population keep their rows; others get some of their own.
-RowRef ExperimentWriter::keep_chosen(const IndividualPtr& individual, std::int64_t judged) {
-    const auto known = known_.chosen.find(individual->uid);
+// Creatures of the population keep their rows and scores; others get some of their own.
+RowRef ExperimentWriter::keep_chosen(const IndividualPtr& individual) {
     const auto living = known_.individuals.find(individual->uid);
-    if (known == known_.chosen.end() && living != known_.individuals.end() &&
-        living->second.individual == individual) {
+    if (living != known_.individuals.end() && living->second.individual == individual) {
         kept_.hold_score(individual);
         chosen_.remember(individual, living->second.row, true);
     }
-    const RowRef row = chosen_.keep(individual, judged);
+    const RowRef row = chosen_.keep(individual, known_.outside_scores - 1);
+    known_.outside_scores = std::min(known_.outside_scores, row.judged);
     chosen_.hold_score(individual);
     return row;
 }
@@ -138,8 +141,7 @@ void ExperimentWriter::insert_grid(const GridNode& grid) {
                      grid.grid.fitness_weight, grid.generations, row_of(grid.settings),
                      picks_text(grid.picks));
     for (std::size_t cell = 0; cell < grid.creatures.size(); ++cell) {
-        // Scores of grids are told from those of generations by their sign.
-        const RowRef row = keep_chosen(grid.creatures[cell], -1 - std::int64_t{grid.number});
+        const RowRef row = keep_chosen(grid.creatures[cell]);
         insert_cell_.run(grid.number, std::uint64_t{cell}, row.individual, row.judged);
     }
 }
@@ -149,7 +151,7 @@ void ExperimentWriter::replace_kept(const char* role,
     clear_kept_.run(role);
     std::uint64_t place = 0;
     for (const ChampionRecord& each : creatures) {
-        const RowRef row = keep_chosen(each.individual, each.generation);
+        const RowRef row = keep_chosen(each.individual);
         insert_kept_.run(role, place++, row.individual, row.judged, each.generation,
                          row_of(each.settings));
     }

@@ -47,6 +47,8 @@ private:
         std::vector<IndividualPtr> novel;
         KeptIndividuals::Knowledge chosen;  // by a person: in grids, on the shelf, starred
         std::size_t grids = 0;
+        // Scores given outside the generations, in grids, are counted down from 0.
+        std::int64_t outside_scores = 0;
         std::string simulator;  // that computed the newest generation
     };
 
@@ -63,7 +65,7 @@ private:
     void insert_novel(const SelectionMemory& memory);
     void insert_generation(const Evolution& evolution);
     void name_simulator(std::uint32_t generation);
-    RowRef keep_chosen(const IndividualPtr& individual, std::int64_t judged);
+    RowRef keep_chosen(const IndividualPtr& individual);
     void insert_grid(const GridNode& grid);
     void replace_kept(const char* role, const std::vector<ChampionRecord>& creatures);
     void set_fact(const char* name, const std::string& value);

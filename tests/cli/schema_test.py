@@ -54,6 +54,8 @@ class Schema(ProgramTest):
     def test_what_the_reader_refuses_breaks_the_schema(self):
         codes = set()
         for name, document in self.documents("E"):
+            if "trials_too" in name:
+                continue  # a limit on what several values come to, which a schema cannot state
             with self.subTest(name):
                 self.assertFalse(self.rules.is_valid(document))
             codes.add(name[:3])

@@ -309,7 +309,7 @@ class StudioWindow(StudioTest):
         self.assertNotIn("running", [event["event"] for event in self.events()])
         self.assert_painted(display.picture("viewer-960x640.png"))
         self.quit()
-        self.assertEqual(self.files(), ["status.log"])
+        self.assertEqual(self.files(), ["messages.txt", "status.log"])
 
     def test_a_picture_painted_in_parts_is_as_one_painted_at_once(self):
         display = self.open_display()

@@ -207,6 +207,37 @@ TEST_CASE("genotypes of those who neither survived nor bore are let go",
                            "champion") == 12);
 }
 
+TEST_CASE("a star keeps each score it was given, whoever else lets go of it",
+          "[persist][experiment_file]") {
+    const TemporaryDirectory folder;
+    const SettingsPtr settings = shared(small_settings());
+    const auto file = new_file(folder / "a.cambrian", settings);
+    Evolution evolution(settings, kinds());
+    run_on(evolution, *file, 2);
+    std::vector<ChampionRecord> stars;
+    const auto star_all = [&] {
+        for (const IndividualPtr& each : evolution.population())
+            stars.push_back({evolution.generation(), each, evolution.shared_settings()});
+        REQUIRE(file->keep_stars(stars));
+    };
+    star_all();
+    ExperimentSettings moon = *settings;
+    moon.world.environment.gravity = 1.62;
+    run_on(evolution, *file, 3, {{2, ChangeSettings{shared(moon)}}});  // survivors are judged anew
+    star_all();
+    run_on(evolution, *file, 9);
+    const auto path = folder / "b.cambrian";
+    std::filesystem::copy(folder / "a.cambrian", path);
+    if (std::filesystem::exists(folder / "a.cambrian-wal"))
+        std::filesystem::copy(folder / "a.cambrian-wal", folder / "b.cambrian-wal");
+    const auto opened = open_experiment(path, kinds());
+    INFO((opened ? "" : opened.error().message));
+    REQUIRE(opened);
+    REQUIRE(opened->stars.size() == stars.size());
+    for (std::size_t i = 0; i < stars.size(); ++i)
+        check_equal(*opened->stars[i].individual, *stars[i].individual);
+}
+
 TEST_CASE("an experiment moves to another file and goes on there", "[persist][experiment_file]") {
     const TemporaryDirectory folder;
     const auto steering = some_steering(small_settings());
