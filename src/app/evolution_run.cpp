@@ -32,8 +32,10 @@ Result<SettingsPtr> settings_of(const EvolutionRun& run, const EvolutionKinds& k
 }
 
 // The creatures the run begins with; none for random ones.
-Result<std::vector<GenomePtr>> founders_of(const EvolutionRun& run, int places,
+Result<std::vector<GenomePtr>> founders_of(const EvolutionRun& run,
+                                           const ExperimentSettings& settings,
                                            const EvolutionKinds& kinds) {
+    const int places = settings.population.size;
     if (run.founders.size() > static_cast<std::size_t>(places)) {
         return Error{"--founders: " + std::to_string(run.founders.size()) +
                      " creatures, but [population] size is " + std::to_string(places)};
@@ -43,6 +45,7 @@ Result<std::vector<GenomePtr>> founders_of(const EvolutionRun& run, int places,
         Result<CreatureDocument> document = load_creature(file, kinds);
         if (!document) return document.error();
         say_of(file, document->warnings);
+        say_of(file, foreign_kinds(document->genome, settings.founders, kinds));
         founders.push_back(std::make_shared<const Genome>(std::move(document->genome)));
     }
     return founders;
@@ -75,7 +78,7 @@ Result<Course> new_course(const EvolutionRun& run, const EvolutionKinds& kinds) 
     if (!settings) return settings.error();
     for (const std::string& warning : setting_warnings(**settings, kinds))
         say(warning);
-    const auto founders = founders_of(run, (*settings)->population.size, kinds);
+    const auto founders = founders_of(run, **settings, kinds);
     if (!founders) return founders.error();
     Result<RunOutputs> outputs = run_outputs(run.out, **settings);
     if (!outputs) return outputs.error();

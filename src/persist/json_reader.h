@@ -19,8 +19,6 @@ struct FieldRule;
 
 class JsonReader {
 public:
-    static constexpr bool kReading = true;
-
     // The object and errors must outlive the reader. pointer: the JSON pointer of the object.
     JsonReader(const JsonValue& object, std::string pointer, ErrorList& errors)
         : object_(object), pointer_(std::move(pointer)), errors_(errors) {}

@@ -23,8 +23,6 @@ struct FieldRule;
 
 class JsonWriter {
 public:
-    static constexpr bool kReading = false;
-
     // Writes one object into `text`: begin, calls, end.
     explicit JsonWriter(std::string& text, Layout layout = Layout::kLines) : text_(text) {
         open('{', layout);

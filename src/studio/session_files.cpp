@@ -192,8 +192,13 @@ void Session::receive(CreatureLoaded& event) {
     show(exhibit_from(event.document, ExhibitSource::kFile, event.path));
     picking_.show_single(picking_.on());
     log_.write("loaded", {{"path", event.path.string()}});
+    std::vector<std::string> warnings = event.document.warnings;
+    for (std::string& each :
+         foreign_kinds(event.document.genome, experiment_.editor().draft().founders, kinds_))
+        warnings.push_back(std::move(each));
     std::string text = "Opened " + event.path.filename().string() + ".";
-    if (!event.document.warnings.empty()) text += " " + event.document.warnings.front();
+    if (!warnings.empty()) text += " " + warnings.front();
+    if (warnings.size() > 1) text += format(" (%zu more)", warnings.size() - 1);
     tell(NoticeKind::kDone, text);
 }
 

@@ -7,7 +7,7 @@ import signal
 import subprocess
 import unittest
 
-from program import CAMBRIAN, DONE, FAILED, SMALL, ProgramTest
+from program import CAMBRIAN, DONE, FAILED, ROOT, SMALL, ProgramTest
 
 
 class Evolve(ProgramTest):
@@ -165,6 +165,14 @@ class Evolve(ProgramTest):
         report = self.run_well("evolve", "small.toml", "-n", 1, "--json", "-o", "c.json",
                                "--founders", "a.json", "b.json").stdout
         self.assertGreaterEqual(json.loads(report.splitlines()[0])["best"], before)
+
+    def test_founders_with_what_the_experiment_has_not_enabled_are_told_of(self):
+        self.write("small.toml", SMALL)
+        linear = ROOT / "tests/persist/creatures/W04_linear_joint.creature.json"
+        for more, expected in [("", True), ("[body.joints]\nlinear = true\n", False)]:
+            self.write("s.toml", SMALL + more)
+            result = self.run_well("evolve", "s.toml", "-n", 1, "--founders", linear)
+            self.assertEqual("W04 " in result.stderr, expected, result.stderr)
 
     def test_founders_that_cannot_be_used_are_refused(self):
         self.write("small.toml", SMALL)

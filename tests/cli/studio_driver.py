@@ -97,10 +97,12 @@ class StudioTest(ProgramTest):
         self.log_read = 0  # bytes
         self.happened = []
         self.display = display
-        studio = subprocess.Popen(
-            [CAMBRIAN, subcommand, "--status-log", str(self.log), *map(str, arguments)],
-            cwd=self.folder, env=display.environment, stdout=subprocess.DEVNULL,
-            stderr=subprocess.DEVNULL)
+        self.messages = self.folder / "messages.txt"
+        with self.messages.open("wb") as messages:
+            studio = subprocess.Popen(
+                [CAMBRIAN, subcommand, "--status-log", str(self.log), *map(str, arguments)],
+                cwd=self.folder, env=display.environment, stdout=subprocess.DEVNULL,
+                stderr=messages)
         self.addCleanup(self.stop, studio)
         self.studio = studio
         self.wait_for("started")
@@ -128,7 +130,8 @@ class StudioTest(ProgramTest):
             for place, found in enumerate(self.events()):
                 if place >= after and found["event"] == event and fields.items() <= found.items():
                     return found, place + 1
-            self.assertIsNone(self.studio.poll(), f"the studio ended before '{event}'")
+            if self.studio.poll() is not None:
+                self.fail(f"the studio ended before '{event}': {self.messages.read_text()}")
             time.sleep(0.05)
         return self.fail(f"no '{event}' {fields} in {self.events()[after:]}")
 

@@ -1,3 +1,4 @@
+#include "evolution/trials.h"
 #include "persist/statistics_csv.h"
 #include "session_run.h"
 #include "studio_fixture.h"
@@ -199,6 +200,48 @@ TEST_CASE("a saved creature loads as the same creature", "[studio][session]") {
         return run.session.frame_context().playback.exhibit().source == ExhibitSource::kFile;
     }));
     CHECK(*run.session.frame_context().playback.exhibit().genome == *genome);
+}
+
+TEST_CASE("a creature judged by several trials is verified by as many, tick by tick",
+          "[studio][session]") {
+    SessionRun run;
+    ExperimentSettings settings = test::small_experiment();
+    settings.world.trial.trials = 3;
+    settings.world.trial.friction_jitter = 0.2;
+    Individual judged;
+    judged.uid = 77;
+    judged.method = "imported";
+    judged.genome = test::crawler(test::kinds().creature.catalog);
+    judged.result = evaluate_in_trials(
+        {.genome = judged.genome, .trial_seed = trial_seed(settings)}, settings, test::kinds());
+    judged.evaluated = true;
+    CreatureDocument document = creature_document(judged, settings, test::kinds());
+    complete_score(document, test::kinds());
+    const auto path = run.folder.path() / "robust.creature.json";
+    REQUIRE(save_creature(path, document, test::kinds()));
+    run.ask(LoadFile{path});
+    REQUIRE(run.frames_until([&] { return run.session.frame_context().score != nullptr; }));
+    const FrameContext frame = run.session.frame_context();
+    CHECK(frame.score->digest == judged.result.digest);
+    CHECK(frame.score->digest != frame.score->record.digest);
+    CHECK_FALSE(first_different_tick(frame.score->ticks, document.scored->ticks));
+
+    const auto copy = run.folder.path() / "copy.creature.json";
+    run.ask(SaveCreatureFile{copy});
+    REQUIRE(run.frames_until([&] { return std::filesystem::exists(copy); }));
+    const auto copied = load_creature(copy, test::kinds());
+    REQUIRE(copied);
+    CHECK(copied->ancestry == document.ancestry);
+    CHECK(copied->scored == document.scored);
+}
+
+TEST_CASE("what a loaded creature uses that the experiment has not enabled is told",
+          "[studio][session]") {
+    SessionRun run;
+    run.ask(LoadFile{std::string(CAMBRIAN_SOURCE_DIR) +
+                     "/tests/persist/creatures/W04_linear_joint.creature.json"});
+    REQUIRE(run.frames_until([&] { return run.session.frame_context().notice != nullptr; }));
+    CHECK_THAT(run.session.frame_context().notice->text, Catch::Contains("W04 "));
 }
 
 TEST_CASE("a creature saved as a card is prepared, drawn by the window and comes back",
