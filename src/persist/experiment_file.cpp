@@ -158,8 +158,8 @@ Result<OpenedExperiment> open_experiment(const std::filesystem::path& path,
         Database database(path, Database::Access::kWrite);
         if (Status current = bring_up_to_date(database); !current)
             return failure(kOpening, path, current.error().message);
-        make_durable(database);
         ReadExperiment read = read_experiment(database, kinds);
+        make_durable(database);
         auto open = std::unique_ptr<ExperimentFile::Open>(new ExperimentFile::Open{
             path, std::move(*lock), ExperimentWriter(std::move(database), kinds)});
         open->writer.remember(read);

@@ -2,7 +2,7 @@
 // window asks for this and that. Meant for the thread sanitizer most of all:
 //
 //   cmake --preset tsan && cmake --build build/tsan --target studio_tests
-//   CAMBRIAN_STRESS_FRAMES=40000 build/tsan/bin/studio_tests '[stress]'
+//   CAMBRIAN_STRESS_FRAMES=40000 CAMBRIAN_STRESS_SEED=2 build/tsan/bin/studio_tests '[stress]'
 
 #include "core/random.h"
 #include "persist/creature_file.h"
@@ -159,7 +159,8 @@ void check_still_evolving(SessionRun& run) {
 TEST_CASE("a session withstands a restless person", "[studio][session][stress][threads]") {
     SessionRun run;
     run.session.remember_in(run.folder.path() / "state");
-    RestlessPerson person(run, 11);
+    const char* seed = std::getenv("CAMBRIAN_STRESS_SEED");
+    RestlessPerson person(run, seed == nullptr ? 11 : std::strtoull(seed, nullptr, 10));
     RandomStream pace(12);
     const int frames = frames_wanted();
     for (int i = 0; i < frames; ++i) {

@@ -28,6 +28,15 @@ std::string unit_of_goal(const FrameContext& frame) {
     return goal == nullptr ? std::string() : goal->unit;
 }
 
+std::string done_words(const FrameContext& frame) {
+    const ProgressView& progress = frame.progress;
+    if (progress.total > 0)
+        return pretty_number(progress.done) + " of " + pretty_number(progress.total) + " creatures";
+    const std::size_t kept = frame.snapshot.history.size();
+    if (kept == 0) return "nothing evaluated yet";
+    return kept == 1 ? "1 generation kept" : std::to_string(kept) + " generations kept";
+}
+
 std::string best_text(const FrameContext& frame) {
     if (frame.snapshot.history.empty()) return "–";
     return measured(frame.snapshot.history.back().best, unit_of_goal(frame));
@@ -153,11 +162,8 @@ void EvolveBar::draw_numbers(const FrameContext& frame) {
     const float bar_y = at.y + px(5);
     ImGui::SetCursorScreenPos({x, bar_y});
     progress_bar(share, bar_width, px(7));
-    const std::string done = progress.total == 0 ? std::string("nothing evaluated yet")
-                                                 : pretty_number(progress.done) + " of " +
-                                                       pretty_number(progress.total) + " creatures";
     ImGui::GetWindowDrawList()->AddText(ui().fonts.small, 13.0F * ui().scale, {x, at.y + px(16)},
-                                        paint(colors().muted), done.c_str());
+                                        paint(colors().muted), done_words(frame).c_str());
     x += bar_width + px(22);
     const bool known = progress.per_second > 0.0;
     reading(known ? pretty_number(std::round(progress.per_second)) : "–", "creatures/s", 92);
