@@ -126,11 +126,11 @@ std::int64_t Statement::inserted_row() const {
 }
 
 void Statement::refuse(int column, const char* expected) const {
-    static constexpr const char* kNames[] = {"nothing", "a whole number", "a number",
-                                             "a text",  "bytes",          "nothing"};
+    static constexpr const char* names[] = {"nothing", "a whole number", "a number",
+                                            "a text",  "bytes",          "nothing"};
     const int found = sqlite3_column_type(statement_.get(), column);
     throw DatabaseError("column \"" + std::string(sqlite3_column_name(statement_.get(), column)) +
-                        "\": expected " + expected + ", found " + kNames[found]);
+                        "\": expected " + expected + ", found " + names[found]);
 }
 
 bool Statement::is_null(int column) const {

@@ -41,7 +41,7 @@ std::optional<std::vector<std::uint8_t>> parse_hex_pairs(std::string_view text) 
     for (std::size_t i = 0; i < text.size(); ++i) {
         const std::size_t digit = kHexDigits.find(text[i]);
         if (digit == std::string_view::npos) return std::nullopt;
-        bytes[i / 2] = static_cast<std::uint8_t>(bytes[i / 2] * 16U + digit);
+        bytes[i / 2] = static_cast<std::uint8_t>(bytes[i / 2] * std::size_t{16} + digit);
     }
     return bytes;
 }

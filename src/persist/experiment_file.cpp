@@ -40,6 +40,9 @@ void make_durable(Database& database) {
 // An open file. The lock outlives the connection: to close any descriptor of a file takes SQLite's
 // own locks on it away.
 struct ExperimentFile::Open {
+    Open(std::filesystem::path name, FileLock held, Database database, const EvolutionKinds& kinds)
+        : path(std::move(name)), lock(std::move(held)), writer(std::move(database), kinds) {}
+
     std::filesystem::path path;
     FileLock lock;
     ExperimentWriter writer;
@@ -57,7 +60,7 @@ Result<std::shared_ptr<ExperimentFile>> ExperimentFile::create(
         Database database({}, Database::Access::kCreate);
         create_tables(database);
         auto open =
-            std::unique_ptr<Open>(new Open{{}, {}, ExperimentWriter(std::move(database), kinds)});
+            std::make_unique<Open>(std::filesystem::path(), FileLock(), std::move(database), kinds);
         open->writer.begin(settings, founders);
         return std::shared_ptr<ExperimentFile>(new ExperimentFile(std::move(open), kinds));
     } catch (const DatabaseError& error) {
@@ -134,8 +137,7 @@ Status ExperimentFile::go_on_in(const std::filesystem::path& path) {
     try {
         Database database(path, Database::Access::kWrite);
         make_durable(database);
-        auto open = std::unique_ptr<Open>(
-            new Open{path, std::move(*lock), ExperimentWriter(std::move(database), kinds_)});
+        auto open = std::make_unique<Open>(path, std::move(*lock), std::move(database), kinds_);
         open->writer.remember(open_->writer);
         open_ = std::move(open);
         return {};
@@ -160,8 +162,8 @@ Result<OpenedExperiment> open_experiment(const std::filesystem::path& path,
             return failure(kOpening, path, current.error().message);
         ReadExperiment read = read_experiment(database, kinds);
         make_durable(database);
-        auto open = std::unique_ptr<ExperimentFile::Open>(new ExperimentFile::Open{
-            path, std::move(*lock), ExperimentWriter(std::move(database), kinds)});
+        auto open = std::make_unique<ExperimentFile::Open>(path, std::move(*lock),
+                                                           std::move(database), kinds);
         open->writer.remember(read);
         return OpenedExperiment{
             std::shared_ptr<ExperimentFile>(new ExperimentFile(std::move(open), kinds)),

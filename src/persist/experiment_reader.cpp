@@ -187,7 +187,7 @@ private:
     }
 
     IndividualPtr chosen(const RowRef& row) {
-        const IndividualPtr individual = individuals_.read(row);
+        IndividualPtr individual = individuals_.read(row);
         read_.chosen.emplace_back(individual, row);
         return individual;
     }

@@ -135,6 +135,7 @@ std::string text_of(const png_text& chunk) {
 Result<std::string> encode_png(const Image& image, const std::vector<PngText>& texts) {
     std::vector<PngText> kept = texts;  // libpng takes no constants
     std::vector<png_text> chunks;
+    chunks.reserve(kept.size());
     for (PngText& text : kept)
         chunks.push_back(chunk_of(text));
     std::string bytes;

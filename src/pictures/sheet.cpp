@@ -76,9 +76,10 @@ void draw_sheet(Easel& easel, const Subject& subject, const Palette& palette, in
     const Ink ink{Typeface::kRegular, 19.0 * unit, palette.muted};
     int index = 0;
     for (const double time : even_times(subject.motion(), poses)) {
+        const int row = index / grid.columns;
         const Area cell = {std::round(room.x + index % grid.columns * (width + gap)),
-                           std::round(room.y + index / grid.columns * (height + gap + caption)),
-                           std::round(width), std::round(height)};
+                           std::round(room.y + row * (height + gap + caption)), std::round(width),
+                           std::round(height)};
         add_moment(easel, cell, subject, time, style);
         easel.round_corners(cell, 8.0 * unit, palette.window);
         easel.add_text(cell.x + 0.5 * width, cell.bottom() + 22.0 * unit, format("%.1f s", time),

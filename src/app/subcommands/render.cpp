@@ -218,7 +218,7 @@ private:
         for (std::uint64_t frame = 0; frame < clip_frames(timing); ++frame) {
             if (interruption.requested()) return Error{"interrupted; nothing was written"};
             draw_clip_frame(easel, subject, palette, timing, frame);
-            if (const Status added = (*clip)->add(easel.finish()); !added) return added;
+            if (Status added = (*clip)->add(easel.finish()); !added) return added;
         }
         return (*clip)->finish();
     }
