@@ -41,6 +41,7 @@ std::vector<std::string> arguments_of(const std::filesystem::path& target,
                                           "-hide_banner",
                                           "-loglevel",
                                           "error",
+                                          "-y",
                                           "-f",
                                           "rawvideo",
                                           "-pix_fmt",
@@ -140,8 +141,6 @@ Status ClipFile::start(const std::vector<std::string>& arguments) {
         return spawn_failure(code);
     }
     complaints_ = from[0];
-    // A pipe that ffmpeg has left must not end us.
-    ::signal(SIGPIPE, SIG_IGN);
     const int code = spawn(arguments, to[0], from[1], process_);
     ::close(to[0]);
     ::close(from[1]);

@@ -4,6 +4,7 @@
 // transaction a generation, so that whatever happens at most the generation in flight is lost. The
 // tables are described in assets/help/experiment_file.md.
 
+#include "core/pending_file.h"
 #include "core/result.h"
 #include "evolution/evolution_kinds.h"
 #include "evolution/experiment_log.h"
@@ -35,7 +36,7 @@ public:
     Status keep_picking(const PickingRecord& picking);
     Status keep_stars(const std::vector<ChampionRecord>& stars);
 
-    enum class Existing : std::uint8_t { kReplace, kRefuse };
+    using Existing = PendingFile::Existing;
     // The whole experiment as another file, there from one moment to the next; everything from now
     // on goes there too. Any thread.
     Status move_to(const std::filesystem::path& path, Existing existing = Existing::kReplace);

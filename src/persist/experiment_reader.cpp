@@ -41,9 +41,49 @@ double share_of(const Statement& row, int column) {
     throw DatabaseError("a share of newcomers is outside [0, 1]");
 }
 
+// Generations are numbered from 0 without a gap.
+void check_order(const GenerationStatistics& statistics, std::size_t expected) {
+    if (statistics.generation != expected)
+        throw DatabaseError("generation " + std::to_string(expected) + " is missing");
+}
+
 RowRef row_ref(const Statement& row, int column) {
     return {row.integer(column), row.integer(column + 1)};
 }
+
+SettingsPtr read_settings(const Database& database, std::int64_t id, const EvolutionKinds& kinds) {
+    Statement row = database.prepare("SELECT toml FROM settings WHERE id = ?");
+    row.bind(id);
+    const std::string name = "settings " + std::to_string(id);
+    if (!row.step()) throw DatabaseError(name + " are missing");
+    if (row.text(0).size() > kMostSettings) throw DatabaseError(name + " are too large");
+    Result<ExperimentSettings> parsed = parse_settings(row.text(0), name, kinds);
+    if (!parsed) throw DatabaseError(parsed.error().message);
+    return std::make_shared<const ExperimentSettings>(std::move(*parsed));
+}
+
+// How many creatures can be brought into each generation that a command changed; the rest of those
+// brought in has no place and no effect.
+class Places {
+public:
+    // In the journal's order.
+    void change(std::uint32_t generation, const ExperimentSettings& settings) {
+        places_[generation] = static_cast<std::size_t>(settings.population.size);
+    }
+    std::size_t founders() const { return founders_; }
+    std::size_t of(std::uint32_t generation) const {
+        const auto after = places_.upper_bound(generation);
+        return after == places_.begin() ? 0 : std::prev(after)->second;
+    }
+    void begin(const ExperimentSettings& settings) {
+        founders_ = static_cast<std::size_t>(settings.population.size);
+        change(0, settings);
+    }
+
+private:
+    std::size_t founders_ = 0;
+    std::map<std::uint32_t, std::size_t> places_;  // from a generation on
+};
 
 class ExperimentReader {
 public:
@@ -68,15 +108,7 @@ public:
 private:
     SettingsPtr settings(std::int64_t id) {
         SettingsPtr& place = settings_[id];
-        if (place) return place;
-        Statement row = database_.prepare("SELECT toml FROM settings WHERE id = ?");
-        row.bind(id);
-        const std::string name = "settings " + std::to_string(id);
-        if (!row.step()) throw DatabaseError(name + " are missing");
-        if (row.text(0).size() > kMostSettings) throw DatabaseError(name + " are too large");
-        Result<ExperimentSettings> parsed = parse_settings(row.text(0), name, kinds_);
-        if (!parsed) throw DatabaseError(parsed.error().message);
-        place = std::make_shared<const ExperimentSettings>(std::move(*parsed));
+        if (!place) place = read_settings(database_, id, kinds_);
         return place;
     }
 
@@ -106,15 +138,45 @@ private:
     }
 
     void read_journal() {
+        read_places();
         Statement row = database_.prepare(
             "SELECT generation, command, settings, share, size, genotype FROM journal ORDER BY id");
+        std::size_t commands = 0;
+        const std::int64_t present =
+            database_.integer("SELECT ifnull(max(generation) + 1, 0) FROM generations");
         while (row.step()) {
+            check_count(++commands, "commands");
             std::uint32_t generation = 0;
             read_column(row, 0, generation);
+            if (generation > present) {
+                throw DatabaseError("a command was given in generation " +
+                                    std::to_string(generation) + ", which was never reached");
+            }
             read_command(row, generation);
-            check_count(read_.saved.founders.size() + read_.saved.journal.size(), "commands");
         }
         if (!read_.saved.settings) throw DatabaseError("the journal has no beginning");
+    }
+
+    void read_places() {
+        Statement row = database_.prepare(
+            "SELECT generation, command, settings FROM journal "
+            "WHERE command IN ('start', 'settings') ORDER BY id");
+        std::size_t changes = 0;
+        while (row.step()) {
+            check_count(++changes, "commands");
+            std::uint32_t generation = 0;
+            read_column(row, 0, generation);
+            const SettingsPtr present = settings(row.integer(2));
+            if (row.text(1) == "start") places_.begin(*present);
+            places_.change(generation, *present);
+        }
+    }
+
+    // Whether one more creature brought in has a place; the first stays that of the champion.
+    bool has_place(std::uint32_t generation) {
+        if (generation != injected_generation_) injected_ = 0;
+        injected_generation_ = generation;
+        return ++injected_ < places_.of(generation);
     }
 
     void read_command(const Statement& row, std::uint32_t generation) {
@@ -125,11 +187,13 @@ private:
         if (command == "start") {
             read_.saved.settings = settings(row.integer(2));
         } else if (command == "founder") {
-            read_.saved.founders.push_back(genotype(row, 4));
+            if (read_.saved.founders.size() < places_.founders())
+                read_.saved.founders.push_back(genotype(row, 4));
         } else if (command == "settings") {
             journal.push_back({generation, ChangeSettings{settings(row.integer(2))}});
         } else if (command == "inject") {
-            journal.push_back({generation, InjectGenome{genotype(row, 4)}});
+            if (has_place(generation))
+                journal.push_back({generation, InjectGenome{genotype(row, 4)}});
         } else if (command == "newcomers") {
             journal.push_back({generation, AddNewcomers{share_of(row, 3)}});
         } else {
@@ -148,10 +212,7 @@ private:
         while (row.step()) {
             GenerationStatistics statistics;
             read_columns<GenerationStatistics>(row, 0, kStatisticsColumns, statistics);
-            if (statistics.generation != latest.history.size()) {
-                throw DatabaseError("generation " + std::to_string(latest.history.size()) +
-                                    " is missing");
-            }
+            check_order(statistics, latest.history.size());
             latest.history.push_back(statistics);
             latest.generation = statistics.generation;
             latest.settings = settings(row.integer(more + 2));
@@ -293,6 +354,9 @@ private:
     IndividualReader individuals_;
     GenotypeReader genotypes_;
     std::map<std::int64_t, SettingsPtr> settings_;
+    Places places_;
+    std::uint32_t injected_generation_ = 0;
+    std::size_t injected_ = 0;  // into that generation
     ReadExperiment read_;
 };
 
@@ -300,6 +364,47 @@ private:
 
 ReadExperiment read_experiment(const Database& database, const EvolutionKinds& kinds) {
     return ExperimentReader(database, kinds).read();
+}
+
+SettingsPtr read_last_settings(const Database& database, const EvolutionKinds& kinds) {
+    Statement row = database.prepare(
+        "SELECT settings FROM journal WHERE id = (SELECT max(id) FROM "
+        "(SELECT id, command FROM journal ORDER BY id DESC LIMIT ?) "
+        "WHERE command IN ('start', 'settings'))");
+    row.bind(std::uint64_t{most_rows(database)});
+    if (!row.step()) throw DatabaseError("the journal has no beginning");
+    return read_settings(database, row.integer(0), kinds);
+}
+
+std::vector<GenerationStatistics> read_history(const Database& database) {
+    Statement row =
+        database.prepare("SELECT " + column_names<GenerationStatistics>(kStatisticsColumns) +
+                         " FROM generations ORDER BY generation");
+    std::vector<GenerationStatistics> history;
+    while (row.step()) {
+        read_columns<GenerationStatistics>(row, 0, kStatisticsColumns, history.emplace_back());
+        check_order(history.back(), history.size() - 1);
+    }
+    return history;
+}
+
+std::optional<std::uint32_t> last_generation(const Database& database) {
+    Statement row = database.prepare("SELECT max(generation) FROM generations");
+    if (!row.step() || row.is_null(0)) return std::nullopt;
+    std::uint32_t generation = 0;
+    read_column(row, 0, generation);
+    return generation;
+}
+
+ChampionRecord read_champion(const Database& database, std::uint32_t generation,
+                             const EvolutionKinds& kinds) {
+    Statement row = database.prepare(
+        "SELECT champion, champion_judged, settings FROM generations WHERE generation = ?");
+    row.bind(generation);
+    if (!row.step())
+        throw DatabaseError("generation " + std::to_string(generation) + " is missing");
+    return {generation, IndividualReader(database, kinds).read(row_ref(row, 0)),
+            read_settings(database, row.integer(2), kinds)};
 }
 
 }  // namespace cambrian

@@ -8,6 +8,8 @@
 #include "persist/kept_individuals.h"
 #include "persist/picking_record.h"
 
+#include <cstdint>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -24,5 +26,14 @@ struct ReadExperiment {
 
 // Of a database whose tables were checked.
 ReadExperiment read_experiment(const Database& database, const EvolutionKinds& kinds);
+
+// Parts of it, read alone.
+SettingsPtr read_last_settings(const Database& database, const EvolutionKinds& kinds);
+std::vector<GenerationStatistics> read_history(const Database& database);
+// The number of the last finished one; none if there is none.
+std::optional<std::uint32_t> last_generation(const Database& database);
+// Of a finished generation.
+ChampionRecord read_champion(const Database& database, std::uint32_t generation,
+                             const EvolutionKinds& kinds);
 
 }  // namespace cambrian

@@ -170,7 +170,7 @@ void ExperimentWriter::set_fact(const char* name, const std::string& value) {
 }
 
 void ExperimentWriter::copy_to(const std::filesystem::path& path) const {
-    database_.prepare("VACUUM INTO ?").run(path.string());
+    database_.copy_to(path);
 }
 
 std::int64_t ExperimentWriter::row_of(const SettingsPtr& settings) {

@@ -1,5 +1,5 @@
 #include "app/experiment_replay.h"
-#include "app/interruption.h"
+#include "app/long_work.h"
 #include "app/messages.h"
 #include "app/option_types.h"
 #include "app/subcommands/subcommands.h"
@@ -18,12 +18,18 @@ namespace cambrian {
 namespace {
 
 // The trial of the file, run again here and now; also more finely if that was kept.
-EvaluationResult replay(const CreatureDocument& document, const EvolutionKinds& kinds) {
+EvaluationResult replay(const CreatureDocument& document, const EvolutionKinds& kinds,
+                        LongWork& work) {
     const auto genome = std::make_shared<const Genome>(document.genome);
     const ExperimentSettings settings = settings_of(*document.scored);
-    EvaluationResult result =
-        evaluate_in_trials({.genome = genome, .trial_seed = trial_seed(settings)}, settings, kinds);
-    if (document.scored->finer && !result.finer) result.finer = recompute(*genome, settings, kinds);
+    const TrialSettings& trial = settings.world.trial;
+    work.begin("replaying", trial.duration * trial.trials);
+    EvaluationResult result = evaluate_in_trials(
+        {.genome = genome, .trial_seed = trial_seed(settings)}, settings, kinds, work.stop());
+    if (document.scored->finer && !result.finer) {
+        work.begin("computing more finely", trial.duration);
+        result.finer = recompute(*genome, settings, kinds, work.stop());
+    }
     return result;
 }
 
@@ -46,7 +52,9 @@ ExitStatus verify(const std::string& file, const EvolutionKinds& kinds) {
     say_of(file, document->warnings);
     if (!document->scored) return fail({file + ": holds no score to verify"});
     const ScoredRecord& scored = *document->scored;
-    const EvaluationResult result = replay(*document, kinds);
+    LongWork work;
+    const EvaluationResult result = replay(*document, kinds, work);
+    if (work.interrupted()) return fail({file + ": interrupted"}, ExitStatus::kFailed);
     if (result.digest == scored.trajectory && result.fitness == scored.fitness) {
         if (scored.finer && result.finer != scored.finer)
             return fail({file + ": computed more finely it differs: " +
@@ -57,8 +65,7 @@ ExitStatus verify(const std::string& file, const EvolutionKinds& kinds) {
                               scored.unit + ", " + std::string(verdict_name(result.verdict));
         if (scored.finer)
             message += "; computed more finely " + finer_text(*scored.finer, scored.unit);
-        print_line(message);
-        return ExitStatus::kDone;
+        return print_result_line(message);
     }
     std::string message = file + ": the replay differs" + where_different(*document, kinds) + ": " +
                           short_text(result.fitness) + " " + scored.unit + " with motion " +
@@ -86,8 +93,9 @@ ExitStatus verify_experiment(const std::string& file, const EvolutionKinds& kind
     const Result<SavedExperiment> saved = load_experiment(file, kinds);
     if (!saved) return fail(saved.error());
     const auto backend = make_thread_pool_backend(kinds, ThreadPool::default_workers());
-    const Interruption interruption;
-    const ReplayOutcome outcome = replay_experiment(*saved, kinds, *backend, interruption.token());
+    LongWork work;
+    work.begin("replaying", static_cast<double>(saved->digests.size()), "generations");
+    const ReplayOutcome outcome = replay_experiment(*saved, kinds, *backend, work.watch());
     const std::string done = std::to_string(outcome.generations) + " of " +
                              std::to_string(saved->digests.size()) + " generations";
     if (outcome.different) {
@@ -96,9 +104,8 @@ ExitStatus verify_experiment(const std::string& file, const EvolutionKinds& kind
                     ExitStatus::kFailed);
     }
     if (outcome.stopped) return fail({file + ": stopped after " + done}, ExitStatus::kFailed);
-    print_line(file + ": replay verified, " + done + ", " + std::to_string(saved->journal.size()) +
-               " commands on the way");
-    return ExitStatus::kDone;
+    return print_result_line(file + ": replay verified, " + done + ", " +
+                             std::to_string(saved->journal.size()) + " commands on the way");
 }
 
 class VerifySubcommand final : public Subcommand {
@@ -107,6 +114,9 @@ public:
         app.add_option("creatures", files_, "Creature files, or experiments to be computed anew")
             ->type_name(option_type::kCreatureOrExperiment)
             ->required();
+    }
+    CommandFiles files() const override {
+        return CommandFiles().reads(files_);
     }
     ExitStatus run(const EvolutionKinds& kinds) override {
         ExitStatus worst = ExitStatus::kDone;
