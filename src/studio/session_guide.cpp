@@ -1,7 +1,7 @@
 // What a session does to help a person find the way: help pages, the tour, samples.
 
+#include "studio/help/tour.h"
 #include "studio/session.h"
-#include "studio/tour.h"
 
 #include <utility>
 

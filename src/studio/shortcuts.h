@@ -2,8 +2,8 @@
 
 // Keys and what they ask for: one table, used by the window, the menus and the help panel.
 
-#include "studio/frame_context.h"
-#include "studio/requests.h"
+#include "studio/frame/frame_context.h"
+#include "studio/frame/requests.h"
 
 #include <span>
 
