@@ -7,6 +7,8 @@
 #include "studio/experiment/open_experiment.h"
 #include "studio/files/file_desk.h"
 #include "studio/files/sample_shelf.h"
+#include "studio/frame/frame_context.h"
+#include "studio/frame/requests.h"
 #include "studio/hand_picking/hand_picking.h"
 #include "studio/help/help_book.h"
 #include "studio/playback/ghosts.h"

@@ -5,8 +5,8 @@
 #include "core/stopwatch.h"
 #include "evolution/engine.h"
 #include "persist/kept_experiment.h"
+#include "studio/experiment/progress_view.h"
 #include "studio/experiment/settings_editor.h"
-#include "studio/frame/frame_context.h"
 
 #include <cstdint>
 #include <deque>

@@ -3,13 +3,25 @@
 // What the file panel shows: a folder's sub-folders and the files the studio can open. Filled by
 // the background worker.
 
-#include "studio/frame/requests.h"
-
 #include <filesystem>
 #include <string>
 #include <vector>
 
 namespace cambrian {
+
+enum class FileTask : std::uint8_t {
+    kOpen,
+    kSaveCreature,
+    kSaveExperiment,
+    kSaveSettings,
+    kSaveStatistics,
+    kSavePlot
+};
+// In pixels.
+struct PictureSize {
+    int width = 1280;
+    int height = 720;
+};
 
 struct FolderListing {
     std::filesystem::path folder;

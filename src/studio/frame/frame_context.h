@@ -4,9 +4,11 @@
 
 #include "evolution/setting_field.h"
 #include "evolution/snapshot.h"
+#include "studio/experiment/progress_view.h"
 #include "studio/experiment/settings_editor.h"
 #include "studio/files/file_browser.h"
 #include "studio/files/sample_shelf.h"
+#include "studio/frame/requests.h"
 #include "studio/hand_picking/picking_view.h"
 #include "studio/help/help_book.h"
 #include "studio/look/view_state.h"
@@ -22,14 +24,6 @@
 #include <vector>
 
 namespace cambrian {
-
-// How far the generation in flight is.
-struct ProgressView {
-    std::uint32_t done = 0;
-    std::uint32_t total = 0;
-    double per_second = 0.0;    // creatures evaluated; 0 if unknown
-    double seconds_left = 0.0;  // of the generation; negative if unknown
-};
 
 struct FrameContext {
     const EvolutionKinds& kinds;

@@ -7,6 +7,7 @@
 #include "evolution/snapshot.h"
 #include "picking/picking_command.h"
 #include "pictures/highlight.h"
+#include "studio/files/file_browser.h"
 #include "studio/hand_picking/picking_view.h"
 #include "studio/look/view_state.h"
 #include "studio/playback/exhibit.h"
@@ -126,19 +127,6 @@ struct ChangePickingOptions {
     PickingOptions options;
 };
 
-enum class FileTask : std::uint8_t {
-    kOpen,
-    kSaveCreature,
-    kSaveExperiment,
-    kSaveSettings,
-    kSaveStatistics,
-    kSavePlot
-};
-// In pixels.
-struct PictureSize {
-    int width = 1280;
-    int height = 720;
-};
 struct OpenFilePanel {
     FileTask task = FileTask::kOpen;
     PictureSize picture = {};  // of a plot

@@ -2,7 +2,6 @@
 
 #include "core/file_io.h"
 #include "core/pretty_text.h"
-#include "studio/shortcuts.h"
 
 #include <algorithm>
 #include <system_error>
@@ -64,20 +63,6 @@ Their sources: `github.com/ocornut/imgui`, `glfw.org`, `github.com/Dav1dde/glad`
 `github.com/marzer/tomlplusplus`, `github.com/CLIUtils/CLI11`, `rsms.me/inter`.
 )";
 
-std::string table_of(std::span<const Shortcut> keys) {
-    std::string text = "| key | what it does |\n|---|---|\n";
-    for (const Shortcut& shortcut : keys)
-        text += std::string("| `") + shortcut.keys + "` | " + shortcut.what + " |\n";
-    return text;
-}
-
-std::string keys_text() {
-    return "# Keys\n\n" + table_of(shortcuts()) + "\n## While picking by hand\n\n" +
-           table_of(picking_shortcuts()) +
-           "\nIn the filter of the settings, `Enter` goes to the value of the first setting found "
-           "and `Esc` clears it. Among the samples, arrows choose and `Enter` opens.\n";
-}
-
 std::vector<HelpPage> read_folder(const std::filesystem::path& folder) {
     std::vector<HelpPage> pages;
     std::error_code error;
@@ -105,9 +90,9 @@ HelpPage help_page(const std::string& name, std::string_view text) {
     return page;
 }
 
-std::vector<HelpPage> read_help(const std::filesystem::path& folder) {
+std::vector<HelpPage> read_help(const std::filesystem::path& folder, std::string_view keys) {
     std::vector<HelpPage> pages = {help_page(kFirstStepsPage, kFirstSteps),
-                                   help_page(kKeysPage, keys_text())};
+                                   help_page(kKeysPage, keys)};
     for (HelpPage& page : read_folder(folder))
         pages.push_back(std::move(page));
     pages.push_back(help_page(kAboutPage, kAbout));

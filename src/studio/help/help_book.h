@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace cambrian {
@@ -28,8 +29,8 @@ struct HelpBook {
     std::string open = kFirstStepsPage;
 };
 
-// First steps, keys, the folder's pages by title, and what the program is made of. Files that
-// cannot be read are left out.
-std::vector<HelpPage> read_help(const std::filesystem::path& folder);
+// First steps, keys, the folder's pages by title, and what the program is made of. `keys` is the
+// text of the page of keys. Files that cannot be read are left out.
+std::vector<HelpPage> read_help(const std::filesystem::path& folder, std::string_view keys);
 
 }  // namespace cambrian

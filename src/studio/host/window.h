@@ -3,7 +3,7 @@
 // The window on the display and its OpenGL context.
 
 #include "core/result.h"
-#include "studio/shortcuts.h"
+#include "studio/host/key_press.h"
 
 #include <filesystem>
 #include <memory>

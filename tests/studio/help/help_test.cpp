@@ -10,7 +10,7 @@ namespace cambrian {
 namespace {
 
 std::vector<HelpPage> all_pages() {
-    return read_help(std::string(CAMBRIAN_SOURCE_DIR) + "/assets/help");
+    return read_help(std::string(CAMBRIAN_SOURCE_DIR) + "/assets/help", keys_text());
 }
 const HelpPage& page_named(const std::vector<HelpPage>& pages, const std::string& name) {
     const auto found = std::find_if(pages.begin(), pages.end(),
@@ -40,7 +40,7 @@ TEST_CASE("the help holds its own pages and those of the folder", "[studio][help
     CHECK(page_named(pages, "experiment").title == "Experiment");
     CHECK(page_named(pages, "viewport").title == "Viewport");
     CHECK(says(page_named(pages, kAboutPage), "Dear ImGui"));
-    CHECK(read_help("/no/such/folder").size() == 3);
+    CHECK(read_help("/no/such/folder", keys_text()).size() == 3);
 }
 
 TEST_CASE("every key is on the page of keys", "[studio][help]") {
