@@ -9,7 +9,7 @@
 #include "bench/planar_runs.h"
 #include "bench/runs.h"
 #include "bench/selection.h"
-#include "core/file_io.h"
+#include "bench/write_table.h"
 #include "core/thread_pool.h"
 #include "support/body_plans.h"
 #include "support/sample_statistics.h"
@@ -275,10 +275,7 @@ int measure(const Options& options) {
     table.print_header();
     for (const Measure& each : select_kinds(all_measures(), options.measures))
         each.run(options, table);
-    if (options.csv_path.empty()) return EXIT_SUCCESS;
-    const Status written = write_file(options.csv_path, table.csv());
-    if (!written) std::fprintf(stderr, "%s\n", written.error().message.c_str());
-    return written ? EXIT_SUCCESS : EXIT_FAILURE;
+    return write_table(options.csv_path, table.csv());
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 #include "bench/engine_kinds.h"
 #include "bench/runs.h"
 #include "bench/selection.h"
-#include "core/file_io.h"
+#include "bench/write_table.h"
 #include "support/body_plans.h"
 #include "support/sample_statistics.h"
 #include "support/thread_time.h"
@@ -163,10 +163,7 @@ int compare(const Options& options) {
             std::fflush(stdout);
         }
     }
-    if (options.csv_path.empty()) return EXIT_SUCCESS;
-    const Status written = write_file(options.csv_path, csv);
-    if (!written) std::fprintf(stderr, "%s\n", written.error().message.c_str());
-    return written ? EXIT_SUCCESS : EXIT_FAILURE;
+    return write_table(options.csv_path, csv);
 }
 
 // Each creature once in each engine and nothing else, for instruction counters.

@@ -2,7 +2,7 @@
 // end of a generation, and what an evaluation costs besides physics.
 #include "app/builtin_kinds.h"
 #include "bench/evaluation_cost.h"
-#include "core/file_io.h"
+#include "bench/write_table.h"
 #include "core/stopwatch.h"
 #include "core/thread_pool.h"
 #include "evolution/evolution.h"
@@ -147,10 +147,7 @@ int run(const Options& options) {
     report_generations(backend, breeding);
     const bench::EvaluationCost cost = cost_of(evolution.population(), *settings, kinds);
     report_costs(cost);
-    if (options.csv_path.empty()) return 0;
-    const Status written = write_file(options.csv_path, csv_of(backend, cost));
-    if (!written) std::fprintf(stderr, "%s\n", written.error().message.c_str());
-    return written ? 0 : 1;
+    return bench::write_table(options.csv_path, csv_of(backend, cost));
 }
 
 }  // namespace
