@@ -27,12 +27,12 @@ private:
     std::string text() const;
 
     Interruption interruption_;
-    std::string stage_;     // changed while the line is interrupted, with what follows
+    std::string stage_;  // changed while the line is interrupted, with what follows
     std::string unit_;
     double length_ = 0.0;
-    double began_ = 0.0;    // s on the line's clock
+    double began_ = 0.0;  // s on the line's clock
     std::atomic<double> time_ = 0.0;
-    ProgressLine line_;     // last: asks for the text
+    ProgressLine line_;  // last: asks for the text
 };
 
 }  // namespace cambrian

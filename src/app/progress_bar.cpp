@@ -30,8 +30,8 @@ std::string ProgressBar::text() const {
                              std::to_string(generations_) + " " + bar_text(share);
     const std::string left = time_left_text(share, seconds);
     if (left.empty()) return line;
-    return line + "  " + std::to_string(static_cast<long long>(trials / seconds)) +
-           " creatures/s" + left;
+    return line + "  " + std::to_string(static_cast<long long>(trials / seconds)) + " creatures/s" +
+           left;
 }
 
 }  // namespace cambrian

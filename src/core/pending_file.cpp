@@ -78,8 +78,8 @@ NewFile make_beside(const std::filesystem::path& target, mode_t mode) {
     NewFile made;
     do {
         made.path = target.parent_path() / (start + std::to_string(++count));
-        made.file = FileDescriptor(
-            ::open(made.path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, mode));
+        made.file =
+            FileDescriptor(::open(made.path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, mode));
     } while (!made.file.is_open() && errno == EEXIST);
     if (made.file.is_open()) ::flock(made.file.get(), LOCK_EX | LOCK_NB);
     return made;

@@ -54,8 +54,7 @@ std::filesystem::path usable_name(const std::filesystem::path& path, Database::A
     if (std::filesystem::exists(facts) && !std::filesystem::is_regular_file(facts))
         throw DatabaseError("it is not a regular file");
     if (!std::filesystem::exists(facts) && access != Database::Access::kCreate)
-        throw DatabaseError(unknown ? unknown.message()
-                                    : std::generic_category().message(ENOENT));
+        throw DatabaseError(unknown ? unknown.message() : std::generic_category().message(ENOENT));
     return std::filesystem::absolute(path);
 }
 

@@ -36,8 +36,8 @@ fs::path beside(const fs::path& path, const char* ending) {
 // The file and what SQLite keeps beside it.
 struct FilesOfDatabase {
     FileFacts file;
-    FileFacts log;      // changes that are not in the file yet
-    FileFacts journal;  // of a change that was broken off, to be undone
+    FileFacts log;        // changes that are not in the file yet
+    FileFacts journal;    // of a change that was broken off, to be undone
     bool shared = false;  // whether readers of the log have a place to meet
 
     explicit FilesOfDatabase(const fs::path& path)

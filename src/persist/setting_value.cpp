@@ -52,7 +52,8 @@ SettingCheck assign_to(Integer& place, const SettingField& field, const SettingV
     const auto* whole = std::get_if<std::int64_t>(&value);
     const auto* real = std::get_if<double>(&value);
     // Large ones are written with an exponent: 1e+15.
-    const bool comes_to_whole = real != nullptr && std::trunc(*real) == *real;
+    const bool comes_to_whole =
+        real != nullptr && std::isfinite(*real) && std::trunc(*real) == *real;
     if (whole == nullptr && !comes_to_whole) return wrong_type("a whole number", value);
     const double number = whole != nullptr ? static_cast<double>(*whole) : *real;
     SettingCheck check = check_range(field, number);

@@ -100,8 +100,8 @@ void add_strip(Easel& easel, const CardSpace& at, const Subject& subject, const 
         const Moment moment = moment_of(subject.motion(), time);
         add_moment(easel, cell, subject, moment, style);
         easel.round_corners(cell, 10.0 * at.unit, palette.window);
-        easel.add_text(cell.x + 0.5 * cell.width, at.y(1182), format("%.1f s", moment.time),
-                       ink, Align::kMiddle);
+        easel.add_text(cell.x + 0.5 * cell.width, at.y(1182), format("%.1f s", moment.time), ink,
+                       Align::kMiddle);
         x += width + gap;
     }
 }

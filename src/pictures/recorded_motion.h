@@ -28,8 +28,8 @@ MotionFrame motion_frame(const BodyView& body);
 struct RecordedMotion {
     std::shared_ptr<const Phenotype> phenotype;  // null until grown
     std::vector<MotionFrame> frames;
-    std::size_t stride = 1;    // ticks from one frame to the next
-    std::size_t ticks = 0;     // after the first frame, where not every one is a frame
+    std::size_t stride = 1;     // ticks from one frame to the next
+    std::size_t ticks = 0;      // after the first frame, where not every one is a frame
     std::vector<Vec2> centers;  // of mass, of every fourth tick; where not every tick is a frame
     bool complete = false;
 

@@ -5,7 +5,7 @@
 #include "bench/engine_kinds.h"
 #include "bench/runs.h"
 #include "bench/svg_plot.h"
-#include "core/file_io.h"
+#include "bench/write_table.h"
 #include "dynamics/planar_scene.h"
 #include "support/body_plans.h"
 #include "support/thread_time.h"
@@ -169,13 +169,6 @@ Track find_truth(const BenchCreature& chain, std::size_t ticks) {
     return truth;
 }
 
-int write_or_complain(const std::string& path, const std::string& text) {
-    if (path.empty()) return EXIT_SUCCESS;
-    const Status written = write_file(path, text);
-    if (!written) std::fprintf(stderr, "%s\n", written.error().message.c_str());
-    return written ? EXIT_SUCCESS : EXIT_FAILURE;
-}
-
 int run(const Options& options) {
     const auto ticks = static_cast<std::size_t>(std::lround(options.seconds / kTestTick));
     const BenchCreature chain = passive_chain(kBodies, ticks);
@@ -200,8 +193,8 @@ int run(const Options& options) {
         plot.series.push_back(series);
     }
     std::fputs(csv.c_str(), stdout);
-    return std::max(write_or_complain(options.csv_path, csv),
-                    write_or_complain(options.svg_path, to_svg(plot)));
+    return std::max(write_table(options.csv_path, csv),
+                    write_table(options.svg_path, to_svg(plot)));
 }
 
 }  // namespace

@@ -40,14 +40,12 @@ TEST_CASE("an open file of this process is written to where it is", "[core][outp
     CHECK(get_text(folder / "file") == "abcddd");
     const std::filesystem::path unwritable = "/dev/fd/" + std::to_string(reading.get());
     CHECK_THAT(check_writable(unwritable).error().message, Catch::Contains("Bad file descriptor"));
-    CHECK_THAT(write_file(unwritable, "x").error().message,
-               Catch::Contains("Bad file descriptor"));
+    CHECK_THAT(write_file(unwritable, "x").error().message, Catch::Contains("Bad file descriptor"));
     CHECK_THAT(write_file("/dev/fd/999", "x").error().message,
                Catch::Contains("Bad file descriptor"));
     CHECK_THAT(write_file("/dev/fd/x", "x").error().message,
                Catch::Contains("Bad file descriptor"));
-    CHECK_THAT(write_file("/proc/1/fd/0", "x").error().message,
-               Catch::Contains("/proc/1/fd/0"));
+    CHECK_THAT(write_file("/proc/1/fd/0", "x").error().message, Catch::Contains("/proc/1/fd/0"));
     CHECK(std::filesystem::is_symlink(folder / "link"));
 }
 

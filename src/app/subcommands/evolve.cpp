@@ -34,9 +34,7 @@ public:
             ->excludes(settings, seed, founders);
         app.add_flag("--json", run_.json, "Report as JSON, one object a line");
     }
-    CommandFiles files() const override {
-        return files_of(run_);
-    }
+    CommandFiles files() const override { return files_of(run_); }
     ExitStatus run(const EvolutionKinds& kinds) override { return run_evolution(run_, kinds); }
 
 private:

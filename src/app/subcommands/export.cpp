@@ -39,9 +39,7 @@ public:
         app.add_option("-o,--out", out_, "File to write; standard output unless given")
             ->type_name(option_type::kFile);
     }
-    CommandFiles files() const override {
-        return CommandFiles().reads(file_).writes(out_);
-    }
+    CommandFiles files() const override { return CommandFiles().reads(file_).writes(out_); }
     ExitStatus run(const EvolutionKinds& kinds) override {
         if (!champion_ && !generation_ && !stats_ && !settings_)
             return fail({"what to export: --champion, --generation G, --stats or --settings"});

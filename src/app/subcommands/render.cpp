@@ -5,6 +5,7 @@
 #include "app/number_checks.h"
 #include "app/option_types.h"
 #include "app/output_path.h"
+#include "app/score_notice.h"
 #include "app/subcommands/subcommands.h"
 #include "core/file_io.h"
 #include "core/pretty_text.h"
@@ -148,12 +149,11 @@ public:
             ->capture_default_str();
         take_whole(*app.add_option("--poses", options_.poses, "Poses of a sheet (12)"), 1,
                    kMostPoses);
-        take_real(*app.add_option("--fps", options_.frames_a_second,
-                                  "Frames a second of a clip (30)"),
-                  1.0, 120.0);
         take_real(
-            *app.add_option("--speed", options_.speed, "Speed of a clip; 1 is real time"), 0.05,
-            20.0);
+            *app.add_option("--fps", options_.frames_a_second, "Frames a second of a clip (30)"),
+            1.0, 120.0);
+        take_real(*app.add_option("--speed", options_.speed, "Speed of a clip; 1 is real time"),
+                  0.05, 20.0);
         take_real(*app.add_option("--seconds", options_.seconds,
                                   "So much of the trial from its start; all of it unless given"),
                   0.01, 86400.0);
@@ -178,6 +178,7 @@ public:
         const auto document = parse_creature(*text, options_.creature, kinds);
         if (!document) return fail(document.error());
         say_of(options_.creature, document->warnings);
+        say_of_simulator(options_.creature, *document);
         const auto settings = world_of(*document, options_.environment, kinds);
         if (!settings) return fail(settings.error());
         const auto path = output_path(options_.out, "", files());
@@ -234,8 +235,7 @@ private:
         timing.speed = options_.speed.value_or(timing.speed);
         timing.seconds = std::min(options_.seconds.value_or(subject.motion().length()),
                                   subject.motion().length());
-        auto motion =
-            ReplayedMotion::start(subject.motion().phenotype, scene.kinds, scene.world);
+        auto motion = ReplayedMotion::start(subject.motion().phenotype, scene.kinds, scene.world);
         if (!motion) return motion.error();
         auto clip = ClipFile::open(path, easel.width(), easel.height(), timing.frames_a_second);
         if (!clip) return clip.error();

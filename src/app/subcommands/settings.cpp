@@ -21,9 +21,7 @@ public:
         app.add_option("-o,--out", out_, "File or folder to write to, instead of the screen")
             ->type_name(option_type::kSettings);
     }
-    CommandFiles files() const override {
-        return CommandFiles().reads(file_).writes(out_);
-    }
+    CommandFiles files() const override { return CommandFiles().reads(file_).writes(out_); }
     ExitStatus run(const EvolutionKinds& kinds) override {
         const Result<ExperimentSettings> settings =
             file_.empty() ? parse_settings(starting_text(), "--goal", kinds)

@@ -2,15 +2,17 @@
 #include "app/long_work.h"
 #include "app/messages.h"
 #include "app/option_types.h"
+#include "app/score_notice.h"
 #include "app/subcommands/subcommands.h"
 #include "app/trial_report.h"
 #include "core/number_text.h"
 #include "core/thread_pool.h"
 #include "evolution/backends/thread_pool_backend.h"
-#include "evolution/trials.h"
+#include "evolution/evaluation.h"
 #include "persist/creature_file.h"
 #include "persist/digest_text.h"
 #include "persist/experiment_file.h"
+#include "persist/rescoring.h"
 
 #include <CLI/CLI.hpp>
 
@@ -20,15 +22,13 @@ namespace {
 // The trial of the file, run again here and now; also more finely if that was kept.
 EvaluationResult replay(const CreatureDocument& document, const EvolutionKinds& kinds,
                         LongWork& work) {
-    const auto genome = std::make_shared<const Genome>(document.genome);
-    const ExperimentSettings settings = settings_of(*document.scored);
-    const TrialSettings& trial = settings.world.trial;
+    const TrialSettings& trial = document.scored->world.trial;
     work.begin("replaying", trial.duration * trial.trials);
-    EvaluationResult result = evaluate_in_trials(
-        {.genome = genome, .trial_seed = trial_seed(settings)}, settings, kinds, work.stop());
+    EvaluationResult result = run_scored_trial(document, kinds, work.stop());
     if (document.scored->finer && !result.finer) {
         work.begin("computing more finely", trial.duration);
-        result.finer = recompute(*genome, settings, kinds, work.stop());
+        result.finer =
+            recompute(document.genome, settings_of(*document.scored), kinds, work.stop());
     }
     return result;
 }
@@ -46,13 +46,13 @@ std::string where_different(const CreatureDocument& document, const EvolutionKin
                : std::string(", though the motion of the first trial does not");
 }
 
-ExitStatus verify(const std::string& file, const EvolutionKinds& kinds) {
+ExitStatus verify(const std::string& file, const EvolutionKinds& kinds, LongWork& work) {
     const Result<CreatureDocument> document = load_creature(file, kinds);
     if (!document) return fail(document.error());
     say_of(file, document->warnings);
     if (!document->scored) return fail({file + ": holds no score to verify"});
     const ScoredRecord& scored = *document->scored;
-    LongWork work;
+    say_of_simulator(file, *document);
     const EvaluationResult result = replay(*document, kinds, work);
     if (work.interrupted()) return fail({file + ": interrupted"}, ExitStatus::kFailed);
     if (result.digest == scored.trajectory && result.fitness == scored.fitness) {
@@ -71,10 +71,6 @@ ExitStatus verify(const std::string& file, const EvolutionKinds& kinds) {
                           short_text(result.fitness) + " " + scored.unit + " with motion " +
                           digest_text(result.digest) + " instead of " + short_text(scored.fitness) +
                           " with " + digest_text(scored.trajectory);
-    if (scored.simulator != kSimulatorVersion) {
-        message += "; it was scored by simulator " + scored.simulator + ", this is " +
-                   std::string(kSimulatorVersion);
-    }
     return fail({message}, ExitStatus::kFailed);
 }
 
@@ -89,11 +85,10 @@ std::string other_simulators(const SavedExperiment& saved) {
     return words.empty() ? words : words + ", this is " + std::string(kSimulatorVersion);
 }
 
-ExitStatus verify_experiment(const std::string& file, const EvolutionKinds& kinds) {
+ExitStatus verify_experiment(const std::string& file, const EvolutionKinds& kinds, LongWork& work) {
     const Result<SavedExperiment> saved = load_experiment(file, kinds);
     if (!saved) return fail(saved.error());
     const auto backend = make_thread_pool_backend(kinds, ThreadPool::default_workers());
-    LongWork work;
     work.begin("replaying", static_cast<double>(saved->digests.size()), "generations");
     const ReplayOutcome outcome = replay_experiment(*saved, kinds, *backend, work.watch());
     const std::string done = std::to_string(outcome.generations) + " of " +
@@ -115,14 +110,15 @@ public:
             ->type_name(option_type::kCreatureOrExperiment)
             ->required();
     }
-    CommandFiles files() const override {
-        return CommandFiles().reads(files_);
-    }
+    CommandFiles files() const override { return CommandFiles().reads(files_); }
     ExitStatus run(const EvolutionKinds& kinds) override {
         ExitStatus worst = ExitStatus::kDone;
-        for (const std::string& file : files_)
-            worst = std::max(worst, file.ends_with(".cambrian") ? verify_experiment(file, kinds)
-                                                                : verify(file, kinds));
+        LongWork work;
+        for (const std::string& file : files_) {
+            worst = std::max(worst, is_experiment_name(file) ? verify_experiment(file, kinds, work)
+                                                             : verify(file, kinds, work));
+            if (work.interrupted()) break;
+        }
         return worst;
     }
 
