@@ -1,6 +1,7 @@
 #include "core/file_lock.h"
 
 #include <cerrno>
+#include <chrono>
 #include <fcntl.h>
 #include <mutex>
 #include <optional>
@@ -8,6 +9,7 @@
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <system_error>
+#include <thread>
 #include <utility>
 
 namespace cambrian {
@@ -19,6 +21,19 @@ using FileIdentity = std::pair<dev_t, ino_t>;
 
 FileIdentity identity_of(const struct stat& facts) {
     return {facts.st_dev, facts.st_ino};
+}
+
+// Somebody else who looks whether the file is free holds it for a moment only.
+constexpr int kAttempts = 10;
+constexpr auto kPause = std::chrono::milliseconds(20);
+
+// 0, or the error code.
+int lock_soon(int file, int operation) {
+    for (int attempt = 1; ::flock(file, operation | LOCK_NB) != 0; ++attempt) {
+        if (errno != EWOULDBLOCK || attempt == kAttempts) return errno;
+        std::this_thread::sleep_for(kPause);
+    }
+    return 0;
 }
 
 // Files that this process has locked.
@@ -50,8 +65,8 @@ Result<FileLock> FileLock::take(const std::filesystem::path& path) {
     // Not to wait for the other end, should it have become a FIFO.
     FileDescriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
     if (!file.is_open()) return Error{std::generic_category().message(errno)};
-    if (::flock(file.get(), LOCK_EX | LOCK_NB) != 0) {
-        return Error{errno == EWOULDBLOCK ? kInUse : std::generic_category().message(errno)};
+    if (const int failure = lock_soon(file.get(), LOCK_EX); failure != 0) {
+        return Error{failure == EWOULDBLOCK ? kInUse : std::generic_category().message(failure)};
     }
     struct stat facts {};
     if (::fstat(file.get(), &facts) == 0) own.files.insert(identity_of(facts));
@@ -65,8 +80,8 @@ Status FileLock::check_free(const std::filesystem::path& path) {
     if (auto refused = refusal(path)) return *refused;
     const FileDescriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
     // What cannot be read is not locked by us.
-    if (!file.is_open() || ::flock(file.get(), LOCK_SH | LOCK_NB) == 0) return {};
-    return errno == EWOULDBLOCK ? Status(Error{kInUse}) : Status();
+    if (!file.is_open() || lock_soon(file.get(), LOCK_SH) != EWOULDBLOCK) return {};
+    return Error{kInUse};
 }
 
 FileLock& FileLock::operator=(FileLock&& other) noexcept {

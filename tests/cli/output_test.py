@@ -71,7 +71,7 @@ class Output(ProgramTest):
             self.assert_write_failure(result, command, "Broken pipe")
 
     def test_a_disk_that_fills_up_in_the_middle_is_told(self):
-        disk = self.small_disk("8k")
+        disk = self.small_disk("4k")
         for command in ["settings", "schema", "manual", "completion zsh"]:
             result = self.shell(f"$C {command} > disk/out")
             self.assert_write_failure(result, command, "No space left on device")
