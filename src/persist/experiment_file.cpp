@@ -157,9 +157,11 @@ Result<OpenedExperiment> open_experiment(const std::filesystem::path& path,
     if (!lock) return failure(kOpening, path, lock.error().message);
     try {
         Database database(path, Database::Access::kWrite);
+        Transaction transaction(database);
         if (Status current = bring_up_to_date(database); !current)
             return failure(kOpening, path, current.error().message);
         ReadExperiment read = read_experiment(database, kinds);
+        transaction.commit();
         database.make_durable();
         auto open = std::make_unique<ExperimentFile::Open>(path, std::move(*lock),
                                                            std::move(database), kinds);

@@ -6,6 +6,7 @@
 #include "persist/experiment_upgrade.h"
 #include "persist/read_only_database.h"
 
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -34,10 +35,6 @@ Result<Part> load_part(const std::filesystem::path& path, Read read) {
     }
 }
 
-Error nothing_finished(const std::filesystem::path& path) {
-    return Error{path.string() + ": no generation has been finished yet"};
-}
-
 }  // namespace
 
 Result<SettingsPtr> load_last_settings(const std::filesystem::path& path,
@@ -51,22 +48,8 @@ Result<std::vector<GenerationStatistics>> load_history(const std::filesystem::pa
     using History = std::vector<GenerationStatistics>;
     return load_part<History>(path, [&](const Database& database) -> Result<History> {
         History history = read_history(database);
-        if (history.empty()) return nothing_finished(path);
+        if (history.empty()) return Error{path.string() + ": no generation has been finished yet"};
         return history;
-    });
-}
-
-Result<ChampionRecord> load_champion(const std::filesystem::path& path,
-                                     std::optional<std::uint32_t> generation,
-                                     const EvolutionKinds& kinds) {
-    return load_part<ChampionRecord>(path, [&](const Database& database) -> Result<ChampionRecord> {
-        const std::optional<std::uint32_t> last = last_generation(database);
-        if (!last) return nothing_finished(path);
-        if (generation.value_or(0) > *last) {
-            return Error{path.string() + ": has no generation " + std::to_string(*generation) +
-                         "; the last is " + std::to_string(*last)};
-        }
-        return read_champion(database, generation.value_or(*last), kinds);
     });
 }
 

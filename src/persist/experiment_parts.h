@@ -7,9 +7,7 @@
 #include "evolution/evolution_kinds.h"
 #include "evolution/experiment_log.h"
 
-#include <cstdint>
 #include <filesystem>
-#include <optional>
 #include <vector>
 
 namespace cambrian {
@@ -20,11 +18,6 @@ Result<SettingsPtr> load_last_settings(const std::filesystem::path& path,
 
 // Of every finished generation; fails if there is none.
 Result<std::vector<GenerationStatistics>> load_history(const std::filesystem::path& path);
-
-// Of a generation, or of the last finished one. Fails if it is not there.
-Result<ChampionRecord> load_champion(const std::filesystem::path& path,
-                                     std::optional<std::uint32_t> generation,
-                                     const EvolutionKinds& kinds);
 
 // The whole experiment as another file, of a name that is free. The experiment may be in use.
 Status copy_experiment(const std::filesystem::path& from, const std::filesystem::path& to);

@@ -196,6 +196,8 @@ private:
                 journal.push_back({generation, InjectGenome{genotype(row, 4)}});
         } else if (command == "newcomers") {
             journal.push_back({generation, AddNewcomers{share_of(row, 3)}});
+        } else if (command == "rescore") {
+            journal.push_back({generation, RescorePopulation{}});
         } else {
             throw DatabaseError("unknown command \"" + std::string(command) + "\"");
         }
@@ -386,25 +388,6 @@ std::vector<GenerationStatistics> read_history(const Database& database) {
         check_order(history.back(), history.size() - 1);
     }
     return history;
-}
-
-std::optional<std::uint32_t> last_generation(const Database& database) {
-    Statement row = database.prepare("SELECT max(generation) FROM generations");
-    if (!row.step() || row.is_null(0)) return std::nullopt;
-    std::uint32_t generation = 0;
-    read_column(row, 0, generation);
-    return generation;
-}
-
-ChampionRecord read_champion(const Database& database, std::uint32_t generation,
-                             const EvolutionKinds& kinds) {
-    Statement row = database.prepare(
-        "SELECT champion, champion_judged, settings FROM generations WHERE generation = ?");
-    row.bind(generation);
-    if (!row.step())
-        throw DatabaseError("generation " + std::to_string(generation) + " is missing");
-    return {generation, IndividualReader(database, kinds).read(row_ref(row, 0)),
-            read_settings(database, row.integer(2), kinds)};
 }
 
 }  // namespace cambrian

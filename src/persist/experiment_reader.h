@@ -8,8 +8,6 @@
 #include "persist/kept_individuals.h"
 #include "persist/picking_record.h"
 
-#include <cstdint>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -30,10 +28,5 @@ ReadExperiment read_experiment(const Database& database, const EvolutionKinds& k
 // Parts of it, read alone.
 SettingsPtr read_last_settings(const Database& database, const EvolutionKinds& kinds);
 std::vector<GenerationStatistics> read_history(const Database& database);
-// The number of the last finished one; none if there is none.
-std::optional<std::uint32_t> last_generation(const Database& database);
-// Of a finished generation.
-ChampionRecord read_champion(const Database& database, std::uint32_t generation,
-                             const EvolutionKinds& kinds);
 
 }  // namespace cambrian

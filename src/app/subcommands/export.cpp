@@ -6,7 +6,9 @@
 #include "app/subcommands/subcommands.h"
 #include "core/file_io.h"
 #include "persist/creature_file.h"
+#include "persist/experiment_file.h"
 #include "persist/experiment_parts.h"
+#include "persist/rescoring.h"
 #include "persist/settings_file.h"
 #include "persist/statistics_csv.h"
 
@@ -65,11 +67,27 @@ private:
             const auto history = load_history(file_);
             return history ? Result(statistics_csv(*history)) : history.error();
         }
-        const Result<ChampionRecord> champion = load_champion(file_, generation_, kinds);
-        if (!champion) return champion.error();
+        return champion_text(kinds, work);
+    }
+
+    Result<std::string> champion_text(const EvolutionKinds& kinds, LongWork& work) const {
+        const Result<SavedExperiment> saved = load_experiment(file_, kinds);
+        if (!saved) return saved.error();
+        if (!saved->latest) return Error{file_ + ": no generation has been finished yet"};
+        const std::uint32_t last = saved->latest->generation;
+        const std::uint32_t generation = generation_.value_or(last);
+        if (generation > last) {
+            return Error{file_ + ": has no generation " + std::to_string(generation) +
+                         "; the last is " + std::to_string(last)};
+        }
+        const ChampionRecord& champion = saved->champions[generation];
         CreatureDocument document =
-            creature_document(*champion->individual, *champion->settings, kinds);
-        work.begin("computing more finely", champion->settings->world.trial.duration);
+            creature_document(*champion.individual, *champion.settings, kinds);
+        if (document.scored) {
+            document.scored->simulator =
+                scored_by(*saved, champion.individual->born, champion.generation);
+        }
+        work.begin("computing more finely", champion.settings->world.trial.duration);
         complete_score(document, kinds, work.stop());
         if (work.interrupted()) return Error{"interrupted; nothing was written"};
         return write_creature(document, kinds);
