@@ -32,15 +32,16 @@ TEST_CASE("each overlay switches something of the picture on and off", "[studio]
     OverlayRun run;
     for (const OverlayKind& overlay : overlay_kinds()) {
         // Words are no shapes, and the crawler hears no sensor.
-        if (overlay.shown == &ViewState::names || overlay.shown == &ViewState::sensors) continue;
+        if (overlay.shown == &OverlaysShown::names || overlay.shown == &OverlaysShown::sensors)
+            continue;
         std::size_t shapes[2] = {0, 0};
         for (const bool shown : {false, true}) {
             NullImGui gui;
             ViewportPanel panel(nullptr);
             ViewState view;
             for (const OverlayKind& each : overlay_kinds())
-                view.*each.shown = false;
-            view.*overlay.shown = shown;
+                view.overlays.*each.shown = false;
+            view.overlays.*overlay.shown = shown;
             const FrameContext seen = run.studio.frame();
             const FrameContext frame{.kinds = seen.kinds,
                                      .fields = seen.fields,
