@@ -116,6 +116,7 @@ TEST_CASE("an older experiment that is damaged stays as it was", "[persist][olde
     const auto [sql, words] = GENERATE(table<std::string, std::string>({
         {"DROP TABLE novel", "table \"novel\" is missing"},
         {"CREATE TABLE simulators (a)", "simulators"},
+        {"DELETE FROM results", "its score is missing"},
     }));
     const TemporaryDirectory folder;
     const auto path = folder / "run.cambrian";
