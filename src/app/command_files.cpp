@@ -88,12 +88,13 @@ bool is_experiment_name(const fs::path& path) {
 
 CommandFiles& CommandFiles::reads(const std::string& path) {
     add(inputs_, path);
+    add(required_, path);
     return *this;
 }
 
-CommandFiles& CommandFiles::reads(const std::vector<std::string>& paths) {
+CommandFiles& CommandFiles::reads_each(const std::vector<std::string>& paths) {
     for (const std::string& path : paths)
-        reads(path);
+        add(inputs_, path);
     return *this;
 }
 
@@ -140,8 +141,10 @@ Status CommandFiles::check_outputs(const std::vector<fs::path>& outputs) const {
 }
 
 Status CommandFiles::check() const {
-    for (const fs::path& input : inputs_) {
+    for (const fs::path& input : required_) {
         if (Status there = check_there(input); !there) return there;
+    }
+    for (const fs::path& input : inputs_) {
         if (is_standard_output(input))
             return Error{"cannot write to standard output: it leads to " + input.string() +
                          ", which is read by the same command"};

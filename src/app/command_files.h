@@ -15,7 +15,8 @@ class CommandFiles {
 public:
     // Paths as they were typed; empty ones and folders do not count.
     CommandFiles& reads(const std::string& path);
-    CommandFiles& reads(const std::vector<std::string>& paths);
+    // Files that the command takes one by one: one that is missing leaves the others to it.
+    CommandFiles& reads_each(const std::vector<std::string>& paths);
     CommandFiles& writes(const std::string& path);
     // Written where it is, not replaced.
     CommandFiles& appends(const std::string& path);
@@ -33,6 +34,7 @@ private:
     Status check_outputs(const std::vector<std::filesystem::path>& outputs) const;
 
     std::vector<std::filesystem::path> inputs_;
+    std::vector<std::filesystem::path> required_;  // among the inputs
     std::vector<std::filesystem::path> outputs_;
     std::vector<std::filesystem::path> logs_;
     std::vector<std::filesystem::path> experiments_;

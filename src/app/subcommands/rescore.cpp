@@ -55,7 +55,7 @@ public:
                      "With the usual integrator, tolerance and contact step instead of the file's");
     }
 
-    CommandFiles files() const override { return CommandFiles().reads(files_).writes(out_); }
+    CommandFiles files() const override { return CommandFiles().reads_each(files_).writes(out_); }
 
     ExitStatus run(const EvolutionKinds& kinds) override {
         if (!out_.empty() && files_.size() > 1)

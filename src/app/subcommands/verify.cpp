@@ -110,7 +110,7 @@ public:
             ->type_name(option_type::kCreatureOrExperiment)
             ->required();
     }
-    CommandFiles files() const override { return CommandFiles().reads(files_); }
+    CommandFiles files() const override { return CommandFiles().reads_each(files_); }
     ExitStatus run(const EvolutionKinds& kinds) override {
         ExitStatus worst = ExitStatus::kDone;
         LongWork work;
