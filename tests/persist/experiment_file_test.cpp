@@ -214,7 +214,7 @@ TEST_CASE("a star keeps each score it was given, whoever else lets go of it",
     const auto file = new_file(folder / "a.cambrian", settings);
     Evolution evolution(settings, kinds());
     run_on(evolution, *file, 2);
-    std::vector<ChampionRecord> stars;
+    std::vector<JudgedIndividual> stars;
     const auto star_all = [&] {
         for (const IndividualPtr& each : evolution.population())
             stars.push_back({evolution.generation(), each, evolution.shared_settings()});

@@ -164,7 +164,7 @@ TEST_CASE("the creature on show can have a star and is shown from it under its o
     run.ask(ShowNewest{});
     run.ask(ToggleStarOfShown{});
     REQUIRE(run.session.frame_context().generations.stars.all().size() == 1);
-    const ChampionRecord kept = run.session.frame_context().generations.stars.all().front();
+    const JudgedIndividual kept = run.session.frame_context().generations.stars.all().front();
     ExperimentSettings moon = run.session.frame_context().experiment.editor.draft();
     moon.world.environment.gravity = 1.62;
     run.ask(EditSettings{moon, "environment.gravity"});

@@ -20,7 +20,7 @@ Requests frame_of(NullImGui& gui, TimelinePanel& panel, const test::StudioFixtur
 
 // The champion of a generation takes the stage.
 void show_champion(test::StudioFixture& studio, std::uint32_t generation) {
-    const ChampionRecord& champion = studio.snapshot().champions.at(generation);
+    const JudgedIndividual& champion = studio.snapshot().champions.at(generation);
     REQUIRE(studio.playback().show(exhibit_of(*champion.individual, *champion.settings, generation,
                                               ExhibitSource::kChampion)));
 }

@@ -6,8 +6,8 @@ namespace cambrian {
 namespace {
 
 // A run whose champions scored so much; a champion that scored as the one before is the same.
-std::vector<ChampionRecord> champions_of(const std::vector<double>& scores) {
-    std::vector<ChampionRecord> champions;
+std::vector<JudgedIndividual> champions_of(const std::vector<double>& scores) {
+    std::vector<JudgedIndividual> champions;
     auto settings = std::make_shared<ExperimentSettings>();
     for (const double score : scores) {
         const bool same =
@@ -21,9 +21,9 @@ std::vector<ChampionRecord> champions_of(const std::vector<double>& scores) {
     return champions;
 }
 
-std::vector<std::uint32_t> generations(const std::vector<const ChampionRecord*>& records) {
+std::vector<std::uint32_t> generations(const std::vector<const JudgedIndividual*>& records) {
     std::vector<std::uint32_t> numbers;
-    for (const ChampionRecord* each : records)
+    for (const JudgedIndividual* each : records)
         numbers.push_back(each->generation);
     return numbers;
 }
