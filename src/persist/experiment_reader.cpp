@@ -60,7 +60,7 @@ public:
         read_generations();
         if (read_.saved.latest) read_latest();
         read_grids();
-        read_.picking.shelf = shelf();
+        read_.picking.shelf = kept("shelf");
         read_.stars = kept("star");
         return std::move(read_);
     }
@@ -278,13 +278,6 @@ private:
             check_count(creatures.size(), "kept creatures");
         }
         return creatures;
-    }
-
-    std::vector<PinnedCreature> shelf() {
-        std::vector<PinnedCreature> shelf;
-        for (JudgedIndividual& each : kept("shelf"))
-            shelf.push_back({std::move(each.individual), std::move(each.settings)});
-        return shelf;
     }
 
     const Database& database_;

@@ -108,10 +108,7 @@ void ExperimentWriter::keep_picking(const PickingRecord& picking) {
         }
         for (; known_.grids < picking.tree.size(); ++known_.grids)
             insert_grid(picking.tree.node(static_cast<std::uint32_t>(known_.grids)));
-        std::vector<JudgedIndividual> shelf;
-        for (const PinnedCreature& pinned : picking.shelf)
-            shelf.push_back({0, pinned.creature, pinned.settings});
-        replace_kept("shelf", shelf);
+        replace_kept("shelf", picking.shelf);
         if (picking.tree.empty()) return;
         set_fact("grid_on_show", std::to_string(picking.tree.current().number));
         set_fact("picks_on_show", picks_text(picking.picks));

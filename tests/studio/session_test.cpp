@@ -54,7 +54,7 @@ TEST_CASE("a new run can begin with the creature on show", "[studio][session]") 
     run.ask(StartFromShown{});  // nothing on show: nothing happens
     run.ask(RunOneGeneration{});
     REQUIRE(run.frames_until([&] { return run.champions() == 1; }));
-    const GenomePtr shown = run.session.frame_context().viewer.playback.exhibit().genome;
+    const GenomePtr shown = run.session.frame_context().viewer.playback.exhibit().genome();
     run.ask(StartFromShown{});
     run.ask(RunOneGeneration{});
     REQUIRE(run.frames_until([&] {
@@ -75,7 +75,7 @@ TEST_CASE("one generation is evaluated, logged and its champion takes the stage"
     REQUIRE(run.frames_until([&] { return run.champions() == 1; }));
     const FrameContext frame = run.session.frame_context();
     REQUIRE_FALSE(frame.viewer.playback.empty());
-    CHECK(frame.viewer.playback.exhibit().genome ==
+    CHECK(frame.viewer.playback.exhibit().genome() ==
           frame.experiment.snapshot.champions[0].individual->genome);
     CHECK(run.log().find("{\"event\":\"generation\",\"number\":0,\"best\":") != std::string::npos);
 }
@@ -103,17 +103,17 @@ TEST_CASE("scrubbing shows past champions until the newest is asked for", "[stud
     finish_generations(run, 4);
     for (const std::uint32_t generation : {2U, 1U, 0U, 3U, 0U}) {
         run.ask(ShowChampion{generation});
-        CHECK(shown_in(run).generation == generation);
-        CHECK(shown_in(run).genome == run.session.frame_context()
-                                          .experiment.snapshot.champions[generation]
-                                          .individual->genome);
+        CHECK(shown_in(run).creature.generation == generation);
+        CHECK(shown_in(run).genome() == run.session.frame_context()
+                                            .experiment.snapshot.champions[generation]
+                                            .individual->genome);
     }
     run.ask(ShowChampion{77});
-    CHECK(shown_in(run).generation == 0);
+    CHECK(shown_in(run).creature.generation == 0);
     finish_generations(run, 5);
     run.ask(ShowChampion{1});
     run.ask(ShowNewest{});
-    CHECK(shown_in(run).generation == 4);
+    CHECK(shown_in(run).creature.generation == 4);
     CHECK(run.session.view().newest_champion);
 }
 
@@ -123,7 +123,8 @@ TEST_CASE("after a fast scrub the creature that stayed gets its score", "[studio
     for (int i = 0; i < 200; ++i)
         run.ask(ShowChampion{static_cast<std::uint32_t>(i % 3)});
     REQUIRE(run.frames_until([&] { return run.session.frame_context().viewer.score != nullptr; }));
-    CHECK(run.session.frame_context().viewer.score->record.digest == shown_in(run).result->digest);
+    CHECK(run.session.frame_context().viewer.score->record.digest ==
+          shown_in(run).result()->digest);
 }
 
 TEST_CASE("statistics are exported as a table with a row a generation", "[studio][session]") {
@@ -171,9 +172,9 @@ TEST_CASE("the creature on show can have a star and is shown from it under its o
     run.ask(FinishEdit{});
     finish_generations(run, 3);
     run.ask(ShowIndividual{kept});
-    CHECK(shown_in(run).genome == kept.individual->genome);
-    CHECK(shown_in(run).generation == 0);
-    CHECK(shown_in(run).world.environment.gravity == 9.81);
+    CHECK(shown_in(run).genome() == kept.individual->genome);
+    CHECK(shown_in(run).creature.generation == 0);
+    CHECK(shown_in(run).settings().world.environment.gravity == 9.81);
     run.ask(ToggleStarOfShown{});
     CHECK(run.session.frame_context().generations.stars.all().empty());
     run.ask(RestoreStar{});
@@ -186,7 +187,7 @@ TEST_CASE("the score shown is the one the engine found, and the replay is verifi
     run.ask(RunOneGeneration{});
     REQUIRE(run.frames_until([&] { return run.session.frame_context().viewer.score != nullptr; }));
     const FrameContext frame = run.session.frame_context();
-    const EvaluationResult& result = *frame.viewer.playback.exhibit().result;
+    const EvaluationResult& result = *frame.viewer.playback.exhibit().result();
     CHECK(frame.viewer.score->score.value == result.fitness);
     CHECK(frame.viewer.score->record.digest == result.digest);
 }
@@ -195,7 +196,7 @@ TEST_CASE("a saved creature loads as the same creature", "[studio][session]") {
     SessionRun run;
     run.ask(RunOneGeneration{});
     REQUIRE(run.frames_until([&] { return run.champions() == 1; }));
-    const GenomePtr genome = run.session.frame_context().viewer.playback.exhibit().genome;
+    const GenomePtr genome = run.session.frame_context().viewer.playback.exhibit().genome();
     const auto path = run.folder.path() / "best.creature.json";
     run.ask(SaveCreatureFile{path});
     REQUIRE(run.frames_until([&] { return std::filesystem::exists(path); }));
@@ -203,7 +204,7 @@ TEST_CASE("a saved creature loads as the same creature", "[studio][session]") {
     REQUIRE(run.frames_until([&] {
         return run.session.frame_context().viewer.playback.exhibit().source == ExhibitSource::kFile;
     }));
-    CHECK(*run.session.frame_context().viewer.playback.exhibit().genome == *genome);
+    CHECK(*run.session.frame_context().viewer.playback.exhibit().genome() == *genome);
 }
 
 TEST_CASE("a creature judged by several trials is verified by as many, tick by tick",
@@ -253,7 +254,7 @@ TEST_CASE("a creature saved as a card is prepared, drawn by the window and comes
     SessionRun run;
     run.ask(RunOneGeneration{});
     REQUIRE(run.frames_until([&] { return run.champions() == 1; }));
-    const GenomePtr genome = run.session.frame_context().viewer.playback.exhibit().genome;
+    const GenomePtr genome = run.session.frame_context().viewer.playback.exhibit().genome();
     const auto path = run.folder.path() / "best.card.png";
     run.ask(SaveCreatureFile{path});
     std::optional<PreparedCard> card;
@@ -270,7 +271,7 @@ TEST_CASE("a creature saved as a card is prepared, drawn by the window and comes
     REQUIRE(run.frames_until([&] {
         return run.session.frame_context().viewer.playback.exhibit().source == ExhibitSource::kFile;
     }));
-    CHECK(*run.session.frame_context().viewer.playback.exhibit().genome == *genome);
+    CHECK(*run.session.frame_context().viewer.playback.exhibit().genome() == *genome);
 }
 
 TEST_CASE("a file that cannot be opened is a notice and changes nothing", "[studio][session]") {
@@ -350,13 +351,13 @@ TEST_CASE("undo takes an edit back from the engine too", "[studio][session]") {
 }
 
 EditGenes lengthen_root(const FrameContext& frame, double length) {
-    Genome genome = *frame.viewer.playback.exhibit().genome;
+    Genome genome = *frame.viewer.playback.exhibit().genome();
     genome.nodes[0].length = length;
     return {std::make_shared<const Genome>(genome), {"part 0 length", "old", "new"}};
 }
 
 double root_length(const SessionRun& run) {
-    return run.session.frame_context().viewer.playback.exhibit().genome->nodes[0].length;
+    return run.session.frame_context().viewer.playback.exhibit().genome()->nodes[0].length;
 }
 
 TEST_CASE("an edited gene is on stage at once, can be undone and made again", "[studio][session]") {
@@ -366,10 +367,10 @@ TEST_CASE("an edited gene is on stage at once, can be undone and made again", "[
     run.ask(lengthen_root(run.session.frame_context(), 1.5));
     run.ask(FinishGeneEdit{});
     CHECK(run.session.frame_context().viewer.playback.phenotype().parts[0].length == 1.5);
-    CHECK(run.session.frame_context().viewer.playback.exhibit().method == "edited");
+    CHECK(run.session.frame_context().viewer.playback.exhibit().individual().method == "edited");
     run.ask(UndoEdit{});
     CHECK(root_length(run) == before);
-    CHECK(run.session.frame_context().viewer.playback.exhibit().method == "random");
+    CHECK(run.session.frame_context().viewer.playback.exhibit().individual().method == "random");
     run.ask(RedoEdit{});
     CHECK(root_length(run) == 1.5);
     CHECK(run.log().find("{\"event\":\"gene edited\",\"place\":\"part 0 length\"") !=
@@ -381,7 +382,8 @@ TEST_CASE("an edited creature is scored anew and saved as edited", "[studio][ses
     SessionRun run;
     run.ask(RunOneGeneration{});
     REQUIRE(run.frames_until([&] { return run.champions() == 1; }));
-    const std::string parent = run.session.frame_context().viewer.playback.exhibit().uid;
+    const std::string parent =
+        uid_text(run.session.frame_context().viewer.playback.exhibit().individual().uid);
     run.ask(lengthen_root(run.session.frame_context(), 1.1));
     run.ask(lengthen_root(run.session.frame_context(), 1.2));
     CHECK(run.session.frame_context().viewer.score == nullptr);
@@ -447,7 +449,8 @@ TEST_CASE("a champion on show knows its line", "[studio][session]") {
     const FrameContext frame = run.session.frame_context();
     const Exhibit& exhibit = frame.viewer.playback.exhibit();
     CHECK(exhibit.experiment == frame.experiment.snapshot.experiment);
-    CHECK(exhibit.mother.get() == frame.experiment.snapshot.champions[3].individual->mother.get());
+    CHECK(exhibit.individual().mother.get() ==
+          frame.experiment.snapshot.champions[3].individual->mother.get());
 }
 
 }  // namespace

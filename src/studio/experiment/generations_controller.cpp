@@ -21,14 +21,13 @@ struct GenerationsController::Handler {
         const Playback& playback = self.viewer_.playback();
         const bool shown = !playback.empty() &&
                            playback.exhibit().source == ExhibitSource::kChampion &&
-                           playback.exhibit().generation == request.generation;
+                           playback.exhibit().creature.generation == request.generation;
         if (!shown) self.show_champion(*champion);
     }
     void operator()(const ShowIndividual& request) const {
         self.view_.newest_champion = false;
         const JudgedIndividual& creature = request.creature;
-        Exhibit exhibit = exhibit_of(*creature.individual, *creature.settings, creature.generation,
-                                     ExhibitSource::kPopulation);
+        Exhibit exhibit = exhibit_of(creature, ExhibitSource::kPopulation);
         const JudgedIndividual* contemporary = self.champion_of(creature.generation);
         if (contemporary != nullptr && contemporary->settings == creature.settings)
             exhibit.experiment = self.experiment_.open().snapshot().experiment;
@@ -81,7 +80,7 @@ void GenerationsController::follow_newest() {
     if (!view_.newest_champion || snapshot.champions.empty() || playback.hold() != nullptr) return;
     const JudgedIndividual& newest = snapshot.champions.back();
     const bool first = playback.empty() || playback.exhibit().source != ExhibitSource::kChampion;
-    const bool same = !first && playback.exhibit().genome == newest.individual->genome;
+    const bool same = !first && playback.exhibit().genome() == newest.individual->genome;
     if (!same && (first || viewer_.shown_for() > kLeastStay)) show_champion(newest);
 }
 
@@ -101,8 +100,7 @@ void GenerationsController::replace_stars(std::vector<JudgedIndividual> stars) {
 }
 
 void GenerationsController::show_champion(const JudgedIndividual& champion) {
-    Exhibit exhibit = exhibit_of(*champion.individual, *champion.settings, champion.generation,
-                                 ExhibitSource::kChampion);
+    Exhibit exhibit = exhibit_of(champion, ExhibitSource::kChampion);
     exhibit.experiment = experiment_.open().snapshot().experiment;
     viewer_.show(std::move(exhibit));
 }
@@ -122,14 +120,14 @@ std::optional<JudgedIndividual> GenerationsController::creature_on_display() con
     if (viewer_.playback().empty()) return std::nullopt;
     const Exhibit& exhibit = viewer_.playback().exhibit();
     for (const JudgedIndividual& starred : stars_.all()) {
-        if (starred.individual->genome == exhibit.genome) return starred;
+        if (starred.individual->genome == exhibit.genome()) return starred;
     }
-    const JudgedIndividual* champion = champion_of(exhibit.generation);
+    const JudgedIndividual* champion = champion_of(exhibit.creature.generation);
     if (champion == nullptr) return std::nullopt;
-    if (champion->individual->genome == exhibit.genome) return *champion;
+    if (champion->individual->genome == exhibit.genome()) return *champion;
     for (const IndividualPtr& individual : experiment_.open().snapshot().population) {
-        if (individual->genome == exhibit.genome)
-            return JudgedIndividual{exhibit.generation, individual, champion->settings};
+        if (individual->genome == exhibit.genome())
+            return JudgedIndividual{exhibit.creature.generation, individual, champion->settings};
     }
     return std::nullopt;
 }

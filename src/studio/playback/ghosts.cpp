@@ -121,7 +121,7 @@ bool Ghost::follow(const Playback& playback) {
 void Ghosts::choose(const EvolutionSnapshot& snapshot, GhostChoice choice,
                     const Playback& playback) {
     const Basis basis{snapshot.experiment, snapshot.champions.size(), choice,
-                      playback.exhibit().genome};
+                      playback.exhibit().genome()};
     if (basis == basis_) return;
     basis_ = basis;
     const auto chosen = choose_ghosts(snapshot.champions, choice, basis.shown.get());

@@ -16,9 +16,9 @@ constexpr std::size_t kTrailLength = 90;  // dots
 }  // namespace
 
 Status Playback::show(Exhibit exhibit) {
-    auto phenotype = std::make_shared<const Phenotype>(
-        express(*exhibit.genome, *kinds_, exhibit.expression, exhibit.world.scene));
-    auto replay = Replay::start(phenotype, *kinds_, exhibit.world);
+    auto phenotype = std::make_shared<const Phenotype>(express(
+        *exhibit.genome(), *kinds_, exhibit.settings().expression, exhibit.settings().world.scene));
+    auto replay = Replay::start(phenotype, *kinds_, exhibit.settings().world);
     if (!replay) return replay.error();
     replay_.reset();
     exhibit_ = std::move(exhibit);
@@ -29,7 +29,7 @@ Status Playback::show(Exhibit exhibit) {
 
 void Playback::restart() {
     if (empty()) return;
-    TrialWorld world = exhibit_.world;
+    TrialWorld world = exhibit_.settings().world;
     world.environment = environment();
     auto replay = Replay::start(phenotype_, *kinds_, world);
     if (replay) begin(std::move(*replay));
@@ -89,8 +89,8 @@ void Playback::go_on_seeking(double budget) {
 
 std::uint64_t Playback::length() const {
     if (empty()) return 0;
-    const auto test =
-        static_cast<std::uint64_t>(std::lround(exhibit_.world.trial.duration / kBrainTick));
+    const auto test = static_cast<std::uint64_t>(
+        std::lround(exhibit_.settings().world.trial.duration / kBrainTick));
     return std::max(trial().settle_ticks() + test, tick_shown());
 }
 

@@ -90,7 +90,7 @@ ViewerView ViewerController::facts() const {
 
 void ViewerController::show(Exhibit exhibit) {
     const std::string title = exhibit.title;
-    const std::string uid = exhibit.uid;
+    const std::string uid = uid_text(exhibit.individual().uid);
     if (Status status = stage_.show(std::move(exhibit)); !status)
         return services_.feedback.report(status);
     genes_.clear();

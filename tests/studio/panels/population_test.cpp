@@ -30,8 +30,7 @@ void populate(test::StudioFixture& studio, std::size_t count) {
 }
 
 void show(test::StudioFixture& studio, const JudgedIndividual& creature) {
-    REQUIRE(studio.playback().show(exhibit_of(*creature.individual, *creature.settings,
-                                              creature.generation, ExhibitSource::kPopulation)));
+    REQUIRE(studio.playback().show(exhibit_of(creature, ExhibitSource::kPopulation)));
 }
 
 JudgedIndividual creature_at(test::StudioFixture& studio, std::size_t rank) {

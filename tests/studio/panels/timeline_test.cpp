@@ -21,8 +21,7 @@ Requests frame_of(NullImGui& gui, TimelinePanel& panel, const test::StudioFixtur
 // The champion of a generation takes the stage.
 void show_champion(test::StudioFixture& studio, std::uint32_t generation) {
     const JudgedIndividual& champion = studio.snapshot().champions.at(generation);
-    REQUIRE(studio.playback().show(exhibit_of(*champion.individual, *champion.settings, generation,
-                                              ExhibitSource::kChampion)));
+    REQUIRE(studio.playback().show(exhibit_of(champion, ExhibitSource::kChampion)));
 }
 
 void finish_generations(test::StudioFixture& studio, int count) {

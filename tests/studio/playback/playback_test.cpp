@@ -6,13 +6,15 @@
 namespace cambrian {
 namespace {
 
+ExperimentSettings short_trial() {
+    ExperimentSettings settings;
+    settings.world.trial.duration = 1.0;
+    settings.world.trial.settle_limit = 0.2;
+    return settings;
+}
+
 Exhibit crawler_exhibit() {
-    Exhibit exhibit;
-    exhibit.genome = test::crawler(test::kinds().creature.catalog);
-    exhibit.goal = "walking";
-    exhibit.world.trial.duration = 1.0;
-    exhibit.world.trial.settle_limit = 0.2;
-    return exhibit;
+    return test::crawler_exhibit(short_trial());
 }
 
 constexpr double kPlenty = 1e3;  // s of budget
@@ -23,9 +25,9 @@ TEST_CASE("what is watched is what is scored, to the last bit", "[studio][playba
     REQUIRE(playback.show(exhibit));
     while (!playback.trial().finished())
         playback.advance(1.0 / 60.0, kPlenty);
-    const auto phenotype =
-        std::make_shared<const Phenotype>(express(*exhibit.genome, test::kinds().creature, {}, {}));
-    const auto record = run_trial(phenotype, test::kinds().creature, exhibit.world);
+    const auto phenotype = std::make_shared<const Phenotype>(
+        express(*exhibit.genome(), test::kinds().creature, {}, {}));
+    const auto record = run_trial(phenotype, test::kinds().creature, exhibit.settings().world);
     REQUIRE(record);
     CHECK(playback.trial().record().digest == record->digest);
 }
@@ -124,13 +126,14 @@ TEST_CASE("a moment ahead is reached within the budget of several frames", "[stu
 }
 
 TEST_CASE("less gravity makes a creature in the air fall slower at once", "[studio][playback]") {
-    Exhibit exhibit = crawler_exhibit();
-    exhibit.world.environment.has_ground = false;
+    ExperimentSettings in_the_air = short_trial();
+    in_the_air.world.environment.has_ground = false;
+    const Exhibit exhibit = test::crawler_exhibit(in_the_air);
     double fallen[2] = {0.0, 0.0};
     for (const int moon : {0, 1}) {
         Playback playback(test::kinds().creature);
         REQUIRE(playback.show(exhibit));
-        Environment world = exhibit.world.environment;
+        Environment world = exhibit.settings().world.environment;
         if (moon == 1) world.gravity = 1.62;
         playback.set_environment(world);
         for (int i = 0; i < 30; ++i)
@@ -157,9 +160,10 @@ TEST_CASE("restarting forgets a poke and keeps a changed world", "[studio][playb
 }
 
 TEST_CASE("a poke pulls the creature towards the mouse", "[studio][playback]") {
-    Exhibit exhibit = crawler_exhibit();
-    exhibit.world.environment.has_ground = false;
-    exhibit.world.environment.gravity = 0.0;
+    ExperimentSettings afloat = short_trial();
+    afloat.world.environment.has_ground = false;
+    afloat.world.environment.gravity = 0.0;
+    const Exhibit exhibit = test::crawler_exhibit(afloat);
     Playback playback(test::kinds().creature);
     REQUIRE(playback.show(exhibit));
     const double before = playback.trial().scene().center_of_mass().x();

@@ -110,8 +110,8 @@ ImVec2 GenotypeTab::point_of(std::size_t node) const {
 }
 
 void GenotypeTab::draw(const FrameContext& frame, Requests& out) {
-    if (genome_ != frame.viewer.playback.exhibit().genome)
-        rebuild(frame.viewer.playback.exhibit().genome);
+    if (genome_ != frame.viewer.playback.exhibit().genome())
+        rebuild(frame.viewer.playback.exhibit().genome());
     muted_text(
         "What grows from what. Loops repeat; orange mirrors; blue grows at the end of a chain.");
     const auto rows = static_cast<float>(row_count_);
@@ -202,7 +202,8 @@ void GenotypeTab::draw_heading(const FrameContext& frame, Requests& out) const {
     const GeneEditor* genes = frame.viewer.genes;
     const bool can_undo = genes != nullptr && genes->can_undo();
     const bool can_redo = genes != nullptr && genes->can_redo();
-    if (!can_undo && !can_redo && frame.viewer.playback.exhibit().method != "edited") return;
+    if (!can_undo && !can_redo && frame.viewer.playback.exhibit().individual().method != "edited")
+        return;
     const auto button = [](const char* label, const char* help, bool enabled) {
         return push_button(label, {.height = px(26), .enabled = enabled, .tooltip = help});
     };

@@ -26,7 +26,7 @@ void shadowed_text(ImDrawList& list, ImFont* font, float size, const ImVec2& at,
 
 std::string second_line(const FrameContext& frame) {
     const Exhibit& exhibit = frame.viewer.playback.exhibit();
-    const GoalKind* goal = frame.kinds.goals.find(exhibit.goal);
+    const GoalKind* goal = frame.kinds.goals.find(exhibit.settings().goal);
     std::string line = goal == nullptr ? std::string() : goal->label;
     if (goal != nullptr && frame.viewer.score != nullptr) {
         line += "  ·  " + measured(frame.viewer.score->score.value, goal->unit);
@@ -169,7 +169,7 @@ void ViewportPanel::build_scene(const FrameContext& frame) {
     std::vector<FaceSet> touched;
     if (frame.view.overlays.contacts) touched = touched_faces(playback.trial().scene());
     const CreatureLook look{playback.phenotype(), playback.poses(), touched,
-                            playback.exhibit().genome->hue, frame.viewer.highlight};
+                            playback.exhibit().genome()->hue, frame.viewer.highlight};
     if (frame.view.overlays.grid) add_grid(scene, palette, canvas_.camera, size_);
     if (playback.environment().has_ground) {
         add_ground(scene, palette, canvas_.camera, size_);
@@ -283,7 +283,7 @@ void ViewportPanel::draw_words(const FrameContext& frame) {
     const Fonts& fonts = ui().fonts;
     const Exhibit& exhibit = frame.viewer.playback.exhibit();
     ImVec2 at = {canvas_.area.x + px(16), canvas_.area.y + px(12)};
-    const std::string& name = exhibit.genome->name;
+    const std::string& name = exhibit.genome()->name;
     const std::string title =
         name.empty() || exhibit.source == ExhibitSource::kChampion ? exhibit.title : name;
     shadowed_text(list, fonts.title, px(20), at, colors().text, title);
