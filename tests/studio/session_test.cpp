@@ -294,7 +294,8 @@ TEST_CASE("an edited world is felt on stage at once and by the engine once let g
     ExperimentSettings moon = run.session.frame_context().experiment.editor.draft();
     moon.world.environment.gravity = 1.62;
     run.ask(EditSettings{moon, "environment.gravity"});
-    CHECK(run.session.frame_context().viewer.playback.environment().gravity == 1.62);
+    CHECK(run.session.frame_context().viewer.playback.creature().replay().environment().gravity ==
+          1.62);
     CHECK(run.session.frame_context().experiment.snapshot.settings->world.environment.gravity ==
           9.81);
     run.ask(FinishEdit{});
@@ -313,12 +314,13 @@ TEST_CASE("an edit of anything but the world leaves the stage's world alone", "[
     run.ask(EditSettings{moon, "environment.gravity"});
     run.ask(FinishEdit{});
     run.session.show_newcomer();
-    const Environment before = run.session.frame_context().viewer.playback.environment();
+    const Environment before =
+        run.session.frame_context().viewer.playback.creature().replay().environment();
     ExperimentSettings larger = run.session.frame_context().experiment.editor.draft();
     larger.population.size = 12;
     run.ask(EditSettings{larger, "population.size"});
     run.ask(FinishEdit{});
-    CHECK(run.session.frame_context().viewer.playback.environment() == before);
+    CHECK(run.session.frame_context().viewer.playback.creature().replay().environment() == before);
     CHECK(before.gravity == 1.62);
 }
 
@@ -366,7 +368,8 @@ TEST_CASE("an edited gene is on stage at once, can be undone and made again", "[
     const double before = root_length(run);
     run.ask(lengthen_root(run.session.frame_context(), 1.5));
     run.ask(FinishGeneEdit{});
-    CHECK(run.session.frame_context().viewer.playback.phenotype().parts[0].length == 1.5);
+    CHECK(run.session.frame_context().viewer.playback.creature().phenotype().parts[0].length ==
+          1.5);
     CHECK(run.session.frame_context().viewer.playback.exhibit().individual().method == "edited");
     run.ask(UndoEdit{});
     CHECK(root_length(run) == before);
@@ -430,13 +433,14 @@ TEST_CASE("a forced neuron marks the run as disturbed", "[studio][session]") {
     run.ask(ForceNeuron{0, 1.0});  // nothing on show: nothing happens
     run.ask(RunOneGeneration{});
     REQUIRE(run.frames_until([&] { return run.champions() == 1; }));
-    REQUIRE_FALSE(run.session.frame_context().viewer.playback.phenotype().network.neurons.empty());
+    REQUIRE_FALSE(
+        run.session.frame_context().viewer.playback.creature().phenotype().network.neurons.empty());
     run.ask(ForceNeuron{0, 1.0});
-    CHECK(run.session.frame_context().viewer.playback.disturbed());
+    CHECK(run.session.frame_context().viewer.playback.creature().disturbed());
     run.ask(ReleaseNeuron{0});
-    CHECK(run.session.frame_context().viewer.playback.forced().empty());
+    CHECK(run.session.frame_context().viewer.playback.creature().replay().forced().empty());
     run.ask(RestartPlayback{});
-    CHECK_FALSE(run.session.frame_context().viewer.playback.disturbed());
+    CHECK_FALSE(run.session.frame_context().viewer.playback.creature().disturbed());
 }
 
 TEST_CASE("a champion on show knows its line", "[studio][session]") {

@@ -101,8 +101,8 @@ bool Ghost::go_back(std::uint64_t tick) {
 }
 
 bool Ghost::follow(const Playback& playback) {
-    if (!(replay_->environment() == playback.environment()))
-        replay_->set_environment(playback.environment());
+    if (!(replay_->environment() == playback.creature().replay().environment()))
+        replay_->set_environment(playback.creature().replay().environment());
     const Trial& leader = playback.trial();
     if (leader.settling()) {
         if (trial().ticks() > leader.ticks()) return go_back(leader.ticks());
@@ -151,7 +151,7 @@ void Ghosts::update(const EvolutionSnapshot& snapshot, GhostChoice choice, const
                     double budget) {
     if (playback.empty()) return;
     choose(snapshot, choice, playback);
-    call_next(playback.environment());
+    call_next(playback.creature().replay().environment());
     if (playback.seeking()) return;
     const Stopwatch spent;
     bool moved = true;

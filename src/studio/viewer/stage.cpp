@@ -57,7 +57,8 @@ Status Stage::show(Exhibit exhibit) {
 void Stage::request_score() {
     const GoalKind* goal = kinds_.goals.find(playback_.exhibit().settings().goal);
     if (goal == nullptr) return;
-    worker_.submit([this, goal, outdated = outdated_, phenotype = playback_.shared_phenotype(),
+    worker_.submit([this, goal, outdated = outdated_,
+                    phenotype = playback_.creature().shared_phenotype(),
                     exhibit = playback_.exhibit()](const std::stop_token& stop) {
         auto report = report_on(exhibit, phenotype, *goal, kinds_, stop, *outdated);
         return [this, outdated, report = std::move(report)] {

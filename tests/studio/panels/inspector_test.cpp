@@ -65,7 +65,7 @@ TEST_CASE("the chosen neuron is forced and released by its switch", "[studio][in
     TabRun<BrainTab> run;
     run.click("brain node 0");
     const ForceNeuron force = test::asked<ForceNeuron>(run.click("force neuron"));
-    run.studio.playback().force(force.neuron, force.value);
+    run.studio.playback().creature().force(force.neuron, force.value);
     CHECK(test::asked<ReleaseNeuron>(run.click("force neuron")).neuron == force.neuron);
 }
 

@@ -86,7 +86,7 @@ TEST_CASE("ghosts feel the world as the creature on show does", "[studio][ghosts
     run.play_to(60);
     Environment moon;
     moon.gravity = 1.62;
-    run.studio.playback().set_environment(moon);
+    run.studio.playback().creature().set_environment(moon);
     run.update();
     run.play_to(120);
     for (const auto& ghost : run.ghosts.all())

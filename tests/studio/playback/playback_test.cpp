@@ -35,7 +35,7 @@ TEST_CASE("what is watched is what is scored, to the last bit", "[studio][playba
 TEST_CASE("playing twice as fast plays twice as far", "[studio][playback]") {
     Playback playback(test::kinds().creature);
     REQUIRE(playback.show(crawler_exhibit()));
-    playback.set_speed(2.0);
+    playback.pace().speed = 2.0;
     for (int i = 0; i < 20; ++i)
         playback.advance(kBrainTick, kPlenty);
     CHECK(playback.trial().ticks() >= 39);
@@ -52,7 +52,7 @@ TEST_CASE("a spent budget leaves the rest for later", "[studio][playback]") {
 TEST_CASE("paused, only single ticks move the creature", "[studio][playback]") {
     Playback playback(test::kinds().creature);
     REQUIRE(playback.show(crawler_exhibit()));
-    playback.set_playing(false);
+    playback.pace().playing = false;
     playback.advance(1.0, kPlenty);
     CHECK(playback.trial().ticks() == 0);
     playback.step();
@@ -62,16 +62,16 @@ TEST_CASE("paused, only single ticks move the creature", "[studio][playback]") {
 TEST_CASE("a step back ends where the step before had ended", "[studio][playback]") {
     Playback playback(test::kinds().creature);
     REQUIRE(playback.show(crawler_exhibit()));
-    std::vector<Vec3> centers = {playback.center_of_mass()};
+    std::vector<Vec3> centers = {playback.creature().motion().center()};
     for (int i = 0; i < 70; ++i) {
         playback.step();
-        centers.push_back(playback.center_of_mass());
+        centers.push_back(playback.creature().motion().center());
     }
     for (std::size_t tick = 70; tick-- > 0;) {
         playback.step_back();
         playback.advance(0.0, kPlenty);
         REQUIRE(playback.trial().ticks() == tick);
-        CHECK(playback.center_of_mass() == centers[tick]);
+        CHECK(playback.creature().motion().center() == centers[tick]);
     }
     playback.step_back();
     CHECK(playback.tick_shown() == 0);
@@ -81,7 +81,7 @@ TEST_CASE("a trial gone back in is scored as if it had not been", "[studio][play
     Playback playback(test::kinds().creature);
     REQUIRE(playback.show(crawler_exhibit()));
     const auto digest = [&playback] {
-        playback.set_playing(true);
+        playback.pace().playing = true;
         while (!playback.trial().finished())
             playback.advance(1.0 / 60.0, kPlenty);
         return playback.trial().record().digest;
@@ -98,24 +98,24 @@ TEST_CASE("going before a poke takes it back, going after it does not", "[studio
     REQUIRE(playback.show(crawler_exhibit()));
     for (int i = 0; i < 40; ++i)
         playback.step();
-    playback.poke(0, Vec3::Zero(), Vec3(0.0, 5.0, 0.0));
+    playback.creature().pull(Hold{0, Vec3::Zero(), Vec3(0.0, 5.0, 0.0)});
     for (int i = 0; i < 10; ++i)
         playback.step();
-    playback.release();
+    playback.creature().pull(std::nullopt);
     for (int i = 0; i < 20; ++i)
         playback.step();
     playback.seek(60);
     playback.advance(0.0, kPlenty);
-    CHECK(playback.disturbed());
+    CHECK(playback.creature().disturbed());
     playback.seek(40);
     playback.advance(0.0, kPlenty);
-    CHECK_FALSE(playback.disturbed());
+    CHECK_FALSE(playback.creature().disturbed());
 }
 
 TEST_CASE("a moment ahead is reached within the budget of several frames", "[studio][playback]") {
     Playback playback(test::kinds().creature);
     REQUIRE(playback.show(crawler_exhibit()));
-    playback.set_playing(false);
+    playback.pace().playing = false;
     playback.seek(50);
     playback.advance(0.01, 0.0);
     CHECK(playback.seeking());
@@ -135,7 +135,7 @@ TEST_CASE("less gravity makes a creature in the air fall slower at once", "[stud
         REQUIRE(playback.show(exhibit));
         Environment world = exhibit.settings().world.environment;
         if (moon == 1) world.gravity = 1.62;
-        playback.set_environment(world);
+        playback.creature().set_environment(world);
         for (int i = 0; i < 30; ++i)
             playback.step();
         fallen[moon] = -playback.trial().scene().center_of_mass().y();
@@ -149,14 +149,14 @@ TEST_CASE("restarting forgets a poke and keeps a changed world", "[studio][playb
     REQUIRE(playback.show(crawler_exhibit()));
     Environment moon;
     moon.gravity = 1.62;
-    playback.set_environment(moon);
-    playback.poke(0, Vec3::Zero(), Vec3(0.0, 5.0, 0.0));
+    playback.creature().set_environment(moon);
+    playback.creature().pull(Hold{0, Vec3::Zero(), Vec3(0.0, 5.0, 0.0)});
     playback.step();
-    CHECK(playback.disturbed());
+    CHECK(playback.creature().disturbed());
     playback.restart();
-    CHECK_FALSE(playback.disturbed());
+    CHECK_FALSE(playback.creature().disturbed());
     CHECK(playback.trial().ticks() == 0);
-    CHECK(playback.environment() == moon);
+    CHECK(playback.creature().replay().environment() == moon);
 }
 
 TEST_CASE("a poke pulls the creature towards the mouse", "[studio][playback]") {
@@ -168,7 +168,7 @@ TEST_CASE("a poke pulls the creature towards the mouse", "[studio][playback]") {
     REQUIRE(playback.show(exhibit));
     const double before = playback.trial().scene().center_of_mass().x();
     for (int i = 0; i < 20; ++i) {
-        playback.poke(0, Vec3::Zero(), Vec3(2.0, 0.0, 0.0));
+        playback.creature().pull(Hold{0, Vec3::Zero(), Vec3(2.0, 0.0, 0.0)});
         playback.step();
     }
     CHECK(playback.trial().scene().center_of_mass().x() > before + 0.1);
@@ -205,10 +205,10 @@ TEST_CASE("the last 3 s of every signal are kept", "[studio][playback]") {
     for (std::size_t i = 0; i < SignalTrace::kLength + 20; ++i)
         playback.step();
     const Brain& brain = playback.trial().creature().brain();
-    const Slot slot = playback.phenotype().network.neuron_slot(0);
-    CHECK(playback.signals().of_slot(slot).size() == SignalTrace::kLength);
-    CHECK(playback.signals().of_slot(slot).back() == brain.value(slot));
-    CHECK(playback.signals().of_output(1).back() == brain.output(1));
+    const Slot slot = playback.creature().phenotype().network.neuron_slot(0);
+    CHECK(playback.creature().readings().signals().of_slot(slot).size() == SignalTrace::kLength);
+    CHECK(playback.creature().readings().signals().of_slot(slot).back() == brain.value(slot));
+    CHECK(playback.creature().readings().signals().of_output(1).back() == brain.output(1));
 }
 
 }  // namespace

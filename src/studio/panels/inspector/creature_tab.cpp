@@ -83,12 +83,12 @@ void draw_score(const FrameContext& frame) {
 
 void draw_body(const FrameContext& frame) {
     section("Body and brain");
-    const Phenotype& phenotype = frame.viewer.playback.phenotype();
+    const Phenotype& phenotype = frame.viewer.playback.creature().phenotype();
     fact("Parts", std::to_string(phenotype.parts.size()));
     fact("Moving joints", std::to_string(phenotype.effector_parts.size()));
     fact("Live neurons", std::to_string(phenotype.network.order.size()));
     fact("Sensors in use", std::to_string(phenotype.sensors.size()));
-    const double density = frame.viewer.playback.environment().density;
+    const double density = frame.viewer.playback.creature().replay().environment().density;
     fact("Mass", measured(phenotype.mass(density), "kg"));
     fact("Length at rest", measured(phenotype.rest_length(), "m"));
 }

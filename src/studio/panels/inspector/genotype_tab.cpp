@@ -155,7 +155,7 @@ void GenotypeTab::draw_edges() const {
 
 void GenotypeTab::draw_nodes(const FrameContext& frame, Requests& out) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    const auto& parts = frame.viewer.playback.phenotype().parts;
+    const auto& parts = frame.viewer.playback.creature().phenotype().parts;
     for (std::size_t i = 0; i < genome_->nodes.size(); ++i) {
         const ImVec2 half = half_size(genome_->nodes[i]);
         const ImVec2 at = point_of(i);
@@ -194,7 +194,7 @@ void GenotypeTab::draw_nodes(const FrameContext& frame, Requests& out) {
 // Which gene the rows below are of, and what can be done with an edited creature.
 void GenotypeTab::draw_heading(const FrameContext& frame, Requests& out) const {
     panel_title(chosen_ == 0 ? "Gene 0, the root" : "Gene " + std::to_string(chosen_));
-    const auto& parts = frame.viewer.playback.phenotype().parts;
+    const auto& parts = frame.viewer.playback.creature().phenotype().parts;
     const auto grown = std::count_if(parts.begin(), parts.end(),
                                      [this](const BodyPart& part) { return part.node == chosen_; });
     ImGui::SameLine(0, px(10));
