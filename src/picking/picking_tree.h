@@ -5,7 +5,7 @@
 
 #include "core/result.h"
 #include "evolution/experiment_settings.h"
-#include "evolution/individual.h"
+#include "evolution/judged_individual.h"
 #include "picking/grid_settings.h"
 
 #include <cstddef>
