@@ -21,10 +21,10 @@ enum class ExhibitSource : std::uint8_t { kSample, kFile, kChampion, kPopulation
 struct Exhibit {
     JudgedIndividual creature;
     ExhibitSource source = ExhibitSource::kSample;
-    std::string title;                      // "Champion of generation 12"
-    std::uint64_t experiment = 0;           // of the engine that bred it; 0 if none did
-    std::optional<std::uint64_t> ancestry;  // ancestry_digest(), if its line is known
-    TickChecks ticks;                       // of the motion, if they were noted
+    std::string title;                           // "Champion of generation 12"
+    std::uint64_t experiment = 0;                // of the engine that bred it; 0 if none did
+    std::optional<std::uint64_t> ancestry = {};  // ancestry_digest(), if its line is known
+    TickChecks ticks = {};                       // of the motion, if they were noted
 
     const Individual& individual() const { return *creature.individual; }
     const ExperimentSettings& settings() const { return *creature.settings; }
