@@ -64,6 +64,8 @@ Exhibit GeneEditor::exhibit() const {
     Exhibit edited = *original_;
     edited.creature.individual = std::make_shared<const Individual>(std::move(child));
     edited.title += ", edited";
+    edited.ancestry.reset();
+    edited.ticks.clear();
     return edited;
 }
 

@@ -46,6 +46,8 @@ TEST_CASE("an edited creature is the child of the original", "[studio][gene_edit
     CHECK(edited.parents == std::array<std::uint64_t, 2>{0xff, 0});
     CHECK(edited.mother.get() == original.creature.individual);
     CHECK(shown.result() == nullptr);
+    CHECK(shown.ticks.empty());
+    CHECK_FALSE(shown.ancestry);  // that was the original's
     CHECK(edited.uid != 0xff);
     REQUIRE(edited.mutations.size() == 1);
     CHECK(edited.mutations[0].place == "part 1 length");
