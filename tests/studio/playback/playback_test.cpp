@@ -179,24 +179,26 @@ TEST_CASE("a forced neuron disturbs the motion until restarted", "[studio][playb
     Playback forced(test::kinds().creature);
     REQUIRE(free.show(crawler_exhibit()));
     REQUIRE(forced.show(crawler_exhibit()));
-    forced.force(0, 2.0);
-    CHECK(forced.disturbed());
+    forced.creature().force(0, 2.0);
+    CHECK(forced.creature().disturbed());
     for (int i = 0; i < 60; ++i) {
         free.step();
         forced.step();
     }
-    CHECK(forced.trial().creature().brain().value(forced.phenotype().network.neuron_slot(0)) ==
-          2.0);
-    CHECK(forced.poses()[1].position != free.poses()[1].position);
+    CHECK(forced.trial().creature().brain().value(
+              forced.creature().phenotype().network.neuron_slot(0)) == 2.0);
+    CHECK(forced.creature().motion().poses()[1].position !=
+          free.creature().motion().poses()[1].position);
     forced.restart();
-    CHECK(forced.forced().empty());
-    CHECK_FALSE(forced.disturbed());
+    CHECK(forced.creature().replay().forced().empty());
+    CHECK_FALSE(forced.creature().disturbed());
     free.restart();
     for (int i = 0; i < 60; ++i) {
         free.step();
         forced.step();
     }
-    CHECK(forced.poses()[1].position == free.poses()[1].position);
+    CHECK(forced.creature().motion().poses()[1].position ==
+          free.creature().motion().poses()[1].position);
 }
 
 TEST_CASE("the last 3 s of every signal are kept", "[studio][playback]") {
