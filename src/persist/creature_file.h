@@ -21,7 +21,7 @@
 namespace cambrian {
 
 // Raised whenever the same genome and settings would move differently.
-inline constexpr std::string_view kSimulatorVersion = "1.0";
+inline constexpr std::string_view kSimulatorVersion = "1.1";
 
 // The trial that scored the creature: all that is needed to run it again.
 struct ScoredRecord {
