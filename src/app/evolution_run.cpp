@@ -223,7 +223,7 @@ void say_how_to_go_on(const Course& course) {
 
 CommandFiles files_of(const EvolutionRun& run) {
     CommandFiles files;
-    files.reads(run.settings_file).reads(run.resume).reads(run.founders);
+    files.reads(run.settings_file).reads(run.resume).reads_each(run.founders);
     return is_experiment_name(run.out) ? files.keeps(run.out) : files.writes(run.out);
 }
 
