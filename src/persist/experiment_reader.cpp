@@ -158,12 +158,13 @@ private:
     }
 
     void read_places() {
-        Statement row = database_.prepare(
-            "SELECT generation, command, settings FROM journal "
-            "WHERE command IN ('start', 'settings') ORDER BY id");
-        std::size_t changes = 0;
+        // Every row is counted, so that a table without end is refused.
+        Statement row =
+            database_.prepare("SELECT generation, command, settings FROM journal ORDER BY id");
+        std::size_t commands = 0;
         while (row.step()) {
-            check_count(++changes, "commands");
+            check_count(++commands, "commands");
+            if (row.text(1) != "start" && row.text(1) != "settings") continue;
             std::uint32_t generation = 0;
             read_column(row, 0, generation);
             const SettingsPtr present = settings(row.integer(2));

@@ -70,7 +70,9 @@ TEST_CASE("a part's touched faces are kept with each moment", "[pictures][record
 TEST_CASE("a motion too long to be kept whole is kept in steps that are true",
           "[pictures][recorded_motion]") {
     const RecordedMotion whole = crawl().motion;
-    constexpr std::size_t frame_bytes = 500;  // at most, of a crawler
+    const MotionFrame& first = whole.frames.front();
+    const std::size_t frame_bytes = sizeof(MotionFrame) + first.poses.size() * sizeof(Pose) +
+                                    first.touched.size() * sizeof(FaceSet);
     for (const std::size_t frames : {2U, 5U, 12U, 30U}) {
         auto recorded = record_trial(whole.phenotype, test::kinds().creature, short_world(), {},
                                      frames * frame_bytes);

@@ -46,7 +46,11 @@ public:
             ->type_name(option_type::kFolder);
         without_window_.add_options(app);
     }
-    CommandFiles files() const override { return window_files(options_).reads(options_.open_file); }
+    CommandFiles files() const override {
+        return window_files(options_)
+            .reads(options_.open_file)
+            .reads(without_window_.settings_file());
+    }
     ExitStatus run(const EvolutionKinds& kinds) override {
         const Status shown = run_studio(options_, kinds);
         return shown ? ExitStatus::kDone : without_window_.run(shown.error(), kinds);

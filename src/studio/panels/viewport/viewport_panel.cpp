@@ -13,9 +13,10 @@
 namespace cambrian {
 namespace {
 
-constexpr double kFollowLag = 0.25;    // s
-constexpr double kFitShare = 0.32;     // of the viewport filled by a body that is fitted
-constexpr double kWheelFactor = 1.15;  // a notch
+constexpr double kFollowLag = 0.25;     // s
+constexpr double kFitShare = 0.32;      // of the viewport filled by a body that is fitted
+constexpr double kWheelFactor = 1.15;   // a notch
+constexpr float kWordsHeight = 100.0F;  // pixels from the top to below the words of the creature
 
 void shadowed_text(ImDrawList& list, ImFont* font, float size, const ImVec2& at, const Color& color,
                    const std::string& text) {
@@ -34,7 +35,7 @@ std::string second_line(const FrameContext& frame) {
     const Trial& trial = frame.viewer.playback.trial();
     const std::string clock = trial.settling() ? "settling" : format("%.1f s", trial.time());
     line += (line.empty() ? "" : "  ·  ") + clock;
-    if (trial.finished()) line += " (trial over, still playing)";
+    if (trial.finished()) line += " (trial over)";
     return line;
 }
 
@@ -266,19 +267,26 @@ void ViewportPanel::draw_part_names(const FrameContext& frame) const {
     }
 }
 
-// Above each ghost its generation; those that would cover another one are moved up.
+// Above each ghost its generation; one that would cover another is moved.
 void ViewportPanel::draw_ghost_labels(const FrameContext& frame) const {
     std::vector<Vec2> taken;
     const double line = static_cast<double>(px(20)) * canvas_.camera.pixel();
+    // Labels stay below the words about the creature.
+    const double highest =
+        canvas_.camera.to_world({0.0, static_cast<double>(px(kWordsHeight))}, size_).y();
     for (const auto& ghost : frame.viewer.ghosts) {
         const WorldWindow bounds = body_window(ghost->phenotype(), ghost->poses());
-        Vec2 at = {0.5 * (bounds.low.x() + bounds.high.x()), bounds.high.y() + line};
+        Vec2 at = {0.5 * (bounds.low.x() + bounds.high.x()),
+                   std::min(bounds.high.y() + line, highest)};
         const auto covers = [&](const Vec2& other) {
             return std::fabs(other.x() - at.x()) < 4.5 * line &&
                    std::fabs(other.y() - at.y()) < 0.99 * line;
         };
-        while (std::any_of(taken.begin(), taken.end(), covers))
-            at.y() += line;
+        double step = line;
+        while (std::any_of(taken.begin(), taken.end(), covers)) {
+            if (at.y() + step > highest) step = -line;
+            at.y() += step;
+        }
         taken.push_back(at);
         draw_plate(at, "generation " + std::to_string(ghost->generation()));
     }
