@@ -1,9 +1,9 @@
 #include "persist/experiment_parts.h"
 
 #include "core/pending_file.h"
+#include "persist/experiment_loading.h"
 #include "persist/experiment_reader.h"
 #include "persist/experiment_schema.h"
-#include "persist/experiment_upgrade.h"
 #include "persist/read_only_database.h"
 
 #include <optional>
@@ -11,42 +11,17 @@
 #include <utility>
 
 namespace cambrian {
-namespace {
-
-// What `read` makes of the database, brought up to date.
-template <class Part, class Read>
-Result<Part> load_part(const std::filesystem::path& path, Read read) {
-    const auto refusal = [&path](const std::string& reason) {
-        return Error{"cannot open " + path.string() + ": " + reason};
-    };
-    try {
-        std::optional<Result<Part>> part;
-        read_database(path, [&](const Database& database) {
-            const Result<std::optional<Database>> newer = newer_copy(database);
-            if (newer) {
-                part = read(*newer ? **newer : database);
-            } else {
-                part = refusal(newer.error().message);
-            }
-        });
-        return std::move(*part);
-    } catch (const DatabaseError& error) {
-        return refusal(error.what());
-    }
-}
-
-}  // namespace
-
 Result<SettingsPtr> load_last_settings(const std::filesystem::path& path,
                                        const EvolutionKinds& kinds) {
-    return load_part<SettingsPtr>(path, [&](const Database& database) -> Result<SettingsPtr> {
-        return read_last_settings(database, kinds);
-    });
+    return load_from_experiment<SettingsPtr>(path,
+                                             [&](const Database& database) -> Result<SettingsPtr> {
+                                                 return read_last_settings(database, kinds);
+                                             });
 }
 
 Result<std::vector<GenerationStatistics>> load_history(const std::filesystem::path& path) {
     using History = std::vector<GenerationStatistics>;
-    return load_part<History>(path, [&](const Database& database) -> Result<History> {
+    return load_from_experiment<History>(path, [&](const Database& database) -> Result<History> {
         History history = read_history(database);
         if (history.empty()) return Error{path.string() + ": no generation has been finished yet"};
         return history;
