@@ -230,7 +230,7 @@ TEST_CASE("a star keeps each score it was given, whoever else lets go of it",
     ExperimentSettings moon = *run.settings;
     moon.world.environment.gravity = 1.62;
     run_on(run.evolution, *run.file, 3,
-           {{2, ChangeSettings{shared(moon)}}});  // survivors are judged anew
+           {{2, ChangeSettings{shared(moon)}}});  // survivors are evaluated again
     star_all();
     run_on(run.evolution, *run.file, 9);
     const auto path = run.folder / "b.cambrian";
