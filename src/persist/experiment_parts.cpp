@@ -5,6 +5,7 @@
 #include "persist/experiment_reader.h"
 #include "persist/experiment_schema.h"
 #include "persist/read_only_database.h"
+#include "persist/rescoring.h"
 
 #include <optional>
 #include <string>
@@ -26,6 +27,31 @@ Result<std::vector<GenerationStatistics>> load_history(const std::filesystem::pa
         if (history.empty()) return Error{path.string() + ": no generation has been finished yet"};
         return history;
     });
+}
+
+Result<KeptChampion> load_champion(const std::filesystem::path& path,
+                                   const std::optional<std::uint32_t>& generation,
+                                   const EvolutionKinds& kinds) {
+    return load_from_experiment<KeptChampion>(
+        path, [&](const Database& database) -> Result<KeptChampion> {
+            const std::int64_t last =
+                database.integer("SELECT ifnull(max(generation), -1) FROM generations");
+            if (last < 0) return Error{path.string() + ": no generation has been finished yet"};
+            const std::int64_t wanted = generation.value_or(static_cast<std::uint32_t>(last));
+            if (wanted > last) {
+                return Error{path.string() + ": has no generation " + std::to_string(wanted) +
+                             "; the last is " + std::to_string(last)};
+            }
+            KeptChampion kept;
+            kept.creature = read_champion(database, static_cast<std::uint32_t>(wanted), kinds);
+            const auto only = read_only_simulator(database);
+            // Otherwise it depends on when everyone was evaluated the last time.
+            kept.simulator =
+                only ? *only
+                     : scored_by(read_experiment(database, kinds).saved,
+                                 kept.creature.individual->born, kept.creature.generation);
+            return kept;
+        });
 }
 
 Status copy_experiment(const std::filesystem::path& from, const std::filesystem::path& to) {
