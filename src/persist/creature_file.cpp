@@ -11,6 +11,7 @@
 #include "persist/digest_text.h"
 #include "persist/json_reader.h"
 
+#include <cmath>
 #include <utility>
 
 namespace cambrian {
@@ -50,7 +51,7 @@ bool read_header(const JsonValue& root, JsonReader& reader, ErrorList& errors) {
         errors.error(
             "E04", "/version",
             short_text(version) + " is newer than this program (" + std::to_string(kVersion) + ")");
-    } else if (found != nullptr && found->number != kVersion) {
+    } else if (found != nullptr && (version < 1.0 || version != std::floor(version))) {
         errors.error("E04", "/version", "not a positive whole number");
     }
     return errors.empty();

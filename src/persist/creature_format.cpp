@@ -9,6 +9,10 @@ constexpr std::array kScoreTables = {"goal", "environment", "simulation", "trial
 // Of [body]; the others are about founders.
 constexpr std::array kGrowthKeys = {"max-parts", "max-depth", "max-neurons", "strict-overlap"};
 
+// What the numbers in files of version 1 mean. Channels added since have no number.
+constexpr std::array kChannelsOfVersion1 = {"joint", "contact-distal", "contact-left",
+                                            "contact-proximal", "contact-right"};
+
 bool decides_a_score(const SettingField& field) {
     if (field.table == "body")
         return std::find(kGrowthKeys.begin(), kGrowthKeys.end(), field.key) != kGrowthKeys.end();
@@ -25,6 +29,9 @@ KindNames names_of(const KindCatalog& catalog) {
     }
     for (const JointChoice& joint : catalog.joints)
         names.joints.push_back(joint.id);
+    for (const ChannelEntry& channel : catalog.channels)
+        names.channels.names.push_back(channel.id);
+    names.channels.numbered.assign(kChannelsOfVersion1.begin(), kChannelsOfVersion1.end());
     return names;
 }
 

@@ -16,7 +16,7 @@
 namespace cambrian::creature_format {
 
 inline const std::string kFormat = "cambrian-creature";
-inline constexpr int kVersion = 1;
+inline constexpr int kVersion = 2;           // 1 numbers sensor channels, 2 names them
 inline constexpr std::size_t kMaxName = 64;  // bytes
 inline constexpr std::size_t kMaxUid = 32;
 inline constexpr std::size_t kMaxWord = 64;
@@ -49,6 +49,7 @@ struct KindNames {
     std::vector<std::string> functions;
     std::vector<std::string> joints;
     std::vector<int> arities;  // one a function
+    NumberedNames channels;
 };
 
 KindNames names_of(const KindCatalog& catalog);
@@ -63,7 +64,7 @@ const FieldRule& rule_of(std::span<const GeneField<Gene>> fields, std::string_vi
 
 // The archive writes or reads the fields a source of that kind has.
 template <class Archive, class Source>
-void describe_source(Archive& archive, Source& source, SourceScope scope) {
+void describe_source(Archive& archive, Source& source, SourceScope scope, const KindNames& names) {
     archive.type(scope == SourceScope::kPart ? "partSource" : "centralSource");
     if (!archive.variant("kind", source.kind, kSources, "source")) return;
     archive.require(is_allowed(source.kind, scope), "E12", "kind",
@@ -77,15 +78,16 @@ void describe_source(Archive& archive, Source& source, SourceScope scope) {
     }
     if (rule.reads == SourceReads::kNeuron)
         archive.integer("k", source.index, 0, gene_range::kMaxReference);
-    if (rule.reads == SourceReads::kSensor) archive.integer("ch", source.index, 0, 255);
+    if (rule.reads == SourceReads::kSensor)
+        archive.named_or_numbered("ch", source.index, names.channels, "sensor channel");
 }
 
 // Effectors say "source" and "weight" where neurons' inputs say "from" and "w".
 template <class Archive, class Input>
 void describe_input(Archive& archive, Input& input, SourceScope scope, const char* source_key,
-                    const char* weight_key) {
+                    const char* weight_key, const KindNames& names) {
     archive.object(source_key, Layout::kCompact,
-                   [&](Archive& inner) { describe_source(inner, input.source, scope); });
+                   [&](Archive& inner) { describe_source(inner, input.source, scope, names); });
     archive.real(weight_key, input.weight, input_fields().front().rule);
 }
 
@@ -97,7 +99,7 @@ void describe_neuron(Archive& archive, Neuron& neuron, SourceScope scope, const 
     archive.list("in", neuron.inputs, 0, gene_range::kMaxArity, Layout::kCompact,
                  [&](Archive& inner, auto& input) {
                      inner.type(part ? "partInput" : "centralInput");
-                     describe_input(inner, input, scope, "from", "w");
+                     describe_input(inner, input, scope, "from", "w", names);
                  });
     if (!known) return;
     const auto arity = static_cast<std::size_t>(names.arities[neuron.function]);
@@ -132,7 +134,7 @@ void describe_node(Archive& archive, Node& node, std::size_t node_count, const K
     archive.choice("mirrorAxis", node.mirror_axis, kMirrorAxes, "axis");
     archive.object("effector", Layout::kCompact, [&](Archive& inner) {
         inner.type("effector");
-        describe_input(inner, node.effector, SourceScope::kPart, "source", "weight");
+        describe_input(inner, node.effector, SourceScope::kPart, "source", "weight", names);
     });
     archive.list("neurons", node.neurons, 0, gene_range::kMaxNodeNeurons, Layout::kLines,
                  [&](Archive& inner, auto& neuron) {

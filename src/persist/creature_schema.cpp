@@ -58,7 +58,9 @@ constexpr std::array kMeanings = {
     Meaning{"w", "Multiplies the value; of a constant, the value itself."},
     Meaning{"kind", "What is read."},
     Meaning{"k", "Index of the neuron, modulo how many there are."},
-    Meaning{"ch", "Number of the sensor channel; a channel that does not exist reads 0."},
+    Meaning{
+        "ch",
+        "The sensor channel; in files of version 1 its number. One that does not exist reads 0."},
     Meaning{"e", "Which of the parts that grow from this one."},
     Meaning{"n", "Index of the node whose part is read."},
     Meaning{"i", "Which of the node's parts."},
@@ -93,7 +95,7 @@ std::string meaning_of(std::string_view type, std::string_view key) {
 void describe_creature(JsonSchemaWriter& writer, CreatureDocument& document,
                        const EvolutionKinds& kinds) {
     writer.constant("format", kFormat);
-    writer.constant("version", kVersion);
+    writer.integer("version", kVersion, 1, kVersion);
     describe_identity(writer, document);
     describe_genes(writer, document.genome, names_of(kinds.creature.catalog));
     ExperimentSettings settings;

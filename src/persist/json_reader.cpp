@@ -160,6 +160,21 @@ std::optional<std::size_t> JsonReader::choice_index(const char* key,
     return std::nullopt;
 }
 
+std::optional<std::size_t> JsonReader::numbered_index(const char* key, const NumberedNames& names,
+                                                      const char* what) {
+    const JsonValue* value = object_.find(key);
+    if (value != nullptr && value->kind == Kind::kText) return choice_index(key, names.names, what);
+    const auto number = whole_number(key, 0.0, NumberedNames::kMost);
+    if (!number) return std::nullopt;
+    const auto index = static_cast<std::size_t>(*number);
+    if (index < names.numbered.size()) {
+        const auto found = std::find(names.names.begin(), names.names.end(), names.numbered[index]);
+        if (found != names.names.end())
+            return static_cast<std::size_t>(found - names.names.begin());
+    }
+    return index < names.names.size() ? std::size_t{NumberedNames::kMost} : index;
+}
+
 bool JsonReader::check_size(const std::string& where, const std::string& text,
                             std::size_t max_bytes) {
     if (text.size() <= max_bytes) return true;

@@ -64,6 +64,14 @@ public:
         if (found) value = static_cast<Choice>(*found);
         return found.has_value();
     }
+    // The index of one of the names, which are those of `what`, or of a number's name; a number of
+    // none keeps out of the range of names.
+    template <class Integer>
+    void named_or_numbered(const char* key, Integer& value, const NumberedNames& names,
+                           const char* what) {
+        if (const auto found = numbered_index(key, names, what))
+            value = static_cast<Integer>(*found);
+    }
     // A choice on which it depends what other fields there are.
     template <class Choice>
     bool variant(const char* key, Choice& value, std::span<const std::string> names,
@@ -126,6 +134,8 @@ private:
     std::optional<double> index_number(const char* key, std::size_t count, const char* of_what);
     std::optional<std::size_t> choice_index(const char* key, std::span<const std::string> names,
                                             const char* what);
+    std::optional<std::size_t> numbered_index(const char* key, const NumberedNames& names,
+                                              const char* what);
     template <class Describe>
     void read_object(const JsonValue& value, const std::string& where, Describe describe) {
         if (value.kind != Kind::kObject) return wrong_type(where, "an object", value);

@@ -83,6 +83,12 @@ public:
         put(key, one_of(names));
         return true;
     }
+    template <class Integer>
+    void named_or_numbered(const char* key, Integer /*value*/, const NumberedNames& names,
+                           const char* /*what*/) {
+        put(key, {{"anyOf",
+                   Json::array({one_of(names.names), whole_number(0.0, NumberedNames::kMost)})}});
+    }
     // The object is described once for each of the names.
     template <class Choice>
     bool variant(const char* key, Choice& value, std::span<const std::string> names,

@@ -32,6 +32,14 @@ struct JsonValue {
 // How an object or a list is written.
 enum class Layout : std::uint8_t { kLines, kCompact };
 
+// Names of values that older files number instead.
+struct NumberedNames {
+    static constexpr int kMost = 255;  // the largest number; never that of a name
+
+    std::vector<std::string> names;     // by value
+    std::vector<std::string> numbered;  // by number
+};
+
 struct JsonLimits {
     std::size_t bytes = 4'000'000;
     std::size_t depth = 32;

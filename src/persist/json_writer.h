@@ -60,6 +60,13 @@ public:
         item(key, quoted_text(names[static_cast<std::size_t>(value)]));
         return true;
     }
+    template <class Integer>
+    void named_or_numbered(const char* key, Integer value, const NumberedNames& names,
+                           const char* /*what*/) {
+        const auto index = static_cast<std::size_t>(value);
+        item(key,
+             index < names.names.size() ? quoted_text(names.names[index]) : std::to_string(index));
+    }
     template <class Choice>
     bool variant(const char* key, Choice value, std::span<const std::string> names,
                  const char* what) {

@@ -2,7 +2,7 @@
 
 namespace cambrian {
 
-// The order fixes the absolute channel numbers genes hold: new kinds go to the end.
+// Digests of genes count channels in this order: new kinds go to the end.
 SensorRegistry builtin_sensors() {
     SensorRegistry sensors;
     add_joint_sensor(sensors);

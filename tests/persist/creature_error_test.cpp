@@ -36,7 +36,7 @@ std::vector<std::string> warnings_of(const std::string& text) {
 
 TEST_CASE("E01: text that is no JSON is located by line and column", "[persist][creature_error]") {
     CHECK(message_of("") == "some.creature.json: E01 the file is empty");
-    CHECK_THAT(message_of(changed("\"version\": 1,", "\"version\": 1")),
+    CHECK_THAT(message_of(changed("\"version\": 2,", "\"version\": 2")),
                Catch::Contains("E01 line 4, column ") && Catch::Contains("expected '}'"));
     CHECK_THAT(message_of(changed("two-link", "two\xff-link")), Catch::Contains("E01 line 4"));
     CHECK_THAT(message_of("# TOML\n[run]\n"), Catch::Contains("E01 line 1, column 1"));
@@ -64,11 +64,11 @@ TEST_CASE("E03: a file of another kind is named", "[persist][creature_error]") {
 }
 
 TEST_CASE("E04: a version from the future or none at all is refused", "[persist][creature_error]") {
-    CHECK(message_of(changed("\"version\": 1", "\"version\": 3")) ==
-          "some.creature.json: E04 /version: 3 is newer than this program (1)");
-    CHECK_THAT(message_of(changed("\"version\": 1", "\"version\": 0")), Catch::Contains("E04"));
-    CHECK_THAT(message_of(changed("\"version\": 1", "\"version\": -1.5")), Catch::Contains("E04"));
-    CHECK_THAT(message_of(changed("\"version\": 1", "\"version\": \"1\"")),
+    CHECK(message_of(changed("\"version\": 2", "\"version\": 3")) ==
+          "some.creature.json: E04 /version: 3 is newer than this program (2)");
+    CHECK_THAT(message_of(changed("\"version\": 2", "\"version\": 0")), Catch::Contains("E04"));
+    CHECK_THAT(message_of(changed("\"version\": 2", "\"version\": -1.5")), Catch::Contains("E04"));
+    CHECK_THAT(message_of(changed("\"version\": 2", "\"version\": \"1\"")),
                Catch::Contains("/version"));
 }
 
@@ -127,6 +127,11 @@ TEST_CASE("E08: an unknown name brings the nearest known one", "[persist][creatu
           "you mean \"oscillate-wave\"?");
     CHECK_THAT(message_of(changed("\"across\"", "\"acros\"")),
                Catch::Contains("E08 /nodes/1/mirrorAxis: unknown axis \"acros\""));
+    CHECK_THAT(message_of(changed("\"contact-left\"", "\"contact-lef\"")),
+               Catch::Contains("unknown sensor channel \"contact-lef\"; did you mean "
+                               "\"contact-left\"?"));
+    CHECK_THAT(message_of(changed("\"contact-left\"", "256")),
+               Catch::Contains("E07 /brain/0/in/0/from/ch: 256 is outside [0, 255]"));
     CHECK_THAT(message_of(changed("\"behavior\": \"walking\"", "\"behavior\": \"walkin\"")),
                Catch::Contains("E08 /scored/goal/behavior"));
 }
@@ -157,10 +162,11 @@ TEST_CASE("E11: a neuron with too few inputs says what it needs", "[persist][cre
 }
 
 TEST_CASE("E12: a source in the wrong place says where it belongs", "[persist][creature_error]") {
-    CHECK(message_of(changed("\"kind\": \"partSensor\", \"n\": 1, \"i\": 1, \"ch\": 2",
-                             "\"kind\": \"parentNeuron\", \"k\": 0")) ==
-          "some.creature.json: E12 /brain/0/in/0/from/kind: \"parentNeuron\" is only for part "
-          "neurons");
+    CHECK(
+        message_of(changed("\"kind\": \"partSensor\", \"n\": 1, \"i\": 1, \"ch\": \"contact-left\"",
+                           "\"kind\": \"parentNeuron\", \"k\": 0")) ==
+        "some.creature.json: E12 /brain/0/in/0/from/kind: \"parentNeuron\" is only for part "
+        "neurons");
 }
 
 TEST_CASE("E13: a key that appears twice is named", "[persist][creature_error]") {

@@ -152,3 +152,63 @@ TEST_CASE("ticks of another motion than the one scored are not kept", "[persist]
     complete_score(document, kinds());
     CHECK(document.scored->ticks.empty());
 }
+
+namespace {
+
+// The sample as version 1 wrote it, with its central neuron's channel as a number.
+std::string numbered_sample(const std::string& number) {
+    std::string text = sample_text();
+    for (const auto& [from, to] :
+         {std::pair<std::string, std::string>{"\"version\": 2", "\"version\": 1"},
+          {"\"contact-distal\"", "1"},
+          {"\"contact-left\"", number}}) {
+        const std::size_t place = text.find(from);
+        REQUIRE(place != std::string::npos);
+        text.replace(place, from.size(), to);
+    }
+    return text;
+}
+
+int central_channel(const std::string& text, const EvolutionKinds& all) {
+    const auto document = parse_creature(text, "some.creature.json", all);
+    INFO((document ? "" : document.error().message));
+    REQUIRE(document);
+    return document->genome.brain[0].inputs[0].source.index;
+}
+
+// The program with its sensor channels registered in another order.
+EvolutionKinds with_reversed_channels() {
+    EvolutionKinds all = kinds();
+    std::reverse(all.creature.catalog.channels.begin(), all.creature.catalog.channels.end());
+    return all;
+}
+
+}  // namespace
+
+TEST_CASE("sensor channels are written by id", "[persist][creature_file]") {
+    CHECK_THAT(sample_text(), Catch::Contains("\"ch\": \"contact-left\""));
+    CHECK_THAT(write_creature(sample_document(), with_reversed_channels()),
+               Catch::Contains("\"ch\": \"contact-proximal\""));
+}
+
+TEST_CASE("files of version 1 number the sensor channels they had", "[persist][creature_file]") {
+    CHECK(central_channel(numbered_sample("2"), kinds()) == 2);
+    CHECK(write_creature(*parse_creature(numbered_sample("2"), "", kinds()), kinds()) ==
+          sample_text());
+}
+
+TEST_CASE("the order in which sensors are registered does not matter to files",
+          "[persist][creature_file]") {
+    const EvolutionKinds reversed = with_reversed_channels();
+    CHECK(central_channel(sample_text(), reversed) == 2);
+    CHECK(central_channel(numbered_sample("4"), reversed) == 0);
+    CHECK(central_channel(numbered_sample("0"), reversed) == 4);
+}
+
+TEST_CASE("a number of no sensor channel stays one that nothing has", "[persist][creature_file]") {
+    CHECK(central_channel(numbered_sample("200"), kinds()) == 200);
+    EvolutionKinds more = kinds();
+    more.creature.catalog.channels.push_back({"smell", "Smell"});
+    CHECK(central_channel(numbered_sample("5"), kinds()) == 5);
+    CHECK(central_channel(numbered_sample("5"), more) == 255);
+}
