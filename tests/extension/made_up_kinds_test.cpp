@@ -1,0 +1,231 @@
+// A sensor, a neuron function, a mutation, a breeding method, a selection and a goal that no file
+// but this one knows. An experiment that uses nothing else of their sorts evolves, is saved, loaded
+// and drawn; a list or a switch over known kinds anywhere on that way makes a case fail.
+
+#include "evolution/backends/thread_pool_backend.h"
+#include "evolution/evolution.h"
+#include "persist/creature_file.h"
+#include "persist/experiment_file.h"
+#include "persist/settings_file.h"
+#include "pictures/card_picture.h"
+#include "render/offscreen_context.h"
+#include "support/catch.h"
+#include "support/kinds.h"
+#include "support/temporary_directory.h"
+
+#include <array>
+#include <atomic>
+#include <set>
+
+namespace cambrian {
+namespace {
+
+// How often each made-up kind was asked for what it does.
+struct Calls {
+    std::atomic<int> sensor = 0;
+    std::atomic<int> function = 0;
+    std::atomic<int> mutation = 0;
+    std::atomic<int> breeding = 0;
+    std::atomic<int> selection = 0;
+    std::atomic<int> goal = 0;
+};
+Calls calls;
+
+double read_height(const BodyView& body, std::size_t part, std::size_t /*channel*/,
+                   int /*handedness*/) {
+    ++calls.sensor;
+    return body.part_pose(part).position.y();
+}
+
+double triple(const double* inputs, double* /*memory*/, double /*dt*/) {
+    ++calls.function;
+    return 3.0 * inputs[0];
+}
+
+bool lean(Genome& genome, const MutationContext& /*context*/, RandomStream& stream,
+          MutationRecord& record) {
+    ++calls.mutation;
+    genome.root_angle += stream.uniform();
+    record.place = "root";
+    return true;
+}
+
+Genome breed_second(const Genome& /*first*/, const Genome& second, const KindCatalog& /*catalog*/,
+                    RandomStream& /*stream*/) {
+    ++calls.breeding;
+    return second;
+}
+
+// The better half survives and breeds in turn.
+SelectionResult select_half(std::span<const IndividualPtr> ranked,
+                            const ExperimentSettings& settings, SelectionMemory& /*memory*/,
+                            RandomStream& /*stream*/) {
+    ++calls.selection;
+    SelectionResult result;
+    const std::size_t half = (ranked.size() + 1) / 2;
+    for (std::size_t i = 0; i < half; ++i)
+        result.survivors.push_back(i);
+    for (std::size_t i = half; i < static_cast<std::size_t>(settings.population.size); ++i)
+        result.first_parents.push_back(i % half);
+    result.partner_weights.assign(ranked.size(), 1.0);
+    return result;
+}
+
+Score score_mass(const TrialRecord& record) {
+    ++calls.goal;
+    return {record.mass, {{"mass", record.mass, "kg"}}};
+}
+
+EvolutionKinds with_made_up_kinds() {
+    NeuronFunctionRegistry functions = builtin_neuron_functions();
+    functions.add({.id = "triple", .label = "Triple", .evaluate = triple});
+    SensorRegistry sensors = builtin_sensors();
+    sensors.add({.id = "height",
+                 .label = "Height",
+                 .channels = {{"height-middle", "Height of the middle"}},
+                 .read = read_height});
+    EvolutionKinds kinds = test::kinds();
+    kinds.creature = make_kinds(std::move(functions), std::move(sensors), builtin_effectors(),
+                                test::kinds().creature.scene);
+    kinds.mutations.add({.id = "lean", .label = "Lean", .apply = lean});
+    kinds.breeding.add({.id = "second", .label = "Second", .parents = 2, .breed = breed_second});
+    kinds.selections.add({.id = "half",
+                          .label = "Half",
+                          .help = "The better half survives.",
+                          .truncates = [](const SelectionSettings&) { return false; },
+                          .select = select_half});
+    kinds.goals.add({.id = "heavy",
+                     .label = "Heavy",
+                     .unit = "kg",
+                     .help = "Mass.",
+                     .default_environment = [] { return Environment{}; },
+                     .mismatch = [](const Environment&) { return std::string(); },
+                     .score = score_mass});
+    return kinds;
+}
+
+const EvolutionKinds& kinds() {
+    static const EvolutionKinds all = with_made_up_kinds();
+    return all;
+}
+
+template <class Value, class Kinds>
+std::map<std::string, Value> only(const Kinds& kinds, std::string_view id, Value on, Value off) {
+    std::map<std::string, Value> values;
+    for (const auto& kind : kinds)
+        values[kind.id] = kind.id == id ? on : off;
+    return values;
+}
+
+// Of every sort only the made-up kind.
+ExperimentSettings made_up_settings() {
+    const KindCatalog& catalog = kinds().creature.catalog;
+    ExperimentSettings settings = default_settings("heavy", kinds());
+    settings.population.size = 12;
+    settings.world.trial.duration = 0.5;
+    settings.world.trial.settle_limit = 0.5;
+    settings.selection.method = "half";
+    settings.breeding.shares = only(kinds().breeding.all(), "second", 1.0, 0.0);
+    settings.mutation.weights = only(kinds().mutations.all(), "lean", 1.0, 0.0);
+    settings.founders.functions = only(catalog.functions, "triple", true, false);
+    settings.founders.channels = only(catalog.channels, "height-middle", true, false);
+    return settings;
+}
+
+// Three generations, each kept.
+std::shared_ptr<ExperimentFile> evolved() {
+    const auto settings = std::make_shared<const ExperimentSettings>(made_up_settings());
+    auto file = ExperimentFile::create(kinds(), settings, {});
+    REQUIRE(file);
+    Evolution evolution(settings, kinds());
+    const auto backend = make_thread_pool_backend(kinds(), 2);
+    EvaluationProgress progress;
+    for (int generation = 0; generation < 3; ++generation) {
+        if (generation > 0) evolution.breed();
+        REQUIRE(evolution.evaluate(*backend, progress, {}));
+        REQUIRE((*file)->record(evolution));
+    }
+    return *file;
+}
+
+SavedExperiment saved_and_loaded() {
+    const TemporaryDirectory folder;
+    REQUIRE(evolved()->move_to(folder / "run.cambrian"));
+    auto saved = load_experiment(folder / "run.cambrian", kinds());
+    INFO((saved ? "" : saved.error().message));
+    REQUIRE(saved);
+    return std::move(*saved);
+}
+
+TEST_CASE("settings that name made-up kinds are written and read", "[extension]") {
+    const std::string text = write_settings(made_up_settings(), kinds());
+    for (const char* id : {"heavy", "half", "second", "lean", "triple", "height-middle"})
+        CHECK_THAT(text, Catch::Contains(id));
+    const auto read = parse_settings(text, "made-up.toml", kinds());
+    INFO((read ? "" : read.error().message));
+    REQUIRE(read);
+    CHECK(write_settings(*read, kinds()) == text);
+}
+
+TEST_CASE("two generations are bred with nothing but made-up kinds", "[extension]") {
+    for (std::atomic<int>* count : {&calls.sensor, &calls.function, &calls.mutation,
+                                    &calls.breeding, &calls.selection, &calls.goal})
+        *count = 0;
+    const SavedExperiment saved = saved_and_loaded();
+    CHECK(calls.sensor > 0);
+    CHECK(calls.function > 0);
+    CHECK(calls.mutation > 0);
+    CHECK(calls.breeding > 0);
+    CHECK(calls.selection == 2);
+    CHECK(calls.goal > 0);
+    REQUIRE(saved.latest);
+    CHECK(saved.latest->generation == 2);
+    CHECK(saved.latest->population.front()->result.fitness > 0.0);
+    CHECK(saved.digests.size() == 3);
+    CHECK(std::any_of(saved.latest->population.begin(), saved.latest->population.end(),
+                      [](const IndividualPtr& each) { return each->method == "second"; }));
+}
+
+TEST_CASE("creatures of made-up kinds are saved, loaded and drawn", "[extension]") {
+    const SavedExperiment saved = saved_and_loaded();
+    bool hears_height = false;
+    bool triples = false;
+    auto context = OffscreenContext::create();
+    REQUIRE(context);
+    auto renderer = Renderer::create();
+    auto lettering = Lettering::load();
+    REQUIRE(renderer);
+    REQUIRE(lettering);
+    for (const IndividualPtr& individual : saved.latest->population) {
+        const CreatureDocument document =
+            creature_document(*individual, *saved.latest->settings, kinds());
+        const std::string text = write_creature(document, kinds());
+        hears_height = hears_height || text.find("\"height-middle\"") != std::string::npos;
+        triples = triples || text.find("\"triple\"") != std::string::npos;
+        const auto read = parse_creature(text, "made-up.creature.json", kinds());
+        INFO((read ? "" : read.error().message));
+        REQUIRE(read);
+        CHECK(read->warnings.empty());
+        CHECK(read->genome == *individual->genome);
+        CHECK(write_creature(*read, kinds()) == text);
+    }
+    CHECK(hears_height);
+    CHECK(triples);
+    const CreatureDocument best =
+        creature_document(*saved.latest->population.front(), *saved.latest->settings, kinds());
+    const auto subject = subject_of(best, *saved.latest->settings, "Made up", kinds());
+    INFO((subject ? "" : subject.error().message));
+    REQUIRE(subject);
+    auto easel = Easel::create(**renderer, **lettering, 240, 320);
+    REQUIRE(easel);
+    draw_card(*easel, *subject, palette_of(ThemeKind::kDark));
+    const auto image = easel->finish();
+    REQUIRE(image.rgb.size() == 240U * 320U * 3U);
+    std::set<std::array<std::uint8_t, 3>> colors;
+    for (std::size_t i = 0; i < image.rgb.size(); i += 3)
+        colors.insert({image.rgb[i], image.rgb[i + 1], image.rgb[i + 2]});
+    CHECK(colors.size() > 50);
+}
+
+}  // namespace
+}  // namespace cambrian
