@@ -1,0 +1,107 @@
+#!/usr/bin/env python3
+"""Counts, for each kind the program registers, the files of src/ that name it outside its own.
+
+A kind is named by its quoted id, by the ids of its channels, by the function that registers it
+and by its enumerator, if it has one.
+Its own file, the header that declares that function and the list that calls it are not counted,
+nor are comments.
+With --most the count of each sort is held to a limit, so that the number can only fall.
+"""
+
+import argparse
+import pathlib
+import re
+import sys
+
+# Sort: the files that define its kinds, one or several a file; what registers one there; and the
+# files that list the registrations. Group 1 of the pattern is the id.
+SORTS = {
+    "sensor": ("sensors/*_sensor.cpp", r'sensors\.add\(\{\.id = "([^"]+)"'),
+    "effector": ("effectors/*_effector.cpp", r'effectors\.add\(\{\.id = "([^"]+)"'),
+    "goal": ("goals/*.cpp", r'goals\.add\(\{\.id = "([^"]+)"'),
+    "selection": ("evolution/selections/*.cpp", r'selections\.add\(\s*\{\.id = "([^"]+)"'),
+    "breeding": ("breeding/*.cpp", r'methods\.add\(\{\.id = "([^"]+)"'),
+    "mutation": ("breeding/mutations/*.cpp", r'mutations\.add\(\s*\{\s*"([^"]+)"'),
+    "function": ("brain/functions/*.cpp",
+                 r'\{\.id = "([^"]+)"|functions, "([^"]+)"|\{"([^"]+)", "'),
+    "integrator": ("dynamics/**/integrators/*.cpp", r'"([a-z-]+)"'),
+    "joint": ("dynamics/**/*scene_kind.cpp", r'\{"([a-z]+)", "[A-Z][a-z]+", \d'),
+}
+# Ids that are the words of other things as well (keys of files, other sorts' kinds): of these only
+# the registration and the channels are looked for.
+COMMON_WORDS = {"joint", "contact", "effector", "weight", "source", "function", "root", "sum",
+                "product", "if"}
+# Sorts that an enumeration repeats: kRotary is "rotary".
+ENUMERATED = {"joint", "breeding"}
+COMMENT = re.compile(r"//.*")
+CHANNEL = re.compile(r'\{"([^"]+)", "[^"]+"(?:, \d+)?\}')
+REGISTRATION = re.compile(r"^(?:void|IntegratorKind) (\w+)\(", re.MULTILINE)
+
+
+def kinds_of(src, sort):
+    """Yields (id, own file, names) of each kind of the sort."""
+    files, pattern = SORTS[sort]
+    for path in sorted(src.glob(files)):
+        if path.name.startswith("builtin_"):
+            continue
+        text = path.read_text()
+        found = [next(filter(None, match)) if isinstance(match, tuple) else match
+                 for match in re.findall(pattern, text)]
+        for kind in dict.fromkeys(found):
+            names = {f'"{kind}"'} - {f'"{word}"' for word in COMMON_WORDS}
+            if sort in ENUMERATED:
+                names.add("k" + "".join(word.capitalize() for word in kind.split("-")))
+            if len(found) == 1:
+                names |= {rf"{name}(" for name in REGISTRATION.findall(text)}
+                if sort == "sensor":
+                    names |= {f'"{channel}"' for channel in CHANNEL.findall(text)}
+                    names -= {f'"{word}"' for word in COMMON_WORDS}
+            yield kind, path, names
+
+
+def is_named(name, text, path):
+    if name.endswith("("):  # a declaration does not count
+        return path.suffix == ".cpp" and name in text
+    if name.startswith("k"):
+        return re.search(rf"\b{name}\b", text) is not None
+    return name in text
+
+
+def places(src, own, names):
+    """The files that name it: outside its own, the declaration and the list."""
+    found = []
+    for path in sorted(src.rglob("*")):
+        if path.suffix not in (".h", ".cpp") or path == own or path.name.startswith("builtin_"):
+            continue
+        text = COMMENT.sub("", path.read_text())
+        if any(is_named(name, text, path) for name in names):
+            found.append(path)
+    return found
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("src", type=pathlib.Path)
+    parser.add_argument("--most", action="append", default=[], metavar="SORT=COUNT",
+                        help="fail if a kind of the sort is named in more files")
+    arguments = parser.parse_args()
+    limits = dict(limit.split("=") for limit in arguments.most)
+    faults = []
+    for sort in SORTS:
+        kinds = list(kinds_of(arguments.src, sort))
+        if not kinds:
+            faults.append(f"no {sort} found: the pattern that finds them is out of date")
+        for kind, own, names in kinds:
+            found = places(arguments.src, own, names)
+            where = " ".join(str(path.relative_to(arguments.src)) for path in found)
+            print(f"{sort:10} {kind:20} {len(found):2} {where}")
+            if len(found) > int(limits.get(sort, len(found))):
+                faults.append(f"{sort} {kind}: named in {len(found)} other files, "
+                              f"at most {limits[sort]} allowed")
+    for fault in faults:
+        print(fault, file=sys.stderr)
+    return 1 if faults else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
