@@ -1,6 +1,6 @@
 #include "app/clip_file.h"
 
-#include "core/number_text.h"
+#include "core/text/number_text.h"
 
 #include <array>
 #include <cerrno>

@@ -1,11 +1,11 @@
 #include "app/command_files.h"
 
-#include "core/database_companions.h"
-#include "core/file_errors.h"
-#include "core/file_identity.h"
-#include "core/file_io.h"
-#include "core/file_lock.h"
-#include "core/output_target.h"
+#include "core/files/database_companions.h"
+#include "core/files/file_errors.h"
+#include "core/files/file_identity.h"
+#include "core/files/file_io.h"
+#include "core/files/file_lock.h"
+#include "core/files/output_target.h"
 
 #include <algorithm>
 #include <cerrno>

@@ -1,7 +1,7 @@
 #include "app/evolution_report.h"
 
 #include "app/json_text.h"
-#include "core/number_text.h"
+#include "core/text/number_text.h"
 #include "persist/digest_text.h"
 #include "persist/quoted_text.h"
 

@@ -6,7 +6,7 @@
 #include "app/progress_bar.h"
 #include "app/run_outputs.h"
 #include "app/score_notice.h"
-#include "core/thread_pool.h"
+#include "core/threads/thread_pool.h"
 #include "evolution/backends/thread_pool_backend.h"
 #include "evolution/evolution.h"
 #include "evolution/setting_field.h"

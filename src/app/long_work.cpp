@@ -1,6 +1,6 @@
 #include "app/long_work.h"
 
-#include "core/number_text.h"
+#include "core/text/number_text.h"
 
 #include <algorithm>
 

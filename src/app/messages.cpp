@@ -1,6 +1,6 @@
 #include "app/messages.h"
 
-#include "core/output_stream.h"
+#include "core/files/output_stream.h"
 
 #include <cstdio>
 

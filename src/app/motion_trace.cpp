@@ -1,6 +1,6 @@
 #include "app/motion_trace.h"
 
-#include "core/number_text.h"
+#include "core/text/number_text.h"
 #include "simulator/trial.h"
 
 #include <memory>

@@ -4,7 +4,7 @@
 // to its end. Columns: time (s), centre of mass (m), then for every part its centre (m), its angle
 // (rad) and its joint's coordinate (rad or m).
 
-#include "core/output_stream.h"
+#include "core/files/output_stream.h"
 #include "core/result.h"
 #include "evolution/experiment_settings.h"
 #include "genome/genome.h"

@@ -1,6 +1,6 @@
 #include "app/number_checks.h"
 
-#include "core/number_text.h"
+#include "core/text/number_text.h"
 
 #include <CLI/CLI.hpp>
 

@@ -1,6 +1,6 @@
 #include "app/output_path.h"
 
-#include "core/file_io.h"
+#include "core/files/file_io.h"
 
 #include <system_error>
 

@@ -1,6 +1,6 @@
 #include "pictures/card_picture.h"
 
-#include "core/pretty_text.h"
+#include "core/text/pretty_text.h"
 #include "pictures/moment.h"
 #include "pictures/scene_builder.h"
 

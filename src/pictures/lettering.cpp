@@ -4,7 +4,7 @@
 #define STBTT_STATIC
 #include "pictures/lettering.h"
 
-#include "core/file_io.h"
+#include "core/files/file_io.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "pictures/moment.h"
 
-#include "core/pretty_text.h"
+#include "core/text/pretty_text.h"
 #include "pictures/follow_camera.h"
 #include "pictures/scene_builder.h"
 

@@ -1,6 +1,6 @@
 #include "pictures/sheet.h"
 
-#include "core/pretty_text.h"
+#include "core/text/pretty_text.h"
 #include "pictures/moment.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "pictures/subject.h"
 
-#include "core/pretty_text.h"
+#include "core/text/pretty_text.h"
 
 #include <memory>
 #include <utility>

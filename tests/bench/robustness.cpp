@@ -3,7 +3,7 @@
 
 #include "bench/write_table.h"
 #include "core/assert.h"
-#include "core/thread_pool.h"
+#include "core/threads/thread_pool.h"
 #include "dynamics/planar_scene.h"
 #include "simulator/audit.h"
 #include "support/body_plans.h"

@@ -1,4 +1,4 @@
-#include "core/snapshot_channel.h"
+#include "core/threads/snapshot_channel.h"
 
 #include "support/catch.h"
 

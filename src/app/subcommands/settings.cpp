@@ -2,7 +2,7 @@
 #include "app/option_types.h"
 #include "app/output_path.h"
 #include "app/subcommands/subcommands.h"
-#include "core/file_io.h"
+#include "core/files/file_io.h"
 #include "persist/quoted_text.h"
 #include "persist/settings_file.h"
 

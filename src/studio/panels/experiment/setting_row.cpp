@@ -1,6 +1,6 @@
 #include "studio/panels/experiment/setting_row.h"
 
-#include "core/pretty_text.h"
+#include "core/text/pretty_text.h"
 #include "studio/experiment/settings_editor.h"
 #include "studio/widgets/widgets.h"
 

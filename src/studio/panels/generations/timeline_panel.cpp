@@ -1,6 +1,6 @@
 #include "studio/panels/generations/timeline_panel.h"
 
-#include "core/pretty_text.h"
+#include "core/text/pretty_text.h"
 #include "studio/frame/help_mark.h"
 #include "studio/panels/generations/export_menu.h"
 #include "studio/widgets/widgets.h"

@@ -1,6 +1,6 @@
 #include "studio/panels/picking/picking_grid_panel.h"
 
-#include "core/pretty_text.h"
+#include "core/text/pretty_text.h"
 #include "pictures/follow_camera.h"
 #include "pictures/scene_builder.h"
 #include "studio/hand_picking/drag_payload.h"

@@ -1,10 +1,10 @@
-#include "core/file_io.h"
+#include "core/files/file_io.h"
 
-#include "core/file_descriptor.h"
-#include "core/file_errors.h"
-#include "core/output_stream.h"
-#include "core/output_target.h"
-#include "core/pending_file.h"
+#include "core/files/file_descriptor.h"
+#include "core/files/file_errors.h"
+#include "core/files/output_stream.h"
+#include "core/files/output_target.h"
+#include "core/files/pending_file.h"
 
 #include <algorithm>
 #include <cerrno>

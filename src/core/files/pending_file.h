@@ -4,7 +4,7 @@
 // name only once committed, taken away if that never comes. What a killed process left of one is
 // taken away when the next one is made in the same folder.
 
-#include "core/file_descriptor.h"
+#include "core/files/file_descriptor.h"
 #include "core/result.h"
 
 #include <filesystem>
@@ -16,7 +16,7 @@ namespace cambrian {
 class PendingFile {
 public:
     // Makes an empty one. Fails for a target that is no regular file, or that a program of ours
-    // has locked (core/file_lock.h).
+    // has locked (core/files/file_lock.h).
     static Result<PendingFile> beside(const std::filesystem::path& target);
     ~PendingFile();
     PendingFile(PendingFile&& other) noexcept;

@@ -1,4 +1,4 @@
-#include "core/database_companions.h"
+#include "core/files/database_companions.h"
 
 #include <string>
 #include <unistd.h>

@@ -1,4 +1,4 @@
-#include "core/pretty_text.h"
+#include "core/text/pretty_text.h"
 
 #include <algorithm>
 #include <array>

@@ -3,7 +3,7 @@
 // Says to other programs of ours that a file is being written to, and notices when it is not the
 // file of that name any more.
 
-#include "core/file_descriptor.h"
+#include "core/files/file_descriptor.h"
 #include "core/result.h"
 
 #include <filesystem>

@@ -20,7 +20,7 @@ Result<std::string> read_start(const std::filesystem::path& path, std::size_t mo
 
 // Writes beside the target, flushes to the disk, renames: the target is the old file or the new
 // one, never half of either. On failure the temporary file is removed. Links are followed; streams
-// are written to as they are (core/output_stream.h).
+// are written to as they are (core/files/output_stream.h).
 Status write_file(const std::filesystem::path& path, std::string_view bytes);
 
 // Whether write_file could succeed now, found out by trying beside the target; leaves nothing

@@ -1,9 +1,9 @@
-#include "core/pending_file.h"
+#include "core/files/pending_file.h"
 
-#include "core/database_companions.h"
-#include "core/file_errors.h"
-#include "core/file_lock.h"
-#include "core/output_target.h"
+#include "core/files/database_companions.h"
+#include "core/files/file_errors.h"
+#include "core/files/file_lock.h"
+#include "core/files/output_target.h"
 
 #include <cerrno>
 #include <charconv>

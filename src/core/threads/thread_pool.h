@@ -4,7 +4,7 @@
 // Workers take the next index from one counter, so the order of work is not fixed, and a function
 // must therefore write only what belongs to its index (and its worker's scratch).
 
-#include "core/thread_priority.h"
+#include "core/threads/thread_priority.h"
 
 #include <condition_variable>
 #include <cstddef>

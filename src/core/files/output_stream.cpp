@@ -1,7 +1,7 @@
-#include "core/output_stream.h"
+#include "core/files/output_stream.h"
 
-#include "core/file_errors.h"
-#include "core/output_target.h"
+#include "core/files/file_errors.h"
+#include "core/files/output_target.h"
 
 #include <cerrno>
 #include <fcntl.h>

@@ -3,7 +3,7 @@
 // The commands of a thread that sleeps while it has nothing to do and breaks off what it does when
 // a command comes. One user thread, one worker thread.
 
-#include "core/command_queue.h"
+#include "core/threads/command_queue.h"
 
 #include <condition_variable>
 #include <cstddef>

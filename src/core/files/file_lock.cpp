@@ -1,6 +1,6 @@
-#include "core/file_lock.h"
+#include "core/files/file_lock.h"
 
-#include "core/file_identity.h"
+#include "core/files/file_identity.h"
 
 #include <cerrno>
 #include <chrono>

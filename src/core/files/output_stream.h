@@ -3,8 +3,8 @@
 // Where results go, piece by piece: standard output, a file, a FIFO or a device. Every piece and
 // the end are checked.
 
-#include "core/file_descriptor.h"
-#include "core/pending_file.h"
+#include "core/files/file_descriptor.h"
+#include "core/files/pending_file.h"
 #include "core/result.h"
 
 #include <filesystem>

@@ -1,6 +1,6 @@
-#include "core/output_target.h"
+#include "core/files/output_target.h"
 
-#include "core/file_errors.h"
+#include "core/files/file_errors.h"
 
 #include <charconv>
 #include <linux/magic.h>
