@@ -5,7 +5,7 @@
 
 #include "evolution/experiment_settings.h"
 #include "evolution/individual.h"
-#include "picking/grid_settings.h"
+#include "picking/grid/grid_settings.h"
 #include "picking/picking_snapshot.h"
 
 #include <cstddef>

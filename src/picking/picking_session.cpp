@@ -1,6 +1,6 @@
 #include "picking/picking_session.h"
 
-#include "picking/grid_settings.h"
+#include "picking/grid/grid_settings.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 
 // What there is to see of picking: immutable, shallow, published after every change.
 
-#include "picking/grid_settings.h"
+#include "picking/grid/grid_settings.h"
 #include "picking/picking_tree.h"
 #include "picking/session_log.h"
 

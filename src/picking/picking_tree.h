@@ -6,7 +6,7 @@
 #include "core/result.h"
 #include "evolution/experiment_settings.h"
 #include "evolution/judged_individual.h"
-#include "picking/grid_settings.h"
+#include "picking/grid/grid_settings.h"
 
 #include <cstddef>
 #include <cstdint>

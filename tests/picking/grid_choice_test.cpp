@@ -1,8 +1,8 @@
-#include "picking/grid_choice.h"
+#include "picking/grid/grid_choice.h"
 
 #include "core/random.h"
 #include "math/distance.h"
-#include "picking/grid_hints.h"
+#include "picking/grid/grid_hints.h"
 #include "support/catch.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "picking/grid_settings.h"
+#include "picking/grid/grid_settings.h"
 
 #include <algorithm>
 #include <string>

@@ -1,4 +1,4 @@
-#include "picking/grid_breeding.h"
+#include "picking/grid/grid_breeding.h"
 
 #include "evolution/generation.h"
 

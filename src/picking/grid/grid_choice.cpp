@@ -1,4 +1,4 @@
-#include "picking/grid_choice.h"
+#include "picking/grid/grid_choice.h"
 
 #include "math/distance.h"
 #include "math/elementary.h"

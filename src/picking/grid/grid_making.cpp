@@ -1,4 +1,4 @@
-#include "picking/grid_making.h"
+#include "picking/grid/grid_making.h"
 
 #include "evolution/trials.h"
 

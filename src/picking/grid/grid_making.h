@@ -5,8 +5,8 @@
 
 #include "evolution/evaluation_backend.h"
 #include "evolution/evolution_kinds.h"
-#include "picking/grid_breeding.h"
-#include "picking/grid_choice.h"
+#include "picking/grid/grid_breeding.h"
+#include "picking/grid/grid_choice.h"
 
 #include <cstdint>
 #include <map>

@@ -1,7 +1,7 @@
-#include "picking/grid_hints.h"
+#include "picking/grid/grid_hints.h"
 
 #include "math/distance.h"
-#include "picking/grid_choice.h"
+#include "picking/grid/grid_choice.h"
 
 #include <algorithm>
 #include <vector>
