@@ -5,7 +5,7 @@
 
 #include "core/result.h"
 #include "evolution/evolution_kinds.h"
-#include "pictures/palette.h"
+#include "pictures/canvas/palette.h"
 #include "studio/host/window.h"
 
 #include <cstddef>

@@ -2,7 +2,7 @@
 
 #include "pictures/card_picture.h"
 #include "pictures/clip.h"
-#include "pictures/moment.h"
+#include "pictures/scene/moment.h"
 #include "pictures/sheet.h"
 #include "render/offscreen_context.h"
 #include "support/creatures.h"

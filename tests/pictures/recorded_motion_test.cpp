@@ -1,4 +1,4 @@
-#include "pictures/recorded_motion.h"
+#include "pictures/motion/recorded_motion.h"
 
 #include "support/creatures.h"
 #include "support/kinds.h"

@@ -1,4 +1,4 @@
-#include "pictures/scene_builder.h"
+#include "pictures/scene/scene_builder.h"
 
 #include "support/catch.h"
 #include "support/creatures.h"

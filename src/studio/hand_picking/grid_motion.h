@@ -4,7 +4,7 @@
 // shown, so that no frame waits for it; on show all by one clock, again and again.
 
 #include "evolution/individual.h"
-#include "pictures/recorded_motion.h"
+#include "pictures/motion/recorded_motion.h"
 #include "simulator/trial.h"
 #include "studio/background/background_worker.h"
 

@@ -1,8 +1,8 @@
 #include "studio/panels/picking/picking_grid_panel.h"
 
 #include "core/text/pretty_text.h"
-#include "pictures/follow_camera.h"
-#include "pictures/scene_builder.h"
+#include "pictures/scene/follow_camera.h"
+#include "pictures/scene/scene_builder.h"
 #include "studio/hand_picking/drag_payload.h"
 #include "studio/widgets/widgets.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "pictures/scene_builder.h"
+#include "pictures/scene/scene_builder.h"
 #include "studio/frame/panel.h"
 #include "studio/host/scene_canvas.h"
 

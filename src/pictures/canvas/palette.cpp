@@ -1,4 +1,4 @@
-#include "pictures/palette.h"
+#include "pictures/canvas/palette.h"
 
 namespace cambrian {
 

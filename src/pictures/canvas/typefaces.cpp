@@ -1,4 +1,4 @@
-#include "pictures/typefaces.h"
+#include "pictures/canvas/typefaces.h"
 
 #include <array>
 #include <span>

@@ -1,4 +1,4 @@
-#include "pictures/touched_faces.h"
+#include "pictures/motion/touched_faces.h"
 
 namespace cambrian {
 

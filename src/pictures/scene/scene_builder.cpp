@@ -1,4 +1,4 @@
-#include "pictures/scene_builder.h"
+#include "pictures/scene/scene_builder.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "pictures/easel.h"
+#include "pictures/canvas/easel.h"
 
 #include "render/gl.h"
 #include "render/pixels.h"

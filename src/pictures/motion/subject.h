@@ -3,7 +3,7 @@
 // Whom a picture shows and what is written beside it.
 
 #include "persist/creature_file.h"
-#include "pictures/recorded_motion.h"
+#include "pictures/motion/recorded_motion.h"
 
 #include <cstdint>
 #include <optional>

@@ -1,4 +1,4 @@
-#include "pictures/follow_camera.h"
+#include "pictures/scene/follow_camera.h"
 
 #include <algorithm>
 

@@ -4,7 +4,7 @@
 
 #include "core/image.h"
 #include "core/result.h"
-#include "pictures/typefaces.h"
+#include "pictures/canvas/typefaces.h"
 #include "render/color.h"
 
 #include <array>

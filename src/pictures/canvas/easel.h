@@ -5,8 +5,8 @@
 
 #include "core/image.h"
 #include "core/result.h"
-#include "pictures/lettering.h"
-#include "pictures/palette.h"
+#include "pictures/canvas/lettering.h"
+#include "pictures/canvas/palette.h"
 #include "render/framebuffer.h"
 #include "render/renderer.h"
 

@@ -2,8 +2,8 @@
 
 // One moment of a creature's trial, drawn as the viewport draws it.
 
-#include "pictures/easel.h"
-#include "pictures/subject.h"
+#include "pictures/canvas/easel.h"
+#include "pictures/motion/subject.h"
 
 #include <cstddef>
 #include <vector>

@@ -3,7 +3,7 @@
 // A trial as moments to draw, so that any of them can be drawn in any order.
 
 #include "core/result.h"
-#include "pictures/touched_faces.h"
+#include "pictures/motion/touched_faces.h"
 #include "simulator/trial.h"
 #include "simulator/trial_watch.h"
 

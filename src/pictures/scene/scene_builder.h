@@ -3,9 +3,9 @@
 // A creature and its world as shapes to draw.
 
 #include "creature/phenotype.h"
-#include "pictures/highlight.h"
-#include "pictures/palette.h"
-#include "pictures/touched_faces.h"
+#include "pictures/canvas/palette.h"
+#include "pictures/motion/touched_faces.h"
+#include "pictures/scene/highlight.h"
 #include "render/camera.h"
 #include "render/scene_frame.h"
 

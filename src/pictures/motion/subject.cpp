@@ -1,4 +1,4 @@
-#include "pictures/subject.h"
+#include "pictures/motion/subject.h"
 
 #include "core/text/pretty_text.h"
 

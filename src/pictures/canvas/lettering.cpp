@@ -2,7 +2,7 @@
 #define STB_TRUETYPE_IMPLEMENTATION
 #endif
 #define STBTT_STATIC
-#include "pictures/lettering.h"
+#include "pictures/canvas/lettering.h"
 
 #include "core/files/file_io.h"
 

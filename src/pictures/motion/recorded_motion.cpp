@@ -1,4 +1,4 @@
-#include "pictures/recorded_motion.h"
+#include "pictures/motion/recorded_motion.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,8 +1,8 @@
-#include "pictures/moment.h"
+#include "pictures/scene/moment.h"
 
 #include "core/text/pretty_text.h"
-#include "pictures/follow_camera.h"
-#include "pictures/scene_builder.h"
+#include "pictures/scene/follow_camera.h"
+#include "pictures/scene/scene_builder.h"
 
 #include <algorithm>
 #include <cmath>
