@@ -4,8 +4,9 @@
     check_class_sizes.py <folder> --files 20 [--members 15 --functions 20] [--larger Class ...] [--list]
 
 Members are a class's own data; functions are what it declares itself, constructors, operators and
-deleted ones included; without --members or --functions their number is free. Friends, nested types and what it inherits do not count. Classes named with
---larger are still to be divided; one that is no longer too large must not be named.
+deleted ones included. Friends, nested types and what it inherits do not count. Without --members
+and --functions only the folders are checked. Classes named with --larger are still to be divided;
+one that is no longer too large must not be named.
 """
 import argparse
 import pathlib
