@@ -1,5 +1,5 @@
 // cambrian_bench_robustness: many random creatures under violent motors, or told to hold a pose:
-// how many simulations fail, what they cost, how honest they are (physics.md 12.4 and 13).
+// how many simulations fail, what they cost, how honest they are.
 
 #include "bench/write_table.h"
 #include "core/assert.h"

@@ -1,4 +1,4 @@
-// The trial of what has come to rest is not computed to its end (evolution.md 7.8, P4).
+// The trial of what has come to rest is not computed to its end (evolution/README.md 4, P4).
 #include "simulator/trial.h"
 #include "support/catch.h"
 #include "support/creatures.h"

@@ -1,7 +1,7 @@
 #pragma once
 
-// From picks to candidates for the next grid (evolution.md 8.2). Pure: the same picks, settings and
-// number of the grid give the same candidates.
+// From picks to candidates for the next grid (picking/README.md 1). Pure: the same picks, settings
+// and number of the grid give the same candidates.
 
 #include "evolution/evolution_kinds.h"
 #include "evolution/experiment_settings.h"

@@ -1,7 +1,7 @@
 #pragma once
 
 // Which candidates are shown: no dead ones, and as different from one another as can be
-// (evolution.md 8.2).
+// (picking/README.md 1).
 
 #include "evolution/individual.h"
 

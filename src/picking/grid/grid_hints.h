@@ -8,7 +8,7 @@
 
 namespace cambrian {
 
-// Cells worth a badge; none if nobody stands out. Hints, not scores (evolution.md 8.2).
+// Cells worth a badge; none if nobody stands out. Hints, not scores (picking/README.md 1).
 struct GridHints {
     std::optional<std::size_t> fastest;  // came furthest from where it started
     std::optional<std::size_t> highest;  // stands tallest, settled

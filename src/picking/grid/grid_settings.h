@@ -1,6 +1,6 @@
 #pragma once
 
-// How the next grid is to be bred from the picks (evolution.md 8.2).
+// How the next grid is to be bred from the picks (picking/README.md 1).
 
 #include "core/result.h"
 
@@ -13,7 +13,7 @@ namespace cambrian {
 inline constexpr std::array kGridSizes = {4, 6, 9, 12, 16, 25};  // cells
 inline constexpr std::size_t kMostPicks = 4;
 
-// How many mutations a child gets: as evolution.md 4.1 draws, one more, or three more and a few
+// How many mutations a child gets: as breeding/README.md 1 draws, one more, or three more and a few
 // random creatures besides.
 enum class Boldness : std::uint8_t { kGentle, kBold, kWild };
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// Where the energy of a trial went, read from the books as it is played (physics.md 9).
+// Where the energy of a trial went, read from the books as it is played (simulator/README.md 4).
 
 #include "world/physics_scene.h"
 
