@@ -21,7 +21,7 @@ enum class PickingStatus : std::uint8_t {
 
 struct PickingSnapshot {
     PickingTree tree;                // empty until the first grid is ready
-    std::vector<std::size_t> picks;  // cells of the grid on show, in order of picking
+    std::vector<std::size_t> picks;  // cells of the grid shown, in order of picking
     GridSettings grid;               // for the next one
     SettingsPtr settings;            // that judge the next one
     std::vector<JudgedIndividual> shelf;

@@ -59,7 +59,7 @@ TEST_CASE("what lies still is recorded to the end and computed for a few seconds
     check_same_motion(full, stopped);
 }
 
-TEST_CASE("one move and then rest gives the motion of the whole trial", "[simulator][rest]") {
+TEST_CASE("one move and then rest gives the motion of the complete trial", "[simulator][rest]") {
     for (const GenomePtr& genome :
          {listener("smooth", {1.0, 0.5}, 0.8), listener("integrate", {0.0}, 1.0),
           listener("oscillate-wave", {0.0, 0.25}, 0.7)}) {

@@ -94,7 +94,7 @@ std::string subcommand_section(const Command& program, const Command& command) {
            plain(command.summary) + "\n" + option_entries(command) + footer_text(command.footer);
 }
 
-// Of the whole program: "Cambrian: evolve creatures in two dimensions. Without ..."
+// Of the program: "Cambrian: evolve creatures in two dimensions. Without ..."
 std::string short_summary(const std::string& summary) {
     const std::size_t start = summary.find(": ");
     const std::string rest = start == std::string::npos ? summary : summary.substr(start + 2);

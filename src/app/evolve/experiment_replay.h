@@ -1,6 +1,6 @@
 #pragma once
 
-// A whole experiment computed anew from its beginning, with every command at its time.
+// Computes an experiment again from its beginning, with every command at its time.
 
 #include "evolution/evaluation_backend.h"
 #include "evolution/experiment_log.h"

@@ -9,7 +9,7 @@ namespace cambrian {
 
 struct JsonMember {
     std::string key;
-    std::string value;  // as it stands in the text: quoted if it is one
+    std::string value;  // as it is in the text: quoted if it is one
 };
 using JsonMembers = std::vector<JsonMember>;
 

@@ -15,7 +15,7 @@ constexpr rlim_t kUsualStack = 8U << 20U;  // bytes
 constexpr rlim_t kLeastStack = 1U << 20U;
 
 // A file opened later must not get the number of a standard stream that was closed: results would
-// be written into it. What stands in for one refuses to be written to.
+// be written into it. Its replacement refuses to be written to.
 void open_standard_streams() {
     for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
         if (::fcntl(stream, F_GETFD) < 0) ::open("/dev/null", O_RDONLY);

@@ -45,7 +45,7 @@ public:
     void add_options(CLI::App& app) override {
         app.add_option(
                "creatures", files_,
-               "Creature files, each replaced as a whole, or experiments, whose creatures are "
+               "Creature files, each replaced completely, or experiments, whose creatures are "
                "judged again as their next generation")
             ->type_name(option_type::kCreatureOrExperiment)
             ->required();
@@ -131,13 +131,13 @@ private:
 }  // namespace
 
 SubcommandKind rescore_subcommand() {
-    return {
-        .id = "rescore",
-        .summary = "Score creatures, or a whole experiment's, with this version of the simulator.",
-        .example = "cambrian rescore champion-walking-seed7.creature.json",
-        .make = []() -> std::unique_ptr<Subcommand> {
-            return std::make_unique<RescoreSubcommand>();
-        }};
+    return {.id = "rescore",
+            .summary =
+                "Score creatures, or those of an experiment, with this version of the simulator.",
+            .example = "cambrian rescore champion-walking-seed7.creature.json",
+            .make = []() -> std::unique_ptr<Subcommand> {
+                return std::make_unique<RescoreSubcommand>();
+            }};
 }
 
 }  // namespace cambrian

@@ -106,7 +106,7 @@ ExitStatus verify_experiment(const std::string& file, const EvolutionKinds& kind
 class VerifySubcommand final : public Subcommand {
 public:
     void add_options(CLI::App& app) override {
-        app.add_option("creatures", files_, "Creature files, or experiments to be computed anew")
+        app.add_option("creatures", files_, "Creature files, or experiments to be computed again")
             ->type_name(option_type::kCreatureOrExperiment)
             ->required();
     }
@@ -129,14 +129,15 @@ private:
 }  // namespace
 
 SubcommandKind verify_subcommand() {
-    return {.id = "verify",
-            .summary =
-                "Run the trial that scored a creature, or a whole experiment, again; compare every "
-                "bit.",
-            .example = "cambrian verify champion-walking-seed7.creature.json",
-            .make = []() -> std::unique_ptr<Subcommand> {
-                return std::make_unique<VerifySubcommand>();
-            }};
+    return {
+        .id = "verify",
+        .summary =
+            "Run the trial that scored a creature, or a complete experiment, again; compare every "
+            "bit.",
+        .example = "cambrian verify champion-walking-seed7.creature.json",
+        .make = []() -> std::unique_ptr<Subcommand> {
+            return std::make_unique<VerifySubcommand>();
+        }};
 }
 
 }  // namespace cambrian

@@ -1,7 +1,7 @@
 #pragma once
 
 // A clip as a file, made by the installed ffmpeg from pictures piped to it. It comes to be beside
-// its target and takes its name when it is whole; otherwise nothing is left.
+// its target and takes its name when complete; otherwise nothing is left.
 
 #include "core/files/pending_file.h"
 #include "core/image.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-// Whole files in, whole files out.
+// Reads and writes complete files.
 
 #include "core/result.h"
 

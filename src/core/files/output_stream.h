@@ -18,7 +18,7 @@ namespace cambrian {
 class OutputStream {
 public:
     static OutputStream standard_output();
-    // A regular file comes to be whole with finish() and not before; an open file of this process
+    // A regular file appears, complete, with finish() and not before; an open file of this process
     // ("/dev/stdout", "/dev/fd/3"), a FIFO or a device takes each piece at once.
     static Result<OutputStream> open(const std::filesystem::path& path);
 

@@ -41,7 +41,7 @@ std::optional<int> number_of(const std::string& text) {
     return number;
 }
 
-// The descriptor that a name in a folder of open files stands for; none elsewhere.
+// The descriptor that a name in a folder of open files means; none elsewhere.
 Result<std::optional<int>> descriptor_of(const std::filesystem::path& name,
                                          const std::filesystem::path& asked) {
     if (!is_of_processes(folder_of(name))) return std::optional<int>();

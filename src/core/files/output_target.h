@@ -1,6 +1,6 @@
 #pragma once
 
-// What a path that is named as an output leads to. Files are replaced as a whole; whatever else
+// What a path that is named as an output leads to. Files are replaced completely; whatever else
 // can take bytes is a stream and is never replaced.
 
 #include "core/result.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-// A file on its way: beside its target under another name until it is whole, on the target's own
+// A file on its way: beside its target under another name until it is complete, on the target's own
 // name only once committed, taken away if that never comes. What a killed process left of one is
 // taken away when the next one is made in the same folder.
 

@@ -47,7 +47,7 @@ struct BroodOrder {
 Brood breed_candidates(const BroodOrder& order, const ExperimentSettings& settings,
                        const EvolutionKinds& kinds);
 
-// The seed that stands for the experiment's in all of picking, so that grid n shares neither
+// The seed that replaces the experiment's in all of picking, so that grid n shares neither
 // streams nor uids with automatic generation n.
 std::uint64_t picking_seed(const ExperimentSettings& settings);
 

@@ -38,7 +38,7 @@ public:
     // False if stopped; the call may be repeated to go on.
     bool run(EvaluationBackend& backend, EvaluationProgress& progress, const std::stop_token& stop);
     bool done() const { return done_; }
-    // All cells, once done. Those not kept stand in the order of their uids, from which nothing can
+    // All cells, once done. Those not kept are in the order of their uids, from which nothing can
     // be read.
     const std::vector<IndividualPtr>& cells() const { return cells_; }
 

@@ -49,10 +49,10 @@ public:
     int height() const { return framebuffer_.height(); }
     const Lettering& lettering() const { return *lettering_; }
 
-    // Starts anew with one colour all over.
+    // Fills everything with one colour.
     void clear(const Color& background);
     void add_box(const Area& area, double radius, const Color& fill);
-    // Over a rectangle of whole pixels and over all boxes.
+    // Over a rectangle of full pixels and over all boxes.
     void add_scene(SceneFrame frame, const Camera& camera, const Area& area);
     // Paints over what is outside the rounded corners of a rectangle, but below words.
     void round_corners(const Area& area, double radius, const Color& around);

@@ -39,7 +39,7 @@ std::vector<int> code_points(std::string_view text) {
     return points;
 }
 
-// Where the last whole letter of UTF-8 text begins.
+// Where the last complete letter of UTF-8 text begins.
 std::size_t last_letter(std::string_view text) {
     std::size_t at = text.size() - 1;
     while (at > 0 && (static_cast<unsigned char>(text[at]) & 0xC0U) == 0x80U)

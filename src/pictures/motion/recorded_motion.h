@@ -50,7 +50,7 @@ struct RecordedTrial {
     TrialRecord record;
 };
 
-// Runs a whole trial. Fails if physics refuses the body, or if it is asked to stop.
+// Runs a trial to its end. Fails if physics refuses the body, or if it is asked to stop.
 Result<RecordedTrial> record_trial(std::shared_ptr<const Phenotype> phenotype, const Kinds& kinds,
                                    const TrialWorld& world, const TrialWatch& watch = {},
                                    std::size_t most_bytes = kMostMotion);

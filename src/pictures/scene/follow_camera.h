@@ -9,7 +9,7 @@
 
 namespace cambrian {
 
-// A rectangle of the world that holds the whole body, however its parts are turned.
+// A rectangle of the world that holds the body, however its parts are turned.
 WorldWindow body_window(const Phenotype& phenotype, std::span<const Pose> poses);
 
 // The camera's centre for a creature with that centre of mass. Over ground, the horizon stays where

@@ -33,14 +33,14 @@ void add_grid(SceneFrame& frame, const Palette& palette, const Camera& camera,
 void add_ground(SceneFrame& frame, const Palette& palette, const Camera& camera,
                 const Viewport& viewport);
 void add_shadow(SceneFrame& frame, const CreatureLook& look);
-// A pale creature behind the one on show.
+// A pale creature behind the one shown.
 void add_ghost(SceneFrame& frame, const Camera& camera, const CreatureLook& look);
 void add_creature(SceneFrame& frame, const Palette& palette, const Camera& camera,
                   const CreatureLook& look);
 
 inline constexpr double kTickPixels = 70.0;  // least distance of the ground's ticks
 
-// Metres between labelled marks so that they stand at least `least_pixels` apart: 1, 2 or 5 times
+// Metres between labelled marks so that they are at least `least_pixels` apart: 1, 2 or 5 times
 // a power of ten.
 double mark_spacing(const Camera& camera, double least_pixels);
 

@@ -45,7 +45,7 @@ void draw_waiting(const Rect& area, const std::string& text) {
         paint(colors().muted), text.c_str());
 }
 
-// What made the creature, in the sky above it: as many whole lines as there is room for.
+// What made the creature, in the sky above it: as many full lines as there is room for.
 void draw_changes(const Rect& area, const Individual& creature) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float size = 13.0F * ui().scale;
