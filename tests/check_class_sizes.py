@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
 """Fails where a class of a layer has too many members or functions, or a folder too many files.
 
-    check_class_sizes.py <folder> --members 15 --functions 20 --files 20 [--larger Class ...] [--list]
+    check_class_sizes.py <folder> --files 20 [--members 15 --functions 20] [--larger Class ...] [--list]
 
 Members are a class's own data; functions are what it declares itself, constructors, operators and
-deleted ones included. Friends, nested types and what it inherits do not count. Classes named with
---larger are still to be divided; one that is no longer too large must not be named.
+deleted ones included. Friends, nested types and what it inherits do not count. Without --members
+and --functions only the folders are checked. Classes named with --larger are still to be divided;
+one that is no longer too large must not be named.
 """
 import argparse
 import pathlib
@@ -134,8 +135,8 @@ private:
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument('folder', type=pathlib.Path)
-    parser.add_argument('--members', type=int, required=True)
-    parser.add_argument('--functions', type=int, required=True)
+    parser.add_argument('--members', type=int, default=sys.maxsize)
+    parser.add_argument('--functions', type=int, default=sys.maxsize)
     parser.add_argument('--files', type=int, required=True)
     parser.add_argument('--larger', nargs='*', default=[], metavar='Class')
     parser.add_argument('--list', action='store_true', help='the largest first, no check')

@@ -1,4 +1,4 @@
-#include "app/subcommand.h"
+#include "app/command_line/subcommand.h"
 #include "app/subcommands/subcommands.h"
 
 namespace cambrian {

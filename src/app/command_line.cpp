@@ -1,10 +1,10 @@
 #include "app/command_line.h"
 
 #include "app/builtin_kinds.h"
-#include "app/command_tree.h"
-#include "app/messages.h"
-#include "app/option_types.h"
-#include "app/subcommand.h"
+#include "app/command_line/command_tree.h"
+#include "app/command_line/option_types.h"
+#include "app/command_line/subcommand.h"
+#include "app/process/messages.h"
 
 #include <CLI/CLI.hpp>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/exit_status.h"
+#include "app/process/exit_status.h"
 
 namespace cambrian {
 

@@ -1,6 +1,6 @@
 #include "app/command_line.h"
-#include "app/messages.h"
-#include "app/process.h"
+#include "app/process/messages.h"
+#include "app/process/process.h"
 
 #include <exception>
 #include <new>

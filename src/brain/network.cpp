@@ -1,4 +1,4 @@
-// Lazy evaluation, compiled (evolution.md 3.3). Asked for its value, a neuron not yet asked this
+// Lazy evaluation, compiled (brain/README.md 3). Asked for its value, a neuron not yet asked this
 // tick first asks its inputs in order, then computes; asked again, it answers with what it has. The
 // order in which neurons complete is that of this walk and the same every tick, so it is fixed
 // once. An input complete before its reader stands earlier in the order and holds this tick's

@@ -1,7 +1,7 @@
 #pragma once
 
 // A compiled network: neurons in one fixed order of evaluation over one array of values
-// (evolution.md 3.3). Immutable; a Brain is a network with its memory.
+// (brain/README.md 3). Immutable; a Brain is a network with its memory.
 //
 // Value slots: [0, sensor_count) sensor readings, then the constant 1, then the constant 0, then
 // one slot a neuron.

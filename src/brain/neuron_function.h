@@ -1,7 +1,7 @@
 #pragma once
 
 // A kind of neuron: a function of one to three weighted inputs and a little memory
-// (evolution.md 3.2). Pure numbers; no idea of bodies.
+// (brain/README.md 2). Pure numbers; no idea of bodies.
 
 #include "core/registry.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// The range of signals between neurons (evolution.md 3.1).
+// The range of signals between neurons (brain/README.md 1).
 
 #include <cmath>
 

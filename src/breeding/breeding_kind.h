@@ -1,6 +1,6 @@
 #pragma once
 
-// A way to make one child of one or two parents (evolution.md 5), before mutation.
+// A way to make one child of one or two parents (breeding/README.md 6), before mutation.
 
 #include "core/random.h"
 #include "core/registry.h"

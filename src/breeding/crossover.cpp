@@ -1,4 +1,4 @@
-// Crossover (evolution.md 5.2): the parents' nodes are aligned by their canonical order and copied
+// Crossover (breeding/README.md 7): the parents' nodes are aligned by canonical order and copied
 // from one parent until a switch point, then from the other. Edges keep the index they point to.
 
 #include "breeding/methods.h"

@@ -1,4 +1,4 @@
-// Grafting (evolution.md 5.3): a random edge of the first parent is turned to a copy of a random
+// Grafting (breeding/README.md 8): a random edge of the first parent leads to a copy of a random
 // part of the second with all that grows from it. The edge keeps its place, so the new organ grows
 // where the old one was; what nothing leads to any more is dropped.
 

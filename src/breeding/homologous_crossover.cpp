@@ -1,5 +1,5 @@
-// Crossover of what corresponds (evolution.md 5.2, option): the second parent's nodes are first put
-// into the order of the first's, by uid and, where no uid agrees, by position.
+// Crossover of what corresponds (breeding/README.md 7, option): the second parent's nodes are put
+// first into the order of the first's, by uid and, where no uid agrees, by position.
 
 #include "breeding/methods.h"
 

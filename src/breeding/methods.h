@@ -17,7 +17,7 @@ void add_grafting(BreedingRegistry& methods);
 // What every child starts as: the first parent without its name.
 Genome child_of(const Genome& parent);
 
-// Crossover of parents whose nodes are aligned by position, evolution.md 5.2.
+// Crossover of parents whose nodes are aligned by position, breeding/README.md 7.
 Genome cross(const Genome& first, const Genome& second, const KindCatalog& catalog,
              RandomStream& stream);
 

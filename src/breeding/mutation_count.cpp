@@ -1,4 +1,4 @@
-// How many mutations an offspring gets: none, one, more with 1/4, 1/2, 1/4 (evolution.md 4.1).
+// How many mutations an offspring gets: none, one, more with 1/4, 1/2, 1/4 (breeding/README.md 1).
 // Independent chances a gene cannot give these three numbers, whatever their scale.
 
 #include "breeding/mutation.h"

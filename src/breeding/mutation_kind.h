@@ -1,6 +1,6 @@
 #pragma once
 
-// A mutation operator (evolution.md 4.3) and the list of them.
+// A mutation operator (breeding/README.md 3) and the list of them.
 
 #include "core/random.h"
 #include "core/registry.h"

@@ -5,7 +5,7 @@
 
 namespace cambrian {
 
-// How offspring are mutated (evolution.md 4).
+// How offspring are mutated (breeding/README.md 1).
 struct MutationSettings {
     std::string scheme = "count-first";  // "count-first", "gate" or "none"
     // Scales the number of mutations; 1 gives the exact 25 / 50 / 25 % of none, one and more. Each

@@ -1,6 +1,6 @@
 #pragma once
 
-// Garbage collection of neurons no effector can hear (evolution.md 4.5).
+// Garbage collection of neurons no effector can hear (breeding/README.md 5).
 
 #include "genome/genome.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 
 // Assertions for bugs in our own code; never for user input. Always on; the tick variant only in
-// debug and sanitizer builds, because it stands inside the simulation's inner loop.
+// debug and sanitizer builds, because it is inside the simulation's inner loop.
 
 #include <cstdio>
 #include <cstdlib>

@@ -45,7 +45,7 @@ public:
     std::size_t below(std::size_t count);     // 0 .. count-1, unbiased; count > 0
     int between(int low, int high);           // low .. high inclusive
     bool chance(double probability);          // one draw, whatever the probability
-    // Mean 0, variance 1, bounded by +-3.47: a scaled sum of four uniforms (evolution.md 0).
+    // Mean 0, variance 1, bounded by +-3.47: a scaled sum of four uniforms (core/README.md 1).
     double gauss();
     // Index with probability proportional to its weight; negative weights count as 0. All zero or
     // empty of positive weights: uniform. weights must not be empty.

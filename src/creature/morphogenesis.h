@@ -1,6 +1,6 @@
 #pragma once
 
-// Grows a genome's parts breadth-first from the root (evolution.md 2.1 to 2.4).
+// Grows a genome's parts breadth-first from the root (creature/README.md 1 to 4).
 
 #include "creature/phenotype.h"
 

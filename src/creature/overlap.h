@@ -4,7 +4,7 @@
 
 namespace cambrian {
 
-// Whether any two parts that no joint ties together overlap at rest (evolution.md 2.4, option
+// Whether any two parts that no joint ties together overlap at rest (creature/README.md 4, option
 // strictOverlap). Touching is not overlapping.
 bool overlaps_itself(const BodyPlan& plan);
 

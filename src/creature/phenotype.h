@@ -57,7 +57,7 @@ struct Phenotype {
     std::uint32_t first_brain_neuron = 0;       // central neurons follow the parts' ones
 
     // Whether any joint can move, and whether any effector hears more than constants: without
-    // either a creature scores 0 by definition (evolution.md 7.1).
+    // either a creature scores 0 by definition (simulator/README.md 1).
     bool can_move() const { return !effector_parts.empty(); }
     bool has_live_control = false;
 
@@ -65,7 +65,7 @@ struct Phenotype {
     double rest_length() const;         // greatest corner-to-corner distance at rest, m
 };
 
-// Grows a valid genome (evolution.md 2). Never fails; limits cut the body off evenly.
+// Grows a valid genome (creature/README.md 1). Never fails; limits cut the body off evenly.
 Phenotype express(const Genome& genome, const Kinds& kinds, const ExpressionSettings& settings,
                   const SceneSettings& scene);
 

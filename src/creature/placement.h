@@ -1,6 +1,6 @@
 #pragma once
 
-// The planar geometry of growing one part from another (evolution.md 2.2 and 2.4): the only file of
+// The planar geometry of growing one part from another (creature/README.md 2, 4): the only file of
 // morphogenesis that a body of three dimensions replaces.
 
 #include "genome/gene.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-// Resolves every gene's source to a value slot and compiles the network (evolution.md 2.5).
+// Resolves every gene's source to a value slot and compiles the network (creature/README.md 5).
 
 #include "creature/phenotype.h"
 

@@ -1,5 +1,5 @@
 #include "core/assert.h"
-#include "core/nearest_name.h"
+#include "core/text/nearest_name.h"
 #include "dynamics/audit.h"
 #include "dynamics/builtin_integrators.h"
 #include "dynamics/model_building.h"

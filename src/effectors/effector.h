@@ -1,7 +1,7 @@
 #pragma once
 
 // A registered effector: turns one brain output into the motor target of a part's joint, tick by
-// tick (evolution.md 2.6).
+// tick (creature/README.md 6).
 
 #include "core/registry.h"
 #include "world/body_plan.h"

@@ -1,5 +1,5 @@
-// The muscle of a joint (evolution.md 2.6): the signal, read in the joint's unit, is held to the
-// joint's limits before any force exists, then smoothed,
+// The muscle of a joint (creature/README.md 6): the signal, read in the joint's unit, is held to
+// the joint's limits before any force exists, then smoothed,
 //     y <- y + (target - y) (1 - exp(-dt / tau)),
 // and the joint's motor follows y.
 

@@ -1,7 +1,7 @@
 #pragma once
 
 // What a creature is like rather than how good it is: the measures that keep kinds of creatures
-// apart (evolution.md 6.2).
+// apart (evolution/README.md 2).
 
 #include "creature/phenotype.h"
 #include "simulator/trial_record.h"

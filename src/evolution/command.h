@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/worker_inbox.h"
+#include "core/threads/worker_inbox.h"
 #include "evolution/experiment_settings.h"
 #include "genome/genome.h"
 

@@ -3,7 +3,7 @@
 // The thread that evolves. Commands in, snapshots out; shares nothing mutable with its user but the
 // progress counters. send() and latest() belong to one thread, the user's.
 
-#include "core/snapshot_channel.h"
+#include "core/threads/snapshot_channel.h"
 #include "evolution/command.h"
 #include "evolution/evaluation_backend.h"
 #include "evolution/evolution.h"

@@ -13,7 +13,7 @@ namespace cambrian {
 namespace {
 
 constexpr std::uint64_t kFinerWork = 10;  // times that of a trial whose audit asks for another
-constexpr double kSuspectPenalty = 0.5;   // physics.md 9
+constexpr double kSuspectPenalty = 0.5;   // simulator/README.md 4
 
 EvaluationResult describe(const Phenotype& phenotype, const ExperimentSettings& settings) {
     EvaluationResult result;
@@ -31,7 +31,7 @@ void fail(EvaluationResult& result, Outcome outcome, std::string reason) {
     result.reason = std::move(reason);
 }
 
-// Shaking scales the score down; see evolution.md 7.7.
+// Shaking scales the score down; see simulator/README.md 2.
 double score_of(const TrialRecord& record, const GoalKind& goal, const TrialSettings& trial) {
     if (record.outcome != Outcome::kCompleted && record.outcome != Outcome::kStoppedEarly)
         return 0.0;

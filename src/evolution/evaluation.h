@@ -33,7 +33,7 @@ std::uint64_t phenotype_of(const Genome& genome, const ExperimentSettings& setti
                            const EvolutionKinds& kinds);
 
 // Runs the first trial more finely (finer_settings) and scores it: what to know of a champion
-// before it is saved (physics.md 9).
+// before it is saved (simulator/README.md 4).
 FinerResult recompute(const Genome& genome, const ExperimentSettings& settings,
                       const EvolutionKinds& kinds, const std::stop_token& stop = {});
 

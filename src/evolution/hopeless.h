@@ -1,6 +1,6 @@
 #pragma once
 
-// Gives up trials that cannot matter any more (evolution.md 7.8, P5). A heuristic: what stands
+// Gives up trials that cannot matter any more (evolution/README.md 4, P5). A heuristic: what stands
 // still for half its trial and then runs off at more than 1.5 times its best speed is misjudged,
 // which is why a share of the trials given up is finished anyway and counted.
 

@@ -74,7 +74,7 @@ bool disqualified(const Individual& individual);
 bool same_body(const Genome& a, const Genome& b);
 
 // The order of merit: completed before failed, fitter first, then fewer nodes and neurons, then
-// older uid; total and reproducible (evolution.md 6.1).
+// older uid; total and reproducible (evolution/README.md 1).
 bool better(const Individual& a, const Individual& b);
 
 }  // namespace cambrian

@@ -1,6 +1,6 @@
 #pragma once
 
-// Measures along which MAP-Elites sorts creatures into cells (evolution.md 6.2).
+// Measures along which MAP-Elites sorts creatures into cells (evolution/README.md 2).
 
 #include "evolution/experiment_settings.h"
 #include "evolution/individual.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-// Who survives and who breeds how often (evolution.md 6).
+// Who survives and who breeds how often (evolution/README.md 1).
 
 #include "core/random.h"
 #include "core/registry.h"

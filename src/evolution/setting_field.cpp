@@ -1,6 +1,6 @@
 #include "evolution/setting_field.h"
 
-#include "core/number_text.h"
+#include "core/text/number_text.h"
 #include "evolution/setting_table.h"
 #include "evolution/trial_work.h"
 

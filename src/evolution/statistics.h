@@ -23,7 +23,7 @@ struct GenerationStatistics {
     double mean_parts = 0.0;
     double mean_neurons = 0.0;
     int distinct_genomes = 0;
-    // Trials not run, or not to the end (evolution.md 7.8):
+    // Trials not run, or not to the end (evolution/README.md 4):
     int rejected = 0;                   // P1: nothing could move, or nothing drove it
     int reused = 0;                     // P2: the phenotype had a score already
     int rested = 0;                     // P4: had come to rest
@@ -50,7 +50,7 @@ void count_savings(GenerationStatistics& statistics,
 // Continues the count of generations without progress from the generation before.
 void continue_progress(GenerationStatistics& statistics, const GenerationStatistics& before);
 
-// The best has not risen by 1 % in 15 generations (evolution.md 6.4).
+// The best has not risen by 1 % in 15 generations (evolution/README.md 3).
 bool stagnant(const GenerationStatistics& statistics);
 
 }  // namespace cambrian

@@ -1,6 +1,6 @@
 #pragma once
 
-// When an unattended run is over (evolution.md 6.4).
+// When an unattended run is over (evolution/README.md 3).
 
 #include "evolution/experiment_settings.h"
 #include "evolution/statistics.h"

@@ -1,6 +1,6 @@
 #include "evolution/trial_work.h"
 
-#include "core/number_text.h"
+#include "core/text/number_text.h"
 
 namespace cambrian {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// A creature judged by several trials, each a little different (evolution.md 7.1).
+// A creature judged by several trials, each a little different (simulator/README.md 1).
 
 #include "evolution/evaluation.h"
 

@@ -5,7 +5,7 @@
 
 namespace cambrian {
 
-// What the user allows in random genomes (evolution.md 1.7) and, by the enabled lists, in mutation.
+// What the user allows in random genomes (genome/README.md 4) and, as far as enabled, in mutation.
 struct FounderSettings {
     int min_nodes = 2;
     int max_nodes = 5;

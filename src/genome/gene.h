@@ -1,6 +1,6 @@
 #pragma once
 
-// The genes: plain structs with the fields, ranges and defaults of evolution.md 1. Angles in
+// The genes: plain structs with the fields, ranges and defaults of genome/README.md 1. Angles in
 // radians, lengths in metres.
 
 #include <array>
@@ -43,9 +43,9 @@ enum class SourceKind : std::uint8_t {
     kPartSensor,
 };
 
-// Where a value comes from (evolution.md 1.5). Which fields count depends on the kind: neuron k or
-// channel `index`; `child` for the e-th expressed child; `node` and `instance` for part references.
-// All are resolved modulo what is available, so a reference can be useless but never invalid.
+// Where a value comes from (genome/README.md 2). Which fields count depends on the kind: neuron k
+// or channel `index`; `child` for the e-th expressed child; `node` and `instance` for part sources.
+// Numbers are resolved modulo what is available, so a reference can be useless but never invalid.
 struct SourceRef {
     SourceKind kind = SourceKind::kConstant;
     std::uint8_t index = 0;     // k or channel

@@ -15,7 +15,7 @@ double log_uniform(double low, double high, RandomStream& stream) {
     return low * power(high / low, stream.uniform());
 }
 
-// Evolution.md 1.7, items 1, 4 and 6.
+// The distributions of genome/README.md 4.
 double draw_length(const FounderSettings& settings, RandomStream& stream) {
     return log_uniform(settings.min_length, settings.max_length, stream);
 }

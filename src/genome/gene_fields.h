@@ -13,7 +13,7 @@
 namespace cambrian {
 
 // A perturbation adds gauss() * m * relative * max(|x|, floor), where m is long_factor with
-// probability long_share, else 1 (evolution.md 4.3).
+// probability long_share, else 1 (genome/README.md 5).
 struct GeneStep {
     double relative = 0.2;
     double floor = 0.1;

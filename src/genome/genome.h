@@ -1,7 +1,7 @@
 #pragma once
 
 // The genotype: a directed graph of part nodes, each holding a graph of neurons, and a central
-// brain (evolution.md 1). A value; immutable once it is an individual's (GenomePtr).
+// brain (genome/README.md 1). A value; immutable once it is an individual's (GenomePtr).
 
 #include "genome/gene.h"
 #include "genome/kind_catalog.h"
@@ -34,7 +34,7 @@ std::uint64_t genome_hash(const Genome& genome);
 // What is wrong, one sentence each, with JSON-pointer-like places; empty if valid (V1 to V11).
 std::vector<std::string> validate(const Genome& genome, const KindCatalog& catalog);
 
-// Makes any genome valid by the steps of evolution.md 1.6; idempotent. Every operator ends with it.
+// Makes any genome valid by the steps of genome/README.md 3; idempotent. All operators end with it.
 void repair(Genome& genome, const KindCatalog& catalog);
 
 }  // namespace cambrian

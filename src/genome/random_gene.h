@@ -1,7 +1,7 @@
 #pragma once
 
 // Random genes within the user's limits, for founders and for new material in mutation
-// (evolution.md 1.7). All are valid where they are asked for.
+// (genome/README.md 4). All are valid where they are asked for.
 
 #include "core/random.h"
 #include "genome/founder_settings.h"

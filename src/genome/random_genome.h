@@ -7,7 +7,7 @@
 namespace cambrian {
 
 // A founder within the user's limits, valid, with a movable joint if 20 draws give one
-// (evolution.md 1.7).
+// (genome/README.md 4).
 Genome random_genome(const FounderSettings& settings, const KindCatalog& catalog,
                      RandomStream& stream);
 

@@ -1,7 +1,7 @@
 #pragma once
 
 // What each kind of SourceRef reads, which of its fields count and where it may stand
-// (evolution.md 1.5).
+// (genome/README.md 2).
 
 #include "genome/gene.h"
 

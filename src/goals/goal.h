@@ -1,6 +1,6 @@
 #pragma once
 
-// What is asked of a creature and how its trial is scored (evolution.md 7).
+// What is asked of a creature and how its trial is scored (goals/README.md).
 
 #include "core/registry.h"
 #include "simulator/trial_record.h"

@@ -1,4 +1,4 @@
-// Jumping, evolution.md 7.3: S = h + 0.2 min(max(c, 0), BL / 2), with h the greatest height of the
+// Jumping, goals/README.md 2: S = h + 0.2 min(max(c, 0), BL / 2), with h the greatest height of the
 // lowest point above ground and c the greatest rise of the centre of mass above its settled height.
 // The second term only gives selection something to climb before the first true jump.
 #include "goals/goal.h"

@@ -1,4 +1,4 @@
-// Swimming, evolution.md 7.4. u is the direction from the centre of mass at 0.1 T to that at T;
+// Swimming, goals/README.md 3. u is the direction from the centre of mass at 0.1 T to that at T;
 // v1..v4 are mean speeds along u in the windows [.2,.4] [.4,.6] [.6,.8] [.8,1] T:
 //
 //     S = [ (v1 + v2 + 2 v3 + 3 v4) / 14 + min(v) / 2 ] / BL, at least 0

@@ -1,4 +1,4 @@
-// Walking, evolution.md 7.2. With e(t) the creature's trailing edge in a direction, t1 = 0.2 T,
+// Walking, goals/README.md 1. With e(t) the creature's trailing edge in a direction, t1 = 0.2 T,
 // t2 = 0.6 T, d1 = e(t2) - e(t1), d2 = e(T) - e(t2):
 //
 //     S = max over both directions of [0.3 (d1 + d2) + 1.4 min(d1, d2)] / (BL * 0.8 T), at least 0

@@ -1,7 +1,7 @@
 #pragma once
 
 // Elementary functions that give the same bits on every machine, compiler and optimisation level:
-// polynomials over the four exactly rounded operations, never libm. Errors are stated for the whole
+// polynomials over the four exactly rounded operations, never libm. Errors are stated for the full
 // domain named; inputs that are NaN give NaN.
 
 #include <bit>

@@ -1,6 +1,6 @@
 #include "persist/creature_card.h"
 
-#include "core/file_io.h"
+#include "core/files/file_io.h"
 #include "persist/json_value.h"
 #include "persist/png_file.h"
 

@@ -1,7 +1,7 @@
 #include "persist/creature_file.h"
 
-#include "core/file_io.h"
-#include "core/number_text.h"
+#include "core/files/file_io.h"
+#include "core/text/number_text.h"
 #include "evolution/ancestry_digest.h"
 #include "evolution/evaluation.h"
 #include "evolution/trial_work.h"

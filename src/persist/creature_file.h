@@ -1,6 +1,6 @@
 #pragma once
 
-// Creature files, *.creature.json (evolution.md 10): one genotype, where it comes from and the
+// Creature files, *.creature.json (persist/README.md 1): one genotype, where it comes from and the
 // trial that scored it. Text from anywhere is safe to read: it gives a valid genome or a message.
 
 #include "core/result.h"
@@ -75,7 +75,7 @@ CreatureDocument creature_document(const Individual& individual, const Experimen
                                    const EvolutionKinds& kinds);
 
 // Runs the scored trial once more to note its ticks, and once finer to keep what came out beside
-// the score (physics.md 9), unless that was done before. If stopped meanwhile, nothing is kept.
+// the score (simulator/README.md 4), unless that was done before. If stopped, nothing is kept.
 void complete_score(CreatureDocument& document, const EvolutionKinds& kinds,
                     const std::stop_token& stop = {});
 

@@ -1,8 +1,8 @@
 #pragma once
 
-// The creature file's format (evolution.md 10.2), described once: the same calls read it through a
-// JsonReader, write it through a JsonWriter and tell its rules through a JsonSchemaWriter. Objects
-// are const when writing.
+// The creature file's format (persist/README.md 1), described once: the same calls read it through
+// a JsonReader, write it through a JsonWriter and tell its rules through a JsonSchemaWriter.
+// Objects are const when writing.
 
 #include "genome/gene_fields.h"
 #include "genome/source_rules.h"

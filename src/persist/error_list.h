@@ -1,7 +1,7 @@
 #pragma once
 
 // What is wrong with one file: errors and warnings, each with its code, its place and what was
-// found and allowed (evolution.md 10.3).
+// found and allowed (persist/README.md 2).
 
 #include "core/result.h"
 

@@ -1,9 +1,9 @@
 #include "persist/experiment_file.h"
 
-#include "core/database_companions.h"
-#include "core/file_io.h"
-#include "core/file_lock.h"
-#include "core/pending_file.h"
+#include "core/files/database_companions.h"
+#include "core/files/file_io.h"
+#include "core/files/file_lock.h"
+#include "core/files/pending_file.h"
 #include "persist/experiment_loading.h"
 #include "persist/experiment_reader.h"
 #include "persist/experiment_schema.h"

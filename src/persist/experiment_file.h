@@ -1,10 +1,10 @@
 #pragma once
 
-// Experiment files, *.cambrian: a whole experiment in an SQLite database (evolution.md 10.5), one
+// Experiment files, *.cambrian: a whole experiment in an SQLite database (persist/README.md 3), one
 // transaction a generation, so that whatever happens at most the generation in flight is lost. The
 // tables are described in assets/help/experiment_file.md.
 
-#include "core/pending_file.h"
+#include "core/files/pending_file.h"
 #include "core/result.h"
 #include "evolution/evolution_kinds.h"
 #include "evolution/experiment_log.h"

@@ -1,6 +1,6 @@
 #include "persist/experiment_parts.h"
 
-#include "core/pending_file.h"
+#include "core/files/pending_file.h"
 #include "persist/experiment_loading.h"
 #include "persist/experiment_reader.h"
 #include "persist/experiment_schema.h"

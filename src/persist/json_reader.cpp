@@ -1,7 +1,7 @@
 #include "persist/json_reader.h"
 
-#include "core/nearest_name.h"
-#include "core/number_text.h"
+#include "core/text/nearest_name.h"
+#include "core/text/number_text.h"
 #include "genome/gene_fields.h"
 #include "persist/digest_text.h"
 

@@ -1,6 +1,6 @@
 #include "persist/json_writer.h"
 
-#include "core/number_text.h"
+#include "core/text/number_text.h"
 #include "persist/digest_text.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "persist/kept_experiment.h"
 
-#include "core/file_lock.h"
+#include "core/files/file_lock.h"
 
 #include <system_error>
 #include <utility>

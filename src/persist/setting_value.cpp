@@ -1,7 +1,7 @@
 #include "persist/setting_value.h"
 
-#include "core/nearest_name.h"
-#include "core/number_text.h"
+#include "core/text/nearest_name.h"
+#include "core/text/number_text.h"
 #include "persist/error_list.h"
 #include "persist/quoted_text.h"
 

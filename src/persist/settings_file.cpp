@@ -1,6 +1,6 @@
 #include "persist/settings_file.h"
 
-#include "core/file_io.h"
+#include "core/files/file_io.h"
 
 namespace cambrian {
 namespace {

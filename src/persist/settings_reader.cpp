@@ -1,4 +1,4 @@
-#include "core/nearest_name.h"
+#include "core/text/nearest_name.h"
 #include "persist/error_list.h"
 #include "persist/setting_value.h"
 #include "persist/settings_file.h"

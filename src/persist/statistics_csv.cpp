@@ -1,6 +1,6 @@
 #include "persist/statistics_csv.h"
 
-#include "core/number_text.h"
+#include "core/text/number_text.h"
 #include "persist/statistics_columns.h"
 
 #include <variant>

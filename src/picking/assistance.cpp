@@ -1,6 +1,6 @@
 #include "picking/assistance.h"
 
-#include "picking/grid_breeding.h"
+#include "picking/grid/grid_breeding.h"
 #include "picking/handover.h"
 
 namespace cambrian {

@@ -1,7 +1,7 @@
 #pragma once
 
 // "Run 10 generations from these picks": automatic evolution of a small population of the picks and
-// their mutants under the current goal, to choose the next grid from (evolution.md 8.2).
+// their mutants under the current goal, to choose the next grid from (picking/README.md 1).
 
 #include "evolution/evolution.h"
 

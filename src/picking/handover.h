@@ -16,7 +16,7 @@ std::vector<GenomePtr> genomes_of(std::span<const IndividualPtr> creatures);
 // worst.
 std::vector<Command> injection_of(std::span<const IndividualPtr> picks);
 
-// The command that begins an experiment anew with the picks as founders.
+// The command that begins a new experiment with the picks as founders.
 Command founding_of(std::span<const IndividualPtr> picks, SettingsPtr settings);
 
 }  // namespace cambrian

@@ -5,7 +5,7 @@
 
 #include "evolution/experiment_settings.h"
 #include "evolution/individual.h"
-#include "picking/grid_settings.h"
+#include "picking/grid/grid_settings.h"
 #include "picking/picking_snapshot.h"
 
 #include <cstddef>
@@ -27,8 +27,8 @@ struct StartFromCreatures {
 };
 // The grids of another time, and where the person was among them.
 struct RestoreGrids {
-    PickingTree tree;                // empty: begin anew
-    std::vector<std::size_t> picks;  // cells of the grid on show
+    PickingTree tree;                // empty: new tree
+    std::vector<std::size_t> picks;  // cells of the grid shown
     std::vector<JudgedIndividual> shelf;
 };
 // Grids bred from now on are judged by other settings, which must pass check_settings.

@@ -3,8 +3,8 @@
 // The thread that breeds while a person looks. Commands in, snapshots out; shares nothing mutable
 // with its user but the progress counters. send() and latest() belong to one thread, the user's.
 
-#include "core/snapshot_channel.h"
-#include "core/worker_inbox.h"
+#include "core/threads/snapshot_channel.h"
+#include "core/threads/worker_inbox.h"
 #include "evolution/evaluation_backend.h"
 #include "picking/picking_session.h"
 

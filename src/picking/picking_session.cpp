@@ -1,6 +1,6 @@
 #include "picking/picking_session.h"
 
-#include "picking/grid_settings.h"
+#include "picking/grid/grid_settings.h"
 
 #include <algorithm>
 #include <cmath>
@@ -284,7 +284,7 @@ Status PickingSession::check_open() const {
 
 Status PickingSession::check_cell(std::uint32_t node, std::size_t cell) const {
     if (shown_.tree.empty() || node != shown_.tree.current().number)
-        return Error{"that grid is not on show any more"};
+        return Error{"that grid is not shown any more"};
     if (cell >= shown_.tree.current().creatures.size())
         return Error{"the grid has no cell " + std::to_string(cell + 1)};
     return {};
@@ -367,7 +367,7 @@ void PickingSession::show_grid(GridNode node) {
     recall_picks();
 }
 
-// What was picked when the grid on show was left last.
+// What was picked when the grid shown was left last.
 void PickingSession::recall_picks() {
     const std::optional<std::uint32_t> child = shown_.tree.next();
     shown_.picks.clear();

@@ -7,7 +7,7 @@
 #include "evolution/evaluation_backend.h"
 #include "evolution/evolution_kinds.h"
 #include "picking/assistance.h"
-#include "picking/grid_making.h"
+#include "picking/grid/grid_making.h"
 #include "picking/picking_command.h"
 #include "picking/picking_snapshot.h"
 

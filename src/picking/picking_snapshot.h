@@ -2,7 +2,7 @@
 
 // What there is to see of picking: immutable, shallow, published after every change.
 
-#include "picking/grid_settings.h"
+#include "picking/grid/grid_settings.h"
 #include "picking/picking_tree.h"
 #include "picking/session_log.h"
 
@@ -21,7 +21,7 @@ enum class PickingStatus : std::uint8_t {
 
 struct PickingSnapshot {
     PickingTree tree;                // empty until the first grid is ready
-    std::vector<std::size_t> picks;  // cells of the grid on show, in order of picking
+    std::vector<std::size_t> picks;  // cells of the grid shown, in order of picking
     GridSettings grid;               // for the next one
     SettingsPtr settings;            // that judge the next one
     std::vector<JudgedIndividual> shelf;

@@ -1,12 +1,12 @@
 #pragma once
 
-// Every grid ever shown, as a tree: picking from a grid anew makes a branch, and nothing is ever
+// Every grid ever shown, as a tree: picking from a grid again makes a branch, and nothing is ever
 // lost or overwritten. A value; copies share the grids.
 
 #include "core/result.h"
 #include "evolution/experiment_settings.h"
 #include "evolution/judged_individual.h"
-#include "picking/grid_settings.h"
+#include "picking/grid/grid_settings.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -46,7 +46,7 @@ public:
     std::size_t size() const { return nodes_.size(); }
     // Of a number below size().
     const GridNode& node(std::uint32_t number) const { return *nodes_[number]; }
-    // The grid on show; only of a tree that is not empty.
+    // The grid shown; only of a tree that is not empty.
     const GridNode& current() const { return *nodes_[current_]; }
     // In order of making.
     std::vector<std::uint32_t> children(std::uint32_t number) const;

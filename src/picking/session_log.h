@@ -1,6 +1,6 @@
 #pragma once
 
-// What a session of picking came to (evolution.md 8.3). Has no clock: times come with the commands.
+// What a session of picking came to (picking/README.md 2). It has no clock: commands bring times.
 
 #include <vector>
 

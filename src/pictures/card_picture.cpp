@@ -1,8 +1,8 @@
 #include "pictures/card_picture.h"
 
-#include "core/pretty_text.h"
-#include "pictures/moment.h"
-#include "pictures/scene_builder.h"
+#include "core/text/pretty_text.h"
+#include "pictures/scene/moment.h"
+#include "pictures/scene/scene_builder.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "pictures/clip.h"
 
-#include "core/pretty_text.h"
+#include "core/text/pretty_text.h"
 
 #include <algorithm>
 #include <cmath>

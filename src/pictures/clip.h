@@ -1,8 +1,8 @@
 #pragma once
 
-#include "pictures/easel.h"
-#include "pictures/moment.h"
-#include "pictures/subject.h"
+#include "pictures/canvas/easel.h"
+#include "pictures/motion/subject.h"
+#include "pictures/scene/moment.h"
 
 #include <cstdint>
 

@@ -1,7 +1,7 @@
 #include "pictures/sheet.h"
 
-#include "core/pretty_text.h"
-#include "pictures/moment.h"
+#include "core/text/pretty_text.h"
+#include "pictures/scene/moment.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "pictures/easel.h"
-#include "pictures/subject.h"
+#include "pictures/canvas/easel.h"
+#include "pictures/motion/subject.h"
 
 namespace cambrian {
 

@@ -18,7 +18,7 @@ struct SensorChannel {
 
 struct SensorKind {
     // Reading of one of the kind's channels on a part. handedness is +1, or -1 on mirrored parts,
-    // whose left and right are exchanged and whose joint turns the other way (evolution.md 2.2).
+    // whose left and right are exchanged and whose joint is mirrored too (creature/README.md 2).
     using Read = double (*)(const BodyView& body, std::size_t part, std::size_t channel,
                             int handedness);
 
@@ -27,7 +27,7 @@ struct SensorKind {
     std::vector<SensorChannel> channels;
     Read read = nullptr;
     // The reading is the joint's coordinate: genes want it in lengths of the part where the joint
-    // slides (evolution.md 11), and sliding has no handedness.
+    // slides (creature/README.md 7), and sliding has no handedness.
     bool reads_joint = false;
 };
 

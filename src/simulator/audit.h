@@ -1,6 +1,6 @@
 #pragma once
 
-// Whether the physics of a trial can be believed (physics.md 9).
+// Whether the physics of a trial can be believed (simulator/README.md 4).
 
 #include "simulator/trial_record.h"
 #include "world/scene_kind.h"

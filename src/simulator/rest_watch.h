@@ -1,6 +1,6 @@
 #pragma once
 
-// Notices that a creature has come to rest for good, body and brain (evolution.md 7.8, P4), so that
+// Notices that a creature can never move again, body and brain (simulator/README.md 3), so that
 // the rest of its trial need not be computed.
 
 #include "creature/creature.h"

@@ -1,7 +1,7 @@
 #pragma once
 
 // Counts how often a joint changes direction, ignoring swings too small to matter
-// (evolution.md 7.7, shaking).
+// (simulator/README.md 2, shaking).
 
 namespace cambrian {
 

@@ -1,6 +1,6 @@
 #include "simulator/trial.h"
 
-#include "core/number_text.h"
+#include "core/text/number_text.h"
 
 #include <algorithm>
 #include <cmath>

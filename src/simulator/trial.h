@@ -111,7 +111,7 @@ private:
     Progress progress_;
 };
 
-// A whole trial. One that has become long gives up when asked to stop, with the outcome
+// A complete trial. One that has become long gives up when asked to stop, with the outcome
 // kInterrupted; ordinary ones are finished first.
 Result<TrialRecord> run_trial(std::shared_ptr<const Phenotype> phenotype, const Kinds& kinds,
                               const TrialWorld& world, const std::stop_token& stop = {});

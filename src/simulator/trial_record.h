@@ -24,7 +24,7 @@ struct TrialRecord {
     double duration = 0.0;            // s, of the test phase as asked for
     double settle_time = 0.0;         // s
     double computed_time = 0.0;       // s, of the test phase; less than asked for if stopped early
-    double body_length = 0.0;         // m, evolution.md 7.1
+    double body_length = 0.0;         // m, simulator/README.md 1
     double mass = 0.0;                // kg
     double reversal_rate = 0.0;       // Hz, of the busiest joint; swings over 0.05 rad
     double mean_reversal_rate = 0.0;  // Hz, of all joints that can move

@@ -4,7 +4,7 @@
 
 namespace cambrian {
 
-// The protocol of one trial (evolution.md 7.1) and the guards that end dishonest ones (7.7).
+// The protocol of one trial (simulator/README.md 1) and the guards that end dishonest ones (2).
 struct TrialSettings {
     double duration = 15.0;          // s, of the test phase
     double settle_limit = 3.0;       // s, at most, before the test; with ground only
@@ -13,7 +13,7 @@ struct TrialSettings {
     double max_part_spin = 60.0;     // rad/s
     double max_ground_depth = 0.05;  // m; deeper for over 0.2 s is invalid
     double max_reversal_rate = 5.0;  // Hz; the score of faster shaking is scaled down
-    bool stop_at_rest = true;        // once nothing moves or could move again (7.8, P4)
+    bool stop_at_rest = true;        // once nothing moves or could move again (section 3)
     int trials = 1;                  // the first in the world as it is, further ones with jitter:
     double friction_jitter = 0.0;    // share of the friction, either way
     double tilt_jitter = 0.0;        // degrees of the start pose, either way

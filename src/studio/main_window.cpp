@@ -26,7 +26,7 @@ const Rect& area_of(const Layout& layout, PanelArea area) {
     return layout.viewport;
 }
 
-// Negative lengths stand for the style's.
+// Negative lengths mean the style's.
 float length(float units) {
     return units < 0.0F ? units : px(units);
 }

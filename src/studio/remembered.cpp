@@ -1,7 +1,7 @@
 #include "studio/remembered.h"
 
-#include "core/file_io.h"
-#include "core/pretty_text.h"
+#include "core/files/file_io.h"
+#include "core/text/pretty_text.h"
 #include "persist/settings_file.h"
 #include "studio/experiment/timeline_plots.h"
 #include "studio/look/overlays.h"

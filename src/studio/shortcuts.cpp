@@ -151,7 +151,7 @@ bool grid_shown(const FrameContext& frame) {
     return frame.picking != nullptr && !frame.picking->single;
 }
 
-// The cells of the grid on show; 0 before there is one.
+// The cells of the grid shown; 0 before there is one.
 std::size_t cells(const FrameContext& frame) {
     const PickingTree& tree = frame.picking->snapshot.tree;
     return tree.empty() ? 0 : tree.current().creatures.size();

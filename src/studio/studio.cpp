@@ -1,7 +1,7 @@
 #include "studio/studio.h"
 
 #include "core/stopwatch.h"
-#include "core/thread_pool.h"
+#include "core/threads/thread_pool.h"
 #include "pictures/card_picture.h"
 #include "render/renderer.h"
 #include "studio/host/frame_log.h"

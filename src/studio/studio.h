@@ -5,7 +5,7 @@
 
 #include "core/result.h"
 #include "evolution/evolution_kinds.h"
-#include "pictures/palette.h"
+#include "pictures/canvas/palette.h"
 #include "studio/host/window.h"
 
 #include <cstddef>
@@ -17,7 +17,7 @@ namespace cambrian {
 struct StudioOptions {
     std::filesystem::path open_file;        // creature or settings; empty for none
     std::filesystem::path assets;           // folder of help pages and samples
-    std::filesystem::path sample_creature;  // on show at first unless open_file is one
+    std::filesystem::path sample_creature;  // shown at first unless open_file is one
     std::filesystem::path frame_log;        // CSV of frame times; empty for none
     std::filesystem::path status_log;       // a JSON line for each event, appended; or empty
     std::filesystem::path screenshot;       // PNG of the window at the end; or empty

@@ -19,7 +19,7 @@ inline constexpr std::array<std::string_view, 3> kMotorModeIds = {"position", "v
                                                                   "torque"};  // in that order
 
 // Faces of a box-shaped part in its own frame; the order is that of the contact channels
-// (evolution.md 1.5): distal +x, left +y, proximal -x, right -y.
+// (creature/README.md 2): distal +x, left +y, proximal -x, right -y.
 enum class Face : std::uint8_t { kDistal, kLeft, kProximal, kRight };
 inline constexpr std::size_t kFaceCount = 4;
 

@@ -28,7 +28,7 @@ struct SceneContact {
     double force = 0.0;          // N along the normal
 };
 
-// Books kept over everything advanced so far (physics.md 9). Works in J.
+// Books kept over everything advanced so far (simulator/README.md 4). Works in J.
 struct SceneAudit {
     double motor_work = 0.0;         // net
     double gross_motor_work = 0.0;   // integral of |power|

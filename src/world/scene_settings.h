@@ -5,7 +5,7 @@
 namespace cambrian {
 
 // How the physics is computed and how strong its motors are; fixed for a trial. Constants of the
-// motor law are fitness-critical (evolution.md 2.6): changing one changes what evolves.
+// motor law are fitness-critical (creature/README.md 6): changing one changes what evolves.
 struct SceneSettings {
     std::string integrator = "bogacki-shampine";  // id of a registered integrator
     double tolerance = 1e-3;          // error a step, relative to 0.1 m, 0.1 rad and 1 + |speed|

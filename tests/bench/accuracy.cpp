@@ -10,7 +10,7 @@
 #include "bench/runs.h"
 #include "bench/selection.h"
 #include "bench/write_table.h"
-#include "core/thread_pool.h"
+#include "core/threads/thread_pool.h"
 #include "support/body_plans.h"
 #include "support/sample_statistics.h"
 #include "support/workload.h"

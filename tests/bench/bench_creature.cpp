@@ -8,7 +8,7 @@
 namespace cambrian::bench {
 namespace {
 
-constexpr double kMuscleStress = 20.0;     // N m of torque a metre of section (physics.md 5)
+constexpr double kMuscleStress = 20.0;     // N m of torque a metre of section
 constexpr double kBranchShare = 1.0 / 3;   // of attachments
 constexpr double kGroundClearance = 0.02;  // m
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// The drag of physics.md 6 on one rectangle, for engines that have no such force of their own.
+// The drag of our dynamics on one rectangle, for engines that have no such force of their own.
 
 #include "bench/bench_engine.h"
 #include "math/types.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-// What our motors ask of their joints, for engines whose motors are to do the same (physics.md 5).
+// What our motors ask of their joints, for engines whose motors are to do the same.
 
 #include "world/body_plan.h"
 #include "world/scene_settings.h"

@@ -1,9 +1,9 @@
 // cambrian_bench_robustness: many random creatures under violent motors, or told to hold a pose:
-// how many simulations fail, what they cost, how honest they are (physics.md 12.4 and 13).
+// how many simulations fail, what they cost, how honest they are.
 
 #include "bench/write_table.h"
 #include "core/assert.h"
-#include "core/thread_pool.h"
+#include "core/threads/thread_pool.h"
 #include "dynamics/planar_scene.h"
 #include "simulator/audit.h"
 #include "support/body_plans.h"

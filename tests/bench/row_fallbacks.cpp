@@ -2,7 +2,7 @@
 // sweeps, resting problems and impacts apart.
 
 #include "bench/bench_creature.h"
-#include "core/thread_pool.h"
+#include "core/threads/thread_pool.h"
 #include "dynamics/rig.h"
 #include "support/workload.h"
 

@@ -4,7 +4,7 @@
 #include "bench/evaluation_cost.h"
 #include "bench/write_table.h"
 #include "core/stopwatch.h"
-#include "core/thread_pool.h"
+#include "core/threads/thread_pool.h"
 #include "evolution/evolution.h"
 #include "evolution/longest_first.h"
 #include "evolution/trials.h"

@@ -1,7 +1,7 @@
 #include "bench/tolerance_survey.h"
 
 #include "bench/joint_angles.h"
-#include "core/thread_pool.h"
+#include "core/threads/thread_pool.h"
 #include "support/body_plans.h"
 #include "support/sample_statistics.h"
 #include "support/workload.h"

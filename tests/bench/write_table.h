@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/file_io.h"
+#include "core/files/file_io.h"
 
 #include <cstdio>
 #include <cstdlib>

@@ -1,6 +1,6 @@
 #pragma once
 
-// The reference semantics of a brain (evolution.md 3.3): evaluated on request, each neuron once a
+// The reference semantics of a brain (brain/README.md 3): evaluated on request, each neuron once a
 // tick; a neuron already being evaluated answers with its value of the tick before.
 
 #include "brain/network.h"

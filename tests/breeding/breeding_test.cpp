@@ -1,4 +1,4 @@
-// The tests of evolution.md 5.5. Nodes are told apart by uid, which breeding copies.
+// The tests of breeding/README.md 6. Nodes are told apart by uid, which breeding copies.
 
 #include "breeding/corpora.h"
 #include "breeding/methods.h"

@@ -1,4 +1,4 @@
-// The exact scheme of evolution.md 4.1: of all offspring a quarter is not mutated, a half once.
+// The exact scheme of breeding/README.md 1: of all offspring a quarter is not mutated, a half once.
 
 #include "breeding/corpora.h"
 #include "support/catch.h"

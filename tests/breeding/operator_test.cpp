@@ -1,4 +1,4 @@
-// What single operators of evolution.md 4.3 do to hand-made genomes.
+// What single operators of breeding/README.md 3 do to hand-made genomes.
 
 #include "breeding/corpora.h"
 #include "support/catch.h"

@@ -34,9 +34,9 @@ class BadFiles(ProgramTest):
         self.refuse_creature("empty.creature.json", "the file is empty")
 
     def test_a_creature_file_cut_off_is_located(self):
-        whole = self.evolve_champion().read_bytes()
-        for size in [1, len(whole) // 2, len(whole) - 3]:
-            self.write("cut.creature.json", whole[:size])
+        uncut = self.evolve_champion().read_bytes()
+        for size in [1, len(uncut) // 2, len(uncut) - 3]:
+            self.write("cut.creature.json", uncut[:size])
             self.refuse_creature("cut.creature.json", "E01 line ", "column ")
 
     def test_a_file_of_another_kind_is_refused(self):

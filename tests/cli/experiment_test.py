@@ -1,4 +1,4 @@
-"""Experiment files: kept while a run goes on, resumed, exported, computed anew, killed."""
+"""Experiment files: kept while a run goes on, resumed, exported, computed again, killed."""
 
 import json
 import os
@@ -32,8 +32,8 @@ class Experiment(ProgramTest):
         self.assertNotIn("b.cambrian", self.files())
 
     def test_resumed_it_is_the_run_that_was_never_stopped(self):
-        self.run_well("evolve", "small.toml", "-n", 20, "-t", 1, "-o", "whole.cambrian")
-        expected = digests(self.folder / "whole.cambrian")
+        self.run_well("evolve", "small.toml", "-n", 20, "-t", 1, "-o", "uncut.cambrian")
+        expected = digests(self.folder / "uncut.cambrian")
         self.assertEqual(len(expected), 20)
         self.run_well("evolve", "small.toml", "-n", 4, "-t", 2, "-o", "a.cambrian")
         self.run_well("evolve", "--resume", "a.cambrian", "-n", 13, "-t", 7)
@@ -42,7 +42,7 @@ class Experiment(ProgramTest):
         self.assertEqual(len(report.splitlines()), 8)
         for options in [["--champion"], ["--stats"], ["--settings"], ["-g", "7"]]:
             both = [self.run_well("export", name, *options).stdout
-                    for name in ["whole.cambrian", "a.cambrian"]]
+                    for name in ["uncut.cambrian", "a.cambrian"]]
             if "--settings" not in options:
                 self.assertEqual(both[0], both[1])
 
@@ -59,7 +59,7 @@ class Experiment(ProgramTest):
         self.assert_refused(self.run_program("export", "a.cambrian", "-g", 3), "no generation 3")
         self.assert_refused(self.run_program("export", "a.cambrian"), "--champion, --generation G")
 
-    def test_a_whole_run_is_computed_anew_and_compared(self):
+    def test_a_complete_run_is_computed_again_and_compared(self):
         self.run_well("evolve", "small.toml", "-o", "a.cambrian")
         self.assertIn("3 of 3 generations", self.run_well("verify", "a.cambrian").stdout)
         with opened(self.folder / "a.cambrian") as database:
@@ -162,11 +162,11 @@ class Experiment(ProgramTest):
         self.process.communicate()
         kept = len(digests(self.folder / "a.cambrian"))
         self.run_well("evolve", "-r", "a.cambrian", "-n", kept + 2)
-        self.run_well("evolve", "tiny.toml", "-n", kept + 2, "-o", "whole.cambrian")
+        self.run_well("evolve", "tiny.toml", "-n", kept + 2, "-o", "uncut.cambrian")
         self.assertEqual(digests(self.folder / "a.cambrian"),
-                         digests(self.folder / "whole.cambrian"))
+                         digests(self.folder / "uncut.cambrian"))
         self.assertEqual(self.run_well("export", "a.cambrian", "--champion").stdout,
-                         self.run_well("export", "whole.cambrian", "--champion").stdout)
+                         self.run_well("export", "uncut.cambrian", "--champion").stdout)
 
     def start(self, *arguments):
         self.process = subprocess.Popen([CAMBRIAN, *arguments], cwd=self.folder,

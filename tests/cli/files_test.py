@@ -138,9 +138,9 @@ class Files(ProgramTest):
         report = self.run_well("evolve", "-r", "a.cambrian", "-n", 4, "-o", "b.cambrian", "--json")
         self.assertEqual(json.loads(report.stdout.splitlines()[-1])["experiment"], "b.cambrian")
         self.assertEqual((self.folder / "a.cambrian").read_bytes(), before)
-        self.run_well("evolve", "small.toml", "-n", 4, "-o", "whole.cambrian")
+        self.run_well("evolve", "small.toml", "-n", 4, "-o", "uncut.cambrian")
         self.assertEqual(digests(self.folder / "b.cambrian"),
-                         digests(self.folder / "whole.cambrian"))
+                         digests(self.folder / "uncut.cambrian"))
         self.assertEqual(digests(self.folder / "a.cambrian"),
                          digests(self.folder / "b.cambrian")[:2])
         self.run_well("verify", "b.cambrian")
@@ -149,7 +149,7 @@ class Files(ProgramTest):
                                  (["-n", 6, "-o", "no/c.cambrian"], "No such file")]:
             self.assert_refused(self.run_program("evolve", "-r", "a.cambrian", *arguments), words)
         self.assertEqual(self.files(), ["a.cambrian", "b.cambrian", "small.toml",
-                                        "whole.cambrian"])
+                                        "uncut.cambrian"])
 
     def test_a_running_experiment_can_be_gone_on_with_in_another_file(self):
         self.start("evolve", "small.toml", "-n", "100000", "-o", "a.cambrian")
@@ -251,7 +251,7 @@ class Files(ProgramTest):
         self.run_well("settings", "-o", "all.toml")
         self.assertEqual(self.files(), [".cambrian-1-1", "all.toml", "small.toml"])
 
-    def test_an_experiment_is_whole_from_the_moment_it_is_there(self):
+    def test_an_experiment_is_complete_from_the_moment_it_is_there(self):
         """At no time is there a rollback journal that a kill could leave beside it."""
         with FolderWatch(self.folder) as watch:
             self.evolve("-o", "run.cambrian")

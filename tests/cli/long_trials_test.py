@@ -63,7 +63,7 @@ class LongTrials(ProgramTest):
         self.assertLess(self.memory_of("simulate", "stiff.creature.json", "-e", "long.toml",
                                        "--trace", "/dev/null"), MOST_MEMORY)
 
-    def test_a_trace_of_any_length_is_whole_or_not_there(self):
+    def test_a_trace_of_any_length_is_complete_or_not_there(self):
         self.write("minutes.toml", EMPTY_SPACE.format(duration=100))
         self.run_well("simulate", "stiff.creature.json", "-e", "minutes.toml", "--trace", "t.csv")
         rows = (self.folder / "t.csv").read_text().splitlines()

@@ -77,7 +77,7 @@ class Output(ProgramTest):
             self.assert_write_failure(result, command, "No space left on device")
         self.assertEqual(len(list(disk.iterdir())), 1)
 
-    def test_what_stands_in_the_file_behind_standard_output_stays(self):
+    def test_what_is_in_the_file_behind_standard_output_stays(self):
         self.run_well("evolve", "small.toml", "-n", 2, "-o", "run.cambrian")
         table = self.run_well("export", "run.cambrian", "--stats").stdout
         for named in ["", " -o /dev/stdout", " -o /dev/fd/1", " -o /proc/self/fd/1",

@@ -1,5 +1,5 @@
 // Prints the files of so many random creatures as one JSON list: founders, and genomes repaired
-// from garbage, which stand at the ends of their ranges.
+// from garbage, which are at the ends of their ranges.
 
 #include "genome/random_garbage.h"
 #include "genome/random_genome.h"

@@ -72,9 +72,9 @@ class Render(ProgramTest):
                            "--speed", "0.5")
         self.assertEqual(self.clip_facts(clip)["nb_read_frames"], "20")
 
-    def test_a_clip_shows_the_whole_trial_unless_told(self):
+    def test_a_clip_shows_the_complete_trial_unless_told(self):
         champion = self.evolve_champion()  # its trial takes 2 s
-        clip = self.render(champion, "whole.mp4", "--size", "96x64", "--fps", "10")
+        clip = self.render(champion, "uncut.mp4", "--size", "96x64", "--fps", "10")
         self.assertEqual(self.clip_facts(clip)["nb_read_frames"], "20")
 
     def test_a_card_carries_its_creature(self):
@@ -102,11 +102,11 @@ class Render(ProgramTest):
 
     def test_pictures_that_are_no_cards_are_refused(self):
         self.render(WALKER, "sheet.png", "--size", "160x90")
-        whole = self.render(WALKER, "walker.card.png", "--size", "240x320").read_bytes()
+        uncut = self.render(WALKER, "walker.card.png", "--size", "240x320").read_bytes()
         for name, content, part in [
                 ("sheet.png", None, "a picture without a creature inside"),
-                ("cut.png", whole[:len(whole) // 2], "cut off"),
-                ("bad.png", whole.replace(b"cambrian-creature", b"cambrian-creatures"), "CRC"),
+                ("cut.png", uncut[:len(uncut) // 2], "cut off"),
+                ("bad.png", uncut.replace(b"cambrian-creature", b"cambrian-creatures"), "CRC"),
                 ("odd.png", b"\x89PNG\r\n\x1a\n" + bytes(range(256)) * 8, "cannot be read")]:
             if content is not None:
                 self.write(name, content)

@@ -164,7 +164,7 @@ class StudioTest(ProgramTest):
         self.display.tool("keydown", key, "sleep", 0.1, "keyup", key)
 
     def drag(self, name, from_share, to_share):
-        """Over a control from one share of its width to another, in some steps; lets go there."""
+        """Over a control from one share of its width to another, in some steps; then releases."""
         x, y = self.place_of(name)
         width = self.wait_for("place", name=name)[0]["width"]
         steps = [x + int(width * (from_share + (to_share - from_share) * i / 5 - 0.5))

@@ -1,7 +1,7 @@
 """How the studio looks: every panel and mode at several sizes, on the dark and the light theme.
 
 The pictures are for the eye. What a program can tell it asserts at each of them: controls stand
-whole in their window and do not lie over each other, and no text is cut or written over other text.
+completely in their window and do not lie over each other, and no text is cut or written over other text.
 """
 
 import time

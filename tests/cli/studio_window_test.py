@@ -147,7 +147,7 @@ class StudioWindow(StudioTest):
         self.quit()
         self.run_well("verify", "picked.creature.json")
 
-    def test_an_experiment_steered_by_hand_comes_back_and_is_the_same_anew(self):
+    def test_an_experiment_steered_by_hand_comes_back_and_is_the_same_again(self):
         """Closed in the middle of a generation; the next window has it all: settings, champions,
         the path of picks. The journal gives the same bits."""
         state = self.folder / "state"
@@ -227,8 +227,8 @@ class StudioWindow(StudioTest):
             self.wait_for("running")
         self.quit()
         kept = digests(kept_file)
-        self.run_well("evolve", "small.toml", "-n", len(kept), "-o", "whole.cambrian")
-        self.assertEqual(digests(self.folder / "whole.cambrian"), kept)
+        self.run_well("evolve", "small.toml", "-n", len(kept), "-o", "uncut.cambrian")
+        self.assertEqual(digests(self.folder / "uncut.cambrian"), kept)
 
     def test_a_full_disk_pauses_the_window_and_loses_nothing(self):
         state = self.small_disk("700k", "state")
@@ -248,8 +248,8 @@ class StudioWindow(StudioTest):
         self.wait_for("generation", after=after, number=kept + 2)
         self.quit()
         kept = digests(state / "experiment.cambrian")
-        self.run_well("evolve", "large.toml", "-n", len(kept), "-o", "whole.cambrian")
-        self.assertEqual(digests(self.folder / "whole.cambrian"), kept)
+        self.run_well("evolve", "large.toml", "-n", len(kept), "-o", "uncut.cambrian")
+        self.assertEqual(digests(self.folder / "uncut.cambrian"), kept)
 
     def start_and_kill(self, display, after):
         studio = subprocess.Popen(
@@ -346,7 +346,7 @@ class StudioWindow(StudioTest):
         self.assertEqual(result.stderr.split()[0], "0")
         self.quit()
 
-    def test_a_large_window_is_painted_whole(self):
+    def test_a_large_window_is_painted_completely(self):
         display = self.open_display(1920, 1080)
         self.start(display, "--width", 1920, "--height", 1080)
         time.sleep(2.0)

@@ -1,4 +1,4 @@
-#include "core/command_queue.h"
+#include "core/threads/command_queue.h"
 
 #include "support/catch.h"
 

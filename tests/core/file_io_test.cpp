@@ -1,4 +1,4 @@
-#include "core/file_io.h"
+#include "core/files/file_io.h"
 
 #include "support/catch.h"
 #include "support/temporary_directory.h"
@@ -103,7 +103,7 @@ TEST_CASE("a name as long as names may be can be written", "[core][file_io]") {
     CHECK(get_text(folder / longest) == "x");
 }
 
-TEST_CASE("a replaced file is a new one, so a reader of the old keeps it whole",
+TEST_CASE("a replaced file is a new one, so a reader of the old keeps all of it",
           "[core][file_io]") {
     const TemporaryDirectory folder;
     put_text(folder / "a", "old");
@@ -117,7 +117,7 @@ TEST_CASE("a replaced file is a new one, so a reader of the old keeps it whole",
 
 TEST_CASE("a device is written to, not replaced", "[core][file_io]") {
     const TemporaryDirectory folder;
-    // A link stands for the device: were the target renamed over, the link would become a file.
+    // A link leads to the device: were the target renamed over, the link would become a file.
     std::filesystem::create_symlink("/dev/null", folder / "device");
     CHECK(write_file(folder / "device", "x"));
     CHECK(std::filesystem::is_symlink(folder / "device"));

@@ -1,6 +1,6 @@
-#include "core/output_stream.h"
+#include "core/files/output_stream.h"
 
-#include "core/file_io.h"
+#include "core/files/file_io.h"
 #include "support/catch.h"
 #include "support/temporary_directory.h"
 

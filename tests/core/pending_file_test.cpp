@@ -1,7 +1,7 @@
-#include "core/pending_file.h"
+#include "core/files/pending_file.h"
 
-#include "core/file_io.h"
-#include "core/file_lock.h"
+#include "core/files/file_io.h"
+#include "core/files/file_lock.h"
 #include "support/catch.h"
 #include "support/temporary_directory.h"
 

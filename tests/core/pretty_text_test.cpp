@@ -1,4 +1,4 @@
-#include "core/pretty_text.h"
+#include "core/text/pretty_text.h"
 
 #include "support/catch.h"
 
@@ -33,7 +33,8 @@ TEST_CASE("what is not a number is a dash", "[core][pretty_text]") {
     CHECK(pretty_number(std::numeric_limits<double>::infinity()) == "–");
 }
 
-TEST_CASE("units are written with raised digits and degrees stand close", "[core][pretty_text]") {
+TEST_CASE("units are written with raised digits and degrees follow without a space",
+          "[core][pretty_text]") {
     CHECK(with_unit(9.81, "m/s^2") == "9.81 m/s²");
     CHECK(with_unit(-90.0, "deg") == "−90°");
     CHECK(with_unit(3.0, "") == "3");

@@ -176,7 +176,7 @@ TEST_CASE("the order, number and purpose of keys all matter", "[core][random]") 
     CHECK(stream_seed(1, 2, 3, Purpose::kMutation) == stream_seed({1, 2, 3, 4}));
 }
 
-TEST_CASE("streams of a whole experiment do not meet", "[core][random]") {
+TEST_CASE("the streams of an experiment never overlap", "[core][random]") {
     std::vector<std::uint64_t> firsts;
     for (std::uint64_t generation = 0; generation < 100; ++generation) {
         for (std::uint64_t child = 0; child < 1000; ++child) {

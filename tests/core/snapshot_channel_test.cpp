@@ -1,4 +1,4 @@
-#include "core/snapshot_channel.h"
+#include "core/threads/snapshot_channel.h"
 
 #include "support/catch.h"
 
@@ -48,7 +48,7 @@ TEST_CASE("at most three values stay alive", "[core][snapshot_channel]") {
     CHECK(alive <= 3);
 }
 
-TEST_CASE("a reader beside a writer sees whole values, never older ones",
+TEST_CASE("a reader beside a writer sees complete values, never older ones",
           "[core][snapshot_channel][threads]") {
     constexpr int kCount = 20000;
     SnapshotChannel<Pair> channel;

@@ -1,6 +1,6 @@
-#include "core/thread_priority.h"
+#include "core/threads/thread_priority.h"
 
-#include "core/thread_pool.h"
+#include "core/threads/thread_pool.h"
 #include "support/catch.h"
 
 #ifdef __linux__

@@ -1,4 +1,4 @@
-#include "core/worker_inbox.h"
+#include "core/threads/worker_inbox.h"
 
 #include "support/catch.h"
 

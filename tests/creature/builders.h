@@ -45,7 +45,7 @@ inline Genome genome_of(std::initializer_list<NodeGene> nodes) {
     return genome;
 }
 
-// A body with a pair of legs beating about it: evolution.md 2.3, example (c).
+// A body with a pair of legs beating about it: creature/README.md 3, example (c).
 inline Genome two_legs() {
     NodeGene leg;
     leg.symmetric = true;

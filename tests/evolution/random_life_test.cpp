@@ -1,7 +1,7 @@
 // Random genomes through everything: mutate, breed, express, live one second. By default a few;
 // CAMBRIAN_RANDOM_GENOMES=100000 in the environment sets the number, as for a release.
 #include "breeding/mutation.h"
-#include "core/thread_pool.h"
+#include "core/threads/thread_pool.h"
 #include "genome/random_genome.h"
 #include "simulator/trial.h"
 #include "support/catch.h"

@@ -1,4 +1,4 @@
-// What is not computed must not change who survives (evolution.md 7.8).
+// What is not computed must not change who survives (evolution/README.md 4).
 #include "evolution/backends/thread_pool_backend.h"
 #include "evolution/evolution.h"
 #include "evolution/longest_first.h"

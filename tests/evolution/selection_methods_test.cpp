@@ -1,4 +1,4 @@
-// The schemes of evolution.md 6.2, each by what sets it apart.
+// The schemes of evolution/README.md 2, each by what sets it apart.
 #include "evolution/map_axis.h"
 #include "evolution/selection.h"
 #include "support/catch.h"

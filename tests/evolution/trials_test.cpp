@@ -1,4 +1,4 @@
-// Several trials with jitter, evolution.md 7.1.
+// Several trials with jitter, simulator/README.md 1.
 #include "evolution/trials.h"
 
 #include "support/catch.h"

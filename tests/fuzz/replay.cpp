@@ -1,7 +1,7 @@
 // Calls a fuzz target with every file of the folders named, without libFuzzer: any compiler, any
 // sanitizer.
 
-#include "core/file_io.h"
+#include "core/files/file_io.h"
 #include "fuzz/fuzz_target.h"
 
 #include <filesystem>

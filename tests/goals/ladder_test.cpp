@@ -1,4 +1,4 @@
-// The ladders of evolution.md 7.2 to 7.4: what only looks like it must not pay, what does it must.
+// The ladders of goals/README.md 1 to 3: what only looks like it must not pay, what does it must.
 #include "evolution/evaluation.h"
 #include "support/catch.h"
 #include "support/creatures.h"

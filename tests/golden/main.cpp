@@ -2,7 +2,7 @@
 // cambrian_golden --write FILE   records them
 // cambrian_golden --check FILE   compares them with the recorded ones; status 1 if any differs
 
-#include "core/file_io.h"
+#include "core/files/file_io.h"
 #include "golden/digest_file.h"
 
 #include <algorithm>

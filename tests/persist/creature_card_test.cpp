@@ -1,6 +1,6 @@
 #include "persist/creature_card.h"
 
-#include "core/file_io.h"
+#include "core/files/file_io.h"
 #include "persist/png_file.h"
 #include "persist/sample_creature.h"
 #include "support/catch.h"

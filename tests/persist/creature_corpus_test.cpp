@@ -1,7 +1,7 @@
 // The kept creature files of tests/persist/creatures: the first word of a file's name says what
 // must come of it.
 
-#include "core/file_io.h"
+#include "core/files/file_io.h"
 #include "persist/creature_file.h"
 #include "support/catch.h"
 #include "support/kinds.h"

@@ -1,4 +1,4 @@
-// One case a code of evolution.md 10.3: what is wrong with the file and how the message says so.
+// One case a code of persist/README.md 2: what is wrong with the file and how the message says so.
 
 #include "persist/sample_creature.h"
 #include "support/catch.h"

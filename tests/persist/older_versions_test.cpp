@@ -1,6 +1,6 @@
 // Files kept from each version of the formats: tests/persist/versions/VERSION/.
 
-#include "core/file_io.h"
+#include "core/files/file_io.h"
 #include "persist/creature_file.h"
 #include "persist/experiment_file.h"
 #include "persist/experiment_schema.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-// Evaluation without physics: bodies are grown and measured as they stand; nothing moves.
+// Evaluation without physics: bodies are grown and measured at rest; nothing moves.
 
 #include "creature/phenotype_hash.h"
 #include "evolution/evaluation_backend.h"

@@ -1,7 +1,7 @@
-#include "picking/grid_breeding.h"
+#include "picking/grid/grid_breeding.h"
 
 #include "picking/creatures.h"
-#include "picking/grid_settings.h"
+#include "picking/grid/grid_settings.h"
 #include "support/catch.h"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
-#include "picking/grid_choice.h"
+#include "picking/grid/grid_choice.h"
 
 #include "core/random.h"
 #include "math/distance.h"
-#include "picking/grid_hints.h"
+#include "picking/grid/grid_hints.h"
 #include "support/catch.h"
 
 #include <algorithm>
@@ -217,7 +217,7 @@ TEST_CASE("dead, equal and invalid candidates are told from living ones", "[pick
           std::vector<CandidateGrade>{kStatic, kAlive, kStatic, kInvalid, kTwin, kTwin});
 }
 
-TEST_CASE("badges go to who stands out", "[picking][hints]") {
+TEST_CASE("badges mark the creatures with extreme measures", "[picking][hints]") {
     const Creatures grid = {shared(creature(1, 0.1, 0.2)), shared(creature(2, 2.0, 0.2)),
                             shared(creature(3, 0.1, 0.9)), shared(creature(4, 0.2, 0.3))};
     const GridHints hints = grid_hints(grid);

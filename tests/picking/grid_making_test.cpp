@@ -1,9 +1,9 @@
-#include "picking/grid_making.h"
+#include "picking/grid/grid_making.h"
 
 #include "evolution/backends/thread_pool_backend.h"
 #include "picking/body_backend.h"
 #include "picking/creatures.h"
-#include "picking/grid_settings.h"
+#include "picking/grid/grid_settings.h"
 #include "support/catch.h"
 
 #include <algorithm>

@@ -93,7 +93,7 @@ TEST_CASE("commands while it breeds are heard and do not change what is bred",
     CHECK(grid_after(false) == grid_after(true));
 }
 
-TEST_CASE("a decision can be taken back while it is bred", "[picking][desk][threads]") {
+TEST_CASE("a decision can be undone while its grid is bred", "[picking][desk][threads]") {
     PickingDesk desk(default_settings(), kinds(), slow_backend());
     desk.send(StartFromCreatures{{test::hopper()}}, 0.0);
     wait_for_grids(desk, 1);

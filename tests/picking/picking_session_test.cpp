@@ -74,7 +74,7 @@ TEST_CASE("the creature started from is in cell 1 of a full grid", "[picking][se
     CHECK(person.shown().picks.empty());
 }
 
-TEST_CASE("picks are made and unmade, four at most, on the grid on show", "[picking][session]") {
+TEST_CASE("picks are made and unmade, four at most, on the grid shown", "[picking][session]") {
     Person person;
     for (const std::size_t cell : {5U, 2U, 9U, 0U})
         CHECK(person.pick(cell));
@@ -145,7 +145,7 @@ TEST_CASE("no decision without picks, and none while another waits", "[picking][
     CHECK(person.shown().tree.size() == 1);
 }
 
-TEST_CASE("going back finds the picks again; breeding anew makes a branch of others",
+TEST_CASE("going back finds the picks again; breeding again makes a branch of others",
           "[picking][session]") {
     Person person;
     person.pick(4);
@@ -170,7 +170,7 @@ TEST_CASE("going back finds the picks again; breeding anew makes a branch of oth
     CHECK(person.shown().log.backs == 3);
 }
 
-TEST_CASE("going back takes back a decision that is not ready", "[picking][session]") {
+TEST_CASE("going back undoes a decision that is not ready", "[picking][session]") {
     Person person;
     person.pick(4);
     person.lazy = true;

@@ -78,7 +78,7 @@ TEST_CASE("nothing is lost or changed in thousands of random walks", "[picking][
     }
 }
 
-TEST_CASE("forward takes back what back did, however far", "[picking][tree]") {
+TEST_CASE("forward undoes what back did, however far", "[picking][tree]") {
     for (std::uint64_t walk = 0; walk < 1000; ++walk) {
         RandomStream stream(stream_seed({2, walk}));
         PickingTree tree;

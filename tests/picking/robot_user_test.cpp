@@ -1,4 +1,4 @@
-// The scripted users of evolution.md 8.3: whether selection by hand really steers.
+// The scripted users of picking/README.md 2: whether selection by hand really steers.
 #include "picking/body_backend.h"
 #include "picking/creatures.h"
 #include "picking/picking_session.h"

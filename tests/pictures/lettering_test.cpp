@@ -1,4 +1,4 @@
-#include "pictures/lettering.h"
+#include "pictures/canvas/lettering.h"
 
 #include "support/catch.h"
 

@@ -2,7 +2,7 @@
 
 #include "pictures/card_picture.h"
 #include "pictures/clip.h"
-#include "pictures/moment.h"
+#include "pictures/scene/moment.h"
 #include "pictures/sheet.h"
 #include "render/offscreen_context.h"
 #include "support/creatures.h"
@@ -109,7 +109,7 @@ TEST_CASE("a clip has a frame for each stretch of the trial", "[pictures][clip]"
     CHECK(clip_frames({.frames_a_second = 30, .speed = 1, .seconds = 0}) == 1);
 }
 
-TEST_CASE("poses are spread evenly over the whole motion", "[pictures][moment]") {
+TEST_CASE("poses are spread evenly over the motion", "[pictures][moment]") {
     const Subject subject = crawler();
     CHECK(even_times(subject.motion(), 3) ==
           std::vector<double>{0.0, 0.5 * subject.motion().length(), subject.motion().length()});
@@ -118,7 +118,7 @@ TEST_CASE("poses are spread evenly over the whole motion", "[pictures][moment]")
     CHECK(telling_time(subject.motion()) <= 0.4);
 }
 
-TEST_CASE("a score stands beside the trial it was given for only", "[pictures][subject]") {
+TEST_CASE("a score is shown only beside the trial it was given for", "[pictures][subject]") {
     CreatureDocument document;
     document.genome = *test::crawler(test::kinds().creature.catalog);
     ExperimentSettings settings;

@@ -1,4 +1,4 @@
-#include "pictures/recorded_motion.h"
+#include "pictures/motion/recorded_motion.h"
 
 #include "support/creatures.h"
 #include "support/kinds.h"
@@ -67,7 +67,7 @@ TEST_CASE("a part's touched faces are kept with each moment", "[pictures][record
     CHECK(any != 0);
 }
 
-TEST_CASE("a motion too long to be kept whole is kept in steps that are true",
+TEST_CASE("a motion too long to be kept completely is kept in steps that are true",
           "[pictures][recorded_motion]") {
     const RecordedMotion whole = crawl().motion;
     const MotionFrame& first = whole.frames.front();

@@ -1,4 +1,4 @@
-#include "pictures/scene_builder.h"
+#include "pictures/scene/scene_builder.h"
 
 #include "support/catch.h"
 #include "support/creatures.h"
@@ -74,7 +74,7 @@ TEST_CASE("the part under a point is found, and none beside the body",
     CHECK(part_at(phenotype, poses, {50.0, 50.0}) == -1);
 }
 
-TEST_CASE("marks stand at 1, 2 or 5 times a power of ten, far enough apart",
+TEST_CASE("marks are at 1, 2 or 5 times a power of ten, far enough apart",
           "[pictures][scene_builder]") {
     for (double scale = 5.0; scale < 4000.0; scale *= 1.3) {
         const Camera camera{.pixels_per_metre = scale};

@@ -1,6 +1,6 @@
 #pragma once
 
-// What the finished runs say of the quality of evolution: the criteria of evolution.md 9.2 and 9.4.
+// What the finished runs say of the quality of evolution: criteria of quality/README.md 2 and 3.
 
 #include "quality/run.h"
 

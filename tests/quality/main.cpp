@@ -1,9 +1,9 @@
-// cambrian_bench_quality: how well evolution searches (evolution.md 9). Runs a plan's evolutions,
-// one a thread, and keeps each as it ends; what is there already is not run again.
+// cambrian_bench_quality: how well evolution searches (quality/README.md). Runs the evolutions of a
+// plan, one a thread, and keeps each as it ends; what is there already is not run again.
 
 #include "app/builtin_kinds.h"
-#include "core/file_io.h"
-#include "core/thread_pool.h"
+#include "core/files/file_io.h"
+#include "core/threads/thread_pool.h"
 #include "quality/plan.h"
 #include "quality/report.h"
 #include "quality/run_table.h"

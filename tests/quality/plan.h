@@ -1,6 +1,6 @@
 #pragma once
 
-// Which runs make up a benchmark (evolution.md 9.1 and 9.4).
+// Which runs make up a benchmark (quality/README.md 1 and 3).
 
 #include "quality/run.h"
 

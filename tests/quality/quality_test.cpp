@@ -1,7 +1,7 @@
 // The judges of the benchmark are judged by cases whose answer is known.
 
 #include "app/builtin_kinds.h"
-#include "core/file_io.h"
+#include "core/files/file_io.h"
 #include "quality/arm.h"
 #include "quality/criteria.h"
 #include "quality/plan.h"

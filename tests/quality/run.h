@@ -1,6 +1,6 @@
 #pragma once
 
-// One evolution of the quality benchmark (evolution.md 9): what it was and what it came to.
+// One evolution of the quality benchmark (quality/README.md): what it was and what it came to.
 
 #include "evolution/evolution_kinds.h"
 #include "evolution/experiment_settings.h"

@@ -1,7 +1,7 @@
 #include "quality/run_table.h"
 
-#include "core/file_io.h"
-#include "core/number_text.h"
+#include "core/files/file_io.h"
+#include "core/text/number_text.h"
 #include "persist/digest_text.h"
 
 #include <charconv>

@@ -7,7 +7,7 @@
 using namespace cambrian;
 using test::allocation_count;
 
-TEST_CASE("a whole trial allocates nothing from tick to tick", "[simulator]") {
+TEST_CASE("a trial allocates nothing from its first tick to its last", "[simulator]") {
     const Kinds& kinds = test::kinds().creature;
     TrialWorld world;
     world.trial.duration = 2.0;

@@ -1,4 +1,4 @@
-// The trial of what has come to rest is not computed to its end (evolution.md 7.8, P4).
+// The trial of what has come to rest is not computed to its end (evolution/README.md 4, P4).
 #include "simulator/trial.h"
 #include "support/catch.h"
 #include "support/creatures.h"
@@ -59,7 +59,7 @@ TEST_CASE("what lies still is recorded to the end and computed for a few seconds
     check_same_motion(full, stopped);
 }
 
-TEST_CASE("one move and then rest gives the motion of the whole trial", "[simulator][rest]") {
+TEST_CASE("one move and then rest gives the motion of the complete trial", "[simulator][rest]") {
     for (const GenomePtr& genome :
          {listener("smooth", {1.0, 0.5}, 0.8), listener("integrate", {0.0}, 1.0),
           listener("oscillate-wave", {0.0, 0.25}, 0.7)}) {

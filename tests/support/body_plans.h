@@ -26,7 +26,7 @@ PlannedPart& attach(BodyPlan& plan, int parent, const Vec3& anchor, double angle
 // Boxes of 0.4 m x 0.1 m end to end along x, joined by rotary joints of +-limit rad.
 BodyPlan chain(int parts, double limit, double x = 0.0, double y = 0.0);
 
-// A tree as the acceptance tests of physics.md 12 grow them; limits +-0.4 to 1.2 rad (or 0.1 m),
+// A tree as the acceptance tests of dynamics grow them; limits +-0.4 to 1.2 rad (or 0.1 m),
 // effort caps of strength * smaller width.
 BodyPlan random_tree(RandomStream& random, int parts, double linear_share, double strength,
                      double height);

@@ -1,6 +1,6 @@
 #pragma once
 
-// The three settings creatures are timed and compared in (physics.md 12).
+// The three settings creatures are timed and compared in.
 
 #include "world/environment.h"
 

@@ -1,4 +1,4 @@
-#include "app/completion.h"
+#include "app/command_line/completion.h"
 
 namespace cambrian {
 namespace {

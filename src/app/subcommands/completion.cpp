@@ -1,6 +1,6 @@
-#include "app/completion.h"
+#include "app/command_line/completion.h"
 
-#include "app/messages.h"
+#include "app/process/messages.h"
 #include "app/subcommands/subcommands.h"
 
 #include <CLI/CLI.hpp>

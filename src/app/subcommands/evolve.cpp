@@ -1,6 +1,6 @@
-#include "app/evolution_run.h"
-#include "app/number_checks.h"
-#include "app/option_types.h"
+#include "app/command_line/number_checks.h"
+#include "app/command_line/option_types.h"
+#include "app/evolve/evolution_run.h"
 #include "app/subcommands/subcommands.h"
 
 #include <CLI/CLI.hpp>

@@ -1,6 +1,6 @@
-#include "app/manual.h"
+#include "app/command_line/manual.h"
 
-#include "app/messages.h"
+#include "app/process/messages.h"
 #include "app/subcommands/subcommands.h"
 
 #include <CLI/CLI.hpp>

@@ -1,5 +1,5 @@
 // The subcommands that draw, in a program built without its window.
-#include "app/messages.h"
+#include "app/process/messages.h"
 #include "app/subcommands/subcommands.h"
 
 #include <CLI/CLI.hpp>

@@ -1,11 +1,11 @@
-#include "app/experiment_rescoring.h"
-#include "app/long_work.h"
-#include "app/messages.h"
-#include "app/option_types.h"
+#include "app/command_line/option_types.h"
+#include "app/evolve/experiment_rescoring.h"
+#include "app/process/long_work.h"
+#include "app/process/messages.h"
 #include "app/subcommands/subcommands.h"
-#include "core/file_io.h"
-#include "core/number_text.h"
-#include "core/thread_pool.h"
+#include "core/files/file_io.h"
+#include "core/text/number_text.h"
+#include "core/threads/thread_pool.h"
 #include "evolution/backends/thread_pool_backend.h"
 #include "persist/creature_card.h"
 #include "persist/rescoring.h"
@@ -45,7 +45,7 @@ public:
     void add_options(CLI::App& app) override {
         app.add_option(
                "creatures", files_,
-               "Creature files, each replaced as a whole, or experiments, whose creatures are "
+               "Creature files, each replaced completely, or experiments, whose creatures are "
                "judged again as their next generation")
             ->type_name(option_type::kCreatureOrExperiment)
             ->required();
@@ -131,13 +131,13 @@ private:
 }  // namespace
 
 SubcommandKind rescore_subcommand() {
-    return {
-        .id = "rescore",
-        .summary = "Score creatures, or a whole experiment's, with this version of the simulator.",
-        .example = "cambrian rescore champion-walking-seed7.creature.json",
-        .make = []() -> std::unique_ptr<Subcommand> {
-            return std::make_unique<RescoreSubcommand>();
-        }};
+    return {.id = "rescore",
+            .summary =
+                "Score creatures, or those of an experiment, with this version of the simulator.",
+            .example = "cambrian rescore champion-walking-seed7.creature.json",
+            .make = []() -> std::unique_ptr<Subcommand> {
+                return std::make_unique<RescoreSubcommand>();
+            }};
 }
 
 }  // namespace cambrian

@@ -1,4 +1,4 @@
-#include "app/messages.h"
+#include "app/process/messages.h"
 #include "app/subcommands/subcommands.h"
 #include "persist/creature_schema.h"
 

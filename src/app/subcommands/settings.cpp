@@ -1,8 +1,8 @@
-#include "app/messages.h"
-#include "app/option_types.h"
-#include "app/output_path.h"
+#include "app/command_line/option_types.h"
+#include "app/command_line/output_path.h"
+#include "app/process/messages.h"
 #include "app/subcommands/subcommands.h"
-#include "core/file_io.h"
+#include "core/files/file_io.h"
 #include "persist/quoted_text.h"
 #include "persist/settings_file.h"
 

@@ -1,11 +1,11 @@
 #include "studio/studio.h"
 
-#include "app/assets_folder.h"
-#include "app/number_checks.h"
-#include "app/option_types.h"
+#include "app/command_line/number_checks.h"
+#include "app/command_line/option_types.h"
+#include "app/command_line/window_options.h"
+#include "app/evolve/without_window.h"
+#include "app/process/assets_folder.h"
 #include "app/subcommands/subcommands.h"
-#include "app/window_options.h"
-#include "app/without_window.h"
 
 #include <CLI/CLI.hpp>
 

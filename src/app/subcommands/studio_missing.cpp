@@ -1,6 +1,6 @@
 // The studio's subcommand in a program built without its window.
+#include "app/evolve/without_window.h"
 #include "app/subcommands/subcommands.h"
-#include "app/without_window.h"
 
 #include <CLI/CLI.hpp>
 

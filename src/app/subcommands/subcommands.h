@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/subcommand.h"
+#include "app/command_line/subcommand.h"
 
 namespace cambrian {
 

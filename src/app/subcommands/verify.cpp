@@ -1,12 +1,12 @@
-#include "app/experiment_replay.h"
-#include "app/long_work.h"
-#include "app/messages.h"
-#include "app/option_types.h"
-#include "app/score_notice.h"
+#include "app/command_line/option_types.h"
+#include "app/evolve/experiment_replay.h"
+#include "app/process/long_work.h"
+#include "app/process/messages.h"
 #include "app/subcommands/subcommands.h"
-#include "app/trial_report.h"
-#include "core/number_text.h"
-#include "core/thread_pool.h"
+#include "app/trial/score_notice.h"
+#include "app/trial/trial_report.h"
+#include "core/text/number_text.h"
+#include "core/threads/thread_pool.h"
 #include "evolution/backends/thread_pool_backend.h"
 #include "evolution/evaluation.h"
 #include "persist/creature_file.h"
@@ -106,7 +106,7 @@ ExitStatus verify_experiment(const std::string& file, const EvolutionKinds& kind
 class VerifySubcommand final : public Subcommand {
 public:
     void add_options(CLI::App& app) override {
-        app.add_option("creatures", files_, "Creature files, or experiments to be computed anew")
+        app.add_option("creatures", files_, "Creature files, or experiments to be computed again")
             ->type_name(option_type::kCreatureOrExperiment)
             ->required();
     }
@@ -129,14 +129,15 @@ private:
 }  // namespace
 
 SubcommandKind verify_subcommand() {
-    return {.id = "verify",
-            .summary =
-                "Run the trial that scored a creature, or a whole experiment, again; compare every "
-                "bit.",
-            .example = "cambrian verify champion-walking-seed7.creature.json",
-            .make = []() -> std::unique_ptr<Subcommand> {
-                return std::make_unique<VerifySubcommand>();
-            }};
+    return {
+        .id = "verify",
+        .summary =
+            "Run the trial that scored a creature, or a complete experiment, again; compare every "
+            "bit.",
+        .example = "cambrian verify champion-walking-seed7.creature.json",
+        .make = []() -> std::unique_ptr<Subcommand> {
+            return std::make_unique<VerifySubcommand>();
+        }};
 }
 
 }  // namespace cambrian

@@ -1,7 +1,7 @@
-#include "app/messages.h"
-#include "app/option_types.h"
+#include "app/command_line/option_types.h"
+#include "app/command_line/window_options.h"
+#include "app/process/messages.h"
 #include "app/subcommands/subcommands.h"
-#include "app/window_options.h"
 #include "persist/creature_file.h"
 
 #include <CLI/CLI.hpp>

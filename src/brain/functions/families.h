@@ -1,6 +1,6 @@
 #pragma once
 
-// The families of neuron functions; each adds its own (evolution.md 3.2). In their formulas a, b
+// The families of neuron functions; each adds its own (brain/README.md 2). In their formulas a, b
 // and c are the inputs.
 
 #include "brain/neuron_function.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-// The mutation operators of evolution.md 4.3, by the genes they change.
+// The mutation operators of breeding/README.md 3, by the genes they change.
 
 #include "breeding/mutation_kind.h"
 #include "genome/random_gene.h"

@@ -1,6 +1,6 @@
 #include "evolution/backends/thread_pool_backend.h"
 
-#include "core/thread_pool.h"
+#include "core/threads/thread_pool.h"
 #include "evolution/longest_first.h"
 #include "evolution/trials.h"
 

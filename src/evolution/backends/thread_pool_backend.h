@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/thread_priority.h"
+#include "core/threads/thread_priority.h"
 #include "evolution/evaluation_backend.h"
 
 #include <cstddef>

@@ -1,8 +1,9 @@
-// Novelty with local competition (Lehman & Stanley 2011), evolution.md 6.2. A creature is described
-// by (log mass, settled height, movable joints), each in standard deviations over population and
-// archive. Novelty is the mean distance to its nearest neighbours among both, its local score how
-// many of them it beats. Parents and as many children compete for their places by non-dominated
-// sorting on the two; the fittest of all keeps a place, so that the best is never lost.
+// Novelty with local competition (Lehman & Stanley 2011), evolution/README.md 2. A creature is
+// described by (log mass, settled height, movable joints), each in standard deviations over
+// population and archive. Novelty is the mean distance to its nearest neighbours among both, its
+// local score how many of them it beats. Parents and as many children compete for their places by
+// non-dominated sorting on the two; the fittest of all keeps a place, so that the best is never
+// lost.
 //
 // Offspring more novel than a threshold join the archive; the threshold grows by 20 % after a
 // generation with more than four and falls by 5 % after ten generations with none.

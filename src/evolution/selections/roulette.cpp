@@ -1,5 +1,5 @@
-// Roulette over everyone with sigma scaling, evolution.md 6.2: creature i breeds in proportion to
-// max(0, f_i - mean + 2 sd); only the elites survive.
+// Roulette over everyone with sigma scaling, evolution/README.md 2: creature i breeds in proportion
+// to max(0, f_i - mean + 2 sd); only the elites survive.
 #include "evolution/selections/survival.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
-// Tournament, evolution.md 6.2: each parent is the best of k drawn uniformly from the survivors of
-// truncation, or from everybody, of whom then only the elites survive. Of n contestants the i-th
-// best (from 0) wins with probability ((n - i)^k - (n - i - 1)^k) / n^k.
+// Tournament, evolution/README.md 2: each parent is the best of k drawn uniformly from the
+// survivors of truncation, or from everybody, of whom then only the elites survive. Of n
+// contestants the i-th best (from 0) wins with probability ((n - i)^k - (n - i - 1)^k) / n^k.
 #include "evolution/selections/survival.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Truncation with proportional offspring, evolution.md 6.1: the best share survives unchanged,
+// Truncation with proportional offspring, evolution/README.md 1: the best share survives unchanged,
 // which is the elitism, and survivor i breeds in proportion to
 //
 //     w_i = 0.2 + (f_i - f_S) / (f_1 - f_S)

@@ -3,7 +3,7 @@
 // One thread for what may take time or touch the disk. The window's thread never waits for it: jobs
 // go in and completions come out through lock-free queues.
 
-#include "core/command_queue.h"
+#include "core/threads/command_queue.h"
 
 #include <deque>
 #include <functional>

@@ -1,6 +1,6 @@
 #include "studio/background/status_log.h"
 
-#include "core/pretty_text.h"
+#include "core/text/pretty_text.h"
 
 namespace cambrian {
 namespace {

@@ -60,7 +60,7 @@ void OpenExperiment::measure() {
         return;
     }
     if (elapsed < kRateWindow) return;
-    // Whole generations that passed count with the size of the present one.
+    // Complete generations that passed count with the size of the present one.
     const auto generations = static_cast<double>(snapshot_->generation - marked_generation_);
     const double done = generations * progress_.total + static_cast<double>(progress_.done) -
                         static_cast<double>(marked_done_);

@@ -49,9 +49,9 @@ public:
     void send(Command command);
     // The engine gets what was edited: all of it while fresh, live fields otherwise.
     Status commit();
-    // Generation 0 anew with the draft, from these creatures or random ones.
+    // A new generation 0 with the draft, from these creatures or random ones.
     Status start_new_run(std::vector<GenomePtr> founders);
-    // Generation 0 anew with other settings.
+    // A new generation 0 with other settings.
     Status replace(const ExperimentSettings& settings);
 
 private:

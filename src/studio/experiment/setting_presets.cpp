@@ -58,7 +58,7 @@ constexpr std::string_view kEnvironment = "environment";
 constexpr std::string_view kMutation = "mutation";
 constexpr std::string_view kTrial = "trial";
 
-// Mutations: evolution.md 4.4; trials: 7.1.
+// Mutations: breeding/README.md 4; trials: simulator/README.md 1.
 constexpr std::array kPresets = {
     SettingPreset{kEnvironment, "Earth", "Solid ground under full weight.",
                   [](Settings& s, const Kinds&) { go_on_land(s, kEarthGravity, 0.8); }},

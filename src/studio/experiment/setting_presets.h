@@ -17,7 +17,7 @@ struct SettingPreset {
     void (*apply)(ExperimentSettings& settings, const EvolutionKinds& kinds);
 };
 
-// Those of one table stand together.
+// Those of one table are adjacent.
 std::span<const SettingPreset> setting_presets();
 std::span<const SettingPreset> setting_presets(std::string_view table);
 

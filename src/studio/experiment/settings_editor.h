@@ -1,6 +1,6 @@
 #pragma once
 
-// The settings as edited by hand, with undo and redo as whole values. The engine has its own,
+// The settings as edited by hand, with undo and redo as values. The engine has its own,
 // which follow between generations.
 
 #include "evolution/setting_field.h"

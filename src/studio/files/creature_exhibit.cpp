@@ -1,6 +1,6 @@
 #include "studio/files/creature_exhibit.h"
 
-#include "core/pretty_text.h"
+#include "core/text/pretty_text.h"
 #include "persist/digest_text.h"
 
 #include <algorithm>

@@ -14,7 +14,7 @@ namespace cambrian {
 Exhibit exhibit_of(const CreatureDocument& document, const ExperimentSettings& otherwise,
                    ExhibitSource source, const std::filesystem::path& path);
 
-// What a file of the exhibit holds. `score` is that of the trial on display, or null; it stands in
+// What a file of the exhibit holds. `score` is that of the trial on display, or null; it replaces
 // for a result the creature does not have.
 CreatureDocument document_of(const Exhibit& exhibit, const ScoreReport* score,
                              const EvolutionKinds& kinds);

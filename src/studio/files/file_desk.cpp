@@ -1,6 +1,6 @@
 #include "studio/files/file_desk.h"
 
-#include "core/file_io.h"
+#include "core/files/file_io.h"
 #include "persist/creature_card.h"
 #include "persist/png_file.h"
 #include "persist/settings_file.h"

@@ -7,7 +7,7 @@
 #include "evolution/statistics.h"
 #include "persist/creature_file.h"
 #include "persist/kept_experiment.h"
-#include "pictures/subject.h"
+#include "pictures/motion/subject.h"
 #include "studio/background/background_worker.h"
 #include "studio/files/file_browser.h"
 

@@ -1,6 +1,6 @@
 #include "studio/files/files_controller.h"
 
-#include "core/pretty_text.h"
+#include "core/text/pretty_text.h"
 #include "studio/experiment/timeline_plots.h"
 #include "studio/files/creature_exhibit.h"
 

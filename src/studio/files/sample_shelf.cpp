@@ -1,6 +1,6 @@
 #include "studio/files/sample_shelf.h"
 
-#include "core/pretty_text.h"
+#include "core/text/pretty_text.h"
 #include "persist/creature_file.h"
 
 #include <algorithm>

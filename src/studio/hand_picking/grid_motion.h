@@ -1,10 +1,10 @@
 #pragma once
 
 // How the creatures of a grid move: the trial of each, computed in the background ahead of being
-// shown, so that no frame waits for it; on show all by one clock, again and again.
+// shown, so that no frame waits for it; shown all by one clock, again and again.
 
 #include "evolution/individual.h"
-#include "pictures/recorded_motion.h"
+#include "pictures/motion/recorded_motion.h"
 #include "simulator/trial.h"
 #include "studio/background/background_worker.h"
 
@@ -14,7 +14,7 @@
 
 namespace cambrian {
 
-inline constexpr double kLongestLoop = 12.0;  // s; longer trials begin anew then
+inline constexpr double kLongestLoop = 12.0;  // s; longer trials begin again then
 
 class GridMotion {
 public:

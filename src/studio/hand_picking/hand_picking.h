@@ -28,7 +28,7 @@ public:
         : kinds_(kinds), workers_(workers), motion_(kinds.creature) {}
 
     // With a grid of the population unless it is the one left last; without a population, of
-    // children of the creature on show (null: of random ones).
+    // children of the creature shown (null: of random ones).
     void enter(const EvolutionSnapshot& evolution, const GenomePtr& on_show, double now);
     void leave(const EvolutionSnapshot& evolution);
     // The grids of the experiment that was opened, to be gone on with at the next entry.
@@ -47,7 +47,7 @@ public:
     const std::shared_ptr<const PickingSnapshot>& shared_snapshot() const { return snapshot_; }
     std::vector<IndividualPtr> picks() const;
     bool has_cell(std::size_t cell) const;
-    // A cell of the grid on show, as it was judged.
+    // A cell of the grid shown, as it was judged.
     Exhibit exhibit(std::size_t cell) const;
     PickingView view() const;
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// Where the grids of a picking tree stand on its map: generations to the right, each branch on a
+// Where the grids of a picking tree are on its map: generations to the right, each branch on a
 // row of its own.
 
 #include "picking/picking_tree.h"

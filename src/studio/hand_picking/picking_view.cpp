@@ -1,6 +1,6 @@
 #include "studio/hand_picking/picking_view.h"
 
-#include "core/pretty_text.h"
+#include "core/text/pretty_text.h"
 
 #include <algorithm>
 

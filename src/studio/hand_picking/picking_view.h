@@ -32,14 +32,14 @@ struct PickingView {
 inline bool deciding(const PickingSnapshot& snapshot) {
     return snapshot.status != PickingStatus::kOpen;
 }
-// Columns of a grid of so many cells: "12" stands as 4 by 3.
+// Columns of a grid of so many cells: "12" is 4 by 3.
 int grid_columns(int cells);
 // Place of a cell among the picks, from 1; 0 if it is not picked.
 int pick_number(const PickingSnapshot& snapshot, std::size_t cell);
 
 // "1 pick", "3 picks".
 std::string counted(std::size_t count, const std::string& what);
-// Where picking stands and what to do next, in one short line.
+// How far picking is and what to do next, in one short line.
 std::string picking_words(const PickingSnapshot& snapshot);
 // "bred from 3 picks", "chosen from the population".
 std::string origin_words(const GridNode& node);

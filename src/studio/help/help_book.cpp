@@ -1,7 +1,7 @@
 #include "studio/help/help_book.h"
 
-#include "core/file_io.h"
-#include "core/pretty_text.h"
+#include "core/files/file_io.h"
+#include "core/text/pretty_text.h"
 
 #include <algorithm>
 #include <system_error>

@@ -1,7 +1,7 @@
 #pragma once
 
 // Which parts of the window look different from the frame before, so that only they are painted:
-// most panels stand still while one creature moves.
+// most panels rest while one creature moves.
 
 #include "studio/look/ui_context.h"
 
@@ -11,7 +11,7 @@ namespace cambrian {
 
 class ChangedAreas {
 public:
-    // Of what is about to be painted, compared with what the last call was given: areas of whole
+    // Of what is about to be painted, compared with what the last call was given: areas of full
     // pixels, apart from each other. All of the window at first, and after a change of its size,
     // of what is painted under everything, or of the order of the lists. A list that calls back
     // counts as changed always, and lies within an area or outside of all.

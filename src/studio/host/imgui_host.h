@@ -24,7 +24,7 @@ public:
     ImGuiHost(const ImGuiHost&) = delete;
     ImGuiHost& operator=(const ImGuiHost&) = delete;
 
-    // Keys pressed since the last frame count even if they were let go again at once.
+    // Keys pressed since the last frame count even if they were released at once.
     void begin_frame(const std::vector<KeyPress>& pressed);
     // Has everything in the window's framebuffer; paints only what changed.
     void end_frame();

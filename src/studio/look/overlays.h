@@ -1,6 +1,6 @@
 #pragma once
 
-// What may be laid over the creature on show: one list for the menus and for what is remembered.
+// What may be laid over the creature shown: one list for the menus and for what is remembered.
 
 #include "studio/look/view_state.h"
 

@@ -1,6 +1,6 @@
 #include "studio/look/theme.h"
 
-#include "pictures/typefaces.h"
+#include "pictures/canvas/typefaces.h"
 
 #include <array>
 #include <filesystem>

@@ -3,7 +3,7 @@
 // The one visual language: fonts and sizes, and colours for Dear ImGui. Sizes are given in units of
 // 1/96 inch and scaled by the display.
 
-#include "pictures/palette.h"
+#include "pictures/canvas/palette.h"
 
 #include <imgui.h>
 

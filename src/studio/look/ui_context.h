@@ -33,7 +33,7 @@ struct NotedPlace {
     Rect rect;
     Rect seen;                // what of it shows; empty where it is scrolled out of sight
     bool cut = false;         // partly out of sight where nothing scrolls
-    const char* window = "";  // the panel or popup it stands in
+    const char* window = "";  // the panel or popup it is in
     int frame = 0;            // when
 };
 

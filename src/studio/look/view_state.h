@@ -22,7 +22,7 @@ enum class TileOrder : unsigned char { kFitness, kAge, kParts, kMass, kDifferenc
 // Speeds of playback offered; 1 is real time.
 inline constexpr std::array kPlaybackSpeeds = {0.1, 0.25, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0};
 
-// Champions of other generations that accompany the creature on show.
+// Champions of other generations that accompany the creature shown.
 enum class GhostChoice : unsigned char { kNone, kImprovements, kTenths, kAcross };
 
 // What is laid over the picture of a creature; overlays.h tells what each is.

@@ -1,6 +1,6 @@
 #pragma once
 
-// Where the energy of a trial went, read from the books as it is played (physics.md 9).
+// Where the energy of a trial went, read from its balance when played (simulator/README.md 4).
 
 #include "world/physics_scene.h"
 
@@ -23,7 +23,7 @@ EnergySample energy_sample(double time, const SceneAudit& audit);
 class EnergyTrace {
 public:
     void clear() { samples_.clear(); }
-    // Keeps a reading every tenth of a second; a time before the last one takes back what came
+    // Keeps a reading every tenth of a second; a time before the last one removes what came
     // after.
     void add(double time, const SceneAudit& audit);
     const std::vector<EnergySample>& samples() const { return samples_; }

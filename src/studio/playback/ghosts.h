@@ -1,6 +1,6 @@
 #pragma once
 
-// Champions of other generations on the ground of the creature on show, to compare with it: each a
+// Champions of other generations on the ground of the creature shown, to compare with it: each a
 // trial of its own, whose test begins at the same moment.
 
 #include "evolution/snapshot.h"
@@ -23,7 +23,7 @@ public:
     static std::unique_ptr<Ghost> start(const JudgedIndividual& champion, const Kinds& kinds,
                                         const Environment& environment);
 
-    // One tick nearer to where the creature on show is, or back to it; false once there.
+    // One tick nearer to where the creature shown is, or back to it; false once there.
     bool follow(const Playback& playback);
     void show(double share) { motion_.show(share); }
 
@@ -47,7 +47,7 @@ public:
     // Must outlive it.
     explicit Ghosts(const Kinds& kinds) : kinds_(&kinds) {}
 
-    // Once a frame, after the creature on show moved: the chosen ones come and go, one new one a
+    // Once a frame, after the creature shown moved: the chosen ones come and go, one new one a
     // frame, and all follow it, spending at most `budget` seconds.
     void update(const EvolutionSnapshot& snapshot, GhostChoice choice, const Playback& playback,
                 double budget);

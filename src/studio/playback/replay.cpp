@@ -7,7 +7,7 @@ namespace cambrian {
 namespace {
 
 constexpr std::uint64_t kFirstSpacing = 30;  // ticks
-constexpr std::size_t kMostKept = 240;       // beyond it every second moment is let go
+constexpr std::size_t kMostKept = 240;       // beyond it every second moment is dropped
 constexpr double kHoldStiffness = 60.0;      // N/m a kg of creature
 constexpr double kHoldDamping = 6.0;         // N s/m a kg
 

@@ -14,7 +14,7 @@ enum class TextFaultKind : unsigned char { kCut, kOverlap };
 
 struct TextFault {
     TextFaultKind kind = TextFaultKind::kCut;
-    std::string window;  // Dear ImGui's name of the window that it stands in
+    std::string window;  // Dear ImGui's name of the window that it is in
     std::string text;    // of the line, as much of it as is drawn
     std::string other;   // written over it; empty for cut text
     Rect where;          // of the line, in window pixels

@@ -19,9 +19,9 @@ struct GeneChange {
 
 class GeneEditor {
 public:
-    // Another creature is on show; nothing to undo.
+    // Another creature is shown; nothing to undo.
     void clear() { *this = {}; }
-    // The genome replaces that of the creature on show. Edits of the same place without a finish()
+    // The genome replaces that of the creature shown. Edits of the same place without a finish()
     // between them, as a drag makes them, are one step to undo.
     void edit(const Exhibit& shown, GenomePtr genome, const GeneChange& change);
     void finish() { open_place_.clear(); }
@@ -29,7 +29,7 @@ public:
     bool can_redo() const { return present_ + 1 < versions_.size(); }
     void undo();
     void redo();
-    // What is to be on show now: the original itself where nothing differs from it any more,
+    // What is to be shown now: the original itself where nothing differs from it any more,
     // otherwise its child by the method "edited". Only after edit().
     Exhibit exhibit() const;
 

@@ -1,6 +1,6 @@
 #include "studio/viewer/mutation_words.h"
 
-#include "core/pretty_text.h"
+#include "core/text/pretty_text.h"
 #include "studio/widgets/widgets.h"
 
 namespace cambrian {

@@ -1,6 +1,6 @@
 #pragma once
 
-// What is on show and how it scores: the playback, and the same trial run once more in the
+// What is shown and how it scores: the playback, and the same trial run once more in the
 // background for its score.
 
 #include "evolution/evolution_kinds.h"

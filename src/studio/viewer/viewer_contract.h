@@ -2,7 +2,7 @@
 
 // What panels see of the creature on display and what they may request of the viewer.
 
-#include "pictures/highlight.h"
+#include "pictures/scene/highlight.h"
 #include "studio/playback/ghosts.h"
 #include "studio/playback/playback.h"
 #include "studio/viewer/gene_editor.h"

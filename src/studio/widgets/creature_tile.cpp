@@ -1,6 +1,6 @@
 #include "studio/widgets/creature_tile.h"
 
-#include "pictures/scene_builder.h"
+#include "pictures/scene/scene_builder.h"
 
 #include <algorithm>
 #include <array>

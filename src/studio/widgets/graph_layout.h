@@ -22,7 +22,7 @@ struct GraphPoint {
 // are ignored.
 std::vector<std::size_t> graph_rows(std::size_t node_count, const std::vector<GraphEdge>& edges);
 
-// Points for nodes in given rows, each row spread evenly and ordered so that nodes stand near what
+// Points for nodes in given rows, each row spread evenly and ordered so that nodes are near what
 // leads to them. Rows of more than `most` nodes are broken into several.
 std::vector<GraphPoint> place_in_rows(const std::vector<std::size_t>& rows,
                                       const std::vector<GraphEdge>& edges, std::size_t most);

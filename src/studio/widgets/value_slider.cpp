@@ -9,7 +9,7 @@
 namespace cambrian {
 namespace {
 
-// Share of a slider at which a value stands, on the scale Dear ImGui uses.
+// Share of a slider at which a value is, on the scale Dear ImGui uses.
 float slider_share(const SliderStyle& style, double value) {
     const SliderRange& range = style.range;
     const double inside = std::clamp(value, range.low, range.high);
@@ -31,7 +31,7 @@ void draw_slider_back(float share, float width) {
     list.PopClipRect();
 }
 
-// What is being typed counts once it is complete: on the way to "0.9" stands "0".
+// What is being typed counts once it is complete: on the way to "0.9" there is "0".
 template <class Number>
 bool when_complete(bool edited, Number before, Number& value) {
     std::optional<double>& typed = ui().typed;

@@ -228,7 +228,7 @@ std::string fit_text(const std::string& text, float width) {
     if (ImGui::CalcTextSize(text.c_str()).x <= width) return text;
     std::string cut = text;
     while (!cut.empty() && ImGui::CalcTextSize((cut + "…").c_str()).x > width) {
-        // A whole UTF-8 character goes.
+        // A complete UTF-8 character goes.
         while (!cut.empty() && (static_cast<unsigned char>(cut.back()) & 0xC0U) == 0x80U)
             cut.pop_back();
         if (!cut.empty()) cut.pop_back();

@@ -1,4 +1,4 @@
-#include "core/file_io.h"
+#include "core/files/file_io.h"
 #include "persist/creature_file.h"
 #include "studio/files/sample_shelf.h"
 #include "studio/panels/cards/samples_panel.h"

@@ -1,6 +1,6 @@
 #include "studio/panels/bar/evolve_bar.h"
 
-#include "core/pretty_text.h"
+#include "core/text/pretty_text.h"
 #include "studio/panels/bar/main_menu.h"
 #include "studio/widgets/widgets.h"
 

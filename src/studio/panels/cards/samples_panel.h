@@ -4,7 +4,7 @@
 
 namespace cambrian {
 
-// The creatures that come with the program, one tile each; a click puts one on show.
+// The creatures that come with the program, one tile each; a click shows one.
 class SamplesPanel final : public Panel {
 public:
     void draw(const FrameContext& frame, Requests& out) override;

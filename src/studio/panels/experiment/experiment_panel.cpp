@@ -1,6 +1,6 @@
 #include "studio/panels/experiment/experiment_panel.h"
 
-#include "core/pretty_text.h"
+#include "core/text/pretty_text.h"
 #include "studio/experiment/setting_presets.h"
 #include "studio/frame/help_mark.h"
 #include "studio/panels/experiment/setting_row.h"

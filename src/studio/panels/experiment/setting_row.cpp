@@ -1,6 +1,6 @@
 #include "studio/panels/experiment/setting_row.h"
 
-#include "core/pretty_text.h"
+#include "core/text/pretty_text.h"
 #include "studio/experiment/settings_editor.h"
 #include "studio/widgets/widgets.h"
 
@@ -91,7 +91,7 @@ bool choice_box(const SettingField& field, std::string& value, float width) {
     return edited;
 }
 
-// Whether the control's one change is complete at once, with no letting go to wait for.
+// Whether the control's one change is complete at once, with no release to wait for.
 bool draw_control(const SettingField& field, const SettingRef& ref, const SettingRef& standard,
                   float width, bool& edited) {
     if (auto* const* flag = std::get_if<bool*>(&ref)) {
@@ -138,7 +138,7 @@ SliderRange slider_range(const SettingField& field, double standard, double pres
     constexpr double comfort = 4.0;           // times the default
     constexpr double comfort_from_zero = 10;  // where the default is 0
     double high = standard == 0.0 ? comfort_from_zero : comfort * std::fabs(standard);
-    // Ranges not much wider than that are shown whole.
+    // Ranges not much wider than that are shown fully.
     if (field.high <= 2.5 * high) high = field.high;
     high = std::max({std::min(high, field.high), present, field.low});
     double low = field.low;

@@ -16,7 +16,7 @@ SliderRange slider_range(const SettingField& field, double standard, double pres
 enum class RowEvent : unsigned char {
     kNone,
     kEdited,   // the settings were changed; more may follow as a drag goes on
-    kFinished  // the control was let go
+    kFinished  // the control was released
 };
 
 // Draws the row and edits `settings` in place.

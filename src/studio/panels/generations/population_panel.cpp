@@ -1,6 +1,6 @@
 #include "studio/panels/generations/population_panel.h"
 
-#include "core/pretty_text.h"
+#include "core/text/pretty_text.h"
 #include "studio/frame/help_mark.h"
 #include "studio/viewer/origin_words.h"
 #include "studio/widgets/creature_tile.h"
@@ -227,7 +227,7 @@ void PopulationPanel::draw_content(const Tile& tile, const Rect& area, const Fra
                 valid ? colors().muted : colors().danger);
 }
 
-// The arrow keys move from the creature on show, or to the first where it has no tile.
+// The arrow keys move from the creature shown, or to the first where it has no tile.
 void PopulationPanel::follow_keys(std::size_t columns, const FrameContext& frame,
                                   Requests& out) const {
     if (!ImGui::IsWindowFocused(ImGuiFocusedFlags_RootAndChildWindows)) return;

@@ -1,7 +1,7 @@
 #include "studio/panels/generations/tile_list.h"
 
 #include "math/distance.h"
-#include "picking/grid_choice.h"
+#include "picking/grid/grid_choice.h"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 #include "studio/panels/generations/timeline_chart.h"
 
-#include "core/pretty_text.h"
+#include "core/text/pretty_text.h"
 
 #include <algorithm>
 #include <array>

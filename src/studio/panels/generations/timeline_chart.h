@@ -43,7 +43,7 @@ void draw_legend(ImDrawList& list, const TimelinePlot& plot, const ImVec2& right
 // Where settings changed.
 void draw_change_marks(ImDrawList& list, const PlotScale& scale, const EvolutionSnapshot& snapshot);
 
-// The whole chart as a picture of its own, with its title and legend.
+// The chart as a picture of its own, with its title and legend.
 void draw_timeline_picture(ImDrawList& list, const Rect& area, const EvolutionSnapshot& snapshot,
                            TimelineQuantity quantity, const std::string& unit);
 

@@ -1,6 +1,6 @@
 #include "studio/panels/generations/timeline_panel.h"
 
-#include "core/pretty_text.h"
+#include "core/text/pretty_text.h"
 #include "studio/frame/help_mark.h"
 #include "studio/panels/generations/export_menu.h"
 #include "studio/widgets/widgets.h"
@@ -64,7 +64,7 @@ void draw_heading(const FrameContext& frame, Requests& out) {
         ImGui::OpenPopup("export");
 }
 
-// What may help where the best has not risen for long (evolution.md 6.4); nothing is done unasked.
+// What may help where the best has not risen for long (evolution/README.md 3); suggestions only.
 void draw_stagnation(const FrameContext& frame, Requests& out) {
     const auto& history = frame.experiment.snapshot.history;
     if (history.empty() || !stagnant(history.back())) return;

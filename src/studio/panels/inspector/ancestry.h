@@ -1,6 +1,6 @@
 #pragma once
 
-// The line of descent of a creature on show.
+// The line of descent of a creature shown.
 
 #include "evolution/snapshot.h"
 #include "studio/playback/exhibit.h"
@@ -18,7 +18,7 @@ struct AncestryStep {
 // The creature itself first, the oldest ancestor known last.
 std::vector<AncestryStep> ancestry_of(const Exhibit& exhibit);
 
-// An ancestor to be put on show: step `index` (from 1) of the line of `head`, in the world that
+// An ancestor to be shown: step `index` (from 1) of the line of `head`, in the world that
 // judged it if the journal of its experiment is at hand, else, unscored, in that of `head`.
 Exhibit ancestor_exhibit(const Exhibit& head, const std::vector<AncestryStep>& line,
                          std::size_t index, const EvolutionSnapshot& snapshot);

@@ -1,6 +1,6 @@
 #include "studio/panels/inspector/ancestry_tab.h"
 
-#include "core/pretty_text.h"
+#include "core/text/pretty_text.h"
 #include "studio/viewer/mutation_words.h"
 #include "studio/widgets/creature_tile.h"
 #include "studio/widgets/widgets.h"
@@ -34,7 +34,7 @@ std::string change_line(const Individual& individual) {
                                         : change_words(individual.mutations.front());
 }
 
-// As it was judged; of a creature on show that never was, as it scores now.
+// As it was judged; of a creature shown that never was, as it scores now.
 std::string fitness_words(const Individual& individual, const FrameContext& frame) {
     if (individual.evaluated) return pretty_number(individual.result.fitness);
     const bool shown = frame.viewer.playback.exhibit().genome() == individual.genome;

@@ -12,7 +12,7 @@
 namespace cambrian {
 
 // The line of parents down to the first ancestor: each one's body, what changed in it and what
-// that gained. A click shows it; the line stays while one of its members is on show.
+// that gained. A click shows it; the line stays while one of its members is shown.
 class AncestryTab final : public Panel {
 public:
     void draw(const FrameContext& frame, Requests& out) override;

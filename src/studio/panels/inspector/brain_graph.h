@@ -31,7 +31,7 @@ struct BrainGraph {
     std::size_t row_count = 1;
 };
 
-// `most` nodes stand side by side at most.
+// `most` nodes are side by side at most.
 BrainGraph brain_graph(const Phenotype& phenotype, const Kinds& kinds, std::size_t most);
 
 }  // namespace cambrian

@@ -1,6 +1,6 @@
 #include "studio/panels/inspector/creature_tab.h"
 
-#include "core/pretty_text.h"
+#include "core/text/pretty_text.h"
 #include "studio/viewer/mutation_words.h"
 #include "studio/viewer/origin_words.h"
 #include "studio/widgets/widgets.h"

@@ -4,7 +4,7 @@
 
 namespace cambrian {
 
-// Numbers of the creature on show: its fitness and how it was made up, its body, where it comes
+// Numbers of the creature shown: its fitness and how it was made up, its body, where it comes
 // from, the audit of its trial.
 class CreatureTab final : public Panel {
 public:

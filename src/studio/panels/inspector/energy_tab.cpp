@@ -1,6 +1,6 @@
 #include "studio/panels/inspector/energy_tab.h"
 
-#include "core/pretty_text.h"
+#include "core/text/pretty_text.h"
 #include "studio/widgets/plot.h"
 #include "studio/widgets/widgets.h"
 

@@ -1,6 +1,6 @@
 #include "studio/panels/inspector/gene_table.h"
 
-#include "core/pretty_text.h"
+#include "core/text/pretty_text.h"
 #include "genome/gene_fields.h"
 #include "genome/words.h"
 #include "math/angle.h"

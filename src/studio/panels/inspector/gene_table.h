@@ -12,7 +12,7 @@ namespace cambrian {
 
 struct GeneEdit {
     std::optional<GeneChange> change;  // made to the genome this frame
-    bool finished = false;             // the control was let go
+    bool finished = false;             // the control was released
 };
 
 // Edits `genome` in place. Typed numbers may lie outside the genes' ranges: whoever takes the

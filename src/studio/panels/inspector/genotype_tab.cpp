@@ -1,7 +1,7 @@
 #include "studio/panels/inspector/genotype_tab.h"
 
-#include "core/pretty_text.h"
-#include "pictures/scene_builder.h"
+#include "core/text/pretty_text.h"
+#include "pictures/scene/scene_builder.h"
 #include "studio/panels/inspector/gene_table.h"
 #include "studio/widgets/widgets.h"
 

@@ -8,7 +8,7 @@
 
 namespace cambrian {
 
-// What is known of the creature on show, by tabs.
+// What is known of the creature shown, by tabs.
 class InspectorPanel final : public Panel {
 public:
     InspectorPanel();

@@ -1,8 +1,8 @@
 #include "studio/panels/picking/picking_grid_panel.h"
 
-#include "core/pretty_text.h"
-#include "pictures/follow_camera.h"
-#include "pictures/scene_builder.h"
+#include "core/text/pretty_text.h"
+#include "pictures/scene/follow_camera.h"
+#include "pictures/scene/scene_builder.h"
 #include "studio/hand_picking/drag_payload.h"
 #include "studio/widgets/widgets.h"
 
@@ -45,7 +45,7 @@ void draw_waiting(const Rect& area, const std::string& text) {
         paint(colors().muted), text.c_str());
 }
 
-// What made the creature, in the sky above it: as many whole lines as there is room for.
+// What made the creature, in the sky above it: as many full lines as there is room for.
 void draw_changes(const Rect& area, const Individual& creature) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float size = 13.0F * ui().scale;

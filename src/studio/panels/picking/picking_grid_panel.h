@@ -1,7 +1,7 @@
 #pragma once
 
-#include "picking/grid_hints.h"
-#include "picking/grid_settings.h"
+#include "picking/grid/grid_hints.h"
+#include "picking/grid/grid_settings.h"
 #include "studio/frame/panel.h"
 #include "studio/host/scene_canvas.h"
 

@@ -1,6 +1,6 @@
 #include "studio/panels/picking/picking_panel.h"
 
-#include "core/pretty_text.h"
+#include "core/text/pretty_text.h"
 #include "studio/frame/help_mark.h"
 #include "studio/widgets/widgets.h"
 

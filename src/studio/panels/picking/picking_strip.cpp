@@ -7,7 +7,7 @@
 namespace cambrian {
 namespace {
 
-constexpr float kNarrow = 560.0F;  // a strip in which the buttons stand closer
+constexpr float kNarrow = 560.0F;  // a strip in which the buttons are closer
 
 bool is_narrow() {
     return ImGui::GetWindowWidth() < px(kNarrow);

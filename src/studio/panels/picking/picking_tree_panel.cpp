@@ -1,6 +1,6 @@
 #include "studio/panels/picking/picking_tree_panel.h"
 
-#include "core/pretty_text.h"
+#include "core/text/pretty_text.h"
 #include "studio/frame/help_mark.h"
 #include "studio/widgets/creature_tile.h"
 #include "studio/widgets/widgets.h"
@@ -116,7 +116,7 @@ void PickingTreePanel::draw_grid(std::uint32_t number, const Rect& tile, const F
     tooltip(grid_words(grid));
 }
 
-// Scrolls to the grid on show when it becomes another one.
+// Scrolls to the grid shown when it becomes another one.
 void PickingTreePanel::keep_in_sight(std::uint32_t current, const Rect& tile) {
     if (seen_ == current) return;
     seen_ = current;

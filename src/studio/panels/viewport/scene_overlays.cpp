@@ -22,7 +22,7 @@ Vec2 direction(double angle) {
     return {turn.cosine, turn.sine};
 }
 
-// A joint as it stands.
+// A joint as it is.
 struct JointPlace {
     Vec2 pivot;
     double radius = 0.0;      // m, of arcs about it

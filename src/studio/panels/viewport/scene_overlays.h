@@ -3,7 +3,7 @@
 // What cannot be seen of a creature, drawn over it: forces, torques, limits, sensors.
 
 #include "creature/kinds.h"
-#include "pictures/scene_builder.h"
+#include "pictures/scene/scene_builder.h"
 #include "world/physics_scene.h"
 
 namespace cambrian {

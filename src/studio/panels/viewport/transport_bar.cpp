@@ -1,6 +1,6 @@
 #include "studio/panels/viewport/transport_bar.h"
 
-#include "core/pretty_text.h"
+#include "core/text/pretty_text.h"
 #include "studio/widgets/widgets.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include "studio/panels/viewport/viewport_panel.h"
 
-#include "core/pretty_text.h"
-#include "pictures/follow_camera.h"
+#include "core/text/pretty_text.h"
+#include "pictures/scene/follow_camera.h"
 #include "studio/panels/viewport/scene_overlays.h"
 #include "studio/panels/viewport/viewport_tools.h"
 #include "studio/widgets/widgets.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "pictures/scene_builder.h"
+#include "pictures/scene/scene_builder.h"
 #include "studio/frame/panel.h"
 #include "studio/host/scene_canvas.h"
 
@@ -9,7 +9,7 @@
 
 namespace cambrian {
 
-// The creature on show in its world, with camera and mouse.
+// The creature shown in its world, with camera and mouse.
 class ViewportPanel final : public Panel {
 public:
     // Without a renderer (tests) everything but the picture works.
@@ -38,7 +38,7 @@ private:
     Viewport size_;
     bool fit_wanted_ = true;
     unsigned fits_seen_ = 0;           // requests to fit the creature into view, so far
-    const Phenotype* seen_ = nullptr;  // on show at the last draw; compared only
+    const Phenotype* seen_ = nullptr;  // shown at the last draw; compared only
     bool panning_ = false;
 };
 

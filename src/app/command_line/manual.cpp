@@ -1,0 +1,121 @@
+#include "app/command_line/manual.h"
+
+#include <algorithm>
+#include <cctype>
+#include <sstream>
+
+namespace cambrian {
+namespace {
+
+// Text that roff shows as it is.
+std::string plain(std::string_view text) {
+    std::string result;
+    for (const char letter : text) {
+        const bool first = result.empty() || result.back() == '\n';
+        if (first && (letter == '.' || letter == '\'')) result += "\\&";
+        if (letter == '\\') {
+            result += "\\e";
+        } else if (letter == '-') {
+            result += "\\-";
+        } else if (letter == '`' || letter == '\'') {
+            result += letter == '`' ? "\\(ga" : "\\(aq";
+        } else {
+            result += letter;
+        }
+    }
+    return result;
+}
+
+std::string bold(std::string_view text) {
+    return "\\fB" + plain(text) + "\\fR";
+}
+std::string italic(std::string_view text) {
+    return "\\fI" + plain(text) + "\\fR";
+}
+
+std::string upper(std::string text) {
+    std::transform(text.begin(), text.end(), text.begin(),
+                   [](unsigned char letter) { return static_cast<char>(std::toupper(letter)); });
+    return text;
+}
+
+// "-n, --generations INT"
+std::string heading(const CommandOption& option) {
+    std::string names;
+    for (const std::string& name : option.names) {
+        if (!names.empty()) names += ", ";
+        names += option.positional ? italic(upper(name)) : bold(name);
+    }
+    if (option.positional || option.value.empty()) return names;
+    return names + " " + italic(option.value) + (option.several ? "..." : "");
+}
+
+std::string option_entry(const CommandOption& option) {
+    const bool shows_kind = option.positional && !option.value.empty();
+    return ".TP\n" + heading(option) + "\n" + plain(option.help) + "\n" +
+           (shows_kind ? "(" + italic(option.value) + ")\n" : "");
+}
+
+std::string synopsis_of(const CommandOption& option) {
+    std::string text = italic(upper(option.names.front())) + (option.several ? "..." : "");
+    return option.required ? text : "[" + text + "]";
+}
+
+// Positionals, then options.
+std::string option_entries(const Command& command) {
+    std::string text;
+    for (const bool positional : {true, false}) {
+        for (const CommandOption& option : command.options) {
+            if (option.positional == positional) text += option_entry(option);
+        }
+    }
+    return text;
+}
+
+// Indented lines are examples to be typed; others are prose.
+std::string footer_text(const std::string& footer) {
+    std::string text;
+    std::istringstream lines(footer);
+    for (std::string line; std::getline(lines, line);) {
+        const std::size_t start = line.find_first_not_of(' ');
+        if (start == std::string::npos) continue;
+        const std::string shown = plain(line.substr(start));
+        text += start == 0 ? ".PP\n" + shown + "\n" : ".PP\n.nf\n.RS\n" + shown + "\n.RE\n.fi\n";
+    }
+    return text;
+}
+
+std::string subcommand_section(const Command& program, const Command& command) {
+    std::string line = bold(program.name + " " + command.name);
+    for (const CommandOption& option : command.options) {
+        if (option.positional) line += " " + synopsis_of(option);
+    }
+    return ".SS " + plain(command.name) + "\n" + line + " [" + italic("OPTIONS") + "]\n.PP\n" +
+           plain(command.summary) + "\n" + option_entries(command) + footer_text(command.footer);
+}
+
+// Of the program: "Cambrian: evolve creatures in two dimensions. Without ..."
+std::string short_summary(const std::string& summary) {
+    const std::size_t start = summary.find(": ");
+    const std::string rest = start == std::string::npos ? summary : summary.substr(start + 2);
+    return rest.substr(0, rest.find('.'));
+}
+
+}  // namespace
+
+std::string manual_page(const Command& program, std::string_view version) {
+    std::string text = ".TH " + upper(program.name) + " 1 \"\" \"" + program.name + " " +
+                       std::string(version) + "\" \"User Commands\"\n";
+    text += ".SH NAME\n" + program.name + " \\- " + plain(short_summary(program.summary)) + "\n";
+    text += ".SH SYNOPSIS\n" + bold(program.name) + " [" + italic("SUBCOMMAND") + " [" +
+            italic("OPTIONS") + "]]\n";
+    text += ".SH DESCRIPTION\n" + plain(program.summary) + "\n" + footer_text(program.footer);
+    text += ".SH OPTIONS\n" + option_entries(program) + ".SH SUBCOMMANDS\n";
+    for (const Command& command : program.subcommands)
+        text += subcommand_section(program, command);
+    return text +
+           ".SH EXIT STATUS\n.TP\n0\nDone.\n.TP\n2\nA mistake in the command or in a file.\n"
+           ".TP\n1\nAnything else.\n.PP\nMessages go to standard error.\n";
+}
+
+}  // namespace cambrian

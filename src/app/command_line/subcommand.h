@@ -1,0 +1,41 @@
+#pragma once
+
+// A registered subcommand of the command line: declares its options, then runs.
+
+#include "app/command_line/command_files.h"
+#include "app/process/exit_status.h"
+#include "core/registry.h"
+#include "evolution/evolution_kinds.h"
+
+#include <memory>
+#include <string>
+
+namespace CLI {  // NOLINT(readability-identifier-naming): the library's name
+class App;
+}
+
+namespace cambrian {
+
+class Subcommand {
+public:
+    virtual ~Subcommand() = default;
+    // Options are stored in the subcommand, which outlives the parse.
+    virtual void add_options(CLI::App& app) = 0;
+    // What it reads and writes, as far as the command line tells.
+    virtual CommandFiles files() const { return {}; }
+    // Results go to standard output, messages to standard error.
+    virtual ExitStatus run(const EvolutionKinds& kinds) = 0;
+};
+
+struct SubcommandKind {
+    std::string id;
+    std::string summary;
+    std::string example;  // a command line that works
+    std::unique_ptr<Subcommand> (*make)() = nullptr;
+};
+
+using SubcommandRegistry = Registry<SubcommandKind>;
+
+SubcommandRegistry builtin_subcommands();
+
+}  // namespace cambrian

@@ -1,0 +1,142 @@
+#include "app/evolve/evolution_report.h"
+
+#include "app/process/json_text.h"
+#include "core/text/number_text.h"
+#include "persist/digest_text.h"
+#include "persist/quoted_text.h"
+
+#include <cstdio>
+
+namespace cambrian {
+namespace {
+
+// Four decimals: the same column for every generation.
+std::string fixed(double number) {
+    char text[64];
+    std::snprintf(text, sizeof text, "%.4f", number);
+    return text;
+}
+
+std::string padded(std::string text, std::size_t width) {
+    if (text.size() < width) text.insert(0, width - text.size(), ' ');
+    return text;
+}
+
+// What a person should know of a generation besides its numbers.
+std::string remarks(const GenerationStatistics& statistics) {
+    std::string text;
+    if (stagnant(statistics)) {
+        text += "   no progress for " + std::to_string(statistics.generations_without_progress) +
+                " generations";
+    }
+    if (statistics.giving_up_distrusted)
+        text += "   trials are not given up any more: an audited one would have survived";
+    return text;
+}
+
+std::string json_of(const MutationRecord& mutation) {
+    return json_object({{"operator", quoted_text(mutation.operator_id)},
+                        {"place", quoted_text(mutation.place)},
+                        {"from", quoted_text(mutation.from)},
+                        {"to", quoted_text(mutation.to)}});
+}
+
+std::string json_of_parents(const Individual& individual) {
+    std::vector<std::string> parents;
+    for (const std::uint64_t parent : individual.parents) {
+        if (parent != 0) parents.push_back(quoted_text(hex_text(parent)));
+    }
+    return json_list(parents);
+}
+
+std::string json_of_mutations(const Individual& individual) {
+    std::vector<std::string> mutations;
+    mutations.reserve(individual.mutations.size());
+    for (const MutationRecord& mutation : individual.mutations)
+        mutations.push_back(json_of(mutation));
+    return json_list(mutations);
+}
+
+std::string json_of(const GenerationStatistics& statistics, const std::string& unit) {
+    return json_object(
+        {{"generation", std::to_string(statistics.generation)},
+         {"size", std::to_string(statistics.size)},
+         {"evaluations", std::to_string(statistics.evaluations)},
+         {"best", real_text(statistics.best)},
+         {"upper", real_text(statistics.upper)},
+         {"median", real_text(statistics.median)},
+         {"lower", real_text(statistics.lower)},
+         {"mean", real_text(statistics.mean)},
+         {"invalid_share", real_text(statistics.invalid_share)},
+         {"mean_parts", real_text(statistics.mean_parts)},
+         {"mean_neurons", real_text(statistics.mean_neurons)},
+         {"distinct_genomes", std::to_string(statistics.distinct_genomes)},
+         {"rejected", std::to_string(statistics.rejected)},
+         {"reused", std::to_string(statistics.reused)},
+         {"rested", std::to_string(statistics.rested)},
+         {"given_up", std::to_string(statistics.given_up)},
+         {"giving_up_distrusted", json_truth(statistics.giving_up_distrusted)},
+         {"time_saved", real_text(statistics.time_saved)},
+         {"filled_cells", std::to_string(statistics.filled_cells)},
+         {"quality", real_text(statistics.quality)},
+         {"generations_without_progress", std::to_string(statistics.generations_without_progress)},
+         {"unit", quoted_text(unit)}});
+}
+
+std::string json_of_path(const std::filesystem::path& path) {
+    return path.empty() ? "null" : quoted_text(path.string());
+}
+
+}  // namespace
+
+std::string origin_in_words(const Individual& individual) {
+    std::string text =
+        "born in generation " + std::to_string(individual.born) + ", " + individual.method;
+    for (const MutationRecord& mutation : individual.mutations) {
+        text += "; " + mutation.place + ": ";
+        text += mutation.from.empty() ? mutation.to : mutation.from + " to " + mutation.to;
+    }
+    return text;
+}
+
+std::string generation_line(const GenerationStatistics& statistics, const std::string& unit,
+                            bool json) {
+    if (json) return json_of(statistics, unit);
+    const std::string number = std::to_string(statistics.generation);
+    return "generation " + padded(number, 4) + "   best " + padded(fixed(statistics.best), 8) +
+           " " + unit + "   median " + padded(fixed(statistics.median), 8) + " " + unit +
+           remarks(statistics);
+}
+
+std::string final_line(std::span<const GenerationStatistics> history, const std::string& unit,
+                       const Individual& champion, const RunOutputs& files,
+                       std::string_view stopped_by, bool json) {
+    const GenerationStatistics& first = history.front();
+    const GenerationStatistics& last = history.back();
+    const bool interrupted = stopped_by == "interruption";
+    if (json) {
+        return json_object({{"champion", json_of_path(files.champion)},
+                            {"experiment", json_of_path(files.experiment)},
+                            {"uid", quoted_text(hex_text(champion.uid))},
+                            {"born", std::to_string(champion.born)},
+                            {"method", quoted_text(champion.method)},
+                            {"parents", json_of_parents(champion)},
+                            {"mutations", json_of_mutations(champion)},
+                            {"generations", std::to_string(history.size())},
+                            {"best_of_first", real_text(first.best)},
+                            {"best_of_last", real_text(last.best)},
+                            {"unit", quoted_text(unit)},
+                            {"stopped_by", quoted_text(stopped_by)},
+                            {"interrupted", json_truth(interrupted)}});
+    }
+    std::string text = std::string(interrupted ? "interrupted; best" : "best") + " of generation " +
+                       std::to_string(first.generation) + ": " + fixed(first.best) + " " + unit +
+                       ", of generation " + std::to_string(last.generation) + ": " +
+                       fixed(last.best) + " " + unit + "\nchampion: ";
+    if (!files.champion.empty()) text += files.champion.string() + " ";
+    text += "(" + origin_in_words(champion) + ")";
+    if (!files.experiment.empty()) text += "\nexperiment: " + files.experiment.string();
+    return text;
+}
+
+}  // namespace cambrian

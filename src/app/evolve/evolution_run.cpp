@@ -1,0 +1,251 @@
+#include "app/evolve/evolution_run.h"
+
+#include "app/evolve/evolution_report.h"
+#include "app/evolve/run_outputs.h"
+#include "app/process/interruption.h"
+#include "app/process/messages.h"
+#include "app/process/progress_bar.h"
+#include "app/trial/score_notice.h"
+#include "core/threads/thread_pool.h"
+#include "evolution/backends/thread_pool_backend.h"
+#include "evolution/evolution.h"
+#include "evolution/setting_field.h"
+#include "evolution/stopping.h"
+#include "persist/creature_file.h"
+#include "persist/experiment_file.h"
+#include "persist/experiment_parts.h"
+#include "persist/rescoring.h"
+#include "persist/settings_file.h"
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <system_error>
+#include <unistd.h>
+
+namespace cambrian {
+namespace {
+
+Result<SettingsPtr> settings_of(const EvolutionRun& run, const EvolutionKinds& kinds) {
+    Result<ExperimentSettings> settings = load_settings(run.settings_file, kinds);
+    if (!settings) return settings.error();
+    settings->generations = run.generations.value_or(settings->generations);
+    settings->seed = run.seed.value_or(settings->seed);
+    if (const Status valid = check_settings(*settings, kinds); !valid) return valid.error();
+    return std::make_shared<const ExperimentSettings>(*std::move(settings));
+}
+
+// The creatures the run begins with; none for random ones.
+Result<std::vector<GenomePtr>> founders_of(const EvolutionRun& run,
+                                           const ExperimentSettings& settings,
+                                           const EvolutionKinds& kinds) {
+    const int places = settings.population.size;
+    if (run.founders.size() > static_cast<std::size_t>(places)) {
+        return Error{"--founders: " + std::to_string(run.founders.size()) +
+                     " creatures, but [population] size is " + std::to_string(places)};
+    }
+    std::vector<GenomePtr> founders;
+    for (const std::string& file : run.founders) {
+        Result<CreatureDocument> document = load_creature(file, kinds);
+        if (!document) return document.error();
+        say_of(file, document->warnings);
+        say_of(file, foreign_kinds(document->genome, settings.founders, kinds));
+        founders.push_back(std::make_shared<const Genome>(std::move(document->genome)));
+    }
+    return founders;
+}
+
+// Where it should go or, if that has become impossible meanwhile, where it is not lost.
+Result<std::filesystem::path> save_champion(const std::filesystem::path& path,
+                                            const CreatureDocument& champion,
+                                            const EvolutionKinds& kinds) {
+    const Status saved = save_creature(path, champion, kinds);
+    if (saved) return path;
+    std::error_code failure;
+    const std::filesystem::path refuge =
+        std::filesystem::temp_directory_path(failure) /
+        ("rescued-" + std::to_string(::getpid()) + "-" + path.filename().string());
+    if (failure || !save_creature(refuge, champion, kinds)) return saved.error();
+    return Error{saved.error().message + "; the champion is in " + refuge.string()};
+}
+
+// What is run: from a generation on, until when, and where it is kept.
+struct Course {
+    Evolution evolution;
+    ExperimentSettings limits;  // say when it is over
+    std::shared_ptr<ExperimentFile> file;
+    RunOutputs outputs;
+    std::optional<SavedExperiment> before = std::nullopt;  // what was resumed
+};
+
+Result<Course> new_course(const EvolutionRun& run, const EvolutionKinds& kinds) {
+    const Result<SettingsPtr> settings = settings_of(run, kinds);
+    if (!settings) return settings.error();
+    for (const std::string& warning : setting_warnings(**settings, kinds))
+        say(warning);
+    const auto founders = founders_of(run, **settings, kinds);
+    if (!founders) return founders.error();
+    Result<RunOutputs> outputs = run_outputs(run.out, **settings, files_of(run));
+    if (!outputs) return outputs.error();
+    std::shared_ptr<ExperimentFile> file;
+    if (!outputs->experiment.empty()) {
+        auto created = ExperimentFile::create(kinds, *settings, *founders);
+        if (!created) return created.error();
+        file = *created;
+        if (const Status named =
+                file->move_to(outputs->experiment, ExperimentFile::Existing::kRefuse);
+            !named)
+            return named.error();
+    }
+    return Course{Evolution(*settings, kinds, *founders), **settings, std::move(file),
+                  *std::move(outputs)};
+}
+
+// Whether there is something left to do in an experiment.
+Status check_unfinished(const std::string& file, const SavedExperiment& saved,
+                        const ExperimentSettings& limits) {
+    if (!saved.latest || stop_reason(saved.latest->history, limits).empty()) return {};
+    return Error{file + ": has come to its end, " + std::to_string(saved.latest->history.size()) +
+                 " generations; --generations N asks for more"};
+}
+
+ExperimentSettings limits_of(const EvolutionRun& run, const SavedExperiment& saved) {
+    ExperimentSettings limits = saved.latest ? *saved.latest->settings : *saved.settings;
+    limits.generations = run.generations.value_or(limits.generations);
+    return limits;
+}
+
+// The experiment to go on in: the one to resume or, if another is to be kept, a copy of it.
+Result<std::string> file_to_resume(const EvolutionRun& run, const EvolutionKinds& kinds) {
+    if (!is_experiment_name(run.out)) return run.resume;
+    const Result<SavedExperiment> saved = load_experiment(run.resume, kinds);
+    if (!saved) return saved.error();
+    if (Status unfinished = check_unfinished(run.resume, *saved, limits_of(run, *saved));
+        !unfinished)
+        return unfinished.error();
+    if (Status copied = copy_experiment(run.resume, run.out); !copied) return copied.error();
+    return run.out;
+}
+
+Result<Course> resumed_course(const EvolutionRun& run, const EvolutionKinds& kinds) {
+    const Result<std::string> file = file_to_resume(run, kinds);
+    if (!file) return file.error();
+    Result<OpenedExperiment> opened = open_experiment(*file, kinds);
+    if (!opened) return opened.error();
+    const SavedExperiment& saved = opened->saved;
+    say_of_simulator(run.resume, saved);
+    ExperimentSettings limits = limits_of(run, saved);
+    if (Status unfinished = check_unfinished(run.resume, saved, limits); !unfinished)
+        return unfinished.error();
+    Result<RunOutputs> outputs =
+        run.out.empty() ? RunOutputs{} : run_outputs(run.out, limits, files_of(run));
+    if (!outputs) return outputs.error();
+    outputs->experiment = *file;
+    return Course{resumed(saved, kinds), std::move(limits), std::move(opened->file),
+                  *std::move(outputs), std::move(opened->saved)};
+}
+
+Result<Course> course_of(const EvolutionRun& run, const EvolutionKinds& kinds) {
+    if (!run.resume.empty()) return resumed_course(run, kinds);
+    if (run.settings_file.empty())
+        return Error{"a settings file to begin with, or --resume FILE, is required"};
+    return new_course(run, kinds);
+}
+
+// What an evolution came to.
+struct Harvest {
+    IndividualPtr champion;       // of the last generation kept; null if there was none
+    SettingsPtr settings;         // that judged it
+    std::string_view stopped_by;  // a stop_reason(), "interruption" or "failure"
+    Status kept;
+    Status told;  // on standard output
+};
+
+// Evaluates, keeps and breeds until the run is over.
+Harvest evolve(Course& course, EvaluationBackend& backend, const std::string& unit, bool json) {
+    Harvest harvest;
+    const Interruption interruption;
+    EvaluationProgress progress;
+    Evolution& evolution = course.evolution;
+    ProgressBar bar(progress, static_cast<std::uint32_t>(course.limits.generations));
+    for (;;) {
+        if (!evolution.evaluate(backend, progress, interruption.token())) {
+            harvest.stopped_by = "interruption";
+            return harvest;
+        }
+        if (course.file) harvest.kept = course.file->record(evolution);
+        if (!harvest.kept) {
+            harvest.stopped_by = "failure";
+            return harvest;
+        }
+        harvest.champion = evolution.population().front();
+        harvest.settings = evolution.shared_settings();
+        harvest.told =
+            bar.finish_generation(generation_line(evolution.history().back(), unit, json));
+        if (!harvest.told) {
+            harvest.stopped_by = "failure";
+            return harvest;
+        }
+        harvest.stopped_by = stop_reason(evolution.history(), course.limits);
+        if (harvest.stopped_by.empty() && interruption.requested())
+            harvest.stopped_by = "interruption";
+        if (!harvest.stopped_by.empty()) return harvest;
+        evolution.breed();
+    }
+}
+
+// The champion's file and the words about it.
+ExitStatus report(const Course& course, const Harvest& harvest, const std::string& unit, bool json,
+                  const EvolutionKinds& kinds) {
+    RunOutputs outputs = course.outputs;
+    if (!outputs.champion.empty()) {
+        CreatureDocument champion = creature_document(*harvest.champion, *harvest.settings, kinds);
+        if (course.before && champion.scored) {
+            champion.scored->simulator = scored_by(*course.before, harvest.champion->born,
+                                                   course.evolution.history().back().generation);
+        }
+        complete_score(champion, kinds);
+        const auto saved = save_champion(outputs.champion, champion, kinds);
+        if (!saved) return fail(saved.error(), ExitStatus::kFailed);
+        outputs.champion = *saved;
+    }
+    if (!harvest.told) return fail(harvest.told.error(), ExitStatus::kFailed);
+    return print_result_line(final_line(course.evolution.history(), unit, *harvest.champion,
+                                        outputs, harvest.stopped_by, json));
+}
+
+void say_how_to_go_on(const Course& course) {
+    if (course.file)
+        say("to go on: cambrian evolve --resume " + course.outputs.experiment.string());
+}
+
+}  // namespace
+
+CommandFiles files_of(const EvolutionRun& run) {
+    CommandFiles files;
+    files.reads(run.settings_file).reads(run.resume).reads_each(run.founders);
+    return is_experiment_name(run.out) ? files.keeps(run.out) : files.writes(run.out);
+}
+
+ExitStatus run_evolution(const EvolutionRun& run, const EvolutionKinds& kinds) {
+    Result<Course> course = course_of(run, kinds);
+    if (!course) return fail(course.error());
+    const auto backend =
+        make_thread_pool_backend(kinds, run.threads.value_or(ThreadPool::default_workers()));
+    const std::string unit = kinds.goals.find(course->limits.goal)->unit;
+    const Harvest harvest = evolve(*course, *backend, unit, run.json);
+    ExitStatus status = ExitStatus::kFailed;
+    if (harvest.champion) {
+        status = report(*course, harvest, unit, run.json, kinds);
+    } else if (harvest.kept) {
+        const bool first = course->evolution.history().empty();
+        say(std::string("interrupted before the ") + (first ? "first" : "next") +
+            " generation was judged");
+    }
+    if (!harvest.kept) status = fail(harvest.kept.error(), ExitStatus::kFailed);
+    if (harvest.stopped_by == "interruption" || harvest.stopped_by == "failure")
+        say_how_to_go_on(*course);
+    return status;
+}
+
+}  // namespace cambrian

@@ -1,0 +1,43 @@
+#include "app/evolve/run_outputs.h"
+
+#include "app/command_line/output_path.h"
+
+#include <system_error>
+
+namespace cambrian {
+namespace {
+
+constexpr int kMostOfOneName = 10'000;
+
+// Of the run of that number into a folder; the first has none in its names.
+RunOutputs named_in(const std::filesystem::path& folder, const std::string& name, int number) {
+    const std::string numbered = number == 1 ? name : name + "-" + std::to_string(number);
+    return {.champion = folder / ("champion-" + numbered + ".creature.json"),
+            .experiment = folder / (numbered + ".cambrian")};
+}
+
+bool is_free(const RunOutputs& outputs) {
+    std::error_code unknown;
+    return !std::filesystem::exists(outputs.champion, unknown) &&
+           !std::filesystem::exists(outputs.experiment, unknown);
+}
+
+}  // namespace
+
+Result<RunOutputs> run_outputs(const std::string& asked, const ExperimentSettings& settings,
+                               const CommandFiles& files) {
+    if (is_experiment_name(asked)) return RunOutputs{.champion = {}, .experiment = asked};
+    const std::string name = settings.goal + "-seed" + std::to_string(settings.seed);
+    const auto place = output_path(asked, "champion-" + name + ".creature.json", files);
+    if (!place) return place.error();
+    if (!asked.empty() && place->string() == asked)
+        return RunOutputs{.champion = *place, .experiment = {}};
+    RunOutputs outputs;
+    int number = 0;
+    do {
+        outputs = named_in(place->parent_path(), name, ++number);
+    } while (!is_free(outputs) && number < kMostOfOneName);
+    return outputs;
+}
+
+}  // namespace cambrian

@@ -1,0 +1,28 @@
+#include "app/evolve/without_window.h"
+
+#include "app/command_line/option_types.h"
+#include "app/evolve/evolution_run.h"
+#include "app/process/messages.h"
+
+#include <CLI/CLI.hpp>
+
+namespace cambrian {
+
+void WithoutWindow::add_options(CLI::App& app) {
+    app.add_option("--if-no-display", settings_,
+                   "Where no window can be opened, evolve these settings instead")
+        ->type_name(option_type::kSettings);
+}
+
+ExitStatus WithoutWindow::run(const Error& reason, const EvolutionKinds& kinds) const {
+    if (settings_.empty()) {
+        say(reason.message + "; `cambrian evolve SETTINGS.toml` works without a window");
+        return ExitStatus::kFailed;
+    }
+    say(reason.message + "; evolving " + settings_ + " without a window");
+    EvolutionRun run;
+    run.settings_file = settings_;
+    return run_evolution(run, kinds);
+}
+
+}  // namespace cambrian

@@ -1,0 +1,47 @@
+#include "app/process/interruption.h"
+
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+
+namespace cambrian {
+namespace {
+
+// The one thing a signal handler may write.
+volatile std::sig_atomic_t interrupted = 0;
+
+constexpr auto kPause = std::chrono::milliseconds(50);
+
+void note_interruption(int /*signal*/) {
+    interrupted = 1;
+}
+
+}  // namespace
+
+Interruption::Interruption() {
+    interrupted = 0;
+    struct sigaction once {};
+    once.sa_handler = note_interruption;
+    once.sa_flags = static_cast<int>(SA_RESETHAND) | SA_RESTART;
+    ::sigaction(SIGINT, &once, &interrupt_before_);
+    ::sigaction(SIGTERM, &once, &terminate_before_);
+    watch_ = std::jthread([this](const std::stop_token& stop) {
+        std::mutex mutex;
+        std::condition_variable_any woken;
+        std::unique_lock lock(mutex);
+        while (!stop.stop_requested() && !requested())
+            woken.wait_for(lock, stop, kPause, [] { return false; });
+        if (requested()) source_.request_stop();
+    });
+}
+
+Interruption::~Interruption() {
+    ::sigaction(SIGINT, &interrupt_before_, nullptr);
+    ::sigaction(SIGTERM, &terminate_before_, nullptr);
+}
+
+bool Interruption::requested() const {
+    return interrupted != 0;
+}
+
+}  // namespace cambrian

@@ -1,0 +1,37 @@
+#include "app/process/progress_bar.h"
+
+#include "app/process/messages.h"
+
+#include <algorithm>
+
+namespace cambrian {
+
+ProgressBar::ProgressBar(const EvaluationProgress& progress, std::uint32_t generations)
+    : progress_(progress), generations_(generations), line_([this] { return text(); }) {}
+
+Status ProgressBar::finish_generation(std::string_view line) {
+    Status printed;
+    line_.interrupt([&] {
+        trials_done_ += progress_.total.load();
+        ++finished_;
+        printed = print_line(line);
+    });
+    return printed;
+}
+
+std::string ProgressBar::text() const {
+    const double total = std::max(1.0, static_cast<double>(progress_.total.load()));
+    const double done = std::min(total, static_cast<double>(progress_.done.load()));
+    const bool complete = finished_ >= generations_;
+    const double share = complete ? 1.0 : (finished_ + done / total) / generations_;
+    const double seconds = line_.seconds();
+    const double trials = static_cast<double>(trials_done_) + done;
+    const std::string line = "generation " + std::to_string(finished_) + " of " +
+                             std::to_string(generations_) + " " + bar_text(share);
+    const std::string left = time_left_text(share, seconds);
+    if (left.empty()) return line;
+    return line + "  " + std::to_string(static_cast<long long>(trials / seconds)) + " creatures/s" +
+           left;
+}
+
+}  // namespace cambrian

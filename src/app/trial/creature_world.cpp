@@ -1,0 +1,13 @@
+#include "app/trial/creature_world.h"
+
+#include "persist/settings_file.h"
+
+namespace cambrian {
+
+Result<ExperimentSettings> world_of(const CreatureDocument& document,
+                                    const std::string& environment, const EvolutionKinds& kinds) {
+    if (!environment.empty()) return load_settings(environment, kinds);
+    return document.scored ? settings_of(*document.scored) : ExperimentSettings{};
+}
+
+}  // namespace cambrian

@@ -1,0 +1,23 @@
+#include "app/trial/score_notice.h"
+
+#include "app/process/messages.h"
+#include "persist/rescoring.h"
+
+namespace cambrian {
+namespace {
+
+void say_other(const std::string& file, const std::optional<std::string>& other) {
+    if (other) say(file + ": " + *other + "; 'cambrian rescore' scores it with this one");
+}
+
+}  // namespace
+
+void say_of_simulator(const std::string& file, const CreatureDocument& document) {
+    if (document.scored) say_other(file, other_simulator(*document.scored));
+}
+
+void say_of_simulator(const std::string& file, const SavedExperiment& saved) {
+    say_other(file, other_simulator(saved));
+}
+
+}  // namespace cambrian

@@ -1,0 +1,102 @@
+#include "app/trial/trial_report.h"
+
+#include "app/process/json_text.h"
+#include "core/text/number_text.h"
+#include "persist/digest_text.h"
+#include "persist/quoted_text.h"
+
+#include <cstdio>
+
+namespace cambrian {
+namespace {
+
+// For people: three significant digits.
+std::string rounded(double number) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.3g", number);
+    return text;
+}
+
+std::string percent_of(double number, double whole) {
+    return whole > 0.0 ? " (" + rounded(100.0 * number / whole) + " %)" : "";
+}
+
+std::string audit_json(const SceneAudit& audit) {
+    return json_object({{"motor_work", real_text(audit.motor_work)},
+                        {"gross_motor_work", real_text(audit.gross_motor_work)},
+                        {"drag_work", real_text(audit.drag_work)},
+                        {"contact_work", real_text(audit.contact_work)},
+                        {"limit_work", real_text(audit.limit_work)},
+                        {"impulse_work", real_text(audit.impulse_work)},
+                        {"positive_work", real_text(audit.positive_work)},
+                        {"energy_residual", real_text(audit.energy_residual)},
+                        {"energy_scale", real_text(audit.energy_scale)},
+                        {"max_penetration", real_text(audit.max_penetration)},
+                        {"max_limit_overrun", real_text(audit.max_limit_overrun)},
+                        {"max_part_speed", real_text(audit.max_part_speed)},
+                        {"max_part_spin", real_text(audit.max_part_spin)},
+                        {"evaluations", std::to_string(audit.evaluations)},
+                        {"steps", std::to_string(audit.steps)},
+                        {"rejections", std::to_string(audit.rejections)},
+                        {"events", std::to_string(audit.events)},
+                        {"fallbacks", std::to_string(audit.fallbacks)}});
+}
+
+std::string audit_text(const SceneAudit& audit) {
+    return "muscles worked " + rounded(audit.gross_motor_work) + " J; unexplained " +
+           rounded(audit.energy_residual) + " J" +
+           percent_of(audit.energy_residual, audit.energy_scale) +
+           ", given by contacts and limits " + rounded(audit.positive_work) + " J" +
+           percent_of(audit.positive_work, audit.energy_scale) + "\ndeepest contact " +
+           rounded(1e3 * audit.max_penetration) + " mm, farthest past a limit " +
+           rounded(audit.max_limit_overrun) + " rad, fastest part " +
+           rounded(audit.max_part_speed) + " m/s, fastest spin " + rounded(audit.max_part_spin) +
+           " rad/s\n" + std::to_string(audit.evaluations) + " evaluations, " +
+           std::to_string(audit.steps) + " steps, " + std::to_string(audit.rejections) +
+           " rejections, " + std::to_string(audit.events) + " impacts, " +
+           std::to_string(audit.fallbacks) + " fallbacks";
+}
+
+}  // namespace
+
+std::string finer_text(const FinerResult& finer, const std::string& unit) {
+    const std::string came_to = finer.outcome == Outcome::kCompleted
+                                    ? short_text(finer.score) + " " + unit
+                                    : std::string(outcome_name(finer.outcome));
+    return came_to + ", " + std::string(verdict_name(finer.verdict));
+}
+
+std::string trial_text(const EvaluationResult& result, const std::string& unit) {
+    std::string text(outcome_name(result.outcome));
+    if (!result.reason.empty()) text += " (" + result.reason + ")";
+    text += ": " + short_text(result.fitness) + " " + unit + "\n" + std::to_string(result.parts) +
+            " parts, " + std::to_string(result.neurons) + " neurons at work, " +
+            short_text(result.body_length) + " m long, " + short_text(result.mass) +
+            " kg\nmotion " + digest_text(result.digest) +
+            "\naudit: " + std::string(verdict_name(result.verdict)) + "; " +
+            audit_text(result.audit);
+    if (result.finer) text += "\ncomputed more finely: " + finer_text(*result.finer, unit);
+    return text;
+}
+
+std::string trial_json(const EvaluationResult& result, const std::string& unit) {
+    const std::string finer =
+        result.finer ? json_object({{"outcome", quoted_text(outcome_name(result.finer->outcome))},
+                                    {"fitness", real_text(result.finer->score)},
+                                    {"verdict", quoted_text(verdict_name(result.finer->verdict))}})
+                     : "null";
+    return json_object({{"outcome", quoted_text(outcome_name(result.outcome))},
+                        {"reason", quoted_text(result.reason)},
+                        {"fitness", real_text(result.fitness)},
+                        {"unit", quoted_text(unit)},
+                        {"body_length", real_text(result.body_length)},
+                        {"mass", real_text(result.mass)},
+                        {"parts", std::to_string(result.parts)},
+                        {"neurons", std::to_string(result.neurons)},
+                        {"trajectory", quoted_text(digest_text(result.digest))},
+                        {"verdict", quoted_text(verdict_name(result.verdict))},
+                        {"audit", audit_json(result.audit)},
+                        {"recomputed", finer}});
+}
+
+}  // namespace cambrian

@@ -1,0 +1,114 @@
+#include "picking/grid/grid_breeding.h"
+
+#include "evolution/generation.h"
+
+#include <string_view>
+#include <utility>
+
+namespace cambrian {
+namespace {
+
+constexpr std::size_t kCandidatesPerCell = 3;
+constexpr std::size_t kAsexualEach = 2;
+constexpr std::uint64_t kFirstImported = std::uint64_t{1} << 32;  // child index; none is bred so
+
+ExperimentSettings with_picking_seed(const ExperimentSettings& settings) {
+    ExperimentSettings changed = settings;
+    changed.seed = picking_seed(settings);
+    return changed;
+}
+
+// Makes the candidates one after the other, each from streams of its own.
+class Breeder {
+public:
+    Breeder(const BroodOrder& order, const ExperimentSettings& settings,
+            const EvolutionKinds& kinds)
+        : order_(order),
+          settings_(with_picking_seed(settings)),
+          kinds_(kinds),
+          next_child_(static_cast<std::uint64_t>(order.round) * kCandidatesPerCell *
+                      static_cast<std::uint64_t>(order.cells)) {}
+
+    IndividualPtr copy(std::size_t parent) {
+        RandomStream stream = breeding_stream();
+        return child(parent, parent, "asexual", stream);
+    }
+    IndividualPtr pair(std::string_view method) {
+        RandomStream stream = breeding_stream();
+        const std::size_t first = stream.below(order_.parents.size());
+        const std::size_t other = stream.below(order_.parents.size() - 1);
+        return child(first, other < first ? other : other + 1, method, stream);
+    }
+    IndividualPtr newcomer() {
+        return make_newcomer(settings_, kinds_, order_.node, next_child_++);
+    }
+
+private:
+    RandomStream breeding_stream() const {
+        return RandomStream(
+            stream_seed(settings_.seed, order_.node, next_child_, Purpose::kPicking));
+    }
+    IndividualPtr child(std::size_t first, std::size_t second, std::string_view method,
+                        RandomStream& stream) {
+        const BreedingKind* kind = kinds_.breeding.find(method);
+        CAMBRIAN_ASSERT(kind != nullptr, "the three ways of breeding are always registered");
+        return make_child(
+            {order_.parents[first], order_.parents[second], *kind, order_.extra_mutations},
+            settings_, kinds_, order_.node, next_child_++, stream);
+    }
+
+    const BroodOrder& order_;
+    ExperimentSettings settings_;
+    const EvolutionKinds& kinds_;
+    std::uint64_t next_child_;
+};
+
+}  // namespace
+
+BroodPlan plan_brood(std::size_t parents, int cells, int newcomer_cells) {
+    const std::size_t all = kCandidatesPerCell * static_cast<std::size_t>(cells);
+    if (parents == 0) return {.newcomers = all};
+    const std::size_t newcomers = kCandidatesPerCell * static_cast<std::size_t>(newcomer_cells);
+    const std::size_t offspring = all - newcomers;
+    if (parents == 1) return {.asexual = offspring, .newcomers = newcomers};
+    const std::size_t paired = offspring - kAsexualEach * parents;
+    return {.asexual = kAsexualEach,
+            .crossover = paired - paired / 2,
+            .grafting = paired / 2,
+            .newcomers = newcomers};
+}
+
+Brood breed_candidates(const BroodOrder& order, const ExperimentSettings& settings,
+                       const EvolutionKinds& kinds) {
+    const BroodPlan plan = plan_brood(order.parents.size(), order.cells, order.newcomer_cells);
+    Breeder breeder(order, settings, kinds);
+    Brood brood;
+    for (std::size_t parent = 0; parent < order.parents.size(); ++parent) {
+        for (std::size_t i = 0; i < plan.asexual; ++i)
+            brood.offspring.push_back(breeder.copy(parent));
+    }
+    for (std::size_t i = 0; i < plan.crossover; ++i)
+        brood.offspring.push_back(breeder.pair("crossover"));
+    for (std::size_t i = 0; i < plan.grafting; ++i)
+        brood.offspring.push_back(breeder.pair("grafting"));
+    for (std::size_t i = 0; i < plan.newcomers; ++i)
+        brood.newcomers.push_back(breeder.newcomer());
+    return brood;
+}
+
+std::uint64_t picking_seed(const ExperimentSettings& settings) {
+    return stream_seed({settings.seed, static_cast<std::uint64_t>(Purpose::kPicking)});
+}
+
+std::vector<IndividualPtr> import_creatures(std::span<const GenomePtr> genomes, std::uint32_t node,
+                                            const ExperimentSettings& settings) {
+    const ExperimentSettings seeded = with_picking_seed(settings);
+    std::vector<IndividualPtr> creatures;
+    for (const GenomePtr& genome : genomes) {
+        creatures.push_back(std::make_shared<const Individual>(
+            make_individual(genome, seeded, node, kFirstImported + creatures.size(), "imported")));
+    }
+    return creatures;
+}
+
+}  // namespace cambrian

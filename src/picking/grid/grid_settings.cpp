@@ -1,0 +1,34 @@
+#include "picking/grid/grid_settings.h"
+
+#include <algorithm>
+#include <string>
+
+namespace cambrian {
+
+Status check_grid(const GridSettings& grid) {
+    if (std::find(kGridSizes.begin(), kGridSizes.end(), grid.cells) == kGridSizes.end()) {
+        return Error{"a grid has 4, 6, 9, 12, 16 or 25 creatures, not " +
+                     std::to_string(grid.cells)};
+    }
+    if (!(grid.fitness_weight >= 0.0 && grid.fitness_weight <= 1.0))
+        return Error{"the weight of fitness in a grid is from 0 to 1"};
+    return {};
+}
+
+int extra_mutations(Boldness boldness) {
+    switch (boldness) {
+        case Boldness::kGentle:
+            return 0;
+        case Boldness::kBold:
+            return 1;
+        case Boldness::kWild:
+            return 3;
+    }
+    return 0;
+}
+
+int newcomer_cells(const GridSettings& grid) {
+    return grid.boldness == Boldness::kWild ? (grid.cells + 3) / 6 : 0;  // rounded
+}
+
+}  // namespace cambrian

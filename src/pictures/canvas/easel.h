@@ -1,0 +1,81 @@
+#pragma once
+
+// One picture in the making: shapes on a background, scenes inside it, words over all. Places are
+// in pixels from the top left, y down.
+
+#include "core/image.h"
+#include "core/result.h"
+#include "pictures/canvas/lettering.h"
+#include "pictures/canvas/palette.h"
+#include "render/framebuffer.h"
+#include "render/renderer.h"
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace cambrian {
+
+struct Area {
+    double x = 0.0;
+    double y = 0.0;
+    double width = 0.0;
+    double height = 0.0;
+
+    double right() const { return x + width; }
+    double bottom() const { return y + height; }
+    // Smaller by so much on every side.
+    Area inset(double by) const { return {x + by, y + by, width - 2.0 * by, height - 2.0 * by}; }
+};
+
+struct Ink {
+    Typeface typeface = Typeface::kRegular;
+    double size = 15.0;  // pixels
+    Color color = {};
+};
+
+enum class Align : unsigned char { kLeft, kMiddle, kRight };
+
+class Easel {
+public:
+    // renderer and lettering must outlive it; needs their current OpenGL context. Fails if the
+    // driver cannot make so large a picture.
+    static Result<Easel> create(Renderer& renderer, const Lettering& lettering, int width,
+                                int height);
+
+    int width() const { return framebuffer_.width(); }
+    int height() const { return framebuffer_.height(); }
+    const Lettering& lettering() const { return *lettering_; }
+
+    // Fills everything with one colour.
+    void clear(const Color& background);
+    void add_box(const Area& area, double radius, const Color& fill);
+    // Over a rectangle of full pixels and over all boxes.
+    void add_scene(SceneFrame frame, const Camera& camera, const Area& area);
+    // Paints over what is outside the rounded corners of a rectangle, but below words.
+    void round_corners(const Area& area, double radius, const Color& around);
+    // y is the base line. Cut off to be at most so wide, if that is over 0.
+    void add_text(double x, double y, std::string_view text, const Ink& ink,
+                  Align align = Align::kLeft, double most = 0.0);
+    Image finish();
+
+private:
+    Easel(Renderer& renderer, const Lettering& lettering, Framebuffer framebuffer)
+        : renderer_(&renderer), lettering_(&lettering), framebuffer_(std::move(framebuffer)) {}
+
+    Renderer* renderer_;
+    const Lettering* lettering_;
+    Framebuffer framebuffer_;
+    SceneFrame boxes_;  // a metre a pixel
+    struct Scene {
+        SceneFrame frame;
+        Camera camera;
+        PixelRect place;
+    };
+    std::vector<Scene> scenes_;
+    std::vector<std::function<void(Image&)>> touches_;  // after all else
+};
+
+}  // namespace cambrian

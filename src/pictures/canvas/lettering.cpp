@@ -1,0 +1,184 @@
+#ifndef __clang_analyzer__  // the library is not ours to analyse
+#define STB_TRUETYPE_IMPLEMENTATION
+#endif
+#define STBTT_STATIC
+#include "pictures/canvas/lettering.h"
+
+#include "core/files/file_io.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <stb/stb_truetype.h>
+#include <vector>
+
+namespace cambrian {
+namespace {
+
+constexpr std::size_t kMaxFontBytes = 32'000'000;
+constexpr std::string_view kEllipsis = "…";
+
+// The code points of UTF-8 text; a byte that is none counts as a question mark.
+std::vector<int> code_points(std::string_view text) {
+    std::vector<int> points;
+    for (std::size_t i = 0; i < text.size();) {
+        const auto lead = static_cast<unsigned char>(text[i]);
+        const std::size_t length = lead < 0x80 ? 1 : lead < 0xE0 ? 2 : lead < 0xF0 ? 3 : 4;
+        const bool broken = (lead >= 0x80 && lead < 0xC0) || i + length > text.size();
+        if (broken) {
+            points.push_back('?');
+            ++i;
+            continue;
+        }
+        int point = length == 1 ? lead : lead & (0x7F >> length);
+        for (std::size_t k = 1; k < length; ++k)
+            point = point << 6 | (static_cast<unsigned char>(text[i + k]) & 0x3F);
+        points.push_back(point);
+        i += length;
+    }
+    return points;
+}
+
+// Where the last complete letter of UTF-8 text begins.
+std::size_t last_letter(std::string_view text) {
+    std::size_t at = text.size() - 1;
+    while (at > 0 && (static_cast<unsigned char>(text[at]) & 0xC0U) == 0x80U)
+        --at;
+    return at;
+}
+
+void blend(std::uint8_t& channel, float color, float share) {
+    const float mixed = static_cast<float>(channel) * (1.0F - share) + 255.0F * color * share;
+    channel = static_cast<std::uint8_t>(std::lround(mixed));
+}
+
+// A letter's coverage of pixels, its upper left corner at x, y of the image.
+struct Stencil {
+    std::vector<unsigned char> coverage;
+    int x = 0;
+    int y = 0;
+    int width = 0;
+    int height = 0;
+};
+
+void stamp(Image& image, const Stencil& stencil, const Color& color) {
+    const int left = std::max(0, -stencil.x);
+    const int right = std::min(stencil.width, image.width - stencil.x);
+    const int top = std::max(0, -stencil.y);
+    const int bottom = std::min(stencil.height, image.height - stencil.y);
+    for (int row = top; row < bottom; ++row) {
+        for (int column = left; column < right; ++column) {
+            const auto inside = static_cast<std::size_t>(row * stencil.width + column);
+            const float share = color.a * static_cast<float>(stencil.coverage[inside]) / 255.0F;
+            std::uint8_t* pixel = image.pixel(stencil.x + column, stencil.y + row);
+            blend(pixel[0], color.r, share);
+            blend(pixel[1], color.g, share);
+            blend(pixel[2], color.b, share);
+        }
+    }
+}
+
+}  // namespace
+
+struct Lettering::Face {
+    std::string bytes;
+    stbtt_fontinfo font{};
+
+    static std::unique_ptr<Face> load(Typeface typeface) {
+        for (const std::filesystem::path& file : installed_files(typeface)) {
+            auto face = std::make_unique<Face>();
+            Result<std::string> bytes = read_file(file, kMaxFontBytes);
+            if (!bytes) continue;
+            face->bytes = std::move(*bytes);
+            const auto* data = reinterpret_cast<const unsigned char*>(face->bytes.data());
+            if (stbtt_InitFont(&face->font, data, stbtt_GetFontOffsetForIndex(data, 0)) != 0)
+                return face;
+        }
+        return nullptr;
+    }
+    float scale(double size) const {
+        return stbtt_ScaleForPixelHeight(&font, static_cast<float>(size));
+    }
+    // Calls visit(letter, x) for each letter, x in pixels from the first; returns where the last
+    // one ends.
+    template <class Visit>
+    float set(std::string_view text, double size, Visit visit) const {
+        const float per_unit = scale(size);
+        float x = 0.0F;
+        int before = 0;
+        for (const int letter : code_points(text)) {
+            if (before != 0)
+                x += per_unit *
+                     static_cast<float>(stbtt_GetCodepointKernAdvance(&font, before, letter));
+            visit(letter, x);
+            int advance = 0;
+            int bearing = 0;
+            stbtt_GetCodepointHMetrics(&font, letter, &advance, &bearing);
+            x += per_unit * static_cast<float>(advance);
+            before = letter;
+        }
+        return x;
+    }
+    // Of a letter whose base line begins at x, y.
+    Stencil stencil(int letter, float per_unit, double x, double y) const {
+        const double left = std::floor(x);
+        const auto shift = static_cast<float>(x - left);
+        Stencil result;
+        int right = 0;
+        int bottom = 0;
+        stbtt_GetCodepointBitmapBoxSubpixel(&font, letter, per_unit, per_unit, shift, 0.0F,
+                                            &result.x, &result.y, &right, &bottom);
+        result.width = right - result.x;
+        result.height = bottom - result.y;
+        result.x += static_cast<int>(left);
+        result.y += static_cast<int>(std::lround(y));
+        result.coverage.resize(static_cast<std::size_t>(result.width * result.height));
+        if (!result.coverage.empty())
+            stbtt_MakeCodepointBitmapSubpixel(&font, result.coverage.data(), result.width,
+                                              result.height, result.width, per_unit, per_unit,
+                                              shift, 0.0F, letter);
+        return result;
+    }
+};
+
+Lettering::Lettering() = default;
+Lettering::~Lettering() = default;
+
+Result<std::unique_ptr<Lettering>> Lettering::load() {
+    std::unique_ptr<Lettering> result(new Lettering);
+    for (const Typeface typeface : {Typeface::kRegular, Typeface::kStrong}) {
+        auto& face = result->faces_[static_cast<std::size_t>(typeface)];
+        face = Face::load(typeface);
+        if (!face)
+            return Error{
+                "no typeface to write with; install Inter or DejaVu (Debian: fonts-inter "
+                "or fonts-dejavu)"};
+    }
+    return result;
+}
+
+double Lettering::width(std::string_view text, Typeface typeface, double size) const {
+    return static_cast<double>(face(typeface).set(text, size, [](int, float) {}));
+}
+
+void Lettering::draw(Image& image, double x, double y, std::string_view text, Typeface typeface,
+                     double size, const Color& color) const {
+    const Face& letters = face(typeface);
+    const float per_unit = letters.scale(size);
+    letters.set(text, size, [&](int letter, float from) {
+        stamp(image, letters.stencil(letter, per_unit, x + static_cast<double>(from), y), color);
+    });
+}
+
+std::string Lettering::fit(std::string_view text, Typeface typeface, double size,
+                           double most) const {
+    if (width(text, typeface, size) <= most) return std::string(text);
+    std::string cut;
+    do {
+        text = text.substr(0, last_letter(text));
+        cut = std::string(text) + std::string(kEllipsis);
+    } while (!text.empty() && width(cut, typeface, size) > most);
+    return cut;
+}
+
+}  // namespace cambrian

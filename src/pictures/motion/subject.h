@@ -1,0 +1,37 @@
+#pragma once
+
+// Whom a picture shows and what is written beside it.
+
+#include "persist/creature_file.h"
+#include "pictures/motion/recorded_motion.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace cambrian {
+
+struct Subject {
+    std::string name;
+    double hue = 0.0;                         // of its lineage, in turns
+    std::string goal;                         // "Walking"
+    std::string fitness;                      // with its unit; empty without one
+    std::optional<std::uint32_t> generation;  // it was born in
+    RecordedTrial trial;
+    Environment environment;
+    double mass = 0.0;  // kg
+    // Whether the trial, run again, moved as it did when it scored the creature; only if the
+    // document tells and this is the trial it tells of.
+    std::optional<bool> verified;
+
+    const RecordedMotion& motion() const { return trial.motion; }
+    const Phenotype& phenotype() const { return *trial.motion.phenotype; }
+};
+
+// Runs the creature's trial under the settings; `title` names one without a name. Fails as
+// record_trial() does.
+Result<Subject> subject_of(const CreatureDocument& document, const ExperimentSettings& settings,
+                           const std::string& title, const EvolutionKinds& kinds,
+                           const TrialWatch& watch = {});
+
+}  // namespace cambrian

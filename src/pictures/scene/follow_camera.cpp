@@ -1,0 +1,31 @@
+#include "pictures/scene/follow_camera.h"
+
+#include <algorithm>
+
+namespace cambrian {
+namespace {
+
+constexpr double kHorizonShare = 0.24;  // of the viewport's height below the ground
+
+}  // namespace
+
+WorldWindow body_window(const Phenotype& phenotype, std::span<const Pose> poses) {
+    WorldWindow window{Vec2::Constant(1e9), Vec2::Constant(-1e9)};
+    for (std::size_t i = 0; i < poses.size(); ++i) {
+        const double reach = phenotype.plan.parts[i].half_extents.head<2>().norm();
+        const Vec2 at = poses[i].position.head<2>();
+        window.low = window.low.cwiseMin(at - Vec2::Constant(reach));
+        window.high = window.high.cwiseMax(at + Vec2::Constant(reach));
+    }
+    return window;
+}
+
+Vec2 follow_center(const Vec2& center_of_mass, bool has_ground, const Camera& camera,
+                   const Viewport& viewport) {
+    if (!has_ground) return center_of_mass;
+    const double height = viewport.height * camera.pixel();
+    const double level = (0.5 - kHorizonShare) * height;
+    return {center_of_mass.x(), std::max(level, center_of_mass.y() - 0.2 * height)};
+}
+
+}  // namespace cambrian

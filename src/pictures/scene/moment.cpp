@@ -1,0 +1,121 @@
+#include "pictures/scene/moment.h"
+
+#include "core/text/pretty_text.h"
+#include "pictures/scene/follow_camera.h"
+#include "pictures/scene/scene_builder.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cambrian {
+namespace {
+
+constexpr std::size_t kFramesALook = 3;  // every so many frames are enough to find a size
+constexpr double kMarkPixels = 70.0;     // least distance of labelled ground marks, at size 13
+constexpr double kTrailDot = 2.2;        // pixels, the radius; at size 13
+
+Vec2 size_of_body(const RecordedMotion& motion, const MotionFrame& frame) {
+    const WorldWindow window = body_window(*motion.phenotype, frame.poses);
+    return window.high - window.low;
+}
+
+SceneFrame scene_of(const Subject& subject, const Moment& moment, const Camera& camera,
+                    const Viewport& viewport, const MomentStyle& style) {
+    const MotionFrame& shown = moment.frame;
+    const CreatureLook look{subject.phenotype(), shown.poses, shown.touched, subject.hue, {}};
+    SceneFrame scene;
+    scene.background = style.palette.sky;
+    add_grid(scene, style.palette, camera, viewport);
+    if (subject.environment.has_ground) {
+        add_ground(scene, style.palette, camera, viewport);
+        add_shadow(scene, look);
+    }
+    scene.add_trail(subject.motion().trail(moment.time, style.trail),
+                    kTrailDot * style.label_size / 13.0 * camera.pixel(),
+                    with_alpha(style.palette.accent, 0.8F));
+    add_creature(scene, style.palette, camera, look);
+    return scene;
+}
+
+// How far along the ground each mark is.
+void add_ground_labels(Easel& easel, const Area& area, const Camera& camera,
+                       const Viewport& viewport, const MomentStyle& style) {
+    const WorldWindow window = camera.window(viewport);
+    const double spacing = mark_spacing(camera, kMarkPixels * style.label_size / 13.0);
+    const Ink ink{Typeface::kRegular, style.label_size, style.palette.muted};
+    for (double i = std::ceil(window.low.x() / spacing); i * spacing < window.high.x(); i += 1.0) {
+        const std::string label = with_unit(i * spacing, "m");
+        const Vec2 at = camera.to_screen({i * spacing, 0.0}, viewport);
+        const double half = 0.5 * easel.lettering().width(label, ink.typeface, ink.size) + 4.0;
+        const double base = at.y() + 1.75 * style.label_size;
+        const bool inside = at.x() > half && at.x() < viewport.width - half &&
+                            base < viewport.height - 0.3 * style.label_size;
+        if (inside) easel.add_text(area.x + at.x(), area.y + base, label, ink, Align::kMiddle);
+    }
+}
+
+std::string counted(std::size_t count, const char* what) {
+    return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+}
+
+}  // namespace
+
+double scale_to_fit(const RecordedMotion& motion, const Area& area, double share) {
+    Vec2 most = Vec2::Constant(0.01);
+    for (std::size_t i = 0; i < motion.frames.size(); i += kFramesALook)
+        most = most.cwiseMax(size_of_body(motion, motion.frames[i]));
+    Camera camera;
+    camera.fit({Vec2::Zero(), most}, share, {area.width, area.height});
+    return camera.pixels_per_metre;
+}
+
+std::vector<double> even_times(const RecordedMotion& motion, int count) {
+    if (count == 1) return {0.5 * motion.length()};
+    std::vector<double> times;
+    for (int i = 0; i < count; ++i)
+        times.push_back(motion.length() * i / (count - 1));
+    return times;
+}
+
+double telling_time(const RecordedMotion& motion) {
+    const std::size_t count = motion.frames.size();
+    std::size_t best = count / 2;
+    for (std::size_t i = count / 4; i < count - count / 4; ++i) {
+        if (size_of_body(motion, motion.frames[i]).prod() >
+            size_of_body(motion, motion.frames[best]).prod())
+            best = i;
+    }
+    return static_cast<double>(best * motion.stride) * kBrainTick;
+}
+
+// Times of kept frames: what a picture shows was so to the tick.
+Moment moment_of(const RecordedMotion& motion, double time) {
+    if (motion.stride > 1) {
+        const double step = static_cast<double>(motion.stride) * kBrainTick;
+        const double last = static_cast<double>(motion.frames.size() - 1);
+        time = std::min(std::floor(std::max(0.0, time) / step), last) * step;
+    }
+    return {time, motion.at(time)};
+}
+
+void add_moment(Easel& easel, const Area& area, const Subject& subject, const Moment& moment,
+                const MomentStyle& style) {
+    const Viewport viewport{area.width, area.height};
+    Camera camera;
+    camera.pixels_per_metre = style.pixels_per_metre;
+    const bool ground = subject.environment.has_ground;
+    const Vec3 center = moment.frame.center_of_mass;
+    camera.center = follow_center(center.head<2>(), ground, camera, viewport);
+    easel.add_scene(scene_of(subject, moment, camera, viewport, style), camera, area);
+    if (ground) add_ground_labels(easel, area, camera, viewport, style);
+}
+
+std::string facts_line(const Subject& subject) {
+    const Phenotype& phenotype = subject.phenotype();
+    return counted(phenotype.parts.size(), "part") + "  ·  " +
+           counted(phenotype.effector_parts.size(), "moving joint") + "  ·  " +
+           counted(phenotype.network.order.size(), "neuron") + "  ·  " +
+           measured(subject.mass, "kg");
+}
+
+}  // namespace cambrian

@@ -1,0 +1,192 @@
+#include "pictures/scene/scene_builder.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace cambrian {
+namespace {
+
+constexpr double kGridPixels = 22.0;  // least distance of grid lines
+constexpr double kNodeHueStep = 0.055;
+constexpr double kPivotRadius = 0.028;  // m, at most
+
+Vec2 planar(const Vec3& point) {
+    return point.head<2>();
+}
+
+Shape part_shape(const PlannedPart& part, const Pose& pose, const Color& color, double pixel) {
+    const Vec2 half = planar(part.half_extents);
+    Shape shape;
+    shape.center = planar(pose.position);
+    shape.half_extents = half;
+    shape.angle = planar_angle(pose);
+    shape.radius = 0.45 * std::min(half.x(), half.y());
+    shape.outline_width = std::max(1.5 * pixel, 0.008);
+    shape.fill = color;
+    shape.outline = mix(color, color_of(0x000000), 0.38F);
+    return shape;
+}
+
+// Ends of a face in the part's frame.
+std::array<Vec2, 2> face_ends(const Vec2& half, Face face, double inset) {
+    const double x = half.x();
+    const double y = half.y();
+    switch (face) {
+        case Face::kDistal:
+            return {Vec2(x, -y + inset), Vec2(x, y - inset)};
+        case Face::kLeft:
+            return {Vec2(-x + inset, y), Vec2(x - inset, y)};
+        case Face::kProximal:
+            return {Vec2(-x, -y + inset), Vec2(-x, y - inset)};
+        case Face::kRight:
+            break;
+    }
+    return {Vec2(-x + inset, -y), Vec2(x - inset, -y)};
+}
+
+void add_touched_faces(SceneFrame& frame, const CreatureLook& look, std::size_t index,
+                       const Color& color, double pixel) {
+    const Pose& pose = look.poses[index];
+    const Vec2 half = planar(look.phenotype.plan.parts[index].half_extents);
+    const double width = std::max(3.0 * pixel, 0.012);
+    const double inset = 0.45 * std::min(half.x(), half.y());
+    for (const Face face : {Face::kDistal, Face::kLeft, Face::kProximal, Face::kRight}) {
+        if ((look.touched[index] & face_bit(face)) == 0) continue;
+        const auto ends = face_ends(half, face, inset);
+        frame.add_line(planar(transform(pose, {ends[0].x(), ends[0].y(), 0.0})),
+                       planar(transform(pose, {ends[1].x(), ends[1].y(), 0.0})), width, color);
+    }
+}
+
+void add_pivots(SceneFrame& frame, const CreatureLook& look, double pixel) {
+    for (const std::uint16_t index : look.phenotype.effector_parts) {
+        const PlannedPart& part = look.phenotype.plan.parts[index];
+        const double narrow = std::min(part.half_extents.x(), part.half_extents.y());
+        const double radius = std::max(2.0 * pixel, std::min(kPivotRadius, 0.4 * narrow));
+        const Vec2 at = planar(transform(look.poses[index], part.anchor_in_child));
+        frame.add_circle(at, radius, color_of(0x0B0E12, 0.75F));
+        frame.add_circle(at, 0.45 * radius, color_of(0xF2F4F7, 0.85F));
+    }
+}
+
+void add_vertical(SceneFrame& frame, double x, const WorldWindow& window, double pixel,
+                  const Color& color) {
+    frame.add_box({x, 0.5 * (window.low.y() + window.high.y())},
+                  {0.5 * pixel, 0.5 * (window.high.y() - window.low.y())}, color);
+}
+
+void add_horizontal(SceneFrame& frame, double y, const WorldWindow& window, double pixel,
+                    const Color& color) {
+    frame.add_box({0.5 * (window.low.x() + window.high.x()), y},
+                  {0.5 * (window.high.x() - window.low.x()), 0.5 * pixel}, color);
+}
+
+}  // namespace
+
+double mark_spacing(const Camera& camera, double least_pixels) {
+    const double least = least_pixels / camera.pixels_per_metre;
+    const double decade = std::pow(10.0, std::floor(std::log10(least)));
+    for (const double step : {1.0, 2.0, 5.0}) {
+        if (step * decade >= least) return step * decade;
+    }
+    return 10.0 * decade;
+}
+
+Color part_color(const BodyPart& part, double hue) {
+    const double lightness = std::min(0.80, 0.66 + 0.03 * part.depth);
+    const double turned = hue + kNodeHueStep * part.node;
+    return color_of_hue(turned, part.handedness < 0 ? lightness - 0.04 : lightness, 0.105);
+}
+
+void add_grid(SceneFrame& frame, const Palette& palette, const Camera& camera,
+              const Viewport& viewport) {
+    const WorldWindow window = camera.window(viewport);
+    const double spacing = mark_spacing(camera, kGridPixels);
+    // Opaque, which is painted much faster; so coarse lines come after the fine ones they cross.
+    for (const bool coarse : {false, true}) {
+        const Color color = mix(frame.background, palette.faint, coarse ? 0.26F : 0.10F);
+        const auto wanted = [coarse](double index) {
+            return (std::fmod(std::fabs(index), 5.0) < 0.5) == coarse;
+        };
+        for (double i = std::ceil(window.low.x() / spacing); i * spacing < window.high.x(); i += 1)
+            if (wanted(i)) add_vertical(frame, i * spacing, window, camera.pixel(), color);
+        for (double i = std::ceil(window.low.y() / spacing); i * spacing < window.high.y(); i += 1)
+            if (wanted(i)) add_horizontal(frame, i * spacing, window, camera.pixel(), color);
+    }
+}
+
+void add_ground(SceneFrame& frame, const Palette& palette, const Camera& camera,
+                const Viewport& viewport) {
+    const WorldWindow window = camera.window(viewport);
+    if (window.low.y() > 0.0) return;
+    const Vec2 low = window.low - Vec2::Constant(2.0 * camera.pixel());
+    const double width = window.high.x() - low.x() + 4.0 * camera.pixel();
+    const double middle = low.x() + 0.5 * width;
+    frame.add_box({middle, 0.5 * low.y()}, {0.5 * width, -0.5 * low.y()}, palette.ground);
+    frame.add_box({middle, -camera.pixel()}, {0.5 * width, camera.pixel()}, palette.ground_line);
+    const double spacing = mark_spacing(camera, kTickPixels);
+    const double length = 7.0 * camera.pixel();
+    for (double i = std::ceil(low.x() / spacing); i * spacing < window.high.x(); i += 1.0) {
+        frame.add_box({i * spacing, -0.5 * length}, {0.5 * camera.pixel(), 0.5 * length},
+                      palette.ground_line);
+    }
+}
+
+void add_shadow(SceneFrame& frame, const CreatureLook& look) {
+    for (std::size_t i = 0; i < look.poses.size(); ++i) {
+        const Vec2 half = planar(look.phenotype.plan.parts[i].half_extents);
+        const double angle = planar_angle(look.poses[i]);
+        const double reach =
+            std::fabs(std::cos(angle)) * half.x() + std::fabs(std::sin(angle)) * half.y();
+        const double height = std::max(0.0, look.poses[i].position.y());
+        Shape shadow;
+        shadow.center = {look.poses[i].position.x(), -0.03};
+        shadow.half_extents = {reach, 0.02};
+        shadow.radius = 0.02;
+        shadow.blur = 0.03 + 0.05 * height;
+        shadow.fill = color_of(0x000000, static_cast<float>(0.35 / (1.0 + 2.0 * height)));
+        frame.shapes.push_back(shadow);
+    }
+}
+
+void add_ghost(SceneFrame& frame, const Camera& camera, const CreatureLook& look) {
+    for (std::size_t i = look.poses.size(); i-- > 0;) {
+        Shape shape = part_shape(look.phenotype.plan.parts[i], look.poses[i],
+                                 part_color(look.phenotype.parts[i], look.hue), camera.pixel());
+        shape.outline = with_alpha(shape.fill, 0.55F);
+        shape.fill = with_alpha(shape.fill, 0.2F);
+        frame.shapes.push_back(shape);
+    }
+}
+
+void add_creature(SceneFrame& frame, const Palette& palette, const Camera& camera,
+                  const CreatureLook& look) {
+    const double pixel = camera.pixel();
+    for (std::size_t i = look.poses.size(); i-- > 0;) {
+        Shape shape = part_shape(look.phenotype.plan.parts[i], look.poses[i],
+                                 part_color(look.phenotype.parts[i], look.hue), pixel);
+        if (look.highlight.covers(i, look.phenotype.parts[i])) {
+            shape.fill = mix(shape.fill, color_of(0xFFFFFF), 0.15F);
+            shape.outline = color_of(0xFFFFFF);
+            shape.outline_width = std::max(2.0 * pixel, 0.010);
+        }
+        frame.shapes.push_back(shape);
+        if (!look.touched.empty()) add_touched_faces(frame, look, i, palette.plot_best, pixel);
+    }
+    add_pivots(frame, look, pixel);
+}
+
+int part_at(const Phenotype& phenotype, std::span<const Pose> poses, const Vec2& point) {
+    for (std::size_t i = 0; i < poses.size(); ++i) {
+        const Vec3 offset = Vec3(point.x(), point.y(), 0.0) - poses[i].position;
+        const Vec3 inside = poses[i].orientation.conjugate() * offset;
+        const Vec3& half = phenotype.plan.parts[i].half_extents;
+        if (std::fabs(inside.x()) <= half.x() && std::fabs(inside.y()) <= half.y()) {
+            return static_cast<int>(i);
+        }
+    }
+    return -1;
+}
+
+}  // namespace cambrian
