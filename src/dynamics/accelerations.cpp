@@ -1,5 +1,6 @@
 #include "dynamics/accelerations.h"
 
+#include "dynamics/dense_evaluation.h"
 #include "dynamics/drag.h"
 #include "dynamics/loop_closure.h"
 #include "dynamics/motors.h"
@@ -78,8 +79,13 @@ void compute_loads(const PlanarModel& model, const Forcing& forcing, double tick
     add_held_forces(model, forcing, frame.kinematics, loads);
 }
 
-void evaluate_accelerations(const PlanarModel& model, const Forcing& forcing, const Motion& motion,
-                            const EvaluationPoint& point, Frame& frame, MotionRate& rate) {
+namespace {
+
+// A function of its own, so that the choice between the two costs little.
+[[gnu::noinline]] void evaluate_tree(const PlanarModel& model, const Forcing& forcing,
+                                     const Motion& motion, const EvaluationPoint& point,
+                                     Frame& frame, MotionRate& rate) {
+    frame.is_factored = true;
     const bool all = point.detail == FrameDetail::kEverything;
     compute_joints(model, motion, frame.kinematics);
     if (all || forcing.pulled || is_dragged(forcing.medium))
@@ -92,6 +98,25 @@ void evaluate_accelerations(const PlanarModel& model, const Forcing& forcing, co
     const int count = coordinate_count(model);
     for (int c = 0; c < count; c += kLanes)
         store_lanes(rate.acceleration + c, load_lanes(frame.response.coordinate + c));
+}
+
+}  // namespace
+
+void evaluate_accelerations(const PlanarModel& model, const Forcing& forcing, const Motion& motion,
+                            const EvaluationPoint& point, Frame& frame, MotionRate& rate) {
+    if (is_dense(model, forcing)) {
+        evaluate_dense(model, forcing, motion, point, frame, rate);
+    } else {
+        evaluate_tree(model, forcing, motion, point, frame, rate);
+    }
+}
+
+void complete_frame(const PlanarModel& model, Frame& frame) {
+    if (frame.is_factored) return;
+    frame.is_factored = true;
+    compute_joint_geometry(model, frame.kinematics);
+    factorize(model, frame.kinematics, frame.factors);
+    follow_coordinates(model, frame.kinematics, frame.response);
 }
 
 }  // namespace cambrian

@@ -14,10 +14,13 @@ struct Frame {
     Factors factors;
     BodyResponse response;  // accelerations, loops closed
     PerBody motor_effort;   // N m or N
+    // Whether factors, the geometry of the joints and the accelerations of the bodies' centres are
+    // there; else complete_frame brings them.
+    bool is_factored;
 };
 
 // What of the kinematics is to be left in the frame: what this forcing needs for the accelerations,
-// or all of it.
+// or all of it. The frame may lack its factors either way.
 enum class FrameDetail : std::uint8_t { kAccelerations, kEverything };
 
 struct EvaluationPoint {
@@ -27,6 +30,9 @@ struct EvaluationPoint {
 
 void evaluate_accelerations(const PlanarModel& model, const Forcing& forcing, const Motion& motion,
                             const EvaluationPoint& point, Frame& frame, MotionRate& rate);
+
+// What a frame evaluated with everything may lack: its factors.
+void complete_frame(const PlanarModel& model, Frame& frame);
 
 // All explicit forces and efforts into the frame, with their powers into rate; the frame's
 // kinematics are given.

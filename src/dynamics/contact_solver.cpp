@@ -74,8 +74,9 @@ bool ContactSolver::covers(const Contact& contact) const {
 // Touching contacts, and slow ones that could touch within the step; fast ones are left to the
 // search for the time of impact.
 bool ContactSolver::choose(const PlanarModel& model, const ContactLaw& law, const Motion& motion,
-                           const Frame& frame, double h) {
+                           Frame& frame, double h) {
     chosen_.count = 0;
+    if (near_.count > 0) complete_frame(model, frame);
     for (int c = 0; c < near_.count; ++c) {
         const Contact& contact = near_.items[c];
         if (contact.gap < kContactBand || may_touch(contact, frame.response, h))
@@ -83,6 +84,7 @@ bool ContactSolver::choose(const PlanarModel& model, const ContactLaw& law, cons
     }
     choose_limits(model, frame, h);
     if (chosen_.count == 0 && limits_.count == 0) return false;
+    complete_frame(model, frame);
     build_rows(model, motion, frame, {chosen_, limits_, law.friction > 0.0}, rows_);
     return true;
 }

@@ -53,8 +53,8 @@ public:
                         const Frame& frame, Motion& motion);
 
     // Chooses the rows of a step of length h from what is near. False if there are none.
-    bool choose(const PlanarModel& model, const ContactLaw& law, const Motion& motion,
-                const Frame& frame, double h);
+    bool choose(const PlanarModel& model, const ContactLaw& law, const Motion& motion, Frame& frame,
+                double h);
     // Contacts of the last choose() or strike().
     const ContactSet& chosen() const { return chosen_; }
     bool covers(const Contact& contact) const;  // whether one of its pair was chosen

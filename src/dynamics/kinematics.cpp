@@ -130,6 +130,11 @@ void compute_joints(const PlanarModel& model, const Motion& motion, Kinematics& 
     }
 }
 
+void compute_joint_geometry(const PlanarModel& model, Kinematics& k) {
+    for (int first = 0; first < model.body_count; first += kLanes)
+        turn_joints(model, k, first);
+}
+
 // Pivots: v_i = v_p + w_p z, and + s' axis at linear joints; centres: + w_i s.
 void compute_velocities(const PlanarModel& model, const Motion& motion, Kinematics& k) {
     PerBody lever_x;
@@ -179,13 +184,15 @@ double limit_overrun(const PlanarModel& model, const Kinematics& k) {
 }
 
 double kinetic_energy(const PlanarModel& model, const Kinematics& k) {
-    double energy = 0.0;
-    for (int i = 0; i < model.body_count; ++i) {
-        energy += model.mass[i] *
-                      (k.velocity_x[i] * k.velocity_x[i] + k.velocity_y[i] * k.velocity_y[i]) +
-                  model.inertia[i] * k.spin[i] * k.spin[i];
+    Lanes energy = {};
+    for (int i = 0; i < model.body_count; i += kLanes) {
+        const Lanes velocity_x = load_lanes(k.velocity_x + i);
+        const Lanes velocity_y = load_lanes(k.velocity_y + i);
+        const Lanes spin = load_lanes(k.spin + i);
+        energy += load_lanes(model.mass + i) * (velocity_x * velocity_x + velocity_y * velocity_y) +
+                  load_lanes(model.inertia + i) * (spin * spin);
     }
-    return 0.5 * energy;
+    return 0.5 * sum_of(energy);
 }
 
 }  // namespace cambrian

@@ -27,6 +27,8 @@ void compute_kinematics(const PlanarModel& model, const Motion& motion, Kinemati
 
 // Its parts: angles, spins and joints, which the others need; velocities; places.
 void compute_joints(const PlanarModel& model, const Motion& motion, Kinematics& kinematics);
+// The geometry of the joints (s, z, gamma) from angles and spins; rotary joints only.
+void compute_joint_geometry(const PlanarModel& model, Kinematics& kinematics);
 void compute_velocities(const PlanarModel& model, const Motion& motion, Kinematics& kinematics);
 void compute_places(const PlanarModel& model, const Motion& motion, Kinematics& kinematics);
 

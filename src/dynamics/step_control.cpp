@@ -29,6 +29,7 @@ constexpr int kMaxImpacts = 8;              // a tick; later ones count as slow 
 constexpr double kSafety = 0.9;
 constexpr double kShrinkMost = 0.2;
 constexpr double kGrowMost = 3.0;
+constexpr double kCalmError = 0.5;    // of the allowed one; shortens no step, whatever the order
 constexpr double kTinyError = 1e-3;   // of the allowed one; grows the step most, whatever the order
 constexpr double kMaxDistance = 1e6;  // m; also rad, where sine_cosine_reduced ends
 constexpr double kMaxSpeed = 1e4;     // m/s and rad/s
@@ -50,7 +51,8 @@ void StepControl::advance(const PlanarModel& model, const ContactLaw& law, Forci
     moment.evaluation_debt = std::max(0.0, moment.evaluation_debt - max_evaluations_ * duration);
     Tick tick{model, law, forcing, moment, duration};
     tick.collected = moment.frame_is_current && moment.collection == collection_;
-    const Motion start = moment.motion;
+    Motion start;
+    copy_motion(model, moment.motion, start);
     const SceneAudit books = moment.audit;
     while (tick.length - tick.time > kSliver) {
         moment.status = step(tick);
@@ -58,9 +60,12 @@ void StepControl::advance(const PlanarModel& model, const ContactLaw& law, Forci
     }
     tick.time = tick.length;
     make_current(tick);
+    moment.status = status_of(tick);
+    if (moment.status != SceneStatus::kRunning) return take_back(tick, start, books);
     moment.collection = tick.collected ? ++collection_ : 0;
     moment.time += duration;
     remember_contacts(tick);
+    note_speeds(model, moment.frame().kinematics, moment.audit);
     close_books(model, forcing.medium, moment);
 }
 
@@ -68,7 +73,7 @@ void StepControl::advance(const PlanarModel& model, const ContactLaw& law, Forci
 void StepControl::take_back(Tick& tick, const Motion& start, const SceneAudit& books) {
     SceneMoment& moment = tick.moment;
     const SceneAudit spent = std::exchange(moment.audit, books);
-    moment.motion = start;
+    copy_motion(tick.model, start, moment.motion);
     moment.frame_is_current = false;
     tick.time = 0.0;
     make_current(tick);
@@ -86,7 +91,7 @@ SceneStatus StepControl::step(Tick& tick) {
     if (!tick.collected) contacts_.collect(tick.model, tick.law, tick.moment.frame().kinematics);
     if (tick.impacts < kMaxImpacts && contacts_.has_impact()) {
         strike(tick, tick.law.elasticity);
-        return status_of(tick);
+        return SceneStatus::kRunning;
     }
     bool has_rows = false;
     double h = choose_length(tick, has_rows);
@@ -96,7 +101,7 @@ SceneStatus StepControl::step(Tick& tick) {
         case Attempt::kOverBudget:
             return SceneStatus::kOverBudget;
         case Attempt::kCollapsed:
-            return status_of(tick);
+            return SceneStatus::kRunning;
         case Attempt::kAccepted:
             break;
     }
@@ -113,7 +118,7 @@ SceneStatus StepControl::step(Tick& tick) {
     } else {
         accept(tick, has_rows, h);
     }
-    return status_of(tick);
+    return SceneStatus::kRunning;
 }
 
 // Contact-free accelerations at the moment, unless the last step left them.
@@ -136,6 +141,7 @@ void StepControl::count_evaluations(Tick& tick, int evaluations) {
 
 void StepControl::strike(Tick& tick, double elasticity) {
     SceneMoment& moment = tick.moment;
+    complete_frame(tick.model, moment.frame());
     const ImpactResult impact =
         contacts_.strike(tick.model, tick.law, elasticity, moment.frame(), moment.motion);
     moment.audit.impulse_work += impact.work;
@@ -156,7 +162,7 @@ void StepControl::strike(Tick& tick, double elasticity) {
 
 // What is left of the tick is split evenly rather than leaving a sliver.
 double StepControl::choose_length(Tick& tick, bool& has_rows) {
-    const SceneMoment& moment = tick.moment;
+    SceneMoment& moment = tick.moment;
     double h = std::min(moment.proposed_step, integrator_->max_step);
     has_rows = contacts_.choose(tick.model, tick.law, moment.motion, moment.frame(), h);
     if (has_rows) h = std::min(h, contact_step_);
@@ -181,9 +187,9 @@ StepControl::Attempt StepControl::attempt(Tick& tick, bool has_rows, double& h) 
                              moment.spare_frame(), result_);
         count_evaluations(tick, result_.evaluations);
         if (moment.evaluation_debt > kBudgetTime * max_evaluations_) return Attempt::kOverBudget;
-        const double factor = step_factor(result_.error, integrator_->error_order);
         if (!(result_.error <= 1.0)) {
             ++moment.audit.rejections;
+            const double factor = step_factor(result_.error, integrator_->error_order);
             h *= std::min(factor, 0.9);
             moment.proposed_step = h;
             if (h < kMinStep) {
@@ -200,11 +206,21 @@ StepControl::Attempt StepControl::attempt(Tick& tick, bool has_rows, double& h) 
             h *= 0.5;
             continue;
         }
-        const bool truncated = h < moment.proposed_step;
-        moment.proposed_step = truncated ? std::max(moment.proposed_step, h * factor) : h * factor;
-        moment.proposed_step = std::min(moment.proposed_step, integrator_->max_step);
+        propose_length(h, moment.proposed_step);
         return Attempt::kAccepted;
     }
+}
+
+// The next step's length after an accepted one, which may have been cut short.
+void StepControl::propose_length(double h, double& proposed) const {
+    const double longest = integrator_->max_step;
+    const bool truncated = h < proposed;
+    if (result_.error <= kCalmError && (truncated ? proposed : h) >= longest) {
+        proposed = longest;
+        return;
+    }
+    const double grown = h * step_factor(result_.error, integrator_->error_order);
+    proposed = std::min(truncated ? std::max(proposed, grown) : grown, longest);
 }
 
 const MotionRate& StepControl::free_start_rate(Tick& tick) {
@@ -276,6 +292,7 @@ void StepControl::accept_part(Tick& tick, double h, double share) {
 void StepControl::release_forces(Tick& tick, bool has_rows) {
     if (!has_rows) return;
     SceneMoment& moment = tick.moment;
+    complete_frame(tick.model, moment.frame());
     BodyResponse response;
     respond_to_held(tick, response);
     for (int c = 0; c < coordinate_count(tick.model); ++c) {
@@ -296,7 +313,6 @@ void StepControl::keep_books(Tick& tick) {
     audit.limit_work += work_.limit;
     audit.positive_work += work_.positive;
     ++audit.steps;
-    note_speeds(tick.model, moment.spare_frame().kinematics, audit);
     note_depths(contacts_.near(), end_overrun_, audit);
     const ContactSet& chosen = contacts_.chosen();
     for (int c = 0; c < chosen.count; ++c) {
@@ -323,11 +339,13 @@ void StepControl::remember_contacts(Tick& tick) {
 
 SceneStatus StepControl::status_of(const Tick& tick) {
     const Motion& motion = tick.moment.motion;
-    for (int c = 0; c < coordinate_count(tick.model); ++c) {
-        if (!(std::fabs(motion.position[c]) <= kMaxDistance)) return SceneStatus::kInvalid;
-        if (!(std::fabs(motion.speed[c]) <= kMaxSpeed)) return SceneStatus::kInvalid;
+    LaneBits sound = Lanes{} <= Lanes{};
+    for (int c = 0; c < coordinate_slots(tick.model); c += kLanes) {
+        sound &= magnitude(load_lanes(motion.position + c)) <= all_lanes(kMaxDistance);
+        sound &= magnitude(load_lanes(motion.speed + c)) <= all_lanes(kMaxSpeed);
     }
-    return SceneStatus::kRunning;
+    const bool is_sound = (sound[0] & sound[1] & sound[2] & sound[3]) != 0;
+    return is_sound ? SceneStatus::kRunning : SceneStatus::kInvalid;
 }
 
 }  // namespace cambrian

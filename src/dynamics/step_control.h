@@ -76,6 +76,7 @@ private:
     void strike(Tick& tick, double elasticity);
     double choose_length(Tick& tick, bool& has_rows);
     Attempt attempt(Tick& tick, bool has_rows, double& h);
+    void propose_length(double h, double& proposed) const;
     static const MotionRate& free_start_rate(Tick& tick);
     const MotionRate& held_start_rate(Tick& tick);
     static void respond_to_held(const Tick& tick, BodyResponse& response);

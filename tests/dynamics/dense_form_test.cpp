@@ -1,0 +1,127 @@
+#include "dynamics/dense_form.h"
+
+#include "dynamics/accelerations.h"
+#include "dynamics/bodies.h"
+#include "dynamics/dense_evaluation.h"
+#include "dynamics/model_building.h"
+#include "support/catch.h"
+
+#include <cmath>
+
+using namespace cambrian;
+
+namespace {
+
+struct Evaluation {
+    Frame frame = {};
+    MotionRate rate = {};
+};
+
+Evaluation evaluated(const PlanarModel& model, const Forcing& forcing, const Motion& motion) {
+    Evaluation evaluation;
+    evaluate_accelerations(model, forcing, motion, {0.3, FrameDetail::kEverything},
+                           evaluation.frame, evaluation.rate);
+    complete_frame(model, evaluation.frame);
+    return evaluation;
+}
+
+// Of the values, relative to the largest of them.
+double difference(const double* first, const double* second, int count) {
+    double scale = 1.0;
+    double widest = 0.0;
+    for (int i = 0; i < count; ++i) {
+        scale = std::fmax(scale, std::fabs(second[i]));
+        widest = std::fmax(widest, std::fabs(first[i] - second[i]));
+    }
+    return widest / scale;
+}
+
+// A creature of up to kMaxDenseBodies bodies, every fourth box welded on if asked for.
+PlanarModel creature(RandomStream& random, bool welds) {
+    BodyPlan plan = random_tree(random, random.between(1, kMaxDenseBodies), 0.0, 20.0, 0.0);
+    for (std::size_t part = 3; welds && part < plan.parts.size(); part += 4)
+        plan.parts[part].joint_kind = kRigidJoint;
+    const auto model = build_planar_model(plan, 1.3);
+    REQUIRE(model);
+    return *model;
+}
+
+Motion random_motion(RandomStream& random, const PlanarModel& model) {
+    Motion motion = rest_motion(model);
+    for (int c = 0; c < coordinate_count(model); ++c) {
+        motion.position[c] += 0.5 * random.gauss();
+        motion.speed[c] = 3.0 * random.gauss();
+    }
+    return motion;
+}
+
+Forcing random_forcing(RandomStream& random, const PlanarModel& model) {
+    Forcing forcing;
+    forcing.medium = {1.0, -9.81, 0.5, 2.0};
+    if (random.chance(0.5)) forcing.medium = {0.0, -9.81, 0.0, 0.0};
+    forcing.drive.frequency = 25.0;
+    forcing.drive.speed_limit = 6.0;
+    forcing.limits_active = random.chance(0.5);
+    for (int i = 1; i < model.body_count; ++i) {
+        forcing.drive.start[i] = random.gauss();
+        forcing.drive.end[i] = random.gauss();
+        if (forcing.limits_active) forcing.limit_effort[i] = random.gauss();
+    }
+    return forcing;
+}
+
+}  // namespace
+
+TEST_CASE("the dense form gives what the elimination gives", "[dynamics][dense]") {
+    RandomStream random(stream_seed({61}));
+    for (int round = 0; round < 400; ++round) {
+        INFO(round);
+        const PlanarModel model = creature(random, round % 2 == 1);
+        const Motion motion = random_motion(random, model);
+        const Forcing forcing = random_forcing(random, model);
+        REQUIRE(is_dense(model, forcing));
+        PlanarModel tree_model = model;
+        tree_model.dense.blocks = 0;
+        const Evaluation dense = evaluated(model, forcing, motion);
+        const Evaluation tree = evaluated(tree_model, forcing, motion);
+        const int bodies = model.body_count;
+        const int coordinates = coordinate_count(model);
+        constexpr double kClose = 1e-12;
+        CHECK(difference(dense.rate.acceleration, tree.rate.acceleration, coordinates) < kClose);
+        CHECK(difference(dense.rate.power, tree.rate.power, kWorkCount) < kClose);
+        CHECK(difference(dense.frame.response.coordinate, tree.frame.response.coordinate,
+                         coordinates) < kClose);
+        const auto same = [&](const PerBody& first, const PerBody& second) {
+            return difference(first, second, bodies) < kClose;
+        };
+        CHECK(same(dense.frame.response.x, tree.frame.response.x));
+        CHECK(same(dense.frame.response.y, tree.frame.response.y));
+        CHECK(same(dense.frame.response.spin, tree.frame.response.spin));
+        CHECK(same(dense.frame.motor_effort, tree.frame.motor_effort));
+        const Kinematics& k = dense.frame.kinematics;
+        const Kinematics& expected = tree.frame.kinematics;
+        CHECK(same(k.x, expected.x));
+        CHECK(same(k.y, expected.y));
+        CHECK(same(k.velocity_x, expected.velocity_x));
+        CHECK(same(k.velocity_y, expected.velocity_y));
+        CHECK(same(k.z_x, expected.z_x));
+        CHECK(same(k.gamma_y, expected.gamma_y));
+        CHECK(same(k.joint_position, expected.joint_position));
+        CHECK(same(dense.frame.factors.w_x, tree.frame.factors.w_x));
+        CHECK(same(dense.frame.factors.inverse_d, tree.frame.factors.inverse_d));
+    }
+}
+
+TEST_CASE("the dense form is left where it does not apply", "[dynamics][dense]") {
+    RandomStream random(stream_seed({62}));
+    const auto large =
+        build_planar_model(random_tree(random, kMaxDenseBodies + 1, 0.0, 1.0, 0.0), 1.0);
+    CHECK_FALSE(is_dense(*large, {}));
+    const auto sliding = build_planar_model(random_tree(random, 4, 1.0, 1.0, 0.0), 1.0);
+    CHECK_FALSE(is_dense(*sliding, {}));
+    const auto small = build_planar_model(chain(3, 1.0), 1.0);
+    Forcing forcing;
+    CHECK(is_dense(*small, forcing));
+    forcing.contact_count = 1;
+    CHECK_FALSE(is_dense(*small, forcing));
+}
