@@ -4,6 +4,7 @@
 
 #include "dynamics/elimination.h"
 #include "dynamics/forcing.h"
+#include "dynamics/motors.h"
 
 namespace cambrian {
 
@@ -14,6 +15,7 @@ struct Frame {
     Factors factors;
     BodyResponse response;  // accelerations, loops closed
     PerBody motor_effort;   // N m or N
+    PerBody motor_damping;  // where motors are implicit: effort lost per joint acceleration
 };
 
 // What of the kinematics is to be left in the frame: what this forcing needs for the accelerations,
@@ -23,18 +25,19 @@ enum class FrameDetail : std::uint8_t { kAccelerations, kEverything };
 struct EvaluationPoint {
     double tick_share = 0.0;  // where in the tick, 0 to 1, for the motors' targets
     FrameDetail detail = FrameDetail::kEverything;
+    const ImplicitStage* implicit = nullptr;  // for the motors' damping; null: explicit
 };
 
 void evaluate_accelerations(const PlanarModel& model, const Forcing& forcing, const Motion& motion,
                             const EvaluationPoint& point, Frame& frame, MotionRate& rate);
 
 // All explicit forces and efforts into the frame, with their powers into rate; the frame's
-// kinematics are given.
-void compute_loads(const PlanarModel& model, const Forcing& forcing, double tick_share,
+// kinematics are given. Where motors are implicit their powers are left 0.
+void compute_loads(const PlanarModel& model, const Forcing& forcing, const EvaluationPoint& point,
                    Frame& frame, MotionRate& rate);
 
-// Adds the held contact forces and limit efforts to loads, at the frame's arms.
-void add_held_forces(const PlanarModel& model, const Forcing& forcing, const Kinematics& kinematics,
+// Adds contact forces and limit efforts to loads, at the kinematics' arms.
+void add_held_forces(const PlanarModel& model, const HeldForces& held, const Kinematics& kinematics,
                      Loads& loads);
 
 }  // namespace cambrian
