@@ -4,6 +4,7 @@
 
 #include "dynamics/elimination.h"
 #include "dynamics/forcing.h"
+#include "dynamics/motors.h"
 
 namespace cambrian {
 
@@ -14,8 +15,10 @@ struct Frame {
     Factors factors;
     BodyResponse response;  // accelerations, loops closed
     PerBody motor_effort;   // N m or N
-    // Whether factors, the geometry of the joints and the accelerations of the bodies' centres are
-    // there; else complete_frame brings them.
+    PerBody motor_damping;  // where motors are implicit: effort lost per joint acceleration
+    // Whether the geometry of the joints and the accelerations of the bodies' centres are there,
+    // and whether the factors are; else find_centers and complete_frame bring them.
+    bool has_centers;
     bool is_factored;
 };
 
@@ -26,21 +29,23 @@ enum class FrameDetail : std::uint8_t { kAccelerations, kEverything };
 struct EvaluationPoint {
     double tick_share = 0.0;  // where in the tick, 0 to 1, for the motors' targets
     FrameDetail detail = FrameDetail::kEverything;
+    const ImplicitStage* implicit = nullptr;  // for the motors' damping; null: explicit
 };
 
 void evaluate_accelerations(const PlanarModel& model, const Forcing& forcing, const Motion& motion,
                             const EvaluationPoint& point, Frame& frame, MotionRate& rate);
 
-// What a frame evaluated with everything may lack: its factors.
+// Bring what a frame evaluated with everything may lack: the accelerations of the centres, and all.
+void find_centers(const PlanarModel& model, Frame& frame);
 void complete_frame(const PlanarModel& model, Frame& frame);
 
 // All explicit forces and efforts into the frame, with their powers into rate; the frame's
-// kinematics are given.
-void compute_loads(const PlanarModel& model, const Forcing& forcing, double tick_share,
+// kinematics are given. Where motors are implicit their powers are left 0.
+void compute_loads(const PlanarModel& model, const Forcing& forcing, const EvaluationPoint& point,
                    Frame& frame, MotionRate& rate);
 
-// Adds the held contact forces and limit efforts to loads, at the frame's arms.
-void add_held_forces(const PlanarModel& model, const Forcing& forcing, const Kinematics& kinematics,
+// Adds contact forces and limit efforts to loads, at the kinematics' arms.
+void add_held_forces(const PlanarModel& model, const HeldForces& held, const Kinematics& kinematics,
                      Loads& loads);
 
 }  // namespace cambrian

@@ -77,7 +77,7 @@ ImpactResult ContactSolver::strike(const PlanarModel& model, const ContactLaw& l
     Loads loads;
     BodyResponse jump;
     clear_loads(model, loads);
-    add_row_impulses(rows_, 1.0, loads);
+    add_row_impulses(rows_, rows_.impulse, 1.0, loads);
     solve_closed_impulse(model, frame.kinematics, frame.factors, loads, jump);
     for (int c = 0; c < coordinate_count(model); ++c)
         motion.speed[c] += jump.coordinate[c];

@@ -45,6 +45,23 @@ bool may_touch(const Contact& contact, const BodyResponse& free, double h) {
     return contact.gap < reach;
 }
 
+// A contact where its material point of body a has gone, its normal turned with body b.
+Contact moved_contact(const Contact& contact, const Kinematics& from, const Kinematics& to) {
+    Contact moved = contact;
+    const int a = contact.body_a;
+    const int b = contact.body_b;
+    moved.arm_ax = to.cosine[a] * contact.point_x - to.sine[a] * contact.point_y;
+    moved.arm_ay = to.sine[a] * contact.point_x + to.cosine[a] * contact.point_y;
+    if (b < 0) return moved;
+    moved.arm_bx = to.x[a] + moved.arm_ax - to.x[b];
+    moved.arm_by = to.y[a] + moved.arm_ay - to.y[b];
+    const double cosine = to.cosine[b] * from.cosine[b] + to.sine[b] * from.sine[b];
+    const double sine = to.sine[b] * from.cosine[b] - to.cosine[b] * from.sine[b];
+    moved.normal_x = cosine * contact.normal_x - sine * contact.normal_y;
+    moved.normal_y = sine * contact.normal_x + cosine * contact.normal_y;
+    return moved;
+}
+
 }  // namespace
 
 void ContactSolver::collect(const PlanarModel& model, const ContactLaw& law,
@@ -73,20 +90,35 @@ bool ContactSolver::covers(const Contact& contact) const {
 
 // Touching contacts, and slow ones that could touch within the step; fast ones are left to the
 // search for the time of impact.
-bool ContactSolver::choose(const PlanarModel& model, const ContactLaw& law, const Motion& motion,
-                           Frame& frame, double h) {
+bool ContactSolver::choose(const PlanarModel& model, Frame& frame, double h) {
     chosen_.count = 0;
-    if (near_.count > 0) complete_frame(model, frame);
     for (int c = 0; c < near_.count; ++c) {
         const Contact& contact = near_.items[c];
-        if (contact.gap < kContactBand || may_touch(contact, frame.response, h))
-            chosen_.add(contact);
+        if (contact.gap >= kContactBand) {
+            find_centers(model, frame);
+            if (!may_touch(contact, frame.response, h)) continue;
+        }
+        chosen_.add(contact);
     }
     choose_limits(model, frame, h);
-    if (chosen_.count == 0 && limits_.count == 0) return false;
+    return chosen_.count > 0 || limits_.count > 0;
+}
+
+void ContactSolver::build(const PlanarModel& model, const ContactLaw& law, const Motion& start,
+                          Frame& frame) {
     complete_frame(model, frame);
-    build_rows(model, motion, frame, {chosen_, limits_, law.friction > 0.0}, rows_);
-    return true;
+    build_rows(model, start, frame, {chosen_, limits_, law.friction > 0.0}, rows_);
+}
+
+void ContactSolver::build_between(const PlanarModel& model, const ContactLaw& law,
+                                  const Motion& start, const Kinematics& start_kinematics,
+                                  const Frame& middle) {
+    moved_.count = chosen_.count;
+    for (int c = 0; c < chosen_.count; ++c)
+        moved_.items[c] = moved_contact(chosen_.items[c], start_kinematics, middle.kinematics);
+    list_rows(model, start, start_kinematics, {chosen_, limits_, law.friction > 0.0}, rows_);
+    place_rows(moved_, rows_);
+    couple_rows(model, middle, moved_, rows_);
 }
 
 // Stops that could be reached within the step.
@@ -129,13 +161,13 @@ void ContactSolver::set_resting_bias(double h, double* bias) const {
     }
 }
 
-bool ContactSolver::hold(const PlanarModel& model, const ContactLaw& law, double h, WarmStart& warm,
-                         Forcing& forcing) {
+bool ContactSolver::hold(const PlanarModel& model, const ContactLaw& law, double h,
+                         WarmStart& warm) {
     set_resting_bias(h, bias_);
     load_warm_start(h, warm);
     anchor_friction(model, h);
     const bool solved = solve_resting(model, law, h);
-    store_forces(model.body_count, h, warm, forcing);
+    store_forces(model.body_count, h, warm);
     return solved;
 }
 
@@ -151,7 +183,18 @@ void ContactSolver::anchor_friction(const PlanarModel& model, double h) {
     }
 }
 
+void ContactSolver::absorb(const PlanarModel& model, const ContactLaw& law,
+                           const BodyResponse& change, Loads& loads) {
+    double rates[kMaxRows];
+    double impulses[kMaxRows];
+    rate_rows(model, rows_, change, rates);
+    solver_.absorb(rows_, rates, law.friction, impulses);
+    add_row_impulses(rows_, impulses, 1.0, loads);
+}
+
 void ContactSolver::let_go() {
+    held_.contact_count = 0;
+    held_.limits_active = false;
     for (int c = 0; c < chosen_.count; ++c)
         normal_force_[c] = 0.0;
 }
@@ -195,49 +238,49 @@ void ContactSolver::load_warm_start(double h, const WarmStart& warm) {
     }
 }
 
-void ContactSolver::store_forces(int body_count, double h, WarmStart& warm, Forcing& forcing) {
+void ContactSolver::store_forces(int body_count, double h, WarmStart& warm) {
     warm.count = chosen_.count;
-    forcing.contact_count = chosen_.count;
-    forcing.limits_active = limits_.count > 0;
+    held_.contact_count = chosen_.count;
+    held_.limits_active = limits_.count > 0;
     for (int c = 0; c < chosen_.count; ++c) {
         const Contact& contact = chosen_.items[c];
         warm.id[c] = contact.id;
         warm.group[c] = friction_group(contact);
         warm.normal[c] = 0.0;
         warm.friction[c] = 0.0;
-        forcing.contacts[c] = {
+        held_.contacts[c] = {
             contact.body_a, contact.body_b, contact.point_x, contact.point_y, 0.0, 0.0};
     }
     for (int i = 0; i < body_count; i += kLanes) {
         store_lanes(warm.limit + i, Lanes{});
-        store_lanes(forcing.limit_effort + i, Lanes{});
+        store_lanes(held_.limit_effort + i, Lanes{});
     }
     for (int row = 0; row < rows_.count; ++row) {
         const double force = rows_.impulse[row] / h;
         if (rows_.kind[row] == RowKind::kLimit) {
             warm.limit[rows_.body_a[row]] += rows_.dir_x[row] * force;
-            forcing.limit_effort[rows_.body_a[row]] += rows_.dir_x[row] * force;
+            held_.limit_effort[rows_.body_a[row]] += rows_.dir_x[row] * force;
             continue;
         }
         const int c = rows_.source[row];
-        forcing.contacts[c].force_x += rows_.dir_x[row] * force;
-        forcing.contacts[c].force_y += rows_.dir_y[row] * force;
+        held_.contacts[c].force_x += rows_.dir_x[row] * force;
+        held_.contacts[c].force_y += rows_.dir_y[row] * force;
         (rows_.kind[row] == RowKind::kNormal ? warm.normal : warm.friction)[c] = force;
     }
     for (int c = 0; c < chosen_.count; ++c)
         normal_force_[c] = warm.normal[c];
 }
 
-HeldWork ContactSolver::held_work(const PlanarModel& model, const Forcing& forcing,
-                                  const Kinematics& begin, const Kinematics& end) const {
+HeldWork ContactSolver::held_work(const PlanarModel& model, const Kinematics& begin,
+                                  const Kinematics& end) const {
     HeldWork work;
     const auto world = [](const Kinematics& k, const HeldForce& held, double& x, double& y) {
         const int a = held.body_a;
         x = k.x[a] + k.cosine[a] * held.point_x - k.sine[a] * held.point_y;
         y = k.y[a] + k.sine[a] * held.point_x + k.cosine[a] * held.point_y;
     };
-    for (int c = 0; c < forcing.contact_count; ++c) {
-        const HeldForce& held = forcing.contacts[c];
+    for (int c = 0; c < held_.contact_count; ++c) {
+        const HeldForce& held = held_.contacts[c];
         double start_x = 0.0;
         double start_y = 0.0;
         double end_x = 0.0;
@@ -256,9 +299,9 @@ HeldWork ContactSolver::held_work(const PlanarModel& model, const Forcing& forci
         work.contact += done;
         work.positive += std::max(0.0, done);
     }
-    if (!forcing.limits_active) return work;
+    if (!held_.limits_active) return work;
     for (int i = 0; i < model.body_count; ++i) {
-        const double effort = forcing.limit_effort[i];
+        const double effort = held_.limit_effort[i];
         if (effort == 0.0) continue;
         const double done = effort * (end.joint_position[i] - begin.joint_position[i]);
         work.limit += done;

@@ -50,6 +50,7 @@ public:
         couple_angles();
         solve();
         if (all) keep_response();
+        frame_.has_centers = false;
         frame_.is_factored = false;
     }
 
@@ -76,7 +77,7 @@ private:
         cosine_.load(k.cosine);
     }
 
-    // Efforts of motors and stops act on a body and back on its parent.
+    // Efforts of motors act on a body and back on its parent.
     CAMBRIAN_INLINE void drive_joints(double tick_share) {
         Kinematics& k = frame_.kinematics;
         for (int i = 0; i < kLines; i += kLanes) {
@@ -92,8 +93,7 @@ private:
         double effort[kSlots];
         double torque[kSlots];
         for (int i = 0; i < kLines; i += kLanes) {
-            Lanes given = load_lanes(frame_.motor_effort + i);
-            if (forcing_.limits_active) given += load_lanes(forcing_.limit_effort + i);
+            const Lanes given = load_lanes(frame_.motor_effort + i);
             store_lanes(effort + i, given);
             store_lanes(torque + i, given);
         }
@@ -266,14 +266,11 @@ void evaluate_blocks(const PlanarModel& model, const Forcing& forcing, const Mot
 
 void evaluate_dense(const PlanarModel& model, const Forcing& forcing, const Motion& motion,
                     const EvaluationPoint& point, Frame& frame, MotionRate& rate) {
-    static_assert(kMaxDenseBlocks == 3);
-    switch (model.dense.blocks) {
-        case 1:
-            return evaluate_blocks<1>(model, forcing, motion, point, frame, rate);
-        case 2:
-            return evaluate_blocks<2>(model, forcing, motion, point, frame, rate);
-        default:
-            return evaluate_blocks<3>(model, forcing, motion, point, frame, rate);
+    static_assert(kMaxDenseBlocks == 2);
+    if (model.dense.blocks == 1) {
+        evaluate_blocks<1>(model, forcing, motion, point, frame, rate);
+    } else {
+        evaluate_blocks<2>(model, forcing, motion, point, frame, rate);
     }
 }
 

@@ -44,12 +44,17 @@ CAMBRIAN_INLINE void load_bodies(const PlanarModel& model, const Kinematics& k, 
     }
 }
 
-// Both return u. With u = t + tau: K = A - h h'/j, pi = f - h u/j - K gamma;
-// parent: A += K, h += K z, j += z K z, f += pi, t += z pi - tau.
+enum class Motors { kExplicit, kImplicit };
+
+// Both return u. With the effort tau - g (alpha - alpha_p), g the damping, d = j + g, c = g/d and
+// u = t + tau: K = A - h h'/d, pi = f - h u/d - K gamma; parent: A += K, h += K z + c h,
+// j += z K z + 2 c z h + g (1 - c), f += pi, t += z pi - tau + c (u - h gamma).
+template <Motors kMotors>
 CAMBRIAN_INLINE double eliminate_rotary(const Kinematics& k, double effort, int i, const Carried& c,
                                         Factors& factors, Carried& parent) {
     const Pair z = {k.z_x[i], k.z_y[i]};
-    const double inverse_d = 1.0 / c.j;
+    const double damping = kMotors == Motors::kImplicit ? factors.damping[i] : 0.0;
+    const double inverse_d = 1.0 / (kMotors == Motors::kImplicit ? c.j + damping : c.j);
     const double u = c.t + effort;
     const Pair scaled = c.h * both(inverse_d);
     const Pair left_x = c.column_x - scaled * both(c.h[0]);
@@ -66,12 +71,19 @@ CAMBRIAN_INLINE double eliminate_rotary(const Kinematics& k, double effort, int 
     parent.j += dot(z, left_z);
     parent.f += pi;
     parent.t += dot(z, pi) - effort;
+    if constexpr (kMotors == Motors::kImplicit) {
+        const double share = damping * inverse_d;
+        parent.h += both(share) * c.h;
+        parent.j += 2.0 * share * dot(z, c.h) + damping * (1.0 - share);
+        parent.t += share * (u - dot(c.h, Pair{k.gamma_x[i], k.gamma_y[i]}));
+    }
     return u;
 }
 
-// With n the joint's axis: w = A n, w3 = h n, d = n w, u = n f + F, K = A - w w'/d, k = h - w w3/d,
-// kappa = j - w3^2/d, pi = f - w u/d - K gamma, pi_t = t - w3 u/d - k gamma;
-// parent: A += K, h += K z + k, j += z K z + 2 z k + kappa, f += pi, t += z pi + pi_t.
+// With n the joint's axis: w = A n, w3 = h n, d = n w + g, u = n f + F, K = A - w w'/d, k = h - w
+// w3/d, kappa = j - w3^2/d, pi = f - w u/d - K gamma, pi_t = t - w3 u/d - k gamma; parent: A += K,
+// h += K z + k, j += z K z + 2 z k + kappa, f += pi, t += z pi + pi_t.
+template <Motors kMotors>
 CAMBRIAN_INLINE double eliminate_linear(const Kinematics& k, double effort, int i, const Carried& c,
                                         Factors& factors, Carried& parent) {
     const Pair n = {k.axis_x[i], k.axis_y[i]};
@@ -79,7 +91,9 @@ CAMBRIAN_INLINE double eliminate_linear(const Kinematics& k, double effort, int 
     const Pair gamma = {k.gamma_x[i], k.gamma_y[i]};
     const Pair w = c.column_x * both(n[0]) + c.column_y * both(n[1]);
     const double w_3 = dot(c.h, n);
-    const double inverse_d = 1.0 / dot(n, w);
+    const double along = dot(n, w);
+    const double inverse_d =
+        1.0 / (kMotors == Motors::kImplicit ? along + factors.damping[i] : along);
     const double u = dot(n, c.f) + effort;
     const Pair scaled = w * both(inverse_d);
     const Pair left_x = c.column_x - scaled * both(w[0]);
@@ -131,7 +145,7 @@ CAMBRIAN_INLINE void solve_root(const RootInverse& inverse, int root, const Pair
 enum class Load { kForce, kImpulse };
 
 // Body i's response from its parent's; gamma is 0 for impulses.
-template <Load kLoad>
+template <Load kLoad, Motors kMotors>
 CAMBRIAN_INLINE void follow_parent(const PlanarModel& model, const Kinematics& k,
                                    const Factors& factors, const double* u, int i,
                                    BodyResponse& response) {
@@ -153,6 +167,7 @@ CAMBRIAN_INLINE void follow_parent(const PlanarModel& model, const Kinematics& k
         response.coordinate[i] = slide;
         return;
     }
+    if constexpr (kMotors == Motors::kImplicit) rest += factors.damping[i] * spin;
     const double turn = rest * factors.inverse_d[i];
     response.x[i] = x;
     response.y[i] = y;
@@ -194,10 +209,9 @@ CAMBRIAN_INLINE void move_centers(const PlanarModel& model, const Loads& loads,
     }
 }
 
-}  // namespace
-
-void solve_accelerations(const PlanarModel& model, const Kinematics& kinematics, const Loads& loads,
-                         Factors& factors, BodyResponse& response) {
+template <Motors kMotors>
+CAMBRIAN_INLINE void solve(const PlanarModel& model, const Kinematics& kinematics,
+                           const Loads& loads, Factors& factors, BodyResponse& response) {
     Carried carried[kMaxBodies];
     PerBody u;
     load_bodies(model, kinematics, loads, carried);
@@ -207,17 +221,35 @@ void solve_accelerations(const PlanarModel& model, const Kinematics& kinematics,
         for (int i = end - 1; i > root; --i) {
             Carried& parent = carried[model.parent[i]];
             const double effort = loads.effort[i];
-            u[i] = model.joint[i] == JointType::kLinear
-                       ? eliminate_linear(kinematics, effort, i, carried[i], factors, parent)
-                       : eliminate_rotary(kinematics, effort, i, carried[i], factors, parent);
+            u[i] =
+                model.joint[i] == JointType::kLinear
+                    ? eliminate_linear<kMotors>(kinematics, effort, i, carried[i], factors, parent)
+                    : eliminate_rotary<kMotors>(kinematics, effort, i, carried[i], factors, parent);
         }
         factors.root[tree] = invert_root(carried[root]);
         solve_root(factors.root[tree], root, carried[root].f, carried[root].t, response);
         for (int i = root + 1; i < end; ++i)
-            follow_parent<Load::kForce>(model, kinematics, factors, u, i, response);
+            follow_parent<Load::kForce, kMotors>(model, kinematics, factors, u, i, response);
     }
     move_to_centers<Load::kForce>(model, kinematics, response);
     move_centers(model, loads, response);
+}
+
+}  // namespace
+
+void solve_accelerations(const PlanarModel& model, const Kinematics& kinematics, const Loads& loads,
+                         Factors& factors, BodyResponse& response) {
+    for (int i = 0; i < model.body_count; i += kLanes)
+        store_lanes(factors.damping + i, Lanes{});
+    solve<Motors::kExplicit>(model, kinematics, loads, factors, response);
+}
+
+void solve_damped_accelerations(const PlanarModel& model, const Kinematics& kinematics,
+                                const Loads& loads, const PerBody& damping, Factors& factors,
+                                BodyResponse& response) {
+    for (int i = 0; i < model.body_count; i += kLanes)
+        store_lanes(factors.damping + i, load_lanes(damping + i));
+    solve<Motors::kImplicit>(model, kinematics, loads, factors, response);
 }
 
 void factorize(const PlanarModel& model, const Kinematics& kinematics, Factors& factors) {
@@ -273,11 +305,11 @@ void solve_impulse(const PlanarModel& model, const Kinematics& k, const Factors&
             const Pair passed = f[i] - w * both(share);
             f[p] += passed;
             t[p] += dot(Pair{k.z_x[i], k.z_y[i]}, passed) +
-                    (linear ? t[i] - factors.w_3[i] * share : -effort);
+                    (linear ? t[i] - factors.w_3[i] * share : factors.damping[i] * share - effort);
         }
         solve_root(factors.root[tree], root, f[root], t[root], response);
         for (int i = root + 1; i < end; ++i)
-            follow_parent<Load::kImpulse>(model, k, factors, u, i, response);
+            follow_parent<Load::kImpulse, Motors::kImplicit>(model, k, factors, u, i, response);
     }
     move_to_centers<Load::kImpulse>(model, k, response);
     move_centers(model, impulses, response);

@@ -10,6 +10,27 @@
 #include "dynamics/motors.h"
 
 namespace cambrian {
+namespace {
+
+// Four motors: the rate they want and what they give for a rate that is missing.
+struct Wanted {
+    Lanes rate, gain;
+};
+
+CAMBRIAN_INLINE Wanted wanted_rate(const MotorLaw& law, const MotorDrive& drive, double tick_share,
+                                   const PerBody& position, int first) {
+    const Lanes start = load_lanes(drive.start + first);
+    const Lanes target = start + tick_share * (load_lanes(drive.end + first) - start);
+    const Lanes tracking = drive.frequency * load_lanes(law.tracking + first);
+    const Lanes asked = tracking * (target - load_lanes(position + first)) +
+                        load_lanes(law.direct + first) * target;
+    const Lanes fastest =
+        drive.speed_limit * load_lanes(law.rate_scale + first) + load_lanes(law.rate_floor + first);
+    return {clamp_size(asked, fastest),
+            drive.frequency * load_lanes(law.stiffness + first) + load_lanes(law.strength + first)};
+}
+
+}  // namespace
 
 void set_motor_law(PlanarModel& model, int body, double rate_scale) {
     MotorLaw& law = model.motor;
@@ -31,25 +52,35 @@ MotorPower compute_motor_efforts(const PlanarModel& model, const MotorDrive& dri
     Lanes net = {};
     Lanes gross = {};
     for (int i = 0; i < model.body_count; i += kLanes) {
-        const Lanes start = load_lanes(drive.start + i);
-        const Lanes target = start + tick_share * (load_lanes(drive.end + i) - start);
+        const Wanted wanted = wanted_rate(law, drive, tick_share, kinematics.joint_position, i);
         const Lanes rate = load_lanes(kinematics.joint_rate + i);
-        const Lanes tracking = drive.frequency * load_lanes(law.tracking + i);
-        const Lanes asked = tracking * (target - load_lanes(kinematics.joint_position + i)) +
-                            load_lanes(law.direct + i) * target;
-        const Lanes fastest =
-            drive.speed_limit * load_lanes(law.rate_scale + i) + load_lanes(law.rate_floor + i);
-        const Lanes wanted = clamp_size(asked, fastest);
-        const Lanes gain =
-            drive.frequency * load_lanes(law.stiffness + i) + load_lanes(law.strength + i);
-        const Lanes given = clamp_size(gain * (wanted - load_lanes(law.damping + i) * rate),
-                                       load_lanes(model.max_effort + i));
+        const Lanes given =
+            clamp_size(wanted.gain * (wanted.rate - load_lanes(law.damping + i) * rate),
+                       load_lanes(model.max_effort + i));
         store_lanes(effort + i, given);
         const Lanes power = given * rate;
         net += power;
         gross += magnitude(power);
     }
     return {sum_of(net), sum_of(gross)};
+}
+
+void compute_implicit_efforts(const PlanarModel& model, const MotorDrive& drive, double tick_share,
+                              const ImplicitStage& stage, const Kinematics& kinematics,
+                              PerBody& effort, PerBody& damping) {
+    const MotorLaw& law = model.motor;
+    for (int i = 0; i < model.body_count; i += kLanes) {
+        const Wanted wanted = wanted_rate(law, drive, tick_share, kinematics.joint_position, i);
+        const Lanes share = load_lanes(law.damping + i);
+        const Lanes most = load_lanes(model.max_effort + i);
+        const Lanes predicted =
+            wanted.gain * (wanted.rate - share * load_lanes(kinematics.joint_rate + i));
+        const Lanes at_start =
+            wanted.gain * (wanted.rate - share * load_lanes(stage.start_rate + i));
+        const auto spare = magnitude(predicted) < most;
+        store_lanes(effort + i, spare ? at_start : clamp_size(predicted, most));
+        store_lanes(damping + i, spare ? stage.time * wanted.gain * share : Lanes{});
+    }
 }
 
 }  // namespace cambrian

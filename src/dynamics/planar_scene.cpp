@@ -219,8 +219,7 @@ void PlanarScene::use_environment(const Environment& environment) {
 
 // Fills the frame for the views, without time passing.
 void PlanarScene::evaluate_here() {
-    forcing_.contact_count = 0;
-    forcing_.limits_active = false;
+    forcing_.held = nullptr;
     evaluate_accelerations(model_, forcing_, moment_.motion, {}, moment_.frame(),
                            moment_.free_rate);
 }

@@ -113,7 +113,8 @@ CAMBRIAN_INLINE void eliminate(const PlanarModel& model, const Frame& frame, Imp
         impulses.f_x[p] += passed_x;
         impulses.f_y[p] += passed_y;
         const Lanes moment = k.z_x[i] * passed_x + k.z_y[i] * passed_y;
-        impulses.t[p] += linear ? moment + t - factors.w_3[i] * share : moment - effort;
+        impulses.t[p] += linear ? moment + t - factors.w_3[i] * share
+                                : moment + factors.damping[i] * share - effort;
         arrivals.joint[i] = u;
         arrivals.joint_share[i] = share;
     }

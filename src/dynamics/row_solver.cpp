@@ -11,6 +11,7 @@ constexpr int kRounds = 12;
 constexpr int kSweeps = 40;
 constexpr double kSweepTolerance = 1e-3;  // m/s
 constexpr double kRateTolerance = 1e-9;   // m/s
+constexpr double kConeShare = 1e-9;       // of a cone's width; nearer to its edge is on it
 constexpr double kPivotTolerance = 1e-7;  // of the diagonal
 
 // Normal impulse that every friction row's cone stands on.
@@ -72,6 +73,43 @@ void RowSolver::iterate_from_zero(RowSystem& rows, const double* bias, double fr
     iterate(rows, bias, friction);
 }
 
+void RowSolver::absorb(const RowSystem& rows, const double* rates, double friction,
+                       double* impulses) {
+    for (int row = 0; row < rows.count; ++row)
+        impulses[row] = 0.0;
+    read_states(rows, friction);
+    const int count = gather_active(rows, rates, friction);
+    if (!eliminate(count)) return;
+    for (int j = 0; j < count; ++j) {
+        const int row = active_[j];
+        const double impulse = line_of(j)[count];
+        const int mate = rows.friction_of[row];
+        impulses[row] += impulse;
+        if (mate < 0) continue;
+        if (state_[mate] == State::kSlidePlus) impulses[mate] += friction * impulse;
+        if (state_[mate] == State::kSlideMinus) impulses[mate] -= friction * impulse;
+    }
+}
+
+// As the impulses have it.
+void RowSolver::read_states(const RowSystem& rows, double friction) {
+    sum_loads(rows, load_);
+    for (int row = 0; row < rows.count; ++row) {
+        const double impulse = rows.impulse[row];
+        if (rows.kind[row] != RowKind::kFriction) {
+            state_[row] = impulse > 0.0 ? State::kActive : State::kOff;
+            continue;
+        }
+        const double cap = friction * load_[row];
+        if (cap <= 0.0)
+            state_[row] = State::kOff;
+        else if (std::fabs(impulse) < cap * (1.0 - kConeShare))
+            state_[row] = State::kActive;
+        else
+            state_[row] = impulse > 0.0 ? State::kSlidePlus : State::kSlideMinus;
+    }
+}
+
 // As the starting impulses have it; rows without one are active if nothing else keeps them open.
 void RowSolver::guess_states(const RowSystem& rows, const double* bias, double friction) {
     for (int row = 0; row < rows.count; ++row) {
@@ -81,7 +119,7 @@ void RowSolver::guess_states(const RowSystem& rows, const double* bias, double f
             continue;
         }
         const double cap = friction * load_[row];
-        if (impulse == 0.0 || std::fabs(impulse) < cap * (1.0 - 1e-9))
+        if (impulse == 0.0 || std::fabs(impulse) < cap * (1.0 - kConeShare))
             state_[row] = State::kActive;
         else
             state_[row] = impulse > 0.0 ? State::kSlidePlus : State::kSlideMinus;

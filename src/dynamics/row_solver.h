@@ -22,10 +22,15 @@ public:
     // Projected Gauss-Seidel from zero impulses; friction 0 always has a solution.
     void iterate_from_zero(RowSystem& rows, const double* bias, double friction);
 
+    // Impulses that undo rates of the rows that hold in the last solution: those inside their
+    // bounds, sliding ones along with their normals. 0 where that has no safe answer.
+    void absorb(const RowSystem& rows, const double* rates, double friction, double* impulses);
+
 private:
     enum class State : std::uint8_t { kOff, kActive, kSlidePlus, kSlideMinus };
 
     void guess_states(const RowSystem& rows, const double* bias, double friction);
+    void read_states(const RowSystem& rows, double friction);
     bool settle(RowSystem& rows, const double* bias, double friction);
     int gather_active(const RowSystem& rows, const double* bias, double friction);
     bool eliminate(int count);

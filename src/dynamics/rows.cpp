@@ -51,16 +51,20 @@ CAMBRIAN_INLINE double turning(const RowSystem& rows, int row, const Contact& c,
            2.0 * k.spin[b] * (x * sliding_y - y * sliding_x);
 }
 
-CAMBRIAN_INLINE void set_contact_row(const Contact& c, int source, int row, RowSystem& rows) {
+CAMBRIAN_INLINE void set_wrench(const Contact& c, int row, RowSystem& rows) {
     const bool normal = rows.kind[row] == RowKind::kNormal;
-    rows.source[row] = source;
-    rows.friction_of[row] = -1;
-    rows.body_a[row] = c.body_a;
-    rows.body_b[row] = c.body_b;
     rows.dir_x[row] = normal ? c.normal_x : -c.normal_y;
     rows.dir_y[row] = normal ? c.normal_y : c.normal_x;
     rows.moment_a[row] = c.arm_ax * rows.dir_y[row] - c.arm_ay * rows.dir_x[row];
     rows.moment_b[row] = c.arm_bx * rows.dir_y[row] - c.arm_by * rows.dir_x[row];
+}
+
+CAMBRIAN_INLINE void set_contact_row(const Contact& c, int source, int row, RowSystem& rows) {
+    rows.source[row] = source;
+    rows.friction_of[row] = -1;
+    rows.body_a[row] = c.body_a;
+    rows.body_b[row] = c.body_b;
+    set_wrench(c, row, rows);
 }
 
 int add_row(RowKind kind, RowSystem& rows) {
@@ -137,24 +141,47 @@ void hold_loops(const PlanarModel& model, const Frame& frame, RowSystem& rows) {
 
 void build_rows(const PlanarModel& model, const Motion& motion, const Frame& frame,
                 const RowSources& sources, RowSystem& rows) {
+    list_rows(model, motion, frame.kinematics, sources, rows);
+    couple_rows(model, frame, sources.contacts, rows);
+}
+
+void list_rows(const PlanarModel& model, const Motion& motion, const Kinematics& k,
+               const RowSources& sources, RowSystem& rows) {
     add_rows(sources, rows);
-    const Kinematics& k = frame.kinematics;
     const BodyMotion speeds{k.velocity_x, k.velocity_y, k.spin, motion.speed};
+    for (int row = 0; row < rows.count; ++row)
+        rows.rate[row] = row_rate(model, rows, row, speeds);
+}
+
+void place_rows(const ContactSet& contacts, RowSystem& rows) {
+    for (int row = 0; row < rows.count; ++row) {
+        if (rows.kind[row] != RowKind::kLimit)
+            set_wrench(contacts.items[rows.source[row]], row, rows);
+    }
+}
+
+void couple_rows(const PlanarModel& model, const Frame& frame, const ContactSet& contacts,
+                 RowSystem& rows) {
     const BodyMotion accelerations = motion_of(frame.response);
     for (int row = 0; row < rows.count; ++row) {
-        rows.rate[row] = row_rate(model, rows, row, speeds);
         rows.acceleration[row] = row_rate(model, rows, row, accelerations);
         if (rows.kind[row] != RowKind::kLimit)
             rows.acceleration[row] +=
-                turning(rows, row, sources.contacts.items[rows.source[row]], k);
+                turning(rows, row, contacts.items[rows.source[row]], frame.kinematics);
     }
     compute_row_matrix(model, frame, rows);
     if (!model.closing_pins.empty()) hold_loops(model, frame, rows);
 }
 
-void add_row_impulses(const RowSystem& rows, double scale, Loads& loads) {
+void rate_rows(const PlanarModel& model, const RowSystem& rows, const BodyResponse& motion,
+               double* rates) {
+    for (int row = 0; row < rows.count; ++row)
+        rates[row] = row_rate(model, rows, row, motion_of(motion));
+}
+
+void add_row_impulses(const RowSystem& rows, const double* impulses, double scale, Loads& loads) {
     for (int row = 0; row < rows.count; ++row) {
-        const double impulse = scale * rows.impulse[row];
+        const double impulse = scale * impulses[row];
         const int a = rows.body_a[row];
         if (rows.kind[row] == RowKind::kLimit) {
             loads.effort[a] += rows.dir_x[row] * impulse;

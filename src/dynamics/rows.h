@@ -67,8 +67,22 @@ struct RowSources {
 void build_rows(const PlanarModel& model, const Motion& motion, const Frame& frame,
                 const RowSources& sources, RowSystem& rows);
 
+// The same in three steps, for what is taken at different moments. Rows of all sources with their
+// rates:
+void list_rows(const PlanarModel& model, const Motion& motion, const Kinematics& kinematics,
+               const RowSources& sources, RowSystem& rows);
+// the wrenches as the contacts, listed in the same order, have them elsewhere:
+void place_rows(const ContactSet& contacts, RowSystem& rows);
+// contact-free accelerations and the matrix, from a frame at the contacts' place.
+void couple_rows(const PlanarModel& model, const Frame& frame, const ContactSet& contacts,
+                 RowSystem& rows);
+
+// Rates of all rows under any motion of the bodies.
+void rate_rows(const PlanarModel& model, const RowSystem& rows, const BodyResponse& motion,
+               double* rates);
+
 // Adds impulse * scale of every row to the loads.
-void add_row_impulses(const RowSystem& rows, double scale, Loads& loads);
+void add_row_impulses(const RowSystem& rows, const double* impulses, double scale, Loads& loads);
 
 // Change of a row's rate by the last solution, without regularization.
 inline double impulse_effect(const RowSystem& rows, int row) {

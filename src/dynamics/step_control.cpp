@@ -19,6 +19,8 @@ constexpr int kPatience = 4;                 // collapses in a row before a step
 constexpr double kBudgetTime =
     1.0;  // s; of evaluations that may be spent before time pays for them
 constexpr double kHalvingStep = 1.0 / 960;  // s; shorter ones are not halved
+constexpr double kMaxDeepening = 4e-3;      // m; of the deepest contact in one step
+constexpr double kMaxTickDeepening = 8e-3;  // m; in one tick
 constexpr double kMaxOverrun = 0.03;        // rad or m past a stop
 constexpr double kOverrunGrowth = 0.01;     // of that in one step
 constexpr double kWorkAllowance = 3e-4;     // J per (kg m/s^2)
@@ -40,6 +42,13 @@ double step_factor(double error, int order) {
     if (error < kTinyError) return kGrowMost;
     const double factor = kSafety * inverse_root(error, order);
     return std::clamp(factor, kShrinkMost, kGrowMost);
+}
+
+double deepest(const ContactSet& contacts) {
+    double depth = 0.0;
+    for (int c = 0; c < contacts.count; ++c)
+        depth = std::max(depth, -contacts.items[c].gap);
+    return depth;
 }
 
 }  // namespace
@@ -107,26 +116,38 @@ SceneStatus StepControl::step(Tick& tick) {
     }
     tick.collapses = 0;
     Kinematics& end = tick.moment.spare_frame().kinematics;
+    const double depth = deepest(contacts_.near());
+    if (tick.time == 0.0) tick.start_depth = depth;
     contacts_.collect(tick.model, tick.law, end);
     tick.collected = true;
     if (tick.impacts < kMaxImpacts && has_new_impact(contacts_)) {
-        const StepEnds ends{tick.moment.motion, *start_rate_, result_.end, result_.end_rate, h};
+        const StepEnds ends{tick.moment.motion, *start_rate_, result_.end, *end_rate_, h};
         Motion motion;
         const double share = find_impact(tick.model, tick.law, ends, contacts_, motion, end);
         copy_motion(tick.model, motion, result_.end);
         accept_part(tick, h, share);
+    } else if (is_too_deep(tick, depth, h)) {
+        ++tick.moment.audit.rejections;
+        tick.moment.proposed_step = 0.5 * h;
+        tick.collected = false;
     } else {
         accept(tick, has_rows, h);
     }
     return SceneStatus::kRunning;
 }
 
+// Whether the deepest contact of the attempt's end is much deeper than at its start or the tick's.
+bool StepControl::is_too_deep(const Tick& tick, double start_depth, double h) const {
+    if (h <= kHalvingStep) return false;
+    const double depth = deepest(contacts_.near());
+    return depth > start_depth + kMaxDeepening || depth > tick.start_depth + kMaxTickDeepening;
+}
+
 // Contact-free accelerations at the moment, unless the last step left them.
 void StepControl::make_current(Tick& tick) {
     SceneMoment& moment = tick.moment;
     if (moment.frame_is_current) return;
-    tick.forcing.contact_count = 0;
-    tick.forcing.limits_active = false;
+    tick.forcing.held = nullptr;
     const MotionSystem system{tick.model, tick.forcing, tick.length};
     system.evaluate(moment.motion, tick.time, FrameDetail::kEverything, moment.frame(),
                     moment.free_rate);
@@ -150,6 +171,7 @@ void StepControl::strike(Tick& tick, double elasticity) {
     ++moment.audit.events;
     ++tick.impacts;
     moment.frame_is_current = false;
+    moment.has_last_acceleration = false;
     tick.collected = false;
     const ContactSet& struck = contacts_.chosen();
     for (int c = 0; c < struck.count; ++c) {
@@ -164,11 +186,10 @@ void StepControl::strike(Tick& tick, double elasticity) {
 double StepControl::choose_length(Tick& tick, bool& has_rows) {
     SceneMoment& moment = tick.moment;
     double h = std::min(moment.proposed_step, integrator_->max_step);
-    has_rows = contacts_.choose(tick.model, tick.law, moment.motion, moment.frame(), h);
+    has_rows = contacts_.choose(tick.model, moment.frame(), h);
     if (has_rows) h = std::min(h, contact_step_);
     if (tick.collapses >= kPatience) {
         has_rows = false;
-        contacts_.let_go();
         h = std::min(h, kPatientShare * contact_step_);
     }
     const double rest = tick.length - tick.time;
@@ -178,18 +199,20 @@ double StepControl::choose_length(Tick& tick, bool& has_rows) {
 
 StepControl::Attempt StepControl::attempt(Tick& tick, bool has_rows, double& h) {
     SceneMoment& moment = tick.moment;
-    const MotionSystem system{tick.model, tick.forcing, tick.length};
+    const bool midpoint = is_midpoint(has_rows);
+    const int order = midpoint ? MidpointStep::kErrorOrder : integrator_->error_order;
+    if (!has_rows) contacts_.let_go();
+    if (has_rows && !midpoint) contacts_.build(tick.model, tick.law, moment.motion, moment.frame());
     for (;;) {
-        if (has_rows && !contacts_.hold(tick.model, tick.law, h, moment.warm, tick.forcing))
-            ++moment.audit.fallbacks;
-        start_rate_ = has_rows ? &held_start_rate(tick) : &free_start_rate(tick);
-        integrator_->attempt(system, {moment.motion, *start_rate_, tick.time, h, tolerance_},
-                             moment.spare_frame(), result_);
+        if (midpoint)
+            try_midpoint_step(tick, h);
+        else
+            try_step(tick, has_rows, h);
         count_evaluations(tick, result_.evaluations);
         if (moment.evaluation_debt > kBudgetTime * max_evaluations_) return Attempt::kOverBudget;
         if (!(result_.error <= 1.0)) {
             ++moment.audit.rejections;
-            const double factor = step_factor(result_.error, integrator_->error_order);
+            const double factor = step_factor(result_.error, order);
             h *= std::min(factor, 0.9);
             moment.proposed_step = h;
             if (h < kMinStep) {
@@ -206,35 +229,55 @@ StepControl::Attempt StepControl::attempt(Tick& tick, bool has_rows, double& h) 
             h *= 0.5;
             continue;
         }
-        propose_length(h, moment.proposed_step);
+        propose_length(h, order, moment.proposed_step);
         return Attempt::kAccepted;
     }
 }
 
 // The next step's length after an accepted one, which may have been cut short.
-void StepControl::propose_length(double h, double& proposed) const {
+void StepControl::propose_length(double h, int order, double& proposed) const {
     const double longest = integrator_->max_step;
     const bool truncated = h < proposed;
     if (result_.error <= kCalmError && (truncated ? proposed : h) >= longest) {
         proposed = longest;
         return;
     }
-    const double grown = h * step_factor(result_.error, integrator_->error_order);
+    const double grown = h * step_factor(result_.error, order);
     proposed = std::min(truncated ? std::max(proposed, grown) : grown, longest);
 }
 
-const MotionRate& StepControl::free_start_rate(Tick& tick) {
-    tick.forcing.contact_count = 0;
-    tick.forcing.limits_active = false;
-    return tick.moment.free_rate;
+void StepControl::try_midpoint_step(Tick& tick, double h) {
+    SceneMoment& moment = tick.moment;
+    tick.forcing.held = nullptr;
+    const MotionSystem system{tick.model, tick.forcing, tick.length};
+    const StepRequest request{moment.motion, moment.free_rate, tick.time, h, tolerance_};
+    const PerCoordinate& prediction =
+        moment.has_last_acceleration ? moment.last_acceleration : moment.free_rate.acceleration;
+    if (!midpoint_.attempt(system, tick.law, {request, moment.frame(), prediction}, contacts_,
+                           moment.warm, moment.spare_frame(), result_))
+        ++moment.audit.fallbacks;
+    start_rate_ = &midpoint_.mean_rate();
+    end_rate_ = start_rate_;
+}
+
+// With contact forces found at the start and held all the way.
+void StepControl::try_step(Tick& tick, bool has_rows, double h) {
+    SceneMoment& moment = tick.moment;
+    if (has_rows && !contacts_.hold(tick.model, tick.law, h, moment.warm)) ++moment.audit.fallbacks;
+    tick.forcing.held = has_rows ? &contacts_.held() : nullptr;
+    start_rate_ = has_rows ? &held_start_rate(tick) : &moment.free_rate;
+    end_rate_ = &result_.end_rate;
+    const MotionSystem system{tick.model, tick.forcing, tick.length};
+    integrator_->attempt(system, {moment.motion, *start_rate_, tick.time, h, tolerance_},
+                         moment.spare_frame(), result_);
 }
 
 // What the held forces add to the moment's accelerations.
-void StepControl::respond_to_held(const Tick& tick, BodyResponse& response) {
+void StepControl::respond_to_held(const Tick& tick, BodyResponse& response) const {
     const Frame& frame = tick.moment.frame();
     Loads loads;
     clear_loads(tick.model, loads);
-    add_held_forces(tick.model, tick.forcing, frame.kinematics, loads);
+    add_held_forces(tick.model, contacts_.held(), frame.kinematics, loads);
     solve_closed_impulse(tick.model, frame.kinematics, frame.factors, loads, response);
 }
 
@@ -252,7 +295,7 @@ const MotionRate& StepControl::held_start_rate(Tick& tick) {
 // there.
 void StepControl::weigh_end(const Tick& tick) {
     const Kinematics& end = tick.moment.spare_frame().kinematics;
-    work_ = contacts_.held_work(tick.model, tick.forcing, tick.moment.frame().kinematics, end);
+    work_ = contacts_.held_work(tick.model, tick.moment.frame().kinematics, end);
     end_overrun_ = limit_overrun(tick.model, end);
 }
 
@@ -274,7 +317,14 @@ void StepControl::accept(Tick& tick, bool has_rows, double h) {
     copy_motion(tick.model, result_.end, moment.motion);
     moment.current_frame = 1 - moment.current_frame;
     copy_rate(tick.model, result_.end_rate, moment.free_rate);
-    release_forces(tick, has_rows);
+    moment.has_last_acceleration = is_midpoint(has_rows);
+    if (moment.has_last_acceleration) {
+        for (int c = 0; c < coordinate_slots(tick.model); c += kLanes)
+            store_lanes(moment.last_acceleration + c,
+                        load_lanes(midpoint_.mean_rate().acceleration + c));
+    } else if (has_rows) {
+        release_forces(tick);
+    }
     tick.time += h;
 }
 
@@ -289,8 +339,7 @@ void StepControl::accept_part(Tick& tick, double h, double share) {
 }
 
 // Takes the held forces' response off the accelerations of the step's end.
-void StepControl::release_forces(Tick& tick, bool has_rows) {
-    if (!has_rows) return;
+void StepControl::release_forces(Tick& tick) {
     SceneMoment& moment = tick.moment;
     complete_frame(tick.model, moment.frame());
     BodyResponse response;
@@ -328,7 +377,7 @@ void StepControl::remember_contacts(Tick& tick) {
     SceneMoment& moment = tick.moment;
     moment.held_count = 0;
     const ContactSet& chosen = contacts_.chosen();
-    for (int c = 0; c < tick.forcing.contact_count; ++c) {
+    for (int c = 0; c < contacts_.held().contact_count; ++c) {
         const Contact& contact = chosen.items[c];
         const double force = contacts_.held_normal(c);
         if (force <= 0.0) continue;

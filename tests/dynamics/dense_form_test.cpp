@@ -61,11 +61,9 @@ Forcing random_forcing(RandomStream& random, const PlanarModel& model) {
     if (random.chance(0.5)) forcing.medium = {0.0, -9.81, 0.0, 0.0};
     forcing.drive.frequency = 25.0;
     forcing.drive.speed_limit = 6.0;
-    forcing.limits_active = random.chance(0.5);
     for (int i = 1; i < model.body_count; ++i) {
         forcing.drive.start[i] = random.gauss();
         forcing.drive.end[i] = random.gauss();
-        if (forcing.limits_active) forcing.limit_effort[i] = random.gauss();
     }
     return forcing;
 }
@@ -79,7 +77,7 @@ TEST_CASE("the dense form gives what the elimination gives", "[dynamics][dense]"
         const PlanarModel model = creature(random, round % 2 == 1);
         const Motion motion = random_motion(random, model);
         const Forcing forcing = random_forcing(random, model);
-        REQUIRE(is_dense(model, forcing));
+        REQUIRE(is_dense(model, forcing, {}));
         PlanarModel tree_model = model;
         tree_model.dense.blocks = 0;
         const Evaluation dense = evaluated(model, forcing, motion);
@@ -116,12 +114,13 @@ TEST_CASE("the dense form is left where it does not apply", "[dynamics][dense]")
     RandomStream random(stream_seed({62}));
     const auto large =
         build_planar_model(random_tree(random, kMaxDenseBodies + 1, 0.0, 1.0, 0.0), 1.0);
-    CHECK_FALSE(is_dense(*large, {}));
+    CHECK_FALSE(is_dense(*large, {}, {}));
     const auto sliding = build_planar_model(random_tree(random, 4, 1.0, 1.0, 0.0), 1.0);
-    CHECK_FALSE(is_dense(*sliding, {}));
+    CHECK_FALSE(is_dense(*sliding, {}, {}));
     const auto small = build_planar_model(chain(3, 1.0), 1.0);
     Forcing forcing;
-    CHECK(is_dense(*small, forcing));
-    forcing.contact_count = 1;
-    CHECK_FALSE(is_dense(*small, forcing));
+    CHECK(is_dense(*small, forcing, {}));
+    const HeldForces held;
+    forcing.held = &held;
+    CHECK_FALSE(is_dense(*small, forcing, {}));
 }
