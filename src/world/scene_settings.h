@@ -8,7 +8,7 @@ namespace cambrian {
 // motor law are fitness-critical (evolution.md 2.6): changing one changes what evolves.
 struct SceneSettings {
     std::string integrator = "bogacki-shampine";  // id of a registered integrator
-    double tolerance = 1e-3;          // error a step, relative to 0.1 m, 0.1 rad and 1 + |speed|
+    double tolerance = 4e-3;          // error a step, relative to 0.1 m, 0.1 rad and 1 + |speed|
     double contact_step = 1.0 / 120;  // s; longest step while anything touches or a stop is met
     double max_evaluations = 5e4;     // of the accelerations a simulated second; more end a trial
     double muscle_strength = 25.0;    // N/m; a joint's torque cap is this times section squared
