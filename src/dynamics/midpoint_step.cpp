@@ -1,5 +1,7 @@
 #include "dynamics/midpoint_step.h"
 
+#include "dynamics/paired_impulses.h"
+
 #include <cmath>
 
 namespace cambrian {
@@ -131,54 +133,63 @@ double MidpointStep::estimate_error(const PlanarModel& model, const ContactLaw& 
                                     const StepRequest& step, ContactSolver& contacts,
                                     const StepResult& result) const {
     const double h = step.length;
-    PerCoordinate speed;
-    PerCoordinate position;
-    PerCoordinate change;
+    PerCoordinate errors[2];   // of speeds and positions
+    PerCoordinate changes[2];  // what the motors damp
     for (int c = 0; c < coordinate_slots(model); c += kLanes) {
         const Lanes start = load_lanes(step.start_rate.acceleration + c);
         const Lanes end = load_lanes(result.end_rate.acceleration + c);
         const Lanes middle = load_lanes(middle_rate_.acceleration + c);
-        store_lanes(speed + c, (h / 6.0) * (start + end - 2.0 * middle));
-        store_lanes(change + c,
+        store_lanes(errors[0] + c, (h / 6.0) * (start + end - 2.0 * middle));
+        store_lanes(changes[0] + c,
                     (h / 6.0) * (start + end - 2.0 * load_lanes(mean_rate_.acceleration + c)));
-        store_lanes(position + c, (h * h / 12.0) * (end - start));
+        const Lanes position = (h * h / 12.0) * (end - start);
+        store_lanes(errors[1] + c, position);
+        store_lanes(changes[1] + c, position);
     }
-    take_damping(model, change, speed);
-    take_damping(model, position, position);
-    take_absorbed(model, law, contacts, speed);
-    take_absorbed(model, law, contacts, position);
-    return kCaution * error_norm(model, result.end, position, speed) / step.tolerance;
+    take_damping(model, changes, errors);
+    take_absorbed(model, law, contacts, errors);
+    return kCaution * error_norm(model, result.end, errors[1], errors[0]) / step.tolerance;
 }
 
-// Takes from an error the response to what implicit motors give less under a change of speeds.
-void MidpointStep::take_damping(const PlanarModel& model, const PerCoordinate& change,
-                                PerCoordinate& error) const {
-    PerBody spin;
-    Loads loads;
-    BodyResponse response;
-    spread_spins(model, change, spin);
-    clear_loads(model, loads);
-    for (int i = 0; i < model.body_count; i += kLanes)
-        store_lanes(loads.effort + i, load_lanes(middle_.motor_damping + i) *
-                                          joint_accelerations(model, change, spin, i));
-    solve_impulse(model, middle_.kinematics, middle_.factors, loads, response);
-    for (int c = 0; c < coordinate_count(model); ++c)
-        error[c] -= response.coordinate[c];
+// Takes from the errors the response to what implicit motors give less under changes of speeds.
+void MidpointStep::take_damping(const PlanarModel& model, const PerCoordinate (&changes)[2],
+                                PerCoordinate (&errors)[2]) const {
+    Loads loads[2];
+    PerCoordinate jumps[2];
+    for (int which = 0; which < 2; ++which) {
+        PerBody spin;
+        spread_spins(model, changes[which], spin);
+        clear_loads(model, loads[which]);
+        for (int i = 0; i < model.body_count; i += kLanes)
+            store_lanes(loads[which].effort + i,
+                        load_lanes(middle_.motor_damping + i) *
+                            joint_accelerations(model, changes[which], spin, i));
+    }
+    solve_paired_impulses(model, middle_.kinematics, middle_.factors, loads, jumps);
+    for (int which = 0; which < 2; ++which) {
+        for (int c = 0; c < coordinate_count(model); ++c)
+            errors[which][c] -= jumps[which][c];
+    }
 }
 
-// Takes from an error what the rows that hold take up of it.
+// Takes from the errors what the rows that hold take up of them.
 void MidpointStep::take_absorbed(const PlanarModel& model, const ContactLaw& law,
-                                 ContactSolver& contacts, PerCoordinate& error) const {
-    BodyResponse motion;
-    for (int c = 0; c < coordinate_slots(model); c += kLanes)
-        store_lanes(motion.coordinate + c, load_lanes(error + c));
-    spread_rates(model, middle_.kinematics, error, motion.spin, motion.x, motion.y);
-    Loads loads;
-    clear_loads(model, loads);
-    contacts.absorb(model, law, motion, loads);
-    solve_impulse(model, middle_.kinematics, middle_.factors, loads, motion);
-    for (int c = 0; c < coordinate_count(model); ++c)
-        error[c] += motion.coordinate[c];
+                                 ContactSolver& contacts, PerCoordinate (&errors)[2]) const {
+    Loads loads[2];
+    PerCoordinate jumps[2];
+    for (int which = 0; which < 2; ++which) {
+        BodyResponse motion;
+        for (int c = 0; c < coordinate_slots(model); c += kLanes)
+            store_lanes(motion.coordinate + c, load_lanes(errors[which] + c));
+        spread_rates(model, middle_.kinematics, errors[which], motion.spin, motion.x, motion.y);
+        clear_loads(model, loads[which]);
+        contacts.absorb(model, law, motion, loads[which]);
+    }
+    solve_paired_impulses(model, middle_.kinematics, middle_.factors, loads, jumps);
+    for (int which = 0; which < 2; ++which) {
+        for (int c = 0; c < coordinate_count(model); ++c)
+            errors[which][c] += jumps[which][c];
+    }
 }
 
 }  // namespace cambrian

@@ -41,10 +41,10 @@ private:
                     StepResult& result);
     double estimate_error(const PlanarModel& model, const ContactLaw& law, const StepRequest& step,
                           ContactSolver& contacts, const StepResult& result) const;
-    void take_damping(const PlanarModel& model, const PerCoordinate& change,
-                      PerCoordinate& error) const;
+    void take_damping(const PlanarModel& model, const PerCoordinate (&changes)[2],
+                      PerCoordinate (&errors)[2]) const;
     void take_absorbed(const PlanarModel& model, const ContactLaw& law, ContactSolver& contacts,
-                       PerCoordinate& error) const;
+                       PerCoordinate (&errors)[2]) const;
 
     Motion predicted_ = {};
     Frame middle_ = {};

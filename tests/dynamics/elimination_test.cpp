@@ -3,6 +3,7 @@
 #include "dynamics/bodies.h"
 #include "dynamics/least_squares_dynamics.h"
 #include "dynamics/model_building.h"
+#include "dynamics/paired_impulses.h"
 #include "support/catch.h"
 
 #include <cmath>
@@ -147,6 +148,34 @@ TEST_CASE("implicit damping agrees with a dense solve of the coordinates",
         solve_impulse(state.model, state.kinematics, explicit_factors, state.loads, free);
         solve_impulse(state.model, state.kinematics, factors, state.loads, damped);
         CHECK(agrees());
+    }
+}
+
+TEST_CASE("two impulses side by side do what each does alone", "[dynamics][elimination]") {
+    RandomStream random(stream_seed({24}));
+    for (int round = 0; round < 100; ++round) {
+        const RandomState state = random_state(random);
+        RandomState other = state;
+        PerBody damping = {};
+        for (int i = 1; i < state.model.body_count; ++i) {
+            damping[i] = 0.1 * random.uniform(0.0, 1.0);
+            other.loads.force_x[i] = random.gauss();
+            other.loads.torque[i] = random.gauss();
+            other.loads.effort[i] = random.gauss();
+        }
+        Factors factors;
+        BodyResponse unused;
+        solve_damped_accelerations(state.model, state.kinematics, state.loads, damping, factors,
+                                   unused);
+        const Loads impulses[2] = {state.loads, other.loads};
+        PerCoordinate jumps[2];
+        solve_paired_impulses(state.model, state.kinematics, factors, impulses, jumps);
+        for (int which = 0; which < 2; ++which) {
+            BodyResponse alone;
+            solve_impulse(state.model, state.kinematics, factors, impulses[which], alone);
+            for (int c = 0; c < coordinate_count(state.model); ++c)
+                CHECK(jumps[which][c] == Approx(alone.coordinate[c]).epsilon(1e-11).margin(1e-11));
+        }
     }
 }
 
