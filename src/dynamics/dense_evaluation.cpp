@@ -2,7 +2,7 @@
 
 #include "dynamics/box_drag.h"
 #include "dynamics/drag.h"
-#include "dynamics/motors.h"
+#include "dynamics/motor_lanes.h"
 #include "math/elementary.h"
 
 namespace cambrian {
@@ -80,25 +80,28 @@ private:
     // Efforts of motors act on a body and back on its parent.
     CAMBRIAN_INLINE void drive_joints(double tick_share) {
         Kinematics& k = frame_.kinematics;
+        double torque[kSlots];
+        Lanes net = {};
+        Lanes gross = {};
         for (int i = 0; i < kLines; i += kLanes) {
             const int* parents = model_.parent_slot + i;
-            store_lanes(k.joint_position + i, load_lanes(k.angle + i) - gather(k.angle, parents) -
-                                                  load_lanes(model_.rest_angle + i));
-            store_lanes(k.joint_rate + i, load_lanes(k.spin + i) - gather(k.spin, parents));
+            const Lanes position = load_lanes(k.angle + i) - gather(k.angle, parents) -
+                                   load_lanes(model_.rest_angle + i);
+            const Lanes rate = load_lanes(k.spin + i) - gather(k.spin, parents);
+            const Lanes effort =
+                motor_efforts(model_, forcing_.drive, tick_share, position, rate, i);
+            store_lanes(k.joint_position + i, position);
+            store_lanes(k.joint_rate + i, rate);
+            store_lanes(frame_.motor_effort + i, effort);
+            store_lanes(torque + i, effort);
+            const Lanes power = effort * rate;
+            net += power;
+            gross += magnitude(power);
         }
-        const MotorPower motors =
-            compute_motor_efforts(model_, forcing_.drive, tick_share, k, frame_.motor_effort);
-        rate_.power[kMotorWork] = motors.net;
-        rate_.power[kGrossMotorWork] = motors.gross;
-        double effort[kSlots];
-        double torque[kSlots];
-        for (int i = 0; i < kLines; i += kLanes) {
-            const Lanes given = load_lanes(frame_.motor_effort + i);
-            store_lanes(effort + i, given);
-            store_lanes(torque + i, given);
-        }
+        rate_.power[kMotorWork] = sum_of(net);
+        rate_.power[kGrossMotorWork] = sum_of(gross);
         for (int i = 1; i < bodies_; ++i)
-            torque[model_.parent[i]] -= effort[i];
+            torque[model_.parent[i]] -= frame_.motor_effort[i];
         torque_.load(torque);
     }
 

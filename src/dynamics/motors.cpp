@@ -9,28 +9,9 @@
 
 #include "dynamics/motors.h"
 
+#include "dynamics/motor_lanes.h"
+
 namespace cambrian {
-namespace {
-
-// Four motors: the rate they want and what they give for a rate that is missing.
-struct Wanted {
-    Lanes rate, gain;
-};
-
-CAMBRIAN_INLINE Wanted wanted_rate(const MotorLaw& law, const MotorDrive& drive, double tick_share,
-                                   const PerBody& position, int first) {
-    const Lanes start = load_lanes(drive.start + first);
-    const Lanes target = start + tick_share * (load_lanes(drive.end + first) - start);
-    const Lanes tracking = drive.frequency * load_lanes(law.tracking + first);
-    const Lanes asked = tracking * (target - load_lanes(position + first)) +
-                        load_lanes(law.direct + first) * target;
-    const Lanes fastest =
-        drive.speed_limit * load_lanes(law.rate_scale + first) + load_lanes(law.rate_floor + first);
-    return {clamp_size(asked, fastest),
-            drive.frequency * load_lanes(law.stiffness + first) + load_lanes(law.strength + first)};
-}
-
-}  // namespace
 
 void set_motor_law(PlanarModel& model, int body, double rate_scale) {
     MotorLaw& law = model.motor;
@@ -48,15 +29,12 @@ void set_motor_law(PlanarModel& model, int body, double rate_scale) {
 
 MotorPower compute_motor_efforts(const PlanarModel& model, const MotorDrive& drive,
                                  double tick_share, const Kinematics& kinematics, PerBody& effort) {
-    const MotorLaw& law = model.motor;
     Lanes net = {};
     Lanes gross = {};
     for (int i = 0; i < model.body_count; i += kLanes) {
-        const Wanted wanted = wanted_rate(law, drive, tick_share, kinematics.joint_position, i);
         const Lanes rate = load_lanes(kinematics.joint_rate + i);
-        const Lanes given =
-            clamp_size(wanted.gain * (wanted.rate - load_lanes(law.damping + i) * rate),
-                       load_lanes(model.max_effort + i));
+        const Lanes given = motor_efforts(model, drive, tick_share,
+                                          load_lanes(kinematics.joint_position + i), rate, i);
         store_lanes(effort + i, given);
         const Lanes power = given * rate;
         net += power;
@@ -70,7 +48,8 @@ void compute_implicit_efforts(const PlanarModel& model, const MotorDrive& drive,
                               PerBody& effort, PerBody& damping) {
     const MotorLaw& law = model.motor;
     for (int i = 0; i < model.body_count; i += kLanes) {
-        const Wanted wanted = wanted_rate(law, drive, tick_share, kinematics.joint_position, i);
+        const WantedRates wanted =
+            wanted_rates(law, drive, tick_share, load_lanes(kinematics.joint_position + i), i);
         const Lanes share = load_lanes(law.damping + i);
         const Lanes most = load_lanes(model.max_effort + i);
         const Lanes predicted =
