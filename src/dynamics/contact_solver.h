@@ -57,7 +57,7 @@ public:
     bool choose(const PlanarModel& model, Frame& frame, double h);
     // Contacts of the last choose() or strike().
     const ContactSet& chosen() const { return chosen_; }
-    bool covers(const Contact& contact) const;  // whether one of its pair was chosen
+    bool covers(const Contact& contact) const;  // whether it or one in its place was chosen
 
     // Makes rows of what was chosen: at the step's start, or with the rates of its start and all
     // else as in the middle.

@@ -142,7 +142,7 @@ void hold_loops(const PlanarModel& model, const Frame& frame, RowSystem& rows) {
 void build_rows(const PlanarModel& model, const Motion& motion, const Frame& frame,
                 const RowSources& sources, RowSystem& rows) {
     list_rows(model, motion, frame.kinematics, sources, rows);
-    couple_rows(model, frame, sources.contacts, rows);
+    couple_rows(model, frame, sources, rows);
 }
 
 void list_rows(const PlanarModel& model, const Motion& motion, const Kinematics& k,
@@ -160,16 +160,16 @@ void place_rows(const ContactSet& contacts, RowSystem& rows) {
     }
 }
 
-void couple_rows(const PlanarModel& model, const Frame& frame, const ContactSet& contacts,
+void couple_rows(const PlanarModel& model, const Frame& frame, const RowSources& sources,
                  RowSystem& rows) {
     const BodyMotion accelerations = motion_of(frame.response);
     for (int row = 0; row < rows.count; ++row) {
         rows.acceleration[row] = row_rate(model, rows, row, accelerations);
         if (rows.kind[row] != RowKind::kLimit)
             rows.acceleration[row] +=
-                turning(rows, row, contacts.items[rows.source[row]], frame.kinematics);
+                turning(rows, row, sources.contacts.items[rows.source[row]], frame.kinematics);
     }
-    compute_row_matrix(model, frame, rows);
+    compute_row_matrix(model, frame, sources.friction_softness, rows);
     if (!model.closing_pins.empty()) hold_loops(model, frame, rows);
 }
 

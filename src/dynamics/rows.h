@@ -60,6 +60,7 @@ struct RowSources {
     const ContactSet& contacts;
     const LimitSet& limits;
     bool with_friction = false;
+    double friction_softness = 0.0;  // of friction rows, as a share of the free bodies' coupling
 };
 
 // Rows of all sources, with rates and contact-free accelerations taken from the frame. Impulses are
@@ -74,7 +75,7 @@ void list_rows(const PlanarModel& model, const Motion& motion, const Kinematics&
 // the wrenches as the contacts, listed in the same order, have them elsewhere:
 void place_rows(const ContactSet& contacts, RowSystem& rows);
 // contact-free accelerations and the matrix, from a frame at the contacts' place.
-void couple_rows(const PlanarModel& model, const Frame& frame, const ContactSet& contacts,
+void couple_rows(const PlanarModel& model, const Frame& frame, const RowSources& sources,
                  RowSystem& rows);
 
 // Rates of all rows under any motion of the bodies.

@@ -168,6 +168,8 @@ void StepControl::strike(Tick& tick, double elasticity) {
     moment.audit.impulse_work += impact.work;
     moment.audit.positive_work += std::max(0.0, impact.work);
     moment.audit.fallbacks += impact.fell_back ? 1U : 0U;
+    ++row_tally_.impacts;
+    row_tally_.impacts_failed += impact.fell_back ? 1U : 0U;
     ++moment.audit.events;
     ++tick.impacts;
     moment.frame_is_current = false;
@@ -195,6 +197,13 @@ double StepControl::choose_length(Tick& tick, bool& has_rows) {
     const double rest = tick.length - tick.time;
     const double steps = std::ceil(rest / h * (1.0 - 1e-9));
     return rest / std::max(1.0, steps);
+}
+
+void StepControl::count_resting(Tick& tick, bool solved) {
+    ++row_tally_.resting;
+    if (solved) return;
+    ++row_tally_.resting_failed;
+    ++tick.moment.audit.fallbacks;
 }
 
 StepControl::Attempt StepControl::attempt(Tick& tick, bool has_rows, double& h) {
@@ -253,9 +262,8 @@ void StepControl::try_midpoint_step(Tick& tick, double h) {
     const StepRequest request{moment.motion, moment.free_rate, tick.time, h, tolerance_};
     const PerCoordinate& prediction =
         moment.has_last_acceleration ? moment.last_acceleration : moment.free_rate.acceleration;
-    if (!midpoint_.attempt(system, tick.law, {request, moment.frame(), prediction}, contacts_,
-                           moment.warm, moment.spare_frame(), result_))
-        ++moment.audit.fallbacks;
+    count_resting(tick, midpoint_.attempt(system, tick.law, {request, moment.frame(), prediction},
+                                          contacts_, moment.warm, moment.spare_frame(), result_));
     start_rate_ = &midpoint_.mean_rate();
     end_rate_ = start_rate_;
 }
@@ -263,7 +271,7 @@ void StepControl::try_midpoint_step(Tick& tick, double h) {
 // With contact forces found at the start and held all the way.
 void StepControl::try_step(Tick& tick, bool has_rows, double h) {
     SceneMoment& moment = tick.moment;
-    if (has_rows && !contacts_.hold(tick.model, tick.law, h, moment.warm)) ++moment.audit.fallbacks;
+    if (has_rows) count_resting(tick, contacts_.hold(tick.model, tick.law, h, moment.warm));
     tick.forcing.held = has_rows ? &contacts_.held() : nullptr;
     start_rate_ = has_rows ? &held_start_rate(tick) : &moment.free_rate;
     end_rate_ = &result_.end_rate;

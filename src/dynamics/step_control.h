@@ -46,6 +46,12 @@ struct SceneMoment {
     Frame& spare_frame() { return frames[1 - current_frame]; }
 };
 
+// Row problems posed since the start, and those the row solver gave up on.
+struct RowTally {
+    std::uint64_t resting = 0, resting_failed = 0;
+    std::uint64_t impacts = 0, impacts_failed = 0;
+};
+
 class StepControl {
 public:
     StepControl(const IntegratorKind& integrator, const SceneSettings& settings)
@@ -57,6 +63,8 @@ public:
     // Moves the moment on by one tick; its status tells whether that went well.
     void advance(const PlanarModel& model, const ContactLaw& law, Forcing& forcing, double duration,
                  SceneMoment& moment);
+
+    const RowTally& row_tally() const { return row_tally_; }
 
 private:
     struct Tick {
@@ -79,6 +87,7 @@ private:
     static void count_evaluations(Tick& tick, int evaluations);
     void strike(Tick& tick, double elasticity);
     double choose_length(Tick& tick, bool& has_rows);
+    void count_resting(Tick& tick, bool solved);
     Attempt attempt(Tick& tick, bool has_rows, double& h);
     void propose_length(double h, int order, double& proposed) const;
     bool is_midpoint(bool has_rows) const { return has_rows && integrator_->rows_at_middle; }
@@ -106,6 +115,7 @@ private:
     MotionRate held_rate_ = {};
     const MotionRate* start_rate_ = nullptr;  // of the attempt under way, and
     const MotionRate* end_rate_ = nullptr;    // at its end, both under its forces
+    RowTally row_tally_;
     StepResult result_;
     HeldWork work_;             // of the attempt under way
     double end_overrun_ = 0.0;  // rad or m; of its end

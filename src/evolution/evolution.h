@@ -45,6 +45,9 @@ public:
 
     // From the next breed() or evaluate() on. A change of world or goal forgets all scores.
     void replace_settings(SettingsPtr settings);
+    // Forgets all scores: the next evaluate() judges everyone again. Those of a generation that is
+    // evaluated already still decide who breeds.
+    void rescore();
     // Takes the worst's place in the next generation bred.
     void inject(GenomePtr genome);
     // Gives a share (0 to 1) of the next offspring places, once, to new random creatures.

@@ -12,13 +12,22 @@ void give(Evolution& evolution, const InjectGenome& command) {
 void give(Evolution& evolution, const AddNewcomers& command) {
     evolution.add_newcomers(command.share);
 }
+void give(Evolution& evolution, const RescorePopulation& /*command*/) {
+    evolution.rescore();
+}
 
-// What was asked of the generation's children; its settings judged it already.
+// Whether a command changes how the generation it was given to is judged.
+bool concerns_judgement(const SteeringCommand& command) {
+    return std::holds_alternative<ChangeSettings>(command) ||
+           std::holds_alternative<RescorePopulation>(command);
+}
+
+// What was asked of the generation's children; it is judged already.
 void give_breeding_commands(Evolution& evolution, const std::vector<NotedCommand>& journal,
                             std::uint32_t generation) {
     for (const NotedCommand& noted : journal) {
         if (noted.generation != generation) continue;
-        if (std::holds_alternative<ChangeSettings>(noted.command)) continue;
+        if (concerns_judgement(noted.command)) continue;
         std::visit([&](const auto& command) { give(evolution, command); }, noted.command);
     }
 }

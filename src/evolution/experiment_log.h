@@ -17,7 +17,7 @@
 namespace cambrian {
 
 // What changes the course of an experiment once it has begun.
-using SteeringCommand = std::variant<ChangeSettings, InjectGenome, AddNewcomers>;
+using SteeringCommand = std::variant<ChangeSettings, InjectGenome, AddNewcomers, RescorePopulation>;
 
 // A command, and the generation that was present when it was given: newly bred, not yet evaluated
 // to the end.

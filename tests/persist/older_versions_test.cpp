@@ -88,10 +88,35 @@ TEST_CASE("an experiment of any version goes on as if it had been begun now",
     CHECK(load_experiment(folder / "whole.cambrian", kinds())->digests == again->digests);
 }
 
+TEST_CASE("an experiment tells scores of another simulator until everyone was judged again",
+          "[persist][older_versions]") {
+    const std::string current(kSimulatorVersion);
+    auto saved = load_experiment(kVersions / "1" / "run.cambrian", kinds());
+    REQUIRE(saved);
+    saved->simulators = {{0, current}};
+    CHECK_FALSE(other_simulator(*saved));
+    saved->simulators = {{0, "0.9"}};
+    const std::string words = "scored by simulator 0.9, this is " + current;
+    CHECK(other_simulator(*saved) == words);
+    // Gone on with by this one, survivors keep their scores.
+    saved->simulators = {{0, "0.9"}, {3, current}};
+    CHECK(other_simulator(*saved) == words);
+    saved->journal.push_back({3, RescorePopulation{}});
+    CHECK_FALSE(other_simulator(*saved));
+    saved->journal.back() = {3, AddNewcomers{}};
+    ExperimentSettings moon = *saved->latest->settings;
+    moon.world.environment.gravity = 1.62;
+    saved->journal.push_back({3, ChangeSettings{std::make_shared<const ExperimentSettings>(moon)}});
+    CHECK_FALSE(other_simulator(*saved));
+    saved->simulators = {{0, current}, {3, "0.9"}};
+    CHECK(other_simulator(*saved) == words);
+}
+
 TEST_CASE("an older experiment that is damaged stays as it was", "[persist][older_versions]") {
     const auto [sql, words] = GENERATE(table<std::string, std::string>({
         {"DROP TABLE novel", "table \"novel\" is missing"},
         {"CREATE TABLE simulators (a)", "simulators"},
+        {"DELETE FROM results", "its score is missing"},
     }));
     const TemporaryDirectory folder;
     const auto path = folder / "run.cambrian";

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "studio/frame/panel.h"
+
+namespace cambrian {
+
+// One quiet line at the viewport's foot: what was done, or what went wrong and what to do next.
+class NoticeStrip final : public Panel {
+public:
+    void draw(const FrameContext& frame, Requests& out) override;
+};
+
+// The strip's rectangle: as wide and high as its words need, at the viewport's foot.
+Rect notice_place(const FrameContext& frame, const CardSpace& space);
+
+}  // namespace cambrian

@@ -1,0 +1,181 @@
+#include "persist/creature_file.h"
+#include "session_run.h"
+
+#include <algorithm>
+
+namespace cambrian {
+namespace {
+
+using test::SessionRun;
+
+// A session in which a person picks.
+class PickingRun : public SessionRun {
+public:
+    const PickingSnapshot& picking() const {
+        const FrameContext frame = session.frame_context();
+        REQUIRE(frame.picking != nullptr);
+        return frame.picking->snapshot;
+    }
+    void enter(std::size_t grids) {
+        ask(ToggleHandPicking{});
+        wait_for_grids(grids);
+    }
+    void wait_for_grids(std::size_t grids) {
+        REQUIRE(frames_until([&] { return picking().tree.size() == grids; }));
+    }
+    void pick(const std::vector<std::size_t>& cells) {
+        for (const std::size_t cell : cells)
+            ask(AskPicking{TogglePick{picking().tree.current().number, cell}});
+        REQUIRE(frames_until([&] { return picking().picks == cells; }));
+    }
+    void breed() {
+        const std::size_t grids = picking().tree.size();
+        ask(AskPicking{BreedPicks{}});
+        wait_for_grids(grids + 1);
+    }
+    void go_back() {
+        const std::uint32_t present = picking().tree.current().number;
+        ask(AskPicking{GoBack{}});
+        REQUIRE(frames_until([&] { return picking().tree.current().number != present; }));
+    }
+    void run_generations(std::size_t count) {
+        const std::size_t before = champions();
+        for (std::size_t i = 1; i <= count; ++i) {
+            ask(RunOneGeneration{});
+            REQUIRE(frames_until([&] {
+                return champions() == before + i &&
+                       session.frame_context().experiment.snapshot.status == EngineStatus::kPaused;
+            }));
+        }
+    }
+};
+
+bool has_genome(const std::vector<IndividualPtr>& creatures, const GenomePtr& genome) {
+    return std::any_of(creatures.begin(), creatures.end(),
+                       [&](const IndividualPtr& each) { return each->genome == genome; });
+}
+
+TEST_CASE("a person picks, breeds, goes back and branches off", "[studio][session][picking]") {
+    PickingRun run;
+    run.session.show_newcomer();
+    run.enter(1);
+    CHECK(run.picking().tree.current().creatures.size() == 12);
+    run.pick({1, 4, 6});
+    run.breed();
+    CHECK(run.picking().tree.current().picks == std::vector<std::size_t>{1, 4, 6});
+    run.go_back();
+    CHECK(run.picking().picks == std::vector<std::size_t>{1, 4, 6});
+    run.ask(AskPicking{ClearPicks{}});
+    run.pick({2});
+    run.breed();
+    CHECK(run.picking().tree.children(0) == std::vector<std::uint32_t>{1, 2});
+    CHECK(run.picking().log.branches == 1);
+    CHECK(run.log().find("{\"event\":\"hand-picking\",\"on\":true}") != std::string::npos);
+    CHECK(run.log().find("\"origin\":\"bred from 3 picks\"") != std::string::npos);
+}
+
+TEST_CASE("the population is picked from, and the tree outlives automatic evolution",
+          "[studio][session][picking]") {
+    PickingRun run;
+    run.run_generations(1);
+    run.enter(1);
+    CHECK(run.picking().tree.current().origin == GridOrigin::kPopulation);
+    run.ask(ToggleHandPicking{});
+    CHECK(run.session.frame_context().picking == nullptr);
+    run.enter(1);  // nothing evolved meanwhile
+    run.ask(ToggleHandPicking{});
+    run.run_generations(1);
+    run.enter(2);
+    CHECK(run.picking().tree.current().parent == 0U);
+}
+
+TEST_CASE("picks join the next generation that is bred", "[studio][session][picking]") {
+    PickingRun run;
+    run.run_generations(1);
+    run.enter(1);
+    run.pick({3});
+    run.breed();
+    run.pick({5});
+    const GenomePtr picked = run.picking().tree.current().creatures[5]->genome;
+    run.ask(HandOverPicks{PicksUse::kInject});
+    CHECK(run.session.frame_context().picking == nullptr);
+    run.run_generations(2);  // one was bred before
+    CHECK(has_genome(run.session.frame_context().experiment.snapshot.population, picked));
+}
+
+TEST_CASE("a new run begins with the picks", "[studio][session][picking]") {
+    PickingRun run;
+    run.session.show_newcomer();
+    run.enter(1);
+    run.pick({5});
+    const GenomePtr picked = run.picking().tree.current().creatures[5]->genome;
+    const std::uint64_t before = run.session.frame_context().experiment.snapshot.experiment;
+    run.ask(HandOverPicks{PicksUse::kFound});
+    REQUIRE(run.frames_until(
+        [&] { return run.session.frame_context().experiment.snapshot.experiment == before + 1; }));
+    run.run_generations(1);
+    CHECK(has_genome(run.session.frame_context().experiment.snapshot.population, picked));
+}
+
+TEST_CASE("handing over without a pick says so and stays", "[studio][session][picking]") {
+    PickingRun run;
+    run.session.show_newcomer();
+    run.enter(1);
+    run.ask(HandOverPicks{});
+    CHECK(run.frames_until([&] { return run.session.frame_context().window.notice != nullptr; }));
+    CHECK(run.session.frame_context().picking != nullptr);
+}
+
+TEST_CASE("evolution rests while a person picks and goes on afterwards",
+          "[studio][session][picking]") {
+    PickingRun run;
+    const auto status = [&] { return run.session.frame_context().experiment.snapshot.status; };
+    run.ask(ToggleEvolution{});
+    REQUIRE(run.frames_until([&] { return run.champions() > 0; }));
+    run.ask(ToggleHandPicking{});
+    REQUIRE(run.frames_until([&] { return status() == EngineStatus::kPaused; }));
+    run.ask(ToggleEvolution{});
+    run.ask(ToggleHandPicking{});
+    CHECK(run.frames_until([&] { return status() == EngineStatus::kRunning; }));
+}
+
+TEST_CASE("a creature of the grid is shown alone and saved", "[studio][session][picking]") {
+    PickingRun run;
+    run.session.show_newcomer();
+    run.enter(1);
+    const GenomePtr genome = run.picking().tree.current().creatures[7]->genome;
+    run.ask(ShowCell{7});
+    run.ask(ShowCell{99});  // nothing
+    REQUIRE(run.frames_until([&] { return run.session.frame_context().picking->single; }));
+    CHECK(run.session.frame_context().viewer.playback.exhibit().genome == genome);
+    run.ask(ShowGrid{});
+    run.ask(SaveCell{7});
+    CHECK(run.session.frame_context().files.browser.open);
+    CHECK(run.session.frame_context().files.browser.suggested_name ==
+          "creature-8-of-grid-1.creature.json");
+    const auto path = run.folder.path() / "picked.creature.json";
+    run.ask(SaveCreatureFile{path});
+    REQUIRE(run.frames_until([&] { return run.picking().log.saves == 1; }));
+    const auto saved = load_creature(path, test::kinds());
+    REQUIRE(saved);
+    CHECK(saved->genome == *genome);
+}
+
+TEST_CASE("a world changed while picking is felt in the grid and judges the next one",
+          "[studio][session][picking]") {
+    PickingRun run;
+    run.session.show_newcomer();
+    run.enter(1);
+    ExperimentSettings moon = run.session.frame_context().experiment.editor.draft();
+    moon.world.environment.gravity = 1.62;
+    run.ask(EditSettings{moon, "environment.gravity"});
+    run.ask(FinishEdit{});
+    REQUIRE(run.frames_until(
+        [&] { return run.session.frame_context().picking->motion.environment().gravity == 1.62; }));
+    run.pick({0});
+    run.breed();
+    CHECK(run.picking().tree.current().settings->world.environment.gravity == 1.62);
+}
+
+}  // namespace
+}  // namespace cambrian
