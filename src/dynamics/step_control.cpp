@@ -114,7 +114,6 @@ SceneStatus StepControl::step(Tick& tick) {
         case Attempt::kAccepted:
             break;
     }
-    tick.collapses = 0;
     Kinematics& end = tick.moment.spare_frame().kinematics;
     const double depth = deepest(contacts_.near());
     if (tick.time == 0.0) tick.start_depth = depth;
@@ -125,12 +124,14 @@ SceneStatus StepControl::step(Tick& tick) {
         Motion motion;
         const double share = find_impact(tick.model, tick.law, ends, contacts_, motion, end);
         copy_motion(tick.model, motion, result_.end);
+        tick.collapses = 0;
         accept_part(tick, h, share);
     } else if (is_too_deep(tick, depth, h)) {
         ++tick.moment.audit.rejections;
         tick.moment.proposed_step = 0.5 * h;
         tick.collected = false;
     } else {
+        tick.collapses = 0;
         accept(tick, has_rows, h);
     }
     return SceneStatus::kRunning;
@@ -138,7 +139,7 @@ SceneStatus StepControl::step(Tick& tick) {
 
 // Whether the deepest contact of the attempt's end is much deeper than at its start or the tick's.
 bool StepControl::is_too_deep(const Tick& tick, double start_depth, double h) const {
-    if (h <= kHalvingStep) return false;
+    if (h <= kHalvingStep || tick.collapses >= kPatience) return false;
     const double depth = deepest(contacts_.near());
     return depth > start_depth + kMaxDeepening || depth > tick.start_depth + kMaxTickDeepening;
 }
