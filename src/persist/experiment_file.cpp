@@ -95,7 +95,7 @@ Status ExperimentFile::keep_picking(const PickingRecord& picking) {
     return write([&](ExperimentWriter& writer) { writer.keep_picking(picking); });
 }
 
-Status ExperimentFile::keep_stars(const std::vector<ChampionRecord>& stars) {
+Status ExperimentFile::keep_stars(const std::vector<JudgedIndividual>& stars) {
     return write([&](ExperimentWriter& writer) { writer.keep_stars(stars); });
 }
 

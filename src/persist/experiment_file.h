@@ -33,7 +33,7 @@ public:
     Status record(const Evolution& evolution);
     // Any thread.
     Status keep_picking(const PickingRecord& picking);
-    Status keep_stars(const std::vector<ChampionRecord>& stars);
+    Status keep_stars(const std::vector<JudgedIndividual>& stars);
 
     enum class Existing : std::uint8_t { kReplace, kRefuse };
     // The whole experiment as another file, there from one moment to the next; everything from now
@@ -63,7 +63,7 @@ struct OpenedExperiment {
     std::shared_ptr<ExperimentFile> file;
     SavedExperiment saved;
     PickingRecord picking;
-    std::vector<ChampionRecord> stars;
+    std::vector<JudgedIndividual> stars;
 };
 
 // One of an older version is brought up to this program's. Fails, leaving the file as it is, if it

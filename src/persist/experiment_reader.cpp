@@ -60,7 +60,7 @@ public:
         read_generations();
         if (read_.saved.latest) read_latest();
         read_grids();
-        read_.picking.shelf = shelf();
+        read_.picking.shelf = kept("shelf");
         read_.stars = kept("star");
         return std::move(read_);
     }
@@ -265,14 +265,14 @@ private:
         return row.step() ? std::string(row.text(0)) : std::string();
     }
 
-    std::vector<ChampionRecord> kept(const char* role) {
-        std::vector<ChampionRecord> creatures;
+    std::vector<JudgedIndividual> kept(const char* role) {
+        std::vector<JudgedIndividual> creatures;
         Statement row = database_.prepare(
             "SELECT individual, judged, generation, settings FROM kept WHERE role = ? "
             "ORDER BY place");
         row.bind(role);
         while (row.step()) {
-            ChampionRecord each;
+            JudgedIndividual each;
             each.individual = chosen(row_ref(row, 0));
             read_column(row, 2, each.generation);
             each.settings = settings(row.integer(3));
@@ -280,13 +280,6 @@ private:
             check_count(creatures.size(), "kept creatures");
         }
         return creatures;
-    }
-
-    std::vector<PinnedCreature> shelf() {
-        std::vector<PinnedCreature> shelf;
-        for (ChampionRecord& each : kept("shelf"))
-            shelf.push_back({std::move(each.individual), std::move(each.settings)});
-        return shelf;
     }
 
     const Database& database_;

@@ -17,7 +17,7 @@ struct ReadExperiment {
     SavedExperiment saved;
     std::vector<RowRef> population;  // rows of the latest one
     PickingRecord picking;
-    std::vector<ChampionRecord> stars;
+    std::vector<JudgedIndividual> stars;
     // Whoever is in grids, on the shelf or starred.
     std::vector<std::pair<IndividualPtr, RowRef>> chosen;
 };

@@ -119,7 +119,7 @@ void look_at(const SavedExperiment& saved) {
     const std::size_t generations = saved.latest ? saved.latest->history.size() : 0;
     promise(saved.champions.size() == generations && saved.digests.size() == generations,
             "every generation has a champion and a digest");
-    for (const ChampionRecord& champion : saved.champions)
+    for (const JudgedIndividual& champion : saved.champions)
         look_at(champion.individual);
     if (saved.latest) look_at(*saved.latest);
     look_at(saved.settings);

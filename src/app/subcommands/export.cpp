@@ -57,7 +57,7 @@ private:
             return Error{file_ + ": has no generation " + std::to_string(generation) +
                          "; the last is " + std::to_string(saved.champions.size() - 1)};
         }
-        const ChampionRecord& champion = saved.champions[generation];
+        const JudgedIndividual& champion = saved.champions[generation];
         CreatureDocument document =
             creature_document(*champion.individual, *champion.settings, kinds);
         if (document.scored) {

@@ -30,7 +30,7 @@ ExitStatus rescore_run(const std::string& file, const EvolutionKinds& kinds,
         return fail(done.error(),
                     stop.stop_requested() ? ExitStatus::kFailed : ExitStatus::kBadInput);
     const std::string& unit = kinds.goals.find(done->after.settings->goal)->unit;
-    const auto best_of = [&](const ChampionRecord& champion, std::string_view simulator) {
+    const auto best_of = [&](const JudgedIndividual& champion, std::string_view simulator) {
         return "best of generation " + std::to_string(champion.generation) + " " +
                short_text(champion.individual->result.fitness) + " " + unit + " by simulator " +
                std::string(simulator);
