@@ -1,6 +1,7 @@
 #include "dynamics/accelerations.h"
 
 #include "dynamics/dense_evaluation.h"
+#include "dynamics/dense_response.h"
 #include "dynamics/drag.h"
 #include "dynamics/loop_closure.h"
 
@@ -91,7 +92,9 @@ namespace {
                                      const Motion& motion, const EvaluationPoint& point,
                                      Frame& frame, MotionRate& rate) {
     frame.has_centers = true;
+    frame.has_joint_geometry = true;
     frame.is_factored = true;
+    frame.is_inverted = false;
     const bool all = point.detail == FrameDetail::kEverything;
     compute_joints(model, motion, frame.kinematics);
     if (all || forcing.pulled || is_dragged(forcing.medium))
@@ -114,7 +117,7 @@ namespace {
 
 void evaluate_accelerations(const PlanarModel& model, const Forcing& forcing, const Motion& motion,
                             const EvaluationPoint& point, Frame& frame, MotionRate& rate) {
-    if (is_dense(model, forcing, point)) {
+    if (is_dense(model, forcing)) {
         evaluate_dense(model, forcing, motion, point, frame, rate);
     } else {
         evaluate_tree(model, forcing, motion, point, frame, rate);
@@ -124,14 +127,15 @@ void evaluate_accelerations(const PlanarModel& model, const Forcing& forcing, co
 void find_centers(const PlanarModel& model, Frame& frame) {
     if (frame.has_centers) return;
     frame.has_centers = true;
-    compute_joint_geometry(model, frame.kinematics);
-    follow_coordinates(model, frame.kinematics, frame.response);
+    accelerate_dense_centers(model, frame.kinematics, frame.response);
 }
 
 void complete_frame(const PlanarModel& model, Frame& frame) {
     find_centers(model, frame);
     if (frame.is_factored) return;
     frame.is_factored = true;
+    if (!frame.has_joint_geometry) compute_joint_geometry(model, frame.kinematics);
+    frame.has_joint_geometry = true;
     factorize(model, frame.kinematics, frame.factors);
 }
 

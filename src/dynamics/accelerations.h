@@ -16,10 +16,15 @@ struct Frame {
     BodyResponse response;  // accelerations, loops closed
     PerBody motor_effort;   // N m or N
     PerBody motor_damping;  // where motors are implicit: effort lost per joint acceleration
-    // Whether the geometry of the joints and the accelerations of the bodies' centres are there,
-    // and whether the factors are; else find_centers and complete_frame bring them.
+    // In place of the factors, where the frame was evaluated in dense form with implicit motors:
+    // inverse of the mass matrix with their damping, by columns of DenseForm.
+    double inverse[kMaxDenseBodies * kMaxDenseBodies];
+    // Whether the accelerations of the bodies' centres are there, the geometry of the joints, the
+    // factors; else find_centers and complete_frame bring them.
     bool has_centers;
+    bool has_joint_geometry;
     bool is_factored;
+    bool is_inverted;  // whether the inverse is there
 };
 
 // What of the kinematics is to be left in the frame: what this forcing needs for the accelerations,

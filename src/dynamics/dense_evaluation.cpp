@@ -1,6 +1,8 @@
 #include "dynamics/dense_evaluation.h"
 
 #include "dynamics/box_drag.h"
+#include "dynamics/dense_lanes.h"
+#include "dynamics/dense_response.h"
 #include "dynamics/drag.h"
 #include "dynamics/motor_lanes.h"
 #include "math/elementary.h"
@@ -8,24 +10,9 @@
 namespace cambrian {
 namespace {
 
-// Lane values of up to kBlocks * kLanes bodies.
-template <int kBlocks>
-struct BodyLanes {
-    Lanes block[std::size_t{kBlocks}];
+enum class Motors { kExplicit, kImplicit };
 
-    CAMBRIAN_INLINE Lanes& operator[](int b) { return block[b]; }
-    CAMBRIAN_INLINE const Lanes& operator[](int b) const { return block[b]; }
-    CAMBRIAN_INLINE void load(const double* from) {
-        for (int b = 0; b < kBlocks; ++b)
-            block[b] = load_lanes(from + b * kLanes);
-    }
-    CAMBRIAN_INLINE void store(double* to) const {
-        for (int b = 0; b < kBlocks; ++b)
-            store_lanes(to + b * kLanes, block[b]);
-    }
-};
-
-template <int kBlocks>
+template <int kBlocks, Motors kMotors>
 class DenseEvaluation {
 public:
     CAMBRIAN_INLINE DenseEvaluation(const PlanarModel& model, const Forcing& forcing,
@@ -41,17 +28,23 @@ public:
     CAMBRIAN_INLINE void run(const EvaluationPoint& point) {
         const bool all = point.detail == FrameDetail::kEverything;
         turn_bodies();
-        drive_joints(point.tick_share);
+        drive_joints(point);
         const Medium& medium = forcing_.medium;
         const bool is_dragged = medium.drag_linear > 0.0 || medium.drag_quadratic > 0.0;
         if (all || is_dragged) move_bodies();
         rate_.power[kDragWork] = is_dragged ? drag_bodies() : 0.0;
         rate_.power[kPullWork] = 0.0;
         couple_angles();
-        solve();
+        if constexpr (kMotors == Motors::kImplicit)
+            invert();
+        else
+            eliminate();
+        move_center();
         if (all) keep_response();
         frame_.has_centers = false;
+        frame_.has_joint_geometry = false;
         frame_.is_factored = false;
+        frame_.is_inverted = kMotors == Motors::kImplicit;
     }
 
 private:
@@ -78,7 +71,7 @@ private:
     }
 
     // Efforts of motors act on a body and back on its parent.
-    CAMBRIAN_INLINE void drive_joints(double tick_share) {
+    CAMBRIAN_INLINE void drive_joints(const EvaluationPoint& point) {
         Kinematics& k = frame_.kinematics;
         double torque[kSlots];
         Lanes net = {};
@@ -88,15 +81,22 @@ private:
             const Lanes position = load_lanes(k.angle + i) - gather(k.angle, parents) -
                                    load_lanes(model_.rest_angle + i);
             const Lanes rate = load_lanes(k.spin + i) - gather(k.spin, parents);
-            const Lanes effort =
-                motor_efforts(model_, forcing_.drive, tick_share, position, rate, i);
             store_lanes(k.joint_position + i, position);
             store_lanes(k.joint_rate + i, rate);
+            Lanes effort;
+            if constexpr (kMotors == Motors::kImplicit) {
+                const ImplicitEfforts motors = implicit_efforts(
+                    model_, forcing_.drive, point.tick_share, *point.implicit, position, rate, i);
+                effort = motors.effort;
+                store_lanes(frame_.motor_damping + i, motors.damping);
+            } else {
+                effort = motor_efforts(model_, forcing_.drive, point.tick_share, position, rate, i);
+                const Lanes power = effort * rate;
+                net += power;
+                gross += magnitude(power);
+            }
             store_lanes(frame_.motor_effort + i, effort);
             store_lanes(torque + i, effort);
-            const Lanes power = effort * rate;
-            net += power;
-            gross += magnitude(power);
         }
         rate_.power[kMotorWork] = sum_of(net);
         rate_.power[kGrossMotorWork] = sum_of(gross);
@@ -173,22 +173,14 @@ private:
         Loads& loads = frame_.loads;
         const double power =
             form_.single_boxes ? drag_single_boxes(loads) : drag_welded_boxes(loads);
-        BodyLanes<kBlocks> turning = {};
-        BodyLanes<kBlocks> stretching = {};
+        Levers<kBlocks> levers(form_, frame_.kinematics);
         for (int body = 0; body < bodies_; ++body) {
-            const double force_x = loads.force_x[body];
-            const double force_y = loads.force_y[body];
-            drag_x_ += force_x;
-            drag_y_ += force_y;
-            for (int b = 0; b < kBlocks; ++b) {
-                const Lanes d_x = load_lanes(form_.lever_x + body * kLines + b * kLanes);
-                const Lanes d_y = load_lanes(form_.lever_y + body * kLines + b * kLanes);
-                turning[b] += d_x * force_y - d_y * force_x;
-                stretching[b] += d_x * force_x + d_y * force_y;
-            }
+            drag_x_ += loads.force_x[body];
+            drag_y_ += loads.force_y[body];
+            levers.add_force(body, loads.force_x[body], loads.force_y[body]);
         }
         for (int b = 0; b < kBlocks; ++b)
-            torque_[b] += cosine_[b] * turning[b] - sine_[b] * stretching[b];
+            torque_[b] += levers.torque(b);
         return power;
     }
 
@@ -212,30 +204,66 @@ private:
     }
 
     // Gauss-Jordan elimination; the matrix is positive definite.
-    CAMBRIAN_INLINE void solve() {
+    CAMBRIAN_INLINE void eliminate() {
         const int columns = kBlocks == 1 ? kLanes : bodies_;
         double inverse_pivot[kSlots] = {};
         for (int k = 0; k < columns; ++k) {
-            const double inverse = 1.0 / column_[k].block[k / kLanes][k % kLanes];
+            const double inverse = 1.0 / column_[k].at(k);
             inverse_pivot[k] = inverse;
             BodyLanes<kBlocks> factor;
             for (int b = 0; b < kBlocks; ++b)
                 factor[b] = column_[k][b] * inverse;
             factor[k / kLanes][k % kLanes] = 0.0;
             for (int j = k + 1; j < columns; ++j) {
-                const Lanes pivot_row = all_lanes(column_[j][k / kLanes][k % kLanes]);
+                const Lanes pivot_row = all_lanes(column_[j].at(k));
                 for (int b = 0; b < kBlocks; ++b)
                     column_[j][b] -= factor[b] * pivot_row;
             }
-            const Lanes pivot_row = all_lanes(torque_[k / kLanes][k % kLanes]);
+            const Lanes pivot_row = all_lanes(torque_.at(k));
             for (int b = 0; b < kBlocks; ++b)
                 torque_[b] -= factor[b] * pivot_row;
         }
-        for (int b = 0; b < kBlocks; ++b) {
-            const Lanes turn = torque_[b] * load_lanes(inverse_pivot + b * kLanes);
-            store_lanes(rate_.acceleration + b * kLanes, turn);
-            store_lanes(frame_.response.spin + b * kLanes, turn);
+        for (int b = 0; b < kBlocks; ++b)
+            torque_[b] *= load_lanes(inverse_pivot + b * kLanes);
+        keep_turn(torque_);
+    }
+
+    // The same in place, with motors that are implicit, for loads that are still to come.
+    CAMBRIAN_INLINE void invert() {
+        for (int i = 1; i < bodies_; ++i) {
+            const int p = model_.parent[i];
+            const double damping = frame_.motor_damping[i];
+            column_[i].add_at(i, damping);
+            column_[p].add_at(p, damping);
+            column_[i].add_at(p, -damping);
+            column_[p].add_at(i, -damping);
         }
+        const int columns = kBlocks == 1 ? kLanes : bodies_;
+        for (int k = 0; k < columns; ++k) {
+            const double inverse = 1.0 / column_[k].at(k);
+            const BodyLanes<kBlocks> pivot_column = column_[k];
+            for (int j = 0; j < columns; ++j) {
+                if (j == k) continue;
+                const double scaled = column_[j].at(k) * inverse;
+                for (int b = 0; b < kBlocks; ++b)
+                    column_[j][b] -= pivot_column[b] * scaled;
+                column_[j][k / kLanes][k % kLanes] = scaled;
+            }
+            for (int b = 0; b < kBlocks; ++b)
+                column_[k][b] *= -inverse;
+            column_[k][k / kLanes][k % kLanes] = inverse;
+        }
+        for (int k = 0; k < columns; ++k)
+            column_[k].store(frame_.inverse + k * kLines);
+        keep_turn(times_inverse(frame_.inverse, bodies_, torque_));
+    }
+
+    CAMBRIAN_INLINE void keep_turn(const BodyLanes<kBlocks>& turn) {
+        turn.store(rate_.acceleration);
+        turn.store(frame_.response.spin);
+    }
+
+    CAMBRIAN_INLINE void move_center() {
         const double share = 1.0 / model_.total_mass;
         store_lanes(rate_.acceleration + kLines, Lanes{});
         rate_.acceleration[bodies_] = forcing_.medium.gravity_x + share * drag_x_;
@@ -259,10 +287,12 @@ private:
     double drag_x_ = 0.0, drag_y_ = 0.0;
 };
 
-template <int kBlocks>
-void evaluate_blocks(const PlanarModel& model, const Forcing& forcing, const Motion& motion,
-                     const EvaluationPoint& point, Frame& frame, MotionRate& rate) {
-    DenseEvaluation<kBlocks>(model, forcing, motion, frame, rate).run(point);
+// Functions of their own: together in one the compiler would unroll neither.
+template <int kBlocks, Motors kMotors>
+[[gnu::noinline]] void evaluate(const PlanarModel& model, const Forcing& forcing,
+                                const Motion& motion, const EvaluationPoint& point, Frame& frame,
+                                MotionRate& rate) {
+    DenseEvaluation<kBlocks, kMotors>(model, forcing, motion, frame, rate).run(point);
 }
 
 }  // namespace
@@ -270,10 +300,13 @@ void evaluate_blocks(const PlanarModel& model, const Forcing& forcing, const Mot
 void evaluate_dense(const PlanarModel& model, const Forcing& forcing, const Motion& motion,
                     const EvaluationPoint& point, Frame& frame, MotionRate& rate) {
     static_assert(kMaxDenseBlocks == 2);
-    if (model.dense.blocks == 1)
-        evaluate_blocks<1>(model, forcing, motion, point, frame, rate);
+    const bool small = model.dense.blocks == 1;
+    if (point.implicit == nullptr)
+        (small ? evaluate<1, Motors::kExplicit>
+               : evaluate<2, Motors::kExplicit>)(model, forcing, motion, point, frame, rate);
     else
-        evaluate_blocks<2>(model, forcing, motion, point, frame, rate);
+        (small ? evaluate<1, Motors::kImplicit>
+               : evaluate<2, Motors::kImplicit>)(model, forcing, motion, point, frame, rate);
 }
 
 }  // namespace cambrian

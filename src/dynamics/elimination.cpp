@@ -299,30 +299,6 @@ void factorize(const PlanarModel& model, const Kinematics& kinematics, Factors& 
     solve_accelerations(model, kinematics, none, factors, unused);
 }
 
-void follow_coordinates(const PlanarModel& model, const Kinematics& k, BodyResponse& response) {
-    const int slots = round_up_to_lanes(model.body_count);
-    response.x[0] = 0.0;
-    response.y[0] = 0.0;
-    for (int i = 1; i < model.body_count; ++i) {
-        const int p = model.parent[i];
-        response.x[i] = response.x[p] + response.spin[p] * k.z_x[i] + k.gamma_x[i];
-        response.y[i] = response.y[p] + response.spin[p] * k.z_y[i] + k.gamma_y[i];
-    }
-    for (int i = model.body_count; i < slots; ++i) {
-        response.x[i] = 0.0;
-        response.y[i] = 0.0;
-    }
-    move_to_centers<Load::kForce>(model, k, response);
-    const double* share = model.tree_share[0];
-    const double* center = response.coordinate + center_of(model, 0);
-    const Lanes shift_x = all_lanes(center[0] - lane_product(share, response.x, slots));
-    const Lanes shift_y = all_lanes(center[1] - lane_product(share, response.y, slots));
-    for (int i = 0; i < slots; i += kLanes) {
-        store_lanes(response.x + i, load_lanes(response.x + i) + shift_x);
-        store_lanes(response.y + i, load_lanes(response.y + i) + shift_y);
-    }
-}
-
 void solve_impulse(const PlanarModel& model, const Kinematics& k, const Factors& factors,
                    const Loads& impulses, BodyResponse& response) {
     Pair f[kMaxBodies];

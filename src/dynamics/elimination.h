@@ -46,10 +46,6 @@ void solve_damped_accelerations(const PlanarModel& model, const Kinematics& kine
 // The factors alone.
 void factorize(const PlanarModel& model, const Kinematics& kinematics, Factors& factors);
 
-// Accelerations of the centres from those of the coordinates; one tree of rotary joints only.
-void follow_coordinates(const PlanarModel& model, const Kinematics& kinematics,
-                        BodyResponse& response);
-
 // Velocity jumps under the loads taken as impulses.
 void solve_impulse(const PlanarModel& model, const Kinematics& kinematics, const Factors& factors,
                    const Loads& impulses, BodyResponse& response);

@@ -1,5 +1,6 @@
 #include "dynamics/midpoint_step.h"
 
+#include "dynamics/dense_response.h"
 #include "dynamics/paired_impulses.h"
 
 #include <cmath>
@@ -45,6 +46,7 @@ bool MidpointStep::attempt(const MotionSystem& system, const ContactLaw& law,
     const ImplicitStage stage{half, request.start.kinematics.joint_rate};
     system.evaluate(predicted_, step.time + half, FrameDetail::kEverything, middle_, middle_rate_,
                     &stage);
+    if (contacts.chosen().count > 0) find_centers(model, middle_);
     contacts.build_between(model, law, step.start, request.start.kinematics, middle_);
     const bool solved = contacts.hold(model, law, step.length, warm);
     respond(model, contacts, step.length);
@@ -74,9 +76,15 @@ void MidpointStep::respond(const PlanarModel& model, const ContactSolver& contac
     Loads loads;
     clear_loads(model, loads);
     contacts.add_held(h, loads);
-    solve_impulse(model, middle_.kinematics, middle_.factors, loads, held_);
-    for (int c = coordinate_count(model); c < coordinate_slots(model); ++c)
-        held_.coordinate[c] = 0.0;
+    if (middle_.is_inverted) {
+        solve_dense_impulse(model, middle_, loads, held_.coordinate);
+        for (int i = 0; i < model.body_count; i += kLanes)
+            store_lanes(held_.spin + i, load_lanes(held_.coordinate + i));
+    } else {
+        solve_impulse(model, middle_.kinematics, middle_.factors, loads, held_);
+        for (int c = coordinate_count(model); c < coordinate_slots(model); ++c)
+            held_.coordinate[c] = 0.0;
+    }
     for (int c = 0; c < coordinate_slots(model); c += kLanes)
         store_lanes(mean_rate_.acceleration + c,
                     load_lanes(middle_rate_.acceleration + c) + load_lanes(held_.coordinate + c));
@@ -158,37 +166,47 @@ double MidpointStep::estimate_error(const PlanarModel& model, const ContactLaw& 
 void MidpointStep::take_damping(const PlanarModel& model, const PerCoordinate (&changes)[2],
                                 PerCoordinate (&errors)[2]) const {
     Loads loads[2];
-    PerCoordinate jumps[2];
     for (int which = 0; which < 2; ++which) {
         PerBody spin;
         spread_spins(model, changes[which], spin);
         clear_loads(model, loads[which]);
         for (int i = 0; i < model.body_count; i += kLanes)
             store_lanes(loads[which].effort + i,
-                        load_lanes(middle_.motor_damping + i) *
+                        -load_lanes(middle_.motor_damping + i) *
                             joint_accelerations(model, changes[which], spin, i));
     }
-    solve_paired_impulses(model, middle_.kinematics, middle_.factors, loads, jumps);
-    for (int which = 0; which < 2; ++which) {
-        for (int c = 0; c < coordinate_count(model); ++c)
-            errors[which][c] -= jumps[which][c];
-    }
+    add_responses(model, loads, errors);
 }
 
 // Takes from the errors what the rows that hold take up of them.
 void MidpointStep::take_absorbed(const PlanarModel& model, const ContactLaw& law,
                                  ContactSolver& contacts, PerCoordinate (&errors)[2]) const {
+    const Kinematics& k = middle_.kinematics;
     Loads loads[2];
-    PerCoordinate jumps[2];
     for (int which = 0; which < 2; ++which) {
         BodyResponse motion;
         for (int c = 0; c < coordinate_slots(model); c += kLanes)
             store_lanes(motion.coordinate + c, load_lanes(errors[which] + c));
-        spread_rates(model, middle_.kinematics, errors[which], motion.spin, motion.x, motion.y);
+        if (middle_.is_inverted)
+            spread_dense_rates(model, k, errors[which], motion.spin, motion.x, motion.y);
+        else
+            spread_rates(model, k, errors[which], motion.spin, motion.x, motion.y);
         clear_loads(model, loads[which]);
         contacts.absorb(model, law, motion, loads[which]);
     }
-    solve_paired_impulses(model, middle_.kinematics, middle_.factors, loads, jumps);
+    add_responses(model, loads, errors);
+}
+
+// Adds what the loads do to the coordinates in the middle.
+void MidpointStep::add_responses(const PlanarModel& model, const Loads (&loads)[2],
+                                 PerCoordinate (&errors)[2]) const {
+    PerCoordinate jumps[2];
+    if (middle_.is_inverted) {
+        for (int which = 0; which < 2; ++which)
+            solve_dense_impulse(model, middle_, loads[which], jumps[which]);
+    } else {
+        solve_paired_impulses(model, middle_.kinematics, middle_.factors, loads, jumps);
+    }
     for (int which = 0; which < 2; ++which) {
         for (int c = 0; c < coordinate_count(model); ++c)
             errors[which][c] += jumps[which][c];

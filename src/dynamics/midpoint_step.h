@@ -45,6 +45,8 @@ private:
                       PerCoordinate (&errors)[2]) const;
     void take_absorbed(const PlanarModel& model, const ContactLaw& law, ContactSolver& contacts,
                        PerCoordinate (&errors)[2]) const;
+    void add_responses(const PlanarModel& model, const Loads (&loads)[2],
+                       PerCoordinate (&errors)[2]) const;
 
     Motion predicted_ = {};
     Frame middle_ = {};

@@ -2,7 +2,7 @@
 
 // The law of motors.cpp for four joints at once, from `first` on.
 
-#include "dynamics/forcing.h"
+#include "dynamics/motors.h"
 
 namespace cambrian {
 
@@ -30,6 +30,26 @@ CAMBRIAN_INLINE Lanes motor_efforts(const PlanarModel& model, const MotorDrive& 
     const WantedRates wanted = wanted_rates(model.motor, drive, tick_share, position, first);
     return clamp_size(wanted.gain * (wanted.rate - load_lanes(model.motor.damping + first) * rate),
                       load_lanes(model.max_effort + first));
+}
+
+// Of an implicit stage (compute_implicit_efforts).
+struct ImplicitEfforts {
+    Lanes effort, damping;
+};
+
+CAMBRIAN_INLINE ImplicitEfforts implicit_efforts(const PlanarModel& model, const MotorDrive& drive,
+                                                 double tick_share, const ImplicitStage& stage,
+                                                 const Lanes& position, const Lanes& rate,
+                                                 int first) {
+    const WantedRates wanted = wanted_rates(model.motor, drive, tick_share, position, first);
+    const Lanes share = load_lanes(model.motor.damping + first);
+    const Lanes most = load_lanes(model.max_effort + first);
+    const Lanes predicted = wanted.gain * (wanted.rate - share * rate);
+    const Lanes at_start =
+        wanted.gain * (wanted.rate - share * load_lanes(stage.start_rate + first));
+    const auto spare = magnitude(predicted) < most;
+    return {spare ? at_start : clamp_size(predicted, most),
+            spare ? stage.time * wanted.gain * share : Lanes{}};
 }
 
 }  // namespace cambrian

@@ -46,19 +46,12 @@ MotorPower compute_motor_efforts(const PlanarModel& model, const MotorDrive& dri
 void compute_implicit_efforts(const PlanarModel& model, const MotorDrive& drive, double tick_share,
                               const ImplicitStage& stage, const Kinematics& kinematics,
                               PerBody& effort, PerBody& damping) {
-    const MotorLaw& law = model.motor;
     for (int i = 0; i < model.body_count; i += kLanes) {
-        const WantedRates wanted =
-            wanted_rates(law, drive, tick_share, load_lanes(kinematics.joint_position + i), i);
-        const Lanes share = load_lanes(law.damping + i);
-        const Lanes most = load_lanes(model.max_effort + i);
-        const Lanes predicted =
-            wanted.gain * (wanted.rate - share * load_lanes(kinematics.joint_rate + i));
-        const Lanes at_start =
-            wanted.gain * (wanted.rate - share * load_lanes(stage.start_rate + i));
-        const auto spare = magnitude(predicted) < most;
-        store_lanes(effort + i, spare ? at_start : clamp_size(predicted, most));
-        store_lanes(damping + i, spare ? stage.time * wanted.gain * share : Lanes{});
+        const ImplicitEfforts motors = implicit_efforts(model, drive, tick_share, stage,
+                                                        load_lanes(kinematics.joint_position + i),
+                                                        load_lanes(kinematics.joint_rate + i), i);
+        store_lanes(effort + i, motors.effort);
+        store_lanes(damping + i, motors.damping);
     }
 }
 

@@ -7,6 +7,8 @@
 
 #include "dynamics/row_matrix.h"
 
+#include "dynamics/dense_row_matrix.h"
+
 #include <algorithm>
 #include <bit>
 
@@ -172,11 +174,7 @@ CAMBRIAN_INLINE double regularization(const PlanarModel& model, const RowSystem&
     return std::max(softness * free, kFreeShare * free - diagonal);
 }
 
-}  // namespace
-
-void compute_row_matrix(const PlanarModel& model, const Frame& frame, double friction_softness,
-                        RowSystem& rows) {
-    rows.stride = round_up_to_lanes(rows.count);
+void fill_row_matrix(const PlanarModel& model, const Frame& frame, RowSystem& rows) {
     Arrivals arrivals[kMaxGroups];
     for (int first = 0; first < rows.count; first += kLanes) {
         Arrivals& group = arrivals[first / kLanes];
@@ -190,6 +188,17 @@ void compute_row_matrix(const PlanarModel& model, const Frame& frame, double fri
         for (int column = 0; column <= first; column += kLanes)
             fill_block(model, group, arrivals[column / kLanes], first, column, rows);
     }
+}
+
+}  // namespace
+
+void compute_row_matrix(const PlanarModel& model, const Frame& frame, double friction_softness,
+                        RowSystem& rows) {
+    rows.stride = round_up_to_lanes(rows.count);
+    if (frame.is_inverted)
+        fill_dense_row_matrix(model, frame, rows);
+    else
+        fill_row_matrix(model, frame, rows);
     for (int row = 0; row < rows.count; ++row) {
         rows.regularization[row] = regularization(model, rows, row, friction_softness);
         rows.line(row)[row] += rows.regularization[row];

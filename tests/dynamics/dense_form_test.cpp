@@ -3,7 +3,9 @@
 #include "dynamics/accelerations.h"
 #include "dynamics/bodies.h"
 #include "dynamics/dense_evaluation.h"
+#include "dynamics/dense_response.h"
 #include "dynamics/model_building.h"
+#include "dynamics/rows.h"
 #include "support/catch.h"
 
 #include <cmath>
@@ -77,7 +79,7 @@ TEST_CASE("the dense form gives what the elimination gives", "[dynamics][dense]"
         const PlanarModel model = creature(random, round % 2 == 1);
         const Motion motion = random_motion(random, model);
         const Forcing forcing = random_forcing(random, model);
-        REQUIRE(is_dense(model, forcing, {}));
+        REQUIRE(is_dense(model, forcing));
         PlanarModel tree_model = model;
         tree_model.dense.blocks = 0;
         const Evaluation dense = evaluated(model, forcing, motion);
@@ -110,17 +112,125 @@ TEST_CASE("the dense form gives what the elimination gives", "[dynamics][dense]"
     }
 }
 
+TEST_CASE("the dense form answers impulses with implicit motors as the elimination does",
+          "[dynamics][dense]") {
+    RandomStream random(stream_seed({63}));
+    for (int round = 0; round < 200; ++round) {
+        INFO(round);
+        const PlanarModel model = creature(random, round % 2 == 1);
+        const Motion motion = random_motion(random, model);
+        const Forcing forcing = random_forcing(random, model);
+        PlanarModel tree_model = model;
+        tree_model.dense.blocks = 0;
+        PerBody start_rate = {};
+        for (int i = 1; i < model.body_count; ++i)
+            start_rate[i] = 3.0 * random.gauss();
+        const ImplicitStage stage{1.0 / 120, start_rate};
+        const EvaluationPoint point{0.3, FrameDetail::kEverything, &stage};
+        Evaluation dense;
+        Evaluation tree;
+        evaluate_accelerations(model, forcing, motion, point, dense.frame, dense.rate);
+        evaluate_accelerations(tree_model, forcing, motion, point, tree.frame, tree.rate);
+        REQUIRE(dense.frame.is_inverted);
+        find_centers(model, dense.frame);
+        const int bodies = model.body_count;
+        const int coordinates = coordinate_count(model);
+        constexpr double kClose = 1e-11;
+        CHECK(difference(dense.rate.acceleration, tree.rate.acceleration, coordinates) < kClose);
+        CHECK(difference(dense.rate.power, tree.rate.power, kWorkCount) < kClose);
+        CHECK(difference(dense.frame.motor_damping, tree.frame.motor_damping, bodies) < kClose);
+        CHECK(difference(dense.frame.response.x, tree.frame.response.x, bodies) < kClose);
+        CHECK(difference(dense.frame.response.spin, tree.frame.response.spin, bodies) < kClose);
+
+        Loads loads = {};
+        for (int i = 0; i < bodies; ++i) {
+            loads.force_x[i] = random.gauss();
+            loads.force_y[i] = random.gauss();
+            loads.torque[i] = 0.1 * random.gauss();
+            if (i > 0) loads.effort[i] = 0.1 * random.gauss();
+        }
+        PerCoordinate jump = {};
+        solve_dense_impulse(model, dense.frame, loads, jump);
+        BodyResponse expected;
+        solve_impulse(tree_model, tree.frame.kinematics, tree.frame.factors, loads, expected);
+        CHECK(difference(jump, expected.coordinate, coordinates) < kClose);
+        BodyResponse spread;
+        spread_dense_rates(model, dense.frame.kinematics, jump, spread.spin, spread.x, spread.y);
+        CHECK(difference(spread.x, expected.x, bodies) < kClose);
+        CHECK(difference(spread.y, expected.y, bodies) < kClose);
+        CHECK(difference(spread.spin, expected.spin, bodies) < kClose);
+    }
+}
+
+// Two points of every body on the ground, some pressed together in pairs, and all stops.
+ContactSet scattered_contacts(RandomStream& random, const PlanarModel& model) {
+    ContactSet contacts;
+    for (int i = 0; i < 2 * model.body_count; ++i) {
+        Contact contact;
+        contact.id = i;
+        contact.body_a = i % model.body_count;
+        contact.part_a = contact.body_a;
+        if (i % 3 == 1 && contact.body_a > 0) {
+            contact.body_b = 0;
+            contact.part_b = 0;
+            contact.id = kGroundContactIds + i * kIdsPerPair;
+        }
+        const double turn = random.gauss();
+        contact.normal_x = sine(turn);
+        contact.normal_y = cosine(turn);
+        contact.arm_ax = 0.1 * random.gauss();
+        contact.arm_ay = 0.1 * random.gauss();
+        contact.arm_bx = 0.1 * random.gauss();
+        contact.arm_by = 0.1 * random.gauss();
+        contacts.add(contact);
+    }
+    return contacts;
+}
+
+TEST_CASE("the dense form couples rows as the elimination does", "[dynamics][dense]") {
+    RandomStream random(stream_seed({64}));
+    for (int round = 0; round < 100; ++round) {
+        INFO(round);
+        const PlanarModel model = creature(random, round % 2 == 1);
+        const Motion motion = random_motion(random, model);
+        const Forcing forcing = random_forcing(random, model);
+        PlanarModel tree_model = model;
+        tree_model.dense.blocks = 0;
+        const PerBody start_rate = {};
+        const ImplicitStage stage{1.0 / 120, start_rate};
+        const EvaluationPoint point{0.3, FrameDetail::kEverything, &stage};
+        Evaluation dense;
+        Evaluation tree;
+        evaluate_accelerations(model, forcing, motion, point, dense.frame, dense.rate);
+        evaluate_accelerations(tree_model, forcing, motion, point, tree.frame, tree.rate);
+        find_centers(model, dense.frame);
+        const ContactSet contacts = scattered_contacts(random, model);
+        LimitSet limits;
+        for (int i = 1; i < model.body_count; ++i)
+            limits.add({i, i % 2 == 0 ? 1.0 : -1.0, 0.0});
+        const RowSources sources{contacts, limits, true, 1e-2};
+        static RowSystem rows;
+        static RowSystem expected;
+        build_rows(model, motion, dense.frame, sources, rows);
+        build_rows(tree_model, motion, tree.frame, sources, expected);
+        REQUIRE(rows.count == expected.count);
+        CHECK(difference(rows.acceleration, expected.acceleration, rows.count) < 1e-11);
+        for (int row = 0; row < rows.count; ++row)
+            CHECK(difference(rows.line(row), expected.line(row), rows.stride) < 1e-10);
+    }
+}
+
 TEST_CASE("the dense form is left where it does not apply", "[dynamics][dense]") {
     RandomStream random(stream_seed({62}));
     const auto large =
         build_planar_model(random_tree(random, kMaxDenseBodies + 1, 0.0, 1.0, 0.0), 1.0);
-    CHECK_FALSE(is_dense(*large, {}, {}));
+    CHECK_FALSE(is_dense(*large, {}));
     const auto sliding = build_planar_model(random_tree(random, 4, 1.0, 1.0, 0.0), 1.0);
-    CHECK_FALSE(is_dense(*sliding, {}, {}));
+    CHECK_FALSE(is_dense(*sliding, {}));
     const auto small = build_planar_model(chain(3, 1.0), 1.0);
     Forcing forcing;
-    CHECK(is_dense(*small, forcing, {}));
+    CHECK(is_dense(*small, forcing));
     const HeldForces held;
     forcing.held = &held;
-    CHECK_FALSE(is_dense(*small, forcing, {}));
+    CHECK_FALSE(is_dense(*small, forcing));
 }
