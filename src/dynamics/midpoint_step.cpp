@@ -177,14 +177,15 @@ void MidpointStep::take_absorbed(const PlanarModel& model, const ContactLaw& law
                                  ContactSolver& contacts, PerCoordinate (&errors)[2]) const {
     Loads loads[2];
     PerCoordinate jumps[2];
+    BodyResponse changes[2];
     for (int which = 0; which < 2; ++which) {
-        BodyResponse motion;
+        BodyResponse& change = changes[which];
         for (int c = 0; c < coordinate_slots(model); c += kLanes)
-            store_lanes(motion.coordinate + c, load_lanes(errors[which] + c));
-        spread_rates(model, middle_.kinematics, errors[which], motion.spin, motion.x, motion.y);
+            store_lanes(change.coordinate + c, load_lanes(errors[which] + c));
+        spread_rates(model, middle_.kinematics, errors[which], change.spin, change.x, change.y);
         clear_loads(model, loads[which]);
-        contacts.absorb(model, law, motion, loads[which]);
     }
+    contacts.absorb(model, law, changes, loads);
     solve_paired_impulses(model, middle_.kinematics, middle_.factors, loads, jumps);
     for (int which = 0; which < 2; ++which) {
         for (int c = 0; c < coordinate_count(model); ++c)
