@@ -269,15 +269,11 @@ void evaluate_blocks(const PlanarModel& model, const Forcing& forcing, const Mot
 
 void evaluate_dense(const PlanarModel& model, const Forcing& forcing, const Motion& motion,
                     const EvaluationPoint& point, Frame& frame, MotionRate& rate) {
-    static_assert(kMaxDenseBlocks == 3);
-    switch (model.dense.blocks) {
-        case 1:
-            return evaluate_blocks<1>(model, forcing, motion, point, frame, rate);
-        case 2:
-            return evaluate_blocks<2>(model, forcing, motion, point, frame, rate);
-        default:
-            return evaluate_blocks<3>(model, forcing, motion, point, frame, rate);
-    }
+    static_assert(kMaxDenseBlocks == 2);
+    if (model.dense.blocks == 1)
+        evaluate_blocks<1>(model, forcing, motion, point, frame, rate);
+    else
+        evaluate_blocks<2>(model, forcing, motion, point, frame, rate);
 }
 
 }  // namespace cambrian

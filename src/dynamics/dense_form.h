@@ -11,8 +11,8 @@ namespace cambrian {
 
 struct PlanarModel;
 
-inline constexpr int kMaxDenseBlocks = 3;  // of kLanes bodies; for more the elimination is cheaper
-inline constexpr int kMaxDenseBodies = 12;
+inline constexpr int kMaxDenseBlocks = 2;  // of kLanes bodies; for more the elimination is cheaper
+inline constexpr int kMaxDenseBodies = 8;
 
 // By columns, each as long as the blocks; what belongs to no body is 0, on A's diagonal 1.
 using DenseMatrix = double[kMaxDenseBodies * kMaxDenseBodies];

@@ -13,9 +13,11 @@
 namespace cambrian {
 namespace {
 
-constexpr double kCollapseShare = 1.0 / 16;  // of the contact step
-constexpr double kPatientShare = 1.0 / 8;    // of the contact step
-constexpr int kPatience = 4;                 // collapses in a row before a step without held forces
+constexpr double kCollapseShare = 1.0 / 32;   // of the contact step
+constexpr double kCollapseStep = 1.0 / 1920;  // s; at most, at the usual tolerance
+constexpr double kUsualTolerance = 4e-3;
+constexpr double kPatientShare = 1.0 / 16;  // of the contact step
+constexpr int kPatience = 4;                // collapses in a row before a step without held forces
 constexpr double kBudgetTime =
     1.0;  // s; of evaluations that may be spent before time pays for them
 constexpr double kHalvingStep = 1.0 / 960;  // s; shorter ones are not halved
@@ -23,7 +25,7 @@ constexpr double kMaxDeepening = 4e-3;      // m; of the deepest contact in one 
 constexpr double kMaxTickDeepening = 8e-3;  // m; in one tick
 constexpr double kMaxOverrun = 0.03;        // rad or m past a stop
 constexpr double kOverrunGrowth = 0.01;     // of that in one step
-constexpr double kWorkAllowance = 3e-4;     // J per (kg m/s^2)
+constexpr double kWorkAllowance = 5e-4;     // J per (kg m/s^2)
 constexpr double kReferenceGravity = 9.81;  // m/s^2
 constexpr double kMinStep = 1e-6;           // s
 constexpr double kSliver = 1e-9;            // s; what may be left of a tick
@@ -52,6 +54,15 @@ double deepest(const ContactSet& contacts) {
 }
 
 }  // namespace
+
+StepControl::StepControl(const IntegratorKind& integrator, const SceneSettings& settings)
+    : integrator_(&integrator),
+      tolerance_(settings.tolerance),
+      contact_step_(settings.contact_step),
+      max_evaluations_(settings.max_evaluations) {
+    const double share = inverse_root(kUsualTolerance / tolerance_, MidpointStep::kErrorOrder);
+    collapse_step_ = std::min(kCollapseShare * contact_step_, kCollapseStep * share);
+}
 
 void StepControl::advance(const PlanarModel& model, const ContactLaw& law, Forcing& forcing,
                           double duration, SceneMoment& moment) {
@@ -228,7 +239,7 @@ StepControl::Attempt StepControl::attempt(Tick& tick, bool has_rows, double& h) 
             if (h < kMinStep) {
                 return std::isfinite(result_.error) ? Attempt::kOverBudget : Attempt::kDiverged;
             }
-            if (!has_rows || h >= kCollapseShare * contact_step_) continue;
+            if (!has_rows || h >= collapse_step_) continue;
             ++tick.collapses;
             strike(tick, 0.0);
             moment.proposed_step = contact_step_;

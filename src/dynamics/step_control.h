@@ -54,11 +54,7 @@ struct RowTally {
 
 class StepControl {
 public:
-    StepControl(const IntegratorKind& integrator, const SceneSettings& settings)
-        : integrator_(&integrator),
-          tolerance_(settings.tolerance),
-          contact_step_(settings.contact_step),
-          max_evaluations_(settings.max_evaluations) {}
+    StepControl(const IntegratorKind& integrator, const SceneSettings& settings);
 
     // Moves the moment on by one tick; its status tells whether that went well.
     void advance(const PlanarModel& model, const ContactLaw& law, Forcing& forcing, double duration,
@@ -108,6 +104,7 @@ private:
     const IntegratorKind* integrator_;
     double tolerance_;
     double contact_step_;     // s; longest step with active rows
+    double collapse_step_;    // s; shorter ones with active rows mean that forces have no limit
     double max_evaluations_;  // a simulated second
     ContactSolver contacts_;
     MidpointStep midpoint_;

@@ -9,7 +9,7 @@ namespace cambrian {
 struct SceneSettings {
     std::string integrator = "bogacki-shampine";  // id of a registered integrator
     double tolerance = 4e-3;          // error a step, relative to 0.1 m, 0.1 rad and 1 + |speed|
-    double contact_step = 1.0 / 120;  // s; longest step while anything touches or a stop is met
+    double contact_step = 1.0 / 60;   // s; longest step while anything touches or a stop is met
     double max_evaluations = 5e4;     // of the accelerations a simulated second; more end a trial
     double muscle_strength = 25.0;    // N/m; a joint's torque cap is this times section squared
     double target_smoothing = 0.1;    // s; time constant of the motor target
