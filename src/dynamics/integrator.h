@@ -31,6 +31,9 @@ struct StepRequest {
     double tolerance = 0.0;  // of SceneSettings
 };
 
+// Errors up to this share of the allowed one shorten no step, whatever the order.
+inline constexpr double kCalmError = 0.5;
+
 struct StepResult {
     Motion end = {};
     MotionRate end_rate = {};  // at the end, under the same forcing

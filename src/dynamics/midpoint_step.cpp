@@ -128,7 +128,7 @@ void MidpointStep::keep_works(const PlanarModel& model, const MidpointRequest& r
 // a1) and h^2/12 (a1 - a0). The accelerations at both ends are free of contact, and so must the
 // middle one be taken; what contact forces would add at the ends is then projected away, for they
 // take up whatever change the rows that hold do not let happen. Motors that are implicit damp the
-// error as they damp the motion.
+// error as they damp the motion. What is small without the projection is not projected.
 double MidpointStep::estimate_error(const PlanarModel& model, const ContactLaw& law,
                                     const StepRequest& step, ContactSolver& contacts,
                                     const StepResult& result) const {
@@ -147,8 +147,11 @@ double MidpointStep::estimate_error(const PlanarModel& model, const ContactLaw& 
         store_lanes(changes[1] + c, position);
     }
     take_damping(model, changes, errors);
+    const double scale = kCaution / step.tolerance;
+    const double whole = scale * error_norm(model, result.end, errors[1], errors[0]);
+    if (whole <= kCalmError) return whole;
     take_absorbed(model, law, contacts, errors);
-    return kCaution * error_norm(model, result.end, errors[1], errors[0]) / step.tolerance;
+    return scale * error_norm(model, result.end, errors[1], errors[0]);
 }
 
 // Takes from the errors the response to what implicit motors give less under changes of speeds.

@@ -33,7 +33,6 @@ constexpr int kMaxImpacts = 8;              // a tick; later ones count as slow 
 constexpr double kSafety = 0.9;
 constexpr double kShrinkMost = 0.2;
 constexpr double kGrowMost = 3.0;
-constexpr double kCalmError = 0.5;    // of the allowed one; shortens no step, whatever the order
 constexpr double kTinyError = 1e-3;   // of the allowed one; grows the step most, whatever the order
 constexpr double kMaxDistance = 1e6;  // m; also rad, where sine_cosine_reduced ends
 constexpr double kMaxSpeed = 1e4;     // m/s and rad/s

@@ -104,8 +104,8 @@ TEST_CASE("a link swings with the period of its own pendulum and its base's reco
           "[dynamics][motor]") {
     // A free pair under a force field does not swing; a base on the ground with a hanging link
     // does. The base is so heavy and frictionless that it recoils freely: w^2 = m g b / (I + mu
-    // b^2), mu the reduced mass. The ground gives all that swings the link, and only the contact step
-    // limits the error of that: 8.8e-5 rad at 1/60 s, 1.2e-5 at 1/120 s, 1.9e-6 at 1/240 s.
+    // b^2), mu the reduced mass. The ground gives all that swings the link, and only the contact
+    // step limits the error of that: 8.8e-5 rad at 1/60 s, 1.2e-5 at 1/120 s, 1.9e-6 at 1/240 s.
     BodyPlan plan = one_box(0.5, 0.3, 0.0, 0.3 + kRestingGap);
     PlannedPart& link =
         attach(plan, 0, Vec3(0.0, 0.2, 0.0), -kPi / 2 + 0.01, kRotaryJoint, 0.08, 0.02);
