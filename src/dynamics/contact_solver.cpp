@@ -191,12 +191,13 @@ void ContactSolver::anchor_friction(const PlanarModel& model, double h) {
 }
 
 void ContactSolver::absorb(const PlanarModel& model, const ContactLaw& law,
-                           const BodyResponse& change, Loads& loads) {
-    double rates[kMaxRows];
-    double impulses[kMaxRows];
-    rate_rows(model, rows_, change, rates);
-    solver_.absorb(rows_, rates, law.friction, impulses);
-    add_row_impulses(rows_, impulses, 1.0, loads);
+                           const BodyResponse (&changes)[2], Loads (&loads)[2]) {
+    RowChanges rows;
+    for (int which = 0; which < 2; ++which)
+        rate_rows(model, rows_, changes[which], rows.rates[which]);
+    solver_.absorb(rows_, law.friction, rows);
+    for (int which = 0; which < 2; ++which)
+        add_row_impulses(rows_, rows.impulses[which], 1.0, loads[which]);
 }
 
 void ContactSolver::let_go() {

@@ -75,10 +75,10 @@ public:
     void add_held(double h, Loads& loads) const {
         add_row_impulses(rows_, rows_.impulse, 1.0 / h, loads);
     }
-    // Adds to the loads the impulses by which the rows that hold would take up a change of the
+    // Adds to the loads the impulses by which the rows that hold would take up changes of the
     // bodies' velocities.
-    void absorb(const PlanarModel& model, const ContactLaw& law, const BodyResponse& change,
-                Loads& loads);
+    void absorb(const PlanarModel& model, const ContactLaw& law, const BodyResponse (&changes)[2],
+                Loads (&loads)[2]);
     // Normal force of a chosen contact after hold(), N.
     double held_normal(int contact) const { return normal_force_[contact]; }
 

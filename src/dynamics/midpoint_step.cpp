@@ -183,17 +183,18 @@ void MidpointStep::take_absorbed(const PlanarModel& model, const ContactLaw& law
                                  ContactSolver& contacts, PerCoordinate (&errors)[2]) const {
     const Kinematics& k = middle_.kinematics;
     Loads loads[2];
+    BodyResponse changes[2];
     for (int which = 0; which < 2; ++which) {
-        BodyResponse motion;
+        BodyResponse& change = changes[which];
         for (int c = 0; c < coordinate_slots(model); c += kLanes)
-            store_lanes(motion.coordinate + c, load_lanes(errors[which] + c));
+            store_lanes(change.coordinate + c, load_lanes(errors[which] + c));
         if (middle_.is_inverted)
-            spread_dense_rates(model, k, errors[which], motion.spin, motion.x, motion.y);
+            spread_dense_rates(model, k, errors[which], change.spin, change.x, change.y);
         else
-            spread_rates(model, k, errors[which], motion.spin, motion.x, motion.y);
+            spread_rates(model, k, errors[which], change.spin, change.x, change.y);
         clear_loads(model, loads[which]);
-        contacts.absorb(model, law, motion, loads[which]);
     }
+    contacts.absorb(model, law, changes, loads);
     add_responses(model, loads, errors);
 }
 
