@@ -19,10 +19,10 @@ struct ContactLaw {
 // Forces of the last solved step; first guess of the next.
 struct WarmStart {
     int count = 0;
-    int id[kMaxContacts] = {};
-    int group[kMaxContacts] = {};        // friction_group
+    int id[kMaxContacts] = {};           // of the contacts, as collected
     double normal[kMaxContacts] = {};    // N
-    double friction[kMaxContacts] = {};  // N
+    double friction[kMaxContacts] = {};  // N; of pairs of boxes, at any one of their contacts
+    PerBody ground_friction = {};        // N
     PerBody limit = {};                  // N m or N, signed as the effort
 };
 
@@ -61,9 +61,9 @@ public:
 
     // Makes rows of what was chosen: at the step's start, or with the rates of its start and all
     // else as in the middle.
-    void build(const PlanarModel& model, const ContactLaw& law, const Motion& start, Frame& frame);
-    void build_between(const PlanarModel& model, const ContactLaw& law, const Motion& start,
-                       const Kinematics& start_kinematics, const Frame& middle);
+    void build(const PlanarModel& model, const ContactLaw& law, Frame& start);
+    void build_between(const PlanarModel& model, const ContactLaw& law, const Kinematics& start,
+                       const Frame& middle);
 
     // Solves the built rows for a step of length h, for the held forces. False if the active set
     // failed and a fallback was taken.
@@ -88,18 +88,15 @@ public:
 
 private:
     void choose_limits(const PlanarModel& model, const Frame& frame, double h);
-    void set_resting_bias(double h, double* bias) const;
+    void pose_resting(const PlanarModel& model, double h, const WarmStart& warm);
     bool solve_resting(const PlanarModel& model, const ContactLaw& law, double h);
     double resting_work(double h) const;
     double impact_work() const;
-    void anchor_friction(const PlanarModel& model, double h);
-    void load_warm_start(double h, const WarmStart& warm);
     void store_forces(int body_count, double h, WarmStart& warm);
 
     PairList pair_list_;
     ContactSet near_;
     ContactSet chosen_;
-    ContactSet moved_;  // the chosen ones in the middle of the step
     LimitSet limits_;
     HeldForces held_;
     RowSystem rows_;

@@ -33,17 +33,17 @@ private:
 
     CAMBRIAN_INLINE void place(int row) {
         clear(row);
-        const int a = rows_.body_a[row];
-        if (rows_.kind[row] == RowKind::kLimit) {
-            torque_[row].add_at(a, rows_.dir_x[row]);
-            torque_[row].add_at(model_.parent[a], -rows_.dir_x[row]);
+        const int a = rows_[row].body_a;
+        if (rows_[row].kind == RowKind::kLimit) {
+            torque_[row].add_at(a, rows_[row].dir_x);
+            torque_[row].add_at(model_.parent[a], -rows_[row].dir_x);
             return;
         }
-        const double x = rows_.dir_x[row];
-        const double y = rows_.dir_y[row];
+        const double x = rows_[row].dir_x;
+        const double y = rows_[row].dir_y;
         Levers<kBlocks> levers(model_.dense, frame_.kinematics);
         levers.add_force(a, x, y);
-        const int b = rows_.body_b[row];
+        const int b = rows_[row].body_b;
         if (b >= 0) {
             levers.add_force(b, -x, -y);
         } else {
@@ -52,8 +52,8 @@ private:
         }
         for (int block = 0; block < kBlocks; ++block)
             torque_[row][block] = levers.torque(block);
-        torque_[row].add_at(a, rows_.moment_a[row]);
-        if (b >= 0) torque_[row].add_at(b, -rows_.moment_b[row]);
+        torque_[row].add_at(a, rows_[row].moment_a);
+        if (b >= 0) torque_[row].add_at(b, -rows_[row].moment_b);
     }
 
     CAMBRIAN_INLINE void couple(int row) {

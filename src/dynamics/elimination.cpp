@@ -3,18 +3,6 @@
 namespace cambrian {
 namespace {
 
-// Rows become columns.
-CAMBRIAN_INLINE void transpose(Lanes& a, Lanes& b, Lanes& c, Lanes& d) {
-    const Lanes even_ab = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const Lanes odd_ab = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    const Lanes even_cd = __builtin_shufflevector(c, d, 0, 4, 2, 6);
-    const Lanes odd_cd = __builtin_shufflevector(c, d, 1, 5, 3, 7);
-    a = __builtin_shufflevector(even_ab, even_cd, 0, 1, 4, 5);
-    b = __builtin_shufflevector(odd_ab, odd_cd, 0, 1, 4, 5);
-    c = __builtin_shufflevector(even_ab, even_cd, 2, 3, 6, 7);
-    d = __builtin_shufflevector(odd_ab, odd_cd, 2, 3, 6, 7);
-}
-
 // Inertia and load a body carries for its subtree, about its pivot: the symmetric matrix
 // [[A, h], [h', j]] and the load (f, t), by columns of (x, y, turn, -load); lane 2 of x and y is
 // not kept, for h is in turn.

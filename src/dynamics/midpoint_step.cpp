@@ -47,7 +47,7 @@ bool MidpointStep::attempt(const MotionSystem& system, const ContactLaw& law,
     system.evaluate(predicted_, step.time + half, FrameDetail::kEverything, middle_, middle_rate_,
                     &stage);
     if (contacts.chosen().count > 0) find_centers(model, middle_);
-    contacts.build_between(model, law, step.start, request.start.kinematics, middle_);
+    contacts.build_between(model, law, request.start.kinematics, middle_);
     const bool solved = contacts.hold(model, law, step.length, warm);
     respond(model, contacts, step.length);
     move(model, step, result.end);

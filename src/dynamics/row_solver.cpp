@@ -22,7 +22,7 @@ void sum_loads(const RowSystem& rows, double* load) {
     for (int row = 0; row < rows.stride; row += kLanes)
         store_lanes(load + row, Lanes{});
     for (int row = 0; row < rows.count; ++row) {
-        if (rows.friction_of[row] >= 0) load[rows.friction_of[row]] += rows.impulse[row];
+        if (rows[row].friction_of >= 0) load[rows[row].friction_of] += rows.impulse[row];
     }
 }
 
@@ -82,7 +82,7 @@ void RowSolver::absorb(const RowSystem& rows, double friction, RowChanges& chang
         double* impulses = changes.impulses[s];
         for (int i = 0; i < factors_.count(); ++i) {
             const int row = active_[i];
-            const int mate = rows.friction_of[row];
+            const int mate = rows[row].friction_of;
             impulses[row] += solutions[s][i];
             if (mate < 0) continue;
             if (state_[mate] == State::kSlidePlus) impulses[mate] += friction * solutions[s][i];
@@ -116,7 +116,7 @@ double RowSolver::sweep(RowSystem& rows, double friction) {
         const double diagonal = rows.coupling(row, row);
         const double old = rows.impulse[row];
         double impulse = old - rates_[row] / diagonal;
-        if (rows.kind[row] == RowKind::kFriction) {
+        if (rows[row].kind == RowKind::kFriction) {
             const double cap = friction * std::max(0.0, load_[row]);
             impulse = std::clamp(impulse, -cap, cap);
         } else {
@@ -124,7 +124,7 @@ double RowSolver::sweep(RowSystem& rows, double friction) {
         }
         const double change = impulse - old;
         if (change == 0.0) continue;
-        if (rows.friction_of[row] >= 0) load_[rows.friction_of[row]] += change;
+        if (rows[row].friction_of >= 0) load_[rows[row].friction_of] += change;
         rows.impulse[row] = impulse;
         add_impulse(rows, row, change);
         largest = std::max(largest, std::fabs(change) * diagonal);
@@ -143,7 +143,7 @@ void RowSolver::read_states(const RowSystem& rows, const double* bias, double fr
     sum_loads(rows, load_);
     for (int row = 0; row < rows.count; ++row) {
         const double impulse = rows.impulse[row];
-        if (rows.kind[row] == RowKind::kFriction)
+        if (rows[row].kind == RowKind::kFriction)
             state_[row] = sticking_or_sliding(impulse, friction * load_[row]);
         else
             state_[row] = impulse > 0.0 ? State::kActive : State::kOff;
@@ -155,7 +155,7 @@ void RowSolver::read_states(const RowSystem& rows, const double* bias, double fr
 void RowSolver::guess_states(const RowSystem& rows, const double* bias, double friction) {
     for (int row = 0; row < rows.count; ++row) {
         const double impulse = rows.impulse[row];
-        if (rows.kind[row] == RowKind::kFriction)
+        if (rows[row].kind == RowKind::kFriction)
             state_[row] = sticking_or_sliding(impulse, friction * load_[row]);
         else
             state_[row] = impulse > 0.0 || rates_[row] < 0.0 ? State::kActive : State::kOff;
@@ -211,7 +211,7 @@ bool RowSolver::factorize(const RowSystem& rows, const double* bias, double fric
         least_pivot_[i] = kPivotTolerance * line[i];
     }
     for (int j = 0; sliding_count_ > 0 && j < count; ++j) {
-        const int mate = rows.friction_of[active_[j]];
+        const int mate = rows[active_[j]].friction_of;
         if (mate < 0 || state_[mate] < State::kSlidePlus) continue;
         const double slide = state_[mate] == State::kSlidePlus ? friction : -friction;
         const double* couplings = rows.line(mate);
@@ -224,7 +224,7 @@ bool RowSolver::factorize(const RowSystem& rows, const double* bias, double fric
 // Rows that stick never lose a pivot. What slides on the contact whose pivot is lost sticks
 // instead, or everything if that is not the cause. False if nothing slid.
 bool RowSolver::stop_slides(const RowSystem& rows) {
-    const int mate = rows.friction_of[active_[factors_.lost()]];
+    const int mate = rows[active_[factors_.lost()]].friction_of;
     if (mate >= 0 && state_[mate] >= State::kSlidePlus) {
         state_[mate] = State::kActive;
         return true;
@@ -244,7 +244,7 @@ void RowSolver::scatter_solution(RowSystem& rows, const double* bias, double fri
         const int row = active_[i];
         rows.impulse[row] = solution_[i];
         rows.response[row] = -bias[row];
-        if (rows.friction_of[row] >= 0) load_[rows.friction_of[row]] += solution_[i];
+        if (rows[row].friction_of >= 0) load_[rows[row].friction_of] += solution_[i];
     }
     for (int i = 0; i < sliding_count_; ++i) {
         const int row = sliding_[i];
@@ -259,7 +259,7 @@ void RowSolver::scatter_solution(RowSystem& rows, const double* bias, double fri
 int RowSolver::find_wrong(const RowSystem& rows, const double* bias, double friction) {
     int count = 0;
     for (int row = 0; row < rows.count; ++row) {
-        wanted_[row] = rows.kind[row] == RowKind::kFriction
+        wanted_[row] = rows[row].kind == RowKind::kFriction
                            ? wanted_friction(rows, bias, row, friction)
                            : wanted_normal(rows, bias, row);
         if (wanted_[row] != state_[row]) wrong_[count++] = row;
@@ -299,11 +299,11 @@ void RowSolver::match_frictions(const RowSystem& rows, const double* bias) {
     for (int row = 0; row < rows.count; ++row)
         is_loaded[row] = false;
     for (int row = 0; row < rows.count; ++row) {
-        if (rows.friction_of[row] >= 0 && state_[row] == State::kActive)
-            is_loaded[rows.friction_of[row]] = true;
+        if (rows[row].friction_of >= 0 && state_[row] == State::kActive)
+            is_loaded[rows[row].friction_of] = true;
     }
     for (int row = 0; row < rows.count; ++row) {
-        if (rows.kind[row] != RowKind::kFriction) continue;
+        if (rows[row].kind != RowKind::kFriction) continue;
         if (!is_loaded[row]) {
             state_[row] = State::kOff;
         } else if (state_[row] == State::kOff) {

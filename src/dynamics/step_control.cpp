@@ -222,7 +222,7 @@ StepControl::Attempt StepControl::attempt(Tick& tick, bool has_rows, double& h) 
     const bool midpoint = is_midpoint(has_rows);
     const int order = midpoint ? MidpointStep::kErrorOrder : integrator_->error_order;
     if (!has_rows) contacts_.let_go();
-    if (has_rows && !midpoint) contacts_.build(tick.model, tick.law, moment.motion, moment.frame());
+    if (has_rows && !midpoint) contacts_.build(tick.model, tick.law, moment.frame());
     for (;;) {
         if (midpoint)
             try_midpoint_step(tick, h);
