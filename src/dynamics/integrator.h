@@ -32,7 +32,7 @@ struct StepRequest {
 };
 
 // Errors up to this share of the allowed one shorten no step, whatever the order.
-inline constexpr double kCalmError = 0.5;
+inline constexpr double kCalmError = 0.7;
 
 struct StepResult {
     Motion end = {};
