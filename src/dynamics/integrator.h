@@ -31,8 +31,8 @@ struct StepRequest {
     double tolerance = 0.0;  // of SceneSettings
 };
 
-// Errors up to this share of the allowed one shorten no step, whatever the order.
-inline constexpr double kCalmError = 0.5;
+// Errors up to this share of the allowed one shorten no step of order 5 or less.
+inline constexpr double kCalmError = 0.59;
 
 struct StepResult {
     Motion end = {};

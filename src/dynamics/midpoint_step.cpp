@@ -11,7 +11,7 @@ namespace {
 constexpr double kPerPosition = 10.0;  // 1 / (0.1 m or rad)
 // An embedded pair goes on with its better formula, whose error is a fraction of the estimate; the
 // midpoint rule goes on with what the estimate is the error of.
-constexpr double kCaution = 2.0;
+constexpr double kCaution = 1.6;
 
 // Accelerations of the joints' coordinates, four at once.
 CAMBRIAN_INLINE Lanes joint_accelerations(const PlanarModel& model, const double* coordinate,

@@ -206,7 +206,7 @@ double StepControl::choose_length(Tick& tick, bool& has_rows) {
         h = std::min(h, kPatientShare * contact_step_);
     }
     const double rest = tick.length - tick.time;
-    const double steps = std::ceil(rest / h * (1.0 - 1e-9));
+    const double steps = std::ceil(rest / h * (has_rows ? 0.9 : 1.0 - 1e-9));
     return rest / std::max(1.0, steps);
 }
 
