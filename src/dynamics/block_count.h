@@ -19,7 +19,7 @@ CAMBRIAN_INLINE int block_count(int blocks) {
 
 // Calls work with the number of blocks as an integral_constant, or with 0 if there are many.
 template <int kFixed = 1, class Work>
-CAMBRIAN_INLINE auto with_fixed_blocks(int blocks, const Work& work) {
+CAMBRIAN_INLINE decltype(auto) with_fixed_blocks(int blocks, const Work& work) {
     if constexpr (kFixed > kMaxFixedBlocks) {
         return work(std::integral_constant<int, 0>{});
     } else {

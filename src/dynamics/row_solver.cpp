@@ -26,12 +26,20 @@ void sum_loads(const RowSystem& rows, double* load) {
     }
 }
 
+// Adds what an impulse does to all rates. The matrix is symmetric: a row's column is its line.
+template <int kFixed>
+CAMBRIAN_INLINE void add_column(const RowSystem& rows, int row, double impulse, double* rates) {
+    const double* line = rows.line(row);
+    for (int b = 0; b < block_count<kFixed>(rows.stride / kLanes); ++b)
+        store_lanes(rates + b * kLanes,
+                    load_lanes(rates + b * kLanes) + impulse * load_lanes(line + b * kLanes));
+}
+
 }  // namespace
 
 bool RowSolver::solve(RowSystem& rows, const double* bias, double friction) {
     find_rates(rows, bias);
-    for (int i = 0; i < kGuessSweeps; ++i)
-        sweep(rows, friction);
+    sweep(rows, friction, kGuessSweeps);
     guess_states(rows, bias, friction);
     for (int row = 0; row < rows.count; ++row)
         start_[row] = rows.impulse[row];
@@ -39,7 +47,7 @@ bool RowSolver::solve(RowSystem& rows, const double* bias, double friction) {
     for (int row = 0; row < rows.count; ++row)
         rows.impulse[row] = start_[row];
     find_rates(rows, bias);
-    iterate(rows, friction);
+    sweep(rows, friction, kSweeps);
     // Iteration mostly finds the right states, though not the impulses' last digits.
     for (int row = 0; row < rows.count; ++row)
         start_[row] = rows.impulse[row];
@@ -56,7 +64,7 @@ void RowSolver::iterate_from_zero(RowSystem& rows, const double* bias, double fr
     for (int row = 0; row < rows.count; ++row)
         rows.impulse[row] = 0.0;
     find_rates(rows, bias);
-    iterate(rows, friction);
+    sweep(rows, friction, kSweeps);
     for (int row = 0; row < rows.count; ++row)
         rows.response[row] = rates_[row] - bias[row];
     are_factors_valid_ = false;
@@ -96,46 +104,46 @@ void RowSolver::find_rates(const RowSystem& rows, const double* bias) {
         rates_[row] = bias[row];
     for (int row = rows.count; row < rows.stride; ++row)
         rates_[row] = 0.0;
-    for (int row = 0; row < rows.count; ++row) {
-        if (rows.impulse[row] != 0.0) add_impulse(rows, row, rows.impulse[row]);
-    }
+    with_fixed_blocks(rows.stride / kLanes, [&](auto fixed) {
+        for (int row = 0; row < rows.count; ++row) {
+            if (rows.impulse[row] != 0.0) add_column<fixed()>(rows, row, rows.impulse[row], rates_);
+        }
+    });
     sum_loads(rows, load_);
 }
 
-// The matrix is symmetric: a row's column is its line.
-void RowSolver::add_impulse(const RowSystem& rows, int row, double impulse) {
-    const double* line = rows.line(row);
-    for (int j = 0; j < rows.stride; j += kLanes)
-        store_lanes(rates_ + j, load_lanes(rates_ + j) + impulse * load_lanes(line + j));
+// A few projected Gauss-Seidel sweeps, fewer if the rates hardly change any more.
+void RowSolver::sweep(RowSystem& rows, double friction, int sweeps) {
+    with_fixed_blocks(rows.stride / kLanes, [&](auto fixed) {
+        double change = kSweepTolerance;
+        for (int i = 0; i < sweeps && change >= kSweepTolerance; ++i)
+            change = sweep_once<fixed()>(rows, friction);
+    });
 }
 
-// One projected Gauss-Seidel sweep; the largest change of a row's rate, m/s.
-double RowSolver::sweep(RowSystem& rows, double friction) {
+// The largest change of a row's rate, m/s.
+template <int kFixed>
+double RowSolver::sweep_once(RowSystem& rows, double friction) {
     double largest = 0.0;
-    for (int row = 0; row < rows.count; ++row) {
-        const double diagonal = rows.coupling(row, row);
-        const double old = rows.impulse[row];
-        double impulse = old - rates_[row] / diagonal;
-        if (rows[row].kind == RowKind::kFriction) {
-            const double cap = friction * std::max(0.0, load_[row]);
+    for (int r = 0; r < rows.count; ++r) {
+        const Row& row = rows[r];
+        const double diagonal = rows.coupling(r, r);
+        const double old = rows.impulse[r];
+        double impulse = old - rates_[r] / diagonal;
+        if (row.kind == RowKind::kFriction) {
+            const double cap = friction * std::max(0.0, load_[r]);
             impulse = std::clamp(impulse, -cap, cap);
         } else {
             impulse = std::max(impulse, 0.0);
         }
         const double change = impulse - old;
         if (change == 0.0) continue;
-        if (rows[row].friction_of >= 0) load_[rows[row].friction_of] += change;
-        rows.impulse[row] = impulse;
-        add_impulse(rows, row, change);
+        if (row.friction_of >= 0) load_[row.friction_of] += change;
+        rows.impulse[r] = impulse;
+        add_column<kFixed>(rows, r, change, rates_);
         largest = std::max(largest, std::fabs(change) * diagonal);
     }
     return largest;
-}
-
-void RowSolver::iterate(RowSystem& rows, double friction) {
-    for (int i = 0; i < kSweeps; ++i) {
-        if (sweep(rows, friction) < kSweepTolerance) break;
-    }
 }
 
 // As the impulses have it.

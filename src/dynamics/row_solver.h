@@ -37,9 +37,9 @@ private:
     enum class State : std::uint8_t { kOff, kActive, kSlidePlus, kSlideMinus };
 
     void find_rates(const RowSystem& rows, const double* bias);
-    void add_impulse(const RowSystem& rows, int row, double impulse);
-    double sweep(RowSystem& rows, double friction);
-    void iterate(RowSystem& rows, double friction);
+    void sweep(RowSystem& rows, double friction, int sweeps);
+    template <int kFixed>
+    double sweep_once(RowSystem& rows, double friction);
     void guess_states(const RowSystem& rows, const double* bias, double friction);
     void read_states(const RowSystem& rows, const double* bias, double friction);
     static State sticking_or_sliding(double impulse, double cap);
