@@ -19,12 +19,13 @@ constexpr double kReferenceGravity = 9.81;  // m/s^2
 constexpr double kFrictionSoftness = 1e-2;  // anchored at the last step's forces
 
 // How far above its demand r + W p >= 0 a row may stay: lands at gap 0 with rate 0 in two steps,
-// does not push what is leaving, and backs out of penetration with a force that stays bounded as h
-// shrinks.
+// backs out of penetration with a force that stays bounded as h shrinks, and does not push what is
+// leaving faster: that may come back, if over the step it gets out as far.
 double row_slack(double gap, double rate, double h, double push_speed) {
     if (gap < 0.0) {
         const double push = std::min(push_speed, -kPushShare * gap / kNominalStep);
-        return -push * std::min(1.0, h / kNominalStep);
+        const double back = push * std::min(1.0, h / kNominalStep);
+        return std::max(-back, rate - 2.0 * back);
     }
     if (rate <= 0.0) return std::max(0.0, gap / h + 0.5 * rate);
     return std::max(0.0, 2.0 * gap / h + rate);
