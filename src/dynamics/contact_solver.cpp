@@ -88,6 +88,7 @@ private:
 void ContactSolver::collect(const PlanarModel& model, const ContactLaw& law,
                             const Kinematics& kinematics) {
     near_.count = 0;
+    if (!law.has_ground && model.colliding_pairs.empty()) return;
     PartPlaces places;
     place_parts(model, kinematics, places);
     if (law.has_ground) collect_ground_contacts(model, kinematics, places, near_);

@@ -62,6 +62,15 @@ CAMBRIAN_INLINE void add_efforts(const PlanarModel& model, const PerBody& effort
 }
 
 template <int kBlocks>
+CAMBRIAN_INLINE void store_jump(const PlanarModel& model, const BodyLanes<kBlocks>& turn, double x,
+                                double y, PerCoordinate& jump) {
+    turn.store(jump);
+    store_lanes(jump + kBlocks * kLanes, Lanes{});
+    jump[model.body_count] = x;
+    jump[model.body_count + 1] = y;
+}
+
+template <int kBlocks>
 CAMBRIAN_INLINE void solve_impulse_blocks(const PlanarModel& model, const Frame& frame,
                                           const Loads& impulses, PerCoordinate& jump) {
     Levers<kBlocks> levers(model.dense, frame.kinematics);
@@ -81,10 +90,18 @@ CAMBRIAN_INLINE void solve_impulse_blocks(const PlanarModel& model, const Frame&
     for (int b = 0; b < kBlocks; ++b)
         torque[b] += levers.torque(b);
     const double share = 1.0 / model.total_mass;
-    times_inverse(frame.inverse, model.body_count, torque).store(jump);
-    store_lanes(jump + kBlocks * kLanes, Lanes{});
-    jump[model.body_count] = share * sum_x;
-    jump[model.body_count + 1] = share * sum_y;
+    store_jump(model, times_inverse(frame.inverse, model.body_count, torque), share * sum_x,
+               share * sum_y, jump);
+}
+
+template <int kBlocks>
+CAMBRIAN_INLINE void solve_efforts_blocks(const PlanarModel& model, const Frame& frame,
+                                          const PerBody& efforts, PerCoordinate& jump) {
+    double own[std::size_t{kBlocks} * kLanes] = {};
+    add_efforts(model, efforts, own);
+    BodyLanes<kBlocks> torque;
+    torque.load(own);
+    store_jump(model, times_inverse(frame.inverse, model.body_count, torque), 0.0, 0.0, jump);
 }
 
 }  // namespace
@@ -112,6 +129,14 @@ void solve_dense_impulse(const PlanarModel& model, const Frame& frame, const Loa
         solve_impulse_blocks<1>(model, frame, impulses, jump);
     else
         solve_impulse_blocks<2>(model, frame, impulses, jump);
+}
+
+void solve_dense_efforts(const PlanarModel& model, const Frame& frame, const PerBody& efforts,
+                         PerCoordinate& jump) {
+    if (model.dense.blocks == 1)
+        solve_efforts_blocks<1>(model, frame, efforts, jump);
+    else
+        solve_efforts_blocks<2>(model, frame, efforts, jump);
 }
 
 }  // namespace cambrian

@@ -15,9 +15,11 @@ void spread_dense_rates(const PlanarModel& model, const Kinematics& place,
                         const PerCoordinate& rates, PerBody& spin, PerBody& velocity_x,
                         PerBody& velocity_y);
 
-// Jumps of the coordinates' speeds under the loads taken as impulses; the frame must have its
-// inverse. Slots beyond the count are 0.
+// Both need the frame's inverse. Jumps of the coordinates' speeds under the loads taken as
+// impulses, and under efforts of the joints alone. Slots beyond the count are 0.
 void solve_dense_impulse(const PlanarModel& model, const Frame& frame, const Loads& impulses,
+                         PerCoordinate& jump);
+void solve_dense_efforts(const PlanarModel& model, const Frame& frame, const PerBody& efforts,
                          PerCoordinate& jump);
 
 }  // namespace cambrian

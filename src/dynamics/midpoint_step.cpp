@@ -34,6 +34,14 @@ CAMBRIAN_INLINE double error_norm(const PlanarModel& model, const Motion& end,
     return std::sqrt(sum_of(sum) / (2.0 * coordinate_count(model)));
 }
 
+CAMBRIAN_INLINE void add_jumps(const PlanarModel& model, const PerCoordinate (&jumps)[2],
+                               PerCoordinate (&errors)[2]) {
+    for (int which = 0; which < 2; ++which) {
+        for (int c = 0; c < coordinate_count(model); ++c)
+            errors[which][c] += jumps[which][c];
+    }
+}
+
 }  // namespace
 
 bool MidpointStep::attempt(const MotionSystem& system, const ContactLaw& law,
@@ -165,17 +173,31 @@ double MidpointStep::estimate_error(const PlanarModel& model, const ContactLaw& 
 // Takes from the errors the response to what implicit motors give less under changes of speeds.
 void MidpointStep::take_damping(const PlanarModel& model, const PerCoordinate (&changes)[2],
                                 PerCoordinate (&errors)[2]) const {
+    if (middle_.is_inverted) {
+        PerCoordinate jumps[2];
+        for (int which = 0; which < 2; ++which) {
+            PerBody efforts;
+            damp(model, changes[which], changes[which], efforts);
+            solve_dense_efforts(model, middle_, efforts, jumps[which]);
+        }
+        return add_jumps(model, jumps, errors);
+    }
     Loads loads[2];
     for (int which = 0; which < 2; ++which) {
         PerBody spin;
         spread_spins(model, changes[which], spin);
         clear_loads(model, loads[which]);
-        for (int i = 0; i < model.body_count; i += kLanes)
-            store_lanes(loads[which].effort + i,
-                        -load_lanes(middle_.motor_damping + i) *
-                            joint_accelerations(model, changes[which], spin, i));
+        damp(model, changes[which], spin, loads[which].effort);
     }
     add_responses(model, loads, errors);
+}
+
+// Efforts of the motors' damping in the middle against changes of the coordinates' speeds.
+CAMBRIAN_INLINE void MidpointStep::damp(const PlanarModel& model, const PerCoordinate& change,
+                                        const double* spin, PerBody& efforts) const {
+    for (int i = 0; i < model.body_count; i += kLanes)
+        store_lanes(efforts + i, -load_lanes(middle_.motor_damping + i) *
+                                     joint_accelerations(model, change, spin, i));
 }
 
 // Takes from the errors what the rows that hold take up of them.
@@ -208,10 +230,7 @@ void MidpointStep::add_responses(const PlanarModel& model, const Loads (&loads)[
     } else {
         solve_paired_impulses(model, middle_.kinematics, middle_.factors, loads, jumps);
     }
-    for (int which = 0; which < 2; ++which) {
-        for (int c = 0; c < coordinate_count(model); ++c)
-            errors[which][c] += jumps[which][c];
-    }
+    add_jumps(model, jumps, errors);
 }
 
 }  // namespace cambrian

@@ -43,6 +43,8 @@ private:
                           ContactSolver& contacts, const StepResult& result) const;
     void take_damping(const PlanarModel& model, const PerCoordinate (&changes)[2],
                       PerCoordinate (&errors)[2]) const;
+    void damp(const PlanarModel& model, const PerCoordinate& change, const double* spin,
+              PerBody& efforts) const;
     void take_absorbed(const PlanarModel& model, const ContactLaw& law, ContactSolver& contacts,
                        PerCoordinate (&errors)[2]) const;
     void add_responses(const PlanarModel& model, const Loads (&loads)[2],

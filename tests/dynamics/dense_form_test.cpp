@@ -159,6 +159,13 @@ TEST_CASE("the dense form answers impulses with implicit motors as the eliminati
         CHECK(difference(spread.x, expected.x, bodies) < kClose);
         CHECK(difference(spread.y, expected.y, bodies) < kClose);
         CHECK(difference(spread.spin, expected.spin, bodies) < kClose);
+        PerCoordinate turned = {};
+        Loads efforts = {};
+        for (int i = 1; i < bodies; ++i)
+            efforts.effort[i] = loads.effort[i];
+        solve_dense_efforts(model, dense.frame, efforts.effort, turned);
+        solve_impulse(tree_model, tree.frame.kinematics, tree.frame.factors, efforts, expected);
+        CHECK(difference(turned, expected.coordinate, coordinates) < kClose);
     }
 }
 
