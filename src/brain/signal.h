@@ -10,7 +10,9 @@ inline constexpr double kSignalLimit = 10.0;  // inputs and outputs stay within 
 
 // x within +-10; not a number becomes 0.
 inline double limit_signal(double x) {
-    return std::isnan(x) ? 0.0 : std::fmin(std::fmax(x, -kSignalLimit), kSignalLimit);
+    if (std::isnan(x)) return 0.0;
+    const double low = x > -kSignalLimit ? x : -kSignalLimit;
+    return low < kSignalLimit ? low : kSignalLimit;
 }
 
 // Truth is +1, falsehood -1, as a contact sensor reads.

@@ -32,11 +32,15 @@ void Creature::act(PhysicsScene& scene, double dt) {
     const int steps = settings_->brain_steps;
     for (int step = 0; step < steps; ++step)
         brain_.think(dt / steps);
+    if (dt != tick_) {
+        tick_ = dt;
+        smoothing_share_ = smoothing_share(dt, settings_->target_smoothing);
+    }
     const EffectorKind& effector = kinds_->effectors[kJointEffector];
     for (std::size_t i = 0; i < effector_memory_.size(); ++i) {
         const std::size_t part = phenotype_->effector_parts[i];
-        effector.drive({phenotype_->plan.parts[part], part}, brain_.output(i), dt, *settings_,
-                       effector_memory_[i], scene);
+        effector.drive({phenotype_->plan.parts[part], part}, brain_.output(i), smoothing_share_,
+                       *settings_, effector_memory_[i], scene);
     }
 }
 

@@ -41,6 +41,8 @@ private:
     const Phenotype* phenotype_;
     const Kinds* kinds_;
     const SceneSettings* settings_;
+    double tick_ = 0.0;             // s; the last one acted in
+    double smoothing_share_ = 0.0;  // of that
     Brain brain_;
     std::vector<double> effector_memory_;  // one an effector part
 };

@@ -1,8 +1,9 @@
 #include "dynamics/accelerations.h"
 
+#include "dynamics/dense_evaluation.h"
+#include "dynamics/dense_response.h"
 #include "dynamics/drag.h"
 #include "dynamics/loop_closure.h"
-#include "dynamics/motors.h"
 
 namespace cambrian {
 namespace {
@@ -36,28 +37,34 @@ CAMBRIAN_INLINE bool is_dragged(const Medium& medium) {
 }
 
 CAMBRIAN_INLINE bool holds_pairs(const Forcing& forcing) {
-    for (int c = 0; c < forcing.contact_count; ++c) {
-        if (forcing.contacts[c].body_b >= 0) return true;
+    if (forcing.held == nullptr) return false;
+    for (int c = 0; c < forcing.held->contact_count; ++c) {
+        if (forcing.held->contacts[c].body_b >= 0) return true;
     }
     return false;
 }
 
 }  // namespace
 
-void add_held_forces(const PlanarModel& model, const Forcing& forcing, const Kinematics& k,
+void add_held_forces(const PlanarModel& model, const HeldForces& held, const Kinematics& k,
                      Loads& loads) {
-    for (int c = 0; c < forcing.contact_count; ++c)
-        add_held_force(forcing.contacts[c], k, loads);
-    if (!forcing.limits_active) return;
+    for (int c = 0; c < held.contact_count; ++c)
+        add_held_force(held.contacts[c], k, loads);
+    if (!held.limits_active) return;
     for (int i = 1; i < model.body_count; ++i)
-        loads.effort[i] += forcing.limit_effort[i];
+        loads.effort[i] += held.limit_effort[i];
 }
 
-void compute_loads(const PlanarModel& model, const Forcing& forcing, double tick_share,
+void compute_loads(const PlanarModel& model, const Forcing& forcing, const EvaluationPoint& point,
                    Frame& frame, MotionRate& rate) {
     Loads& loads = frame.loads;
-    const MotorPower motors = compute_motor_efforts(model, forcing.drive, tick_share,
-                                                    frame.kinematics, frame.motor_effort);
+    MotorPower motors;
+    if (point.implicit == nullptr)
+        motors = compute_motor_efforts(model, forcing.drive, point.tick_share, frame.kinematics,
+                                       frame.motor_effort);
+    else
+        compute_implicit_efforts(model, forcing.drive, point.tick_share, *point.implicit,
+                                 frame.kinematics, frame.motor_effort, frame.motor_damping);
     rate.power[kMotorWork] = motors.net;
     rate.power[kGrossMotorWork] = motors.gross;
     const Medium& medium = forcing.medium;
@@ -75,23 +82,61 @@ void compute_loads(const PlanarModel& model, const Forcing& forcing, double tick
         add_held_force(forcing.pull, frame.kinematics, loads);
         rate.power[kPullWork] = pull_power(forcing.pull, frame.kinematics);
     }
-    add_held_forces(model, forcing, frame.kinematics, loads);
+    if (forcing.held != nullptr) add_held_forces(model, *forcing.held, frame.kinematics, loads);
 }
 
-void evaluate_accelerations(const PlanarModel& model, const Forcing& forcing, const Motion& motion,
-                            const EvaluationPoint& point, Frame& frame, MotionRate& rate) {
+namespace {
+
+// A function of its own, so that the choice between the two costs little.
+[[gnu::noinline]] void evaluate_tree(const PlanarModel& model, const Forcing& forcing,
+                                     const Motion& motion, const EvaluationPoint& point,
+                                     Frame& frame, MotionRate& rate) {
+    frame.has_centers = true;
+    frame.has_joint_geometry = true;
+    frame.is_factored = true;
+    frame.is_inverted = false;
     const bool all = point.detail == FrameDetail::kEverything;
     compute_joints(model, motion, frame.kinematics);
     if (all || forcing.pulled || is_dragged(forcing.medium))
         compute_velocities(model, motion, frame.kinematics);
     if (all || holds_pairs(forcing)) compute_places(model, motion, frame.kinematics);
-    compute_loads(model, forcing, point.tick_share, frame, rate);
-    solve_accelerations(model, frame.kinematics, frame.loads, frame.factors, frame.response);
+    compute_loads(model, forcing, point, frame, rate);
+    if (point.implicit == nullptr)
+        solve_accelerations(model, frame.kinematics, frame.loads, frame.factors, frame.response);
+    else
+        solve_damped_accelerations(model, frame.kinematics, frame.loads, frame.motor_damping,
+                                   frame.factors, frame.response);
     if (!model.closing_pins.empty())
         close_accelerations(model, frame.kinematics, frame.factors, frame.response);
     const int count = coordinate_count(model);
     for (int c = 0; c < count; c += kLanes)
         store_lanes(rate.acceleration + c, load_lanes(frame.response.coordinate + c));
+}
+
+}  // namespace
+
+void evaluate_accelerations(const PlanarModel& model, const Forcing& forcing, const Motion& motion,
+                            const EvaluationPoint& point, Frame& frame, MotionRate& rate) {
+    if (is_dense(model, forcing)) {
+        evaluate_dense(model, forcing, motion, point, frame, rate);
+    } else {
+        evaluate_tree(model, forcing, motion, point, frame, rate);
+    }
+}
+
+void find_centers(const PlanarModel& model, Frame& frame) {
+    if (frame.has_centers) return;
+    frame.has_centers = true;
+    accelerate_dense_centers(model, frame.kinematics, frame.response);
+}
+
+void complete_frame(const PlanarModel& model, Frame& frame) {
+    find_centers(model, frame);
+    if (frame.is_factored) return;
+    frame.is_factored = true;
+    if (!frame.has_joint_geometry) compute_joint_geometry(model, frame.kinematics);
+    frame.has_joint_geometry = true;
+    factorize(model, frame.kinematics, frame.factors);
 }
 
 }  // namespace cambrian

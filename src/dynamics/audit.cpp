@@ -24,9 +24,12 @@ double mechanical_energy(const PlanarModel& model, const Medium& medium, const M
 
 void note_speeds(const PlanarModel& model, const Kinematics& k, SceneAudit& audit) {
     Lanes fastest = {};
+    const bool single_boxes = model.part_count == model.body_count;
     for (int first = 0; first < model.part_count; first += kLanes) {
-        const PartLanes parts = part_lanes(model, k, first);
-        const LanePair velocity = part_velocities(model, k, parts, first);
+        const LanePair velocity =
+            single_boxes
+                ? LanePair{load_lanes(k.velocity_x + first), load_lanes(k.velocity_y + first)}
+                : part_velocities(model, k, part_lanes(model, k, first), first);
         fastest = greater(fastest, velocity.x * velocity.x + velocity.y * velocity.y);
     }
     audit.max_part_speed = std::max(audit.max_part_speed, std::sqrt(largest_of(fastest)));

@@ -10,7 +10,7 @@ namespace cambrian {
 double mechanical_energy(const PlanarModel& model, const Medium& medium, const Motion& motion,
                          const Kinematics& kinematics);
 
-// Fastest part centre and spin, for the audit's maxima.
+// Fastest part centre and spin at the moment, for the audit's maxima.
 void note_speeds(const PlanarModel& model, const Kinematics& kinematics, SceneAudit& audit);
 
 // Deepest penetration and widest limit overrun.

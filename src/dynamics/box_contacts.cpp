@@ -68,16 +68,17 @@ void incident_face(const PlacedBox& box, double normal_x, double normal_y, Verte
     }
 }
 
-// Cuts an end of the face off where it passes the tangential coordinate `edge` on the given side.
-void clip(double side, double edge, double (&tangential)[2], Vertex (&ends)[2]) {
+// Cuts the ends of the face off where they pass a tangential coordinate of `edge` on either side.
+// Each is cut by itself, so that a mirror image is cut the same.
+void clip(double edge, const double (&tangential)[2], Vertex (&ends)[2]) {
+    const Vertex whole[2] = {ends[0], ends[1]};
     for (int i = 0; i < 2; ++i) {
-        const double excess = side * tangential[i] - edge;
+        const double excess = std::fabs(tangential[i]) - edge;
         if (excess <= 0.0) continue;
         const int other = 1 - i;
-        const double share = excess / (side * (tangential[i] - tangential[other]));
-        ends[i].x += share * (ends[other].x - ends[i].x);
-        ends[i].y += share * (ends[other].y - ends[i].y);
-        tangential[i] = side * edge;
+        const double share = excess / std::fabs(tangential[i] - tangential[other]);
+        ends[i].x += share * (whole[other].x - whole[i].x);
+        ends[i].y += share * (whole[other].y - whole[i].y);
     }
 }
 
@@ -111,8 +112,7 @@ BoxManifold collide_boxes(const PlacedBox& first, const PlacedBox& second, doubl
     if (std::min(tangential[0], tangential[1]) > edge ||
         std::max(tangential[0], tangential[1]) < -edge)
         return manifold;
-    clip(1.0, edge, tangential, ends);
-    clip(-1.0, edge, tangential, ends);
+    clip(edge, tangential, ends);
     double gaps[2];
     for (int i = 0; i < 2; ++i)
         gaps[i] =

@@ -1,15 +1,18 @@
 #include "dynamics/contact.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace cambrian {
 
-Contact* ContactSet::replace_farthest(double gap) {
+Contact* ContactSet::drop_farthest(double gap) {
     int farthest = 0;
     for (int i = 1; i < count; ++i) {
         if (items[i].gap > items[farthest].gap) farthest = i;
     }
-    return gap < items[farthest].gap ? &items[farthest] : nullptr;
+    if (gap >= items[farthest].gap) return nullptr;
+    std::copy(items + farthest + 1, items + count, items + farthest);
+    return &items[count - 1];
 }
 
 Face face_toward(double x, double y) {

@@ -41,21 +41,28 @@ inline bool same_pair(const Contact& first, const Contact& second) {
     return friction_group(first) == friction_group(second);
 }
 
+// Contacts are collected in the order of this number: the ground's by part, then the pairs of
+// boxes.
+inline int collection_rank(int id) {
+    if (id < kGroundContactIds) return id / 4;
+    return kMaxParts + (id - kGroundContactIds) / kIdsPerPair;
+}
+
 struct ContactSet {
     int count = 0;
     Contact items[kMaxContacts];
 
-    // Where to write a contact with this gap: when full, the farthest one makes room. Null if there
-    // is no farther one.
+    // Where to write a contact with this gap, behind the others: when full, the farthest one
+    // leaves. Null if there is no farther one.
     Contact* make_room(double gap) {
-        return count < kMaxContacts ? &items[count++] : replace_farthest(gap);
+        return count < kMaxContacts ? &items[count++] : drop_farthest(gap);
     }
     void add(const Contact& contact) {
         if (Contact* place = make_room(contact.gap)) *place = contact;
     }
 
 private:
-    Contact* replace_farthest(double gap);
+    Contact* drop_farthest(double gap);
 };
 
 // Of the four faces of a box, the one that looks most along a direction given in the box's frame.

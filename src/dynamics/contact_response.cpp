@@ -18,8 +18,8 @@ constexpr double kFrictionSoftness = 1e-5;
 
 void set_impact_bias(const RowSystem& rows, double elasticity, double* bias) {
     for (int row = 0; row < rows.count; ++row) {
-        const double rate = rows.rate[row];
-        const bool bounces = rows.kind[row] == RowKind::kNormal && rate < -kRestingSpeed;
+        const double rate = rows[row].rate;
+        const bool bounces = rows[row].kind == RowKind::kNormal && rate < -kRestingSpeed;
         bias[row] = bounces ? (1.0 + elasticity) * rate : rate;
     }
 }
@@ -27,7 +27,7 @@ void set_impact_bias(const RowSystem& rows, double elasticity, double* bias) {
 double impact_scale(const RowSystem& rows) {
     double scale = 0.0;
     for (int row = 0; row < rows.count; ++row)
-        scale += std::fabs(rows.impulse[row] * rows.rate[row]);
+        scale += std::fabs(rows.impulse[row] * rows[row].rate);
     return scale;
 }
 
@@ -49,7 +49,7 @@ double ContactSolver::impact_work() const {
     double work = 0.0;
     for (int row = 0; row < rows_.count; ++row) {
         if (rows_.impulse[row] == 0.0) continue;
-        work += rows_.impulse[row] * (rows_.rate[row] + 0.5 * impulse_effect(rows_, row));
+        work += rows_.impulse[row] * (rows_[row].rate + 0.5 * impulse_effect(rows_, row));
     }
     return work;
 }
@@ -61,8 +61,8 @@ ImpactResult ContactSolver::strike(const PlanarModel& model, const ContactLaw& l
         if (near_.items[c].gap < kContactBand) chosen_.add(near_.items[c]);
     }
     find_stops(model, frame.kinematics, limits_);
-    build_rows(model, motion, frame, {chosen_, limits_, law.friction > 0.0, kFrictionSoftness},
-               rows_);
+    build_rows(model, {chosen_, limits_, law.friction > 0.0, kFrictionSoftness}, frame.kinematics,
+               frame, rows_);
     ImpactResult result;
     const auto solve = [&](double kept) {
         for (int row = 0; row < rows_.count; ++row)
@@ -80,7 +80,7 @@ ImpactResult ContactSolver::strike(const PlanarModel& model, const ContactLaw& l
     Loads loads;
     BodyResponse jump;
     clear_loads(model, loads);
-    add_row_impulses(rows_, 1.0, loads);
+    add_row_impulses(rows_, rows_.impulse, 1.0, loads);
     solve_closed_impulse(model, frame.kinematics, frame.factors, loads, jump);
     for (int c = 0; c < coordinate_count(model); ++c)
         motion.speed[c] += jump.coordinate[c];

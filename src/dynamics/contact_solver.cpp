@@ -19,12 +19,13 @@ constexpr double kReferenceGravity = 9.81;  // m/s^2
 constexpr double kFrictionSoftness = 1e-2;  // anchored at the last step's forces
 
 // How far above its demand r + W p >= 0 a row may stay: lands at gap 0 with rate 0 in two steps,
-// does not push what is leaving, and backs out of penetration with a force that stays bounded as h
-// shrinks.
+// backs out of penetration with a force that stays bounded as h shrinks, and does not push what is
+// leaving faster: that may come back, if over the step it gets out as far.
 double row_slack(double gap, double rate, double h, double push_speed) {
     if (gap < 0.0) {
         const double push = std::min(push_speed, -kPushShare * gap / kNominalStep);
-        return -push * std::min(1.0, h / kNominalStep);
+        const double back = push * std::min(1.0, h / kNominalStep);
+        return std::max(-back, rate - 2.0 * back);
     }
     if (rate <= 0.0) return std::max(0.0, gap / h + 0.5 * rate);
     return std::max(0.0, 2.0 * gap / h + rate);
@@ -46,11 +47,48 @@ bool may_touch(const Contact& contact, const BodyResponse& free, double h) {
     return contact.gap < reach;
 }
 
+// Looks contacts up in the last step's forces. They are asked for in the order of collection, in
+// which the forces are too.
+class WarmForces {
+public:
+    explicit WarmForces(const WarmStart& warm) : warm_(warm) {}
+
+    double normal(int id) {
+        const int rank = pass_to(id);
+        for (int w = next_; is_of(rank, w); ++w) {
+            if (warm_.id[w] == id) return warm_.normal[w];
+        }
+        return 0.0;
+    }
+    double pair_friction(int id) {
+        const int rank = pass_to(id);
+        double sum = 0.0;
+        for (int w = next_; is_of(rank, w); ++w)
+            sum += warm_.friction[w];
+        return sum;
+    }
+
+private:
+    bool is_of(int rank, int w) const {
+        return w < warm_.count && collection_rank(warm_.id[w]) == rank;
+    }
+    int pass_to(int id) {
+        const int rank = collection_rank(id);
+        while (next_ < warm_.count && collection_rank(warm_.id[next_]) < rank)
+            ++next_;
+        return rank;
+    }
+
+    const WarmStart& warm_;
+    int next_ = 0;
+};
+
 }  // namespace
 
 void ContactSolver::collect(const PlanarModel& model, const ContactLaw& law,
                             const Kinematics& kinematics) {
     near_.count = 0;
+    if (!law.has_ground && model.colliding_pairs.empty()) return;
     PartPlaces places;
     place_parts(model, kinematics, places);
     if (law.has_ground) collect_ground_contacts(model, kinematics, places, near_);
@@ -78,19 +116,29 @@ bool ContactSolver::covers(const Contact& contact) const {
 
 // Touching contacts, and slow ones that could touch within the step; fast ones are left to the
 // search for the time of impact.
-bool ContactSolver::choose(const PlanarModel& model, const ContactLaw& law, const Motion& motion,
-                           const Frame& frame, double h) {
+bool ContactSolver::choose(const PlanarModel& model, Frame& frame, double h) {
     chosen_.count = 0;
     for (int c = 0; c < near_.count; ++c) {
         const Contact& contact = near_.items[c];
-        if (contact.gap < kContactBand || may_touch(contact, frame.response, h))
-            chosen_.add(contact);
+        if (contact.gap >= kContactBand) {
+            find_centers(model, frame);
+            if (!may_touch(contact, frame.response, h)) continue;
+        }
+        chosen_.add(contact);
     }
     choose_limits(model, frame, h);
-    if (chosen_.count == 0 && limits_.count == 0) return false;
-    build_rows(model, motion, frame, {chosen_, limits_, law.friction > 0.0, kFrictionSoftness},
+    return chosen_.count > 0 || limits_.count > 0;
+}
+
+void ContactSolver::build(const PlanarModel& model, const ContactLaw& law, Frame& start) {
+    complete_frame(model, start);
+    build_between(model, law, start.kinematics, start);
+}
+
+void ContactSolver::build_between(const PlanarModel& model, const ContactLaw& law,
+                                  const Kinematics& start, const Frame& middle) {
+    build_rows(model, {chosen_, limits_, law.friction > 0.0, kFrictionSoftness}, start, middle,
                rows_);
-    return true;
 }
 
 // Stops that could be reached within the step.
@@ -121,41 +169,53 @@ void ContactSolver::choose_limits(const PlanarModel& model, const Frame& frame, 
     }
 }
 
-void ContactSolver::set_resting_bias(double h, double* bias) const {
-    for (int row = 0; row < rows_.count; ++row) {
-        const double rate = rows_.rate[row];
-        bias[row] = rate + h * rows_.acceleration[row];
-        if (rows_.kind[row] == RowKind::kNormal)
-            bias[row] +=
-                row_slack(chosen_.items[rows_.source[row]].gap - kRestingGap, rate, h, kPushSpeed);
-        if (rows_.kind[row] == RowKind::kLimit)
-            bias[row] += row_slack(limits_.items[rows_.source[row]].gap, rate, h, kLimitPushSpeed);
+// First guesses and demands. The softness of friction rows pulls towards the last step's force, not
+// towards none: what holds still keeps holding still, without creep. Only up to a few times the
+// weight: parts wedged against each other would keep any stress they once built up.
+void ContactSolver::pose_resting(const PlanarModel& model, double h, const WarmStart& warm) {
+    const double most = kAnchorWeights * model.total_mass * kReferenceGravity * h;
+    WarmForces forces(warm);
+    for (int r = 0; r < rows_.count; ++r) {
+        const Row& row = rows_[r];
+        double force = 0.0;
+        double bias = row.rate + h * row.acceleration;
+        if (row.kind == RowKind::kNormal) {
+            const Contact& contact = chosen_.items[row.source];
+            force = forces.normal(contact.id);
+            bias += row_slack(contact.gap - kRestingGap, row.rate, h, kPushSpeed);
+        } else if (row.kind == RowKind::kFriction) {
+            force = row.body_b < 0 ? warm.ground_friction[row.body_a]
+                                   : forces.pair_friction(chosen_.items[row.source].id);
+            bias -= row.regularization * std::clamp(h * force, -most, most);
+        } else {
+            force = std::max(0.0, row.dir_x * warm.limit[row.body_a]);
+            bias += row_slack(limits_.items[row.source].gap, row.rate, h, kLimitPushSpeed);
+        }
+        rows_.impulse[r] = h * force;
+        bias_[r] = bias;
     }
 }
 
-bool ContactSolver::hold(const PlanarModel& model, const ContactLaw& law, double h, WarmStart& warm,
-                         Forcing& forcing) {
-    set_resting_bias(h, bias_);
-    load_warm_start(h, warm);
-    anchor_friction(model, h);
+bool ContactSolver::hold(const PlanarModel& model, const ContactLaw& law, double h,
+                         WarmStart& warm) {
+    pose_resting(model, h, warm);
     const bool solved = solve_resting(model, law, h);
-    store_forces(model.body_count, h, warm, forcing);
+    store_forces(model.body_count, h, warm);
     return solved;
 }
 
-// The softness of friction rows pulls towards the last step's force, not towards none: what holds
-// still keeps holding still, without creep. Only up to a few times the weight: parts wedged against
-// each other would keep any stress they once built up.
-void ContactSolver::anchor_friction(const PlanarModel& model, double h) {
-    const double most = kAnchorWeights * model.total_mass * kReferenceGravity * h;
-    for (int row = 0; row < rows_.count; ++row) {
-        if (rows_.kind[row] != RowKind::kFriction) continue;
-        const double anchor = std::clamp(rows_.impulse[row], -most, most);
-        bias_[row] -= rows_.regularization[row] * anchor;
-    }
+void ContactSolver::absorb(const PlanarModel& model, const ContactLaw& law,
+                           const BodyResponse (&changes)[2], Loads (&loads)[2]) {
+    RowChanges rows;
+    rate_rows(model, rows_, changes, rows.rates);
+    solver_.absorb(rows_, law.friction, rows);
+    for (int which = 0; which < 2; ++which)
+        add_row_impulses(rows_, rows.impulses[which], 1.0, loads[which]);
 }
 
 void ContactSolver::let_go() {
+    held_.contact_count = 0;
+    held_.limits_active = false;
     for (int c = 0; c < chosen_.count; ++c)
         normal_force_[c] = 0.0;
 }
@@ -176,72 +236,62 @@ double ContactSolver::resting_work(double h) const {
         if (rows_.impulse[row] == 0.0) continue;
         work +=
             rows_.impulse[row] *
-            (rows_.rate[row] + 0.5 * (h * rows_.acceleration[row] + impulse_effect(rows_, row)));
+            (rows_[row].rate + 0.5 * (h * rows_[row].acceleration + impulse_effect(rows_, row)));
     }
     return work;
 }
 
-void ContactSolver::load_warm_start(double h, const WarmStart& warm) {
-    for (int row = 0; row < rows_.count; ++row) {
-        rows_.impulse[row] = 0.0;
-        if (rows_.kind[row] == RowKind::kLimit) {
-            const double effort = rows_.dir_x[row] * warm.limit[rows_.body_a[row]];
-            rows_.impulse[row] = h * std::max(0.0, effort);
-            continue;
-        }
-        const Contact& contact = chosen_.items[rows_.source[row]];
-        const bool normal = rows_.kind[row] == RowKind::kNormal;
-        for (int w = 0; w < warm.count; ++w) {
-            if (normal && warm.id[w] == contact.id) rows_.impulse[row] = h * warm.normal[w];
-            if (!normal && warm.group[w] == friction_group(contact))
-                rows_.impulse[row] += h * warm.friction[w];
-        }
-    }
-}
-
-void ContactSolver::store_forces(int body_count, double h, WarmStart& warm, Forcing& forcing) {
+void ContactSolver::store_forces(int body_count, double h, WarmStart& warm) {
     warm.count = chosen_.count;
-    forcing.contact_count = chosen_.count;
-    forcing.limits_active = limits_.count > 0;
+    held_.contact_count = chosen_.count;
+    held_.limits_active = limits_.count > 0;
     for (int c = 0; c < chosen_.count; ++c) {
         const Contact& contact = chosen_.items[c];
         warm.id[c] = contact.id;
-        warm.group[c] = friction_group(contact);
         warm.normal[c] = 0.0;
         warm.friction[c] = 0.0;
-        forcing.contacts[c] = {
+        held_.contacts[c] = {
             contact.body_a, contact.body_b, contact.point_x, contact.point_y, 0.0, 0.0};
     }
     for (int i = 0; i < body_count; i += kLanes) {
+        store_lanes(warm.ground_friction + i, Lanes{});
         store_lanes(warm.limit + i, Lanes{});
-        store_lanes(forcing.limit_effort + i, Lanes{});
+        store_lanes(held_.limit_effort + i, Lanes{});
     }
-    for (int row = 0; row < rows_.count; ++row) {
-        const double force = rows_.impulse[row] / h;
-        if (rows_.kind[row] == RowKind::kLimit) {
-            warm.limit[rows_.body_a[row]] += rows_.dir_x[row] * force;
-            forcing.limit_effort[rows_.body_a[row]] += rows_.dir_x[row] * force;
+    for (int r = 0; r < rows_.count; ++r) {
+        if (rows_.impulse[r] == 0.0) continue;
+        const Row& row = rows_[r];
+        const double force = rows_.impulse[r] / h;
+        if (row.kind == RowKind::kLimit) {
+            warm.limit[row.body_a] += row.dir_x * force;
+            held_.limit_effort[row.body_a] += row.dir_x * force;
             continue;
         }
-        const int c = rows_.source[row];
-        forcing.contacts[c].force_x += rows_.dir_x[row] * force;
-        forcing.contacts[c].force_y += rows_.dir_y[row] * force;
-        (rows_.kind[row] == RowKind::kNormal ? warm.normal : warm.friction)[c] = force;
+        HeldForce& held = held_.contacts[row.source];
+        held.force_x += row.dir_x * force;
+        held.force_y += row.dir_y * force;
+        if (row.kind == RowKind::kNormal)
+            warm.normal[row.source] = force;
+        else if (row.body_b < 0)
+            warm.ground_friction[row.body_a] = force;
+        else
+            warm.friction[row.source] = force;
     }
     for (int c = 0; c < chosen_.count; ++c)
         normal_force_[c] = warm.normal[c];
 }
 
-HeldWork ContactSolver::held_work(const PlanarModel& model, const Forcing& forcing,
-                                  const Kinematics& begin, const Kinematics& end) const {
+HeldWork ContactSolver::held_work(const PlanarModel& model, const Kinematics& begin,
+                                  const Kinematics& end) const {
     HeldWork work;
     const auto world = [](const Kinematics& k, const HeldForce& held, double& x, double& y) {
         const int a = held.body_a;
         x = k.x[a] + k.cosine[a] * held.point_x - k.sine[a] * held.point_y;
         y = k.y[a] + k.sine[a] * held.point_x + k.cosine[a] * held.point_y;
     };
-    for (int c = 0; c < forcing.contact_count; ++c) {
-        const HeldForce& held = forcing.contacts[c];
+    for (int c = 0; c < held_.contact_count; ++c) {
+        const HeldForce& held = held_.contacts[c];
+        if (held.force_x == 0.0 && held.force_y == 0.0) continue;
         double start_x = 0.0;
         double start_y = 0.0;
         double end_x = 0.0;
@@ -260,9 +310,9 @@ HeldWork ContactSolver::held_work(const PlanarModel& model, const Forcing& forci
         work.contact += done;
         work.positive += std::max(0.0, done);
     }
-    if (!forcing.limits_active) return work;
+    if (!held_.limits_active) return work;
     for (int i = 0; i < model.body_count; ++i) {
-        const double effort = forcing.limit_effort[i];
+        const double effort = held_.limit_effort[i];
         if (effort == 0.0) continue;
         const double done = effort * (end.joint_position[i] - begin.joint_position[i]);
         work.limit += done;

@@ -19,10 +19,10 @@ struct ContactLaw {
 // Forces of the last solved step; first guess of the next.
 struct WarmStart {
     int count = 0;
-    int id[kMaxContacts] = {};
-    int group[kMaxContacts] = {};        // friction_group
+    int id[kMaxContacts] = {};           // of the contacts, as collected
     double normal[kMaxContacts] = {};    // N
-    double friction[kMaxContacts] = {};  // N
+    double friction[kMaxContacts] = {};  // N; of pairs of boxes, at any one of their contacts
+    PerBody ground_friction = {};        // N
     PerBody limit = {};                  // N m or N, signed as the effort
 };
 
@@ -52,40 +52,53 @@ public:
     ImpactResult strike(const PlanarModel& model, const ContactLaw& law, double elasticity,
                         const Frame& frame, Motion& motion);
 
-    // Chooses the rows of a step of length h from what is near. False if there are none.
-    bool choose(const PlanarModel& model, const ContactLaw& law, const Motion& motion,
-                const Frame& frame, double h);
+    // Chooses the contacts and stops of a step of length h from what is near. False if there are
+    // none. The frame is that of the step's start.
+    bool choose(const PlanarModel& model, Frame& frame, double h);
     // Contacts of the last choose() or strike().
     const ContactSet& chosen() const { return chosen_; }
     bool covers(const Contact& contact) const;  // whether it or one in its place was chosen
 
-    // Solves the chosen rows for a step of length h and writes the held forces. False if the
-    // active set failed and a fallback was taken.
-    bool hold(const PlanarModel& model, const ContactLaw& law, double h, WarmStart& warm,
-              Forcing& forcing);
-    // Instead of hold(): the chosen rows exert nothing.
+    // Makes rows of what was chosen: at the step's start, or with the rates of its start and all
+    // else as in the middle.
+    void build(const PlanarModel& model, const ContactLaw& law, Frame& start);
+    void build_between(const PlanarModel& model, const ContactLaw& law, const Kinematics& start,
+                       const Frame& middle);
+
+    // Solves the built rows for a step of length h, for the held forces. False if the active set
+    // failed and a fallback was taken.
+    bool hold(const PlanarModel& model, const ContactLaw& law, double h, WarmStart& warm);
+    // Instead of hold(): nothing is held.
     void let_go();
+    const HeldForces& held() const { return held_; }
+    // The same as loads, at the places of the rows.
+    void add_held(double h, Loads& loads) const {
+        add_row_impulses(rows_, rows_.impulse, 1.0 / h, loads);
+    }
+    // Adds to the loads the impulses by which the rows that hold would take up changes of the
+    // bodies' velocities.
+    void absorb(const PlanarModel& model, const ContactLaw& law, const BodyResponse (&changes)[2],
+                Loads (&loads)[2]);
     // Normal force of a chosen contact after hold(), N.
     double held_normal(int contact) const { return normal_force_[contact]; }
 
     // Work of the held forces between two places.
-    HeldWork held_work(const PlanarModel& model, const Forcing& forcing, const Kinematics& begin,
+    HeldWork held_work(const PlanarModel& model, const Kinematics& begin,
                        const Kinematics& end) const;
 
 private:
     void choose_limits(const PlanarModel& model, const Frame& frame, double h);
-    void set_resting_bias(double h, double* bias) const;
+    void pose_resting(const PlanarModel& model, double h, const WarmStart& warm);
     bool solve_resting(const PlanarModel& model, const ContactLaw& law, double h);
     double resting_work(double h) const;
     double impact_work() const;
-    void anchor_friction(const PlanarModel& model, double h);
-    void load_warm_start(double h, const WarmStart& warm);
-    void store_forces(int body_count, double h, WarmStart& warm, Forcing& forcing);
+    void store_forces(int body_count, double h, WarmStart& warm);
 
     PairList pair_list_;
     ContactSet near_;
     ContactSet chosen_;
     LimitSet limits_;
+    HeldForces held_;
     RowSystem rows_;
     RowSolver solver_;
     double bias_[kMaxRows];

@@ -4,18 +4,25 @@ namespace cambrian {
 namespace {
 
 // Inertia and load a body carries for its subtree, about its pivot: the symmetric matrix
-// [[A, h], [h', j]] with A by columns, and (f, t).
+// [[A, h], [h', j]] and the load (f, t), by columns of (x, y, turn, -load); lane 2 of x and y is
+// not kept, for h is in turn.
 struct Carried {
-    Pair column_x, column_y, h, f;
-    double j, t;
+    Lanes x, y, turn;
 };
 
-CAMBRIAN_INLINE Pair pair_of(const Lanes& x, const Lanes& y, int lane) {
-    return Pair{x[lane], y[lane]};
+// How a row of the parent's acceleration and of the load follows from a child's: (0, 0, z, gamma);
+// and the effort of a rotary joint on the child, in the load's lane.
+struct Lever {
+    Lanes x, y, effort;
+};
+
+// Effort of rotary joints, which turns the child and its parent.
+CAMBRIAN_INLINE Lanes rotary_effort(const PlanarModel& model, const Loads& loads, int first) {
+    return (1.0 - load_lanes(model.slides + first)) * load_lanes(loads.effort + first);
 }
 
 // Own inertia and load: h = m s, f less the pull of the centre towards the pivot, t about the
-// pivot.
+// pivot, with the effort of the body's own joint.
 CAMBRIAN_INLINE void load_bodies(const PlanarModel& model, const Kinematics& k, const Loads& loads,
                                  Carried* carried) {
     for (int first = 0; first < model.body_count; first += kLanes) {
@@ -27,89 +34,122 @@ CAMBRIAN_INLINE void load_bodies(const PlanarModel& model, const Kinematics& k, 
         const Lanes force_y = load_lanes(loads.force_y + first);
         const Lanes h_x = mass * s_x;
         const Lanes h_y = mass * s_y;
+        const Lanes torque = load_lanes(loads.torque + first) + (s_x * force_x + s_y * force_y) +
+                             rotary_effort(model, loads, first);
         const Lanes square = spin * spin;
-        const Lanes f_x = force_x + square * h_y;
-        const Lanes f_y = force_y - square * h_x;
-        const Lanes t = load_lanes(loads.torque + first) + (s_x * force_x + s_y * force_y);
-        const Lanes j = load_lanes(model.pivot_inertia + first);
-        for (int lane = 0; lane < kLanes; ++lane) {
-            Carried& c = carried[first + lane];
-            c.column_x = Pair{mass[lane], 0.0};
-            c.column_y = Pair{0.0, mass[lane]};
-            c.h = pair_of(h_x, h_y, lane);
-            c.f = pair_of(f_x, f_y, lane);
-            c.j = j[lane];
-            c.t = t[lane];
-        }
+        Lanes x[kLanes] = {mass, Lanes{}, Lanes{}, -(force_x + square * h_y)};
+        Lanes y[kLanes] = {Lanes{}, mass, Lanes{}, -(force_y - square * h_x)};
+        Lanes turn[kLanes] = {h_x, h_y, load_lanes(model.pivot_inertia + first), -torque};
+        transpose(x[0], x[1], x[2], x[3]);
+        transpose(y[0], y[1], y[2], y[3]);
+        transpose(turn[0], turn[1], turn[2], turn[3]);
+        for (int lane = 0; lane < kLanes; ++lane)
+            carried[first + lane] = {x[lane], y[lane], turn[lane]};
     }
 }
 
-// Both return u. With u = t + tau: K = A - h h'/j, pi = f - h u/j - K gamma;
-// parent: A += K, h += K z, j += z K z, f += pi, t += z pi - tau.
-CAMBRIAN_INLINE double eliminate_rotary(const Kinematics& k, double effort, int i, const Carried& c,
-                                        Factors& factors, Carried& parent) {
-    const Pair z = {k.z_x[i], k.z_y[i]};
-    const double inverse_d = 1.0 / c.j;
-    const double u = c.t + effort;
-    const Pair scaled = c.h * both(inverse_d);
-    const Pair left_x = c.column_x - scaled * both(c.h[0]);
-    const Pair left_y = c.column_y - scaled * both(c.h[1]);
-    const Pair pi =
-        c.f - scaled * both(u) - (left_x * both(k.gamma_x[i]) + left_y * both(k.gamma_y[i]));
-    const Pair left_z = left_x * both(z[0]) + left_y * both(z[1]);
-    factors.w_x[i] = c.h[0];
-    factors.w_y[i] = c.h[1];
-    factors.inverse_d[i] = inverse_d;
-    parent.column_x += left_x;
-    parent.column_y += left_y;
-    parent.h += left_z;
-    parent.j += dot(z, left_z);
-    parent.f += pi;
-    parent.t += dot(z, pi) - effort;
-    return u;
+CAMBRIAN_INLINE void place_levers(const PlanarModel& model, const Kinematics& k, const Loads& loads,
+                                  Lever* levers) {
+    for (int first = 0; first < model.body_count; first += kLanes) {
+        Lanes x[kLanes] = {{}, {}, load_lanes(k.z_x + first), load_lanes(k.gamma_x + first)};
+        Lanes y[kLanes] = {{}, {}, load_lanes(k.z_y + first), load_lanes(k.gamma_y + first)};
+        Lanes effort[kLanes] = {{}, {}, {}, rotary_effort(model, loads, first)};
+        transpose(x[0], x[1], x[2], x[3]);
+        transpose(y[0], y[1], y[2], y[3]);
+        transpose(effort[0], effort[1], effort[2], effort[3]);
+        for (int lane = 0; lane < kLanes; ++lane)
+            levers[first + lane] = {x[lane], y[lane], effort[lane]};
+    }
 }
 
-// With n the joint's axis: w = A n, w3 = h n, d = n w, u = n f + F, K = A - w w'/d, k = h - w w3/d,
-// kappa = j - w3^2/d, pi = f - w u/d - K gamma, pi_t = t - w3 u/d - k gamma;
-// parent: A += K, h += K z + k, j += z K z + 2 z k + kappa, f += pi, t += z pi + pi_t.
-CAMBRIAN_INLINE double eliminate_linear(const Kinematics& k, double effort, int i, const Carried& c,
+// A column as the parent sees it: its turn and load feel the pivot's acceleration.
+CAMBRIAN_INLINE Lanes as_parent_sees(const Lanes& column, const Lever& lever) {
+    return column + column[0] * lever.x + column[1] * lever.y;
+}
+
+// A column with 0 for its turn.
+CAMBRIAN_INLINE Lanes without_turn(const Lanes& column) {
+    LaneBits bits;
+    std::memcpy(&bits, &column, sizeof(bits));
+    bits &= LaneBits{-1, -1, 0, -1};
+    Lanes result;
+    std::memcpy(&result, &bits, sizeof(result));
+    return result;
+}
+
+// The first two columns, and the third but for what it has of its own.
+CAMBRIAN_INLINE void add_to_parent(const Lanes& x, const Lanes& y, const Lever& lever,
+                                   Carried& parent) {
+    const Lanes seen_x = as_parent_sees(x, lever);
+    const Lanes seen_y = as_parent_sees(y, lever);
+    parent.x += seen_x;
+    parent.y += seen_y;
+    parent.turn += lever.effort + (lever.x[2] * seen_x + lever.y[2] * seen_y);
+}
+
+enum class Motors { kExplicit, kImplicit };
+
+// Both return u and leave to the parent what the joint does not take: all less the outer product of
+// the joint's row with itself, over d. With the effort tau - g (alpha - alpha_p), g the damping,
+// the row of a rotary joint is that of its body's turn, d = j + g, and the share g/d of it is left.
+template <Motors kMotors>
+CAMBRIAN_INLINE double eliminate_rotary(int i, const Carried& c, const Lever& lever,
                                         Factors& factors, Carried& parent) {
-    const Pair n = {k.axis_x[i], k.axis_y[i]};
-    const Pair z = {k.z_x[i], k.z_y[i]};
-    const Pair gamma = {k.gamma_x[i], k.gamma_y[i]};
-    const Pair w = c.column_x * both(n[0]) + c.column_y * both(n[1]);
-    const double w_3 = dot(c.h, n);
-    const double inverse_d = 1.0 / dot(n, w);
-    const double u = dot(n, c.f) + effort;
-    const Pair scaled = w * both(inverse_d);
-    const Pair left_x = c.column_x - scaled * both(w[0]);
-    const Pair left_y = c.column_y - scaled * both(w[1]);
-    const Pair left_h = c.h - scaled * both(w_3);
-    const double kappa = c.j - w_3 * w_3 * inverse_d;
-    const Pair pi = c.f - scaled * both(u) - (left_x * both(gamma[0]) + left_y * both(gamma[1]));
-    const double pi_t = c.t - w_3 * (u * inverse_d) - dot(left_h, gamma);
-    const Pair left_z = left_x * both(z[0]) + left_y * both(z[1]);
-    factors.w_x[i] = w[0];
-    factors.w_y[i] = w[1];
-    factors.w_3[i] = w_3;
+    const Lanes row = c.turn;
+    const double damping = kMotors == Motors::kImplicit ? factors.damping[i] : 0.0;
+    const double inverse_d = 1.0 / (kMotors == Motors::kImplicit ? row[2] + damping : row[2]);
+    const Lanes scaled = row * inverse_d;
+    Lanes x = without_turn(c.x - scaled * row[0]);
+    Lanes y = without_turn(c.y - scaled * row[1]);
+    if constexpr (kMotors == Motors::kImplicit) {
+        const Lanes left = damping * scaled;
+        x[2] = left[0];
+        y[2] = left[1];
+        parent.turn += as_parent_sees(left, lever);
+    }
+    add_to_parent(x, y, lever, parent);
+    factors.w_x[i] = row[0];
+    factors.w_y[i] = row[1];
     factors.inverse_d[i] = inverse_d;
-    parent.column_x += left_x;
-    parent.column_y += left_y;
-    parent.h += left_z + left_h;
-    parent.j += dot(z, left_z) + 2.0 * dot(z, left_h) + kappa;
-    parent.f += pi;
-    parent.t += dot(z, pi) + pi_t;
-    return u;
+    return -row[3];
+}
+
+// With n the joint's axis the row is n A, n h and the load n f + F, and d = n A n + g.
+template <Motors kMotors>
+CAMBRIAN_INLINE double eliminate_linear(const Kinematics& k, double effort, int i, const Carried& c,
+                                        const Lever& lever, Factors& factors, Carried& parent) {
+    const double n_x = k.axis_x[i];
+    const double n_y = k.axis_y[i];
+    Lanes x = c.x;
+    Lanes y = c.y;
+    x[2] = c.turn[0];
+    y[2] = c.turn[1];
+    Lanes row = n_x * x + n_y * y;
+    row[3] -= effort;
+    const double along = n_x * row[0] + n_y * row[1];
+    const double inverse_d =
+        1.0 / (kMotors == Motors::kImplicit ? along + factors.damping[i] : along);
+    const Lanes scaled = row * inverse_d;
+    x -= scaled * row[0];
+    y -= scaled * row[1];
+    const Lanes turn = c.turn - scaled * row[2];
+    add_to_parent(x, y, lever, parent);
+    parent.turn += as_parent_sees(turn, lever);
+    factors.w_x[i] = row[0];
+    factors.w_y[i] = row[1];
+    factors.w_3[i] = row[2];
+    factors.inverse_d[i] = inverse_d;
+    return -row[3];
 }
 
 // By cofactors.
 CAMBRIAN_INLINE RootInverse invert_root(const Carried& c) {
-    const double xx = c.column_x[0];
-    const double xy = c.column_x[1];
-    const double yy = c.column_y[1];
-    const double xt = c.h[0];
-    const double yt = c.h[1];
-    const double tt = c.j;
+    const double xx = c.x[0];
+    const double xy = c.x[1];
+    const double yy = c.y[1];
+    const double xt = c.turn[0];
+    const double yt = c.turn[1];
+    const double tt = c.turn[2];
     const double cofactor_xx = yy * tt - yt * yt;
     const double cofactor_xy = xt * yt - xy * tt;
     const double cofactor_xt = xy * yt - yy * xt;
@@ -131,7 +171,7 @@ CAMBRIAN_INLINE void solve_root(const RootInverse& inverse, int root, const Pair
 enum class Load { kForce, kImpulse };
 
 // Body i's response from its parent's; gamma is 0 for impulses.
-template <Load kLoad>
+template <Load kLoad, Motors kMotors>
 CAMBRIAN_INLINE void follow_parent(const PlanarModel& model, const Kinematics& k,
                                    const Factors& factors, const double* u, int i,
                                    BodyResponse& response) {
@@ -153,6 +193,7 @@ CAMBRIAN_INLINE void follow_parent(const PlanarModel& model, const Kinematics& k
         response.coordinate[i] = slide;
         return;
     }
+    if constexpr (kMotors == Motors::kImplicit) rest += factors.damping[i] * spin;
     const double turn = rest * factors.inverse_d[i];
     response.x[i] = x;
     response.y[i] = y;
@@ -194,30 +235,56 @@ CAMBRIAN_INLINE void move_centers(const PlanarModel& model, const Loads& loads,
     }
 }
 
-}  // namespace
-
-void solve_accelerations(const PlanarModel& model, const Kinematics& kinematics, const Loads& loads,
-                         Factors& factors, BodyResponse& response) {
+template <Motors kMotors>
+CAMBRIAN_INLINE void solve(const PlanarModel& model, const Kinematics& kinematics,
+                           const Loads& loads, Factors& factors, BodyResponse& response) {
     Carried carried[kMaxBodies];
+    Lever levers[kMaxBodies];
     PerBody u;
     load_bodies(model, kinematics, loads, carried);
+    place_levers(model, kinematics, loads, levers);
     for (int tree = model.tree_count - 1; tree >= 0; --tree) {
         const int root = model.tree_begin[tree];
         const int end = model.tree_begin[tree + 1];
         for (int i = end - 1; i > root; --i) {
             Carried& parent = carried[model.parent[i]];
-            const double effort = loads.effort[i];
             u[i] = model.joint[i] == JointType::kLinear
-                       ? eliminate_linear(kinematics, effort, i, carried[i], factors, parent)
-                       : eliminate_rotary(kinematics, effort, i, carried[i], factors, parent);
+                       ? eliminate_linear<kMotors>(kinematics, loads.effort[i], i, carried[i],
+                                                   levers[i], factors, parent)
+                       : eliminate_rotary<kMotors>(i, carried[i], levers[i], factors, parent);
         }
         factors.root[tree] = invert_root(carried[root]);
-        solve_root(factors.root[tree], root, carried[root].f, carried[root].t, response);
+        const Carried& all = carried[root];
+        solve_root(factors.root[tree], root, Pair{-all.x[3], -all.y[3]}, -all.turn[3], response);
         for (int i = root + 1; i < end; ++i)
-            follow_parent<Load::kForce>(model, kinematics, factors, u, i, response);
+            follow_parent<Load::kForce, kMotors>(model, kinematics, factors, u, i, response);
     }
     move_to_centers<Load::kForce>(model, kinematics, response);
     move_centers(model, loads, response);
+}
+
+}  // namespace
+
+void solve_accelerations(const PlanarModel& model, const Kinematics& kinematics, const Loads& loads,
+                         Factors& factors, BodyResponse& response) {
+    for (int i = 0; i < model.body_count; i += kLanes)
+        store_lanes(factors.damping + i, Lanes{});
+    solve<Motors::kExplicit>(model, kinematics, loads, factors, response);
+}
+
+void solve_damped_accelerations(const PlanarModel& model, const Kinematics& kinematics,
+                                const Loads& loads, const PerBody& damping, Factors& factors,
+                                BodyResponse& response) {
+    for (int i = 0; i < model.body_count; i += kLanes)
+        store_lanes(factors.damping + i, load_lanes(damping + i));
+    solve<Motors::kImplicit>(model, kinematics, loads, factors, response);
+}
+
+void factorize(const PlanarModel& model, const Kinematics& kinematics, Factors& factors) {
+    Loads none;
+    BodyResponse unused;
+    clear_loads(model, none);
+    solve_accelerations(model, kinematics, none, factors, unused);
 }
 
 void solve_impulse(const PlanarModel& model, const Kinematics& k, const Factors& factors,
@@ -242,11 +309,11 @@ void solve_impulse(const PlanarModel& model, const Kinematics& k, const Factors&
             const Pair passed = f[i] - w * both(share);
             f[p] += passed;
             t[p] += dot(Pair{k.z_x[i], k.z_y[i]}, passed) +
-                    (linear ? t[i] - factors.w_3[i] * share : -effort);
+                    (linear ? t[i] - factors.w_3[i] * share : factors.damping[i] * share - effort);
         }
         solve_root(factors.root[tree], root, f[root], t[root], response);
         for (int i = root + 1; i < end; ++i)
-            follow_parent<Load::kImpulse>(model, k, factors, u, i, response);
+            follow_parent<Load::kImpulse, Motors::kImplicit>(model, k, factors, u, i, response);
     }
     move_to_centers<Load::kImpulse>(model, k, response);
     move_centers(model, impulses, response);

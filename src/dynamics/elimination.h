@@ -23,6 +23,7 @@ struct RootInverse {
 // Factorisation of a moment's equation, good for any load.
 struct Factors {
     PerBody w_x, w_y, w_3, inverse_d;
+    PerBody damping;  // effort that a rotary joint loses per acceleration; 0 if explicit
     RootInverse root[kMaxTrees];
 };
 
@@ -35,6 +36,15 @@ struct BodyResponse {
 // Accelerations under the loads; leaves the factors behind for solve_impulse.
 void solve_accelerations(const PlanarModel& model, const Kinematics& kinematics, const Loads& loads,
                          Factors& factors, BodyResponse& response);
+
+// The same where every joint's effort falls by a damping times the joint's acceleration, as motors
+// do in an implicit stage. Solves of impulses with these factors feel it too. 0 on roots.
+void solve_damped_accelerations(const PlanarModel& model, const Kinematics& kinematics,
+                                const Loads& loads, const PerBody& damping, Factors& factors,
+                                BodyResponse& response);
+
+// The factors alone.
+void factorize(const PlanarModel& model, const Kinematics& kinematics, Factors& factors);
 
 // Velocity jumps under the loads taken as impulses.
 void solve_impulse(const PlanarModel& model, const Kinematics& kinematics, const Factors& factors,

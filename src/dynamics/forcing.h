@@ -30,13 +30,18 @@ struct HeldForce {
     double force_x = 0.0, force_y = 0.0;  // N
 };
 
-struct Forcing {
-    Medium medium;
-    MotorDrive drive;
+// What contacts and stops exert, constant during a step.
+struct HeldForces {
     int contact_count = 0;
     HeldForce contacts[kMaxContacts];
     bool limits_active = false;
     PerBody limit_effort = {};  // N m or N
+};
+
+struct Forcing {
+    Medium medium;
+    MotorDrive drive;
+    const HeldForces* held = nullptr;  // null: free of contact
     bool pulled = false;
     HeldForce pull;
 };

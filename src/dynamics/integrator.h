@@ -15,10 +15,11 @@ struct MotionSystem {
     const Forcing& forcing;
     double tick_length = 0.0;  // s
 
-    // time: s since the tick's start.
+    // time: s since the tick's start. implicit: as in EvaluationPoint.
     void evaluate(const Motion& motion, double time, FrameDetail detail, Frame& frame,
-                  MotionRate& rate) const {
-        evaluate_accelerations(model, forcing, motion, {time / tick_length, detail}, frame, rate);
+                  MotionRate& rate, const ImplicitStage* implicit = nullptr) const {
+        evaluate_accelerations(model, forcing, motion, {time / tick_length, detail, implicit},
+                               frame, rate);
     }
 };
 
@@ -29,6 +30,9 @@ struct StepRequest {
     double length = 0.0;     // s
     double tolerance = 0.0;  // of SceneSettings
 };
+
+// Errors up to this share of the allowed one shorten no step of order 5 or less.
+inline constexpr double kCalmError = 0.59;
 
 struct StepResult {
     Motion end = {};
@@ -45,6 +49,8 @@ struct IntegratorKind {
     int error_order = 1;       // of the error in the step's length
     double max_step = 0.0;     // s
     bool holds_loops = false;  // whether closing pins stay closed
+    // Whether steps under contact forces are midpoint steps (midpoint_step.h) instead.
+    bool rows_at_middle = false;
 };
 
 }  // namespace cambrian

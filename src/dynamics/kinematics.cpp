@@ -118,6 +118,27 @@ CAMBRIAN_INLINE void sum_from_roots(const PlanarModel& model, const double* cent
     }
 }
 
+// Pivots: v_i = v_p + w_p z, and + s' axis at linear joints; centres: + w_i s.
+CAMBRIAN_INLINE void move_bodies(const PlanarModel& model, const Kinematics& k, const double* rates,
+                                 const double* spins, double* velocity_x, double* velocity_y) {
+    PerBody lever_x;
+    PerBody lever_y;
+    for (int i = 0; i < model.body_count; i += kLanes) {
+        const Lanes parent_spin = gather(spins, model.parent_slot + i);
+        const Lanes spin = load_lanes(spins + i);
+        store_lanes(velocity_x + i, parent_spin * load_lanes(k.z_x + i));
+        store_lanes(velocity_y + i, parent_spin * load_lanes(k.z_y + i));
+        store_lanes(lever_x + i, spin * load_lanes(k.s_x + i));
+        store_lanes(lever_y + i, spin * load_lanes(k.s_y + i));
+    }
+    for (int i = 0; model.has_linear && i < model.body_count; ++i) {
+        if (model.joint[i] != JointType::kLinear) continue;
+        velocity_x[i] += rates[i] * k.axis_x[i];
+        velocity_y[i] += rates[i] * k.axis_y[i];
+    }
+    sum_from_roots(model, rates + center_of(model, 0), lever_x, lever_y, velocity_x, velocity_y);
+}
+
 }  // namespace
 
 void compute_joints(const PlanarModel& model, const Motion& motion, Kinematics& k) {
@@ -130,25 +151,30 @@ void compute_joints(const PlanarModel& model, const Motion& motion, Kinematics& 
     }
 }
 
-// Pivots: v_i = v_p + w_p z, and + s' axis at linear joints; centres: + w_i s.
+void compute_joint_geometry(const PlanarModel& model, Kinematics& k) {
+    for (int first = 0; first < model.body_count; first += kLanes)
+        turn_joints(model, k, first);
+}
+
 void compute_velocities(const PlanarModel& model, const Motion& motion, Kinematics& k) {
-    PerBody lever_x;
-    PerBody lever_y;
-    for (int i = 0; i < model.body_count; i += kLanes) {
-        const Lanes parent_spin = gather(k.spin, model.parent_slot + i);
-        const Lanes spin = load_lanes(k.spin + i);
-        store_lanes(k.velocity_x + i, parent_spin * load_lanes(k.z_x + i));
-        store_lanes(k.velocity_y + i, parent_spin * load_lanes(k.z_y + i));
-        store_lanes(lever_x + i, spin * load_lanes(k.s_x + i));
-        store_lanes(lever_y + i, spin * load_lanes(k.s_y + i));
-    }
+    move_bodies(model, k, motion.speed, k.spin, k.velocity_x, k.velocity_y);
+}
+
+void spread_spins(const PlanarModel& model, const PerCoordinate& rates, PerBody& spin) {
+    const int slots = round_up_to_lanes(model.body_count);
+    for (int i = 0; i < slots; i += kLanes)
+        store_lanes(spin + i, load_lanes(rates + i));
+    for (int i = model.body_count; i < slots; ++i)
+        spin[i] = 0.0;
     for (int i = 0; model.has_linear && i < model.body_count; ++i) {
-        if (model.joint[i] != JointType::kLinear) continue;
-        k.velocity_x[i] += motion.speed[i] * k.axis_x[i];
-        k.velocity_y[i] += motion.speed[i] * k.axis_y[i];
+        if (model.joint[i] == JointType::kLinear) spin[i] = spin[model.parent[i]];
     }
-    sum_from_roots(model, motion.speed + center_of(model, 0), lever_x, lever_y, k.velocity_x,
-                   k.velocity_y);
+}
+
+void spread_rates(const PlanarModel& model, const Kinematics& place, const PerCoordinate& rates,
+                  PerBody& spin, PerBody& velocity_x, PerBody& velocity_y) {
+    spread_spins(model, rates, spin);
+    move_bodies(model, place, rates, spin, velocity_x, velocity_y);
 }
 
 // Pivots: c_i = c_p - perp(z); centres: - perp(s).
@@ -179,13 +205,15 @@ double limit_overrun(const PlanarModel& model, const Kinematics& k) {
 }
 
 double kinetic_energy(const PlanarModel& model, const Kinematics& k) {
-    double energy = 0.0;
-    for (int i = 0; i < model.body_count; ++i) {
-        energy += model.mass[i] *
-                      (k.velocity_x[i] * k.velocity_x[i] + k.velocity_y[i] * k.velocity_y[i]) +
-                  model.inertia[i] * k.spin[i] * k.spin[i];
+    Lanes energy = {};
+    for (int i = 0; i < model.body_count; i += kLanes) {
+        const Lanes velocity_x = load_lanes(k.velocity_x + i);
+        const Lanes velocity_y = load_lanes(k.velocity_y + i);
+        const Lanes spin = load_lanes(k.spin + i);
+        energy += load_lanes(model.mass + i) * (velocity_x * velocity_x + velocity_y * velocity_y) +
+                  load_lanes(model.inertia + i) * (spin * spin);
     }
-    return 0.5 * energy;
+    return 0.5 * sum_of(energy);
 }
 
 }  // namespace cambrian

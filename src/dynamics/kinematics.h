@@ -27,8 +27,16 @@ void compute_kinematics(const PlanarModel& model, const Motion& motion, Kinemati
 
 // Its parts: angles, spins and joints, which the others need; velocities; places.
 void compute_joints(const PlanarModel& model, const Motion& motion, Kinematics& kinematics);
+// The geometry of the joints (s, z, gamma) from angles and spins; rotary joints only.
+void compute_joint_geometry(const PlanarModel& model, Kinematics& kinematics);
 void compute_velocities(const PlanarModel& model, const Motion& motion, Kinematics& kinematics);
 void compute_places(const PlanarModel& model, const Motion& motion, Kinematics& kinematics);
+
+// Spins that any rates of the coordinates mean.
+void spread_spins(const PlanarModel& model, const PerCoordinate& rates, PerBody& spin);
+// The same, and velocities of the centres at a place.
+void spread_rates(const PlanarModel& model, const Kinematics& place, const PerCoordinate& rates,
+                  PerBody& spin, PerBody& velocity_x, PerBody& velocity_y);
 
 // How far the worst joint is past its limits, rad or m; 0 if none is.
 double limit_overrun(const PlanarModel& model, const Kinematics& kinematics);

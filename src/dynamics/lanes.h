@@ -39,6 +39,17 @@ CAMBRIAN_INLINE Lanes gather(const double* from, const int* index) {
 CAMBRIAN_INLINE double sum_of(const Lanes& lanes) {
     return (lanes[0] + lanes[1]) + (lanes[2] + lanes[3]);
 }
+// Rows become columns.
+CAMBRIAN_INLINE void transpose(Lanes& a, Lanes& b, Lanes& c, Lanes& d) {
+    const Lanes even_ab = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const Lanes odd_ab = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    const Lanes even_cd = __builtin_shufflevector(c, d, 0, 4, 2, 6);
+    const Lanes odd_cd = __builtin_shufflevector(c, d, 1, 5, 3, 7);
+    a = __builtin_shufflevector(even_ab, even_cd, 0, 1, 4, 5);
+    b = __builtin_shufflevector(odd_ab, odd_cd, 0, 1, 4, 5);
+    c = __builtin_shufflevector(even_ab, even_cd, 2, 3, 6, 7);
+    d = __builtin_shufflevector(odd_ab, odd_cd, 2, 3, 6, 7);
+}
 CAMBRIAN_INLINE Lanes magnitude(const Lanes& lanes) {
     LaneBits bits;
     std::memcpy(&bits, &lanes, sizeof(bits));

@@ -9,6 +9,8 @@
 
 #include "dynamics/motors.h"
 
+#include "dynamics/motor_lanes.h"
+
 namespace cambrian {
 
 void set_motor_law(PlanarModel& model, int body, double rate_scale) {
@@ -27,29 +29,30 @@ void set_motor_law(PlanarModel& model, int body, double rate_scale) {
 
 MotorPower compute_motor_efforts(const PlanarModel& model, const MotorDrive& drive,
                                  double tick_share, const Kinematics& kinematics, PerBody& effort) {
-    const MotorLaw& law = model.motor;
     Lanes net = {};
     Lanes gross = {};
     for (int i = 0; i < model.body_count; i += kLanes) {
-        const Lanes start = load_lanes(drive.start + i);
-        const Lanes target = start + tick_share * (load_lanes(drive.end + i) - start);
         const Lanes rate = load_lanes(kinematics.joint_rate + i);
-        const Lanes tracking = drive.frequency * load_lanes(law.tracking + i);
-        const Lanes asked = tracking * (target - load_lanes(kinematics.joint_position + i)) +
-                            load_lanes(law.direct + i) * target;
-        const Lanes fastest =
-            drive.speed_limit * load_lanes(law.rate_scale + i) + load_lanes(law.rate_floor + i);
-        const Lanes wanted = clamp_size(asked, fastest);
-        const Lanes gain =
-            drive.frequency * load_lanes(law.stiffness + i) + load_lanes(law.strength + i);
-        const Lanes given = clamp_size(gain * (wanted - load_lanes(law.damping + i) * rate),
-                                       load_lanes(model.max_effort + i));
+        const Lanes given = motor_efforts(model, drive, tick_share,
+                                          load_lanes(kinematics.joint_position + i), rate, i);
         store_lanes(effort + i, given);
         const Lanes power = given * rate;
         net += power;
         gross += magnitude(power);
     }
     return {sum_of(net), sum_of(gross)};
+}
+
+void compute_implicit_efforts(const PlanarModel& model, const MotorDrive& drive, double tick_share,
+                              const ImplicitStage& stage, const Kinematics& kinematics,
+                              PerBody& effort, PerBody& damping) {
+    for (int i = 0; i < model.body_count; i += kLanes) {
+        const ImplicitEfforts motors = implicit_efforts(model, drive, tick_share, stage,
+                                                        load_lanes(kinematics.joint_position + i),
+                                                        load_lanes(kinematics.joint_rate + i), i);
+        store_lanes(effort + i, motors.effort);
+        store_lanes(damping + i, motors.damping);
+    }
 }
 
 }  // namespace cambrian

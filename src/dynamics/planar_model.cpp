@@ -10,6 +10,7 @@ void derive_inertias(PlanarModel& model) {
         model.inverse_mass[i] = 1.0 / model.mass[i];
         model.inverse_inertia[i] = 1.0 / model.inertia[i];
     }
+    derive_dense_form(model, model.dense);
 }
 
 void change_density(PlanarModel& model, double density) {

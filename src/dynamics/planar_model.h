@@ -5,6 +5,7 @@
 // trees stand one after the other, each depth first from its root. Boxes keep the order of the
 // plan's parts. Slots beyond the counts are 0, so that loops may run on to whole lanes.
 
+#include "dynamics/dense_form.h"
 #include "dynamics/lanes.h"
 #include "world/body_plan.h"
 
@@ -89,6 +90,7 @@ struct PlanarModel {
     PerBody effective_inertia = {};  // kg m^2 or kg: what a lone effort at this joint feels at rest
     MotorMode motor_mode[kMaxBodies] = {};
     MotorLaw motor;
+    DenseForm dense;
 
     // Boxes.
     int part_body[kMaxParts] = {};

@@ -198,13 +198,13 @@ SceneStatus PlanarScene::advance(double duration) {
     CAMBRIAN_ASSERT(duration > 0.0, "a tick takes time");
     if (moment_.status != SceneStatus::kRunning) return moment_.status;
     const double activity = limp_ ? 0.0 : 1.0;
-    for (int i = 0; i < model_.body_count; ++i) {
-        forcing_.drive.start[i] = activity * moment_.drive_start[i];
-        forcing_.drive.end[i] = activity * moment_.drive_end[i];
+    for (int i = 0; i < model_.body_count; i += kLanes) {
+        store_lanes(forcing_.drive.start + i, activity * load_lanes(moment_.drive_start + i));
+        store_lanes(forcing_.drive.end + i, activity * load_lanes(moment_.drive_end + i));
     }
     control_.advance(model_, law_, forcing_, duration, moment_);
-    for (int i = 0; i < model_.body_count; ++i)
-        moment_.drive_start[i] = moment_.drive_end[i];
+    for (int i = 0; i < model_.body_count; i += kLanes)
+        store_lanes(moment_.drive_start + i, load_lanes(moment_.drive_end + i));
     if (forcing_.pulled) moment_.frame_is_current = false;
     forcing_.pulled = false;
     return moment_.status;
@@ -220,8 +220,7 @@ void PlanarScene::use_environment(const Environment& environment) {
 
 // Fills the frame for the views, without time passing.
 void PlanarScene::evaluate_here() {
-    forcing_.contact_count = 0;
-    forcing_.limits_active = false;
+    forcing_.held = nullptr;
     evaluate_accelerations(model_, forcing_, moment_.motion, {}, moment_.frame(),
                            moment_.free_rate);
 }

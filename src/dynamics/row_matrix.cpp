@@ -7,6 +7,8 @@
 
 #include "dynamics/row_matrix.h"
 
+#include "dynamics/dense_row_matrix.h"
+
 #include <algorithm>
 #include <bit>
 
@@ -31,16 +33,17 @@ struct Arrivals {
     Lanes root[3 * kMaxTrees], root_share[3 * kMaxTrees];
 };
 
+// About the bodies' pivots.
 struct Impulses {
-    Lanes f_x[kMaxBodies], f_y[kMaxBodies], t[kMaxBodies], effort[kMaxBodies];
+    Lanes f_x[kMaxBodies], f_y[kMaxBodies], t[kMaxBodies];
 };
 
 CAMBRIAN_INLINE BodySet bodies_of(const PlanarModel& model, const RowSystem& rows, int first,
                                   int end) {
     BodySet bodies = 0;
     for (int row = first; row < end; ++row) {
-        bodies |= model.root_path[rows.body_a[row]];
-        if (rows.body_b[row] >= 0) bodies |= model.root_path[rows.body_b[row]];
+        bodies |= model.root_path[rows[row].body_a];
+        if (rows[row].body_b >= 0) bodies |= model.root_path[rows[row].body_b];
     }
     return bodies;
 }
@@ -51,7 +54,6 @@ CAMBRIAN_INLINE void clear(BodySet bodies, Impulses& impulses) {
         impulses.f_x[i] = Lanes{};
         impulses.f_y[i] = Lanes{};
         impulses.t[i] = Lanes{};
-        impulses.effort[i] = Lanes{};
     }
 }
 
@@ -67,18 +69,33 @@ CAMBRIAN_INLINE void put_wrench(const Kinematics& k, int body, const Wrench& wre
     impulses.t[body][lane] = wrench.moment + k.s_x[body] * wrench.x + k.s_y[body] * wrench.y;
 }
 
-CAMBRIAN_INLINE void put_unit_impulse(const Kinematics& k, const RowSystem& rows, int row, int lane,
-                                      Impulses& impulses) {
-    const int a = rows.body_a[row];
-    if (rows.kind[row] == RowKind::kLimit) {
-        impulses.effort[a][lane] = rows.dir_x[row];
+// The effort of a joint as wrenches on its two bodies at the child's pivot.
+CAMBRIAN_INLINE void put_effort(const PlanarModel& model, const Kinematics& k, int body,
+                                double effort, int lane, Impulses& impulses) {
+    const int p = model.parent[body];
+    if (model.joint[body] != JointType::kLinear) {
+        impulses.t[body][lane] = effort;
+        impulses.t[p][lane] = -effort;
         return;
     }
-    const double x = rows.dir_x[row];
-    const double y = rows.dir_y[row];
-    put_wrench(k, a, {x, y, rows.moment_a[row]}, lane, impulses);
-    const int b = rows.body_b[row];
-    if (b >= 0) put_wrench(k, b, {-x, -y, -rows.moment_b[row]}, lane, impulses);
+    const double x = effort * k.axis_x[body];
+    const double y = effort * k.axis_y[body];
+    impulses.f_x[body][lane] = x;
+    impulses.f_y[body][lane] = y;
+    impulses.f_x[p][lane] = -x;
+    impulses.f_y[p][lane] = -y;
+    impulses.t[p][lane] = -(k.z_x[body] * x + k.z_y[body] * y);
+}
+
+CAMBRIAN_INLINE void put_unit_impulse(const PlanarModel& model, const Kinematics& k, const Row& row,
+                                      int lane, Impulses& impulses) {
+    if (row.kind == RowKind::kLimit) {
+        put_effort(model, k, row.body_a, row.dir_x, lane, impulses);
+        return;
+    }
+    put_wrench(k, row.body_a, {row.dir_x, row.dir_y, row.moment_a}, lane, impulses);
+    if (row.body_b < 0) return;
+    put_wrench(k, row.body_b, {-row.dir_x, -row.dir_y, -row.moment_b}, lane, impulses);
 }
 
 CAMBRIAN_INLINE void arrive_at_root(const RootInverse& inverse, const Lanes& x, const Lanes& y,
@@ -92,6 +109,7 @@ CAMBRIAN_INLINE void arrive_at_root(const RootInverse& inverse, const Lanes& x, 
 }
 
 // As solve_impulse's way up, for four impulses.
+template <bool kHasLinear>
 CAMBRIAN_INLINE void eliminate(const PlanarModel& model, const Frame& frame, Impulses& impulses,
                                Arrivals& arrivals) {
     const Kinematics& k = frame.kinematics;
@@ -103,16 +121,16 @@ CAMBRIAN_INLINE void eliminate(const PlanarModel& model, const Frame& frame, Imp
         const Lanes f_x = impulses.f_x[i];
         const Lanes f_y = impulses.f_y[i];
         const Lanes t = impulses.t[i];
-        const Lanes effort = impulses.effort[i];
-        const bool linear = model.joint[i] == JointType::kLinear;
-        const Lanes u = effort + (linear ? k.axis_x[i] * f_x + k.axis_y[i] * f_y : t);
+        const bool linear = kHasLinear && model.joint[i] == JointType::kLinear;
+        const Lanes u = linear ? k.axis_x[i] * f_x + k.axis_y[i] * f_y : t;
         const Lanes share = u * factors.inverse_d[i];
         const Lanes passed_x = f_x - factors.w_x[i] * share;
         const Lanes passed_y = f_y - factors.w_y[i] * share;
+        const Lanes left_over =
+            linear ? t - factors.w_3[i] * share : Lanes(factors.damping[i] * share);
         impulses.f_x[p] += passed_x;
         impulses.f_y[p] += passed_y;
-        const Lanes moment = k.z_x[i] * passed_x + k.z_y[i] * passed_y;
-        impulses.t[p] += linear ? moment + t - factors.w_3[i] * share : moment - effort;
+        impulses.t[p] += k.z_x[i] * passed_x + k.z_y[i] * passed_y + left_over;
         arrivals.joint[i] = u;
         arrivals.joint_share[i] = share;
     }
@@ -146,10 +164,9 @@ CAMBRIAN_INLINE void fill_block(const PlanarModel& model, const Arrivals& row,
     for (int i = 0; i < kLanes; ++i)
         store_lanes(rows.line(first + i) + second, block[i]);
     if (first == second) return;
-    for (int i = 0; i < kLanes; ++i) {
-        for (int j = 0; j < kLanes; ++j)
-            rows.line(second + j)[first + i] = block[i][j];
-    }
+    transpose(block[0], block[1], block[2], block[3]);
+    for (int i = 0; i < kLanes; ++i)
+        store_lanes(rows.line(second + i) + first, block[i]);
 }
 
 // A contact on a body that the mechanism hardly lets move would answer a millimetre with a huge
@@ -158,24 +175,21 @@ CAMBRIAN_INLINE void fill_block(const PlanarModel& model, const Arrivals& row,
 CAMBRIAN_INLINE double regularization(const PlanarModel& model, const RowSystem& rows, int row,
                                       double friction_softness) {
     const double diagonal = rows.coupling(row, row);
-    if (rows.kind[row] == RowKind::kLimit) return kRelativeSoftness * diagonal;
-    const int a = rows.body_a[row];
-    const int b = rows.body_b[row];
+    if (rows[row].kind == RowKind::kLimit) return kRelativeSoftness * diagonal;
+    const int a = rows[row].body_a;
+    const int b = rows[row].body_b;
     double free =
-        model.inverse_mass[a] + rows.moment_a[row] * rows.moment_a[row] * model.inverse_inertia[a];
+        model.inverse_mass[a] + rows[row].moment_a * rows[row].moment_a * model.inverse_inertia[a];
     if (b >= 0)
         free += model.inverse_mass[b] +
-                rows.moment_b[row] * rows.moment_b[row] * model.inverse_inertia[b];
-    const bool rubs = rows.kind[row] == RowKind::kFriction;
+                rows[row].moment_b * rows[row].moment_b * model.inverse_inertia[b];
+    const bool rubs = rows[row].kind == RowKind::kFriction;
     const double softness = rubs ? friction_softness : kRelativeSoftness;
     return std::max(softness * free, kFreeShare * free - diagonal);
 }
 
-}  // namespace
-
-void compute_row_matrix(const PlanarModel& model, const Frame& frame, double friction_softness,
-                        RowSystem& rows) {
-    rows.stride = round_up_to_lanes(rows.count);
+template <bool kHasLinear>
+void fill_row_matrix(const PlanarModel& model, const Frame& frame, RowSystem& rows) {
     Arrivals arrivals[kMaxGroups];
     for (int first = 0; first < rows.count; first += kLanes) {
         Arrivals& group = arrivals[first / kLanes];
@@ -184,14 +198,27 @@ void compute_row_matrix(const PlanarModel& model, const Frame& frame, double fri
         Impulses impulses;
         clear(group.bodies, impulses);
         for (int lane = 0; lane < lanes; ++lane)
-            put_unit_impulse(frame.kinematics, rows, first + lane, lane, impulses);
-        eliminate(model, frame, impulses, group);
+            put_unit_impulse(model, frame.kinematics, rows[first + lane], lane, impulses);
+        eliminate<kHasLinear>(model, frame, impulses, group);
         for (int column = 0; column <= first; column += kLanes)
             fill_block(model, group, arrivals[column / kLanes], first, column, rows);
     }
+}
+
+}  // namespace
+
+void compute_row_matrix(const PlanarModel& model, const Frame& frame, double friction_softness,
+                        RowSystem& rows) {
+    rows.stride = round_up_to_lanes(rows.count);
+    if (frame.is_inverted)
+        fill_dense_row_matrix(model, frame, rows);
+    else if (model.has_linear)
+        fill_row_matrix<true>(model, frame, rows);
+    else
+        fill_row_matrix<false>(model, frame, rows);
     for (int row = 0; row < rows.count; ++row) {
-        rows.regularization[row] = regularization(model, rows, row, friction_softness);
-        rows.line(row)[row] += rows.regularization[row];
+        rows[row].regularization = regularization(model, rows, row, friction_softness);
+        rows.line(row)[row] += rows[row].regularization;
     }
     for (int pad = rows.count; pad < rows.stride; ++pad)
         rows.impulse[pad] = 0.0;

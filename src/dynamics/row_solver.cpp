@@ -1,240 +1,294 @@
 #include "dynamics/row_solver.h"
 
+#include "dynamics/block_count.h"
+
 #include <algorithm>
 #include <cmath>
 
 namespace cambrian {
 namespace {
 
+constexpr int kGuessSweeps = 2;  // before the states are guessed
 constexpr int kBlockRounds = 3;  // rounds in which all wrong rows change at once
 constexpr int kRounds = 12;
 constexpr int kSweeps = 40;
 constexpr double kSweepTolerance = 1e-3;  // m/s
 constexpr double kRateTolerance = 1e-9;   // m/s
+constexpr double kConeShare = 1e-9;       // of a cone's width; nearer to its edge is on it
 constexpr double kPivotTolerance = 1e-7;  // of the diagonal
 
 // Normal impulse that every friction row's cone stands on.
 void sum_loads(const RowSystem& rows, double* load) {
-    for (int row = 0; row < rows.count; ++row)
-        load[row] = 0.0;
+    for (int row = 0; row < rows.stride; row += kLanes)
+        store_lanes(load + row, Lanes{});
     for (int row = 0; row < rows.count; ++row) {
-        if (rows.friction_of[row] >= 0) load[rows.friction_of[row]] += rows.impulse[row];
+        if (rows[row].friction_of >= 0) load[rows[row].friction_of] += rows.impulse[row];
     }
 }
 
-// One projected Gauss-Seidel sweep; the largest change of a row's rate, m/s.
-double sweep(RowSystem& rows, const double* bias, double friction, double* load) {
-    double change = 0.0;
-    for (int row = 0; row < rows.count; ++row) {
-        const double diagonal = rows.coupling(row, row);
-        const double old = rows.impulse[row];
-        double impulse = old - (bias[row] + rows.product(row)) / diagonal;
-        if (rows.kind[row] == RowKind::kFriction) {
-            const double cap = friction * std::max(0.0, load[row]);
-            impulse = std::clamp(impulse, -cap, cap);
-        } else {
-            impulse = std::max(impulse, 0.0);
-            if (rows.friction_of[row] >= 0) load[rows.friction_of[row]] += impulse - old;
-        }
-        rows.impulse[row] = impulse;
-        change = std::max(change, std::fabs(impulse - old) * diagonal);
-    }
-    return change;
-}
-
-void iterate(RowSystem& rows, const double* bias, double friction) {
-    double load[kMaxRows];
-    sum_loads(rows, load);
-    for (int i = 0; i < kSweeps; ++i) {
-        if (sweep(rows, bias, friction, load) < kSweepTolerance) break;
-    }
-    for (int row = 0; row < rows.count; ++row)
-        rows.response[row] = rows.product(row);
+// Adds what an impulse does to all rates. The matrix is symmetric: a row's column is its line.
+template <int kFixed>
+CAMBRIAN_INLINE void add_column(const RowSystem& rows, int row, double impulse, double* rates) {
+    const double* line = rows.line(row);
+    for (int b = 0; b < block_count<kFixed>(rows.stride / kLanes); ++b)
+        store_lanes(rates + b * kLanes,
+                    load_lanes(rates + b * kLanes) + impulse * load_lanes(line + b * kLanes));
 }
 
 }  // namespace
 
 bool RowSolver::solve(RowSystem& rows, const double* bias, double friction) {
+    find_rates(rows, bias);
+    sweep(rows, friction, kGuessSweeps);
+    guess_states(rows, bias, friction);
     for (int row = 0; row < rows.count; ++row)
         start_[row] = rows.impulse[row];
-    sum_loads(rows, load_);
-    guess_states(rows, bias, friction);
     if (settle(rows, bias, friction)) return true;
     for (int row = 0; row < rows.count; ++row)
         rows.impulse[row] = start_[row];
-    iterate(rows, bias, friction);
+    find_rates(rows, bias);
+    sweep(rows, friction, kSweeps);
     // Iteration mostly finds the right states, though not the impulses' last digits.
     for (int row = 0; row < rows.count; ++row)
         start_[row] = rows.impulse[row];
-    sum_loads(rows, load_);
-    read_states(rows, friction);
+    read_states(rows, bias, friction);
     if (settle(rows, bias, friction)) return true;
-    for (int row = 0; row < rows.count; ++row)
+    for (int row = 0; row < rows.count; ++row) {
         rows.impulse[row] = start_[row];
-    for (int row = 0; row < rows.count; ++row)
-        rows.response[row] = rows.product(row);
+        rows.response[row] = rates_[row] - bias[row];
+    }
     return false;
 }
 
 void RowSolver::iterate_from_zero(RowSystem& rows, const double* bias, double friction) {
     for (int row = 0; row < rows.count; ++row)
         rows.impulse[row] = 0.0;
-    iterate(rows, bias, friction);
+    find_rates(rows, bias);
+    sweep(rows, friction, kSweeps);
+    for (int row = 0; row < rows.count; ++row)
+        rows.response[row] = rates_[row] - bias[row];
+    are_factors_valid_ = false;
 }
 
-// As the starting impulses have it; rows without one are active if nothing else keeps them open.
+void RowSolver::absorb(const RowSystem& rows, double friction, RowChanges& changes) {
+    for (auto& impulses : changes.impulses) {
+        for (int row = 0; row < rows.count; ++row)
+            impulses[row] = 0.0;
+    }
+    if (!are_factors_valid_) {
+        read_states(rows, changes.rates[0], friction);
+        if (!factorize(rows, changes.rates[0], friction)) return;
+    }
+    PerEquation sides[2];
+    PerEquation solutions[2];
+    for (int s = 0; s < 2; ++s) {
+        for (int i = 0; i < factors_.count(); ++i)
+            sides[s][i] = -changes.rates[s][active_[i]];
+    }
+    factors_.solve(sides, solutions);
+    for (int s = 0; s < 2; ++s) {
+        double* impulses = changes.impulses[s];
+        for (int i = 0; i < factors_.count(); ++i) {
+            const int row = active_[i];
+            const int mate = rows[row].friction_of;
+            impulses[row] += solutions[s][i];
+            if (mate < 0) continue;
+            if (state_[mate] == State::kSlidePlus) impulses[mate] += friction * solutions[s][i];
+            if (state_[mate] == State::kSlideMinus) impulses[mate] -= friction * solutions[s][i];
+        }
+    }
+}
+
+void RowSolver::find_rates(const RowSystem& rows, const double* bias) {
+    for (int row = 0; row < rows.count; ++row)
+        rates_[row] = bias[row];
+    for (int row = rows.count; row < rows.stride; ++row)
+        rates_[row] = 0.0;
+    with_fixed_blocks(rows.stride / kLanes, [&](auto fixed) {
+        for (int row = 0; row < rows.count; ++row) {
+            if (rows.impulse[row] != 0.0) add_column<fixed()>(rows, row, rows.impulse[row], rates_);
+        }
+    });
+    sum_loads(rows, load_);
+}
+
+// A few projected Gauss-Seidel sweeps, fewer if the rates hardly change any more.
+void RowSolver::sweep(RowSystem& rows, double friction, int sweeps) {
+    with_fixed_blocks(rows.stride / kLanes, [&](auto fixed) {
+        double change = kSweepTolerance;
+        for (int i = 0; i < sweeps && change >= kSweepTolerance; ++i)
+            change = sweep_once<fixed()>(rows, friction);
+    });
+}
+
+// The largest change of a row's rate, m/s.
+template <int kFixed>
+double RowSolver::sweep_once(RowSystem& rows, double friction) {
+    double largest = 0.0;
+    for (int r = 0; r < rows.count; ++r) {
+        const Row& row = rows[r];
+        const double diagonal = rows.coupling(r, r);
+        const double old = rows.impulse[r];
+        double impulse = old - rates_[r] / diagonal;
+        if (row.kind == RowKind::kFriction) {
+            const double cap = friction * std::max(0.0, load_[r]);
+            impulse = std::clamp(impulse, -cap, cap);
+        } else {
+            impulse = std::max(impulse, 0.0);
+        }
+        const double change = impulse - old;
+        if (change == 0.0) continue;
+        if (row.friction_of >= 0) load_[row.friction_of] += change;
+        rows.impulse[r] = impulse;
+        add_column<kFixed>(rows, r, change, rates_);
+        largest = std::max(largest, std::fabs(change) * diagonal);
+    }
+    return largest;
+}
+
+// As the impulses have it.
+void RowSolver::read_states(const RowSystem& rows, const double* bias, double friction) {
+    sum_loads(rows, load_);
+    for (int row = 0; row < rows.count; ++row) {
+        const double impulse = rows.impulse[row];
+        if (rows[row].kind == RowKind::kFriction)
+            state_[row] = sticking_or_sliding(impulse, friction * load_[row]);
+        else
+            state_[row] = impulse > 0.0 ? State::kActive : State::kOff;
+    }
+    match_frictions(rows, bias);
+}
+
+// As a few sweeps have left it; what closes is active too.
 void RowSolver::guess_states(const RowSystem& rows, const double* bias, double friction) {
     for (int row = 0; row < rows.count; ++row) {
         const double impulse = rows.impulse[row];
-        if (rows.kind[row] != RowKind::kFriction) {
-            state_[row] = impulse > 0.0 || bias[row] < 0.0 ? State::kActive : State::kOff;
-            continue;
-        }
-        const double cap = friction * load_[row];
-        if (impulse == 0.0 || std::fabs(impulse) < cap * (1.0 - 1e-9))
-            state_[row] = State::kActive;
+        if (rows[row].kind == RowKind::kFriction)
+            state_[row] = sticking_or_sliding(impulse, friction * load_[row]);
         else
-            state_[row] = impulse > 0.0 ? State::kSlidePlus : State::kSlideMinus;
+            state_[row] = impulse > 0.0 || rates_[row] < 0.0 ? State::kActive : State::kOff;
     }
-    for (int row = 0; row < rows.count; ++row) {
-        if (rows.kind[row] == RowKind::kFriction) match_friction(rows, row, State::kActive);
-    }
+    match_frictions(rows, bias);
 }
 
-// As the impulses have it, which are near a solution.
-void RowSolver::read_states(const RowSystem& rows, double friction) {
-    constexpr double inside = 1.0 - 1e-6;  // share of the cone
-    for (int row = 0; row < rows.count; ++row) {
-        const double impulse = rows.impulse[row];
-        if (rows.kind[row] != RowKind::kFriction)
-            state_[row] = impulse > 0.0 ? State::kActive : State::kOff;
-        else if (std::fabs(impulse) < inside * friction * load_[row])
-            state_[row] = State::kActive;
-        else
-            state_[row] = impulse > 0.0 ? State::kSlidePlus : State::kSlideMinus;
-    }
-    for (int row = 0; row < rows.count; ++row) {
-        if (rows.kind[row] == RowKind::kFriction) match_friction(rows, row, State::kActive);
-    }
+RowSolver::State RowSolver::sticking_or_sliding(double impulse, double cap) {
+    if (impulse == 0.0 || std::fabs(impulse) < cap * (1.0 - kConeShare)) return State::kActive;
+    return impulse > 0.0 ? State::kSlidePlus : State::kSlideMinus;
 }
 
 bool RowSolver::settle(RowSystem& rows, const double* bias, double friction) {
+    are_factors_valid_ = false;
     for (int round = 0; round < kRounds; ++round) {
-        const int count = gather_active(rows, bias, friction);
-        if (!eliminate(count)) {
+        if (!factorize(rows, bias, friction)) {
             if (!stop_slides(rows)) return false;
             continue;
         }
-        scatter_active(rows, bias, friction, count);
+        scatter_solution(rows, bias, friction);
         const int wrong = find_wrong(rows, bias, friction);
-        if (wrong == 0) return true;
-        const int first = round < kBlockRounds ? 0 : wrong - 1;
-        for (int i = first; i < wrong; ++i)
-            change_state(rows, bias, wrong_[i]);
+        if (wrong == 0) {
+            are_factors_valid_ = true;
+            return true;
+        }
+        for (int i = round < kBlockRounds ? 0 : wrong - 1; i < wrong; ++i)
+            state_[wrong_[i]] = wanted_[wrong_[i]];
+        match_frictions(rows, bias);
     }
     return false;
 }
 
-// Equations of the active rows; sliding friction is folded into its normal's column.
-int RowSolver::gather_active(const RowSystem& rows, const double* bias, double friction) {
+// Equations of the active rows; sliding friction is folded into its normals' columns. False if a
+// pivot is lost: contacts that slide and wedge (Painleve), which the caller must not answer with a
+// solution.
+bool RowSolver::factorize(const RowSystem& rows, const double* bias, double friction) {
     int count = 0;
+    sliding_count_ = 0;
     for (int row = 0; row < rows.count; ++row) {
         if (state_[row] == State::kActive) active_[count++] = row;
+        if (state_[row] >= State::kSlidePlus) sliding_[sliding_count_++] = row;
     }
-    stride_ = round_up_to_lanes(count + 1);
-    for (int j = count; j < stride_; ++j)
+    factors_.resize(count);
+    const int stride = factors_.stride();
+    for (int j = count; j < stride; ++j)
         active_[j] = 0;
     for (int i = 0; i < count; ++i) {
-        double* line = line_of(i);
+        double* line = factors_.line(i);
         const double* couplings = rows.line(active_[i]);
-        for (int j = 0; j < stride_; j += kLanes)
+        for (int j = 0; j < stride; j += kLanes)
             store_lanes(line + j, gather(couplings, active_ + j));
         line[count] = -bias[active_[i]];
-        pivot_scale_[i] = line[i];
+        least_pivot_[i] = kPivotTolerance * line[i];
     }
-    for (int j = 0; j < count; ++j) {
-        const int mate = rows.friction_of[active_[j]];
+    for (int j = 0; sliding_count_ > 0 && j < count; ++j) {
+        const int mate = rows[active_[j]].friction_of;
         if (mate < 0 || state_[mate] < State::kSlidePlus) continue;
         const double slide = state_[mate] == State::kSlidePlus ? friction : -friction;
+        const double* couplings = rows.line(mate);
         for (int i = 0; i < count; ++i)
-            line_of(i)[j] += slide * rows.coupling(active_[i], mate);
+            factors_.line(i)[j] += slide * couplings[active_[i]];
     }
-    return count;
+    return factors_.factorize(least_pivot_);
 }
 
-// Without pivoting: a lost pivot means contacts that slide and wedge (Painleve), which the caller
-// must not answer with a solution. The solution is left in column `count`.
-bool RowSolver::eliminate(int count) {
-    for (int i = 0; i < count; ++i) {
-        double* pivot_line = line_of(i);
-        const double pivot = pivot_line[i];
-        if (!(pivot > kPivotTolerance * pivot_scale_[i])) return false;
-        const double inverse = 1.0 / pivot;
-        const int from = (i + 1) / kLanes * kLanes;
-        for (int k = i + 1; k < count; ++k) {
-            double* line = line_of(k);
-            const double factor = line[i] * inverse;
-            for (int j = from; j < stride_; j += kLanes)
-                store_lanes(line + j, load_lanes(line + j) - factor * load_lanes(pivot_line + j));
-        }
-        pivot_line[i] = inverse;
-    }
-    for (int i = count - 1; i >= 0; --i) {
-        double* line = line_of(i);
-        double sum = line[count];
-        for (int j = i + 1; j < count; ++j)
-            sum -= line[j] * line_of(j)[count];
-        line[count] = sum * line[i];
-    }
-    return true;
-}
-
-// Lets everything stick that slides: rows that stick never lose a pivot. False if nothing slid.
+// Rows that stick never lose a pivot. What slides on the contact whose pivot is lost sticks
+// instead, or everything if that is not the cause. False if nothing slid.
 bool RowSolver::stop_slides(const RowSystem& rows) {
-    bool slid = false;
-    for (int row = 0; row < rows.count; ++row) {
-        if (state_[row] < State::kSlidePlus) continue;
-        state_[row] = State::kActive;
-        slid = true;
+    const int mate = rows[active_[factors_.lost()]].friction_of;
+    if (mate >= 0 && state_[mate] >= State::kSlidePlus) {
+        state_[mate] = State::kActive;
+        return true;
     }
-    return slid;
+    for (int i = 0; i < sliding_count_; ++i)
+        state_[sliding_[i]] = State::kActive;
+    return sliding_count_ > 0;
 }
 
-void RowSolver::scatter_active(RowSystem& rows, const double* bias, double friction, int count) {
-    for (int row = 0; row < rows.count; ++row)
-        rows.impulse[row] = 0.0;
-    for (int j = 0; j < count; ++j)
-        rows.impulse[active_[j]] = line_of(j)[count];
-    sum_loads(rows, load_);
-    for (int row = 0; row < rows.count; ++row) {
-        if (state_[row] == State::kSlidePlus) rows.impulse[row] = friction * load_[row];
-        if (state_[row] == State::kSlideMinus) rows.impulse[row] = -friction * load_[row];
+void RowSolver::scatter_solution(RowSystem& rows, const double* bias, double friction) {
+    factors_.substitute(solution_);
+    for (int row = 0; row < rows.stride; row += kLanes) {
+        store_lanes(rows.impulse + row, Lanes{});
+        store_lanes(load_ + row, Lanes{});
     }
-    for (int row = 0; row < rows.count; ++row)
-        rows.response[row] = state_[row] == State::kActive ? -bias[row] : rows.product(row);
+    for (int i = 0; i < factors_.count(); ++i) {
+        const int row = active_[i];
+        rows.impulse[row] = solution_[i];
+        rows.response[row] = -bias[row];
+        if (rows[row].friction_of >= 0) load_[rows[row].friction_of] += solution_[i];
+    }
+    for (int i = 0; i < sliding_count_; ++i) {
+        const int row = sliding_[i];
+        const double impulse = friction * load_[row];
+        rows.impulse[row] = state_[row] == State::kSlidePlus ? impulse : -impulse;
+    }
+    for (int i = 0; i < sliding_count_; ++i)
+        rows.response[sliding_[i]] = rows.product(sliding_[i]);
 }
 
 // Lists the rows whose impulse or rate breaks their law.
 int RowSolver::find_wrong(const RowSystem& rows, const double* bias, double friction) {
     int count = 0;
     for (int row = 0; row < rows.count; ++row) {
-        wanted_[row] = wanted_state(rows, row, bias[row] + rows.response[row], friction);
+        wanted_[row] = rows[row].kind == RowKind::kFriction
+                           ? wanted_friction(rows, bias, row, friction)
+                           : wanted_normal(rows, bias, row);
         if (wanted_[row] != state_[row]) wrong_[count++] = row;
     }
     return count;
 }
 
-RowSolver::State RowSolver::wanted_state(const RowSystem& rows, int row, double rate,
-                                         double friction) const {
+RowSolver::State RowSolver::wanted_normal(const RowSystem& rows, const double* bias,
+                                          int row) const {
+    if (state_[row] == State::kActive)
+        return rows.impulse[row] < 0.0 ? State::kOff : State::kActive;
+    return bias[row] + rows.product(row) < -kRateTolerance ? State::kActive : State::kOff;
+}
+
+RowSolver::State RowSolver::wanted_friction(const RowSystem& rows, const double* bias, int row,
+                                            double friction) const {
     const double impulse = rows.impulse[row];
-    const State state = state_[row];
-    if (rows.kind[row] != RowKind::kFriction) {
-        if (state == State::kActive) return impulse < 0.0 ? State::kOff : State::kActive;
-        return rate < -kRateTolerance ? State::kActive : State::kOff;
-    }
-    switch (state) {
+    const double rate = bias[row] + rows.response[row];
+    switch (state_[row]) {
         case State::kOff:
-            return State::kOff;
+            break;
         case State::kActive:
             if (std::fabs(impulse) <= friction * load_[row]) return State::kActive;
             return impulse > 0.0 ? State::kSlidePlus : State::kSlideMinus;
@@ -246,24 +300,25 @@ RowSolver::State RowSolver::wanted_state(const RowSystem& rows, int row, double 
     return State::kOff;
 }
 
-// Friction that comes back slides: if it stuck, a normal that sticking pulls off would come and go.
-void RowSolver::change_state(const RowSystem& rows, const double* bias, int row) {
-    state_[row] = wanted_[row];
-    const int friction_row = rows.kind[row] == RowKind::kFriction ? row : rows.friction_of[row];
-    if (friction_row < 0) return;
-    const double rate = bias[friction_row] + rows.response[friction_row];
-    match_friction(rows, friction_row, rate < 0.0 ? State::kSlidePlus : State::kSlideMinus);
-}
-
-// Friction is off exactly while none of its normals is active.
-void RowSolver::match_friction(const RowSystem& rows, int friction_row, State awakened) {
-    bool loaded = false;
-    for (int row = 0; row < rows.count && !loaded; ++row)
-        loaded = rows.friction_of[row] == friction_row && state_[row] == State::kActive;
-    if (!loaded)
-        state_[friction_row] = State::kOff;
-    else if (state_[friction_row] == State::kOff)
-        state_[friction_row] = awakened;
+// Friction is off exactly while none of its normals is active. If friction that comes back stuck, a
+// normal that sticking pulls off would come and go: it slides.
+void RowSolver::match_frictions(const RowSystem& rows, const double* bias) {
+    bool is_loaded[kMaxRows];
+    for (int row = 0; row < rows.count; ++row)
+        is_loaded[row] = false;
+    for (int row = 0; row < rows.count; ++row) {
+        if (rows[row].friction_of >= 0 && state_[row] == State::kActive)
+            is_loaded[rows[row].friction_of] = true;
+    }
+    for (int row = 0; row < rows.count; ++row) {
+        if (rows[row].kind != RowKind::kFriction) continue;
+        if (!is_loaded[row]) {
+            state_[row] = State::kOff;
+        } else if (state_[row] == State::kOff) {
+            const double rate = bias[row] + rows.product(row);
+            state_[row] = rate < 0.0 ? State::kSlidePlus : State::kSlideMinus;
+        }
+    }
 }
 
 }  // namespace cambrian

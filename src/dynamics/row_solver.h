@@ -9,9 +9,16 @@
 // pivoting algorithm for large-scale strictly monotone linear complementarity problems, Comput.
 // Oper. Res. 21 (1994)).
 
+#include "dynamics/row_factors.h"
 #include "dynamics/rows.h"
 
 namespace cambrian {
+
+// Two changes of rates and the impulses that answer them, by row.
+struct RowChanges {
+    double rates[2][kMaxRows];
+    double impulses[2][kMaxRows];
+};
 
 class RowSolver {
 public:
@@ -22,32 +29,43 @@ public:
     // Projected Gauss-Seidel from zero impulses; friction 0 always has a solution.
     void iterate_from_zero(RowSystem& rows, const double* bias, double friction);
 
+    // Impulses that undo changes of the rates of the rows that hold in the last solution: those
+    // inside their bounds, sliding ones along with their normals. 0 where that has no safe answer.
+    void absorb(const RowSystem& rows, double friction, RowChanges& changes);
+
 private:
     enum class State : std::uint8_t { kOff, kActive, kSlidePlus, kSlideMinus };
 
+    void find_rates(const RowSystem& rows, const double* bias);
+    void sweep(RowSystem& rows, double friction, int sweeps);
+    template <int kFixed>
+    double sweep_once(RowSystem& rows, double friction);
     void guess_states(const RowSystem& rows, const double* bias, double friction);
-    void read_states(const RowSystem& rows, double friction);
+    void read_states(const RowSystem& rows, const double* bias, double friction);
+    static State sticking_or_sliding(double impulse, double cap);
     bool settle(RowSystem& rows, const double* bias, double friction);
-    int gather_active(const RowSystem& rows, const double* bias, double friction);
-    bool eliminate(int count);
+    bool factorize(const RowSystem& rows, const double* bias, double friction);
     bool stop_slides(const RowSystem& rows);
-    void scatter_active(RowSystem& rows, const double* bias, double friction, int count);
+    void scatter_solution(RowSystem& rows, const double* bias, double friction);
     int find_wrong(const RowSystem& rows, const double* bias, double friction);
-    State wanted_state(const RowSystem& rows, int row, double rate, double friction) const;
-    void change_state(const RowSystem& rows, const double* bias, int row);
-    void match_friction(const RowSystem& rows, int friction_row, State awakened);
-
-    double* line_of(int row) { return system_ + std::ptrdiff_t{row} * stride_; }
+    State wanted_normal(const RowSystem& rows, const double* bias, int row) const;
+    State wanted_friction(const RowSystem& rows, const double* bias, int row,
+                          double friction) const;
+    void match_frictions(const RowSystem& rows, const double* bias);
 
     State state_[kMaxRows];
     State wanted_[kMaxRows];
     int wrong_[kMaxRows];            // rows whose wanted state is another
     double load_[kMaxRows];          // normal impulse of every friction row
+    double rates_[kMaxRows];         // after the impulses that iteration has reached
     int active_[kMaxRows + kLanes];  // filled up with 0 to the stride
-    double pivot_scale_[kMaxRows];
-    int stride_ = 0;                                 // of the system
-    double system_[kMaxRows * (kMaxRows + kLanes)];  // right-hand side in column `count`
-    double start_[kMaxRows];                         // impulses to iterate from
+    int sliding_[kMaxRows];
+    int sliding_count_ = 0;
+    PerEquation least_pivot_;
+    RowFactors factors_;  // of the active rows
+    bool are_factors_valid_ = false;
+    PerEquation solution_;
+    double start_[kMaxRows];  // impulses to iterate from
 };
 
 }  // namespace cambrian

@@ -7,6 +7,8 @@
 #include "dynamics/contact.h"
 #include "dynamics/lanes.h"
 
+#include <cstdint>
+
 namespace cambrian {
 
 inline constexpr int kMaxRows = 128;
@@ -28,24 +30,32 @@ struct LimitSet {
     void add(const LimitCandidate& limit) { items[count++] = limit; }
 };
 
+struct Row {
+    RowKind kind;
+    std::int16_t source;  // index of the contact or limit
+    // Normal rows: the friction row they load, or -1. The contacts of one friction group share one.
+    std::int16_t friction_of;
+    // Wrench of a unit impulse on bodies a and b (contacts; b is -1 for the ground), or the joint
+    // of body a and its sign as dir_x (limits).
+    std::int16_t body_a, body_b;
+    double dir_x, dir_y, moment_a, moment_b;
+    double rate;            // J v
+    double acceleration;    // J a + J' v without contact
+    double regularization;  // included in the matrix's diagonal
+};
+
 struct RowSystem {
     int count = 0;
     int stride = 0;  // of the matrix, doubles
-    RowKind kind[kMaxRows];
-    int source[kMaxRows];  // index of the contact or limit
-    // Normal rows: the friction row they load, or -1. The contacts of one friction group share one.
-    int friction_of[kMaxRows];
-    // Wrench of a unit impulse on bodies a and b (contacts), or joint and sign (limits).
-    int body_a[kMaxRows], body_b[kMaxRows];
-    double dir_x[kMaxRows], dir_y[kMaxRows], moment_a[kMaxRows], moment_b[kMaxRows];
-    double rate[kMaxRows];            // J v
-    double acceleration[kMaxRows];    // J a + J' v without contact
-    double regularization[kMaxRows];  // included in the matrix's diagonal
-    double response[kMaxRows];        // regularized matrix times impulse, of the last solution
+    Row rows[kMaxRows];
+    // Regularized matrix times impulse, of the last solution; of rows with an impulse only.
+    double response[kMaxRows];
     // Zero beyond count, as are the columns of the matrix, up to the stride.
     double impulse[kMaxRows];
     double matrix[kMaxRows * kMaxRows];
 
+    const Row& operator[](int row) const { return rows[row]; }
+    Row& operator[](int row) { return rows[row]; }
     double* line(int row) { return matrix + std::ptrdiff_t{row} * stride; }
     const double* line(int row) const { return matrix + std::ptrdiff_t{row} * stride; }
     double coupling(int row, int column) const { return line(row)[column]; }
@@ -55,7 +65,7 @@ struct RowSystem {
     }
 };
 
-// What rows are made of.
+// What rows are made of, as collected at one place.
 struct RowSources {
     const ContactSet& contacts;
     const LimitSet& limits;
@@ -63,17 +73,22 @@ struct RowSources {
     double friction_softness = 0.0;  // of friction rows, as a share of the free bodies' coupling
 };
 
-// Rows of all sources, with rates and contact-free accelerations taken from the frame. Impulses are
-// left unset.
-void build_rows(const PlanarModel& model, const Motion& motion, const Frame& frame,
-                const RowSources& sources, RowSystem& rows);
+// Rows of all sources, with the rates of the place where these were collected, and contact-free
+// accelerations and the matrix of the frame: at the same place, or where the bodies have gone
+// since. Impulses are left unset.
+void build_rows(const PlanarModel& model, const RowSources& sources, const Kinematics& collected,
+                const Frame& frame, RowSystem& rows);
+
+// Rates of all rows under any two motions of the bodies.
+void rate_rows(const PlanarModel& model, const RowSystem& rows, const BodyResponse (&motions)[2],
+               double (&rates)[2][kMaxRows]);
 
 // Adds impulse * scale of every row to the loads.
-void add_row_impulses(const RowSystem& rows, double scale, Loads& loads);
+void add_row_impulses(const RowSystem& rows, const double* impulses, double scale, Loads& loads);
 
 // Change of a row's rate by the last solution, without regularization.
 inline double impulse_effect(const RowSystem& rows, int row) {
-    return rows.response[row] - rows.regularization[row] * rows.impulse[row];
+    return rows.response[row] - rows[row].regularization * rows.impulse[row];
 }
 
 }  // namespace cambrian

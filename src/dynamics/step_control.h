@@ -4,7 +4,7 @@
 // (physics.md 8).
 
 #include "dynamics/contact_solver.h"
-#include "dynamics/integrator.h"
+#include "dynamics/midpoint_step.h"
 #include "world/physics_scene.h"
 #include "world/scene_settings.h"
 
@@ -29,7 +29,10 @@ struct SceneMoment {
     bool frame_is_current = false;
     std::uint64_t collection = 0;  // which collection of contacts was made at the motion; 0: none
     double proposed_step = 1.0 / 120;  // s
-    double evaluation_debt = 0.0;      // evaluations that the time passed has not yet paid for
+    // Accelerations of the last step if it was a midpoint step with nothing sudden since.
+    PerCoordinate last_acceleration = {};
+    bool has_last_acceleration = false;
+    double evaluation_debt = 0.0;  // evaluations that the time passed has not yet paid for
     WarmStart warm;
     PerBody drive_start = {}, drive_end = {};  // motor targets
     std::uint8_t touched[kMaxParts] = {};      // bit of every Face that touched in the last tick
@@ -51,11 +54,7 @@ struct RowTally {
 
 class StepControl {
 public:
-    StepControl(const IntegratorKind& integrator, const SceneSettings& settings)
-        : integrator_(&integrator),
-          tolerance_(settings.tolerance),
-          contact_step_(settings.contact_step),
-          max_evaluations_(settings.max_evaluations) {}
+    StepControl(const IntegratorKind& integrator, const SceneSettings& settings);
 
     // Moves the moment on by one tick; its status tells whether that went well.
     void advance(const PlanarModel& model, const ContactLaw& law, Forcing& forcing, double duration,
@@ -69,8 +68,9 @@ private:
         const ContactLaw& law;
         Forcing& forcing;
         SceneMoment& moment;
-        double length = 0.0;  // s
-        double time = 0.0;    // s, since its start
+        double length = 0.0;       // s
+        double time = 0.0;         // s, since its start
+        double start_depth = 0.0;  // m; of the deepest contact
         int impacts = 0;
         int collapses = 0;       // in a row
         bool collected = false;  // contacts_ has looked at the moment
@@ -83,16 +83,20 @@ private:
     static void count_evaluations(Tick& tick, int evaluations);
     void strike(Tick& tick, double elasticity);
     double choose_length(Tick& tick, bool& has_rows);
-    void hold_rows(Tick& tick, double h);
+    void count_resting(Tick& tick, bool solved);
     Attempt attempt(Tick& tick, bool has_rows, double& h);
-    static const MotionRate& free_start_rate(Tick& tick);
+    void propose_length(double h, int order, double& proposed) const;
+    bool is_midpoint(bool has_rows) const { return has_rows && integrator_->rows_at_middle; }
+    void try_midpoint_step(Tick& tick, double h);
+    void try_step(Tick& tick, bool has_rows, double h);
     const MotionRate& held_start_rate(Tick& tick);
-    static void respond_to_held(const Tick& tick, BodyResponse& response);
+    void respond_to_held(const Tick& tick, BodyResponse& response) const;
     void weigh_end(const Tick& tick);
+    bool is_too_deep(const Tick& tick, double start_depth, double h) const;
     bool must_halve(const Tick& tick, double h);
     void accept(Tick& tick, bool has_rows, double h);
     void accept_part(Tick& tick, double h, double share);
-    void release_forces(Tick& tick, bool has_rows);
+    void release_forces(Tick& tick);
     void keep_books(Tick& tick);
     void remember_contacts(Tick& tick);
     static SceneStatus status_of(const Tick& tick);
@@ -100,11 +104,14 @@ private:
     const IntegratorKind* integrator_;
     double tolerance_;
     double contact_step_;     // s; longest step with active rows
+    double collapse_step_;    // s; shorter ones with active rows mean that forces have no limit
     double max_evaluations_;  // a simulated second
     ContactSolver contacts_;
+    MidpointStep midpoint_;
     std::uint64_t collection_ = 1;  // number of the contacts' last collection
     MotionRate held_rate_ = {};
-    const MotionRate* start_rate_ = nullptr;  // of the attempt under way
+    const MotionRate* start_rate_ = nullptr;  // of the attempt under way, and
+    const MotionRate* end_rate_ = nullptr;    // at its end, both under its forces
     RowTally row_tally_;
     StepResult result_;
     HeldWork work_;             // of the attempt under way

@@ -19,10 +19,13 @@ struct EffectorSite {
     std::size_t index;
 };
 
+// The share of the way to its target that a smoothed target goes in dt (s).
+double smoothing_share(double dt, double time_constant);
+
 struct EffectorKind {
     // Drives the part's joint from `signal` (within +-10, already mirrored). `memory` is one value,
-    // the smoothed target, 0 (rest) at birth.
-    using Drive = void (*)(const EffectorSite& site, double signal, double dt,
+    // the smoothed target, 0 (rest) at birth; `share` is smoothing_share() of the tick.
+    using Drive = void (*)(const EffectorSite& site, double signal, double share,
                            const SceneSettings& settings, double& memory, PhysicsScene& scene);
 
     std::string id;

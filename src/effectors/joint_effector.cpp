@@ -24,18 +24,18 @@ double motor_target(const PlannedPart& part, double signal, const SceneSettings&
     return std::clamp(signal, part.limit_low, part.limit_high);
 }
 
-double smoothing_share(double dt, double time_constant) {
-    return time_constant > 0.0 ? 1.0 - exponential(-dt / time_constant) : 1.0;
-}
-
-void drive_joint(const EffectorSite& site, double signal, double dt, const SceneSettings& settings,
-                 double& memory, PhysicsScene& scene) {
+void drive_joint(const EffectorSite& site, double signal, double share,
+                 const SceneSettings& settings, double& memory, PhysicsScene& scene) {
     const double target = motor_target(site.part, signal, settings);
-    memory += (target - memory) * smoothing_share(dt, settings.target_smoothing);
+    memory += (target - memory) * share;
     scene.set_target(site.index, memory);
 }
 
 }  // namespace
+
+double smoothing_share(double dt, double time_constant) {
+    return time_constant > 0.0 ? 1.0 - exponential(-dt / time_constant) : 1.0;
+}
 
 void add_joint_effector(EffectorRegistry& effectors) {
     effectors.add({.id = "joint", .label = "Joint", .drive = drive_joint});

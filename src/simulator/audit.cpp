@@ -7,8 +7,8 @@ namespace {
 
 constexpr double kMaxResidualShare = 0.05;
 constexpr double kMaxPositiveShare = 0.10;
-constexpr double kFinerTolerance = 0.1;
-constexpr double kFinerContactStep = 0.5;
+constexpr double kFinerTolerance = 0.025;
+constexpr double kFinerContactStep = 0.25;
 constexpr double kFinerWork = 10.0;  // may cost so many times as much
 
 }  // namespace

@@ -21,7 +21,7 @@ AuditVerdict judge(const SceneAudit& audit);
 AuditVerdict judge(const TrialRecord& record);
 
 // The settings to compute a trial with once more when its result must be certain: the scene's most
-// accurate integrator, a tenth of the tolerance, half the contact step.
+// accurate integrator, a fortieth of the tolerance, a quarter of the contact step.
 SceneSettings finer_settings(const SceneSettings& settings, const SceneKind& scene);
 
 }  // namespace cambrian

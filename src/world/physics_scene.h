@@ -41,8 +41,8 @@ struct SceneAudit {
     double energy_scale = 0.0;       // gross motor work + weight * 1 cm; what residuals compare to
     double max_penetration = 0.0;    // m
     double max_limit_overrun = 0.0;  // rad or m
-    double max_part_speed = 0.0;     // m/s
-    double max_part_spin = 0.0;      // rad/s
+    double max_part_speed = 0.0;     // m/s, at the ends of ticks
+    double max_part_spin = 0.0;      // rad/s, at the ends of ticks
     std::uint64_t evaluations = 0;   // of the accelerations
     std::uint64_t steps = 0;         // accepted
     std::uint64_t rejections = 0;

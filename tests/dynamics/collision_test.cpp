@@ -67,6 +67,7 @@ TEST_CASE("a corner that sticks stops exactly and bounces exactly", "[dynamics][
         motion.speed[center_of(rig.model, 0)] = random.uniform(-3.0, 3.0);
         motion.speed[center_of(rig.model, 0) + 1] = -10.0;
         rig.begin();
+        complete_frame(rig.model, rig.moment.frame());
         ContactSolver contacts;
         contacts.collect(rig.model, rig.law, k);
         if (!contacts.has_impact()) continue;

@@ -3,6 +3,7 @@
 #include "dynamics/bodies.h"
 #include "dynamics/least_squares_dynamics.h"
 #include "dynamics/model_building.h"
+#include "dynamics/paired_impulses.h"
 #include "support/catch.h"
 
 #include <cmath>
@@ -72,6 +73,109 @@ TEST_CASE("accelerations are the impulse response of the loads at rest",
         for (int c = 0; c < coordinate_count(state.model); ++c)
             CHECK(jumps.coordinate[c] ==
                   Approx(accelerations.coordinate[c]).epsilon(1e-9).margin(1e-9));
+    }
+}
+
+namespace {
+
+// Inertia matrix of the coordinates: what kinetic energy unit rates of them have together.
+Eigen::MatrixXd inertia_matrix(const PlanarModel& model, const Kinematics& place) {
+    const int count = coordinate_count(model);
+    Eigen::MatrixXd rates(3 * model.body_count, count);
+    Eigen::VectorXd masses(3 * model.body_count);
+    for (int c = 0; c < count; ++c) {
+        PerCoordinate unit = {};
+        unit[c] = 1.0;
+        PerBody spin = {};
+        PerBody x = {};
+        PerBody y = {};
+        spread_rates(model, place, unit, spin, x, y);
+        for (int i = 0; i < model.body_count; ++i) {
+            rates.col(c).segment<3>(3 * i) << x[i], y[i], spin[i];
+            masses.segment<3>(3 * i) << model.mass[i], model.mass[i], model.inertia[i];
+        }
+    }
+    return rates.transpose() * masses.asDiagonal() * rates;
+}
+
+// Joints lose effort by a damping times their acceleration: what that adds to the inertia matrix.
+Eigen::MatrixXd damping_matrix(const PlanarModel& model, const PerBody& damping) {
+    const int count = coordinate_count(model);
+    Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(count, count);
+    for (int i = 1; i < model.body_count; ++i) {
+        Eigen::VectorXd joint = Eigen::VectorXd::Zero(count);
+        joint(i) = 1.0;
+        if (model.joint[i] == JointType::kRotary) {
+            int turning = model.parent[i];  // which coordinate turns the parent
+            while (model.joint[turning] == JointType::kLinear)
+                turning = model.parent[turning];
+            joint(turning) = -1.0;
+        }
+        matrix += damping[i] * joint * joint.transpose();
+    }
+    return matrix;
+}
+
+Eigen::VectorXd coordinates_of(const PlanarModel& model, const BodyResponse& response) {
+    return Eigen::Map<const Eigen::VectorXd>(response.coordinate, coordinate_count(model));
+}
+
+}  // namespace
+
+TEST_CASE("implicit damping agrees with a dense solve of the coordinates",
+          "[dynamics][elimination]") {
+    RandomStream random(stream_seed({24}));
+    for (int round = 0; round < 200; ++round) {
+        const RandomState state = random_state(random);
+        PerBody damping = {};
+        for (int i = 1; i < state.model.body_count; ++i)
+            damping[i] = random.chance(0.2) ? 0.0 : 3.0 * random.uniform() * state.model.inertia[i];
+        const Eigen::MatrixXd inertia = inertia_matrix(state.model, state.kinematics);
+        const auto dense =
+            Eigen::LDLT<Eigen::MatrixXd>(inertia + damping_matrix(state.model, damping));
+        Factors explicit_factors;
+        Factors factors;
+        BodyResponse free;
+        BodyResponse damped;
+        const auto agrees = [&] {
+            const Eigen::VectorXd wanted = dense.solve(inertia * coordinates_of(state.model, free));
+            return (coordinates_of(state.model, damped) - wanted).norm() < 1e-12 * wanted.norm();
+        };
+        solve_accelerations(state.model, state.kinematics, state.loads, explicit_factors, free);
+        solve_damped_accelerations(state.model, state.kinematics, state.loads, damping, factors,
+                                   damped);
+        CHECK(agrees());
+        solve_impulse(state.model, state.kinematics, explicit_factors, state.loads, free);
+        solve_impulse(state.model, state.kinematics, factors, state.loads, damped);
+        CHECK(agrees());
+    }
+}
+
+TEST_CASE("two impulses side by side do what each does alone", "[dynamics][elimination]") {
+    RandomStream random(stream_seed({24}));
+    for (int round = 0; round < 100; ++round) {
+        const RandomState state = random_state(random);
+        RandomState other = state;
+        PerBody damping = {};
+        for (int i = 1; i < state.model.body_count; ++i) {
+            damping[i] = 0.1 * random.uniform(0.0, 1.0);
+            other.loads.force_x[i] = random.gauss();
+            other.loads.torque[i] = random.gauss();
+            other.loads.effort[i] = random.gauss();
+        }
+        Factors factors;
+        BodyResponse unused;
+        solve_damped_accelerations(state.model, state.kinematics, state.loads, damping, factors,
+                                   unused);
+        const Loads impulses[2] = {state.loads, other.loads};
+        PerCoordinate jumps[2];
+        solve_paired_impulses(state.model, state.kinematics, factors, impulses, jumps);
+        for (int which = 0; which < 2; ++which) {
+            BodyResponse alone;
+            solve_impulse(state.model, state.kinematics, factors, impulses[which], alone);
+            for (int c = 0; c < coordinate_count(state.model); ++c)
+                CHECK(jumps[which][c] == Approx(alone.coordinate[c]).epsilon(1e-11).margin(1e-11));
+        }
     }
 }
 

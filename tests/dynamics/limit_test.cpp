@@ -19,16 +19,23 @@ TEST_CASE("a joint thrown against its stop stays there", "[dynamics][limit]") {
     CHECK(scene->audit().max_limit_overrun < 1e-2);
 }
 
+// A stop takes a joint's speed within two contact steps, with forces that hold for one; the error
+// of its work is in proportion to them: 1.9 % at 1/60 s, 0.9 % at 1/120 s, 0.17 % at 1/480 s.
 TEST_CASE("stops take energy and never give any", "[dynamics][limit]") {
     BodyPlan plan = chain(2, 0.5);
     plan.parts[1].max_effort = 0.05;
     plan.parts[1].motor_mode = MotorMode::kTorque;
-    const auto scene = make_scene(plan, empty_space());
-    scene->set_target(1, 1.0);
-    REQUIRE(run(*scene, 3.0));
-    const SceneAudit& audit = scene->audit();
-    CHECK(audit.limit_work == Approx(-audit.motor_work).epsilon(1e-2));
-    CHECK(audit.positive_work < 1e-2 * audit.gross_motor_work);
+    for (const double contact_step : {1.0 / 60, 1.0 / 120, 1.0 / 480}) {
+        INFO(contact_step);
+        SceneSettings settings;
+        settings.contact_step = contact_step;
+        const auto scene = make_scene(plan, empty_space(), settings);
+        scene->set_target(1, 1.0);
+        REQUIRE(run(*scene, 3.0));
+        const SceneAudit& audit = scene->audit();
+        CHECK(audit.limit_work == Approx(-audit.motor_work).epsilon(1.5 * contact_step));
+        CHECK(audit.positive_work < 1e-2 * audit.gross_motor_work);
+    }
 }
 
 TEST_CASE("a slide stops at its ends", "[dynamics][limit]") {

@@ -14,9 +14,10 @@ PlanarModel built(const BodyPlan& plan, double density) {
     return *model;
 }
 
-SceneSettings settings_with(double tolerance) {
+SceneSettings settings_with(double tolerance, double contact_step) {
     SceneSettings settings;
     settings.tolerance = tolerance;
+    settings.contact_step = contact_step;
     return settings;
 }
 
@@ -29,10 +30,10 @@ const IntegratorKind& found(const std::string& id) {
 }  // namespace
 
 Rig::Rig(const BodyPlan& plan, const Environment& environment, const std::string& integrator,
-         double tolerance)
+         double tolerance, double contact_step)
     : model(built(plan, environment.density)),
       law{environment.friction, environment.elasticity, environment.has_ground},
-      control(found(integrator), settings_with(tolerance)) {
+      control(found(integrator), settings_with(tolerance, contact_step)) {
     const SineCosine turn = sine_cosine_of_degrees(environment.gravity_direction);
     forcing.medium = {environment.gravity * turn.cosine, environment.gravity * turn.sine,
                       environment.viscosity_linear, environment.viscosity_quadratic};

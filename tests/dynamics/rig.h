@@ -11,7 +11,8 @@ namespace cambrian {
 
 struct Rig {
     Rig(const BodyPlan& plan, const Environment& environment,
-        const std::string& integrator = "bogacki-shampine", double tolerance = 1e-3);
+        const std::string& integrator = "bogacki-shampine", double tolerance = 1e-3,
+        double contact_step = SceneSettings{}.contact_step);
 
     // Works and energies are counted from here.
     void begin();

@@ -16,7 +16,8 @@ struct Muscle {
 
     double drive(double signal, double dt) {
         static const EffectorRegistry effectors = builtin_effectors();
-        effectors[0].drive({part, 1}, signal, dt, settings, memory, scene);
+        const double share = smoothing_share(dt, settings.target_smoothing);
+        effectors[0].drive({part, 1}, signal, share, settings, memory, scene);
         return scene.targets[1];
     }
 };

@@ -47,7 +47,7 @@ struct RunResult {
     double quality = 0.0;        // QD-score of the same
     bool decreased = false;      // the best of a generation was below that of the one before
     // Of the last generation's champion:
-    double finer = 0.0;        // fitness at a tenth of the tolerance and half the contact step
+    double finer = 0.0;        // fitness at a fortieth of the tolerance and half the contact step
     double late_travel = 0.0;  // body lengths along x, in the last 30 % of the test
     double reversals = 0.0;    // Hz, of its busiest joint
     bool clean = false;        // by the audit

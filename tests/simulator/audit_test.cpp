@@ -38,8 +38,8 @@ TEST_CASE("finer settings are those of the most accurate integrator, with more w
     settings.motor_frequency = 31.0;
     const SceneSettings finer = finer_settings(settings, test::kinds().creature.scene);
     CHECK(finer.integrator == "dormand-prince");
-    CHECK(finer.tolerance == Approx(0.1 * settings.tolerance));
-    CHECK(finer.contact_step == Approx(0.5 * settings.contact_step));
+    CHECK(finer.tolerance == Approx(0.025 * settings.tolerance));
+    CHECK(finer.contact_step == Approx(0.25 * settings.contact_step));
     CHECK(finer.max_evaluations > settings.max_evaluations);
     CHECK(finer.motor_frequency == 31.0);
 }

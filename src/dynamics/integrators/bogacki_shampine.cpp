@@ -22,7 +22,7 @@ void attempt_bogacki_shampine_step(const MotionSystem& system, const StepRequest
 }  // namespace
 
 IntegratorKind bogacki_shampine() {
-    return {"bogacki-shampine", attempt_bogacki_shampine_step, 3, 1.0 / 60};
+    return {"bogacki-shampine", attempt_bogacki_shampine_step, 3, 1.0 / 60, false, true};
 }
 
 }  // namespace cambrian

@@ -30,7 +30,7 @@ void attempt_dormand_prince_step(const MotionSystem& system, const StepRequest& 
 }  // namespace
 
 IntegratorKind dormand_prince() {
-    return {"dormand-prince", attempt_dormand_prince_step, 5, 1.0 / 60};
+    return {"dormand-prince", attempt_dormand_prince_step, 5, 1.0 / 60, false, true};
 }
 
 }  // namespace cambrian

@@ -6,6 +6,7 @@
 
 #include "dynamics/integrator.h"
 
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -25,8 +26,8 @@ public:
     CAMBRIAN_INLINE void attempt() {
         run_stages(std::make_index_sequence<kLast>());
         constexpr auto all_stages = std::make_index_sequence<kStages>();
-        const Lanes work =
-            add_scaled<kLast>(load_lanes(request_.start.work), powers_, 0, all_stages);
+        const Lanes work = Sum<kLast>(request_.length, powers_)
+                               .add(load_lanes(request_.start.work), 0, all_stages);
         store_lanes(result_.end.work, work);
         result_.error = error(all_stages);
         result_.evaluations = kLast;
@@ -38,6 +39,7 @@ private:
     static constexpr std::size_t kErrorRow = kStages;  // kErrors, as one more row
     static constexpr double kPerPosition = 10.0;       // 1 / (0.1 m or rad)
     static_assert(kWorkCount == kLanes);
+    using Values = std::array<const double*, kStages>;  // of every stage
 
     template <std::size_t... kBefore>
     CAMBRIAN_INLINE void run_stages(std::index_sequence<kBefore...>) {
@@ -51,12 +53,14 @@ private:
         Motion& motion = is_end ? result_.end : motions_[kStage];
         MotionRate& rate = is_end ? result_.end_rate : rates_[kStage];
         const int slots = coordinate_slots(system_.model);
+        const Sum<kStage> add_speeds(request_.length, speeds_);
+        const Sum<kStage> add_accelerations(request_.length, accelerations_);
+        const Motion& start = request_.start;
         for (int c = 0; c < slots; c += kLanes) {
-            store_lanes(
-                motion.position + c,
-                add_scaled<kStage>(load_lanes(request_.start.position + c), speeds_, c, earlier));
-            store_lanes(motion.speed + c, add_scaled<kStage>(load_lanes(request_.start.speed + c),
-                                                             accelerations_, c, earlier));
+            store_lanes(motion.position + c,
+                        add_speeds.add(load_lanes(start.position + c), c, earlier));
+            store_lanes(motion.speed + c,
+                        add_accelerations.add(load_lanes(start.speed + c), c, earlier));
         }
         speeds_[kStage] = motion.speed;
         accelerations_[kStage] = rate.acceleration;
@@ -66,33 +70,48 @@ private:
                          rate);
     }
 
-    // start + h sum of a row's weights times the stages' values, from slot c on.
-    template <std::size_t kRow, std::size_t... kJ>
-    CAMBRIAN_INLINE Lanes add_scaled(Lanes sum, const double* const* values, int c,
-                                     std::index_sequence<kJ...>) const {
-        (add_term<kRow, kJ>(sum, values[kJ] + c), ...);
-        return sum;
-    }
-    template <std::size_t kRow, std::size_t kJ>
-    CAMBRIAN_INLINE void add_term(Lanes& sum, const double* values) const {
-        constexpr double weight =
-            kRow == kErrorRow ? Tableau::kErrors[kJ]
-            : kJ < kLast      ? Tableau::kRows[kRow < kStages ? kRow : 0][kJ < kLast ? kJ : 0]
-                              : 0.0;
-        if constexpr (weight != 0.0) sum += (request_.length * weight) * load_lanes(values);
-    }
+    // Adds h times the sum of a row's weights times the stages' values; a copy of all it needs,
+    // which stays in registers.
+    template <std::size_t kRow>
+    class Sum {
+    public:
+        CAMBRIAN_INLINE Sum(double length, const Values& values) : values_(values) {
+            for (std::size_t j = 0; j < kStages; ++j)
+                scaled_[j] = length * weight(j);
+        }
+        // From slot c on.
+        template <std::size_t... kJ>
+        CAMBRIAN_INLINE Lanes add(Lanes sum, int c, std::index_sequence<kJ...>) const {
+            (add_term<kJ>(sum, c), ...);
+            return sum;
+        }
+
+    private:
+        static constexpr double weight(std::size_t j) {
+            if (kRow == kErrorRow) return Tableau::kErrors[j];
+            return j < kLast ? Tableau::kRows[kRow < kStages ? kRow : 0][j < kLast ? j : 0] : 0.0;
+        }
+        template <std::size_t kJ>
+        CAMBRIAN_INLINE void add_term(Lanes& sum, int c) const {
+            if constexpr (weight(kJ) != 0.0) sum += scaled_[kJ] * load_lanes(values_[kJ] + c);
+        }
+
+        Values values_;
+        double scaled_[kStages];
+    };
 
     // RMS over all coordinates of the errors of position / (0.1 m or rad) and of speed /
     // (1 + |speed|), in tolerances.
     template <class Stages>
     CAMBRIAN_INLINE double error(Stages stages) const {
         const int slots = coordinate_slots(system_.model);
+        const Sum<kErrorRow> add_speeds(request_.length, speeds_);
+        const Sum<kErrorRow> add_accelerations(request_.length, accelerations_);
         Lanes sum = {};
         for (int c = 0; c < slots; c += kLanes) {
-            const Lanes position =
-                kPerPosition * add_scaled<kErrorRow>(Lanes{}, speeds_, c, stages);
+            const Lanes position = kPerPosition * add_speeds.add(Lanes{}, c, stages);
             const Lanes size = 1.0 + magnitude(load_lanes(result_.end.speed + c));
-            const Lanes speed = add_scaled<kErrorRow>(Lanes{}, accelerations_, c, stages) / size;
+            const Lanes speed = add_accelerations.add(Lanes{}, c, stages) / size;
             sum += position * position + speed * speed;
         }
         const double mean = sum_of(sum) / (2.0 * coordinate_count(system_.model));
@@ -105,9 +124,7 @@ private:
     StepResult& result_;
     Motion motions_[kLast];  // of the inner stages; [0] is unused
     MotionRate rates_[kLast];
-    const double* speeds_[kStages];
-    const double* accelerations_[kStages];
-    const double* powers_[kStages];
+    Values speeds_{}, accelerations_{}, powers_{};
 };
 
 }  // namespace cambrian

@@ -114,7 +114,7 @@ void attempt_least_squares_step(const MotionSystem& system, const StepRequest& r
         Motion motion;
         join(model, stage.kinematics, motion);
         MotionRate powers;
-        compute_loads(model, system.forcing, (request.time + reach) / system.tick_length, stage,
+        compute_loads(model, system.forcing, {(request.time + reach) / system.tick_length}, stage,
                       powers);
         rate = {moved.speed, dynamics.solve(stage.kinematics, stage.loads)};
         sum.place += kWeight[s] * rate.place;
