@@ -207,7 +207,10 @@ void Evolution::replace_settings(SettingsPtr settings) {
     settings_ = std::move(settings);
     // A plan is one of the settings in the end, whenever they came.
     if (!keeps_scores || !keeps_bars) forget_plan();
-    if (keeps_scores) return;
+    if (!keeps_scores) outdate_scores();
+}
+
+void Evolution::outdate_scores() {
     memory_ = {};
     judged_anew_ = true;
     least_survivor_.reset();

@@ -1,5 +1,7 @@
 #include "evolution/experiment_log.h"
 
+#include "simulator/simulator_version.h"
+
 namespace cambrian {
 namespace {
 
@@ -33,6 +35,10 @@ void give_commands(Evolution& evolution, const std::vector<NotedCommand>& journa
     }
 }
 
+bool scored_by_another_simulator(const SavedExperiment& saved) {
+    return saved.latest && saved.simulators.back().version != kSimulatorVersion;
+}
+
 std::vector<JournalEntry> setting_changes(const SavedExperiment& saved) {
     std::vector<JournalEntry> changes = {{0, saved.settings}};
     for (const NotedCommand& noted : saved.journal) {
@@ -51,6 +57,7 @@ Evolution begun_anew(const SavedExperiment& saved, const EvolutionKinds& kinds) 
 Evolution resumed(const SavedExperiment& saved, const EvolutionKinds& kinds) {
     if (!saved.latest) return begun_anew(saved, kinds);
     Evolution evolution(*saved.latest, kinds);
+    if (scored_by_another_simulator(saved)) evolution.outdate_scores();
     give_breeding_commands(evolution, saved.journal, saved.latest->generation);
     evolution.breed();
     give_commands(evolution, saved.journal, evolution.generation());

@@ -59,12 +59,16 @@ struct SavedExperiment {
 void give_commands(Evolution& evolution, const std::vector<NotedCommand>& journal,
                    std::uint32_t generation);
 
+// Whether the newest scores were given by another version of the simulator than this.
+bool scored_by_another_simulator(const SavedExperiment& saved);
+
 // Where settings changed, generation 0 included.
 std::vector<JournalEntry> setting_changes(const SavedExperiment& saved);
 
 // The experiment from its beginning, as it was when generation 0 had not been evaluated.
 Evolution begun_anew(const SavedExperiment& saved, const EvolutionKinds& kinds);
-// As it was when it was last kept: the generation after the newest recorded one.
+// As it was when it was last kept: the generation after the newest recorded one. If another version
+// of the simulator scored that one, everybody is judged again.
 Evolution resumed(const SavedExperiment& saved, const EvolutionKinds& kinds);
 
 }  // namespace cambrian

@@ -7,6 +7,7 @@
 #include "evolution/evolution_kinds.h"
 #include "evolution/experiment_settings.h"
 #include "evolution/individual.h"
+#include "simulator/simulator_version.h"
 #include "simulator/tick_checks.h"
 
 #include <cstdint>
@@ -18,9 +19,6 @@
 #include <vector>
 
 namespace cambrian {
-
-// Raised whenever the same genome and settings would move differently.
-inline constexpr std::string_view kSimulatorVersion = "1.0";
 
 // The trial that scored the creature: all that is needed to run it again.
 struct ScoredRecord {
