@@ -53,8 +53,8 @@ void add_held_forces(const PlanarModel& model, const Forcing& forcing, const Kin
         loads.effort[i] += forcing.limit_effort[i];
 }
 
-CAMBRIAN_WIDE void compute_loads(const PlanarModel& model, const Forcing& forcing,
-                                 double tick_share, Frame& frame, MotionRate& rate) {
+void compute_loads(const PlanarModel& model, const Forcing& forcing, double tick_share,
+                   Frame& frame, MotionRate& rate) {
     Loads& loads = frame.loads;
     const MotorPower motors = compute_motor_efforts(model, forcing.drive, tick_share,
                                                     frame.kinematics, frame.motor_effort);
@@ -78,9 +78,8 @@ CAMBRIAN_WIDE void compute_loads(const PlanarModel& model, const Forcing& forcin
     add_held_forces(model, forcing, frame.kinematics, loads);
 }
 
-CAMBRIAN_WIDE void evaluate_accelerations(const PlanarModel& model, const Forcing& forcing,
-                                          const Motion& motion, const EvaluationPoint& point,
-                                          Frame& frame, MotionRate& rate) {
+void evaluate_accelerations(const PlanarModel& model, const Forcing& forcing, const Motion& motion,
+                            const EvaluationPoint& point, Frame& frame, MotionRate& rate) {
     const bool all = point.detail == FrameDetail::kEverything;
     compute_joints(model, motion, frame.kinematics);
     if (all || forcing.pulled || is_dragged(forcing.medium))

@@ -22,7 +22,7 @@ double mechanical_energy(const PlanarModel& model, const Medium& medium, const M
     return energy;
 }
 
-CAMBRIAN_WIDE void note_speeds(const PlanarModel& model, const Kinematics& k, SceneAudit& audit) {
+void note_speeds(const PlanarModel& model, const Kinematics& k, SceneAudit& audit) {
     Lanes fastest = {};
     for (int first = 0; first < model.part_count; first += kLanes) {
         const PartLanes parts = part_lanes(model, k, first);

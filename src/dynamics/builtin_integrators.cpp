@@ -15,4 +15,11 @@ const Registry<IntegratorKind>& builtin_integrators() {
     return registry;
 }
 
+std::vector<std::string> integrator_ids() {
+    std::vector<std::string> ids;
+    for (const IntegratorKind& integrator : builtin_integrators().all())
+        ids.push_back(integrator.id);
+    return ids;
+}
+
 }  // namespace cambrian

@@ -5,6 +5,9 @@
 #include "core/registry.h"
 #include "dynamics/integrator.h"
 
+#include <string>
+#include <vector>
+
 namespace cambrian {
 
 // A new method is one file in integrators/ and one line in the registry's list.
@@ -15,5 +18,6 @@ IntegratorKind least_squares();     // the reference mode: slow, dense, three co
 IntegratorKind semi_implicit();     // fixed steps of 1/240 s, first order
 
 const Registry<IntegratorKind>& builtin_integrators();
+std::vector<std::string> integrator_ids();
 
 }  // namespace cambrian

@@ -88,8 +88,7 @@ bool ContactSolver::choose(const PlanarModel& model, const ContactLaw& law, cons
 }
 
 // Stops that could be reached within the step.
-CAMBRIAN_WIDE void ContactSolver::choose_limits(const PlanarModel& model, const Frame& frame,
-                                                double h) {
+void ContactSolver::choose_limits(const PlanarModel& model, const Frame& frame, double h) {
     limits_.count = 0;
     const Kinematics& k = frame.kinematics;
     PerBody low_room;

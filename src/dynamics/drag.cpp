@@ -64,8 +64,7 @@ CAMBRIAN_INLINE PartDrag drag_parts(const PlanarModel& model, const Medium& medi
 
 }  // namespace
 
-CAMBRIAN_WIDE double add_drag(const PlanarModel& model, const Medium& medium, const Kinematics& k,
-                              Loads& loads) {
+double add_drag(const PlanarModel& model, const Medium& medium, const Kinematics& k, Loads& loads) {
     Lanes power = {};
     for (int first = 0; first < model.part_count; first += kLanes) {
         const PartDrag drag = drag_parts(model, medium, k, first);

@@ -196,9 +196,8 @@ CAMBRIAN_INLINE void move_centers(const PlanarModel& model, const Loads& loads,
 
 }  // namespace
 
-CAMBRIAN_WIDE void solve_accelerations(const PlanarModel& model, const Kinematics& kinematics,
-                                       const Loads& loads, Factors& factors,
-                                       BodyResponse& response) {
+void solve_accelerations(const PlanarModel& model, const Kinematics& kinematics, const Loads& loads,
+                         Factors& factors, BodyResponse& response) {
     Carried carried[kMaxBodies];
     PerBody u;
     load_bodies(model, kinematics, loads, carried);
@@ -221,9 +220,8 @@ CAMBRIAN_WIDE void solve_accelerations(const PlanarModel& model, const Kinematic
     move_centers(model, loads, response);
 }
 
-CAMBRIAN_WIDE void solve_impulse(const PlanarModel& model, const Kinematics& k,
-                                 const Factors& factors, const Loads& impulses,
-                                 BodyResponse& response) {
+void solve_impulse(const PlanarModel& model, const Kinematics& k, const Factors& factors,
+                   const Loads& impulses, BodyResponse& response) {
     Pair f[kMaxBodies];
     PerBody t;
     PerBody u;
@@ -254,7 +252,7 @@ CAMBRIAN_WIDE void solve_impulse(const PlanarModel& model, const Kinematics& k,
     move_centers(model, impulses, response);
 }
 
-CAMBRIAN_WIDE void clear_loads(const PlanarModel& model, Loads& loads) {
+void clear_loads(const PlanarModel& model, Loads& loads) {
     for (int i = 0; i < model.body_count; i += kLanes) {
         store_lanes(loads.force_x + i, Lanes{});
         store_lanes(loads.force_y + i, Lanes{});

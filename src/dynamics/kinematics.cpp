@@ -120,7 +120,7 @@ CAMBRIAN_INLINE void sum_from_roots(const PlanarModel& model, const double* cent
 
 }  // namespace
 
-CAMBRIAN_WIDE void compute_joints(const PlanarModel& model, const Motion& motion, Kinematics& k) {
+void compute_joints(const PlanarModel& model, const Motion& motion, Kinematics& k) {
     compute_angles(model, motion, k);
     for (int first = 0; first < model.body_count; first += kLanes)
         turn_joints(model, k, first);
@@ -131,8 +131,7 @@ CAMBRIAN_WIDE void compute_joints(const PlanarModel& model, const Motion& motion
 }
 
 // Pivots: v_i = v_p + w_p z, and + s' axis at linear joints; centres: + w_i s.
-CAMBRIAN_WIDE void compute_velocities(const PlanarModel& model, const Motion& motion,
-                                      Kinematics& k) {
+void compute_velocities(const PlanarModel& model, const Motion& motion, Kinematics& k) {
     PerBody lever_x;
     PerBody lever_y;
     for (int i = 0; i < model.body_count; i += kLanes) {
@@ -153,7 +152,7 @@ CAMBRIAN_WIDE void compute_velocities(const PlanarModel& model, const Motion& mo
 }
 
 // Pivots: c_i = c_p - perp(z); centres: - perp(s).
-CAMBRIAN_WIDE void compute_places(const PlanarModel& model, const Motion& motion, Kinematics& k) {
+void compute_places(const PlanarModel& model, const Motion& motion, Kinematics& k) {
     PerBody lever_y;
     for (int i = 0; i < model.body_count; i += kLanes) {
         store_lanes(k.x + i, load_lanes(k.z_y + i));
@@ -169,7 +168,7 @@ void compute_kinematics(const PlanarModel& model, const Motion& motion, Kinemati
     compute_places(model, motion, kinematics);
 }
 
-CAMBRIAN_WIDE double limit_overrun(const PlanarModel& model, const Kinematics& k) {
+double limit_overrun(const PlanarModel& model, const Kinematics& k) {
     Lanes overrun = {};
     for (int i = 0; i < model.body_count; i += kLanes) {
         const Lanes position = load_lanes(k.joint_position + i);

@@ -7,16 +7,8 @@
 #include <cstdint>
 #include <cstring>
 
-// On functions worth a second copy for processors with AVX2, chosen when the program starts. What
-// is inlined into them is copied too. No fused multiply-add in either: the same bits. The choice is
-// made before a sanitizer is ready, and clang cannot copy members: both do without.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && \
-    !defined(__SANITIZE_THREAD__) && !defined(__SANITIZE_ADDRESS__)
-#define CAMBRIAN_WIDE __attribute__((target_clones("avx2", "default")))
-#else
-#define CAMBRIAN_WIDE
-#endif
-// On what works with lanes by value: they must never cross a call between two such copies.
+// On what works with lanes by value, so that they never cross a call: how they would be handed over
+// depends on the processor's instructions.
 #define CAMBRIAN_INLINE inline __attribute__((always_inline))
 
 namespace cambrian {

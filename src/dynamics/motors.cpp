@@ -25,9 +25,8 @@ void set_motor_law(PlanarModel& model, int body, double rate_scale) {
     law.damping[body] = is_torque ? 0.0 : 1.0;
 }
 
-CAMBRIAN_WIDE MotorPower compute_motor_efforts(const PlanarModel& model, const MotorDrive& drive,
-                                               double tick_share, const Kinematics& kinematics,
-                                               PerBody& effort) {
+MotorPower compute_motor_efforts(const PlanarModel& model, const MotorDrive& drive,
+                                 double tick_share, const Kinematics& kinematics, PerBody& effort) {
     const MotorLaw& law = model.motor;
     Lanes net = {};
     Lanes gross = {};

@@ -2,7 +2,7 @@
 
 namespace cambrian {
 
-CAMBRIAN_WIDE void place_parts(const PlanarModel& model, const Kinematics& k, PartPlaces& places) {
+void place_parts(const PlanarModel& model, const Kinematics& k, PartPlaces& places) {
     for (int first = 0; first < model.part_count; first += kLanes) {
         const int* bodies = model.part_body + first;
         const PartLanes parts = part_lanes(model, k, first);

@@ -1,10 +1,9 @@
-#include "dynamics/planar_scene.h"
-
 #include "core/assert.h"
 #include "core/nearest_name.h"
 #include "dynamics/audit.h"
 #include "dynamics/builtin_integrators.h"
 #include "dynamics/model_building.h"
+#include "dynamics/scene_copies.h"
 #include "dynamics/step_control.h"
 #include "math/angle.h"
 
@@ -311,13 +310,6 @@ Status check_surroundings(const Environment& environment, const SceneSettings& s
     return {};
 }
 
-std::vector<std::string> integrator_ids() {
-    std::vector<std::string> ids;
-    for (const IntegratorKind& integrator : builtin_integrators().all())
-        ids.push_back(integrator.id);
-    return ids;
-}
-
 Error unknown_integrator(const std::string& id) {
     const std::vector<std::string> known = integrator_ids();
     const std::string nearest = nearest_name(id, known);
@@ -337,9 +329,10 @@ Error loops_refused(const std::string& id) {
     return {message};
 }
 
-Result<std::unique_ptr<PhysicsScene>> make_planar_scene(const BodyPlan& plan,
-                                                        const Environment& environment,
-                                                        const SceneSettings& settings) {
+}  // namespace
+
+Result<std::unique_ptr<PhysicsScene>> CAMBRIAN_SCENE_COPY::make_planar_scene(
+    const BodyPlan& plan, const Environment& environment, const SceneSettings& settings) {
     const IntegratorKind* integrator = builtin_integrators().find(settings.integrator);
     if (integrator == nullptr) return unknown_integrator(settings.integrator);
     if (!plan.closing_pins.empty() && !integrator->holds_loops)
@@ -349,20 +342,6 @@ Result<std::unique_ptr<PhysicsScene>> make_planar_scene(const BodyPlan& plan,
     if (!model) return model.error();
     return std::unique_ptr<PhysicsScene>(
         std::make_unique<PlanarScene>(std::move(*model), environment, settings, *integrator));
-}
-
-}  // namespace
-
-SceneKind planar_scene_kind() {
-    SceneKind kind;
-    kind.id = "planar";
-    kind.label = "Planar articulated bodies";
-    kind.joints = {
-        {"rigid", "Rigid", 0, ""}, {"rotary", "Rotary", 1, "rad"}, {"linear", "Linear", 1, "m"}};
-    kind.integrators = integrator_ids();
-    kind.accurate_integrator = "dormand-prince";
-    kind.make = make_planar_scene;
-    return kind;
 }
 
 }  // namespace cambrian

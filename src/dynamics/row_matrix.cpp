@@ -173,8 +173,7 @@ CAMBRIAN_INLINE double regularization(const PlanarModel& model, const RowSystem&
 
 }  // namespace
 
-CAMBRIAN_WIDE void compute_row_matrix(const PlanarModel& model, const Frame& frame,
-                                      RowSystem& rows) {
+void compute_row_matrix(const PlanarModel& model, const Frame& frame, RowSystem& rows) {
     rows.stride = round_up_to_lanes(rows.count);
     Arrivals arrivals[kMaxGroups];
     for (int first = 0; first < rows.count; first += kLanes) {

@@ -23,7 +23,7 @@ void sum_loads(const RowSystem& rows, double* load) {
 }
 
 // One projected Gauss-Seidel sweep; the largest change of a row's rate, m/s.
-CAMBRIAN_WIDE double sweep(RowSystem& rows, const double* bias, double friction, double* load) {
+double sweep(RowSystem& rows, const double* bias, double friction, double* load) {
     double change = 0.0;
     for (int row = 0; row < rows.count; ++row) {
         const double diagonal = rows.coupling(row, row);
@@ -106,8 +106,7 @@ bool RowSolver::settle(RowSystem& rows, const double* bias, double friction) {
 }
 
 // Equations of the active rows; sliding friction is folded into its normal's column.
-CAMBRIAN_WIDE int RowSolver::gather_active(const RowSystem& rows, const double* bias,
-                                           double friction) {
+int RowSolver::gather_active(const RowSystem& rows, const double* bias, double friction) {
     int count = 0;
     for (int row = 0; row < rows.count; ++row) {
         if (state_[row] == State::kActive) active_[count++] = row;
@@ -135,7 +134,7 @@ CAMBRIAN_WIDE int RowSolver::gather_active(const RowSystem& rows, const double* 
 
 // Without pivoting: a lost pivot means contacts that wedge (Painleve), which the caller must not
 // answer with a solution. The solution is left in column `count`.
-CAMBRIAN_WIDE bool RowSolver::eliminate(int count) {
+bool RowSolver::eliminate(int count) {
     for (int i = 0; i < count; ++i) {
         double* pivot_line = line_of(i);
         const double pivot = pivot_line[i];
@@ -160,8 +159,7 @@ CAMBRIAN_WIDE bool RowSolver::eliminate(int count) {
     return true;
 }
 
-CAMBRIAN_WIDE void RowSolver::scatter_active(RowSystem& rows, const double* bias, double friction,
-                                             int count) {
+void RowSolver::scatter_active(RowSystem& rows, const double* bias, double friction, int count) {
     for (int row = 0; row < rows.count; ++row)
         rows.impulse[row] = 0.0;
     for (int j = 0; j < count; ++j)

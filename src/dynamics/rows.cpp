@@ -135,8 +135,8 @@ void hold_loops(const PlanarModel& model, const Frame& frame, RowSystem& rows) {
 
 }  // namespace
 
-CAMBRIAN_WIDE void build_rows(const PlanarModel& model, const Motion& motion, const Frame& frame,
-                              const RowSources& sources, RowSystem& rows) {
+void build_rows(const PlanarModel& model, const Motion& motion, const Frame& frame,
+                const RowSources& sources, RowSystem& rows) {
     add_rows(sources, rows);
     const Kinematics& k = frame.kinematics;
     const BodyMotion speeds{k.velocity_x, k.velocity_y, k.spin, motion.speed};

@@ -11,6 +11,8 @@ namespace {
 
 const PngLimits kLimits{.text_bytes = JsonLimits{}.bytes};
 
+constexpr std::size_t kLongestSignature = 8;  // bytes; of a file that is no picture
+
 constexpr const char* kExpected =
     "expected a creature card: a PNG picture of at most 4096 x 4096 pixels that carries one "
     "creature of at most 4.0 MB";
@@ -29,6 +31,12 @@ Status save_card(const std::filesystem::path& path, const Image& picture,
                  std::string_view document) {
     const Result<std::string> bytes = encode_card(picture, document);
     return bytes ? write_file(path, *bytes) : Status(bytes.error());
+}
+
+Result<bool> is_card(const std::filesystem::path& path) {
+    const Result<std::string> start = read_start(path, kLongestSignature);
+    if (!start) return start.error();
+    return is_png(*start);
 }
 
 Result<std::string> card_document(std::string_view bytes, std::string_view source) {

@@ -22,6 +22,9 @@ Result<std::string> encode_card(const Image& picture, std::string_view document)
 Status save_card(const std::filesystem::path& path, const Image& picture,
                  std::string_view document);
 
+// Whether a file is a picture, as cards are. Fails if it cannot be read.
+Result<bool> is_card(const std::filesystem::path& path);
+
 // The text of the creature file inside, byte for byte. source names the card in messages.
 Result<std::string> card_document(std::string_view bytes, std::string_view source);
 

@@ -10,15 +10,13 @@
 #include "persist/creature_format.h"
 #include "persist/digest_text.h"
 #include "persist/json_reader.h"
-#include "persist/png_file.h"
 
 namespace cambrian {
 namespace {
 
 using namespace creature_format;
 
-constexpr std::size_t kLongestSignature = 8;  // bytes; of a file that is no JSON
-constexpr std::size_t kMaxFormat = 4096;      // bytes; only to be quoted
+constexpr std::size_t kMaxFormat = 4096;  // bytes; only to be quoted
 
 void read_scored(JsonReader& reader, ScoredRecord& scored, const EvolutionKinds& kinds) {
     ExperimentSettings settings;
@@ -164,9 +162,9 @@ std::string write_creature(const CreatureDocument& document, const EvolutionKind
 }
 
 Result<std::string> read_creature_text(const std::filesystem::path& path) {
-    const Result<std::string> start = read_start(path, kLongestSignature);
-    if (!start) return start.error();
-    if (!is_png(*start)) return read_file(path, JsonLimits{}.bytes);
+    const Result<bool> card_inside = is_card(path);
+    if (!card_inside) return card_inside.error();
+    if (!*card_inside) return read_file(path, JsonLimits{}.bytes);
     const Result<std::string> card = read_file(path, kMaxCardBytes);
     return card ? card_document(*card, path.string()) : card;
 }

@@ -4,7 +4,8 @@ import unittest
 
 from program import BAD_INPUT, DONE, FAILED, ROOT, ProgramTest
 
-SUBCOMMANDS = ["studio", "view", "evolve", "simulate", "render", "verify", "settings"]
+SUBCOMMANDS = ["studio", "view", "evolve", "simulate", "render", "verify", "rescore",
+               "settings"]
 
 
 class CommandLine(ProgramTest):

@@ -80,6 +80,7 @@ class Documents(ProgramTest):
         creatures = ["a.creature.json", "folder", "two words.creature.json"]
         self.assertEqual(self.complete("simulate", ""), creatures)
         self.assertEqual(self.complete("verify", "a.creature.json", ""), creatures)
+        self.assertEqual(self.complete("rescore", "--out", ""), creatures)
         self.assertEqual(self.complete("simulate", "two"), ["two words.creature.json"])
         self.assertEqual(self.complete("evolve", ""), ["b.toml", "folder"])
         self.assertEqual(self.complete("evolve", "b.toml", "--founders", ""), creatures)

@@ -1,5 +1,6 @@
 #include "core/thread_pool.h"
 #include "dynamics/bodies.h"
+#include "dynamics/scene_copies.h"
 #include "support/catch.h"
 
 #include <vector>
@@ -36,6 +37,24 @@ TEST_CASE("the same walk gives the same bits", "[dynamics][determinism]") {
         walk(*first, plan, 200);
         walk(*second, plan, 200);
         CHECK(digest_of(*first) == digest_of(*second));
+    }
+}
+
+TEST_CASE("every copy of the code gives the same bits", "[dynamics][determinism]") {
+    const std::vector<SceneCopy> copies = scene_copies();
+    REQUIRE(copies.back().instructions == "baseline");
+    for (const std::string& integrator : planar_scene_kind().integrators) {
+        INFO(integrator);
+        SceneSettings settings;
+        settings.integrator = integrator;
+        const BodyPlan plan = walker(7);
+        std::vector<std::uint64_t> digests;
+        for (const SceneCopy& copy : copies) {
+            const auto scene = copy.make(plan, {}, settings);
+            walk(**scene, plan, 60);
+            digests.push_back(digest_of(**scene));
+        }
+        CHECK(digests == std::vector<std::uint64_t>(copies.size(), digests.front()));
     }
 }
 

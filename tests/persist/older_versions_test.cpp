@@ -1,10 +1,10 @@
 // Files kept from each version of the formats: tests/persist/versions/VERSION/.
 
 #include "core/file_io.h"
-#include "evolution/trials.h"
 #include "persist/creature_file.h"
 #include "persist/experiment_file.h"
 #include "persist/experiment_schema.h"
+#include "persist/rescoring.h"
 #include "persist/settings_file.h"
 #include "persist/steered_run.h"
 #include "support/temporary_directory.h"
@@ -76,6 +76,9 @@ TEST_CASE("an experiment of any version goes on as if it had been begun now",
     const auto again = load_experiment(path, kinds());
     REQUIRE(again);
     CHECK(again->digests.size() == 6);
+    const bool same_simulator = opened->saved.simulators.back().version == kSimulatorVersion;
+    CHECK(again->simulators.size() == (same_simulator ? 1 : 2));
+    if (!same_simulator) return;  // its first generations would come out otherwise
 
     Evolution anew = begun_anew(*again, kinds());
     const auto whole = ExperimentFile::create(kinds(), again->settings, again->founders);
@@ -100,18 +103,48 @@ TEST_CASE("an older experiment that is damaged stays as it was", "[persist][olde
     CHECK(version_in(path) == 1);
 }
 
-TEST_CASE("a creature of any version is loaded and moves as it did", "[persist][older_versions]") {
-    const std::string version = GENERATE("1");
+TEST_CASE("a creature of any version is loaded and moves as its simulator had it",
+          "[persist][older_versions]") {
+    const std::string version = GENERATE("1", "older_simulator");
     const auto document = load_creature(kVersions / version / "walker.creature.json", kinds());
     REQUIRE(document);
     CHECK(document->warnings.empty());
     REQUIRE(document->scored);
-    const ExperimentSettings settings = settings_of(*document->scored);
-    const EvaluationRequest request{.genome = std::make_shared<const Genome>(document->genome),
-                                    .trial_seed = trial_seed(settings)};
-    const EvaluationResult result = evaluate_in_trials(request, settings, kinds());
-    CHECK(result.digest == document->scored->trajectory);
-    CHECK(result.fitness == document->scored->fitness);
+    const EvaluationResult result = run_scored_trial(*document, kinds());
+    const bool same = result.digest == document->scored->trajectory &&
+                      result.fitness == document->scored->fitness;
+    CHECK(same == (document->scored->simulator == kSimulatorVersion));
+    CHECK(same != other_simulator(*document->scored).has_value());
+}
+
+TEST_CASE("a creature scored by another simulator is scored by this one",
+          "[persist][older_versions]") {
+    const auto before = load_creature(kVersions / "older_simulator/walker.creature.json", kinds());
+    REQUIRE(before);
+    CHECK(other_simulator(*before->scored) ==
+          "scored by simulator 0.9, this is " + std::string(kSimulatorVersion));
+    const auto after = rescored(*before, kinds());
+    REQUIRE(after);
+    CHECK_FALSE(other_simulator(*after->scored));
+    CHECK(after->scored->fitness != before->scored->fitness);
+    CHECK(after->scored->ticks != before->scored->ticks);
+    CreatureDocument expected = *before;
+    expected.scored = after->scored;
+    CHECK(write_creature(*after, kinds()) == write_creature(expected, kinds()));
+    CHECK(after->scored->world == before->scored->world);
+    CHECK(rescored(*after, kinds())->scored == after->scored);
+}
+
+TEST_CASE("a score that cannot be replaced is left", "[persist][older_versions]") {
+    auto document = load_creature(kVersions / "older_simulator/walker.creature.json", kinds());
+    REQUIRE(document);
+    std::stop_source stopped;
+    stopped.request_stop();
+    CHECK(rescored(*document, kinds(), stopped.get_token()).error().message == "interrupted");
+    document->scored->world.scene.max_evaluations = 100.0;
+    CHECK_THAT(rescored(*document, kinds()).error().message, Catch::Contains("over-budget"));
+    document->scored.reset();
+    CHECK_THAT(rescored(*document, kinds()).error().message, Catch::Contains("no score"));
 }
 
 TEST_CASE("settings of any version are read", "[persist][older_versions]") {

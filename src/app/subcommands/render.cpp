@@ -4,6 +4,7 @@
 #include "app/messages.h"
 #include "app/option_types.h"
 #include "app/output_path.h"
+#include "app/score_notice.h"
 #include "app/subcommands/subcommands.h"
 #include "core/pretty_text.h"
 #include "persist/creature_card.h"
@@ -168,6 +169,7 @@ public:
         const auto document = parse_creature(*text, options_.creature, kinds);
         if (!document) return fail(document.error());
         say_of(options_.creature, document->warnings);
+        say_of_simulator(options_.creature, *document);
         const auto settings = world_of(*document, options_.environment, kinds);
         if (!settings) return fail(settings.error());
         const auto path = output_path(options_.out, "");

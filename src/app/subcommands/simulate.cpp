@@ -3,6 +3,7 @@
 #include "app/motion_trace.h"
 #include "app/option_types.h"
 #include "app/output_path.h"
+#include "app/score_notice.h"
 #include "app/subcommands/subcommands.h"
 #include "app/trial_report.h"
 #include "core/file_io.h"
@@ -78,6 +79,7 @@ public:
         const Result<CreatureDocument> document = load_creature(options_.creature, kinds);
         if (!document) return fail(document.error());
         say_of(options_.creature, document->warnings);
+        say_of_simulator(options_.creature, *document);
         const Result<ExperimentSettings> settings = settings_for(options_, *document, kinds);
         if (!settings) return fail(settings.error());
         if (!options_.environment.empty())

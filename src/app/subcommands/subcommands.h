@@ -9,6 +9,7 @@ SubcommandKind evolve_subcommand();
 SubcommandKind export_subcommand();
 SubcommandKind manual_subcommand();
 SubcommandKind render_subcommand();
+SubcommandKind rescore_subcommand();
 SubcommandKind schema_subcommand();
 SubcommandKind settings_subcommand();
 SubcommandKind simulate_subcommand();

@@ -2,15 +2,17 @@
 #include "app/interruption.h"
 #include "app/messages.h"
 #include "app/option_types.h"
+#include "app/score_notice.h"
 #include "app/subcommands/subcommands.h"
 #include "app/trial_report.h"
 #include "core/number_text.h"
 #include "core/thread_pool.h"
 #include "evolution/backends/thread_pool_backend.h"
-#include "evolution/trials.h"
+#include "evolution/evaluation.h"
 #include "persist/creature_file.h"
 #include "persist/digest_text.h"
 #include "persist/experiment_file.h"
+#include "persist/rescoring.h"
 
 #include <CLI/CLI.hpp>
 
@@ -19,11 +21,9 @@ namespace {
 
 // The trial of the file, run again here and now; also more finely if that was kept.
 EvaluationResult replay(const CreatureDocument& document, const EvolutionKinds& kinds) {
-    const auto genome = std::make_shared<const Genome>(document.genome);
-    const ExperimentSettings settings = settings_of(*document.scored);
-    EvaluationResult result =
-        evaluate_in_trials({.genome = genome, .trial_seed = trial_seed(settings)}, settings, kinds);
-    if (document.scored->finer && !result.finer) result.finer = recompute(*genome, settings, kinds);
+    EvaluationResult result = run_scored_trial(document, kinds);
+    if (document.scored->finer && !result.finer)
+        result.finer = recompute(document.genome, settings_of(*document.scored), kinds);
     return result;
 }
 
@@ -46,6 +46,7 @@ ExitStatus verify(const std::string& file, const EvolutionKinds& kinds) {
     say_of(file, document->warnings);
     if (!document->scored) return fail({file + ": holds no score to verify"});
     const ScoredRecord& scored = *document->scored;
+    say_of_simulator(file, *document);
     const EvaluationResult result = replay(*document, kinds);
     if (result.digest == scored.trajectory && result.fitness == scored.fitness) {
         if (scored.finer && result.finer != scored.finer)
@@ -64,10 +65,6 @@ ExitStatus verify(const std::string& file, const EvolutionKinds& kinds) {
                           short_text(result.fitness) + " " + scored.unit + " with motion " +
                           digest_text(result.digest) + " instead of " + short_text(scored.fitness) +
                           " with " + digest_text(scored.trajectory);
-    if (scored.simulator != kSimulatorVersion) {
-        message += "; it was scored by simulator " + scored.simulator + ", this is " +
-                   std::string(kSimulatorVersion);
-    }
     return fail({message}, ExitStatus::kFailed);
 }
 

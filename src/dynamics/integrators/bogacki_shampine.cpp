@@ -14,9 +14,8 @@ struct BogackiShampine {
     static constexpr double kErrors[4] = {-5.0 / 72, 1.0 / 12, 1.0 / 9, -1.0 / 8};
 };
 
-CAMBRIAN_WIDE void attempt_bogacki_shampine_step(const MotionSystem& system,
-                                                 const StepRequest& request, Frame& frame,
-                                                 StepResult& result) {
+void attempt_bogacki_shampine_step(const MotionSystem& system, const StepRequest& request,
+                                   Frame& frame, StepResult& result) {
     EmbeddedStep<BogackiShampine>(system, request, frame, result).attempt();
 }
 

@@ -28,8 +28,8 @@ struct CashKarp {
                                           0.0};
 };
 
-CAMBRIAN_WIDE void attempt_cash_karp_step(const MotionSystem& system, const StepRequest& request,
-                                          Frame& frame, StepResult& result) {
+void attempt_cash_karp_step(const MotionSystem& system, const StepRequest& request, Frame& frame,
+                            StepResult& result) {
     EmbeddedStep<CashKarp>(system, request, frame, result).attempt();
 }
 

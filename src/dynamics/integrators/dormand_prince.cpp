@@ -22,9 +22,8 @@ struct DormandPrince {
                                           -17253.0 / 339200, 22.0 / 525, -1.0 / 40};
 };
 
-CAMBRIAN_WIDE void attempt_dormand_prince_step(const MotionSystem& system,
-                                               const StepRequest& request, Frame& frame,
-                                               StepResult& result) {
+void attempt_dormand_prince_step(const MotionSystem& system, const StepRequest& request,
+                                 Frame& frame, StepResult& result) {
     EmbeddedStep<DormandPrince>(system, request, frame, result).attempt();
 }
 

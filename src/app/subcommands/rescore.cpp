@@ -1,0 +1,109 @@
+#include "app/interruption.h"
+#include "app/messages.h"
+#include "app/option_types.h"
+#include "app/subcommands/subcommands.h"
+#include "core/file_io.h"
+#include "core/number_text.h"
+#include "persist/creature_card.h"
+#include "persist/rescoring.h"
+
+#include <CLI/CLI.hpp>
+
+namespace cambrian {
+namespace {
+
+// "1.23 BL/s by simulator 1.0"
+std::string score_text(const ScoredRecord& scored) {
+    return short_text(scored.fitness) + " " + scored.unit + " by simulator " + scored.simulator;
+}
+
+class RescoreSubcommand final : public Subcommand {
+public:
+    void add_options(CLI::App& app) override {
+        app.add_option("creatures", files_, "Creature files, each replaced as a whole")
+            ->type_name(option_type::kCreature)
+            ->required();
+        app.add_option("-o,--out", out_, "File to write instead of replacing the only one given")
+            ->type_name("FILE.creature.json");
+        app.add_flag("--default-integration", default_integration_,
+                     "With the usual integrator, tolerance and contact step instead of the file's");
+    }
+
+    ExitStatus run(const EvolutionKinds& kinds) override {
+        if (!out_.empty() && files_.size() > 1)
+            return fail({"--out is for one creature, found " + std::to_string(files_.size())});
+        const Interruption interruption;
+        ExitStatus worst = ExitStatus::kDone;
+        for (const std::string& file : files_) {
+            worst = std::max(worst, rescore(file, kinds, interruption.token()));
+            if (interruption.requested()) break;
+        }
+        return worst;
+    }
+
+private:
+    ExitStatus rescore(const std::string& file, const EvolutionKinds& kinds,
+                       const std::stop_token& stop) const {
+        const Result<CreatureDocument> before = read(file, kinds);
+        if (!before) return fail(before.error());
+        const std::string target = out_.empty() ? file : out_;
+        if (const Status writable = check_writable(target); !writable)
+            return fail(writable.error());
+        const Result<CreatureDocument> after = rescored(asked_of(*before), kinds, stop);
+        if (!after)
+            return fail({file + ": left as it is: " + after.error().message}, ExitStatus::kFailed);
+        if (out_.empty() && before->scored == after->scored) {
+            print_line(file + ": unchanged, " + score_text(*after->scored));
+            return ExitStatus::kDone;
+        }
+        const Status written = save_creature(target, *after, kinds);
+        if (!written) return fail(written.error(), ExitStatus::kFailed);
+        print_line(target + ": " + score_text(*after->scored) + ", was " +
+                   score_text(*before->scored));
+        return ExitStatus::kDone;
+    }
+
+    // The creature of a file whose score can be replaced.
+    Result<CreatureDocument> read(const std::string& file, const EvolutionKinds& kinds) const {
+        const Result<bool> card = is_card(file);
+        if (!card) return card.error();
+        if (*card && out_.empty()) {
+            return Error{file +
+                         ": a card's picture tells its score; write a creature file with --out and "
+                         "draw that one's card with 'cambrian render'"};
+        }
+        Result<CreatureDocument> document = load_creature(file, kinds);
+        if (!document) return document;
+        say_of(file, document->warnings);
+        if (!document->scored) return Error{file + ": holds no score to replace"};
+        return document;
+    }
+
+    // The creature with the trial that is to score it.
+    CreatureDocument asked_of(CreatureDocument document) const {
+        if (!default_integration_) return document;
+        SceneSettings& scene = document.scored->world.scene;
+        const SceneSettings usual;
+        scene.integrator = usual.integrator;
+        scene.tolerance = usual.tolerance;
+        scene.contact_step = usual.contact_step;
+        return document;
+    }
+
+    std::vector<std::string> files_;
+    std::string out_;
+    bool default_integration_ = false;
+};
+
+}  // namespace
+
+SubcommandKind rescore_subcommand() {
+    return {.id = "rescore",
+            .summary = "Score creatures again with this version of the simulator, in their files.",
+            .example = "cambrian rescore champion-walking-seed7.creature.json",
+            .make = []() -> std::unique_ptr<Subcommand> {
+                return std::make_unique<RescoreSubcommand>();
+            }};
+}
+
+}  // namespace cambrian

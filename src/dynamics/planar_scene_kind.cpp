@@ -1,0 +1,19 @@
+#include "dynamics/builtin_integrators.h"
+#include "dynamics/planar_scene.h"
+#include "dynamics/scene_copies.h"
+
+namespace cambrian {
+
+SceneKind planar_scene_kind() {
+    SceneKind kind;
+    kind.id = "planar";
+    kind.label = "Planar articulated bodies";
+    kind.joints = {
+        {"rigid", "Rigid", 0, ""}, {"rotary", "Rotary", 1, "rad"}, {"linear", "Linear", 1, "m"}};
+    kind.integrators = integrator_ids();
+    kind.accurate_integrator = "dormand-prince";
+    kind.make = scene_copies().front().make;
+    return kind;
+}
+
+}  // namespace cambrian

@@ -1,0 +1,14 @@
+#include "dynamics/scene_copies.h"
+
+namespace cambrian {
+
+std::vector<SceneCopy> scene_copies() {
+    std::vector<SceneCopy> copies;
+#ifdef CAMBRIAN_HAS_AVX2_COPY
+    if (__builtin_cpu_supports("avx2")) copies.push_back({"avx2", avx2::make_planar_scene});
+#endif
+    copies.push_back({"baseline", baseline::make_planar_scene});
+    return copies;
+}
+
+}  // namespace cambrian
