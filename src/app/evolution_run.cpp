@@ -13,6 +13,7 @@
 #include "persist/creature_file.h"
 #include "persist/experiment_file.h"
 #include "persist/settings_file.h"
+#include "simulator/simulator_version.h"
 
 #include <memory>
 #include <span>
@@ -100,6 +101,10 @@ Result<Course> resumed_course(const EvolutionRun& run, const EvolutionKinds& kin
     Result<OpenedExperiment> opened = open_experiment(run.resume, kinds);
     if (!opened) return opened.error();
     const SavedExperiment& saved = opened->saved;
+    if (scored_by_another_simulator(saved)) {
+        say(run.resume + ": scored by simulator " + saved.simulators.back().version + ", this is " +
+            std::string(kSimulatorVersion) + "; everybody is scored again in the next generation");
+    }
     ExperimentSettings limits = saved.latest ? *saved.latest->settings : *saved.settings;
     limits.generations = run.generations.value_or(limits.generations);
     if (saved.latest && !stop_reason(saved.latest->history, limits).empty()) {
@@ -152,7 +157,11 @@ Harvest evolve(Course& course, EvaluationBackend& backend, const std::string& un
         harvest.stopped_by = stop_reason(evolution.history(), course.limits);
         if (harvest.stopped_by.empty() && interruption.requested())
             harvest.stopped_by = "interruption";
-        if (!harvest.stopped_by.empty()) return harvest;
+        if (!harvest.stopped_by.empty()) {
+            harvest.champion =
+                evolution.confirmed_champion(backend, progress, interruption.token());
+            return harvest;
+        }
         evolution.breed();
     }
 }
@@ -168,8 +177,8 @@ ExitStatus report(const Course& course, const Harvest& harvest, const std::strin
         if (!saved) return fail(saved.error(), ExitStatus::kFailed);
         outputs.champion = *saved;
     }
-    print_line(final_line(course.evolution.history(), unit, *harvest.champion, outputs,
-                          harvest.stopped_by, json));
+    print_line(
+        final_line(course.evolution, unit, *harvest.champion, outputs, harvest.stopped_by, json));
     return ExitStatus::kDone;
 }
 

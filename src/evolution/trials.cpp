@@ -58,6 +58,14 @@ Jitter jitter_of(std::uint64_t trial_seed, int trial, const TrialSettings& setti
 EvaluationResult evaluate_in_trials(const EvaluationRequest& request,
                                     const ExperimentSettings& settings, const EvolutionKinds& kinds,
                                     const std::stop_token& stop) {
+    if (request.probe) {
+        EvaluationRequest probed = request;
+        probed.probe.reset();
+        Genome turned = *request.genome;
+        const ExperimentSettings world = probed_world(*request.probe, settings, turned);
+        probed.genome = std::make_shared<const Genome>(std::move(turned));
+        return evaluate_in_trials(probed, world, kinds, stop);
+    }
     const TrialSettings& trials = settings.world.trial;
     EvaluationResult all = evaluate(request, settings, kinds, stop);
     if (trials.trials == 1 || all.outcome != Outcome::kCompleted) return all;

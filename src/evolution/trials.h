@@ -20,8 +20,8 @@ struct Jitter {
 Jitter jitter_of(std::uint64_t trial_seed, int trial, const TrialSettings& settings);
 
 // evaluate() in each of the settings' trials. The score is their mean or minimum; one that fails
-// makes the whole a failure. What is told of the body and its motion is of the first trial; the
-// digest is of all.
+// makes the whole a failure. A request's probe changes the world of all of them. What is told of
+// the body and its motion is of the first trial; the digest is of all.
 EvaluationResult evaluate_in_trials(const EvaluationRequest& request,
                                     const ExperimentSettings& settings, const EvolutionKinds& kinds,
                                     const std::stop_token& stop = {});

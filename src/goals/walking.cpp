@@ -65,6 +65,7 @@ void register_walking(GoalRegistry& goals) {
                .label = "Walking",
                .unit = "BL/s",
                .help = "Steady progress over the ground, in body lengths a second.",
+               .default_confirmations = 2,
                .default_environment = [] { return Environment{}; },
                .mismatch = needs_ground,
                .score = score_walking});

@@ -139,11 +139,12 @@ private:
 
     void read_generations() {
         const int more = static_cast<int>(kStatisticsColumns.size());
-        Statement row = database_.prepare(
-            "SELECT " + column_names<GenerationStatistics>(kStatisticsColumns) +
-            ", champion, champion_judged, settings, population_digest, audited, "
-            "audited_survivors, novelty_threshold, novelty_quiet FROM generations "
-            "ORDER BY generation");
+        Statement row =
+            database_.prepare("SELECT " + column_names<GenerationStatistics>(kStatisticsColumns) +
+                              ", champion, champion_judged, settings, population_digest, audited, "
+                              "audited_survivors, novelty_threshold, novelty_quiet, " +
+                              column_names<GenerationStatistics>(kLaterStatisticsColumns) +
+                              " FROM generations ORDER BY generation");
         EvolutionState latest;
         while (row.step()) {
             GenerationStatistics statistics;
@@ -152,18 +153,40 @@ private:
                 throw DatabaseError("generation " + std::to_string(latest.history.size()) +
                                     " is missing");
             }
+            read_columns<GenerationStatistics>(row, more + 8, kLaterStatisticsColumns, statistics);
             latest.history.push_back(statistics);
             latest.generation = statistics.generation;
             latest.settings = settings(row.integer(more + 2));
             read_.saved.champions.push_back(
-                {statistics.generation, individuals_.read(row_ref(row, more)), latest.settings});
+                {statistics.generation, individuals_.read(row_ref(row, more), *latest.settings),
+                 latest.settings});
             read_.saved.digests.push_back(static_cast<std::uint64_t>(row.integer(more + 3)));
             read_column(row, more + 4, latest.bar_audit.finished);
             read_column(row, more + 5, latest.bar_audit.survived);
             latest.memory.threshold = row.real(more + 6);
             read_column(row, more + 7, latest.memory.quiet_generations);
         }
+        read_births(latest.history);
         if (!latest.history.empty()) read_.saved.latest = std::move(latest);
+    }
+
+    void read_births(std::vector<GenerationStatistics>& history) {
+        Statement row = database_.prepare(
+            "SELECT generation, line, births FROM births ORDER BY generation, line");
+        std::size_t count = 0;
+        while (row.step()) {
+            std::uint32_t generation = 0;
+            LineBirths line;
+            read_column(row, 0, generation);
+            read_column(row, 1, line.line);
+            read_column(row, 2, line.births);
+            if (generation >= history.size() || line.births < 0)
+                throw DatabaseError("births of a generation that is missing");
+            history[generation].births.push_back(line);
+            check_count(++count, "births");
+        }
+        for (GenerationStatistics& generation : history)
+            put_most_first(generation.births);
     }
 
     void read_latest() {
@@ -172,13 +195,14 @@ private:
             database_.prepare("SELECT individual, judged FROM population ORDER BY place");
         while (place.step()) {
             read_.population.push_back(row_ref(place, 0));
-            latest.population.push_back(individuals_.read(read_.population.back()));
+            latest.population.push_back(
+                individuals_.read(read_.population.back(), *latest.settings));
             if (latest.population.size() > kLargestPopulation)
                 throw DatabaseError("the population is too large");
         }
         Statement novel = database_.prepare("SELECT individual, judged FROM novel ORDER BY place");
         while (novel.step()) {
-            latest.memory.archive.push_back(individuals_.read(row_ref(novel, 0)));
+            latest.memory.archive.push_back(individuals_.read(row_ref(novel, 0), *latest.settings));
             check_count(latest.memory.archive.size(), "novel creatures");
         }
         if (latest.population.empty() ||
@@ -186,8 +210,8 @@ private:
             throw DatabaseError("the latest population is not the one that was written");
     }
 
-    IndividualPtr chosen(const RowRef& row) {
-        IndividualPtr individual = individuals_.read(row);
+    IndividualPtr chosen(const RowRef& row, const ExperimentSettings& settings) {
+        IndividualPtr individual = individuals_.read(row, settings);
         read_.chosen.emplace_back(individual, row);
         return individual;
     }
@@ -225,7 +249,7 @@ private:
             "SELECT individual, judged FROM grid_cells WHERE grid = ? ORDER BY cell LIMIT 100");
         cell.bind(number);
         while (cell.step())
-            node.creatures.push_back(chosen(row_ref(cell, 0)));
+            node.creatures.push_back(chosen(row_ref(cell, 0), *node.settings));
         if (node.creatures.empty()) throw DatabaseError("a grid is empty");
         const PickingTree& tree = read_.picking.tree;
         node.picks =
@@ -271,9 +295,9 @@ private:
         row.bind(role);
         while (row.step()) {
             ChampionRecord each;
-            each.individual = chosen(row_ref(row, 0));
             read_column(row, 2, each.generation);
             each.settings = settings(row.integer(3));
+            each.individual = chosen(row_ref(row, 0), *each.settings);
             creatures.push_back(std::move(each));
             check_count(creatures.size(), "kept creatures");
         }

@@ -35,6 +35,7 @@ Result<CreatureDocument> rescored(CreatureDocument document, const EvolutionKind
     scored.unit = kinds.goals.find(scored.goal)->unit;
     scored.trajectory = result.digest;
     scored.simulator = kSimulatorVersion;
+    scored.confirmed.reset();
     scored.ticks.clear();
     scored.finer = result.finer;
     complete_score(document, kinds, stop);

@@ -12,8 +12,10 @@ constexpr std::size_t kMaxBytes = 1'000'000;
 ExperimentSettings default_settings(std::string_view goal, const EvolutionKinds& kinds) {
     ExperimentSettings settings;
     if (!goal.empty()) settings.goal = goal;
-    if (const GoalKind* kind = kinds.goals.find(settings.goal); kind != nullptr)
+    if (const GoalKind* kind = kinds.goals.find(settings.goal); kind != nullptr) {
         settings.world.environment = kind->default_environment();
+        settings.selection.confirmations = kind->default_confirmations;
+    }
     return settings;
 }
 

@@ -20,6 +20,10 @@ inline double total_length(const Genome& genome) {
 class FakeBackend final : public EvaluationBackend {
 public:
     std::function<double(const Genome&)> fitness = total_length;
+    // What becomes of it in a world a hair different.
+    std::function<double(double fitness, const Probe&)> in_probe = [](double plain, const Probe&) {
+        return plain;
+    };
     int stop_after = -1;  // evaluations of the next call; -1 never
     int evaluations = 0;
 
@@ -35,6 +39,7 @@ public:
             --left;
             EvaluationResult result;
             result.fitness = fitness(*requests[i].genome);
+            if (requests[i].probe) result.fitness = in_probe(result.fitness, *requests[i].probe);
             result.phenotype = phenotype_of(*requests[i].genome, settings, kinds());
             results[i] = result;
             ++evaluations;
