@@ -2,8 +2,8 @@
 
 // Where the panels go: the one place that divides the window.
 
-#include "studio/ui_context.h"
-#include "studio/view_state.h"
+#include "studio/look/ui_context.h"
+#include "studio/look/view_state.h"
 
 namespace cambrian {
 

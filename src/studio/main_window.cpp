@@ -1,6 +1,6 @@
 #include "studio/main_window.h"
 
-#include "studio/tour.h"
+#include "studio/help/tour.h"
 
 #include <algorithm>
 #include <cmath>

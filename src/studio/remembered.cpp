@@ -3,9 +3,9 @@
 #include "core/file_io.h"
 #include "core/pretty_text.h"
 #include "persist/settings_file.h"
-#include "studio/overlays.h"
-#include "studio/tile_list.h"
-#include "studio/timeline_plots.h"
+#include "studio/look/overlays.h"
+#include "studio/panels/generations/tile_list.h"
+#include "studio/panels/generations/timeline_plots.h"
 
 #include <algorithm>
 #include <array>

@@ -6,7 +6,7 @@
 #include "core/result.h"
 #include "evolution/evolution_kinds.h"
 #include "evolution/experiment_settings.h"
-#include "studio/view_state.h"
+#include "studio/look/view_state.h"
 
 #include <filesystem>
 #include <string>

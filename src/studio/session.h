@@ -3,17 +3,19 @@
 // The studio without its window: the open experiment, what is on show, files, notices, and what
 // each request of a panel does to them.
 
-#include "studio/file_desk.h"
-#include "studio/gene_editor.h"
-#include "studio/ghosts.h"
-#include "studio/hand_picking.h"
-#include "studio/help_book.h"
-#include "studio/notices.h"
-#include "studio/open_experiment.h"
+#include "studio/background/status_log.h"
+#include "studio/experiment/open_experiment.h"
+#include "studio/files/file_desk.h"
+#include "studio/files/sample_shelf.h"
+#include "studio/frame/frame_context.h"
+#include "studio/frame/requests.h"
+#include "studio/hand_picking/hand_picking.h"
+#include "studio/help/help_book.h"
+#include "studio/playback/ghosts.h"
 #include "studio/remembered.h"
-#include "studio/sample_shelf.h"
-#include "studio/stage.h"
-#include "studio/status_log.h"
+#include "studio/viewer/gene_editor.h"
+#include "studio/viewer/stage.h"
+#include "studio/widgets/notices.h"
 
 #include <filesystem>
 #include <functional>

@@ -1,8 +1,8 @@
 // What a session does with files.
 
 #include "core/pretty_text.h"
+#include "studio/panels/generations/timeline_plots.h"
 #include "studio/session.h"
-#include "studio/timeline_plots.h"
 
 #include <algorithm>
 #include <cctype>

@@ -1,7 +1,8 @@
 // What a session does to help a person find the way: help pages, the tour, samples.
 
+#include "studio/help/tour.h"
 #include "studio/session.h"
-#include "studio/tour.h"
+#include "studio/shortcuts.h"
 
 #include <utility>
 
@@ -9,7 +10,7 @@ namespace cambrian {
 
 void Session::use_assets(const std::filesystem::path& folder) {
     worker_.submit([this, folder](const std::stop_token&) {
-        auto pages = read_help(folder / "help");
+        auto pages = read_help(folder / "help", keys_text());
         return [this, pages = std::move(pages)] { help_.pages = pages; };
     });
     samples_folder_ = folder / "creatures";

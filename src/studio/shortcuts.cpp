@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <string>
 
 namespace cambrian {
 namespace {
@@ -254,6 +255,13 @@ bool press_in_grid(const KeyPress& press, const FrameContext& frame, Requests& o
     return true;
 }
 
+std::string table_of(std::span<const Shortcut> keys) {
+    std::string text = "| key | what it does |\n|---|---|\n";
+    for (const Shortcut& shortcut : keys)
+        text += std::string("| `") + shortcut.keys + "` | " + shortcut.what + " |\n";
+    return text;
+}
+
 }  // namespace
 
 std::span<const Shortcut> shortcuts() {
@@ -262,6 +270,13 @@ std::span<const Shortcut> shortcuts() {
 
 std::span<const Shortcut> picking_shortcuts() {
     return kPickingShortcuts;
+}
+
+std::string keys_text() {
+    return "# Keys\n\n" + table_of(shortcuts()) + "\n## While picking by hand\n\n" +
+           table_of(picking_shortcuts()) +
+           "\nIn the filter of the settings, `Enter` goes to the value of the first setting found "
+           "and `Esc` clears it. Among the samples, arrows choose and `Enter` opens.\n";
 }
 
 void press_shortcut(const KeyPress& press, bool typing, const FrameContext& frame, Requests& out) {

@@ -2,20 +2,14 @@
 
 // Keys and what they ask for: one table, used by the window, the menus and the help panel.
 
-#include "studio/frame_context.h"
-#include "studio/requests.h"
+#include "studio/frame/frame_context.h"
+#include "studio/frame/requests.h"
+#include "studio/host/key_press.h"
 
 #include <span>
+#include <string>
 
 namespace cambrian {
-
-struct KeyPress {
-    int key = 0;  // GLFW's number
-    bool control = false;
-    bool shift = false;
-
-    friend bool operator==(const KeyPress&, const KeyPress&) = default;
-};
 
 struct Shortcut {
     KeyPress press;
@@ -28,6 +22,8 @@ struct Shortcut {
 std::span<const Shortcut> shortcuts();
 // While the grid of selection by hand is shown; these go before the others.
 std::span<const Shortcut> picking_shortcuts();
+// Both tables as a page of the help, in Markdown.
+std::string keys_text();
 
 // Asks for what the key means, if anything. While text is typed, only keys with Ctrl count.
 void press_shortcut(const KeyPress& press, bool typing, const FrameContext& frame, Requests& out);

@@ -4,13 +4,13 @@
 #include "core/thread_pool.h"
 #include "pictures/card_picture.h"
 #include "render/renderer.h"
-#include "studio/frame_log.h"
-#include "studio/imgui_host.h"
+#include "studio/host/frame_log.h"
+#include "studio/host/imgui_host.h"
 #include "studio/main_window.h"
-#include "studio/screen_report.h"
+#include "studio/panels/generations/timeline_chart.h"
+#include "studio/probe/screen_report.h"
 #include "studio/session.h"
 #include "studio/shortcuts.h"
-#include "studio/timeline_chart.h"
 
 #include <algorithm>
 #include <cmath>

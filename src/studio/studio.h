@@ -6,7 +6,7 @@
 #include "core/result.h"
 #include "evolution/evolution_kinds.h"
 #include "pictures/palette.h"
-#include "studio/window.h"
+#include "studio/host/window.h"
 
 #include <cstddef>
 #include <filesystem>

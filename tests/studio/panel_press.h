@@ -2,7 +2,7 @@
 
 // What a person does to a panel that stands alone, and what the panel asks for.
 
-#include "studio/panel.h"
+#include "studio/frame/panel.h"
 #include "studio_fixture.h"
 #include "support/null_imgui.h"
 

@@ -4,8 +4,8 @@
 
 #include "evolution/generation.h"
 #include "evolution/snapshot.h"
-#include "studio/frame_context.h"
-#include "studio/requests.h"
+#include "studio/frame/frame_context.h"
+#include "studio/frame/requests.h"
 #include "support/creatures.h"
 #include "support/kinds.h"
 

@@ -3,7 +3,7 @@
 // Dear ImGui without a window or graphics card, with a synthetic mouse: draw something, press a
 // control by the name it noted, look at what came out.
 
-#include "studio/ui_context.h"
+#include "studio/look/ui_context.h"
 #include "support/catch.h"
 
 #include <imgui.h>

@@ -1,0 +1,162 @@
+#include "studio/experiment/open_experiment.h"
+
+#include "evolution/backends/thread_pool_backend.h"
+#include "picking/handover.h"
+
+#include <utility>
+
+namespace cambrian {
+namespace {
+
+constexpr double kRateWindow = 0.5;  // s between two readings of the rate
+constexpr double kRateInertia = 0.6;
+
+}  // namespace
+
+ExperimentSettings completed(ExperimentSettings settings, const std::vector<SettingField>& fields) {
+    for (const SettingField& field : fields)
+        static_cast<void>(field.at(settings));
+    return settings;
+}
+
+OpenExperiment::OpenExperiment(ExperimentSettings settings, const EvolutionKinds& kinds,
+                               std::size_t workers)
+    : kinds_(kinds),
+      fields_(setting_fields(kinds)),
+      editor_(completed(std::move(settings), fields_)),
+      kept_(std::make_shared<KeptExperiment>(std::filesystem::path(), kinds)),
+      engine_(std::make_shared<const ExperimentSettings>(editor_.draft()), kinds,
+              make_thread_pool_backend(kinds, workers, ThreadPriority::kBackground), kept_),
+      snapshot_(engine_.latest()) {}
+
+void OpenExperiment::poll() {
+    while (!unsent_.empty() && engine_.send(unsent_.front()))
+        unsent_.pop_front();
+    snapshot_ = engine_.latest();
+    measure();
+}
+
+void OpenExperiment::send(Command command) {
+    unsent_.push_back(std::move(command));
+    while (!unsent_.empty() && engine_.send(unsent_.front()))
+        unsent_.pop_front();
+}
+
+bool OpenExperiment::fresh() const {
+    return snapshot_->generation == 0 && snapshot_->population.empty() && !running() &&
+           progress_.done == 0;
+}
+
+void OpenExperiment::toggle() {
+    if (running()) {
+        send(PauseEvolution{});
+    } else {
+        send(ResumeEvolution{});
+    }
+}
+
+void OpenExperiment::measure() {
+    progress_.done = engine_.progress().done.load(std::memory_order_relaxed);
+    progress_.total = engine_.progress().total.load(std::memory_order_relaxed);
+    const double elapsed = since_mark_.seconds();
+    if (!running() || snapshot_->generation < marked_generation_) {
+        progress_.per_second = 0.0;
+        progress_.seconds_left = -1.0;
+        marked_generation_ = snapshot_->generation;
+        marked_done_ = progress_.done;
+        since_mark_.restart();
+        return;
+    }
+    if (elapsed < kRateWindow) return;
+    // Whole generations that passed count with the size of the present one.
+    const auto generations = static_cast<double>(snapshot_->generation - marked_generation_);
+    const double done = generations * progress_.total + static_cast<double>(progress_.done) -
+                        static_cast<double>(marked_done_);
+    const double rate = done > 0.0 ? done / elapsed : 0.0;
+    progress_.per_second = progress_.per_second > 0.0
+                               ? kRateInertia * progress_.per_second + (1.0 - kRateInertia) * rate
+                               : rate;
+    progress_.seconds_left =
+        progress_.per_second > 0.0
+            ? static_cast<double>(progress_.total - progress_.done) / progress_.per_second
+            : -1.0;
+    marked_generation_ = snapshot_->generation;
+    marked_done_ = progress_.done;
+    since_mark_.restart();
+}
+
+void OpenExperiment::inject(std::span<const IndividualPtr> creatures) {
+    for (Command& command : injection_of(creatures))
+        send(std::move(command));
+}
+
+void OpenExperiment::edit(ExperimentSettings settings, const std::string& field) {
+    editor_.edit(std::move(settings), field);
+}
+
+Status OpenExperiment::commit() {
+    editor_.finish();
+    if (Status fault = check_settings(editor_.draft(), kinds_); !fault) return fault;
+    if (fresh()) {
+        if (editor_.draft() == *snapshot_->settings) return {};
+        start({});
+        return {};
+    }
+    const ExperimentSettings next =
+        with_live_fields(*snapshot_->settings, editor_.draft(), fields_);
+    if (next == *snapshot_->settings) return {};
+    if (Status fault = check_settings(next, kinds_); !fault) return fault;
+    send(ChangeSettings{std::make_shared<const ExperimentSettings>(next)});
+    return {};
+}
+
+void OpenExperiment::undo() {
+    editor_.undo();
+}
+
+void OpenExperiment::redo() {
+    editor_.redo();
+}
+
+void OpenExperiment::drop_structural_edits() {
+    const ExperimentSettings kept =
+        with_live_fields(*snapshot_->settings, editor_.draft(), fields_);
+    editor_.edit(kept, "run");
+    editor_.finish();
+}
+
+Status OpenExperiment::start_new_run(std::vector<GenomePtr> founders) {
+    editor_.finish();
+    if (Status fault = check_settings(editor_.draft(), kinds_); !fault) return fault;
+    start(std::move(founders));
+    return {};
+}
+
+// A place of its own for every run, so that one before can still be written to its end.
+void OpenExperiment::start(std::vector<GenomePtr> founders) {
+    file_.clear();
+    kept_ = std::make_shared<KeptExperiment>(autosave_, kinds_);
+    send(StartExperiment{std::make_shared<const ExperimentSettings>(editor_.draft()),
+                         std::move(founders), kept_});
+}
+
+void OpenExperiment::autosave_in(const std::filesystem::path& file) {
+    autosave_ = file;
+    start({});
+}
+
+void OpenExperiment::go_on(SavedExperiment saved, std::shared_ptr<ExperimentFile> file,
+                           const std::filesystem::path& path) {
+    file_ = path == autosave_ ? std::filesystem::path() : path;
+    editor_.replace(completed(*setting_changes(saved).back().settings, fields_));
+    kept_ = std::make_shared<KeptExperiment>(std::move(file), kinds_);
+    send(ContinueExperiment{std::make_shared<const SavedExperiment>(std::move(saved)), kept_});
+}
+
+Status OpenExperiment::replace(const ExperimentSettings& settings) {
+    if (Status fault = check_settings(settings, kinds_); !fault) return fault;
+    editor_.replace(completed(settings, fields_));
+    return start_new_run({});
+}
+
+}  // namespace cambrian

@@ -1,0 +1,89 @@
+#pragma once
+
+// The experiment being worked on: the engine and the settings as edited.
+
+#include "core/stopwatch.h"
+#include "evolution/engine.h"
+#include "persist/kept_experiment.h"
+#include "studio/experiment/progress_view.h"
+#include "studio/experiment/settings_editor.h"
+
+#include <cstdint>
+#include <deque>
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace cambrian {
+
+class OpenExperiment {
+public:
+    // Settings must pass check_settings. Uses `workers` threads to evaluate.
+    OpenExperiment(ExperimentSettings settings, const EvolutionKinds& kinds, std::size_t workers);
+
+    // From now on new runs are kept in this file (KeptExperiment); before, nowhere for long.
+    void autosave_in(const std::filesystem::path& file);
+    // Goes on with an experiment that was kept, paused.
+    void go_on(SavedExperiment saved, std::shared_ptr<ExperimentFile> file,
+               const std::filesystem::path& path);
+    // It is kept there from now on.
+    void moved_to(const std::filesystem::path& path) { file_ = path; }
+    // The file a person gave it; empty if none.
+    const std::filesystem::path& file() const { return file_; }
+    // Where the present one is kept; any thread.
+    const std::shared_ptr<KeptExperiment>& kept() const { return kept_; }
+
+    // Once a frame: sends what waited for room and measures progress.
+    void poll();
+    const EvolutionSnapshot& snapshot() const { return *snapshot_; }
+    const ProgressView& progress() const { return progress_; }
+    const std::vector<SettingField>& fields() const { return fields_; }
+    const SettingsEditor& editor() const { return editor_; }
+    bool running() const { return snapshot_->status == EngineStatus::kRunning; }
+    // Nothing was evaluated yet, so that everything may still be edited.
+    bool fresh() const;
+
+    void toggle();
+    void pause() { send(PauseEvolution{}); }
+    void resume() { send(ResumeEvolution{}); }
+    void step() { send(StepGeneration{}); }
+    void add_newcomers(const AddNewcomers& newcomers) { send(newcomers); }
+    // Creatures for the next generation, in place of its worst.
+    void inject(std::span<const IndividualPtr> creatures);
+    void edit(ExperimentSettings settings, const std::string& field);
+    // The engine gets what was edited: all of it while fresh, live fields otherwise.
+    Status commit();
+    void undo();
+    void redo();
+    void drop_structural_edits();
+    // Generation 0 anew with the draft, from these creatures or random ones.
+    Status start_new_run(std::vector<GenomePtr> founders);
+    // Generation 0 anew with other settings.
+    Status replace(const ExperimentSettings& settings);
+
+private:
+    void send(Command command);
+    void start(std::vector<GenomePtr> founders);
+    void measure();
+
+    const EvolutionKinds& kinds_;
+    std::vector<SettingField> fields_;
+    SettingsEditor editor_;
+    std::filesystem::path autosave_;
+    std::filesystem::path file_;
+    std::shared_ptr<KeptExperiment> kept_;
+    EvolutionEngine engine_;
+    std::deque<Command> unsent_;  // the engine's inbox was full
+    std::shared_ptr<const EvolutionSnapshot> snapshot_;
+    ProgressView progress_;
+    // For the rate: what was done when, within the present generation.
+    Stopwatch since_mark_;
+    std::uint32_t marked_done_ = 0;
+    std::uint32_t marked_generation_ = 0;
+};
+
+// All fields written out, so that maps name every kind and equal settings compare equal.
+ExperimentSettings completed(ExperimentSettings settings, const std::vector<SettingField>& fields);
+
+}  // namespace cambrian

@@ -1,0 +1,113 @@
+#include "studio/experiment/setting_presets.h"
+
+#include "studio/experiment/settings_editor.h"
+
+#include <algorithm>
+#include <array>
+
+namespace cambrian {
+namespace {
+
+using Settings = ExperimentSettings;
+using Kinds = EvolutionKinds;
+
+// Keeps the density of bodies, which is not the world's.
+void change_world(Settings& settings, Environment world) {
+    world.density = settings.world.environment.density;
+    settings.world.environment = world;
+}
+
+void go_on_land(Settings& settings, double gravity, double friction) {
+    Environment world;
+    world.gravity = gravity;
+    world.friction = friction;
+    change_world(settings, world);
+}
+
+void go_in_fluid(Settings& settings, double linear, double quadratic) {
+    Environment world;
+    world.gravity = 0.0;
+    world.has_ground = false;
+    world.viscosity_linear = linear;
+    world.viscosity_quadratic = quadratic;
+    change_world(settings, world);
+}
+
+// The default weights, those of the operators on the body or the brain divided.
+void weigh_mutations(Settings& settings, const Kinds& kinds, double body_divisor,
+                     double brain_divisor) {
+    for (const MutationKind& kind : kinds.mutations.all()) {
+        const bool is_body = kind.subject == MutationSubject::kBody;
+        settings.mutation.weights[kind.id] =
+            kind.default_weight / (is_body ? body_divisor : brain_divisor);
+    }
+}
+
+void try_creatures(Settings& settings, int trials, double friction_jitter, double tilt_jitter) {
+    TrialSettings& trial = settings.world.trial;
+    trial.trials = trials;
+    trial.friction_jitter = friction_jitter;
+    trial.tilt_jitter = tilt_jitter;
+    trial.combine = TrialSettings{}.combine;
+}
+
+constexpr double kEarthGravity = 9.81;  // m/s^2
+constexpr double kMoonGravity = 1.62;
+
+constexpr std::string_view kEnvironment = "environment";
+constexpr std::string_view kMutation = "mutation";
+constexpr std::string_view kTrial = "trial";
+
+// Mutations: evolution.md 4.4; trials: 7.1.
+constexpr std::array kPresets = {
+    SettingPreset{kEnvironment, "Earth", "Solid ground under full weight.",
+                  [](Settings& s, const Kinds&) { go_on_land(s, kEarthGravity, 0.8); }},
+    SettingPreset{kEnvironment, "Moon", "A sixth of the weight.",
+                  [](Settings& s, const Kinds&) { go_on_land(s, kMoonGravity, 0.8); }},
+    SettingPreset{kEnvironment, "Ice", "Full weight with hardly any grip.",
+                  [](Settings& s, const Kinds&) { go_on_land(s, kEarthGravity, 0.05); }},
+    SettingPreset{kEnvironment, "Water",
+                  "Weightless; drag grows with the square of the speed, as for swimmers.",
+                  [](Settings& s, const Kinds&) { go_in_fluid(s, 0.2, 1.0); }},
+    SettingPreset{kEnvironment, "Treacle", "Weightless; drag grows with the speed, nothing glides.",
+                  [](Settings& s, const Kinds&) { go_in_fluid(s, 8.0, 0.0); }},
+    SettingPreset{kEnvironment, "Zero-g tank", "Weightless in a thin medium.",
+                  [](Settings& s, const Kinds&) { go_in_fluid(s, 0.2, 0.1); }},
+    SettingPreset{kMutation, "Body and brain", "The default weights of all kinds of mutations.",
+                  [](Settings& s, const Kinds& kinds) { weigh_mutations(s, kinds, 1.0, 1.0); }},
+    SettingPreset{kMutation, "Tune the brain",
+                  "Bodies change a fifth as often, so that control is refined.",
+                  [](Settings& s, const Kinds& kinds) { weigh_mutations(s, kinds, 5.0, 1.0); }},
+    SettingPreset{kMutation, "Reshape", "Brains change a third as often: new bodies come first.",
+                  [](Settings& s, const Kinds& kinds) { weigh_mutations(s, kinds, 1.0, 3.0); }},
+    SettingPreset{kTrial, "One trial", "In the world as it is.",
+                  [](Settings& s, const Kinds&) { try_creatures(s, 1, 0.0, 0.0); }},
+    SettingPreset{kTrial, "Robust",
+                  "The mean of three trials, two of them with up to 15 % more or less friction and "
+                  "a start tilted by up to 2 degrees.",
+                  [](Settings& s, const Kinds&) { try_creatures(s, 3, 0.15, 2.0); }},
+};
+
+}  // namespace
+
+std::span<const SettingPreset> setting_presets() {
+    return kPresets;
+}
+
+std::span<const SettingPreset> setting_presets(std::string_view table) {
+    const auto of_table = [table](const SettingPreset& preset) { return preset.table == table; };
+    const auto first = std::find_if(kPresets.begin(), kPresets.end(), of_table);
+    return {first, std::find_if_not(first, kPresets.end(), of_table)};
+}
+
+bool is_in_force(const SettingPreset& preset, const ExperimentSettings& settings,
+                 const EvolutionKinds& kinds, const std::vector<SettingField>& fields) {
+    Settings before = settings;
+    Settings after = settings;
+    preset.apply(after, kinds);
+    return std::all_of(fields.begin(), fields.end(), [&](const SettingField& field) {
+        return !field.table.starts_with(preset.table) || same_value(field, before, after);
+    });
+}
+
+}  // namespace cambrian

@@ -1,0 +1,86 @@
+#include "studio/experiment/settings_editor.h"
+
+#include <type_traits>
+#include <utility>
+
+namespace cambrian {
+namespace {
+
+constexpr std::size_t kMostSteps = 500;
+
+}  // namespace
+
+void SettingsEditor::edit(ExperimentSettings settings, const std::string& field) {
+    if (settings == draft_) return;
+    if (open_field_.empty() || open_field_ != field) {
+        if (past_.size() == kMostSteps) past_.erase(past_.begin());
+        past_.push_back(draft_);
+    }
+    open_field_ = field;
+    future_.clear();
+    draft_ = std::move(settings);
+}
+
+void SettingsEditor::undo() {
+    if (past_.empty()) return;
+    finish();
+    future_.push_back(std::exchange(draft_, past_.back()));
+    past_.pop_back();
+}
+
+void SettingsEditor::redo() {
+    if (future_.empty()) return;
+    finish();
+    past_.push_back(std::exchange(draft_, future_.back()));
+    future_.pop_back();
+}
+
+void SettingsEditor::replace(ExperimentSettings settings) {
+    finish();
+    past_.clear();
+    future_.clear();
+    draft_ = std::move(settings);
+}
+
+bool same_value(const SettingField& field, ExperimentSettings& a, ExperimentSettings& b) {
+    const SettingRef at_b = field.at(b);
+    return std::visit(
+        [&at_b](const auto* value) {
+            return *value == **std::get_if<std::remove_cvref_t<decltype(*value)>*>(&at_b);
+        },
+        field.at(a));
+}
+
+void copy_value(const SettingField& field, ExperimentSettings& from, ExperimentSettings& to) {
+    const SettingRef source = field.at(from);
+    std::visit(
+        [&source](auto* value) {
+            *value = **std::get_if<std::remove_cvref_t<decltype(*value)>*>(&source);
+        },
+        field.at(to));
+}
+
+ExperimentSettings with_live_fields(const ExperimentSettings& running,
+                                    const ExperimentSettings& draft,
+                                    const std::vector<SettingField>& fields) {
+    ExperimentSettings result = running;
+    ExperimentSettings source = draft;
+    for (const SettingField& field : fields) {
+        if (field.live) copy_value(field, source, result);
+    }
+    return result;
+}
+
+std::vector<std::string> structural_changes(const ExperimentSettings& running,
+                                            const ExperimentSettings& draft,
+                                            const std::vector<SettingField>& fields) {
+    ExperimentSettings a = running;
+    ExperimentSettings b = draft;
+    std::vector<std::string> labels;
+    for (const SettingField& field : fields) {
+        if (!field.live && !same_value(field, a, b)) labels.push_back(field.label);
+    }
+    return labels;
+}
+
+}  // namespace cambrian

@@ -1,0 +1,66 @@
+#include "studio/files/file_browser.h"
+
+#include "persist/creature_card.h"
+
+#include <algorithm>
+#include <string_view>
+#include <system_error>
+
+namespace cambrian {
+namespace {
+
+bool suits(std::string_view name, FileTask task) {
+    if (name.ends_with(ending_of(task))) return true;
+    if (task == FileTask::kSaveCreature) return name.ends_with(kCardEnding);
+    // Cards that travelled may have lost the rest of their ending.
+    return task == FileTask::kOpen && (name.ends_with(".toml") || name.ends_with(".png") ||
+                                       name.ends_with(ending_of(FileTask::kSaveExperiment)));
+}
+
+}  // namespace
+
+const char* ending_of(FileTask task) {
+    switch (task) {
+        case FileTask::kOpen:
+        case FileTask::kSaveCreature:
+            break;
+        case FileTask::kSaveExperiment:
+            return ".cambrian";
+        case FileTask::kSaveSettings:
+            return ".toml";
+        case FileTask::kSaveStatistics:
+            return ".csv";
+        case FileTask::kSavePlot:
+            return ".png";
+    }
+    return ".creature.json";
+}
+
+FolderListing list_folder(const std::filesystem::path& folder, FileTask task) {
+    namespace fs = std::filesystem;
+    FolderListing listing;
+    std::error_code error;
+    listing.folder = fs::weakly_canonical(folder, error);
+    if (error) listing.folder = folder;
+    auto entry = fs::directory_iterator(listing.folder, error);
+    if (error) {
+        listing.problem = "The folder cannot be read: " + error.message();
+        return listing;
+    }
+    for (const auto end = fs::directory_iterator(); entry != end; entry.increment(error)) {
+        if (error) break;
+        const std::string name = entry->path().filename().string();
+        if (name.starts_with('.')) continue;
+        std::error_code unknown;
+        if (entry->is_directory(unknown)) {
+            listing.folders.push_back(name);
+        } else if (suits(name, task)) {
+            listing.files.push_back(name);
+        }
+    }
+    std::sort(listing.folders.begin(), listing.folders.end());
+    std::sort(listing.files.begin(), listing.files.end());
+    return listing;
+}
+
+}  // namespace cambrian

@@ -1,0 +1,133 @@
+#include "studio/files/file_desk.h"
+
+#include "core/file_io.h"
+#include "persist/creature_card.h"
+#include "persist/png_file.h"
+#include "persist/settings_file.h"
+#include "persist/statistics_csv.h"
+
+#include <utility>
+
+namespace cambrian {
+namespace {
+
+FileEvent saved(const std::filesystem::path& path, const Status& status) {
+    if (status) return FileSaved{path};
+    return FileFailed{path, status.error().message};
+}
+
+FileEvent saved_creature(const std::filesystem::path& path, const Status& status) {
+    if (status) return FileSaved{.path = path, .creature = true};
+    return saved(path, status);
+}
+
+FileEvent prepared(CardOrder order, const EvolutionKinds& kinds, const std::stop_token& stop) {
+    complete_score(order.document, kinds, stop);
+    auto subject = subject_of(order.document, order.settings, order.title, kinds);
+    if (!subject) return FileFailed{order.path, subject.error().message};
+    subject->generation = order.generation;
+    return CardPrepared{{order.path, write_creature(order.document, kinds), std::move(*subject)}};
+}
+
+}  // namespace
+
+bool is_card_name(const std::filesystem::path& path) {
+    return path.extension() == ".png";
+}
+
+FileEvent load_file(const std::filesystem::path& path, const EvolutionKinds& kinds) {
+    const std::string name = path.filename().string();
+    if (name.ends_with(".toml")) {
+        auto settings = load_settings(path, kinds);
+        if (settings) return SettingsLoaded{path, std::move(*settings)};
+        return FileFailed{path, settings.error().message};
+    }
+    if (name.ends_with(".json") || is_card_name(path)) {
+        auto document = load_creature(path, kinds);
+        if (document) return CreatureLoaded{path, std::move(*document)};
+        return FileFailed{path, document.error().message};
+    }
+    if (name.ends_with(".cambrian")) {
+        auto experiment = open_experiment(path, kinds);
+        if (experiment)
+            return ExperimentLoaded{path,
+                                    std::make_shared<OpenedExperiment>(*std::move(experiment))};
+        return FileFailed{path, experiment.error().message};
+    }
+    return FileFailed{path, path.string() +
+                                " is not a file the studio opens; expected *.creature.json, a card "
+                                "*.png, an experiment *.cambrian or settings *.toml"};
+}
+
+template <class Work>
+void FileDesk::run(Work work) {
+    worker_.submit([this, work = std::move(work)](const std::stop_token& stop) mutable {
+        auto event = std::make_shared<FileEvent>(work(stop));
+        return [this, event] { events_.push_back(std::move(*event)); };
+    });
+}
+
+void FileDesk::load(const std::filesystem::path& path) {
+    run([path, &kinds = kinds_](const std::stop_token&) { return load_file(path, kinds); });
+}
+
+void FileDesk::save_creature(const std::filesystem::path& path, CreatureDocument document) {
+    run([path, document = std::move(document),
+         &kinds = kinds_](const std::stop_token& stop) mutable {
+        complete_score(document, kinds, stop);
+        return saved_creature(path, cambrian::save_creature(path, document, kinds));
+    });
+}
+
+void FileDesk::prepare_card(CardOrder order) {
+    run([order = std::move(order), &kinds = kinds_](const std::stop_token& stop) mutable {
+        return prepared(std::move(order), kinds, stop);
+    });
+}
+
+void FileDesk::save_card(const std::filesystem::path& path, Image picture, std::string document) {
+    run([path, picture = std::move(picture),
+         document = std::move(document)](const std::stop_token&) {
+        return saved_creature(path, cambrian::save_card(path, picture, document));
+    });
+}
+
+void FileDesk::save_experiment(const std::filesystem::path& path,
+                               std::shared_ptr<KeptExperiment> experiment) {
+    run([path, experiment = std::move(experiment)](const std::stop_token&) {
+        return saved(path, experiment->move_to(path));
+    });
+}
+
+void FileDesk::save_settings(const std::filesystem::path& path,
+                             const ExperimentSettings& settings) {
+    run([path, settings, &kinds = kinds_](const std::stop_token&) {
+        return saved(path, cambrian::save_settings(path, settings, kinds));
+    });
+}
+
+void FileDesk::save_statistics(const std::filesystem::path& path,
+                               std::vector<GenerationStatistics> history) {
+    run([path, history = std::move(history)](const std::stop_token&) {
+        return saved(path, write_file(path, statistics_csv(history)));
+    });
+}
+
+void FileDesk::save_picture(const std::filesystem::path& path, Image image) {
+    run([path, image = std::move(image)](const std::stop_token&) {
+        const Result<std::string> png = encode_png(image);
+        return saved(path, png ? write_file(path, *png) : Status(png.error()));
+    });
+}
+
+void FileDesk::list(const std::filesystem::path& folder, FileTask task) {
+    run([folder, task](const std::stop_token&) {
+        return FileEvent(FolderListed{list_folder(folder, task)});
+    });
+}
+
+std::vector<FileEvent> FileDesk::take_events() {
+    return std::exchange(events_, {});
+}
+
+}  // namespace cambrian

@@ -1,0 +1,105 @@
+#pragma once
+
+// Reading and writing files without the window waiting: tasks go to the background worker, what
+// came of them is collected as events.
+
+#include "core/image.h"
+#include "evolution/statistics.h"
+#include "persist/creature_file.h"
+#include "persist/kept_experiment.h"
+#include "pictures/subject.h"
+#include "studio/background/background_worker.h"
+#include "studio/files/file_browser.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace cambrian {
+
+struct CreatureLoaded {
+    std::filesystem::path path;
+    CreatureDocument document;
+};
+struct SettingsLoaded {
+    std::filesystem::path path;
+    ExperimentSettings settings;
+};
+struct ExperimentLoaded {
+    std::filesystem::path path;
+    std::shared_ptr<OpenedExperiment> experiment;
+};
+struct FileSaved {
+    std::filesystem::path path;
+    bool creature = false;  // that file is one, or a card
+};
+// A card of which all is known but its picture.
+struct PreparedCard {
+    std::filesystem::path path;
+    std::string text;  // of the creature file inside
+    Subject subject;
+};
+struct CardPrepared {
+    PreparedCard card;
+};
+struct FolderListed {
+    FolderListing listing;
+};
+struct FileFailed {
+    std::filesystem::path path;
+    std::string message;
+};
+using FileEvent = std::variant<CreatureLoaded, SettingsLoaded, ExperimentLoaded, FileSaved,
+                               CardPrepared, FolderListed, FileFailed>;
+
+struct CardOrder {
+    std::filesystem::path path;
+    CreatureDocument document;
+    std::string title;                 // of one without a name
+    ExperimentSettings settings = {};  // what its trial runs under
+    std::optional<std::uint32_t> generation = {};
+};
+
+class FileDesk {
+public:
+    // Both must outlive it.
+    FileDesk(BackgroundWorker& worker, const EvolutionKinds& kinds)
+        : worker_(worker), kinds_(kinds) {}
+
+    // By the name's ending: a creature, alone or in a card, settings or an experiment.
+    void load(const std::filesystem::path& path);
+    void save_creature(const std::filesystem::path& path, CreatureDocument document);
+    // A card is prepared here, its picture drawn by the window, and saved here.
+    void prepare_card(CardOrder order);
+    void save_card(const std::filesystem::path& path, Image picture, std::string document);
+    void save_experiment(const std::filesystem::path& path,
+                         std::shared_ptr<KeptExperiment> experiment);
+    void save_settings(const std::filesystem::path& path, const ExperimentSettings& settings);
+    void save_statistics(const std::filesystem::path& path,
+                         std::vector<GenerationStatistics> history);
+    void save_picture(const std::filesystem::path& path, Image image);
+    void list(const std::filesystem::path& folder, FileTask task);
+
+    std::vector<FileEvent> take_events();
+
+private:
+    // Runs on the worker, its event comes back here.
+    template <class Work>
+    void run(Work work);
+
+    BackgroundWorker& worker_;
+    const EvolutionKinds& kinds_;
+    std::vector<FileEvent> events_;
+};
+
+// Whether a creature saved under this name becomes a card.
+bool is_card_name(const std::filesystem::path& path);
+
+// What loading a path gives; blocks.
+FileEvent load_file(const std::filesystem::path& path, const EvolutionKinds& kinds);
+
+}  // namespace cambrian

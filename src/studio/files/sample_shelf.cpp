@@ -1,0 +1,60 @@
+#include "studio/files/sample_shelf.h"
+
+#include "core/pretty_text.h"
+#include "persist/creature_file.h"
+
+#include <algorithm>
+#include <system_error>
+#include <tuple>
+
+namespace cambrian {
+namespace {
+
+constexpr std::string_view kEnding = ".creature.json";
+
+std::string account_of(const CreatureDocument& document, const EvolutionKinds& kinds) {
+    if (!document.scored) return "Not scored yet";
+    const GoalKind* goal = kinds.goals.find(document.scored->goal);
+    const std::string name = goal == nullptr ? capitalized(document.scored->goal) : goal->label;
+    return name + ", " + measured(document.scored->fitness, document.scored->unit);
+}
+
+Sample read_sample(const std::filesystem::path& path, const EvolutionKinds& kinds) {
+    const std::string file = path.filename().string();
+    Sample sample;
+    sample.path = path;
+    sample.title = capitalized(file.substr(0, file.size() - kEnding.size()));
+    std::replace(sample.title.begin(), sample.title.end(), '-', ' ');
+    const auto document = load_creature(path, kinds);
+    if (!document) {
+        sample.account = document.error().message;
+        return sample;
+    }
+    if (!document->genome.name.empty()) sample.title = document->genome.name;
+    sample.account = account_of(*document, kinds);
+    sample.hue = document->genome.hue;
+    const ScoredRecord scored = document->scored.value_or(ScoredRecord{});
+    sample.phenotype = std::make_shared<const Phenotype>(
+        express(document->genome, kinds.creature, scored.expression, scored.world.scene));
+    return sample;
+}
+
+}  // namespace
+
+std::vector<Sample> read_samples(const std::filesystem::path& folder, const EvolutionKinds& kinds) {
+    std::vector<Sample> samples;
+    std::error_code error;
+    auto entry = std::filesystem::directory_iterator(folder, error);
+    for (; !error && entry != std::filesystem::directory_iterator(); entry.increment(error)) {
+        if (entry->path().filename().string().ends_with(kEnding))
+            samples.push_back(read_sample(entry->path(), kinds));
+    }
+    const auto order = [](const Sample& each) {
+        return std::make_tuple(each.phenotype == nullptr, each.title, each.path);
+    };
+    std::sort(samples.begin(), samples.end(),
+              [&order](const Sample& a, const Sample& b) { return order(a) < order(b); });
+    return samples;
+}
+
+}  // namespace cambrian

@@ -1,0 +1,147 @@
+#include "studio/hand_picking/hand_picking.h"
+
+#include "evolution/backends/thread_pool_backend.h"
+
+#include <algorithm>
+
+namespace cambrian {
+
+void HandPicking::enter(const EvolutionSnapshot& evolution, const GenomePtr& on_show, double now) {
+    const bool first = desk_ == nullptr;
+    if (first) {
+        desk_ = std::make_unique<PickingDesk>(
+            evolution.settings, kinds_,
+            make_thread_pool_backend(kinds_, workers_, ThreadPriority::kBackground));
+        snapshot_ = desk_->latest();
+        used_ = evolution.settings;
+    }
+    on_ = true;
+    single_ = false;
+    use(evolution.settings, now);
+    if (restored_) {
+        PickingRecord record = *std::exchange(restored_, std::nullopt);
+        const bool empty = record.tree.empty();
+        send(RestoreGrids{std::move(record.tree), std::move(record.picks), std::move(record.shelf)},
+             now);
+        if (!empty) return;
+    }
+    const std::pair population = {evolution.experiment, evolution.history.size()};
+    if (!evolution.population.empty() && (first || population != left_)) {
+        send(ShowPopulation{evolution.settings, evolution.population}, now);
+    } else if (first) {
+        StartFromCreatures start;
+        if (on_show) start.genomes.push_back(on_show);
+        send(std::move(start), now);
+    }
+}
+
+void HandPicking::leave(const EvolutionSnapshot& evolution) {
+    on_ = false;
+    single_ = false;
+    left_ = {evolution.experiment, evolution.history.size()};
+}
+
+void HandPicking::restore(PickingRecord record, double now) {
+    if (desk_ == nullptr && record.tree.empty() && record.shelf.empty()) return;
+    restored_ = std::move(record);
+    if (!on_) return;
+    PickingRecord present = *std::exchange(restored_, std::nullopt);
+    send(RestoreGrids{std::move(present.tree), std::move(present.picks), std::move(present.shelf)},
+         now);
+}
+
+void HandPicking::send(PickingCommand command, double now) {
+    unsent_.emplace_back(std::move(command), now);
+    send_waiting();
+}
+
+void HandPicking::send_waiting() {
+    while (!unsent_.empty() && desk_->send(unsent_.front().first, unsent_.front().second))
+        unsent_.pop_front();
+}
+
+void HandPicking::use(const SettingsPtr& settings, double now) {
+    if (!on_ || settings == used_) return;
+    used_ = settings;
+    send(UseSettings{settings}, now);
+}
+
+void HandPicking::update(double elapsed, StatusLog& log) {
+    if (!on_) return;
+    send_waiting();
+    snapshot_ = desk_->latest();
+    if (snapshot_ != seen_) {
+        follow_grid(log);
+        follow_picks(log);
+        seen_ = snapshot_;
+    }
+    motion_.advance(playing_ && !single_ ? elapsed : 0.0);
+}
+
+// The grid on show moves in the world that judged it, with the environment of the present.
+void HandPicking::follow_grid(StatusLog& log) {
+    if (snapshot_->tree.empty()) return;
+    const GridNode& grid = snapshot_->tree.current();
+    const bool another =
+        !seen_ || seen_->tree.empty() || seen_->tree.current().number != grid.number;
+    const Environment& environment = snapshot_->settings->world.environment;
+    if (!another && motion_.environment() == environment) return;
+    TrialWorld world = grid.settings->world;
+    world.environment = environment;
+    motion_.show(grid.creatures, grid.settings->expression, world);
+    if (!another) return;
+    focus_ = 0;
+    single_ = false;
+    log.write("grid", {{"number", static_cast<double>(grid.number)},
+                       {"parent", grid.parent ? static_cast<double>(*grid.parent) : -1.0},
+                       {"cells", static_cast<double>(grid.creatures.size())},
+                       {"origin", origin_words(grid)},
+                       {"grids", static_cast<double>(snapshot_->tree.size())}});
+}
+
+void HandPicking::follow_picks(StatusLog& log) {
+    if (seen_ && seen_->picks == snapshot_->picks) return;
+    log.write("picks", {{"count", static_cast<double>(snapshot_->picks.size())}});
+}
+
+std::vector<IndividualPtr> HandPicking::picks() const {
+    return snapshot_->tree.empty() ? std::vector<IndividualPtr>() : picked_creatures(*snapshot_);
+}
+
+std::optional<std::uint32_t> HandPicking::grid_number() const {
+    if (!snapshot_ || snapshot_->tree.empty()) return std::nullopt;
+    return snapshot_->tree.current().number;
+}
+
+bool HandPicking::has_cell(std::size_t cell) const {
+    return on_ && !snapshot_->tree.empty() && cell < snapshot_->tree.current().creatures.size();
+}
+
+Exhibit HandPicking::exhibit(std::size_t cell) const {
+    const GridNode& grid = snapshot_->tree.current();
+    Exhibit exhibit =
+        exhibit_of(*grid.creatures[cell], *grid.settings, grid.number, ExhibitSource::kHandPicked);
+    exhibit.title =
+        "Creature " + std::to_string(cell + 1) + " of grid " + std::to_string(grid.number + 1);
+    return exhibit;
+}
+
+PickingView HandPicking::view() const {
+    const auto share = [](double done, double total) {
+        return total > 0.0 ? static_cast<float>(std::min(1.0, done / total)) : 0.0F;
+    };
+    const EvaluationProgress& batch = desk_->progress();
+    const double in_batch = static_cast<double>(share(batch.done, batch.total));
+    const bool evolving = snapshot_->status == PickingStatus::kEvolving;
+    return {.snapshot = *snapshot_,
+            .motion = motion_,
+            .options = options_,
+            .focus = focus_,
+            .single = single_,
+            .playing = playing_,
+            .progress = evolving ? share(snapshot_->generations_done + in_batch,
+                                         snapshot_->generations_asked + 1)
+                                 : static_cast<float>(in_batch)};
+}
+
+}  // namespace cambrian

@@ -1,0 +1,86 @@
+#pragma once
+
+// Selection by hand as a mode of the studio: the desk that breeds and keeps the tree of grids while
+// the program runs, the grid in motion, and which of it the person has before them.
+
+#include "evolution/evolution_kinds.h"
+#include "evolution/snapshot.h"
+#include "persist/picking_record.h"
+#include "picking/picking_desk.h"
+#include "studio/background/status_log.h"
+#include "studio/hand_picking/picking_view.h"
+#include "studio/playback/exhibit.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace cambrian {
+
+class HandPicking {
+public:
+    // kinds must outlive it. Uses `workers` threads to evaluate, once it was entered.
+    HandPicking(const EvolutionKinds& kinds, std::size_t workers)
+        : kinds_(kinds), workers_(workers), motion_(kinds.creature) {}
+
+    // With a grid of the population unless it is the one left last; without a population, of
+    // children of the creature on show (null: of random ones).
+    void enter(const EvolutionSnapshot& evolution, const GenomePtr& on_show, double now);
+    void leave(const EvolutionSnapshot& evolution);
+    // The grids of the experiment that was opened, to be gone on with at the next entry.
+    void restore(PickingRecord record, double now);
+    bool on() const { return on_; }
+    // The creatures of the grid fill the viewport's place, rather than one of them.
+    bool grid_shown() const { return on_ && !single_; }
+
+    void send(PickingCommand command, double now);
+    // The desk judges by other settings from now on.
+    void use(const SettingsPtr& settings, double now);
+    // Once a frame: news of the desk, written to the log; `elapsed` seconds of motion.
+    void update(double elapsed, StatusLog& log);
+
+    // Null before the first entry.
+    const std::shared_ptr<const PickingSnapshot>& shared_snapshot() const { return snapshot_; }
+    // Of an entered one.
+    const PickingSnapshot& snapshot() const { return *snapshot_; }
+    std::vector<IndividualPtr> picks() const;
+    std::optional<std::uint32_t> grid_number() const;
+    bool has_cell(std::size_t cell) const;
+    // A cell of the grid on show, as it was judged.
+    Exhibit exhibit(std::size_t cell) const;
+    PickingView view() const;
+
+    void focus(std::size_t cell) { focus_ = cell; }
+    void show_single(bool single) { single_ = single; }
+    void set_options(const PickingOptions& options) { options_ = options; }
+    void toggle_motion() { playing_ = !playing_; }
+    void restart_motion() { motion_.restart(); }
+
+private:
+    void follow_grid(StatusLog& log);
+    void follow_picks(StatusLog& log);
+    void send_waiting();
+
+    const EvolutionKinds& kinds_;
+    std::size_t workers_;
+    std::unique_ptr<PickingDesk> desk_;                     // from the first entry on
+    std::deque<std::pair<PickingCommand, double>> unsent_;  // the desk's inbox was full
+    std::shared_ptr<const PickingSnapshot> snapshot_;
+    SettingsPtr used_;  // last told to the desk
+    std::optional<PickingRecord> restored_;
+    GridMotion motion_;
+    PickingOptions options_;
+    std::size_t focus_ = 0;  // cell
+    bool on_ = false;
+    bool single_ = false;
+    bool playing_ = true;
+    // Of the population left last: experiment and finished generations.
+    std::pair<std::uint64_t, std::size_t> left_ = {0, 0};
+    std::shared_ptr<const PickingSnapshot> seen_;  // at the last update
+};
+
+}  // namespace cambrian

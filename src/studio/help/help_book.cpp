@@ -1,0 +1,102 @@
+#include "studio/help/help_book.h"
+
+#include "core/file_io.h"
+#include "core/pretty_text.h"
+
+#include <algorithm>
+#include <system_error>
+
+namespace cambrian {
+namespace {
+
+constexpr std::size_t kMostBytes = 1'000'000;
+
+constexpr const char* kFirstSteps = R"(# First steps
+
+Press **Evolve**: creatures are bred, tried in their world and selected, generation after
+generation. The best of the newest generation takes the stage.
+
+Change the world or the rules on the left at any time. The creature on show feels it at once, the
+next generation evolves under it, and the timeline marks it.
+
+Take hold of a creature with the mouse; drag with the right button to look around, scroll to come
+closer. Drag over the timeline to watch earlier champions; a star keeps a creature of the population
+when its generation has passed.
+
+Press `H` to [select by hand](hand_picking.md): click the creatures you like in the grid and press
+`Enter` to breed the next one from them. `Backspace` goes back; nothing is lost.
+
+- The *?* in the corner of each panel opens its page: [settings](experiment.md),
+  [viewport](viewport.md), [inspector](inspector.md), [timeline](timeline.md).
+- [Keys](keys.md) lists what the keyboard does. Everything of the first minute works without a
+  mouse: `Space` evolves, `/` finds a setting, `Ctrl+S` saves the creature, `Ctrl+Q` quits.
+- *File*, *Samples* holds creatures that were evolved before.
+)";
+
+constexpr const char* kAbout = R"(# About Cambrian
+
+A studio in which creatures evolve. Version )" CAMBRIAN_VERSION
+                               R"(.
+
+Creatures are directed graphs of parts, joints, sensors and neurons after Karl Sims, *Evolving
+Virtual Creatures*, SIGGRAPH 1994. Their physics is computed in two dimensions by articulated bodies
+with contact and friction; the same seed gives the same bits everywhere.
+
+Cambrian stands under the licence in its file `LICENSE`.
+
+## Made with
+
+| library | for | licence |
+|---|---|---|
+| Dear ImGui | controls | MIT |
+| GLFW | the window | zlib |
+| glad | loading OpenGL | MIT |
+| stb | pictures | MIT or public domain |
+| Eigen | vectors and matrices | MPL 2.0 |
+| nlohmann/json | creature files | MIT |
+| toml++ | settings files | MIT |
+| CLI11 | the command line | BSD, 3 clauses |
+| Inter | the typeface, where installed | SIL Open Font License 1.1 |
+
+Their sources: `github.com/ocornut/imgui`, `glfw.org`, `github.com/Dav1dde/glad`,
+`github.com/nothings/stb`, `eigen.tuxfamily.org`, `github.com/nlohmann/json`,
+`github.com/marzer/tomlplusplus`, `github.com/CLIUtils/CLI11`, `rsms.me/inter`.
+)";
+
+std::vector<HelpPage> read_folder(const std::filesystem::path& folder) {
+    std::vector<HelpPage> pages;
+    std::error_code error;
+    auto entry = std::filesystem::directory_iterator(folder, error);
+    for (; !error && entry != std::filesystem::directory_iterator(); entry.increment(error)) {
+        if (entry->path().extension() != ".md") continue;
+        // What does not begin with a title is a part of another page.
+        const auto text = read_file(entry->path(), kMostBytes);
+        if (text && text->starts_with("# "))
+            pages.push_back(help_page(entry->path().stem().string(), *text));
+    }
+    std::sort(pages.begin(), pages.end(),
+              [](const HelpPage& a, const HelpPage& b) { return a.title < b.title; });
+    return pages;
+}
+
+}  // namespace
+
+HelpPage help_page(const std::string& name, std::string_view text) {
+    HelpPage page{name, capitalized(name), parse_markdown(text)};
+    if (page.blocks.empty() || page.blocks.front().kind != BlockKind::kHeading) return page;
+    page.title.clear();
+    for (const TextSpan& span : page.blocks.front().line)
+        page.title += span.text;
+    return page;
+}
+
+std::vector<HelpPage> read_help(const std::filesystem::path& folder, std::string_view keys) {
+    std::vector<HelpPage> pages = {help_page(kFirstStepsPage, kFirstSteps),
+                                   help_page(kKeysPage, keys)};
+    for (HelpPage& page : read_folder(folder))
+        pages.push_back(std::move(page));
+    pages.push_back(help_page(kAboutPage, kAbout));
+    return pages;
+}
+
+}  // namespace cambrian

@@ -1,0 +1,103 @@
+#include "studio/host/imgui_host.h"
+
+#include "render/framebuffer.h"
+#include "render/gl.h"
+#include "studio/host/area_painting.h"
+#include "studio/host/window.h"
+
+#include <array>
+#include <backends/imgui_impl_glfw.h>
+#include <backends/imgui_impl_opengl3.h>
+
+namespace cambrian {
+namespace {
+
+// The bound framebuffer, all of it.
+void clear(const Color& color, int width, int height) {
+    glViewport(0, 0, width, height);
+    glDisable(GL_SCISSOR_TEST);
+    glClearColor(color.r, color.g, color.b, 1.0F);
+    glClear(GL_COLOR_BUFFER_BIT);
+}
+
+}  // namespace
+
+ImGuiHost::ImGuiHost(Window& window, float scale, ThemeKind theme) : window_(window) {
+    ImGui::CreateContext();
+    ImGuiIO& io = ImGui::GetIO();
+    io.UserData = &context_;
+    io.IniFilename = nullptr;  // the studio remembers its arrangement itself
+    io.ConfigWindowsMoveFromTitleBarOnly = true;
+    context_.scale = scale;
+    context_.fonts = load_fonts(scale);
+    set_theme(theme);
+    ImGui_ImplGlfw_InitForOpenGL(window.handle(), true);
+    ImGui_ImplOpenGL3_Init("#version 330 core");
+    ImGui_ImplOpenGL3_CreateDeviceObjects();  // draws all letters, which no frame should wait for
+}
+
+ImGuiHost::~ImGuiHost() {
+    ImGui_ImplOpenGL3_Shutdown();
+    ImGui_ImplGlfw_Shutdown();
+    ImGui::DestroyContext();
+}
+
+void ImGuiHost::set_theme(ThemeKind theme) {
+    context_.theme = theme;
+    context_.palette = palette_of(theme);
+    apply_style(context_.palette, context_.scale);
+}
+
+void ImGuiHost::begin_frame(const std::vector<KeyPress>& pressed) {
+    ImGui_ImplOpenGL3_NewFrame();
+    ImGui_ImplGlfw_NewFrame();
+    bool* down = ImGui::GetIO().KeysDown;
+    const auto known = [](int key) { return key >= 0 && key < IM_ARRAYSIZE(ImGuiIO::KeysDown); };
+    for (const KeyPress& press : pressed) {
+        if (known(press.key)) down[press.key] = true;
+    }
+    ImGui::NewFrame();
+    for (const KeyPress& press : pressed) {
+        if (known(press.key)) down[press.key] = window_.key_down(press.key);
+    }
+}
+
+Result<Image> ImGuiHost::picture(int width, int height,
+                                 const std::function<void(ImDrawList&)>& draw) {
+    auto framebuffer = Framebuffer::create(width, height);
+    if (!framebuffer) return framebuffer.error();
+    ImDrawList list(ImGui::GetDrawListSharedData());
+    list._ResetForNewFrame();
+    list.PushTextureID(ImGui::GetIO().Fonts->TexID);
+    const ImVec2 size = {static_cast<float>(width), static_cast<float>(height)};
+    list.PushClipRect({0, 0}, size);
+    draw(list);
+    std::array<ImDrawList*, 1> lists = {&list};
+    ImDrawData data;
+    data.Valid = true;
+    data.CmdLists = lists.data();
+    data.CmdListsCount = 1;
+    data.TotalIdxCount = list.IdxBuffer.Size;
+    data.TotalVtxCount = list.VtxBuffer.Size;
+    data.DisplaySize = size;
+    data.FramebufferScale = {1, 1};
+    framebuffer->bind();
+    clear(context_.palette.panel, width, height);
+    ImGui_ImplOpenGL3_RenderDrawData(&data);
+    Image image = read_pixels(width, height);
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    return image;
+}
+
+void ImGuiHost::end_frame() {
+    ImGui::Render();
+    const ImDrawData& data = *ImGui::GetDrawData();
+    const Color& background = context_.palette.panel;
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    if (!stamp_.found()) changed_ = {};
+    for (const Rect& area : changed_.update(data, paint(background)))
+        paint_area(data, area, background);
+    stamp_.put(background);
+}
+
+}  // namespace cambrian

@@ -1,0 +1,156 @@
+#include "studio/host/window.h"
+
+#include "render/gl.h"
+
+#include <GLFW/glfw3.h>
+
+#include <utility>
+
+namespace cambrian {
+namespace {
+
+constexpr int kLeastWidth = 960;
+constexpr int kLeastHeight = 600;
+
+std::string last_glfw_error() {
+    const char* text = nullptr;
+    glfwGetError(&text);
+    return text == nullptr ? "no reason given" : text;
+}
+
+Window& owner_of(GLFWwindow* window) {
+    return *static_cast<Window*>(glfwGetWindowUserPointer(window));
+}
+
+GLFWwindow* create_window(int width, int height, const std::string& title) {
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+    glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+    glfwWindowHint(GLFW_DEPTH_BITS, 0);
+    glfwWindowHint(GLFW_STENCIL_BITS, 0);
+    glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+    glfwWindowHintString(GLFW_X11_CLASS_NAME, "cambrian");
+    return glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr);
+}
+
+}  // namespace
+
+bool display_available() {
+    if (glfwInit() != GLFW_TRUE) return false;
+    glfwTerminate();
+    return true;
+}
+
+Result<std::unique_ptr<Window>> Window::open(int width, int height, const std::string& title) {
+    if (glfwInit() != GLFW_TRUE) {
+        return Error{"no display to open a window on (" + last_glfw_error() +
+                     "); the subcommands work without one"};
+    }
+    GLFWwindow* window = create_window(width, height, title);
+    if (window == nullptr) {
+        const std::string why = last_glfw_error();
+        glfwTerminate();
+        return Error{"no window with OpenGL 3.3 can be opened: " + why};
+    }
+    glfwMakeContextCurrent(window);
+    if (gladLoadGL(glfwGetProcAddress) == 0) {
+        glfwDestroyWindow(window);
+        glfwTerminate();
+        return Error{"the graphics driver offers no OpenGL 3.3"};
+    }
+    return std::unique_ptr<Window>(new Window(window));
+}
+
+Window::Window(GLFWwindow* window) : window_(window) {
+    float across = 1.0F;
+    glfwGetWindowContentScale(window_, &scale_, &across);
+    glfwSwapInterval(1);
+    glfwSetWindowSizeLimits(window_, kLeastWidth, kLeastHeight, GLFW_DONT_CARE, GLFW_DONT_CARE);
+    install_callbacks();
+}
+
+Window::~Window() {
+    glfwDestroyWindow(window_);
+    glfwTerminate();
+}
+
+// Set before Dear ImGui's, which call these in turn.
+void Window::install_callbacks() {
+    glfwSetWindowUserPointer(window_, this);
+    glfwSetKeyCallback(window_, [](GLFWwindow* window, int key, int, int action, int mods) {
+        owner_of(window).activity_ = true;
+        if (action == GLFW_RELEASE) return;
+        owner_of(window).keys_.push_back(
+            {key, (mods & GLFW_MOD_CONTROL) != 0, (mods & GLFW_MOD_SHIFT) != 0});
+    });
+    glfwSetDropCallback(window_, [](GLFWwindow* window, int count, const char** paths) {
+        owner_of(window).activity_ = true;
+        for (int i = 0; i < count; ++i)
+            owner_of(window).dropped_.emplace_back(paths[i]);
+    });
+    glfwSetCharCallback(window_, [](GLFWwindow* w, unsigned) { owner_of(w).activity_ = true; });
+    glfwSetCursorPosCallback(window_,
+                             [](GLFWwindow* w, double, double) { owner_of(w).activity_ = true; });
+    glfwSetMouseButtonCallback(window_,
+                               [](GLFWwindow* w, int, int, int) { owner_of(w).activity_ = true; });
+    glfwSetScrollCallback(window_,
+                          [](GLFWwindow* w, double, double) { owner_of(w).activity_ = true; });
+    glfwSetWindowRefreshCallback(window_, [](GLFWwindow* w) { owner_of(w).activity_ = true; });
+    glfwSetFramebufferSizeCallback(window_,
+                                   [](GLFWwindow* w, int, int) { owner_of(w).activity_ = true; });
+}
+
+void Window::set_title(const std::string& title) {
+    if (title == title_) return;
+    title_ = title;
+    glfwSetWindowTitle(window_, title_.c_str());
+}
+
+bool Window::close_wanted() const {
+    return glfwWindowShouldClose(window_) == GLFW_TRUE;
+}
+
+int Window::framebuffer_width() const {
+    int width = 1;
+    int height = 1;
+    glfwGetFramebufferSize(window_, &width, &height);
+    return width;
+}
+
+int Window::framebuffer_height() const {
+    int width = 1;
+    int height = 1;
+    glfwGetFramebufferSize(window_, &width, &height);
+    return height;
+}
+
+void Window::poll(double longest_sleep) {
+    if (longest_sleep > 0.0) {
+        glfwWaitEventsTimeout(longest_sleep);
+    } else {
+        glfwPollEvents();
+    }
+}
+
+void Window::show_frame() {
+    glfwSwapBuffers(window_);
+}
+
+bool Window::key_down(int key) const {
+    return glfwGetKey(window_, key) == GLFW_PRESS;
+}
+
+std::vector<KeyPress> Window::take_keys() {
+    return std::exchange(keys_, {});
+}
+
+std::vector<std::filesystem::path> Window::take_dropped_files() {
+    return std::exchange(dropped_, {});
+}
+
+bool Window::take_activity() {
+    return std::exchange(activity_, false);
+}
+
+}  // namespace cambrian

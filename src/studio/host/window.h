@@ -1,0 +1,57 @@
+#pragma once
+
+// The window on the display and its OpenGL context.
+
+#include "core/result.h"
+#include "studio/host/key_press.h"
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+struct GLFWwindow;
+
+namespace cambrian {
+
+// Whether a window can be opened at all.
+bool display_available();
+
+class Window {
+public:
+    // Fails, saying so, without a display or without OpenGL 3.3. Sizes are in units of 1/96 inch.
+    static Result<std::unique_ptr<Window>> open(int width, int height, const std::string& title);
+    ~Window();
+    Window(const Window&) = delete;
+    Window& operator=(const Window&) = delete;
+
+    GLFWwindow* handle() { return window_; }
+    void set_title(const std::string& title);
+    bool close_wanted() const;
+    float scale() const { return scale_; }  // of the display
+    int framebuffer_width() const;
+    int framebuffer_height() const;
+    // Input since the last call; sleeps at most so long (s) until there is some.
+    void poll(double longest_sleep);
+    void show_frame();
+
+    bool key_down(int key) const;
+    // Since the last call.
+    std::vector<KeyPress> take_keys();
+    std::vector<std::filesystem::path> take_dropped_files();
+    // Whether anything was pressed, moved, typed or exposed since the last call.
+    bool take_activity();
+
+private:
+    explicit Window(GLFWwindow* window);
+    void install_callbacks();
+
+    GLFWwindow* window_ = nullptr;
+    float scale_ = 1.0F;
+    std::string title_;
+    std::vector<KeyPress> keys_;
+    std::vector<std::filesystem::path> dropped_;
+    bool activity_ = true;
+};
+
+}  // namespace cambrian

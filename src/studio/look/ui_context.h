@@ -1,0 +1,86 @@
+#pragma once
+
+// What every control needs besides Dear ImGui: theme, scale, and where controls ended up. It hangs
+// on ImGui's io.UserData, so that drawing code reaches it without globals of our own.
+
+#include "studio/look/theme.h"
+
+#include <imgui.h>
+
+#include <map>
+#include <optional>
+#include <string>
+
+namespace cambrian {
+
+struct Rect {
+    float x = 0.0F;
+    float y = 0.0F;
+    float width = 0.0F;
+    float height = 0.0F;
+
+    ImVec2 low() const { return {x, y}; }
+    ImVec2 high() const { return {x + width, y + height}; }
+    ImVec2 center() const { return {x + 0.5F * width, y + 0.5F * height}; }
+    bool contains(const ImVec2& point) const {
+        return point.x >= x && point.x < x + width && point.y >= y && point.y < y + height;
+    }
+    friend bool operator==(const Rect&, const Rect&) = default;
+};
+
+// Where a named control was drawn last, in window pixels.
+struct NotedPlace {
+    Rect rect;
+    Rect seen;                // what of it shows; empty where it is scrolled out of sight
+    bool cut = false;         // partly out of sight where nothing scrolls
+    const char* window = "";  // the panel or popup it stands in
+    int frame = 0;            // when
+};
+
+struct UiContext {
+    ThemeKind theme = ThemeKind::kDark;
+    Palette palette = palette_of(ThemeKind::kDark);
+    Fonts fonts;
+    float scale = 1.0F;
+    std::map<std::string, NotedPlace> places;  // for tests, the tour and the status log
+    // The item under the mouse and since when (s), for the delay of tooltips.
+    ImVec2 hovered = {-1.0F, -1.0F};
+    double hovered_since = 0.0;
+    std::optional<double> typed;  // into a slider, so far
+};
+
+UiContext& ui();
+
+// Units of 1/96 inch to pixels.
+inline float px(float units) {
+    return units * ui().scale;
+}
+inline const Palette& colors() {
+    return ui().palette;
+}
+inline ImU32 paint(const Color& color) {
+    return pack(color);
+}
+// Remembers where the item just drawn is, or where a part of the window being drawn is.
+void note_place(const std::string& name);
+void note_place(const std::string& name, const Rect& rect);
+
+// Puts a font or text colour in force for a scope.
+class WithFont {
+public:
+    explicit WithFont(ImFont* font) { ImGui::PushFont(font); }
+    ~WithFont() { ImGui::PopFont(); }
+    WithFont(const WithFont&) = delete;
+    WithFont& operator=(const WithFont&) = delete;
+};
+class WithTextColor {
+public:
+    explicit WithTextColor(const Color& color) {
+        ImGui::PushStyleColor(ImGuiCol_Text, paint(color));
+    }
+    ~WithTextColor() { ImGui::PopStyleColor(); }
+    WithTextColor(const WithTextColor&) = delete;
+    WithTextColor& operator=(const WithTextColor&) = delete;
+};
+
+}  // namespace cambrian

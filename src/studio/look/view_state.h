@@ -1,0 +1,60 @@
+#pragma once
+
+#include "studio/look/theme.h"
+
+#include <array>
+
+namespace cambrian {
+
+// What the timeline plots over the generations.
+enum class TimelineQuantity : unsigned char {
+    kFitness,
+    kDiversity,
+    kParts,
+    kNeurons,
+    kTrials,
+    kInvalid
+};
+
+// What the tiles of the population are sorted by; the first has most of it.
+enum class TileOrder : unsigned char { kFitness, kAge, kParts, kMass, kDifference };
+
+// Speeds of playback offered; 1 is real time.
+inline constexpr std::array kPlaybackSpeeds = {0.1, 0.25, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0};
+
+// Champions of other generations that accompany the creature on show.
+enum class GhostChoice : unsigned char { kNone, kImprovements, kTenths, kAcross };
+
+// How the window is arranged and what is overlaid; remembered between runs of the program.
+struct ViewState {
+    ThemeKind theme = ThemeKind::kDark;
+    bool follow = true;  // the camera keeps to the creature
+    // What is laid over the picture; overlays.h tells what each is.
+    bool trail = true;
+    bool contacts = true;
+    bool grid = true;
+    bool names = false;
+    bool forces = false;
+    bool center_of_mass = false;
+    bool torques = false;
+    bool limits = false;
+    bool sensors = false;
+    GhostChoice ghosts = GhostChoice::kNone;
+    bool left_panel = true;
+    bool right_panel = true;
+    bool bottom_panel = true;
+    // Sizes given by hand, in units of 1/96 inch; 0 follows the window.
+    float left_width = 0.0F;
+    float right_width = 0.0F;
+    float bottom_height = 0.0F;
+    double speed = 1.0;           // of playback
+    bool tour_taken = false;      // or declined
+    bool newest_champion = true;  // the best of each finished generation takes the stage
+    TimelineQuantity quantity = TimelineQuantity::kFitness;
+    TileOrder order = TileOrder::kFitness;
+    bool starred_only = false;  // of the population's tiles
+
+    friend bool operator==(const ViewState&, const ViewState&) = default;
+};
+
+}  // namespace cambrian

@@ -1,0 +1,173 @@
+#include "studio/panels/bar/evolve_bar.h"
+
+#include "core/pretty_text.h"
+#include "studio/panels/bar/main_menu.h"
+#include "studio/widgets/widgets.h"
+
+#include <cmath>
+
+namespace cambrian {
+namespace {
+
+// A number with its name underneath; returns the width used.
+float draw_reading(const ImVec2& at, const std::string& value, const std::string& name) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    Fonts& fonts = ui().fonts;
+    const float strong = 15.0F * ui().scale;
+    const float small = 13.0F * ui().scale;
+    list.AddText(fonts.strong, strong, at, paint(colors().text), value.c_str());
+    list.AddText(fonts.small, small, {at.x, at.y + px(17)}, paint(colors().muted), name.c_str());
+    const auto width = [](ImFont* font, float size, const std::string& text) {
+        return font->CalcTextSizeA(size, INFINITY, 0.0F, text.c_str()).x;
+    };
+    return std::fmax(width(fonts.strong, strong, value), width(fonts.small, small, name));
+}
+
+std::string unit_of_goal(const FrameContext& frame) {
+    const GoalKind* goal = frame.kinds.goals.find(frame.snapshot.settings->goal);
+    return goal == nullptr ? std::string() : goal->unit;
+}
+
+std::string done_words(const FrameContext& frame) {
+    const ProgressView& progress = frame.progress;
+    if (progress.total > 0)
+        return pretty_number(progress.done) + " of " + pretty_number(progress.total) + " creatures";
+    const std::size_t kept = frame.snapshot.history.size();
+    if (kept == 0) return "nothing evaluated yet";
+    return kept == 1 ? "1 generation kept" : std::to_string(kept) + " generations kept";
+}
+
+std::string best_text(const FrameContext& frame) {
+    if (frame.snapshot.history.empty()) return "–";
+    return measured(frame.snapshot.history.back().best, unit_of_goal(frame));
+}
+
+}  // namespace
+
+void EvolveBar::draw(const FrameContext& frame, Requests& out) {
+    draw_main_menu(frame, out);
+    ImGui::SameLine(0, px(18));
+    const float top = ImGui::GetCursorPosY();
+    ImGui::SetCursorPosY(top + px(3));  // these are lower than the buttons beside them
+    draw_modes(frame, out);
+    ImGui::SameLine(0, px(18));
+    ImGui::SetCursorPosY(top);
+    if (frame.picking != nullptr) {
+        draw_breeding(frame, out);
+        ImGui::SameLine(0, px(24));
+        draw_picking(frame);
+    } else {
+        draw_buttons(frame, out);
+        ImGui::SameLine(0, px(24));
+        draw_numbers(frame);
+    }
+}
+
+// Who selects.
+void EvolveBar::draw_modes(const FrameContext& frame, Requests& out) {
+    const int chosen = frame.picking == nullptr ? 0 : 1;
+    const int pressed = segmented(
+        "mode", {"Automatic", "Hand-pick"}, chosen,
+        {"Fitness selects who breeds (H)", "You select who breeds, from a grid of creatures (H)"});
+    if (pressed >= 0 && pressed != chosen) out.ask(ToggleHandPicking{});
+}
+
+void EvolveBar::draw_breeding(const FrameContext& frame, Requests& out) {
+    const PickingSnapshot& snapshot = frame.picking->snapshot;
+    ButtonStyle main;
+    main.look = ButtonLook::kPrimary;
+    main.width = px(118);
+    main.height = px(34);
+    const WithFont font(ui().fonts.strong);
+    if (frame.picking->single) {
+        main.tooltip = "Esc";
+        main.width = 0.0F;
+        if (push_button("Back to the grid", main)) out.ask(ShowGrid{});
+    } else if (deciding(snapshot)) {
+        main.look = ButtonLook::kPlain;
+        main.tooltip = "Stay with this grid (Backspace)";
+        main.enabled = !snapshot.tree.empty();
+        if (push_button("Stop", main)) out.ask(AskPicking{CancelDecision{}});
+    } else {
+        main.enabled = !snapshot.picks.empty();
+        main.tooltip = "The next grid from the picks (Enter)";
+        if (push_button("Breed", main)) out.ask(AskPicking{BreedPicks{}});
+    }
+}
+
+void EvolveBar::draw_picking(const FrameContext& frame) {
+    const PickingSnapshot& snapshot = frame.picking->snapshot;
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    float x = at.x;
+    const auto reading = [&](const std::string& value, const std::string& name, float least) {
+        x += std::fmax(px(least), draw_reading({x, at.y - px(1)}, value, name) + px(22));
+    };
+    const std::size_t grids = snapshot.tree.size();
+    reading(grids == 0 ? "–" : format("%u of %zu", snapshot.tree.current().number + 1, grids),
+            "grid", 84);
+    reading(format("%zu of %zu", snapshot.picks.size(), kMostPicks), "picked", 72);
+    const float width = at.x + ImGui::GetContentRegionAvail().x - x;
+    const Color color = snapshot.message.empty() ? colors().muted : colors().danger;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    if (deciding(snapshot)) {
+        ImGui::SetCursorScreenPos({x, at.y + px(5)});
+        progress_bar(frame.picking->progress, std::fmin(width, px(420)), px(7));
+        list.AddText(ui().fonts.small, 13.0F * ui().scale, {x, at.y + px(16)}, paint(color),
+                     picking_words(snapshot).c_str());
+        return;
+    }
+    const std::string words =
+        frame.picking->single ? "Esc leads back to the grid" : picking_words(snapshot);
+    list.AddText({x, at.y + px(7)}, paint(color), fit_text(words, width).c_str());
+}
+
+void EvolveBar::draw_buttons(const FrameContext& frame, Requests& out) {
+    const bool running = frame.snapshot.status == EngineStatus::kRunning;
+    ButtonStyle main;
+    main.look = ButtonLook::kPrimary;
+    main.icon = running ? Icon::kPause : Icon::kPlay;
+    main.width = px(118);
+    main.height = px(34);
+    main.tooltip = "Space";
+    {
+        const WithFont font(ui().fonts.strong);
+        if (push_button(running ? "Pause" : "Evolve", main)) out.ask(ToggleEvolution{});
+    }
+    ImGui::SameLine();
+    ButtonStyle step;
+    step.icon = Icon::kStep;
+    step.height = px(34);
+    step.enabled = !running;
+    step.tooltip = "Evaluate and breed one generation, then pause (G)";
+    if (push_button("Step one generation", step)) out.ask(RunOneGeneration{});
+}
+
+void EvolveBar::draw_numbers(const FrameContext& frame) {
+    const ProgressView& progress = frame.progress;
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float right = at.x + ImGui::GetContentRegionAvail().x;
+    float x = at.x;
+    const float y = at.y - px(1);
+    const auto reading = [&](const std::string& value, const std::string& name, float least) {
+        x += std::fmax(px(least), draw_reading({x, y}, value, name) + px(22));
+    };
+    reading(pretty_number(frame.snapshot.generation), "generation", 96);
+    reading(best_text(frame), "best fitness", 110);
+    const float speed_width = px(178);
+    const float bar_width = std::fmin(right - x - speed_width, px(420));
+    if (bar_width < px(60)) return;
+    const float share = progress.total == 0 ? 0.0F
+                                            : static_cast<float>(progress.done) /
+                                                  static_cast<float>(progress.total);
+    const float bar_y = at.y + px(5);
+    ImGui::SetCursorScreenPos({x, bar_y});
+    progress_bar(share, bar_width, px(7));
+    ImGui::GetWindowDrawList()->AddText(ui().fonts.small, 13.0F * ui().scale, {x, at.y + px(16)},
+                                        paint(colors().muted), done_words(frame).c_str());
+    x += bar_width + px(22);
+    const bool known = progress.per_second > 0.0;
+    reading(known ? pretty_number(std::round(progress.per_second)) : "–", "creatures/s", 92);
+    reading(progress.seconds_left >= 0.0 ? pretty_time(progress.seconds_left) : "–", "left", 40);
+}
+
+}  // namespace cambrian

@@ -1,0 +1,129 @@
+#include "studio/panels/bar/main_menu.h"
+
+#include "studio/look/overlays.h"
+#include "studio/panels/generations/export_menu.h"
+#include "studio/panels/viewport/viewport_tools.h"
+#include "studio/widgets/widgets.h"
+
+#include <array>
+#include <cfloat>
+
+namespace cambrian {
+namespace {
+
+void draw_file_menu(const FrameContext& frame, Requests& out) {
+    const bool any = !frame.playback.empty();
+    if (menu_item("Open…", "Ctrl+O")) out.ask(OpenFilePanel{FileTask::kOpen});
+    if (menu_item("Samples…", "Ctrl+Shift+O")) out.ask(ToggleSamples{});
+    if (menu_item("Open the run before", nullptr, frame.previous_run)) out.ask(OpenPreviousRun{});
+    ImGui::Separator();
+    if (menu_item("Save creature…", "Ctrl+S", any)) out.ask(OpenFilePanel{FileTask::kSaveCreature});
+    if (menu_item("Save experiment…", "Ctrl+K")) out.ask(OpenFilePanel{FileTask::kSaveExperiment});
+    if (menu_item("Save settings…", "Ctrl+Shift+S"))
+        out.ask(OpenFilePanel{FileTask::kSaveSettings});
+    draw_export_items(frame, out);
+    if (menu_item("Save picture of the window", "F12")) out.ask(SaveScreenshot{});
+    ImGui::Separator();
+    if (menu_item("Quit", "Ctrl+Q")) out.ask(QuitStudio{});
+}
+
+void draw_edit_menu(const FrameContext& frame, Requests& out) {
+    if (menu_item("Undo", "Ctrl+Z", frame.can_undo())) out.ask(UndoEdit{});
+    if (menu_item("Redo", "Ctrl+Shift+Z", frame.can_redo())) out.ask(RedoEdit{});
+    if (menu_item("Find a setting", "Ctrl+F")) out.ask(FindSetting{});
+    ImGui::Separator();
+    if (menu_item("New run", nullptr)) out.ask(StartNewRun{false});
+    const bool any = !frame.snapshot.population.empty();
+    if (menu_item("New run from these creatures", nullptr, any)) out.ask(StartNewRun{true});
+    if (menu_item("New run from the creature on show", nullptr, !frame.playback.empty()))
+        out.ask(StartFromShown{});
+}
+
+void view_item(const char* label, const char* keys, bool ViewState::*flag,
+               const FrameContext& frame, Requests& out) {
+    if (!menu_item(label, keys, true, frame.view.*flag)) return;
+    ViewState view = frame.view;
+    view.*flag = !(view.*flag);
+    out.ask(ChangeView{view});
+}
+
+void draw_view_menu(const FrameContext& frame, Requests& out) {
+    const bool picking = frame.picking != nullptr;
+    if (menu_item("Pick by hand", "H", true, picking)) out.ask(ToggleHandPicking{});
+    ImGui::Separator();
+    view_item("Experiment", nullptr, &ViewState::left_panel, frame, out);
+    view_item("Inspector", nullptr, &ViewState::right_panel, frame, out);
+    view_item("Timeline and population", nullptr, &ViewState::bottom_panel, frame, out);
+    ImGui::Separator();
+    view_item("Follow the creature", "F", &ViewState::follow, frame, out);
+    view_item("Show each new champion", nullptr, &ViewState::newest_champion, frame, out);
+    if (menu_item("Fit into view", "Home")) out.ask(FitView{});
+    ImGui::Separator();
+    for (const OverlayKind& overlay : overlay_kinds())
+        view_item(overlay.label, nullptr, overlay.shown, frame, out);
+    ImGui::Separator();
+    ghost_lines(frame, out);
+    ImGui::Separator();
+    const bool light = frame.view.theme == ThemeKind::kLight;
+    if (menu_item("Light theme", "Ctrl+L", true, light)) {
+        ViewState view = frame.view;
+        view.theme = light ? ThemeKind::kDark : ThemeKind::kLight;
+        out.ask(ChangeView{view});
+    }
+}
+
+void draw_help_menu(const FrameContext&, Requests& out) {
+    if (menu_item("Help", "F1")) out.ask(ToggleHelp{});
+    if (menu_item("Keys", nullptr)) out.ask(ShowHelp{kKeysPage});
+    if (menu_item("Tour of the window", nullptr)) out.ask(TurnTour{0});
+    ImGui::Separator();
+    if (menu_item("About Cambrian", nullptr)) out.ask(ShowHelp{kAboutPage});
+}
+
+struct Menu {
+    const char* title;
+    void (*draw)(const FrameContext& frame, Requests& out);
+};
+constexpr std::array kMenus = {Menu{"File", draw_file_menu}, Menu{"Edit", draw_edit_menu},
+                               Menu{"View", draw_view_menu}, Menu{"Help", draw_help_menu}};
+
+bool any_menu_open() {
+    for (const Menu& menu : kMenus) {
+        if (ImGui::IsPopupOpen(menu.title)) return true;
+    }
+    return false;
+}
+
+}  // namespace
+
+void draw_main_menu(const FrameContext& frame, Requests& out) {
+    const bool browsing = any_menu_open();
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(px(2), px(8)));
+    for (const Menu& menu : kMenus) {
+        ButtonStyle style;
+        style.look = ImGui::IsPopupOpen(menu.title) ? ButtonLook::kSelected : ButtonLook::kGhost;
+        style.width = ImGui::CalcTextSize(menu.title).x + px(20);
+        style.height = px(34);
+        const bool pressed = push_button(menu.title, style);
+        const bool slid_over =
+            browsing && ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenBlockedByPopup);
+        if (pressed || slid_over) ImGui::OpenPopup(menu.title);
+        const ImVec2 below = {ImGui::GetItemRectMin().x, ImGui::GetItemRectMax().y + px(4)};
+        ImGui::SameLine();
+        ImGui::SetNextWindowPos(below);
+        const float room = ImGui::GetIO().DisplaySize.y - below.y - px(8);
+        ImGui::SetNextWindowSizeConstraints({0, 0}, {FLT_MAX, room});
+        ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(px(10), px(8)));
+        ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(px(18), px(8)));
+        if (ImGui::BeginPopup(menu.title)) {
+            menu.draw(frame, out);
+            ImGui::EndPopup();
+        }
+        ImGui::PopStyleVar(2);
+    }
+    ImGui::PopStyleVar();
+    ImGui::NewLine();
+    ImGui::SameLine();
+}
+
+}  // namespace cambrian

@@ -1,0 +1,176 @@
+#include "studio/panels/cards/file_panel.h"
+
+#include "persist/creature_card.h"
+#include "studio/files/file_desk.h"
+#include "studio/widgets/widgets.h"
+
+#include <algorithm>
+#include <cstring>
+#include <string>
+
+namespace cambrian {
+namespace {
+
+const char* title_of(FileTask task) {
+    switch (task) {
+        case FileTask::kOpen:
+            return "Open a creature, a card, an experiment or settings";
+        case FileTask::kSaveCreature:
+            return "Save the creature on show";
+        case FileTask::kSaveExperiment:
+            return "Save the experiment";
+        case FileTask::kSaveSettings:
+            break;
+        case FileTask::kSaveStatistics:
+            return "Export the statistics";
+        case FileTask::kSavePlot:
+            return "Export the plot";
+    }
+    return "Save the settings";
+}
+
+bool is_creature_name(std::string_view name) {
+    return name.ends_with(".creature.json") || is_card_name(name);
+}
+
+// The name with another ending in place of the one of a creature file or card.
+std::string with_ending(std::string name, std::string_view ending) {
+    for (const std::string_view known :
+         {std::string_view(".creature.json"), kCardEnding, std::string_view(".png")}) {
+        if (!name.ends_with(known)) continue;
+        name.resize(name.size() - known.size());
+        break;
+    }
+    return name.append(ending);
+}
+
+// A line with an icon that can be pressed.
+bool entry_line(const std::string& name, Icon icon, bool chosen) {
+    const ImVec2 size = {ImGui::GetContentRegionAvail().x, px(30)};
+    const bool pressed = ImGui::InvisibleButton(name.c_str(), size);
+    note_place(name);
+    const ImVec2 low = ImGui::GetItemRectMin();
+    const ImVec2 high = ImGui::GetItemRectMax();
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const bool hovered = ImGui::IsItemHovered();
+    if (hovered || chosen) {
+        const Color back = chosen ? mix(colors().raised, colors().accent, 0.3F) : colors().hovered;
+        list.AddRectFilled(low, high, paint(back), px(5));
+    }
+    const float middle = 0.5F * (low.y + high.y);
+    draw_icon(list, icon, {low.x + px(16), middle}, px(14),
+              icon == Icon::kFile ? colors().accent : colors().muted);
+    list.AddText({low.x + px(34), middle - 0.5F * ImGui::GetFontSize()}, paint(colors().text),
+                 fit_text(name, size.x - px(40)).c_str());
+    return pressed;
+}
+
+}  // namespace
+
+void FilePanel::draw(const FrameContext& frame, Requests& out) {
+    const FileBrowser& files = frame.files;
+    if (opening_ != files.opened) {
+        opening_ = files.opened;
+        write_name(files.suggested_name);
+        focus_wanted_ = true;
+    }
+    {
+        const WithFont font(ui().fonts.title);
+        ImGui::TextUnformatted(title_of(files.task));
+    }
+    draw_places(frame, out);
+    const bool creature = frame.files.task == FileTask::kSaveCreature;
+    const float foot = px(30) * 2 + px(34) + (creature ? px(50) : 0.0F);
+    ImGui::BeginChild("entries", {0, -foot}, false, ImGuiWindowFlags_NoBackground);
+    draw_entries(frame, out);
+    ImGui::EndChild();
+    if (creature) draw_format();
+    draw_name(frame, out);
+}
+
+void FilePanel::draw_places(const FrameContext& frame, Requests& out) {
+    const std::filesystem::path& folder = frame.files.listing.folder;
+    if (push_button("Up", {.icon = Icon::kUp, .label_shown = false, .tooltip = "The folder above"}))
+        out.ask(ListFolder{folder.parent_path()});
+    ImGui::SameLine();
+    ImGui::AlignTextToFramePadding();
+    const WithTextColor muted(colors().muted);
+    ImGui::TextUnformatted(fit_text(folder.string(), ImGui::GetContentRegionAvail().x).c_str());
+}
+
+void FilePanel::draw_entries(const FrameContext& frame, Requests& out) {
+    const FolderListing& listing = frame.files.listing;
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, px(1)));
+    if (!listing.problem.empty()) muted_text(listing.problem);
+    for (const std::string& name : listing.folders) {
+        if (entry_line(name, Icon::kFolder, false)) out.ask(ListFolder{listing.folder / name});
+    }
+    for (const std::string& name : listing.files) {
+        const bool chosen = name == name_.data();
+        if (!entry_line(name, Icon::kFile, chosen)) continue;
+        const bool twice = ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left) || chosen;
+        write_name(name);
+        if (twice && frame.files.task == FileTask::kOpen) confirm(frame, out);
+    }
+    if (listing.folders.empty() && listing.files.empty() && listing.problem.empty())
+        muted_text("No folders and no files of this kind here.");
+    ImGui::PopStyleVar();
+}
+
+// What the name's ending says, and another way to change it.
+void FilePanel::draw_format() {
+    const std::string name = name_.data();
+    const bool card = is_card_name(name);
+    const int chosen = segmented(
+        "format", {"Creature file", "Card"}, card ? 1 : 0,
+        {"*.creature.json: the creature as text, to be opened again or read by other programs",
+         "*.card.png: a picture of the creature that carries all of it inside. Whoever gets the "
+         "picture can drop it on the window."});
+    ImGui::Dummy({0, px(2)});
+    if (chosen < 0) return;
+    write_name(with_ending(name, chosen == 1 ? kCardEnding : ".creature.json"));
+    focus_wanted_ = true;
+}
+
+void FilePanel::write_name(const std::string& name) {
+    name_.fill('\0');
+    name.copy(name_.data(), name_.size() - 1);
+}
+
+void FilePanel::draw_name(const FrameContext& frame, Requests& out) {
+    caption("File name, or a whole path");
+    if (focus_wanted_) ImGui::SetKeyboardFocusHere();
+    focus_wanted_ = false;
+    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
+    const bool entered =
+        ImGui::InputText("##name", name_.data(), name_.size(),
+                         ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+    note_place("file name");
+    const bool saving = frame.files.task != FileTask::kOpen;
+    const char* verb = saving ? "Save" : "Open";
+    const bool named = name_[0] != '\0';
+    ImGui::SetCursorPosX(ImGui::GetWindowContentRegionMax().x - px(90) * 2 - px(8));
+    if (push_button("Cancel", {.width = px(90)})) out.ask(CloseFilePanel{});
+    ImGui::SameLine();
+    const bool pressed =
+        push_button(verb, {.look = ButtonLook::kPrimary, .width = px(90), .enabled = named});
+    if ((entered || pressed) && named) confirm(frame, out);
+}
+
+void FilePanel::confirm(const FrameContext& frame, Requests& out) const {
+    std::filesystem::path path = frame.files.listing.folder / name_.data();
+    const FileTask task = frame.files.task;
+    const std::string ending = ending_of(task);
+    const bool complete = path.string().ends_with(ending) ||
+                          (task == FileTask::kSaveCreature && is_creature_name(path.string()));
+    if (task != FileTask::kOpen && !complete) path += ending;
+    if (task == FileTask::kOpen) out.ask(LoadFile{path});
+    if (task == FileTask::kSaveCreature) out.ask(SaveCreatureFile{path});
+    if (task == FileTask::kSaveExperiment) out.ask(SaveExperimentFile{path});
+    if (task == FileTask::kSaveSettings) out.ask(SaveSettingsFile{path});
+    if (task == FileTask::kSaveStatistics) out.ask(SaveStatisticsFile{path});
+    if (task == FileTask::kSavePlot) out.ask(SavePlotPicture{path, frame.files.picture});
+    out.ask(CloseFilePanel{});
+}
+
+}  // namespace cambrian

@@ -1,0 +1,74 @@
+#include "studio/panels/cards/help_panel.h"
+
+#include "studio/widgets/markdown_view.h"
+#include "studio/widgets/widgets.h"
+
+#include <algorithm>
+#include <filesystem>
+
+namespace cambrian {
+namespace {
+
+void draw_list(const HelpBook& book, Requests& out) {
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, px(2)));
+    for (const HelpPage& page : book.pages) {
+        const bool open = page.name == book.open;
+        const ImVec2 size = {ImGui::GetContentRegionAvail().x, px(28)};
+        if (ImGui::InvisibleButton(page.name.c_str(), size)) out.ask(ShowHelp{page.name});
+        note_place("help " + page.name);
+        const ImVec2 low = ImGui::GetItemRectMin();
+        const ImVec2 high = ImGui::GetItemRectMax();
+        ImDrawList& list = *ImGui::GetWindowDrawList();
+        if (open || ImGui::IsItemHovered()) {
+            const Color back =
+                open ? mix(colors().raised, colors().accent, 0.3F) : colors().hovered;
+            list.AddRectFilled(low, high, paint(back), px(5));
+        }
+        list.AddText({low.x + px(10), 0.5F * (low.y + high.y - ImGui::GetFontSize())},
+                     paint(open ? colors().text : colors().muted),
+                     fit_text(page.title, size.x - px(16)).c_str());
+        if (ImGui::CalcTextSize(page.title.c_str()).x > size.x - px(16)) tooltip(page.title);
+    }
+    ImGui::PopStyleVar();
+}
+
+// Other pages by their file's name; anything else leads out of the program and stays text.
+void follow(const std::string& link, Requests& out) {
+    const std::filesystem::path path(link.substr(0, link.find('#')));
+    if (path.extension() == ".md") out.ask(ShowHelp{path.stem().string()});
+}
+
+}  // namespace
+
+void HelpPanel::draw(const FrameContext& frame, Requests& out) {
+    {
+        const WithFont font(ui().fonts.title);
+        ImGui::TextUnformatted("Help");
+    }
+    ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - px(34));
+    if (push_button("Close help", {.look = ButtonLook::kGhost,
+                                   .icon = Icon::kClose,
+                                   .label_shown = false,
+                                   .width = px(34),
+                                   .tooltip = "Close (Esc)"}))
+        out.ask(ToggleHelp{});
+    if (frame.help == nullptr) return;
+    const HelpBook& book = *frame.help;
+    ImGui::BeginChild("pages", {px(190), 0}, false, ImGuiWindowFlags_NoBackground);
+    draw_list(book, out);
+    ImGui::EndChild();
+    ImGui::SameLine(0, px(18));
+    ImGui::BeginChild("page", {0, 0}, false, ImGuiWindowFlags_NoBackground);
+    if (seen_ != book.open) ImGui::SetScrollY(0.0F);
+    seen_ = book.open;
+    const auto page = std::find_if(book.pages.begin(), book.pages.end(),
+                                   [&](const HelpPage& each) { return each.name == book.open; });
+    if (page == book.pages.end()) {
+        muted_text("There is no page called \"" + book.open + "\" in the help folder.");
+    } else {
+        follow(draw_markdown(page->blocks), out);
+    }
+    ImGui::EndChild();
+}
+
+}  // namespace cambrian

@@ -1,0 +1,100 @@
+#include "studio/panels/cards/samples_panel.h"
+
+#include "studio/widgets/creature_tile.h"
+#include "studio/widgets/panel_keys.h"
+#include "studio/widgets/widgets.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cambrian {
+namespace {
+
+constexpr float kTileWidth = 172.0F;
+constexpr float kTileHeight = 138.0F;
+constexpr float kGap = 10.0F;
+
+bool draw_tile(const Sample& sample, bool aimed) {
+    const std::string name = "sample " + sample.title;
+    ImGui::PushID(sample.path.c_str());
+    const bool pressed = ImGui::InvisibleButton(name.c_str(), {px(kTileWidth), px(kTileHeight)});
+    ImGui::PopID();
+    note_place(name);
+    const ImVec2 low = ImGui::GetItemRectMin();
+    const ImVec2 high = ImGui::GetItemRectMax();
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const bool hovered = ImGui::IsItemHovered();
+    list.AddRectFilled(low, high, paint(hovered ? colors().hovered : colors().raised), px(8));
+    if (aimed) list.AddRect(low, high, paint(colors().accent), px(8), 0, px(2));
+    draw_creature_tile(list, {low.x + px(14), low.y + px(12), px(kTileWidth - 28), px(76)},
+                       *sample.phenotype, sample.hue);
+    list.AddText(ui().fonts.strong, px(15), {low.x + px(12), high.y - px(45)}, paint(colors().text),
+                 fit_text(sample.title, px(kTileWidth - 28)).c_str());
+    list.AddText(ui().fonts.small, px(13), {low.x + px(12), high.y - px(25)}, paint(colors().muted),
+                 fit_text(sample.account, px(kTileWidth - 24)).c_str());
+    tooltip(sample.title + ": " + sample.account +
+            "\nPuts it on show in the world it was scored in.");
+    return pressed;
+}
+
+}  // namespace
+
+void SamplesPanel::move_by_keys(std::size_t count, int columns) {
+    int at = static_cast<int>(aimed_);
+    if (panel_key(ImGuiKey_RightArrow)) ++at;
+    if (panel_key(ImGuiKey_LeftArrow)) --at;
+    if (panel_key(ImGuiKey_DownArrow)) at += columns;
+    if (panel_key(ImGuiKey_UpArrow)) at -= columns;
+    const int most = static_cast<int>(count) - 1;
+    aimed_ = static_cast<std::size_t>(std::clamp(at, 0, std::max(0, most)));
+}
+
+void SamplesPanel::draw_tiles(const SampleShelf& shelf, Requests& out) {
+    const float step = px(kTileWidth + kGap);
+    const int columns =
+        std::max(1, static_cast<int>((ImGui::GetContentRegionAvail().x + px(kGap)) / step));
+    const auto whole = static_cast<std::size_t>(
+        std::count_if(shelf.samples.begin(), shelf.samples.end(),
+                      [](const Sample& each) { return each.phenotype != nullptr; }));
+    move_by_keys(whole, columns);
+    const bool entered = panel_key(ImGuiKey_Enter);
+    for (std::size_t i = 0; i < whole; ++i) {
+        if (static_cast<int>(i) % columns != 0) ImGui::SameLine(0, px(kGap));
+        const bool aimed = i == aimed_;
+        if (!draw_tile(shelf.samples[i], aimed) && !(aimed && entered)) continue;
+        out.ask(LoadFile{shelf.samples[i].path});
+        out.ask(ToggleSamples{});
+    }
+    if (whole == shelf.samples.size()) return;
+    ImGui::Dummy({0, px(4)});
+    caption("These cannot be opened:");
+    for (std::size_t i = whole; i < shelf.samples.size(); ++i)
+        muted_text(shelf.samples[i].account);
+    note_place("damaged samples");
+}
+
+void SamplesPanel::draw(const FrameContext& frame, Requests& out) {
+    {
+        const WithFont font(ui().fonts.title);
+        ImGui::TextUnformatted("Samples");
+    }
+    ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - px(34));
+    if (push_button("Close samples", {.look = ButtonLook::kGhost,
+                                      .icon = Icon::kClose,
+                                      .label_shown = false,
+                                      .width = px(34),
+                                      .tooltip = "Close (Esc)"}))
+        out.ask(ToggleSamples{});
+    muted_text("Creatures that were evolved before, each in the world it was scored in.");
+    ImGui::BeginChild("samples", {0, 0}, false, ImGuiWindowFlags_NoBackground);
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(px(kGap), px(kGap)));
+    if (frame.samples != nullptr) {
+        if (frame.samples->read && frame.samples->samples.empty())
+            muted_text("The folder of samples is empty or missing.");
+        draw_tiles(*frame.samples, out);
+    }
+    ImGui::PopStyleVar();
+    ImGui::EndChild();
+}
+
+}  // namespace cambrian

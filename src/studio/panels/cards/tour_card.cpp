@@ -1,0 +1,90 @@
+#include "studio/panels/cards/tour_card.h"
+
+#include "studio/help/tour.h"
+#include "studio/widgets/panel_keys.h"
+#include "studio/widgets/widgets.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace cambrian {
+namespace {
+
+constexpr float kWidth = 340.0F;
+constexpr float kHeight = 176.0F;
+constexpr float kGap = 12.0F;
+
+Rect shifted_inside(Rect card, const Rect& window) {
+    const float edge = px(kGap);
+    card.x = std::clamp(card.x, window.x + edge, window.x + window.width - card.width - edge);
+    card.y = std::clamp(card.y, window.y + edge, window.y + window.height - card.height - edge);
+    return {std::round(card.x), std::round(card.y), card.width, card.height};
+}
+
+}  // namespace
+
+Rect tour_card_place(const Rect& subject, const Rect& window) {
+    const float w = px(kWidth);
+    const float h = px(kHeight);
+    const float gap = px(kGap);
+    const ImVec2 low = subject.low();
+    const ImVec2 high = subject.high();
+    std::array sides = {Rect{high.x + gap, low.y, w, h}, Rect{low.x - gap - w, low.y, w, h},
+                        Rect{low.x, high.y + gap, w, h}, Rect{low.x, low.y - gap - h, w, h}};
+    // Beside what is tall, under or over what is not.
+    if (subject.height < h) std::rotate(sides.begin(), sides.begin() + 2, sides.end());
+    for (const Rect& side : sides) {
+        if (side.x >= window.x && side.x + w <= window.x + window.width && side.y >= window.y &&
+            side.y + h <= window.y + window.height)
+            return shifted_inside(side, window);
+    }
+    const ImVec2 middle = subject.center();
+    return shifted_inside({middle.x - 0.5F * w, middle.y - 0.5F * h, w, h}, window);
+}
+
+void outline_subject(const Rect& subject) {
+    ImDrawList& list = *ImGui::GetForegroundDrawList();
+    const float out = px(2);
+    list.AddRect({subject.x - out, subject.y - out},
+                 {subject.x + subject.width + out, subject.y + subject.height + out},
+                 paint(colors().accent), px(8), 0, px(2.5F));
+}
+
+void TourCard::draw(const FrameContext& frame, Requests& out) {
+    const auto steps = tour_steps();
+    const int count = static_cast<int>(steps.size());
+    const TourStep& step = steps[static_cast<std::size_t>(frame.tour_step)];
+    {
+        const WithFont font(ui().fonts.title);
+        ImGui::TextUnformatted(step.title);
+    }
+    ImGui::PushTextWrapPos(0.0F);
+    ImGui::TextUnformatted(step.text);
+    ImGui::PopTextWrapPos();
+    const bool last = frame.tour_step + 1 == count;
+    const float width = ImGui::GetContentRegionAvail().x;
+    ImGui::SetCursorPosY(ImGui::GetWindowHeight() - px(30) - px(16));
+    const float left = ImGui::GetCursorPosX();
+    ImGui::AlignTextToFramePadding();
+    {
+        const WithTextColor muted(colors().muted);
+        ImGui::Text("%d of %d", frame.tour_step + 1, count);
+    }
+    const float next_width = px(84);
+    const float skip_width = last ? 0.0F : px(84) + px(8);
+    ImGui::SameLine(left + width - next_width - skip_width);
+    if (!last) {
+        if (push_button("Skip", {.look = ButtonLook::kGhost,
+                                 .width = px(84),
+                                 .tooltip = "End the tour (Esc); Help has it again"}))
+            out.ask(TurnTour{count});
+        ImGui::SameLine();
+    }
+    const bool pressed =
+        push_button(last ? "Done" : "Next",
+                    {.look = ButtonLook::kPrimary, .width = next_width, .tooltip = "Enter"});
+    if (pressed || panel_key(ImGuiKey_Enter)) out.ask(TurnTour{frame.tour_step + 1});
+}
+
+}  // namespace cambrian

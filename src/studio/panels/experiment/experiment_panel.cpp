@@ -1,0 +1,295 @@
+#include "studio/panels/experiment/experiment_panel.h"
+
+#include "core/pretty_text.h"
+#include "studio/experiment/setting_presets.h"
+#include "studio/frame/help_mark.h"
+#include "studio/panels/experiment/setting_row.h"
+#include "studio/widgets/widgets.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <string_view>
+#include <utility>
+
+namespace cambrian {
+namespace {
+
+constexpr float kLabelIndent = 12.0F;  // of the rows' names
+
+struct GroupName {
+    std::string_view table;
+    std::string_view title;
+    bool open;  // at first
+};
+
+// In the order shown; tables not named here follow under their own name.
+constexpr std::array kGroups = {
+    GroupName{"goal", "Goal", true},
+    GroupName{"environment", "Environment", true},
+    GroupName{"population", "Population", true},
+    GroupName{"selection", "Selection", true},
+    GroupName{"breeding", "Breeding", false},
+    GroupName{"mutation", "Mutation", true},
+    GroupName{"mutation.weights", "Mutation weights", false},
+    GroupName{"body", "Body and brain", false},
+    GroupName{"body.joints", "Joints allowed", false},
+    GroupName{"body.functions", "Neurons allowed", false},
+    GroupName{"body.sensors", "Sensors allowed", false},
+    GroupName{"body.references", "Links allowed", false},
+    GroupName{"simulation", "Physics", false},
+    GroupName{"trial", "Trial", false},
+    GroupName{"run", "Run", false},
+};
+
+const GroupName* named(std::string_view table) {
+    const auto found = std::find_if(kGroups.begin(), kGroups.end(),
+                                    [table](const GroupName& each) { return each.table == table; });
+    return found == kGroups.end() ? nullptr : &*found;
+}
+
+std::size_t rank_of(std::string_view table) {
+    const GroupName* group = named(table);
+    return group == nullptr ? kGroups.size() : static_cast<std::size_t>(group - kGroups.data());
+}
+
+// A goal brings the world it makes sense in, and how many more it is confirmed in.
+void adopt_goal_world(ExperimentSettings& settings, const EvolutionKinds& kinds) {
+    const GoalKind* goal = kinds.goals.find(settings.goal);
+    if (goal == nullptr || goal->default_environment == nullptr) return;
+    const double density = settings.world.environment.density;
+    settings.world.environment = goal->default_environment();
+    settings.world.environment.density = density;
+    settings.selection.confirmations = goal->default_confirmations;
+}
+
+// A choice of the table's presets, if it has any.
+void draw_presets(const std::string& table, const FrameContext& frame, Requests& out) {
+    const auto presets = setting_presets(table);
+    if (presets.empty()) return;
+    const ExperimentSettings& draft = frame.editor.draft();
+    const auto shown = std::find_if(presets.begin(), presets.end(), [&](const auto& preset) {
+        return is_in_force(preset, draft, frame.kinds, frame.fields);
+    });
+    const bool open = begin_choice("##preset", shown == presets.end() ? "Own values" : shown->label,
+                                   ImGui::GetContentRegionAvail().x);
+    if (!open) {
+        note_place(table + " preset");
+        return;
+    }
+    for (auto preset = presets.begin(); preset != presets.end(); ++preset) {
+        if (ImGui::Selectable(preset->label, preset == shown)) {
+            ExperimentSettings edited = draft;
+            preset->apply(edited, frame.kinds);
+            out.ask(EditSettings{std::move(edited), table});
+            out.ask(FinishEdit{});
+        }
+        note_place(preset->label);
+        tooltip(preset->help);
+    }
+    ImGui::EndCombo();
+}
+
+// What the goal asks for, and whether the world lets it.
+void draw_goal_help(const FrameContext& frame) {
+    const ExperimentSettings& draft = frame.editor.draft();
+    const GoalKind* goal = frame.kinds.goals.find(draft.goal);
+    if (goal == nullptr) return;
+    ImGui::Indent(px(kLabelIndent));
+    muted_text(goal->help);
+    ImGui::Unindent(px(kLabelIndent));
+    const std::string mismatch =
+        goal->mismatch == nullptr ? "" : goal->mismatch(draft.world.environment);
+    if (mismatch.empty()) return;
+    const WithTextColor warning(colors().danger);
+    ImGui::TextWrapped("Makes little sense in this world: %s.", mismatch.c_str());
+    note_place("goal mismatch");
+}
+
+// The shares of the other ways of breeding make room for the one edited, in proportion.
+void balance_shares(const std::vector<SettingField>& fields, const std::string& edited,
+                    ExperimentSettings& settings) {
+    for (const SettingField& field : fields) {
+        if (field.table == "breeding") static_cast<void>(field.at(settings));  // named in the map
+    }
+    std::map<std::string, double>& shares = settings.breeding.shares;
+    const double left = 1.0 - shares[edited];
+    double others = 0.0;
+    for (const auto& [way, share] : shares)
+        others += way == edited ? 0.0 : share;
+    for (auto& [way, share] : shares) {
+        if (way == edited) continue;
+        share =
+            others > 0.0 ? share * left / others : left / static_cast<double>(shares.size() - 1);
+    }
+}
+
+}  // namespace
+
+std::vector<ExperimentPanel::Group> ExperimentPanel::list_groups(
+    const FrameContext& frame, ExperimentSettings& draft, ExperimentSettings& defaults) const {
+    std::vector<Group> groups;
+    for (const SettingField& field : frame.fields) {
+        auto group = std::find_if(groups.begin(), groups.end(), [&field](const Group& each) {
+            return each.table == field.table;
+        });
+        if (group == groups.end()) {
+            const GroupName* name = named(field.table);
+            groups.push_back({field.table, name != nullptr ? std::string(name->title)
+                                                           : capitalized(field.table)});
+            group = groups.end() - 1;
+        }
+        if (!same_value(field, draft, defaults)) ++group->changed;
+    }
+    std::stable_sort(groups.begin(), groups.end(), [](const Group& a, const Group& b) {
+        return rank_of(a.table) < rank_of(b.table);
+    });
+    return groups;
+}
+
+void ExperimentPanel::draw(const FrameContext& frame, Requests& out) {
+    place_title("Experiment", "experiment", out);
+    draw_filter(frame);
+    draw_run_warning(frame, out);
+    ExperimentSettings draft = frame.editor.draft();
+    ExperimentSettings defaults;
+    ImGui::BeginChild("settings", {0, 0}, false, ImGuiWindowFlags_NoBackground);
+    const std::vector<Group> groups = list_groups(frame, draft, defaults);
+    const SettingFilter filter(filter_.data());
+    if (!filter.empty()) {
+        draw_found(groups, filter, frame, out);
+    } else {
+        for (const Group& group : groups)
+            draw_group(group, frame, out);
+    }
+    ImGui::EndChild();
+}
+
+void ExperimentPanel::draw_filter(const FrameContext& frame) {
+    if (find_seen_ != frame.find_asked) ImGui::SetKeyboardFocusHere();
+    find_seen_ = frame.find_asked;
+    const bool any = filter_[0] != '\0';
+    const float clear_width = any ? px(30) + px(4) : 0.0F;
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - clear_width);
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(px(30), px(5)));
+    first_wanted_ = ImGui::InputTextWithHint("##filter", "Find a setting", filter_.data(),
+                                             filter_.size(), ImGuiInputTextFlags_EnterReturnsTrue);
+    ImGui::PopStyleVar();
+    const int escape = ImGui::GetKeyIndex(ImGuiKey_Escape);
+    const bool escaped = escape >= 0 && ImGui::IsKeyPressed(escape) &&
+                         (ImGui::IsItemDeactivated() || ImGui::IsItemActive());
+    note_place("setting filter");
+    tooltip(
+        "Words of a setting's name or of what it does (/ or Ctrl+F). Enter goes to the first "
+        "one found, Esc clears.");
+    draw_icon(*ImGui::GetWindowDrawList(), Icon::kSearch,
+              {at.x + px(15), at.y + 0.5F * ImGui::GetItemRectSize().y}, px(13), colors().muted);
+    if (any) ImGui::SameLine(0, px(4));
+    const bool cleared =
+        any && push_button("Clear filter", {.look = ButtonLook::kGhost,
+                                            .icon = Icon::kClose,
+                                            .label_shown = false,
+                                            .width = px(30),
+                                            .height = ImGui::GetFrameHeight(),
+                                            .tooltip = "Show all settings again (Esc)"});
+    if (escaped || cleared) filter_.fill('\0');
+}
+
+// The rows found, under the titles of their groups.
+void ExperimentPanel::draw_found(const std::vector<Group>& groups, const SettingFilter& filter,
+                                 const FrameContext& frame, Requests& out) {
+    bool any = false;
+    for (const Group& group : groups) {
+        bool titled = false;
+        for (const SettingField& field : frame.fields) {
+            const bool applies = !field.applies || field.applies(frame.editor.draft());
+            if (field.table != group.table || !applies || !filter.finds(field, group.title))
+                continue;
+            if (!titled) caption(group.title);
+            titled = true;
+            if (first_wanted_ && !any) ImGui::SetKeyboardFocusHere();
+            any = true;
+            draw_row(field, frame, out);
+        }
+    }
+    if (any) return;
+    muted_text("No setting matches. Those of methods not chosen are hidden.");
+    note_place("nothing matches");
+}
+
+void ExperimentPanel::draw_run_warning(const FrameContext& frame, Requests& out) {
+    const std::vector<std::string> waiting =
+        structural_changes(*frame.snapshot.settings, frame.editor.draft(), frame.fields);
+    const bool fresh = frame.snapshot.generation == 0 && frame.snapshot.population.empty();
+    if (waiting.empty() || fresh) return;
+    std::string names = waiting.front();
+    for (std::size_t i = 1; i < waiting.size(); ++i)
+        names += ", " + waiting[i];
+    muted_text(names + (waiting.size() == 1 ? " takes" : " take") + " effect in a new run.");
+    if (push_button("New run", {.look = ButtonLook::kPrimary, .tooltip = "From random creatures."}))
+        out.ask(StartNewRun{false});
+    ImGui::SameLine();
+    if (push_button("Keep creatures", {.tooltip = "A new run from the present population."}))
+        out.ask(StartNewRun{true});
+    ImGui::SameLine();
+    if (push_button("Undo##run", {.look = ButtonLook::kGhost,
+                                  .icon = Icon::kClose,
+                                  .label_shown = false,
+                                  .tooltip = "Back to what is running."}))
+        out.ask(DropStructuralEdits{});
+}
+
+bool ExperimentPanel::draw_header(const Group& group) {
+    const GroupName* name = named(group.table);
+    bool& open = open_.try_emplace(group.table, name != nullptr && name->open).first->second;
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const ImVec2 size = {ImGui::GetContentRegionAvail().x, px(32)};
+    if (ImGui::InvisibleButton(group.title.c_str(), size)) open = !open;
+    note_place("group " + group.table);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const bool hovered = ImGui::IsItemHovered();
+    list.AddLine(at, {at.x + size.x, at.y}, paint(colors().border));
+    const float middle = at.y + 0.5F * size.y;
+    draw_icon(list, open ? Icon::kChevronDown : Icon::kChevronRight, {at.x + px(7), middle}, px(10),
+              hovered ? colors().text : colors().muted);
+    const WithFont font(ui().fonts.strong);
+    const float text_y = std::floor(middle - 0.5F * ImGui::GetFontSize());
+    list.AddText({at.x + px(22), text_y}, paint(colors().text), group.title.c_str());
+    if (group.changed > 0) {
+        const std::string count = std::to_string(group.changed);
+        const float width = ImGui::CalcTextSize(count.c_str()).x;
+        list.AddText({at.x + size.x - width - px(6), text_y}, paint(colors().accent),
+                     count.c_str());
+    }
+    return open;
+}
+
+void ExperimentPanel::draw_group(const Group& group, const FrameContext& frame, Requests& out) {
+    if (!draw_header(group)) return;
+    ImGui::PushID(group.table.c_str());
+    draw_presets(group.table, frame, out);
+    for (const SettingField& field : frame.fields) {
+        if (field.table != group.table) continue;
+        if (!field.applies || field.applies(frame.editor.draft())) draw_row(field, frame, out);
+    }
+    if (group.table == "goal") draw_goal_help(frame);
+    ImGui::Dummy({0, px(4)});
+    ImGui::PopID();
+}
+
+void ExperimentPanel::draw_row(const SettingField& field, const FrameContext& frame,
+                               Requests& out) {
+    ExperimentSettings defaults;
+    ExperimentSettings edited = frame.editor.draft();
+    const RowEvent event = setting_row(field, edited, defaults);
+    if (event == RowEvent::kNone) return;
+    if (field.table == "goal") adopt_goal_world(edited, frame.kinds);
+    if (frame.kinds.breeding.find(field.key) != nullptr)
+        balance_shares(frame.fields, field.key, edited);
+    out.ask(EditSettings{std::move(edited), field.table + "." + field.key});
+    if (event == RowEvent::kFinished) out.ask(FinishEdit{});
+}
+
+}  // namespace cambrian

@@ -1,0 +1,183 @@
+#include "studio/panels/experiment/setting_row.h"
+
+#include "core/pretty_text.h"
+#include "studio/experiment/settings_editor.h"
+#include "studio/widgets/widgets.h"
+
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
+
+namespace cambrian {
+namespace {
+
+constexpr float kLabelShare = 0.5F;
+constexpr float kLeastControl = 112.0F;  // what names may not take in narrow panels
+
+std::string value_text(const SettingField& field, const SettingRef& ref) {
+    return std::visit(
+        [&field](const auto* value) -> std::string {
+            using T = std::remove_cvref_t<decltype(*value)>;
+            if constexpr (std::is_same_v<T, std::string>) {
+                return capitalized(*value);
+            } else if constexpr (std::is_same_v<T, bool>) {
+                return *value ? "on" : "off";
+            } else {
+                return with_unit(static_cast<double>(*value), field.unit);
+            }
+        },
+        ref);
+}
+
+std::string help_text(const SettingField& field, ExperimentSettings& defaults) {
+    std::string text = field.help + "\n\nDefault " + value_text(field, field.at(defaults)) + ".";
+    if (field.high > field.low && !std::holds_alternative<bool*>(field.at(defaults))) {
+        text += " Allowed " + pretty_number(field.low) + " to " +
+                with_unit(field.high, field.unit) + "; Ctrl+click to type.";
+    }
+    if (!field.live) text += "\nDefines the run: a change starts a new one.";
+    return text;
+}
+
+// printf's pattern with the decimals that suit the range, and the unit.
+std::string number_pattern(const SliderRange& range, const SettingField& field) {
+    const double width = range.high - range.low;
+    std::string number = "%.3f";
+    if (field.logarithmic) {
+        number = "%.2g";
+    } else if (width > 200.0) {
+        number = "%.0f";
+    } else if (width > 30.0) {
+        number = "%.1f";
+    } else if (width > 0.9) {
+        number = "%.2f";
+    }
+    const std::string unit = pretty_unit(field.unit);
+    const bool tight = unit == "°" || unit == "×";
+    return unit.empty() ? number : number + (tight ? "" : " ") + unit;
+}
+
+template <class Number>
+bool number_slider(const SettingField& field, Number& value, double standard, float width) {
+    const SliderRange range = slider_range(field, standard, static_cast<double>(value));
+    const bool edited =
+        value_slider(value, {range, field.logarithmic, number_pattern(range, field), width});
+    if (edited) {
+        value = static_cast<Number>(std::clamp(static_cast<double>(value), field.low, field.high));
+    }
+    return edited;
+}
+
+bool whole_number_box(std::uint64_t& value, const SettingField& field, float width) {
+    ImGui::SetNextItemWidth(width);
+    const bool edited = ImGui::InputScalar("##value", ImGuiDataType_U64, &value, nullptr, nullptr,
+                                           nullptr, ImGuiInputTextFlags_EnterReturnsTrue);
+    if (edited) value = std::min(value, static_cast<std::uint64_t>(field.high));
+    return edited;
+}
+
+bool choice_box(const SettingField& field, std::string& value, float width) {
+    bool edited = false;
+    if (begin_choice("##value", capitalized(value), width)) {
+        for (const std::string& choice : field.choices) {
+            if (ImGui::Selectable(capitalized(choice).c_str(), choice == value)) {
+                edited = choice != value;
+                value = choice;
+            }
+            note_place(field.table + "." + field.key + "=" + choice);
+        }
+        ImGui::EndCombo();
+    }
+    return edited;
+}
+
+// Whether the control's one change is complete at once, with no letting go to wait for.
+bool draw_control(const SettingField& field, const SettingRef& ref, const SettingRef& standard,
+                  float width, bool& edited) {
+    if (auto* const* flag = std::get_if<bool*>(&ref)) {
+        edited = toggle_switch("##" + field.key, **flag);
+        return true;
+    }
+    if (auto* const* text = std::get_if<std::string*>(&ref)) {
+        edited = choice_box(field, **text, width);
+        return true;
+    }
+    if (auto* const* seed = std::get_if<std::uint64_t*>(&ref)) {
+        edited = whole_number_box(**seed, field, width);
+        return true;
+    }
+    if (auto* const* whole = std::get_if<int*>(&ref)) {
+        const double usual = **std::get_if<int*>(&standard);
+        edited = number_slider(field, **whole, usual, width);
+        return false;
+    }
+    auto* number = *std::get_if<double*>(&ref);
+    edited = number_slider(field, *number, **std::get_if<double*>(&standard), width);
+    return false;
+}
+
+void draw_label(const SettingField& field, bool changed, float width) {
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float height = ImGui::GetFrameHeight();
+    ImGui::Dummy({width, height});
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    if (changed) {
+        list.AddCircleFilled({at.x + px(3), at.y + 0.5F * height}, px(3), paint(colors().accent));
+    }
+    const std::string shown = fit_text(field.label, width - px(20));
+    const float text_y = at.y + 0.5F * (height - ImGui::GetFontSize());
+    list.AddText({at.x + px(12), std::floor(text_y)},
+                 paint(changed ? colors().text : mix(colors().muted, colors().text, 0.35F)),
+                 shown.c_str());
+}
+
+}  // namespace
+
+SliderRange slider_range(const SettingField& field, double standard, double present) {
+    if (field.logarithmic) return {field.low, field.high};
+    constexpr double comfort = 4.0;           // times the default
+    constexpr double comfort_from_zero = 10;  // where the default is 0
+    double high = standard == 0.0 ? comfort_from_zero : comfort * std::fabs(standard);
+    // Ranges not much wider than that are shown whole.
+    if (field.high <= 2.5 * high) high = field.high;
+    high = std::max({std::min(high, field.high), present, field.low});
+    double low = field.low;
+    if (low < -2.5 * high) low = std::min(-high, present);
+    return {low, high > low ? high : low + 1.0};
+}
+
+RowEvent setting_row(const SettingField& field, ExperimentSettings& settings,
+                     ExperimentSettings& defaults) {
+    const std::string name = field.table + "." + field.key;
+    ImGui::PushID(name.c_str());
+    const float full = ImGui::GetContentRegionAvail().x;
+    const float control_width =
+        std::min((1.0F - kLabelShare) * full, std::max(px(kLeastControl), 0.38F * full));
+    const float label_width = std::floor(full - control_width);
+    const bool changed = !same_value(field, settings, defaults);
+    draw_label(field, changed, label_width);
+    const bool label_clicked = ImGui::IsItemClicked(ImGuiMouseButton_Right);
+    tooltip(help_text(field, defaults));
+    ImGui::SameLine(0.0F, 0.0F);
+    bool edited = false;
+    const bool at_once =
+        draw_control(field, field.at(settings), field.at(defaults), full - label_width, edited);
+    note_place(name);
+    RowEvent event = edited ? at_once ? RowEvent::kFinished : RowEvent::kEdited : RowEvent::kNone;
+    if (!at_once && ImGui::IsItemDeactivatedAfterEdit()) event = RowEvent::kFinished;
+    tooltip(help_text(field, defaults));
+    if (label_clicked || ImGui::IsItemClicked(ImGuiMouseButton_Right)) ImGui::OpenPopup("reset");
+    if (ImGui::BeginPopup("reset")) {
+        const std::string reset = "Reset to " + value_text(field, field.at(defaults));
+        if (ImGui::MenuItem(reset.c_str(), nullptr, false, changed)) {
+            copy_value(field, defaults, settings);
+            event = RowEvent::kFinished;
+        }
+        note_place("reset " + name);
+        ImGui::EndPopup();
+    }
+    ImGui::PopID();
+    return event;
+}
+
+}  // namespace cambrian

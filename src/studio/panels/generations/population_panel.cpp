@@ -1,0 +1,253 @@
+#include "studio/panels/generations/population_panel.h"
+
+#include "core/pretty_text.h"
+#include "studio/frame/help_mark.h"
+#include "studio/viewer/origin_words.h"
+#include "studio/widgets/creature_tile.h"
+#include "studio/widgets/widgets.h"
+
+#include <algorithm>
+
+namespace cambrian {
+namespace {
+
+constexpr float kTileWidth = 74.0F;
+constexpr float kTileHeight = 78.0F;
+constexpr float kTileGap = 6.0F;
+constexpr float kStarRoom = 22.0F;      // square in the tile's corner
+constexpr std::size_t kNotedTiles = 4;  // whose places are noted
+constexpr int kGrownAFrame = 24;
+
+bool on_show(const FrameContext& frame, const Individual& individual) {
+    return !frame.playback.empty() && frame.playback.exhibit().genome == individual.genome;
+}
+
+bool judged(const EvaluationResult& result) {
+    return result.outcome == Outcome::kCompleted;
+}
+
+std::string tile_words(const Tile& tile, const FrameContext& frame) {
+    const Individual& individual = *tile.creature.individual;
+    const EvaluationResult& result = individual.result;
+    std::string text = tile.rank > 0 ? format("Rank %zu\n", tile.rank)
+                                     : format("Of generation %u\n", tile.creature.generation);
+    if (judged(result)) {
+        const std::string unit = goal_unit(tile.creature.settings->goal, frame.kinds.goals);
+        text += "Fitness " + with_unit(result.fitness, unit);
+    } else {
+        text += capitalized(std::string(outcome_name(result.outcome)));
+        if (!result.reason.empty()) text += ": " + result.reason;
+    }
+    text += format("\n%d parts, %d neurons, ", result.parts, result.neurons);
+    text += measured(result.mass, "kg") + "\n\n";
+    return text + origin_words(individual, frame.snapshot.population, frame.kinds);
+}
+
+void draw_order(const FrameContext& frame, Requests& out) {
+    const TileSorting& chosen = tile_sorting(frame.view.order);
+    const bool open = begin_choice("##order", chosen.name, px(104));
+    note_place("tile order");
+    if (!open) return tooltip("What the creatures are sorted by. " + std::string(chosen.what));
+    for (const TileSorting& sorting : tile_sortings()) {
+        if (ImGui::Selectable(sorting.name, sorting.order == chosen.order)) {
+            ViewState view = frame.view;
+            view.order = sorting.order;
+            out.ask(ChangeView{view});
+        }
+        note_place(format("by %s", sorting.id));
+        tooltip(sorting.what);
+    }
+    ImGui::EndCombo();
+}
+
+void draw_filter(const FrameContext& frame, Requests& out) {
+    const bool on = frame.view.starred_only;
+    const float height = ImGui::GetFrameHeight();
+    if (push_button("Starred",
+                    {.look = on ? ButtonLook::kSelected : ButtonLook::kGhost,
+                     .icon = Icon::kStar,
+                     .height = height,
+                     .tooltip = "Only creatures with a star, of all generations. A click on a "
+                                "tile's corner or K gives a star or takes it away."})) {
+        ViewState view = frame.view;
+        view.starred_only = !on;
+        out.ask(ChangeView{view});
+    }
+    if (!on || !frame.stars.can_restore()) return;
+    ImGui::SameLine();
+    if (push_button("Give back", {.look = ButtonLook::kGhost,
+                                  .height = height,
+                                  .tooltip = "The star that was taken away last"}))
+        out.ask(RestoreStar{});
+}
+
+void draw_heading(const FrameContext& frame, std::size_t count, Requests& out) {
+    place_title("Population", "timeline", out);
+    const WithFont font(ui().fonts.small);
+    ImGui::SameLine(0, px(10));
+    draw_order(frame, out);
+    ImGui::SameLine();
+    draw_filter(frame, out);
+    if (frame.snapshot.history.empty()) return;
+    const std::string words =
+        frame.view.starred_only
+            ? format("%zu kept", count)
+            : format("%zu of generation %u", count, frame.snapshot.history.back().generation);
+    ImGui::SameLine(0, px(12));
+    const float room =
+        ImGui::GetContentRegionAvail().x - px(kHelpMarkRoom) - ImGui::CalcTextSize(words.c_str()).x;
+    if (room < 0.0F) return ImGui::NewLine();
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + room);
+    const WithTextColor muted(colors().muted);
+    ImGui::TextUnformatted(words.c_str());
+}
+
+void small_words(const std::string& words, const ImVec2& at, const Color& color) {
+    ImGui::GetWindowDrawList()->AddText(ui().fonts.small, px(12), at, paint(color), words.c_str());
+}
+
+float small_width(const std::string& words) {
+    return ui().fonts.small->CalcTextSizeA(px(12), 1e6F, 0.0F, words.c_str()).x;
+}
+
+Rect star_of(const Rect& tile) {
+    return {tile.x + tile.width - px(kStarRoom), tile.y, px(kStarRoom), px(kStarRoom)};
+}
+
+std::string star_words(bool starred) {
+    return starred ? "Takes the star away."
+                   : "A star: the creature stays when its generation has "
+                     "passed.";
+}
+
+void draw_star(const Rect& room, bool starred, bool tile_hovered) {
+    const bool pointed_at = tile_hovered && room.contains(ImGui::GetIO().MousePos);
+    if (!starred && !tile_hovered) return;
+    const Color& color = starred || pointed_at ? colors().accent : colors().muted;
+    draw_icon(*ImGui::GetWindowDrawList(), starred ? Icon::kStar : Icon::kStarOutline,
+              room.center(), px(13), color);
+}
+
+}  // namespace
+
+void PopulationPanel::gather(const FrameContext& frame) {
+    const EvolutionSnapshot& snapshot = frame.snapshot;
+    const ListedFor wanted = {snapshot.experiment, snapshot.history.size(), frame.stars.revision(),
+                              frame.view.order, frame.view.starred_only};
+    if (wanted == listed_for_) return;
+    if (wanted.experiment != listed_for_.experiment) bodies_.clear();
+    listed_for_ = wanted;
+    tiles_ = list_tiles(snapshot, frame.stars, wanted.order, wanted.starred_only);
+}
+
+void PopulationPanel::draw(const FrameContext& frame, Requests& out) {
+    gather(frame);
+    draw_heading(frame, tiles_.size(), out);
+    tiles_drawn_ = 0;
+    if (tiles_.empty()) {
+        ImGui::Dummy({0, px(2)});
+        muted_text(frame.view.starred_only
+                       ? "No creature has a star. Point at a tile and click its corner, or press K "
+                         "for the creature on show: it stays when its generation has passed."
+                       : "The creatures of the newest finished generation stand here, best first.");
+        return;
+    }
+    bodies_.begin_frame(kGrownAFrame);
+    ImGui::BeginChild("tiles", {0, 0}, false, ImGuiWindowFlags_NoBackground);
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(px(kTileGap), px(kTileGap)));
+    draw_tiles(frame, out);
+    ImGui::PopStyleVar();
+    ImGui::EndChild();
+}
+
+void PopulationPanel::draw_tiles(const FrameContext& frame, Requests& out) {
+    const float room = ImGui::GetContentRegionAvail().x + px(kTileGap);
+    const auto columns = static_cast<std::size_t>(std::max(1.0F, room / px(kTileWidth + kTileGap)));
+    follow_keys(columns, frame, out);
+    const std::size_t rows = (tiles_.size() + columns - 1) / columns;
+    ImGuiListClipper clipper;
+    clipper.Begin(static_cast<int>(rows), px(kTileHeight + kTileGap));
+    while (clipper.Step()) {
+        const std::size_t first = static_cast<std::size_t>(clipper.DisplayStart) * columns;
+        const std::size_t end = static_cast<std::size_t>(clipper.DisplayEnd) * columns;
+        for (std::size_t i = first; i < std::min(end, tiles_.size()); ++i) {
+            if (i % columns > 0) ImGui::SameLine();
+            draw_tile(i, frame, out);
+        }
+    }
+}
+
+void PopulationPanel::draw_tile(std::size_t index, const FrameContext& frame, Requests& out) {
+    const Tile& tile = tiles_[index];
+    const std::string name = format("tile %zu", index);
+    const bool pressed = ImGui::InvisibleButton(name.c_str(), {px(kTileWidth), px(kTileHeight)});
+    const ImVec2 low = ImGui::GetItemRectMin();
+    const Rect area = {low.x, low.y, px(kTileWidth), px(kTileHeight)};
+    const Rect star = star_of(area);
+    if (index < kNotedTiles) {
+        note_place(name);
+        note_place(format("star %zu", index), star);
+    }
+    if (pressed && star.contains(ImGui::GetIO().MousePos)) {
+        out.ask(ToggleStar{tile.creature});
+    } else if (pressed) {
+        out.ask(ShowIndividual{tile.creature});
+    }
+    draw_content(tile, area, frame);
+    if (ImGui::IsItemHovered()) {
+        const bool on_star = star.contains(ImGui::GetIO().MousePos);
+        tooltip(on_star ? star_words(tile.starred) : tile_words(tile, frame));
+    }
+    ++tiles_drawn_;
+}
+
+void PopulationPanel::draw_content(const Tile& tile, const Rect& area, const FrameContext& frame) {
+    const Individual& individual = *tile.creature.individual;
+    const bool hovered = ImGui::IsItemHovered();
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const Color back = hovered ? colors().hovered : mix(colors().panel, colors().raised, 0.6F);
+    list.AddRectFilled(area.low(), area.high(), paint(back), px(5));
+    if (on_show(frame, individual))
+        list.AddRect(area.low(), area.high(), paint(colors().accent), px(5), ImDrawFlags_None,
+                     px(2));
+    const ExperimentSettings& settings = *tile.creature.settings;
+    const Rect body = {area.x + px(8), area.y + px(18), area.width - px(16), area.height - px(38)};
+    const Phenotype* phenotype = bodies_.find(individual.genome, frame.kinds.creature,
+                                              settings.expression, settings.world.scene);
+    if (phenotype != nullptr) draw_creature_tile(list, body, *phenotype, individual.genome->hue);
+    const std::string place =
+        tile.rank > 0 ? std::to_string(tile.rank) : format("gen %u", tile.creature.generation);
+    small_words(place, {area.x + px(6), area.y + px(3)}, colors().muted);
+    draw_star(star_of(area), tile.starred, hovered);
+    const bool valid = judged(individual.result);
+    const std::string score = valid ? measured(individual.result.fitness, "") : "invalid";
+    small_words(score, {area.center().x - 0.5F * small_width(score), area.y + area.height - px(18)},
+                valid ? colors().muted : colors().danger);
+}
+
+// The arrow keys move from the creature on show, or to the first where it has no tile.
+void PopulationPanel::follow_keys(std::size_t columns, const FrameContext& frame,
+                                  Requests& out) const {
+    if (!ImGui::IsWindowFocused(ImGuiFocusedFlags_RootAndChildWindows)) return;
+    if (ImGui::GetIO().WantTextInput) return;
+    const auto pressed = [](ImGuiKey key) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key)); };
+    const auto row = static_cast<std::ptrdiff_t>(columns);
+    const std::ptrdiff_t steps = pressed(ImGuiKey_RightArrow)  ? 1
+                                 : pressed(ImGuiKey_LeftArrow) ? -1
+                                 : pressed(ImGuiKey_DownArrow) ? row
+                                 : pressed(ImGuiKey_UpArrow)   ? -row
+                                                               : 0;
+    if (steps == 0) return;
+    const auto shown = std::find_if(tiles_.begin(), tiles_.end(), [&frame](const Tile& tile) {
+        return on_show(frame, *tile.creature.individual);
+    });
+    const auto last = static_cast<std::ptrdiff_t>(tiles_.size()) - 1;
+    const std::ptrdiff_t wanted = shown == tiles_.end() ? 0 : shown - tiles_.begin() + steps;
+    if (wanted < 0 || wanted > last) return;
+    out.ask(ShowIndividual{tiles_[static_cast<std::size_t>(wanted)].creature});
+    const float top = static_cast<float>(wanted / row) * px(kTileHeight + kTileGap);
+    const float lowest = top + px(kTileHeight) - ImGui::GetWindowHeight();
+    ImGui::SetScrollY(std::clamp(ImGui::GetScrollY(), std::min(lowest, top), top));
+}
+
+}  // namespace cambrian

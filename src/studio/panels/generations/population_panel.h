@@ -1,0 +1,42 @@
+#pragma once
+
+#include "studio/frame/panel.h"
+#include "studio/look/ui_context.h"
+#include "studio/panels/generations/tile_list.h"
+#include "studio/widgets/phenotype_cache.h"
+
+namespace cambrian {
+
+// The newest finished generation, or what has a star, a tile a creature; a click or the arrow keys
+// show it. However many there are, only those in sight are grown and drawn.
+class PopulationPanel final : public Panel {
+public:
+    void draw(const FrameContext& frame, Requests& out) override;
+
+    std::size_t tiles_drawn() const { return tiles_drawn_; }  // in the last frame
+    std::size_t bodies_kept() const { return bodies_.size(); }
+
+private:
+    // What the list of tiles depends on.
+    struct ListedFor {
+        std::uint64_t experiment = 0;
+        std::size_t generations = 0;
+        std::uint64_t stars = 0;
+        TileOrder order = TileOrder::kFitness;
+        bool starred_only = false;
+
+        friend bool operator==(const ListedFor&, const ListedFor&) = default;
+    };
+    void gather(const FrameContext& frame);
+    void draw_tiles(const FrameContext& frame, Requests& out);
+    void draw_tile(std::size_t index, const FrameContext& frame, Requests& out);
+    void draw_content(const Tile& tile, const Rect& area, const FrameContext& frame);
+    void follow_keys(std::size_t columns, const FrameContext& frame, Requests& out) const;
+
+    PhenotypeCache bodies_;
+    ListedFor listed_for_;
+    std::vector<Tile> tiles_;
+    std::size_t tiles_drawn_ = 0;
+};
+
+}  // namespace cambrian

@@ -1,0 +1,176 @@
+#include "studio/panels/generations/timeline_chart.h"
+
+#include "core/pretty_text.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace cambrian {
+namespace {
+
+constexpr float kSwatch = 14.0F;     // width of a legend's sample
+constexpr float kSwatchGap = 6.0F;   // to its word
+constexpr float kEntryGap = 12.0F;   // to the next
+constexpr double kLeastSpan = 10.0;  // generations
+
+struct LegendEntry {
+    const char* label;
+    Color color;
+    bool band;
+};
+
+Color curve_color(std::size_t curve) {
+    return curve == 0 ? colors().plot_best : colors().plot_median;
+}
+
+std::vector<LegendEntry> legend_of(const TimelinePlot& plot) {
+    std::vector<LegendEntry> entries;
+    for (std::size_t i = 0; i < plot.curves.size(); ++i)
+        entries.push_back({plot.curves[i].label, curve_color(i), false});
+    if (plot.lower != nullptr)
+        entries.push_back({"10–90 %", with_alpha(colors().plot_median, 0.3F), true});
+    return entries;
+}
+
+float entry_width(const LegendEntry& entry) {
+    return px(kSwatch + kSwatchGap) + ImGui::CalcTextSize(entry.label).x;
+}
+
+}  // namespace
+
+void TimelineChart::forget() {
+    generations_.clear();
+    lower_.clear();
+    upper_.clear();
+    curves_.assign(plot_->curves.size(), {});
+}
+
+void TimelineChart::gather(const EvolutionSnapshot& snapshot, TimelineQuantity quantity) {
+    const bool other = quantity != plot_->quantity || snapshot.experiment != experiment_;
+    plot_ = &timeline_plot(quantity);
+    experiment_ = snapshot.experiment;
+    if (other || curves_.empty() || snapshot.history.size() < generations_.size()) forget();
+    for (std::size_t i = generations_.size(); i < snapshot.history.size(); ++i) {
+        const GenerationStatistics& row = snapshot.history[i];
+        generations_.push_back(row.generation);
+        for (std::size_t curve = 0; curve < curves_.size(); ++curve)
+            curves_[curve].push_back(plot_->curves[curve].measure(row));
+        if (plot_->lower == nullptr) continue;
+        lower_.push_back(plot_->lower(row));
+        upper_.push_back(plot_->upper(row));
+    }
+}
+
+PlotScale TimelineChart::scale_for(const Rect& area) const {
+    double lowest = 0.0;
+    double highest = 0.0;
+    const auto include = [&](const std::vector<double>& values) {
+        const auto [low, high] = std::minmax_element(values.begin(), values.end());
+        if (low == values.end()) return;
+        lowest = std::min(lowest, *low);
+        highest = std::max(highest, *high);
+    };
+    for (const std::vector<double>& curve : curves_)
+        include(curve);
+    include(lower_);
+    include(upper_);
+    const Range y = plot_range(lowest, highest);
+    const double last = std::max(generations_.back(), generations_.front() + kLeastSpan);
+    return {area, generations_.front(), last, y.low, y.high};
+}
+
+void TimelineChart::draw(ImDrawList& list, const PlotScale& scale) const {
+    if (!lower_.empty()) {
+        draw_band(list, scale, generations_, lower_, upper_,
+                  with_alpha(colors().plot_median, 0.22F));
+    }
+    for (std::size_t i = curves_.size(); i-- > 0;)
+        draw_curve(list, scale, generations_, curves_[i], curve_color(i), px(i == 0 ? 2.0F : 1.5F));
+}
+
+void TimelineChart::draw_dots(ImDrawList& list, const PlotScale& scale, std::size_t row) const {
+    for (std::size_t i = curves_.size(); i-- > 0;) {
+        const ImVec2 at = {scale.x_at(generations_[row]), scale.y_at(curves_[i][row])};
+        list.AddCircleFilled(at, px(4), paint(curve_color(i)));
+        list.AddCircle(at, px(4), paint(colors().panel), 0, px(1));
+    }
+}
+
+std::size_t TimelineChart::row_at(const PlotScale& scale, float pixel) const {
+    const double wanted = scale.x_from(pixel);
+    const auto after = std::lower_bound(generations_.begin(), generations_.end(), wanted);
+    if (after == generations_.begin()) return 0;
+    if (after == generations_.end()) return generations_.size() - 1;
+    const auto before = after - 1;
+    return static_cast<std::size_t>((*after - wanted < wanted - *before ? after : before) -
+                                    generations_.begin());
+}
+
+std::string timeline_title(const TimelinePlot& plot, const std::string& unit) {
+    const bool of_goal = plot.quantity == TimelineQuantity::kFitness && !unit.empty();
+    return of_goal ? std::string(plot.name) + " in " + pretty_unit(unit) : plot.name;
+}
+
+float legend_width(const TimelinePlot& plot) {
+    const WithFont font(ui().fonts.small);
+    float width = -px(kEntryGap);
+    for (const LegendEntry& entry : legend_of(plot))
+        width += entry_width(entry) + px(kEntryGap);
+    return width;
+}
+
+void draw_legend(ImDrawList& list, const TimelinePlot& plot, const ImVec2& right_top) {
+    ImVec2 at = {right_top.x - legend_width(plot), right_top.y};
+    const WithFont font(ui().fonts.small);
+    const float middle = at.y + 0.5F * ImGui::GetFontSize();
+    for (const LegendEntry& entry : legend_of(plot)) {
+        const float half = entry.band ? px(5) : px(1.2F);
+        list.AddRectFilled({at.x, middle - half}, {at.x + px(kSwatch), middle + half},
+                           paint(entry.color), px(1));
+        list.AddText(ui().fonts.small, ImGui::GetFontSize(),
+                     {std::floor(at.x + px(kSwatch + kSwatchGap)), std::floor(at.y)},
+                     paint(colors().muted), entry.label);
+        at.x += entry_width(entry) + px(kEntryGap);
+    }
+}
+
+void draw_change_marks(ImDrawList& list, const PlotScale& scale,
+                       const EvolutionSnapshot& snapshot) {
+    const float top = scale.area.y;
+    const float bottom = top + scale.area.height;
+    for (std::size_t i = 1; i < snapshot.journal.size(); ++i) {
+        const auto generation = static_cast<double>(snapshot.journal[i].generation);
+        if (generation > scale.x_high) continue;
+        const float x = std::floor(scale.x_at(generation)) + 0.5F;
+        list.AddLine({x, top}, {x, bottom}, paint(with_alpha(colors().accent, 0.45F)));
+        list.AddTriangleFilled({x - px(5), top - px(5)}, {x + px(5), top - px(5)}, {x, top + px(3)},
+                               paint(colors().accent));
+    }
+}
+
+void draw_timeline_picture(ImDrawList& list, const Rect& area, const EvolutionSnapshot& snapshot,
+                           TimelineQuantity quantity, const std::string& unit) {
+    TimelineChart chart;
+    chart.gather(snapshot, quantity);
+    const TimelinePlot& plot = timeline_plot(quantity);
+    const float margin = px(28);
+    list.AddText(ui().fonts.title, ui().fonts.title->FontSize, {area.x + margin, area.y + px(22)},
+                 paint(colors().text), timeline_title(plot, unit).c_str());
+    draw_legend(list, plot, {area.x + area.width - margin, area.y + px(28)});
+    if (chart.empty()) return;
+    const PlotScale scale =
+        chart.scale_for({area.x + margin + px(40), area.y + px(72),
+                         area.width - 2 * margin - px(40), area.height - px(72) - px(64)});
+    draw_axes(list, scale);
+    draw_change_marks(list, scale, snapshot);
+    chart.draw(list, scale);
+    const WithFont font(ui().fonts.small);
+    const char* across = "generation";
+    list.AddText(ui().fonts.small, ImGui::GetFontSize(),
+                 {scale.area.center().x - 0.5F * ImGui::CalcTextSize(across).x,
+                  area.y + area.height - px(34)},
+                 paint(colors().muted), across);
+}
+
+}  // namespace cambrian

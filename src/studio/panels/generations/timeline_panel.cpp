@@ -1,0 +1,260 @@
+#include "studio/panels/generations/timeline_panel.h"
+
+#include "core/pretty_text.h"
+#include "studio/frame/help_mark.h"
+#include "studio/panels/generations/export_menu.h"
+#include "studio/widgets/widgets.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cambrian {
+namespace {
+
+constexpr double kNewcomerShare = 0.2;
+constexpr const char* kManyKinds = "map-elites";
+constexpr float kMarkReach = 5.0F;  // from a mark, within which its words are shown
+constexpr int kLongStride = 10;     // generations, with Shift
+
+std::string unit_of_goal(const FrameContext& frame) {
+    return goal_unit(frame.snapshot.settings->goal, frame.kinds.goals);
+}
+
+void draw_quantities(const FrameContext& frame, Requests& out) {
+    const TimelinePlot& chosen = timeline_plot(frame.view.quantity);
+    const bool open =
+        begin_choice("##quantity", timeline_title(chosen, unit_of_goal(frame)), px(128));
+    note_place("timeline quantity");
+    if (!open) return tooltip("What is plotted (Up, Down). " + std::string(chosen.what));
+    for (const TimelinePlot& plot : timeline_plots()) {
+        if (ImGui::Selectable(plot.name, &plot == &chosen)) {
+            ViewState view = frame.view;
+            view.quantity = plot.quantity;
+            out.ask(ChangeView{view});
+        }
+        note_place(plot.name);
+        tooltip(plot.what);
+    }
+    ImGui::EndCombo();
+}
+
+void draw_heading(const FrameContext& frame, Requests& out) {
+    place_title("Timeline", "timeline", out);
+    const WithFont font(ui().fonts.small);
+    ImGui::SameLine(0, px(10));
+    draw_quantities(frame, out);
+    ImGui::SameLine();
+    const float after = ImGui::GetCursorPosX();
+    const float height = ImGui::GetFrameHeight();
+    const float export_width = px(62);
+    const float right = ImGui::GetWindowContentRegionMax().x - px(kHelpMarkRoom);
+    const TimelinePlot& plot = timeline_plot(frame.view.quantity);
+    const float legend_right = right - export_width - px(12);
+    if (legend_right - legend_width(plot) > after) {
+        const ImVec2 corner = ImGui::GetWindowPos();
+        draw_legend(*ImGui::GetWindowDrawList(), plot,
+                    {corner.x + legend_right,
+                     ImGui::GetCursorScreenPos().y + 0.5F * (height - ImGui::GetFontSize())});
+    }
+    ImGui::SameLine(right - export_width);
+    if (push_button("Export", {.look = ButtonLook::kGhost,
+                               .width = export_width,
+                               .height = height,
+                               .tooltip = "The statistics as a table, or this plot as a picture"}))
+        ImGui::OpenPopup("export");
+}
+
+// What may help where the best has not risen for long (evolution.md 6.4); nothing is done unasked.
+void draw_stagnation(const FrameContext& frame, Requests& out) {
+    const auto& history = frame.snapshot.history;
+    if (history.empty() || !stagnant(history.back())) return;
+    const ExperimentSettings& draft = frame.editor.draft();
+    const WithFont font(ui().fonts.small);
+    const float height = ImGui::GetFrameHeight();
+    ImGui::AlignTextToFramePadding();
+    muted_text(format("The best has not risen for %d generations.",
+                      history.back().generations_without_progress));
+    ImGui::SameLine(0, px(10));
+    if (push_button("Add newcomers",
+                    {.height = height,
+                     .tooltip = "Once, a fifth of the next generation is new random creatures."}))
+        out.ask(AddNewcomers{kNewcomerShare});
+    if (draft.selection.method == kManyKinds) return;
+    ImGui::SameLine();
+    if (push_button("Many kinds", {.height = height,
+                                   .tooltip = "Keep the fittest of every kind of body: the "
+                                              "selection method becomes MAP-Elites."})) {
+        ExperimentSettings edited = draft;
+        edited.selection.method = kManyKinds;
+        out.ask(EditSettings{std::move(edited), "selection.method"});
+        out.ask(FinishEdit{});
+    }
+}
+
+// Labels of the settings in which two journal entries differ, one a line.
+std::string difference(const FrameContext& frame, const ExperimentSettings& before,
+                       const ExperimentSettings& after) {
+    ExperimentSettings a = before;
+    ExperimentSettings b = after;
+    std::string text;
+    for (const SettingField& field : frame.fields) {
+        if (same_value(field, a, b)) continue;
+        text += '\n';
+        text += field.label;
+        const SettingRef from = field.at(a);
+        const SettingRef to = field.at(b);
+        if (auto* const* number = std::get_if<double*>(&from)) {
+            text += ' ';
+            text += pretty_number(**number);
+            text += " → ";
+            text += with_unit(**std::get_if<double*>(&to), field.unit);
+        }
+    }
+    return text;
+}
+
+// What changed at the mark nearest to a pixel, if one is within reach.
+std::string change_near(const FrameContext& frame, const PlotScale& scale, float pixel) {
+    const auto& journal = frame.snapshot.journal;
+    float nearest = px(kMarkReach);
+    std::string text;
+    for (std::size_t i = 1; i < journal.size(); ++i) {
+        const auto generation = static_cast<double>(journal[i].generation);
+        const float away = std::fabs(scale.x_at(generation) - pixel);
+        if (generation > scale.x_high || away > nearest) continue;
+        const bool same_mark = journal[i].generation == journal[i - 1].generation && !text.empty();
+        if (!same_mark) text = format("Changed at generation %u:", journal[i].generation);
+        text += difference(frame, *journal[i - 1].settings, *journal[i].settings);
+        nearest = away;
+    }
+    return text;
+}
+
+std::string percent(double share) {
+    return pretty_number(std::round(100.0 * share)) + " %";
+}
+
+std::string reading(const GenerationStatistics& stats, const std::string& unit) {
+    std::string text = format("Generation %u\nBest ", stats.generation);
+    text += with_unit(stats.best, unit) + ", median " + pretty_number(stats.median);
+    text += "\n10–90 %: " + pretty_number(stats.lower) + " to " + pretty_number(stats.upper);
+    text += format("\n%d distinct of %d, ", stats.distinct_genomes, stats.size);
+    text += percent(stats.invalid_share) + " invalid\nOn average ";
+    text += pretty_number(stats.mean_parts) + " parts, " + pretty_number(stats.mean_neurons);
+    text += format(" neurons\nMap: %d cells filled, quality ", stats.filled_cells);
+    text += pretty_number(stats.quality);
+    text += format("\n%d creatures simulated, ", stats.evaluations);
+    return text + percent(stats.time_saved) + " of the time saved";
+}
+
+// The row whose champion is on show, or -1.
+int shown_row(const FrameContext& frame) {
+    if (frame.playback.empty()) return -1;
+    const Exhibit& exhibit = frame.playback.exhibit();
+    if (exhibit.source != ExhibitSource::kChampion) return -1;
+    const auto& history = frame.snapshot.history;
+    const auto found = std::lower_bound(history.begin(), history.end(), exhibit.generation,
+                                        [](const GenerationStatistics& row, std::uint32_t wanted) {
+                                            return row.generation < wanted;
+                                        });
+    const bool known = found != history.end() && found->generation == exhibit.generation;
+    return known ? static_cast<int>(found - history.begin()) : -1;
+}
+
+void draw_line(const PlotScale& scale, double generation, const Color& color) {
+    const float x = std::floor(scale.x_at(generation)) + 0.5F;
+    const Rect& area = scale.area;
+    ImGui::GetWindowDrawList()->AddLine({x, area.y}, {x, area.y + area.height}, paint(color),
+                                        px(1));
+}
+
+// The cursor: a line with a grip that names the generation on show.
+void draw_cursor(const PlotScale& scale, double generation, const std::string& words) {
+    draw_line(scale, generation, colors().text);
+    const WithFont font(ui().fonts.small);
+    const ImVec2 size = ImGui::CalcTextSize(words.c_str());
+    const float width = size.x + px(10);
+    const Rect& area = scale.area;
+    const float x =
+        std::clamp(scale.x_at(generation) - 0.5F * width, area.x, area.x + area.width - width);
+    const ImVec2 low = {std::floor(x), std::floor(area.y - px(8))};
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled(low, {low.x + width, low.y + size.y + px(3)}, paint(colors().text), px(4));
+    list.AddText({low.x + px(5), low.y + px(1)}, paint(colors().panel), words.c_str());
+}
+
+}  // namespace
+
+void TimelinePanel::draw(const FrameContext& frame, Requests& out) {
+    draw_heading(frame, out);
+    draw_export_popup("export", frame, out);
+    draw_stagnation(frame, out);
+    chart_.gather(frame.snapshot, frame.view.quantity);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const ImVec2 room = ImGui::GetContentRegionAvail();
+    const Rect area = {at.x + px(46), at.y + px(8), room.x - px(54), room.y - px(28)};
+    if (area.height < px(20) || area.width < px(20)) return;
+    if (chart_.empty()) muted_text("Press Evolve: each finished generation adds a point here.");
+    ImGui::SetCursorScreenPos(area.low());
+    ImGui::InvisibleButton("plot", {area.width, area.height});
+    note_place("timeline");
+    if (chart_.empty()) return;
+    const PlotScale scale = chart_.scale_for(area);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    draw_axes(list, scale);
+    draw_change_marks(list, scale, frame.snapshot);
+    chart_.draw(list, scale);
+    follow_mouse(scale, frame, out);
+    follow_keys(frame, out);
+}
+
+void TimelinePanel::follow_mouse(const PlotScale& scale, const FrameContext& frame,
+                                 Requests& out) const {
+    const auto& history = frame.snapshot.history;
+    const float pixel = ImGui::GetIO().MousePos.x;
+    const std::size_t row = chart_.row_at(scale, pixel);
+    const bool held = ImGui::IsItemActive();
+    const bool hovered = ImGui::IsItemHovered();
+    const int shown = held ? static_cast<int>(row) : shown_row(frame);
+    if (held || hovered) {
+        if (!held) draw_line(scale, chart_.generation(row), with_alpha(colors().text, 0.3F));
+        chart_.draw_dots(*ImGui::GetWindowDrawList(), scale, row);
+    }
+    if (shown >= 0) {
+        const std::uint32_t generation = history[static_cast<std::size_t>(shown)].generation;
+        draw_cursor(scale, generation, std::to_string(generation));
+    }
+    if (held && shown_row(frame) != static_cast<int>(row))
+        out.ask(ShowChampion{history[row].generation});
+    if (held || !hovered) return;
+    std::string text = reading(history[row], unit_of_goal(frame));
+    const std::string change = change_near(frame, scale, pixel);
+    if (!change.empty()) text += "\n\n" + change;
+    tooltip(text + "\n\nClick or drag to watch champions; Left and Right step through them.");
+}
+
+void TimelinePanel::follow_keys(const FrameContext& frame, Requests& out) const {
+    if (!ImGui::IsWindowFocused() || ImGui::GetIO().WantTextInput) return;
+    const auto pressed = [](ImGuiKey key) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key)); };
+    const int last = static_cast<int>(frame.snapshot.history.size()) - 1;
+    const int stride = ImGui::GetIO().KeyShift ? kLongStride : 1;
+    const int steps = pressed(ImGuiKey_RightArrow)  ? stride
+                      : pressed(ImGuiKey_LeftArrow) ? -stride
+                                                    : 0;
+    const int shown = shown_row(frame);
+    const int row = (shown < 0 ? last : shown) + steps;
+    if (steps != 0 && row > last) out.ask(ShowNewest{});
+    if (steps != 0 && row <= last) {
+        const auto wanted = static_cast<std::size_t>(std::max(0, row));
+        out.ask(ShowChampion{frame.snapshot.history[wanted].generation});
+    }
+    const int turn = pressed(ImGuiKey_DownArrow) ? 1 : pressed(ImGuiKey_UpArrow) ? -1 : 0;
+    if (turn == 0) return;
+    const int count = static_cast<int>(timeline_plots().size());
+    ViewState view = frame.view;
+    view.quantity =
+        static_cast<TimelineQuantity>((static_cast<int>(view.quantity) + turn + count) % count);
+    out.ask(ChangeView{view});
+}
+
+}  // namespace cambrian

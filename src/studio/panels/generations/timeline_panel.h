@@ -1,0 +1,21 @@
+#pragma once
+
+#include "studio/frame/panel.h"
+#include "studio/panels/generations/timeline_chart.h"
+
+namespace cambrian {
+
+// A quantity over the generations, marks where settings changed, and values under the mouse; a
+// click, a drag or the arrow keys show past generations' champions.
+class TimelinePanel final : public Panel {
+public:
+    void draw(const FrameContext& frame, Requests& out) override;
+
+private:
+    void follow_mouse(const PlotScale& scale, const FrameContext& frame, Requests& out) const;
+    void follow_keys(const FrameContext& frame, Requests& out) const;
+
+    TimelineChart chart_;
+};
+
+}  // namespace cambrian

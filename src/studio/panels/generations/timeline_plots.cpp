@@ -1,0 +1,64 @@
+#include "studio/panels/generations/timeline_plots.h"
+
+#include <cstddef>
+
+namespace cambrian {
+namespace {
+
+using Row = GenerationStatistics;
+
+template <auto Field>
+double field(const Row& row) {
+    return static_cast<double>(row.*Field);
+}
+
+double invalid_percent(const Row& row) {
+    return 100.0 * row.invalid_share;
+}
+
+}  // namespace
+
+std::span<const TimelinePlot> timeline_plots() {
+    static const std::vector<TimelinePlot> plots = {
+        {TimelineQuantity::kFitness,
+         "fitness",
+         "Fitness",
+         "The best creature of each generation, the median, and the band from 10 to 90 %.",
+         {{"best", field<&Row::best>}, {"median", field<&Row::median>}},
+         field<&Row::lower>,
+         field<&Row::upper>},
+        {TimelineQuantity::kDiversity,
+         "diversity",
+         "Diversity",
+         "Genomes that differ, and cells of the map of body kinds with a creature in them.",
+         {{"distinct genomes", field<&Row::distinct_genomes>},
+          {"filled cells", field<&Row::filled_cells>}}},
+        {TimelineQuantity::kParts,
+         "parts",
+         "Parts",
+         "Parts of a body, on average over the generation.",
+         {{"parts, mean", field<&Row::mean_parts>}}},
+        {TimelineQuantity::kNeurons,
+         "neurons",
+         "Neurons",
+         "Live neurons of a brain, on average over the generation.",
+         {{"neurons, mean", field<&Row::mean_neurons>}}},
+        {TimelineQuantity::kTrials,
+         "trials",
+         "Trials",
+         "Trials that were run for each generation, and scores known from an equal genome.",
+         {{"run", field<&Row::evaluations>}, {"known already", field<&Row::reused>}}},
+        {TimelineQuantity::kInvalid,
+         "invalid",
+         "Invalid",
+         "Creatures without a motion that can be judged, in percent of the generation.",
+         {{"invalid, %", invalid_percent}}},
+    };
+    return plots;
+}
+
+const TimelinePlot& timeline_plot(TimelineQuantity quantity) {
+    return timeline_plots()[static_cast<std::size_t>(quantity)];
+}
+
+}  // namespace cambrian

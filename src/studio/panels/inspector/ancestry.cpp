@@ -1,0 +1,60 @@
+#include "studio/panels/inspector/ancestry.h"
+
+#include <utility>
+
+namespace cambrian {
+namespace {
+
+bool judged(const Individual& individual) {
+    return individual.evaluated && individual.result.outcome == Outcome::kCompleted;
+}
+
+// In force when a generation was judged; null before the journal begins.
+SettingsPtr settings_of_generation(const std::vector<JournalEntry>& journal,
+                                   std::uint32_t generation) {
+    SettingsPtr settings;
+    for (const JournalEntry& entry : journal) {
+        if (entry.generation <= generation) settings = entry.settings;
+    }
+    return settings;
+}
+
+}  // namespace
+
+std::vector<AncestryStep> ancestry_of(const Exhibit& exhibit) {
+    std::vector<AncestryStep> line;
+    for (IndividualPtr one = individual_of(exhibit); one != nullptr; one = one->mother.get()) {
+        AncestryStep step{one, {}};
+        const IndividualPtr& mother = one->mother.get();
+        if (mother != nullptr && judged(*one) && judged(*mother))
+            step.gained = one->result.fitness - mother->result.fitness;
+        line.push_back(std::move(step));
+    }
+    return line;
+}
+
+Exhibit ancestor_exhibit(const Exhibit& head, const std::vector<AncestryStep>& line,
+                         std::size_t index, const EvolutionSnapshot& snapshot) {
+    const Individual& ancestor = *line[index].individual;
+    // Parents breed as they were judged in the generation before their child's; what was edited by
+    // hand stays in the world it was shown in.
+    const Individual& child = *line[index - 1].individual;
+    const bool edited = child.method == "edited";
+    const std::uint32_t generation = child.born > 0 ? child.born - 1 : 0;
+    SettingsPtr settings;
+    if (!edited && head.experiment == snapshot.experiment)
+        settings = settings_of_generation(snapshot.journal, generation);
+    ExperimentSettings own;
+    own.world = head.world;
+    own.goal = head.goal;
+    own.expression = head.expression;
+    own.seed = head.seed;
+    Exhibit exhibit =
+        exhibit_of(ancestor, settings ? *settings : own, ancestor.born, ExhibitSource::kPopulation);
+    exhibit.title = "Ancestor of generation " + std::to_string(ancestor.born);
+    exhibit.experiment = head.experiment;
+    if (!settings && !edited) exhibit.result.reset();
+    return exhibit;
+}
+
+}  // namespace cambrian

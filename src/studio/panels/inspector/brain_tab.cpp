@@ -1,0 +1,229 @@
+#include "studio/panels/inspector/brain_tab.h"
+
+#include "core/pretty_text.h"
+#include "studio/widgets/plot.h"
+#include "studio/widgets/value_slider.h"
+#include "studio/widgets/widgets.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cambrian {
+namespace {
+
+constexpr std::size_t kMostInRow = 7;
+constexpr float kRowHeight = 46.0F;
+constexpr float kTraceHeight = 13.0F;
+constexpr float kTraceWidth = 32.0F;
+constexpr float kFootHeight = 132.0F;  // history and force of the chosen node
+constexpr double kForceRange = 2.0;    // of the slider; more can be typed
+constexpr double kFullColor = 2.0;     // signals are mostly within +-2
+
+// Orange for positive, blue for negative, grey for none.
+Color value_color(double value) {
+    const auto share = static_cast<float>(std::clamp(std::fabs(value) / kFullColor, 0.0, 1.0));
+    const Color& end = value >= 0.0 ? colors().plot_best : colors().plot_median;
+    return mix(colors().raised, end, share);
+}
+
+std::vector<double> history_of(const BrainNode& node, const SignalTrace& signals) {
+    if (node.kind == BrainNodeKind::kEffector) return signals.of_output(node.index);
+    return signals.of_slot(static_cast<Slot>(node.index));
+}
+
+double value_of(const BrainNode& node, const Brain& brain) {
+    if (node.kind == BrainNodeKind::kEffector) return brain.output(node.index);
+    return brain.value(static_cast<Slot>(node.index));
+}
+
+std::string words_for(const BrainNode& node, double value) {
+    const char* kind = node.kind == BrainNodeKind::kSensor   ? "Sensor"
+                       : node.kind == BrainNodeKind::kNeuron ? "Neuron"
+                                                             : "Effector";
+    const std::string where =
+        node.part < 0 ? std::string("central brain") : "part " + std::to_string(node.part);
+    return std::string(kind) + ": " + node.label + "\n" + where + "\nNow " + pretty_number(value) +
+           "\nClick for its history" +
+           (node.kind == BrainNodeKind::kNeuron ? " and to force it." : ".");
+}
+
+struct ShapeStyle {
+    Color fill;
+    Color rim;
+    float rim_width;
+};
+
+void draw_shape(ImDrawList& list, BrainNodeKind kind, const ImVec2& at, float radius,
+                const ShapeStyle& style) {
+    if (kind == BrainNodeKind::kNeuron) {
+        list.AddCircleFilled(at, radius, paint(style.fill), 20);
+        list.AddCircle(at, radius, paint(style.rim), 20, style.rim_width);
+        return;
+    }
+    const float rounding = kind == BrainNodeKind::kSensor ? 0.0F : px(4);
+    const ImVec2 low = {at.x - radius, at.y - radius};
+    const ImVec2 high = {at.x + radius, at.y + radius};
+    list.AddRectFilled(low, high, paint(style.fill), rounding);
+    list.AddRect(low, high, paint(style.rim), rounding, ImDrawFlags_None, style.rim_width);
+}
+
+// Values over ticks, newest to the right, zero in the middle.
+void draw_trace(ImDrawList& list, const Rect& area, const std::vector<double>& values,
+                const Color& color, float width) {
+    double most = 1.0;
+    std::vector<double> ticks;
+    for (const double value : values) {
+        ticks.push_back(static_cast<double>(SignalTrace::kLength - values.size() + ticks.size()));
+        most = std::max(most, std::fabs(value));
+    }
+    const PlotScale scale{area, 0.0, static_cast<double>(SignalTrace::kLength - 1), -most, most};
+    list.AddRectFilled(area.low(), area.high(), paint(mix(colors().panel, colors().raised, 0.6F)),
+                       px(3));
+    const float zero = std::floor(scale.y_at(0.0)) + 0.5F;
+    list.AddLine({area.x, zero}, {area.x + area.width, zero}, paint(colors().border));
+    if (values.size() > 1) draw_curve(list, scale, ticks, values, color, width);
+}
+
+}  // namespace
+
+void BrainTab::rebuild(const FrameContext& frame) {
+    phenotype_ = frame.playback.shared_phenotype();
+    graph_ = brain_graph(*phenotype_, frame.kinds.creature, kMostInRow);
+    if (chosen_ >= graph_.nodes.size()) chosen_ = 0;
+}
+
+ImVec2 BrainTab::point_of(const Rect& area, std::size_t node) const {
+    const GraphPoint& place = graph_.nodes[node].place;
+    return {area.x + place.x * area.width, area.y + place.y * area.height};
+}
+
+void BrainTab::draw(const FrameContext& frame, Requests& out) {
+    if (phenotype_ != frame.playback.shared_phenotype()) rebuild(frame);
+    muted_text("Sensors on top, joints at the bottom. Orange is positive, blue negative.");
+    const float room = ImGui::GetContentRegionAvail().y - px(kFootHeight);
+    ImGui::BeginChild("network", {0, std::max(px(2 * kRowHeight), room)}, false,
+                      ImGuiWindowFlags_NoBackground);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const ImVec2 inside = ImGui::GetContentRegionAvail();
+    const float height =
+        std::max(inside.y - px(4), static_cast<float>(graph_.row_count) * px(kRowHeight));
+    const Rect area = {at.x, at.y, inside.x, height};
+    draw_links(area);
+    draw_nodes(area, frame, out);
+    ImGui::SetCursorScreenPos({at.x, at.y + height});
+    ImGui::EndChild();
+    if (chosen_ >= graph_.nodes.size()) return;
+    draw_history(frame);
+    draw_force(frame, out);
+}
+
+void BrainTab::draw_links(const Rect& area) const {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    for (const BrainLink& link : graph_.links) {
+        const ImVec2 from = point_of(area, link.edge.from);
+        const ImVec2 to = point_of(area, link.edge.to);
+        const auto weight = static_cast<float>(std::min(4.0, std::fabs(link.weight)));
+        const Color& tint = link.weight >= 0.0 ? colors().plot_best : colors().plot_median;
+        const ImU32 color = paint(with_alpha(tint, 0.2F + 0.1F * weight));
+        const float width = px(0.8F + 0.35F * weight);
+        if (link.edge.from == link.edge.to) {
+            list.AddCircle({from.x + px(9), from.y - px(9)}, px(8), color, 16, width);
+            continue;
+        }
+        const float bend = 0.5F * (to.y - from.y);
+        list.AddBezierCubic(from, {from.x, from.y + bend}, {to.x, to.y - bend}, to, color, width,
+                            14);
+    }
+}
+
+void BrainTab::draw_nodes(const Rect& area, const FrameContext& frame, Requests& out) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const Brain& brain = frame.playback.trial().creature().brain();
+    const float radius = px(8);
+    for (std::size_t i = 0; i < graph_.nodes.size(); ++i) {
+        const BrainNode& node = graph_.nodes[i];
+        const ImVec2 at = point_of(area, i);
+        ImGui::SetCursorScreenPos({at.x - radius, at.y - radius});
+        ImGui::PushID(static_cast<int>(i));
+        if (ImGui::InvisibleButton("node", {2 * radius, 2 * radius + px(kTraceHeight)}))
+            chosen_ = i;
+        ImGui::PopID();
+        note_place("brain node " + std::to_string(i));
+        const double value = value_of(node, brain);
+        const bool lit =
+            node.part >= 0 &&
+            frame.highlight.covers(static_cast<std::size_t>(node.part),
+                                   phenotype_->parts[static_cast<std::size_t>(node.part)]);
+        const bool forced = is_forced(frame, node);
+        draw_trace(list,
+                   {at.x - px(0.5F * kTraceWidth), at.y + radius + px(2), px(kTraceWidth),
+                    px(kTraceHeight - 2)},
+                   history_of(node, frame.playback.signals()),
+                   forced ? colors().danger : colors().muted, px(1));
+        const Color rim = forced         ? colors().danger
+                          : i == chosen_ ? colors().accent
+                          : lit          ? colors().text
+                                         : colors().faint;
+        const bool strong = forced || lit || i == chosen_;
+        draw_shape(list, node.kind, at, radius,
+                   {value_color(value), rim, strong ? px(2.5F) : px(1)});
+        if (!ImGui::IsItemHovered()) continue;
+        if (node.part >= 0) out.ask(ShowHighlight{{.part = node.part}});
+        tooltip(words_for(node, value));
+    }
+}
+
+bool BrainTab::is_forced(const FrameContext& frame, const BrainNode& node) const {
+    return node.kind == BrainNodeKind::kNeuron &&
+           frame.playback.forced().count(neuron_of(node)) == 1;
+}
+
+std::size_t BrainTab::neuron_of(const BrainNode& node) const {
+    return node.index - phenotype_->network.neuron_slot(0);
+}
+
+void BrainTab::draw_history(const FrameContext& frame) const {
+    const BrainNode& node = graph_.nodes[chosen_];
+    const double value = value_of(node, frame.playback.trial().creature().brain());
+    caption(node.label + ", the last 3 s; now " + pretty_number(value));
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const Rect area = {at.x, at.y, ImGui::GetContentRegionAvail().x, px(52)};
+    draw_trace(*ImGui::GetWindowDrawList(), area, history_of(node, frame.playback.signals()),
+               colors().accent, px(1.5F));
+    ImGui::Dummy({area.width, area.height});
+}
+
+// A switch and a slider that make the chosen neuron say a value.
+void BrainTab::draw_force(const FrameContext& frame, Requests& out) {
+    const BrainNode& node = graph_.nodes[chosen_];
+    if (node.kind != BrainNodeKind::kNeuron) {
+        muted_text("Choose a neuron, a round node, to force its value.");
+        return;
+    }
+    const std::size_t neuron = neuron_of(node);
+    const auto present = frame.playback.forced().find(neuron);
+    bool forced = present != frame.playback.forced().end();
+    double value =
+        forced ? present->second : value_of(node, frame.playback.trial().creature().brain());
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted("Force");
+    ImGui::SameLine();
+    if (toggle_switch("force neuron", forced)) {
+        if (forced) {
+            out.ask(ForceNeuron{neuron, value});
+        } else {
+            out.ask(ReleaseNeuron{neuron});
+        }
+    }
+    tooltip(
+        "The neuron says the value beside, whatever it computes. The run counts as disturbed "
+        "until you restart it.");
+    ImGui::SameLine();
+    const float width = ImGui::GetContentRegionAvail().x;
+    if (value_slider(value, {.range = {-kForceRange, kForceRange}, .width = width}))
+        out.ask(ForceNeuron{neuron, value});
+    note_place("forced value");
+    tooltip("What the neuron says; moving it forces the neuron. Ctrl+click to type, within ±10.");
+}
+
+}  // namespace cambrian

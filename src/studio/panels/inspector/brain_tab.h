@@ -1,0 +1,34 @@
+#pragma once
+
+#include "studio/frame/panel.h"
+#include "studio/look/ui_context.h"
+#include "studio/panels/inspector/brain_graph.h"
+
+#include <cstddef>
+#include <memory>
+
+namespace cambrian {
+
+// The network at work: nodes coloured by their present value over a short history each, links by
+// weight; and of the node that was clicked a longer history and, if it is a neuron, a slider that
+// forces its value. What is pointed at lights up on the body, and the other way round.
+class BrainTab final : public Panel {
+public:
+    void draw(const FrameContext& frame, Requests& out) override;
+
+private:
+    void rebuild(const FrameContext& frame);
+    void draw_links(const Rect& area) const;
+    void draw_nodes(const Rect& area, const FrameContext& frame, Requests& out);
+    void draw_history(const FrameContext& frame) const;
+    void draw_force(const FrameContext& frame, Requests& out);
+    bool is_forced(const FrameContext& frame, const BrainNode& node) const;
+    std::size_t neuron_of(const BrainNode& node) const;
+    ImVec2 point_of(const Rect& area, std::size_t node) const;
+
+    std::shared_ptr<const Phenotype> phenotype_;  // the graph is of
+    BrainGraph graph_;
+    std::size_t chosen_ = 0;  // node clicked last
+};
+
+}  // namespace cambrian

@@ -1,0 +1,177 @@
+#include "studio/panels/viewport/scene_overlays.h"
+
+#include "math/elementary.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace cambrian {
+namespace {
+
+constexpr double kFullTorqueTurn = 2.2;       // rad, of the arc of a motor at its most
+constexpr double kForceLength = 1.0 / 3.0;    // m, for a force of the creature's weight
+constexpr double kStandardGravity = 9.80665;  // m/s^2
+
+Vec2 planar(const Vec3& point) {
+    return point.head<2>();
+}
+
+Vec2 direction(double angle) {
+    const SineCosine turn = sine_cosine(angle);
+    return {turn.cosine, turn.sine};
+}
+
+// A joint as it stands.
+struct JointPlace {
+    Vec2 pivot;
+    double radius = 0.0;      // m, of arcs about it
+    double angle = 0.0;       // rad; direction of the part
+    double rest = 0.0;        // rad; of the part if the joint were at rest
+    double coordinate = 0.0;  // rad or m
+    bool slides = false;
+};
+
+JointPlace place_of(const OverlayScene& over, std::size_t index) {
+    const BodyPlan& plan = over.look.phenotype.plan;
+    const PlannedPart& part = plan.parts[index];
+    const Pose& pose = over.look.poses[index];
+    JointPlace place;
+    place.pivot = planar(transform(pose, part.anchor_in_child));
+    place.radius = std::max(14.0 * over.pixel, 0.6 * part.half_extents.x());
+    place.angle = planar_angle(pose);
+    place.coordinate = over.scene.joint_coordinate(index);
+    place.slides = over.kinds.scene.joints[part.joint_kind].unit == "m";
+    place.rest = place.slides ? place.angle : place.angle - place.coordinate;
+    return place;
+}
+
+Face seen_by(const WiredSensor& sensor) {
+    const auto face = static_cast<Face>(sensor.channel);
+    if (sensor.handedness > 0) return face;
+    if (face == Face::kLeft) return Face::kRight;
+    return face == Face::kRight ? Face::kLeft : face;
+}
+
+Vec2 face_middle(const Vec3& half, Face face) {
+    switch (face) {
+        case Face::kDistal:
+            return {half.x(), 0.0};
+        case Face::kLeft:
+            return {0.0, half.y()};
+        case Face::kProximal:
+            return {-half.x(), 0.0};
+        case Face::kRight:
+            break;
+    }
+    return {0.0, -half.y()};
+}
+
+void add_joint_reading(SceneFrame& frame, const OverlayScene& over, const JointPlace& joint) {
+    const Color& color = over.palette.plot_median;
+    const double width = 3.0 * over.pixel;
+    if (joint.slides) {
+        const Vec2 along = joint.coordinate * direction(joint.angle);
+        frame.add_line(joint.pivot - along, joint.pivot, width, color);
+    } else {
+        frame.add_arc(joint.pivot, 0.7 * joint.radius, {joint.rest, joint.angle}, width, color);
+    }
+    frame.add_circle(joint.pivot, 1.2 * width, color);
+}
+
+void add_face_reading(SceneFrame& frame, const OverlayScene& over, const WiredSensor& sensor,
+                      bool lit) {
+    const Vec3& half = over.look.phenotype.plan.parts[sensor.part].half_extents;
+    const Vec2 inside = 0.8 * face_middle(half, seen_by(sensor));
+    const Vec2 at = planar(transform(over.look.poses[sensor.part], {inside.x(), inside.y(), 0.0}));
+    const double radius = 4.0 * over.pixel;
+    frame.add_circle(at, radius, color_of(0x0B0E12, 0.8F));
+    frame.add_circle(at, 0.7 * radius, lit ? over.palette.plot_best : over.palette.faint);
+}
+
+}  // namespace
+
+void add_joint_limits(SceneFrame& frame, const OverlayScene& over) {
+    const Color color = with_alpha(over.palette.text, 0.75F);
+    const double width = 1.5 * over.pixel;
+    for (const std::uint16_t index : over.look.phenotype.effector_parts) {
+        const PlannedPart& part = over.look.phenotype.plan.parts[index];
+        const JointPlace joint = place_of(over, index);
+        if (joint.slides) {
+            const Vec2 axis = direction(joint.angle);
+            const Vec2 rest = joint.pivot - joint.coordinate * axis;
+            frame.add_line(rest + part.limit_low * axis, rest + part.limit_high * axis, width,
+                           color);
+            frame.add_circle(joint.pivot, 2.0 * width, over.palette.accent);
+            continue;
+        }
+        const double low = joint.rest + part.limit_low;
+        const double high = joint.rest + part.limit_high;
+        frame.add_arc(joint.pivot, joint.radius, {low, high}, width, color);
+        for (const double end : {low, high}) {
+            frame.add_line(joint.pivot + 0.8 * joint.radius * direction(end),
+                           joint.pivot + 1.1 * joint.radius * direction(end), width, color);
+        }
+        frame.add_line(joint.pivot, joint.pivot + joint.radius * direction(joint.angle), width,
+                       over.palette.accent);
+    }
+}
+
+void add_joint_torques(SceneFrame& frame, const OverlayScene& over) {
+    for (const std::uint16_t index : over.look.phenotype.effector_parts) {
+        const PlannedPart& part = over.look.phenotype.plan.parts[index];
+        if (part.max_effort <= 0.0) continue;
+        const double share =
+            std::clamp(over.scene.joint_effort(index) / part.max_effort, -1.0, 1.0);
+        if (std::fabs(share) < 0.01) continue;
+        const JointPlace joint = place_of(over, index);
+        const double width = 4.0 * over.pixel;
+        const Color color =
+            mix(over.palette.plot_best, over.palette.danger, static_cast<float>(std::fabs(share)));
+        Vec2 tip;
+        if (joint.slides) {
+            tip = joint.pivot + share * joint.radius * direction(joint.angle);
+            frame.add_line(joint.pivot, tip, width, color);
+        } else {
+            const double end = joint.angle + share * kFullTorqueTurn;
+            tip = joint.pivot + 0.85 * joint.radius * direction(end);
+            frame.add_arc(joint.pivot, 0.85 * joint.radius, {joint.angle, end}, width, color);
+        }
+        frame.add_circle(tip, 1.2 * width, color);
+    }
+}
+
+void add_sensor_readings(SceneFrame& frame, const OverlayScene& over) {
+    for (const WiredSensor& sensor : over.look.phenotype.sensors) {
+        const SensorKind& kind = over.kinds.sensors[sensor.kind];
+        if (kind.reads_joint) {
+            add_joint_reading(frame, over, place_of(over, sensor.part));
+        } else if (kind.channels.size() == kFaceCount) {
+            const bool lit =
+                kind.read(over.scene, sensor.part, sensor.channel, sensor.handedness) > 0.0;
+            add_face_reading(frame, over, sensor, lit);
+        }
+    }
+}
+
+void add_contact_forces(SceneFrame& frame, const OverlayScene& over) {
+    std::vector<SceneContact> contacts;
+    over.scene.list_contacts(contacts);
+    const double weight = over.scene.mass() * kStandardGravity;
+    for (const SceneContact& contact : contacts) {
+        const Vec2 at = planar(contact.point);
+        const double length = kForceLength * std::min(contact.force / weight, 6.0);
+        frame.add_line(at, at + length * planar(contact.normal), 2.0 * over.pixel,
+                       over.palette.accent);
+        frame.add_circle(at, 3.5 * over.pixel, over.palette.accent);
+    }
+}
+
+void add_center_of_mass(SceneFrame& frame, const OverlayScene& over, const Vec2& center) {
+    const double radius = 7.0 * over.pixel;
+    frame.add_circle(center, radius + 1.5 * over.pixel, color_of(0x0B0E12, 0.8F));
+    frame.add_ring(center, radius, 2.0 * over.pixel, color_of(0xF2F4F7));
+    frame.add_circle(center, 2.5 * over.pixel, color_of(0xF2F4F7));
+}
+
+}  // namespace cambrian

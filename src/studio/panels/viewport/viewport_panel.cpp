@@ -1,0 +1,296 @@
+#include "studio/panels/viewport/viewport_panel.h"
+
+#include "core/pretty_text.h"
+#include "pictures/follow_camera.h"
+#include "studio/panels/viewport/scene_overlays.h"
+#include "studio/panels/viewport/viewport_tools.h"
+#include "studio/widgets/widgets.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cambrian {
+namespace {
+
+constexpr double kFollowLag = 0.25;    // s
+constexpr double kFitShare = 0.32;     // of the viewport filled by a body that is fitted
+constexpr double kWheelFactor = 1.15;  // a notch
+
+void shadowed_text(ImDrawList& list, ImFont* font, float size, const ImVec2& at, const Color& color,
+                   const std::string& text) {
+    list.AddText(font, size, {at.x, at.y + 1.0F}, paint(with_alpha(colors().sky, 0.9F)),
+                 text.c_str());
+    list.AddText(font, size, at, paint(color), text.c_str());
+}
+
+std::string second_line(const FrameContext& frame) {
+    const Exhibit& exhibit = frame.playback.exhibit();
+    const GoalKind* goal = frame.kinds.goals.find(exhibit.goal);
+    std::string line = goal == nullptr ? std::string() : goal->label;
+    if (goal != nullptr && frame.score != nullptr) {
+        line += "  ·  " + measured(frame.score->score.value, goal->unit);
+    }
+    const Trial& trial = frame.playback.trial();
+    const std::string clock = trial.settling() ? "settling" : format("%.1f s", trial.time());
+    line += (line.empty() ? "" : "  ·  ") + clock;
+    if (trial.finished()) line += " (trial over, still playing)";
+    return line;
+}
+
+}  // namespace
+
+void ViewportPanel::draw(const FrameContext& frame, Requests& out) {
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const ImVec2 room = ImGui::GetContentRegionAvail();
+    canvas_.area = {at.x, at.y, room.x, room.y};
+    size_ = {std::max(1.0, static_cast<double>(room.x)),
+             std::max(1.0, static_cast<double>(room.y))};
+    ImGui::InvisibleButton("viewport", {std::max(1.0F, room.x), std::max(1.0F, room.y)},
+                           ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
+                               ImGuiButtonFlags_MouseButtonMiddle);
+    note_place("viewport");
+    ImGui::SetItemAllowOverlap();
+    canvas_.frame.clear();
+    canvas_.frame.background = colors().sky;
+    if (!frame.playback.empty()) {
+        handle_mouse(frame, out);
+        place_camera(frame);
+        build_scene(frame);
+    }
+    canvas_.add_to(*ImGui::GetWindowDrawList());
+    if (!frame.playback.empty()) {
+        draw_marks(frame);
+        draw_ghost_labels(frame);
+        if (frame.view.names) draw_part_names(frame);
+        draw_words(frame);
+    }
+    draw_viewport_tools(frame, canvas_.area, out);
+}
+
+Vec2 ViewportPanel::mouse_in_world() const {
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    return canvas_.camera.to_world({static_cast<double>(mouse.x - canvas_.area.x),
+                                    static_cast<double>(mouse.y - canvas_.area.y)},
+                                   size_);
+}
+
+Vec2 ViewportPanel::follow_target(const FrameContext& frame) const {
+    return follow_center(frame.playback.center_of_mass().head<2>(),
+                         frame.playback.environment().has_ground, canvas_.camera, size_);
+}
+
+void ViewportPanel::fit_now(const FrameContext& frame) {
+    fit_wanted_ = false;
+    const WorldWindow bounds = body_window(frame.playback.phenotype(), frame.playback.poses());
+    canvas_.camera.fit(bounds, kFitShare, size_);
+    canvas_.camera.center = follow_target(frame);
+}
+
+void ViewportPanel::place_camera(const FrameContext& frame) {
+    const bool changed = seen_ != &frame.playback.phenotype();
+    seen_ = &frame.playback.phenotype();
+    if (changed && !fit_wanted_) {
+        // Another creature keeps the scale, so that sizes compare, unless it would not be seen.
+        const WorldWindow bounds = body_window(*seen_, frame.playback.poses());
+        const Vec2 pixels = (bounds.high - bounds.low) * canvas_.camera.pixels_per_metre;
+        const double share = std::max(pixels.x() / size_.width, pixels.y() / size_.height);
+        fit_wanted_ = share > 0.7 || share < 0.12;
+        if (frame.view.follow) canvas_.camera.center = follow_target(frame);
+    }
+    if (fit_wanted_) {
+        fit_now(frame);
+    } else if (frame.view.follow) {
+        const double elapsed = static_cast<double>(ImGui::GetIO().DeltaTime);
+        canvas_.camera.approach(follow_target(frame), elapsed, kFollowLag);
+    }
+}
+
+void ViewportPanel::handle_mouse(const FrameContext& frame, Requests& out) {
+    const ImGuiIO& io = ImGui::GetIO();
+    const bool hovered = ImGui::IsItemHovered();
+    if (hovered && io.MouseWheel != 0.0F) {
+        const Vec2 cursor = frame.view.follow
+                                ? Vec2(0.5 * size_.width, 0.5 * size_.height)
+                                : Vec2(static_cast<double>(io.MousePos.x - canvas_.area.x),
+                                       static_cast<double>(io.MousePos.y - canvas_.area.y));
+        canvas_.camera.zoom_about(
+            cursor, std::pow(kWheelFactor, static_cast<double>(io.MouseWheel)), size_);
+        if (frame.view.follow) canvas_.camera.center = follow_target(frame);
+    }
+    const bool dragged = ImGui::IsItemActive() && (ImGui::IsMouseDragging(ImGuiMouseButton_Right) ||
+                                                   ImGui::IsMouseDragging(ImGuiMouseButton_Middle));
+    if (dragged) {
+        canvas_.camera.pan(
+            {static_cast<double>(io.MouseDelta.x), static_cast<double>(io.MouseDelta.y)});
+        if (frame.view.follow && !panning_) {
+            ViewState view = frame.view;
+            view.follow = false;
+            out.ask(ChangeView{view});
+        }
+    }
+    panning_ = dragged;
+    handle_poke(frame, out);
+    const int under =
+        hovered ? part_at(frame.playback.phenotype(), frame.playback.poses(), mouse_in_world())
+                : -1;
+    if (under >= 0) out.ask(ShowHighlight{{.part = under}});
+}
+
+// The left button takes hold of a part where it is pressed and pulls while held.
+void ViewportPanel::handle_poke(const FrameContext& frame, Requests& out) {
+    const Vec2 mouse = mouse_in_world();
+    const Vec3 target(mouse.x(), mouse.y(), 0.0);
+    if (const Hold* hold = frame.playback.hold()) {
+        if (ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
+            out.ask(PokePart{hold->part, hold->point_in_part, target});
+        } else {
+            out.ask(ReleasePoke{});
+        }
+        return;
+    }
+    if (!ImGui::IsItemActive() || !ImGui::IsMouseClicked(ImGuiMouseButton_Left)) return;
+    const int part = part_at(frame.playback.phenotype(), frame.playback.poses(), mouse);
+    if (part < 0) return;
+    const Pose& pose = frame.playback.poses()[static_cast<std::size_t>(part)];
+    const Vec3 inside = pose.orientation.conjugate() * (target - pose.position);
+    out.ask(PokePart{static_cast<std::size_t>(part), inside, target});
+}
+
+void ViewportPanel::build_scene(const FrameContext& frame) {
+    const Playback& playback = frame.playback;
+    const Palette& palette = colors();
+    SceneFrame& scene = canvas_.frame;
+    std::vector<FaceSet> touched;
+    if (frame.view.contacts) touched = touched_faces(playback.trial().scene());
+    const CreatureLook look{playback.phenotype(), playback.poses(), touched,
+                            playback.exhibit().genome->hue, frame.highlight};
+    if (frame.view.grid) add_grid(scene, palette, canvas_.camera, size_);
+    if (playback.environment().has_ground) {
+        add_ground(scene, palette, canvas_.camera, size_);
+        add_shadow(scene, look);
+    }
+    if (frame.view.trail) {
+        scene.add_trail(playback.trail(), 2.2 * canvas_.camera.pixel(),
+                        with_alpha(palette.accent, 0.8F));
+    }
+    for (const auto& ghost : frame.ghosts)
+        add_ghost(scene, canvas_.camera,
+                  {ghost->phenotype(), ghost->poses(), {}, ghost->genome().hue});
+    add_creature(scene, palette, canvas_.camera, look);
+    add_overlays(frame, look);
+    const Hold* hold = playback.hold();
+    if (hold == nullptr) return;
+    const Vec3 from = transform(playback.poses()[hold->part], hold->point_in_part);
+    scene.add_line(from.head<2>(), hold->target.head<2>(), 2.0 * canvas_.camera.pixel(),
+                   palette.danger);
+}
+
+void ViewportPanel::draw_marks(const FrameContext& frame) {
+    if (!frame.playback.environment().has_ground) return;
+    const Camera& camera = canvas_.camera;
+    const WorldWindow window = camera.window(size_);
+    if (window.low.y() > 0.0) return;
+    // On ticks of the ground, as many apart as the words need.
+    const double tick = mark_spacing(camera, kTickPixels);
+    const double room = kTickPixels * static_cast<double>(ui().scale);
+    const double spacing = tick * std::ceil(room / (tick * camera.pixels_per_metre));
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const WithFont font(ui().fonts.small);
+    for (double i = std::ceil(window.low.x() / spacing); i * spacing < window.high.x(); i += 1.0) {
+        const std::string label = with_unit(i * spacing, "m");
+        const Vec2 at = camera.to_screen({i * spacing, 0.0}, size_);
+        const float width = ImGui::CalcTextSize(label.c_str()).x;
+        const float left = static_cast<float>(at.x()) - 0.5F * width;
+        if (left < 0.0F || left + width > canvas_.area.width) continue;
+        list.AddText({std::round(canvas_.area.x + left),
+                      std::round(canvas_.area.y + static_cast<float>(at.y()) + px(10))},
+                     paint(colors().muted), label.c_str());
+    }
+}
+
+void ViewportPanel::add_overlays(const FrameContext& frame, const CreatureLook& look) {
+    const ViewState& view = frame.view;
+    const OverlayScene over{look, frame.playback.trial().scene(), frame.kinds.creature, colors(),
+                            canvas_.camera.pixel()};
+    if (view.limits) add_joint_limits(canvas_.frame, over);
+    if (view.torques) add_joint_torques(canvas_.frame, over);
+    if (view.sensors) add_sensor_readings(canvas_.frame, over);
+    if (view.forces) add_contact_forces(canvas_.frame, over);
+    if (view.center_of_mass)
+        add_center_of_mass(canvas_.frame, over, frame.playback.center_of_mass().head<2>());
+}
+
+// A name on a small plate, centred.
+void ViewportPanel::draw_plate(const Vec2& at, const std::string& name) const {
+    const Vec2 place = canvas_.camera.to_screen(at, size_);
+    const WithFont font(ui().fonts.small);
+    const ImVec2 size = ImGui::CalcTextSize(name.c_str());
+    const ImVec2 low = {std::round(canvas_.area.x + static_cast<float>(place.x()) - 0.5F * size.x),
+                        std::round(canvas_.area.y + static_cast<float>(place.y()) - 0.5F * size.y)};
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled({low.x - px(5), low.y - px(1)},
+                       {low.x + size.x + px(5), low.y + size.y + px(1)},
+                       paint(with_alpha(colors().panel, 0.85F)), px(4));
+    list.AddText(low, paint(colors().text), name.c_str());
+}
+
+// Those that would cover another one are left out.
+void ViewportPanel::draw_part_names(const FrameContext& frame) const {
+    const Phenotype& phenotype = frame.playback.phenotype();
+    std::vector<Vec2> taken;
+    const double line = static_cast<double>(px(20)) * canvas_.camera.pixel();
+    for (std::size_t i = 0; i < frame.playback.poses().size(); ++i) {
+        const std::string name =
+            i == 0 ? "root"
+                   : std::to_string(i) + " · gene " + std::to_string(phenotype.parts[i].node);
+        const Vec2 at = frame.playback.poses()[i].position.head<2>();
+        const auto covers = [&](const Vec2& other) {
+            return std::fabs(other.x() - at.x()) < 5.0 * line &&
+                   std::fabs(other.y() - at.y()) < line;
+        };
+        if (std::any_of(taken.begin(), taken.end(), covers)) continue;
+        taken.push_back(at);
+        draw_plate(at, name);
+    }
+}
+
+// Above each ghost its generation; those that would cover another one are moved up.
+void ViewportPanel::draw_ghost_labels(const FrameContext& frame) const {
+    std::vector<Vec2> taken;
+    const double line = static_cast<double>(px(20)) * canvas_.camera.pixel();
+    for (const auto& ghost : frame.ghosts) {
+        const WorldWindow bounds = body_window(ghost->phenotype(), ghost->poses());
+        Vec2 at = {0.5 * (bounds.low.x() + bounds.high.x()), bounds.high.y() + line};
+        const auto covers = [&](const Vec2& other) {
+            return std::fabs(other.x() - at.x()) < 4.5 * line &&
+                   std::fabs(other.y() - at.y()) < 0.99 * line;
+        };
+        while (std::any_of(taken.begin(), taken.end(), covers))
+            at.y() += line;
+        taken.push_back(at);
+        draw_plate(at, "generation " + std::to_string(ghost->generation()));
+    }
+}
+
+void ViewportPanel::draw_words(const FrameContext& frame) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const Fonts& fonts = ui().fonts;
+    const Exhibit& exhibit = frame.playback.exhibit();
+    ImVec2 at = {canvas_.area.x + px(16), canvas_.area.y + px(12)};
+    const std::string& name = exhibit.genome->name;
+    const std::string title =
+        name.empty() || exhibit.source == ExhibitSource::kChampion ? exhibit.title : name;
+    shadowed_text(list, fonts.title, px(20), at, colors().text, title);
+    at.y += px(27);
+    shadowed_text(list, fonts.body, px(15), at, colors().muted, second_line(frame));
+    at.y += px(22);
+    if (frame.playback.diverged()) {
+        shadowed_text(list, fonts.body, px(15), at, colors().danger,
+                      "The motion diverged; press R to restart");
+    } else if (frame.playback.disturbed()) {
+        shadowed_text(list, fonts.body, px(15), at, colors().plot_best,
+                      "Disturbed by hand; press R to restart");
+    }
+}
+
+}  // namespace cambrian

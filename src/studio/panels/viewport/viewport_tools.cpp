@@ -1,0 +1,102 @@
+#include "studio/panels/viewport/viewport_tools.h"
+
+#include "studio/frame/help_mark.h"
+#include "studio/look/overlays.h"
+#include "studio/widgets/widgets.h"
+
+#include <array>
+
+namespace cambrian {
+namespace {
+
+struct GhostLine {
+    const char* label;
+    const char* help;
+};
+constexpr std::array kGhostLines = {
+    GhostLine{"No ghosts", "The creature on show is alone."},
+    GhostLine{"Last three improvements",
+              "The last three champions that were fitter than all before them."},
+    GhostLine{"Every tenth generation", "The champions of the last six generations 0, 10, 20..."},
+    GhostLine{"Five across the run", "From the first champion to the newest, evenly spaced."},
+};
+
+bool line(const char* label, bool chosen, const char* help) {
+    const bool pressed = ImGui::MenuItem(label, nullptr, chosen);
+    note_place(label);
+    tooltip(help);
+    return pressed;
+}
+
+// The overlays, each with a switch; several may be switched one after the other.
+void overlay_lines(const FrameContext& frame, Requests& out) {
+    for (const OverlayKind& overlay : overlay_kinds()) {
+        bool shown = frame.view.*overlay.shown;
+        const bool switched = toggle_switch(overlay.label, shown);
+        tooltip(overlay.help);
+        ImGui::SameLine();
+        ImGui::AlignTextToFramePadding();
+        ImGui::TextUnformatted(overlay.label);
+        tooltip(overlay.help);
+        if (!switched) continue;
+        ViewState view = frame.view;
+        view.*overlay.shown = shown;
+        out.ask(ChangeView{view});
+    }
+}
+
+using Lines = void (*)(const FrameContext& frame, Requests& out);
+
+void menu_button(const char* name, Icon icon, const char* help, bool lit, Lines lines,
+                 const FrameContext& frame, Requests& out) {
+    const bool open = ImGui::IsPopupOpen(name);
+    if (push_button(name, {.look = lit || open ? ButtonLook::kSelected : ButtonLook::kGhost,
+                           .icon = icon,
+                           .label_shown = false,
+                           .width = px(30),
+                           .height = px(28),
+                           .tooltip = help}))
+        ImGui::OpenPopup(name);
+    const ImVec2 corner = ImGui::GetItemRectMax();
+    ImGui::SetNextWindowPos({corner.x, corner.y + px(4)}, ImGuiCond_Always, {1.0F, 0.0F});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(px(10), px(8)));
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(px(14), px(8)));
+    if (ImGui::BeginPopup(name)) {
+        lines(frame, out);
+        ImGui::EndPopup();
+    }
+    ImGui::PopStyleVar(2);
+}
+
+}  // namespace
+
+void ghost_lines(const FrameContext& frame, Requests& out) {
+    for (std::size_t i = 0; i < kGhostLines.size(); ++i) {
+        const auto choice = static_cast<GhostChoice>(i);
+        if (!line(kGhostLines[i].label, frame.view.ghosts == choice, kGhostLines[i].help)) continue;
+        ViewState view = frame.view;
+        view.ghosts = choice;
+        out.ask(ChangeView{view});
+    }
+}
+
+void draw_viewport_tools(const FrameContext& frame, const Rect& area, Requests& out) {
+    const float width = frame.viewer ? px(30) : px(30) * 2 + px(24) + px(4) * 2;
+    ImGui::SetCursorScreenPos({area.x + area.width - width - px(10), area.y + px(10)});
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(px(4), px(4)));
+    if (!frame.viewer) {
+        menu_button("Ghosts", Icon::kGhost, "Champions of other generations beside this one",
+                    frame.view.ghosts != GhostChoice::kNone, ghost_lines, frame, out);
+        ImGui::SameLine();
+    }
+    menu_button("Overlays", Icon::kEye, "What is drawn over the creature", false, overlay_lines,
+                frame, out);
+    if (!frame.viewer) {
+        ImGui::SameLine();
+        ImGui::SetCursorPosY(ImGui::GetCursorPosY() + px(3));
+        help_mark("viewport", out);
+    }
+    ImGui::PopStyleVar();
+}
+
+}  // namespace cambrian

@@ -1,0 +1,68 @@
+#include "studio/viewer/gene_editor.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace cambrian {
+namespace {
+
+std::vector<MutationRecord> with_change(std::vector<MutationRecord> changes,
+                                        const GeneChange& change) {
+    const auto same = std::find_if(changes.begin(), changes.end(), [&](const MutationRecord& each) {
+        return each.place == change.place;
+    });
+    if (same == changes.end()) {
+        changes.push_back({"edited", change.place, change.from, change.to});
+    } else if (same->from == change.to) {
+        changes.erase(same);
+    } else {
+        same->to = change.to;
+    }
+    return changes;
+}
+
+}  // namespace
+
+void GeneEditor::edit(const Exhibit& shown, GenomePtr genome, const GeneChange& change) {
+    if (!original_) {
+        original_ = shown;
+        versions_.push_back({shown.genome, {}});
+    }
+    Version next{std::move(genome), with_change(versions_[present_].changes, change)};
+    if (open_place_ == change.place) {
+        versions_[present_] = std::move(next);
+        return;
+    }
+    versions_.resize(present_ + 1);
+    versions_.push_back(std::move(next));
+    ++present_;
+    open_place_ = change.place;
+}
+
+void GeneEditor::undo() {
+    finish();
+    if (can_undo()) --present_;
+}
+
+void GeneEditor::redo() {
+    finish();
+    if (can_redo()) ++present_;
+}
+
+Exhibit GeneEditor::exhibit() const {
+    const Version& version = versions_[present_];
+    if (version.changes.empty()) return *original_;
+    Exhibit edited = *original_;
+    edited.genome = version.genome;
+    edited.title += ", edited";
+    edited.uid = uid_text(genome_hash(*version.genome));
+    edited.method = "edited";
+    edited.parents.clear();
+    if (!original_->uid.empty()) edited.parents.push_back(original_->uid);
+    edited.mother = ParentLink(individual_of(*original_));
+    edited.mutations = version.changes;
+    edited.result.reset();
+    return edited;
+}
+
+}  // namespace cambrian

@@ -1,0 +1,47 @@
+#include "studio/viewer/origin_words.h"
+
+#include "core/pretty_text.h"
+#include "studio/playback/exhibit.h"
+#include "studio/viewer/mutation_words.h"
+
+#include <algorithm>
+
+namespace cambrian {
+namespace {
+
+constexpr std::size_t kMostMutations = 6;  // more are counted only
+constexpr std::size_t kShortUid = 8;       // digits
+
+std::string parent_words(std::uint64_t parent, std::span<const IndividualPtr> population) {
+    const auto living =
+        std::find_if(population.begin(), population.end(),
+                     [parent](const IndividualPtr& each) { return each->uid == parent; });
+    if (living == population.end()) return uid_text(parent).substr(0, kShortUid);
+    return format("rank %td", living - population.begin() + 1);
+}
+
+std::string method_words(const std::string& method, const EvolutionKinds& kinds) {
+    const BreedingKind* kind = kinds.breeding.find(method);
+    return kind == nullptr ? capitalized(method) : kind->label;
+}
+
+}  // namespace
+
+std::string origin_words(const Individual& individual, std::span<const IndividualPtr> population,
+                         const EvolutionKinds& kinds) {
+    std::string words = "Born in generation " + std::to_string(individual.born) + "\n" +
+                        method_words(individual.method, kinds);
+    for (std::size_t i = 0; i < individual.parents.size(); ++i) {
+        if (individual.parents[i] == 0) continue;
+        words += i == 0 ? ", from " : " and ";
+        words += parent_words(individual.parents[i], population);
+    }
+    const auto& mutations = individual.mutations;
+    for (std::size_t i = 0; i < std::min(mutations.size(), kMostMutations); ++i)
+        words += "\n" + mutation_words(mutations[i], kinds.mutations);
+    if (mutations.size() > kMostMutations)
+        words += format("\nand %zu more mutations", mutations.size() - kMostMutations);
+    return words;
+}
+
+}  // namespace cambrian

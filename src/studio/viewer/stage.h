@@ -1,0 +1,40 @@
+#pragma once
+
+// What is on show and how it scores: the playback, and the same trial run once more in the
+// background for its score.
+
+#include "evolution/evolution_kinds.h"
+#include "studio/background/background_worker.h"
+#include "studio/playback/playback.h"
+
+#include <atomic>
+#include <memory>
+#include <optional>
+#include <stop_token>
+
+namespace cambrian {
+
+class Stage {
+public:
+    // Both must outlive it.
+    Stage(BackgroundWorker& worker, const EvolutionKinds& kinds)
+        : worker_(worker), kinds_(kinds), playback_(kinds.creature) {}
+
+    Status show(Exhibit exhibit);
+    Playback& playback() { return playback_; }
+    const Playback& playback() const { return playback_; }
+    // Null until computed.
+    const ScoreReport* score() const { return score_ ? &*score_ : nullptr; }
+
+private:
+    void request_score();
+
+    BackgroundWorker& worker_;
+    const EvolutionKinds& kinds_;
+    Playback playback_;
+    std::optional<ScoreReport> score_;
+    // Set once another creature has taken the place of the one being scored.
+    std::shared_ptr<std::atomic<bool>> outdated_ = std::make_shared<std::atomic<bool>>(false);
+};
+
+}  // namespace cambrian

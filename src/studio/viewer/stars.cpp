@@ -1,0 +1,45 @@
+#include "studio/viewer/stars.h"
+
+#include <algorithm>
+
+namespace cambrian {
+namespace {
+
+// Survivors share their genome with what they were a generation ago.
+auto find_in(const std::vector<ChampionRecord>& creatures, const Individual& individual) {
+    return std::find_if(creatures.begin(), creatures.end(), [&](const ChampionRecord& each) {
+        return each.individual->genome == individual.genome;
+    });
+}
+
+}  // namespace
+
+bool Stars::has(const Individual& individual) const {
+    return find_in(all_, individual) != all_.end();
+}
+
+void Stars::toggle(const ChampionRecord& creature) {
+    ++revision_;
+    const auto found = find_in(all_, *creature.individual);
+    if (found == all_.end()) {
+        all_.push_back(creature);
+        return;
+    }
+    taken_.push_back(*found);
+    all_.erase(found);
+}
+
+void Stars::restore() {
+    if (taken_.empty()) return;
+    const ChampionRecord creature = taken_.back();
+    taken_.pop_back();
+    if (!has(*creature.individual)) toggle(creature);
+}
+
+void Stars::replace(std::vector<ChampionRecord> all) {
+    all_ = std::move(all);
+    taken_.clear();
+    ++revision_;
+}
+
+}  // namespace cambrian

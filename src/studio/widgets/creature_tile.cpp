@@ -1,0 +1,59 @@
+#include "studio/widgets/creature_tile.h"
+
+#include "pictures/scene_builder.h"
+
+#include <algorithm>
+#include <array>
+
+namespace cambrian {
+namespace {
+
+std::array<Vec2, 4> corners_of(double x, double y) {
+    return {Vec2(-x, -y), Vec2(x, -y), Vec2(x, y), Vec2(-x, y)};
+}
+
+Vec2 corner_of(const PlannedPart& part, const Vec2& corner) {
+    return transform(part.rest_pose, {corner.x(), corner.y(), 0.0}).head<2>();
+}
+
+Bounds bounds_at_rest(const BodyPlan& plan) {
+    Bounds bounds;
+    for (const PlannedPart& part : plan.parts) {
+        for (const Vec2& corner : corners_of(part.half_extents.x(), part.half_extents.y())) {
+            const Vec2 at = corner_of(part, corner);
+            bounds.add({at.x(), at.y(), 0.0});
+        }
+    }
+    return bounds;
+}
+
+}  // namespace
+
+void draw_creature_tile(ImDrawList& list, const Rect& area, const Phenotype& phenotype,
+                        double hue) {
+    const Bounds bounds = bounds_at_rest(phenotype.plan);
+    const Vec3 size = bounds.high - bounds.low;
+    const Vec3 middle = 0.5 * (bounds.low + bounds.high);
+    constexpr double most_scale = 60.0;  // pixels a metre, before the display's scale
+    const double scale = std::min({static_cast<double>(area.width) / std::max(0.01, size.x()),
+                                   static_cast<double>(area.height) / std::max(0.01, size.y()),
+                                   most_scale * static_cast<double>(ui().scale)});
+    for (std::size_t i = phenotype.plan.parts.size(); i-- > 0;) {
+        const PlannedPart& part = phenotype.plan.parts[i];
+        std::array<ImVec2, 4> outline;
+        const auto corners = corners_of(part.half_extents.x(), part.half_extents.y());
+        for (std::size_t c = 0; c < outline.size(); ++c) {
+            const Vec2 at = corner_of(part, corners[c]);
+            outline[c] = {area.center().x + static_cast<float>((at.x() - middle.x()) * scale),
+                          area.center().y - static_cast<float>((at.y() - middle.y()) * scale)};
+        }
+        const Color color = part_color(phenotype.parts[i], hue);
+        // Dear ImGui wants filled shapes clockwise on screen.
+        std::reverse(outline.begin(), outline.end());
+        list.AddConvexPolyFilled(outline.data(), 4, paint(color));
+        list.AddPolyline(outline.data(), 4, paint(mix(color, color_of(0x000000), 0.4F)),
+                         ImDrawFlags_Closed, 1.0F);
+    }
+}
+
+}  // namespace cambrian

@@ -1,0 +1,75 @@
+#include "studio/help/help_book.h"
+#include "studio/panels/cards/help_panel.h"
+#include "studio/shortcuts.h"
+#include "studio_fixture.h"
+#include "support/null_imgui.h"
+
+#include <algorithm>
+
+namespace cambrian {
+namespace {
+
+std::vector<HelpPage> all_pages() {
+    return read_help(std::string(CAMBRIAN_SOURCE_DIR) + "/assets/help", keys_text());
+}
+const HelpPage& page_named(const std::vector<HelpPage>& pages, const std::string& name) {
+    const auto found = std::find_if(pages.begin(), pages.end(),
+                                    [&](const HelpPage& each) { return each.name == name; });
+    INFO(name);
+    REQUIRE(found != pages.end());
+    return *found;
+}
+bool says(const HelpPage& page, const std::string& words) {
+    for (const MarkdownBlock& block : page.blocks) {
+        for (const TextSpan& span : block.line) {
+            if (span.text.find(words) != std::string::npos) return true;
+        }
+        for (const auto& row : block.rows) {
+            for (const SpanLine& cell : row) {
+                if (!cell.empty() && cell.front().text == words) return true;
+            }
+        }
+    }
+    return false;
+}
+
+TEST_CASE("the help holds its own pages and those of the folder", "[studio][help]") {
+    const auto pages = all_pages();
+    CHECK(pages.front().name == kFirstStepsPage);
+    CHECK(pages.back().name == kAboutPage);
+    CHECK(page_named(pages, "experiment").title == "Experiment");
+    CHECK(page_named(pages, "viewport").title == "Viewport");
+    CHECK(says(page_named(pages, kAboutPage), "Dear ImGui"));
+    CHECK(read_help("/no/such/folder", keys_text()).size() == 3);
+}
+
+TEST_CASE("every key is on the page of keys", "[studio][help]") {
+    const auto pages = all_pages();
+    for (const Shortcut& shortcut : shortcuts())
+        CHECK(says(page_named(pages, kKeysPage), shortcut.what));
+}
+
+TEST_CASE("a page is chosen from the list, and every page can be drawn", "[studio][help]") {
+    NullImGui gui;
+    HelpPanel panel;
+    test::StudioFixture studio;
+    HelpBook book{all_pages(), kFirstStepsPage};
+    const std::size_t count = book.pages.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        book.open = book.pages[i].name;
+        FrameContext frame = studio.frame();
+        frame.help = &book;
+        Requests out;
+        const std::string next = book.pages[(i + 1) % count].name;
+        gui.click("help " + next, [&] { panel.draw(frame, out); });
+        CHECK(test::asked<ShowHelp>(out).page == next);
+    }
+    book.open = "missing";
+    FrameContext frame = studio.frame();
+    frame.help = &book;
+    Requests out;
+    gui.frame([&] { panel.draw(frame, out); });
+}
+
+}  // namespace
+}  // namespace cambrian

@@ -1,0 +1,126 @@
+#include "studio/host/changed_areas.h"
+
+#include "support/null_imgui.h"
+
+#include <string>
+
+namespace cambrian {
+namespace {
+
+struct Box {
+    std::string name;
+    Rect place;
+    ImU32 color = IM_COL32_WHITE;
+    bool calls_back = false;
+};
+
+void no_painting(const ImDrawList*, const ImDrawCmd*) {}
+
+// Windows, each with one filled box, painted frame after frame on 640 by 480 pixels.
+class Screen {
+public:
+    std::vector<Rect> paint(const std::vector<Box>& boxes, ImU32 background = IM_COL32_BLACK) {
+        for (int layout = 0; layout < 2; ++layout)  // a new window hides for a frame
+            gui_.bare_frame([&boxes] {
+                for (const Box& box : boxes)
+                    draw(box);
+            });
+        return changed_.update(*ImGui::GetDrawData(), background);
+    }
+
+private:
+    static void draw(const Box& box) {
+        ImGui::SetNextWindowPos(box.place.low());
+        ImGui::SetNextWindowSize({box.place.width, box.place.height});
+        ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));  // no clipping within
+        ImGui::Begin(box.name.c_str(), nullptr,
+                     ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoBackground |
+                         ImGuiWindowFlags_NoBringToFrontOnFocus);
+        ImDrawList& list = *ImGui::GetWindowDrawList();
+        if (box.calls_back) list.AddCallback(no_painting, nullptr);
+        list.AddRectFilled(box.place.low(), box.place.high(), box.color);
+        ImGui::End();
+        ImGui::PopStyleVar();
+    }
+
+    NullImGui gui_{640, 480};
+    ChangedAreas changed_;
+};
+
+const std::vector<Rect> kNothing;
+const std::vector<Rect> kAll = {{0, 0, 640, 480}};
+const Box kLeft{"left", {10, 20, 100, 200}};
+const Box kRight{"right", {300, 20, 200, 300}};
+
+bool covers(const Rect& outer, const Rect& inner) {
+    return outer.x <= inner.x && outer.y <= inner.y && outer.high().x >= inner.high().x &&
+           outer.high().y >= inner.high().y;
+}
+
+TEST_CASE("the first picture is painted whole, the same again not at all",
+          "[studio][changed_areas]") {
+    Screen screen;
+    CHECK(screen.paint({kLeft, kRight}) == kAll);
+    CHECK(screen.paint({kLeft, kRight}) == kNothing);
+}
+
+TEST_CASE("only the window that changed is painted", "[studio][changed_areas]") {
+    Screen screen;
+    screen.paint({kLeft, kRight});
+    Box right = kRight;
+    right.color = IM_COL32(1, 2, 3, 255);
+    const auto areas = screen.paint({kLeft, right});
+    REQUIRE(areas.size() == 1);
+    CHECK(areas.front() == kRight.place);
+    CHECK(screen.paint({kLeft, right}) == kNothing);
+}
+
+TEST_CASE("what moved is painted where it was and where it is", "[studio][changed_areas]") {
+    Screen screen;
+    screen.paint({kLeft, kRight});
+    Box left = kLeft;
+    left.place.y = 250;
+    const auto apart = screen.paint({left, kRight});
+    REQUIRE(apart.size() == 2);
+    CHECK(apart[0] == kLeft.place);
+    CHECK(apart[1] == left.place);
+    Box near = left;
+    near.place.x += 7;
+    const auto together = screen.paint({near, kRight});
+    REQUIRE(together.size() == 1);
+    CHECK(covers(together.front(), left.place));
+    CHECK(covers(together.front(), near.place));
+    CHECK(together.front().width == 107.0F);
+}
+
+TEST_CASE("what comes and goes is painted", "[studio][changed_areas]") {
+    Screen screen;
+    screen.paint({kLeft});
+    CHECK(screen.paint({kLeft, kRight}) == std::vector<Rect>{kRight.place});
+    CHECK(screen.paint({kLeft}) == std::vector<Rect>{kRight.place});
+}
+
+TEST_CASE("a window that calls back is painted always, and never by half",
+          "[studio][changed_areas]") {
+    Screen screen;
+    Box scene = kRight;
+    scene.calls_back = true;
+    screen.paint({kLeft, scene});
+    CHECK(screen.paint({kLeft, scene}) == std::vector<Rect>{scene.place});
+    const Box over{"over", {290, 10, 50, 50}};
+    const auto areas = screen.paint({kLeft, scene, over});
+    REQUIRE(areas.size() == 1);
+    CHECK(covers(areas.front(), scene.place));
+    CHECK(covers(areas.front(), over.place));
+}
+
+TEST_CASE("another colour under everything paints everything", "[studio][changed_areas]") {
+    Screen screen;
+    screen.paint({kLeft, kRight});
+    CHECK(screen.paint({kLeft, kRight}, IM_COL32_WHITE) == kAll);
+    ImGui::GetIO().DisplaySize = {800, 600};
+    CHECK(screen.paint({kLeft, kRight}, IM_COL32_WHITE) == std::vector<Rect>{{0, 0, 800, 600}});
+}
+
+}  // namespace
+}  // namespace cambrian

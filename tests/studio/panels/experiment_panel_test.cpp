@@ -1,0 +1,250 @@
+#include "studio/panels/experiment/experiment_panel.h"
+
+#include "panel_press.h"
+
+namespace cambrian {
+namespace {
+
+struct PanelRun : test::PanelRun<ExperimentPanel> {
+    PanelRun() : test::PanelRun<ExperimentPanel>(400.0F, 6000.0F) {}
+};
+
+TEST_CASE("settings of other selection methods are not shown", "[studio][experiment_panel]") {
+    PanelRun run;
+    run.frame();
+    CHECK(run.gui.has("selection.survival"));
+    CHECK_FALSE(run.gui.has("selection.map-across"));
+    ExperimentSettings mapped = run.studio.editor().draft();
+    mapped.selection.method = "map-elites";
+    run.studio.editor().replace(mapped);
+    run.gui.forget_places();
+    run.frame();
+    CHECK_FALSE(run.gui.has("selection.survival"));
+    CHECK(run.gui.has("selection.map-across"));
+}
+
+TEST_CASE("once its groups are open, every setting that applies has a control",
+          "[studio][experiment_panel]") {
+    PanelRun run;
+    run.frame();
+    const auto fields = setting_fields(test::kinds());
+    for (const SettingField& field : fields) {
+        if (field.applies && !field.applies(run.studio.editor().draft())) continue;
+        if (!run.gui.has(field.table + "." + field.key)) run.click("group " + field.table);
+        run.frame();
+        INFO(field.table << "." << field.key);
+        CHECK(run.gui.has(field.table + "." + field.key));
+    }
+}
+
+TEST_CASE("an edit asks for the whole settings with that field changed",
+          "[studio][experiment_panel]") {
+    PanelRun run;
+    run.click("environment.ground");
+    const auto& edit = test::asked<EditSettings>(run.out);
+    CHECK(edit.field == "environment.ground");
+    CHECK_FALSE(edit.settings.world.environment.has_ground);
+    CHECK(edit.settings.population == run.studio.editor().draft().population);
+    CHECK(test::was_asked<FinishEdit>(run.out));
+}
+
+TEST_CASE("choosing a goal brings the world it makes sense in", "[studio][experiment_panel]") {
+    PanelRun run;
+    run.click("goal.behavior");
+    run.click("goal.behavior=swimming");
+    const auto& edit = test::asked<EditSettings>(run.out);
+    CHECK(edit.settings.goal == "swimming");
+    CHECK_FALSE(edit.settings.world.environment.has_ground);
+}
+
+TEST_CASE("every integrator can be chosen, the reference mode too", "[studio][experiment_panel]") {
+    for (const std::string& id : test::kinds().creature.scene.integrators) {
+        PanelRun run;
+        if (id == run.studio.editor().draft().world.scene.integrator) continue;
+        run.click("group simulation");
+        run.click("simulation.integrator");
+        run.click("simulation.integrator=" + id);
+        CHECK(test::asked<EditSettings>(run.out).settings.world.scene.integrator == id);
+    }
+}
+
+TEST_CASE("a preset changes the world and keeps the bodies' density",
+          "[studio][experiment_panel]") {
+    PanelRun run;
+    ExperimentSettings dense = run.studio.editor().draft();
+    dense.world.environment.density = 3.0;
+    run.studio.editor().replace(dense);
+    run.click("environment preset");
+    run.click("Moon");
+    const auto& edit = test::asked<EditSettings>(run.out);
+    CHECK(edit.settings.world.environment.gravity == Approx(1.62));
+    CHECK(edit.settings.world.environment.density == 3.0);
+}
+
+TEST_CASE("mutation presets weigh the operators on the body or the brain",
+          "[studio][experiment_panel]") {
+    for (const char* label : {"Tune the brain", "Reshape", "Body and brain"}) {
+        PanelRun run;
+        ExperimentSettings odd = run.studio.editor().draft();
+        odd.mutation.weights["add-edge"] = 77.0;
+        odd.mutation.rate = 2.0;
+        run.studio.editor().replace(odd);
+        run.click("mutation preset");
+        run.click(label);
+        const auto& edit = test::asked<EditSettings>(run.out);
+        CHECK(test::was_asked<FinishEdit>(run.out));
+        CHECK(edit.settings.mutation.rate == 2.0);
+        const double body = label == std::string("Tune the brain") ? 0.2 : 1.0;
+        const double brain = label == std::string("Reshape") ? 1.0 / 3.0 : 1.0;
+        for (const MutationKind& kind : test::kinds().mutations.all()) {
+            const double factor = kind.subject == MutationSubject::kBody ? body : brain;
+            INFO(label << ": " << kind.id);
+            CHECK(edit.settings.mutation.weights.at(kind.id) ==
+                  Approx(factor * kind.default_weight));
+        }
+        CHECK(check_settings(edit.settings, test::kinds()).has_value());
+    }
+}
+
+TEST_CASE("the robust preset asks for the mean of three trials", "[studio][experiment_panel]") {
+    PanelRun run;
+    run.click("group trial");
+    run.click("trial preset");
+    run.click("Robust");
+    const TrialSettings& trial = test::asked<EditSettings>(run.out).settings.world.trial;
+    CHECK(trial.trials == 3);
+    CHECK(trial.friction_jitter == 0.15);
+    CHECK(trial.tilt_jitter == 2.0);
+    CHECK(trial.combine == "mean");
+}
+
+TEST_CASE("a structural edit of a running experiment offers a new run",
+          "[studio][experiment_panel]") {
+    PanelRun run;
+    run.studio.finish_generation(1.0);
+    ExperimentSettings changed = run.studio.editor().draft();
+    changed.seed = 1234;
+    run.studio.editor().edit(changed, "run.seed");
+    run.click("Keep creatures");
+    CHECK(test::asked<StartNewRun>(run.out).keep_population);
+}
+
+TEST_CASE("the shares of breeding make room for the one dragged", "[studio][experiment_panel]") {
+    PanelRun run;
+    run.click("group breeding");
+    run.click("breeding.asexual");
+    int dragged = 0;
+    for (const StudioAction& action : run.out.actions()) {
+        const auto* edit = std::get_if<EditSettings>(&action);
+        if (edit == nullptr) continue;
+        const auto& shares = edit->settings.breeding.shares;
+        double sum = 0.0;
+        for (const auto& [way, share] : shares)
+            sum += share;
+        CHECK(sum == Approx(1.0));
+        CHECK(shares.at("crossover") == Approx(shares.at("grafting")));
+        CHECK(check_settings(edit->settings, test::kinds()).has_value());
+        dragged += shares.at("asexual") != Approx(0.4) ? 1 : 0;
+    }
+    CHECK(dragged > 0);
+}
+
+TEST_CASE("a goal in the wrong world says why", "[studio][experiment_panel]") {
+    PanelRun run;
+    run.frame();
+    CHECK_FALSE(run.gui.has("goal mismatch"));
+    ExperimentSettings dry = run.studio.editor().draft();
+    dry.goal = "swimming";
+    run.studio.editor().replace(dry);
+    run.frame();
+    CHECK(run.gui.has("goal mismatch"));
+}
+
+// Types into whatever has the keyboard.
+void type(const char* text) {
+    for (; *text != '\0'; ++text)
+        ImGui::GetIO().AddInputCharacter(static_cast<unsigned>(*text));
+}
+
+TEST_CASE("the filter shows the settings found, in closed groups too",
+          "[studio][experiment_panel]") {
+    PanelRun run;
+    run.click("setting filter");
+    type("duration");
+    run.frame();
+    run.gui.forget_places();
+    run.frame();
+    CHECK(run.gui.has("trial.duration"));
+    CHECK_FALSE(run.gui.has("environment.gravity"));
+    CHECK_FALSE(run.gui.has("nothing matches"));
+    run.click("trial.duration");
+    CHECK(test::asked<EditSettings>(run.out).field == "trial.duration");
+    run.click("Clear filter");
+    run.frame();
+    CHECK(run.gui.has("environment.gravity"));
+}
+
+TEST_CASE("a filter that finds nothing says so, and Esc clears it", "[studio][experiment_panel]") {
+    PanelRun run;
+    run.gui.forget_places();
+    run.click("setting filter");
+    type("xylophone");
+    run.frame();
+    run.frame();
+    CHECK(run.gui.has("nothing matches"));
+    constexpr int key = 256;
+    ImGui::GetIO().KeyMap[ImGuiKey_Escape] = key;
+    ImGui::GetIO().KeysDown[key] = true;
+    run.frame();
+    ImGui::GetIO().KeysDown[key] = false;
+    run.gui.forget_places();
+    run.frame();
+    CHECK_FALSE(run.gui.has("nothing matches"));
+    CHECK(run.gui.has("environment.gravity"));
+}
+
+TEST_CASE("a setting to be found gets the keyboard, its value on Enter",
+          "[studio][experiment_panel]") {
+    PanelRun run;
+    unsigned asked = 0;
+    const auto frame = [&] {
+        FrameContext context = run.studio.frame();
+        context.find_asked = asked;
+        run.gui.frame([&] { run.panel.draw(context, run.out); });
+    };
+    frame();
+    asked = 1;
+    frame();
+    frame();
+    frame();
+    CHECK(ImGui::GetIO().WantTextInput);
+    type("gravity");
+    frame();
+    constexpr int key = 257;
+    ImGui::GetIO().KeyMap[ImGuiKey_Enter] = key;
+    ImGui::GetIO().KeysDown[key] = true;
+    frame();
+    ImGui::GetIO().KeysDown[key] = false;
+    frame();
+    frame();
+    frame();
+    type("1.62");
+    frame();
+    ImGui::GetIO().KeysDown[key] = true;
+    frame();
+    ImGui::GetIO().KeysDown[key] = false;
+    frame();
+    CHECK(test::asked<EditSettings>(run.out).settings.world.environment.gravity == Approx(1.62));
+}
+
+TEST_CASE("before the first generation nothing needs a new run", "[studio][experiment_panel]") {
+    PanelRun run;
+    ExperimentSettings changed = run.studio.editor().draft();
+    changed.seed = 1234;
+    run.studio.editor().edit(changed, "run.seed");
+    run.frame();
+    CHECK_FALSE(run.gui.has("New run"));
+}
+
+}  // namespace
+}  // namespace cambrian

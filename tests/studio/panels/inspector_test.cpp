@@ -1,0 +1,154 @@
+#include "studio/panels/inspector/ancestry_tab.h"
+#include "studio/panels/inspector/brain_tab.h"
+#include "studio/panels/inspector/energy_tab.h"
+#include "studio/panels/inspector/genotype_tab.h"
+#include "studio/panels/inspector/inspector_panel.h"
+#include "studio/viewer/mutation_words.h"
+#include "studio_fixture.h"
+#include "support/null_imgui.h"
+
+#include <algorithm>
+
+namespace cambrian {
+namespace {
+
+// A tab over the crawler, and what its controls ask for.
+template <class Tab>
+class TabRun {
+public:
+    TabRun() { studio.show_crawler(); }
+
+    Requests click(const std::string& name) {
+        Requests out;
+        gui.click(name, [&] { tab.draw(studio.frame(), out); });
+        return out;
+    }
+    Requests point_at(const std::string& name) {
+        Requests out;
+        const auto draw = [&] { tab.draw(studio.frame(), out); };
+        gui.frame(draw);
+        gui.move_to(gui.place(name).center());
+        gui.frame(draw);
+        out.take();
+        gui.frame(draw);
+        return out;
+    }
+
+    NullImGui gui;
+    Tab tab;
+    test::StudioFixture studio;
+};
+
+TEST_CASE("every tab of the inspector draws", "[studio][inspector]") {
+    NullImGui gui;
+    InspectorPanel panel;
+    test::StudioFixture studio;
+    studio.show_crawler();
+    for (int i = 0; i < 100; ++i)
+        studio.playback().step();
+    Requests out;
+    for (const char* tab : {"Brain", "Genotype", "Ancestry", "Energy", "Creature"})
+        gui.click(tab, [&] { panel.draw(studio.frame(), out); });
+    CHECK(gui.has("brain node 0"));
+    CHECK(gui.has("gene 0"));
+    CHECK(gui.has("ancestor 0"));
+    CHECK(gui.has("energy"));
+}
+
+TEST_CASE("pointing at a neuron lights its part", "[studio][inspector]") {
+    TabRun<BrainTab> run;
+    const Requests out = run.point_at("brain node 0");
+    CHECK(test::asked<ShowHighlight>(out).highlight.part == 1);
+}
+
+TEST_CASE("the chosen neuron is forced and released by its switch", "[studio][inspector]") {
+    TabRun<BrainTab> run;
+    run.click("brain node 0");
+    const ForceNeuron force = test::asked<ForceNeuron>(run.click("force neuron"));
+    run.studio.playback().force(force.neuron, force.value);
+    CHECK(test::asked<ReleaseNeuron>(run.click("force neuron")).neuron == force.neuron);
+}
+
+TEST_CASE("moving the slider forces the chosen neuron", "[studio][inspector]") {
+    TabRun<BrainTab> run;
+    for (int i = 0; i < 60; ++i)
+        run.studio.playback().step();
+    run.click("brain node 0");
+    CHECK(test::asked<ForceNeuron>(run.click("forced value")).value == Approx(0.0).margin(0.05));
+}
+
+TEST_CASE("a chosen gene keeps its parts lit until it is chosen again", "[studio][inspector]") {
+    TabRun<GenotypeTab> run;
+    run.click("gene 2");
+    run.gui.move_to({-1, -1});
+    Requests out;
+    run.gui.frame([&] { run.tab.draw(run.studio.frame(), out); });
+    CHECK(test::asked<ShowHighlight>(out).highlight.chosen == 2);
+    run.click("gene 2");
+    run.gui.move_to({-1, -1});
+    out.take();
+    run.gui.frame([&] { run.tab.draw(run.studio.frame(), out); });
+    CHECK_FALSE(test::was_asked<ShowHighlight>(out));
+}
+
+TEST_CASE("a gene's switch asks for the genome with that gene changed", "[studio][inspector]") {
+    TabRun<GenotypeTab> run;
+    const Requests out = run.click("part 0 symmetric");
+    const EditGenes& edit = test::asked<EditGenes>(out);
+    CHECK(edit.change.place == "part 0 symmetric");
+    CHECK(edit.change.from == "no");
+    CHECK(edit.change.to == "yes");
+    CHECK(edit.genome->nodes[0].symmetric);
+    CHECK(test::was_asked<FinishGeneEdit>(out));
+    Genome restored = *edit.genome;
+    restored.nodes[0].symmetric = false;
+    CHECK(restored == *run.studio.playback().exhibit().genome);
+}
+
+TEST_CASE("a gene's slider changes its number within its range", "[studio][inspector]") {
+    TabRun<GenotypeTab> run;
+    const Requests out = run.click("part 0 length");
+    CHECK(test::asked<EditGenes>(out).genome->nodes[0].length == Approx(0.84).margin(0.05));
+    CHECK(test::was_asked<FinishGeneEdit>(out));
+}
+
+TEST_CASE("a neuron of another function gets as many inputs as it needs", "[studio][inspector]") {
+    TabRun<GenotypeTab> run;
+    run.click("gene 1");
+    const KindCatalog& catalog = test::kinds().creature.catalog;
+    const auto sum = std::find_if(catalog.functions.begin(), catalog.functions.end(),
+                                  [](const FunctionEntry& each) { return each.arity == 3; });
+    REQUIRE(sum != catalog.functions.end());
+    run.click("part 1 neuron 0 function");
+    const EditGenes edit =
+        test::asked<EditGenes>(run.click("part 1 neuron 0 function=" + sum->label));
+    CHECK(edit.genome->nodes[1].neurons[0].inputs.size() == 3);
+    CHECK(validate(*edit.genome, catalog).empty());
+}
+
+TEST_CASE("a click on an ancestor shows it, and the line stays to come back by",
+          "[studio][inspector]") {
+    TabRun<AncestryTab> run;
+    GeneEditor editor;
+    const Exhibit original = run.studio.playback().exhibit();
+    Genome changed = *original.genome;
+    changed.nodes[0].length = 0.6;
+    editor.edit(original, std::make_shared<const Genome>(changed), {"part 0 length", "0.8", "0.6"});
+    REQUIRE(run.studio.playback().show(editor.exhibit()));
+    const ShowExhibit back = test::asked<ShowExhibit>(run.click("ancestor 1"));
+    CHECK(back.exhibit->genome == original.genome);
+    REQUIRE(run.studio.playback().show(*back.exhibit));
+    const ShowExhibit again = test::asked<ShowExhibit>(run.click("ancestor 0"));
+    CHECK(again.exhibit->method == "edited");
+}
+
+TEST_CASE("mutations are told by operator and change", "[studio][inspector]") {
+    const MutationRegistry& kinds = test::kinds().mutations;
+    CHECK(operator_words({kinds[0].id, "", "", ""}, kinds) == kinds[0].label);
+    CHECK(operator_words({"edited", "", "", ""}, kinds) == "Edited by hand");
+    CHECK(change_words({"", "", "0.5", "0.62"}) == "0.5 → 0.62");
+    CHECK(change_words({"", "", "", "neuron"}) == "neuron");
+}
+
+}  // namespace
+}  // namespace cambrian

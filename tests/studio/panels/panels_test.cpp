@@ -1,0 +1,212 @@
+#include "panel_press.h"
+#include "studio/panels/bar/evolve_bar.h"
+#include "studio/panels/cards/file_panel.h"
+#include "studio/panels/generations/population_panel.h"
+#include "studio/panels/generations/timeline_panel.h"
+#include "studio/panels/viewport/transport_bar.h"
+#include "studio/panels/viewport/viewport_panel.h"
+#include "support/null_imgui.h"
+
+namespace cambrian {
+namespace {
+
+using test::click;
+
+TEST_CASE("pressing Evolve asks to evolve, once", "[studio][evolve_bar]") {
+    NullImGui gui;
+    EvolveBar bar;
+    const test::StudioFixture studio;
+    const Requests out = click(gui, bar, studio, "Evolve");
+    CHECK(out.actions().size() == 1);
+    CHECK(test::was_asked<ToggleEvolution>(out));
+}
+
+TEST_CASE("while evolving the button says Pause and no single step is offered",
+          "[studio][evolve_bar]") {
+    NullImGui gui;
+    EvolveBar bar;
+    test::StudioFixture studio;
+    studio.snapshot().status = EngineStatus::kRunning;
+    CHECK(test::was_asked<ToggleEvolution>(click(gui, bar, studio, "Pause")));
+    CHECK(click(gui, bar, studio, "Step one generation").actions().empty());
+}
+
+TEST_CASE("a menu opens and its entry asks", "[studio][main_menu]") {
+    NullImGui gui;
+    EvolveBar bar;
+    const test::StudioFixture studio;
+    click(gui, bar, studio, "File");
+    CHECK(test::was_asked<OpenFilePanel>(click(gui, bar, studio, "Open…")));
+}
+
+TEST_CASE("the transport plays, restarts and changes the speed", "[studio][transport_bar]") {
+    NullImGui gui;
+    TransportBar bar;
+    test::StudioFixture studio;
+    studio.show_crawler();
+    CHECK(test::was_asked<TogglePlayback>(click(gui, bar, studio, "Play")));
+    CHECK(test::was_asked<RestartPlayback>(click(gui, bar, studio, "Restart")));
+    CHECK(test::asked<ChangeView>(click(gui, bar, studio, "4×")).view.speed == 4.0);
+}
+
+TEST_CASE("the transport steps back, and the time bar goes where it is pressed",
+          "[studio][transport_bar]") {
+    NullImGui gui;
+    TransportBar bar;
+    test::StudioFixture studio;
+    studio.show_crawler();
+    CHECK(test::was_asked<StepPlaybackBack>(click(gui, bar, studio, "Back one tick")));
+    const std::uint64_t sought =
+        test::asked<SeekPlayback>(click(gui, bar, studio, "time bar")).tick;
+    CHECK(sought >= studio.playback().length() / 2 - 2);
+    CHECK(sought <= studio.playback().length() / 2 + 2);
+}
+
+TEST_CASE("a click on the timeline shows that generation's champion", "[studio][timeline]") {
+    NullImGui gui;
+    TimelinePanel panel;
+    test::StudioFixture studio;
+    for (int i = 0; i < 21; ++i)
+        studio.finish_generation(0.1 * i);
+    const Requests out = click(gui, panel, studio, "timeline");
+    CHECK(test::asked<ShowChampion>(out).generation == 10);
+}
+
+TEST_CASE("a stagnant run offers newcomers and many kinds, and does neither by itself",
+          "[studio][timeline]") {
+    NullImGui gui;
+    TimelinePanel panel;
+    test::StudioFixture studio;
+    for (int i = 0; i < 21; ++i)
+        studio.finish_generation(0.5);
+    Requests unasked;
+    gui.frame([&] { panel.draw(studio.frame(), unasked); });
+    CHECK_FALSE(gui.has("Add newcomers"));
+    studio.snapshot().history.back().generations_without_progress = 20;
+    gui.frame([&] { panel.draw(studio.frame(), unasked); });
+    CHECK(unasked.actions().empty());
+    CHECK(test::asked<AddNewcomers>(click(gui, panel, studio, "Add newcomers")).share == 0.2);
+    const Requests kinds = click(gui, panel, studio, "Many kinds");
+    CHECK(test::asked<EditSettings>(kinds).settings.selection.method == "map-elites");
+    CHECK(test::was_asked<FinishEdit>(kinds));
+}
+
+TEST_CASE("a click on a tile shows its creature", "[studio][population]") {
+    NullImGui gui;
+    PopulationPanel panel;
+    test::StudioFixture studio;
+    studio.finish_generation(1.0);
+    const Requests out = click(gui, panel, studio, "tile 0");
+    CHECK(test::asked<ShowIndividual>(out).creature.individual == studio.snapshot().population[0]);
+}
+
+TEST_CASE("the viewport draws the creature on show and takes hold of it", "[studio][viewport]") {
+    NullImGui gui;
+    ViewportPanel panel(nullptr);
+    test::StudioFixture studio;
+    studio.show_crawler();
+    Requests out;
+    const auto draw = [&] { panel.draw(studio.frame(), out); };
+    gui.frame(draw);
+    CHECK(panel.scene().shapes.size() > studio.playback().phenotype().parts.size());
+    const Rect& area = gui.place("viewport");
+    const Vec2 body = panel.camera().to_screen(
+        studio.playback().poses()[0].position.head<2>(),
+        {static_cast<double>(area.width), static_cast<double>(area.height)});
+    gui.move_to({area.x + static_cast<float>(body.x()), area.y + static_cast<float>(body.y())});
+    gui.frame(draw);
+    CHECK(test::asked<ShowHighlight>(out).highlight.part == 0);
+    gui.press();
+    gui.frame(draw);
+    CHECK(test::asked<PokePart>(out).part == 0);
+}
+
+TEST_CASE("dragging with the right button lets the camera go", "[studio][viewport]") {
+    NullImGui gui;
+    ViewportPanel panel(nullptr);
+    test::StudioFixture studio;
+    studio.show_crawler();
+    Requests out;
+    const auto draw = [&] { panel.draw(studio.frame(), out); };
+    gui.frame(draw);
+    gui.move_to({400, 200});
+    gui.frame(draw);
+    gui.press(1);
+    gui.frame(draw);
+    gui.move_to({460, 230});
+    gui.frame(draw);
+    CHECK_FALSE(test::asked<ChangeView>(out).view.follow);
+}
+
+TEST_CASE("overlays, ghosts and help are at hand in the viewport", "[studio][viewport]") {
+    NullImGui gui;
+    ViewportPanel panel(nullptr);
+    test::StudioFixture studio;
+    studio.show_crawler();
+    CHECK(test::asked<ShowHelp>(click(gui, panel, studio, "? viewport")).page == "viewport");
+    click(gui, panel, studio, "Overlays");
+    const Requests torques = click(gui, panel, studio, "Joint torques");
+    CHECK(test::asked<ChangeView>(torques).view.torques);
+    CHECK_FALSE(test::was_asked<PokePart>(torques));
+}
+
+TEST_CASE("a choice of ghosts is a click in the viewport", "[studio][viewport]") {
+    NullImGui gui;
+    ViewportPanel panel(nullptr);
+    test::StudioFixture studio;
+    studio.show_crawler();
+    click(gui, panel, studio, "Ghosts");
+    const Requests out = click(gui, panel, studio, "Every tenth generation");
+    CHECK(test::asked<ChangeView>(out).view.ghosts == GhostChoice::kTenths);
+}
+
+TEST_CASE("the file panel opens the file that is pressed twice", "[studio][file_panel]") {
+    NullImGui gui;
+    FilePanel panel;
+    test::StudioFixture studio;
+    studio.files().open = true;
+    studio.files().opened = 1;
+    studio.files().listing = {"/creatures", {}, {"a.creature.json", "b.creature.json"}, ""};
+    click(gui, panel, studio, "b.creature.json");
+    const Requests out = click(gui, panel, studio, "b.creature.json");
+    CHECK(test::asked<LoadFile>(out).path == "/creatures/b.creature.json");
+    CHECK(test::was_asked<CloseFilePanel>(out));
+}
+
+TEST_CASE("a saved creature gets its ending", "[studio][file_panel]") {
+    NullImGui gui;
+    FilePanel panel;
+    test::StudioFixture studio;
+    studio.files().open = true;
+    studio.files().opened = 1;
+    studio.files().task = FileTask::kSaveCreature;
+    studio.files().suggested_name = "hopper";
+    studio.files().listing.folder = "/creatures";
+    const Requests out = click(gui, panel, studio, "Save");
+    CHECK(test::asked<SaveCreatureFile>(out).path == "/creatures/hopper.creature.json");
+}
+
+TEST_CASE("a creature can be saved as a card and back, by a button or by its name",
+          "[studio][file_panel]") {
+    NullImGui gui;
+    FilePanel panel;
+    test::StudioFixture studio;
+    studio.files().open = true;
+    studio.files().opened = 1;
+    studio.files().task = FileTask::kSaveCreature;
+    studio.files().suggested_name = "hopper.creature.json";
+    studio.files().listing.folder = "/creatures";
+    const auto saved_as = [&] {
+        return test::asked<SaveCreatureFile>(click(gui, panel, studio, "Save")).path;
+    };
+    click(gui, panel, studio, "Card");
+    CHECK(saved_as() == "/creatures/hopper.card.png");
+    click(gui, panel, studio, "Creature file");
+    CHECK(saved_as() == "/creatures/hopper.creature.json");
+    studio.files().opened = 2;
+    studio.files().suggested_name = "posted.png";
+    CHECK(saved_as() == "/creatures/posted.png");
+}
+
+}  // namespace
+}  // namespace cambrian

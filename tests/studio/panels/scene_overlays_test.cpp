@@ -1,0 +1,100 @@
+#include "studio/panels/viewport/scene_overlays.h"
+
+#include "studio/look/overlays.h"
+#include "studio/panels/viewport/viewport_panel.h"
+#include "studio_fixture.h"
+#include "support/null_imgui.h"
+
+namespace cambrian {
+namespace {
+
+class OverlayRun {
+public:
+    OverlayRun() {
+        studio.show_crawler();
+        for (int i = 0; i < 150; ++i)
+            studio.playback().step();
+    }
+    template <class Add>
+    SceneFrame drawn(Add add) {
+        const Playback& playback = studio.playback();
+        const CreatureLook look{playback.phenotype(), playback.poses(), {}, 0.3, {}};
+        const Palette palette = palette_of(ThemeKind::kDark);
+        SceneFrame frame;
+        add(frame,
+            OverlayScene{look, playback.trial().scene(), test::kinds().creature, palette, 0.01});
+        return frame;
+    }
+    test::StudioFixture studio;
+};
+
+TEST_CASE("each overlay switches something of the picture on and off", "[studio][overlays]") {
+    OverlayRun run;
+    for (const OverlayKind& overlay : overlay_kinds()) {
+        // Words are no shapes, and the crawler hears no sensor.
+        if (overlay.shown == &ViewState::names || overlay.shown == &ViewState::sensors) continue;
+        std::size_t shapes[2] = {0, 0};
+        for (const bool shown : {false, true}) {
+            NullImGui gui;
+            ViewportPanel panel(nullptr);
+            ViewState view;
+            for (const OverlayKind& each : overlay_kinds())
+                view.*each.shown = false;
+            view.*overlay.shown = shown;
+            const FrameContext seen = run.studio.frame();
+            const FrameContext frame{.kinds = seen.kinds,
+                                     .fields = seen.fields,
+                                     .snapshot = seen.snapshot,
+                                     .progress = seen.progress,
+                                     .editor = seen.editor,
+                                     .playback = seen.playback,
+                                     .view = view,
+                                     .files = seen.files,
+                                     .stars = seen.stars};
+            Requests out;
+            gui.frame([&] { panel.draw(frame, out); });
+            shapes[shown ? 1 : 0] = panel.scene().shapes.size();
+        }
+        INFO(overlay.label);
+        CHECK(shapes[1] > shapes[0]);
+    }
+}
+
+TEST_CASE("the needle of a joint's limits stands between them", "[studio][overlays]") {
+    OverlayRun run;
+    const SceneFrame frame = run.drawn(add_joint_limits);
+    CHECK(frame.shapes.size() >= 4 * run.studio.playback().phenotype().effector_parts.size());
+}
+
+TEST_CASE("what the brain hears is drawn where it is felt", "[studio][overlays]") {
+    OverlayRun run;
+    const Playback& playback = run.studio.playback();
+    const SensorRegistry& kinds = test::kinds().creature.sensors;
+    const auto kind = [&kinds](const char* id) {
+        return static_cast<std::uint8_t>(kinds.index_of(id).value());
+    };
+    Phenotype sensing = playback.phenotype();
+    sensing.sensors = {{.part = 1, .kind = kind("joint")},
+                       {.part = 0, .kind = kind("contact"), .channel = 1, .handedness = -1}};
+    const CreatureLook look{sensing, playback.poses(), {}, 0.3, {}};
+    const Palette palette = palette_of(ThemeKind::kDark);
+    SceneFrame frame;
+    add_sensor_readings(frame,
+                        {look, playback.trial().scene(), test::kinds().creature, palette, 0.01});
+    // On a mirrored part the left face is the right one, at the box's lower side.
+    const Vec3& half = sensing.plan.parts[0].half_extents;
+    const Vec3 at = transform(playback.poses()[0], {0.0, -0.8 * half.y(), 0.0});
+    CHECK((frame.shapes.back().center - at.head<2>()).norm() < 1e-9);
+    CHECK(frame.shapes.size() > 3);
+}
+
+TEST_CASE("contact forces carry the creature", "[studio][overlays]") {
+    OverlayRun run;
+    std::vector<SceneContact> contacts;
+    run.studio.playback().trial().scene().list_contacts(contacts);
+    const SceneFrame frame = run.drawn(add_contact_forces);
+    CHECK(frame.shapes.size() == 2 * contacts.size());
+}
+
+}  // namespace
+}  // namespace cambrian

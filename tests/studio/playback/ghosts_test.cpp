@@ -1,0 +1,106 @@
+#include "studio/playback/ghosts.h"
+
+#include "studio_fixture.h"
+
+namespace cambrian {
+namespace {
+
+// A run whose champions scored so much; a champion that scored as the one before is the same.
+std::vector<ChampionRecord> champions_of(const std::vector<double>& scores) {
+    std::vector<ChampionRecord> champions;
+    auto settings = std::make_shared<ExperimentSettings>();
+    for (const double score : scores) {
+        const bool same =
+            !champions.empty() && champions.back().individual->result.fitness == score;
+        auto individual = std::make_shared<Individual>();
+        individual->genome = same ? champions.back().individual->genome
+                                  : test::crawler(test::kinds().creature.catalog);
+        individual->result.fitness = score;
+        champions.push_back({static_cast<std::uint32_t>(champions.size()), individual, settings});
+    }
+    return champions;
+}
+
+std::vector<std::uint32_t> generations(const std::vector<const ChampionRecord*>& records) {
+    std::vector<std::uint32_t> numbers;
+    for (const ChampionRecord* each : records)
+        numbers.push_back(each->generation);
+    return numbers;
+}
+
+TEST_CASE("ghosts are the champions that were chosen, the one on show aside", "[studio][ghosts]") {
+    const auto champions = champions_of({1, 1, 3, 2, 4, 4, 5, 4.5});
+    const Genome* shown = champions[6].individual->genome.get();
+    using Numbers = std::vector<std::uint32_t>;
+    CHECK(choose_ghosts(champions, GhostChoice::kNone, shown).empty());
+    CHECK(generations(choose_ghosts(champions, GhostChoice::kImprovements, shown)) ==
+          Numbers{0, 2, 4});
+    CHECK(generations(choose_ghosts(champions, GhostChoice::kImprovements, nullptr)) ==
+          Numbers{2, 4, 6});
+    CHECK(generations(choose_ghosts(champions, GhostChoice::kTenths, nullptr)) == Numbers{0});
+    CHECK(generations(choose_ghosts(champions, GhostChoice::kAcross, nullptr)) ==
+          Numbers{1, 3, 5, 7});
+    CHECK(choose_ghosts({}, GhostChoice::kAcross, nullptr).empty());
+}
+
+class GhostRun {
+public:
+    GhostRun() {
+        for (int i = 0; i < 3; ++i)
+            studio.finish_generation(1.0 + i);
+        studio.show_crawler();
+    }
+    void update() {
+        ghosts.update(studio.snapshot(), GhostChoice::kImprovements, studio.playback(), 1e3);
+    }
+    void play_to(std::uint64_t tick) {
+        studio.playback().seek(tick);
+        studio.playback().advance(0.0, 1e3);
+        update();
+    }
+    test::StudioFixture studio;
+    Ghosts ghosts{test::kinds().creature};
+};
+
+TEST_CASE("ghosts begin their test with the creature on show and follow it back",
+          "[studio][ghosts]") {
+    GhostRun run;
+    for (int i = 0; i < 5; ++i)
+        run.update();
+    REQUIRE(run.ghosts.all().size() == 3);
+    for (const std::uint64_t tick : {10U, 400U, 150U, 5U, 420U}) {
+        run.play_to(tick);
+        const Trial& leader = run.studio.playback().trial();
+        for (const auto& ghost : run.ghosts.all()) {
+            // The same body in the same world: the same motion to the bit.
+            CHECK(ghost->trial().ticks() == leader.ticks());
+            CHECK(ghost->trial().scene().center_of_mass() == leader.scene().center_of_mass());
+        }
+    }
+}
+
+TEST_CASE("ghosts feel the world as the creature on show does", "[studio][ghosts]") {
+    GhostRun run;
+    for (int i = 0; i < 5; ++i)
+        run.update();
+    run.play_to(60);
+    Environment moon;
+    moon.gravity = 1.62;
+    run.studio.playback().set_environment(moon);
+    run.update();
+    run.play_to(120);
+    for (const auto& ghost : run.ghosts.all())
+        CHECK(ghost->trial().scene().center_of_mass() ==
+              run.studio.playback().trial().scene().center_of_mass());
+}
+
+TEST_CASE("without a choice ghosts go", "[studio][ghosts]") {
+    GhostRun run;
+    for (int i = 0; i < 5; ++i)
+        run.update();
+    run.ghosts.update(run.studio.snapshot(), GhostChoice::kNone, run.studio.playback(), 1e3);
+    CHECK(run.ghosts.all().empty());
+}
+
+}  // namespace
+}  // namespace cambrian

@@ -1,0 +1,211 @@
+#include "studio/playback/playback.h"
+
+#include "studio_fixture.h"
+#include "support/catch.h"
+
+namespace cambrian {
+namespace {
+
+Exhibit crawler_exhibit() {
+    Exhibit exhibit;
+    exhibit.genome = test::crawler(test::kinds().creature.catalog);
+    exhibit.goal = "walking";
+    exhibit.world.trial.duration = 1.0;
+    exhibit.world.trial.settle_limit = 0.2;
+    return exhibit;
+}
+
+constexpr double kPlenty = 1e3;  // s of budget
+
+TEST_CASE("what is watched is what is scored, to the last bit", "[studio][playback]") {
+    Playback playback(test::kinds().creature);
+    const Exhibit exhibit = crawler_exhibit();
+    REQUIRE(playback.show(exhibit));
+    while (!playback.trial().finished())
+        playback.advance(1.0 / 60.0, kPlenty);
+    const auto phenotype =
+        std::make_shared<const Phenotype>(express(*exhibit.genome, test::kinds().creature, {}, {}));
+    const auto record = run_trial(phenotype, test::kinds().creature, exhibit.world);
+    REQUIRE(record);
+    CHECK(playback.trial().record().digest == record->digest);
+}
+
+TEST_CASE("playing twice as fast plays twice as far", "[studio][playback]") {
+    Playback playback(test::kinds().creature);
+    REQUIRE(playback.show(crawler_exhibit()));
+    playback.set_speed(2.0);
+    for (int i = 0; i < 20; ++i)
+        playback.advance(kBrainTick, kPlenty);
+    CHECK(playback.trial().ticks() >= 39);
+    CHECK(playback.trial().ticks() <= 40);
+}
+
+TEST_CASE("a spent budget leaves the rest for later", "[studio][playback]") {
+    Playback playback(test::kinds().creature);
+    REQUIRE(playback.show(crawler_exhibit()));
+    playback.advance(0.1, 0.0);
+    CHECK(playback.trial().ticks() == 0);
+}
+
+TEST_CASE("paused, only single ticks move the creature", "[studio][playback]") {
+    Playback playback(test::kinds().creature);
+    REQUIRE(playback.show(crawler_exhibit()));
+    playback.set_playing(false);
+    playback.advance(1.0, kPlenty);
+    CHECK(playback.trial().ticks() == 0);
+    playback.step();
+    CHECK(playback.trial().ticks() == 1);
+}
+
+TEST_CASE("a step back ends where the step before had ended", "[studio][playback]") {
+    Playback playback(test::kinds().creature);
+    REQUIRE(playback.show(crawler_exhibit()));
+    std::vector<Vec3> centers = {playback.center_of_mass()};
+    for (int i = 0; i < 70; ++i) {
+        playback.step();
+        centers.push_back(playback.center_of_mass());
+    }
+    for (std::size_t tick = 70; tick-- > 0;) {
+        playback.step_back();
+        playback.advance(0.0, kPlenty);
+        REQUIRE(playback.trial().ticks() == tick);
+        CHECK(playback.center_of_mass() == centers[tick]);
+    }
+    playback.step_back();
+    CHECK(playback.tick_shown() == 0);
+}
+
+TEST_CASE("a trial gone back in is scored as if it had not been", "[studio][playback]") {
+    Playback playback(test::kinds().creature);
+    REQUIRE(playback.show(crawler_exhibit()));
+    const auto digest = [&playback] {
+        playback.set_playing(true);
+        while (!playback.trial().finished())
+            playback.advance(1.0 / 60.0, kPlenty);
+        return playback.trial().record().digest;
+    };
+    const std::uint64_t straight = digest();
+    playback.seek(37);
+    playback.advance(0.0, kPlenty);
+    CHECK_FALSE(playback.trial().finished());
+    CHECK(digest() == straight);
+}
+
+TEST_CASE("going before a poke takes it back, going after it does not", "[studio][playback]") {
+    Playback playback(test::kinds().creature);
+    REQUIRE(playback.show(crawler_exhibit()));
+    for (int i = 0; i < 40; ++i)
+        playback.step();
+    playback.poke(0, Vec3::Zero(), Vec3(0.0, 5.0, 0.0));
+    for (int i = 0; i < 10; ++i)
+        playback.step();
+    playback.release();
+    for (int i = 0; i < 20; ++i)
+        playback.step();
+    playback.seek(60);
+    playback.advance(0.0, kPlenty);
+    CHECK(playback.disturbed());
+    playback.seek(40);
+    playback.advance(0.0, kPlenty);
+    CHECK_FALSE(playback.disturbed());
+}
+
+TEST_CASE("a moment ahead is reached within the budget of several frames", "[studio][playback]") {
+    Playback playback(test::kinds().creature);
+    REQUIRE(playback.show(crawler_exhibit()));
+    playback.set_playing(false);
+    playback.seek(50);
+    playback.advance(0.01, 0.0);
+    CHECK(playback.seeking());
+    CHECK(playback.tick_shown() == 50);
+    playback.advance(0.01, kPlenty);
+    CHECK_FALSE(playback.seeking());
+    CHECK(playback.trial().ticks() == 50);
+}
+
+TEST_CASE("less gravity makes a creature in the air fall slower at once", "[studio][playback]") {
+    Exhibit exhibit = crawler_exhibit();
+    exhibit.world.environment.has_ground = false;
+    double fallen[2] = {0.0, 0.0};
+    for (const int moon : {0, 1}) {
+        Playback playback(test::kinds().creature);
+        REQUIRE(playback.show(exhibit));
+        Environment world = exhibit.world.environment;
+        if (moon == 1) world.gravity = 1.62;
+        playback.set_environment(world);
+        for (int i = 0; i < 30; ++i)
+            playback.step();
+        fallen[moon] = -playback.trial().scene().center_of_mass().y();
+    }
+    CHECK(fallen[0] == Approx(0.5 * 9.81 * 0.25).epsilon(0.02));
+    CHECK(fallen[1] == Approx(0.5 * 1.62 * 0.25).epsilon(0.02));
+}
+
+TEST_CASE("restarting forgets a poke and keeps a changed world", "[studio][playback]") {
+    Playback playback(test::kinds().creature);
+    REQUIRE(playback.show(crawler_exhibit()));
+    Environment moon;
+    moon.gravity = 1.62;
+    playback.set_environment(moon);
+    playback.poke(0, Vec3::Zero(), Vec3(0.0, 5.0, 0.0));
+    playback.step();
+    CHECK(playback.disturbed());
+    playback.restart();
+    CHECK_FALSE(playback.disturbed());
+    CHECK(playback.trial().ticks() == 0);
+    CHECK(playback.environment() == moon);
+}
+
+TEST_CASE("a poke pulls the creature towards the mouse", "[studio][playback]") {
+    Exhibit exhibit = crawler_exhibit();
+    exhibit.world.environment.has_ground = false;
+    exhibit.world.environment.gravity = 0.0;
+    Playback playback(test::kinds().creature);
+    REQUIRE(playback.show(exhibit));
+    const double before = playback.trial().scene().center_of_mass().x();
+    for (int i = 0; i < 20; ++i) {
+        playback.poke(0, Vec3::Zero(), Vec3(2.0, 0.0, 0.0));
+        playback.step();
+    }
+    CHECK(playback.trial().scene().center_of_mass().x() > before + 0.1);
+}
+
+TEST_CASE("a forced neuron disturbs the motion until restarted", "[studio][playback]") {
+    Playback free(test::kinds().creature);
+    Playback forced(test::kinds().creature);
+    REQUIRE(free.show(crawler_exhibit()));
+    REQUIRE(forced.show(crawler_exhibit()));
+    forced.force(0, 2.0);
+    CHECK(forced.disturbed());
+    for (int i = 0; i < 60; ++i) {
+        free.step();
+        forced.step();
+    }
+    CHECK(forced.trial().creature().brain().value(forced.phenotype().network.neuron_slot(0)) ==
+          2.0);
+    CHECK(forced.poses()[1].position != free.poses()[1].position);
+    forced.restart();
+    CHECK(forced.forced().empty());
+    CHECK_FALSE(forced.disturbed());
+    free.restart();
+    for (int i = 0; i < 60; ++i) {
+        free.step();
+        forced.step();
+    }
+    CHECK(forced.poses()[1].position == free.poses()[1].position);
+}
+
+TEST_CASE("the last 3 s of every signal are kept", "[studio][playback]") {
+    Playback playback(test::kinds().creature);
+    REQUIRE(playback.show(crawler_exhibit()));
+    for (std::size_t i = 0; i < SignalTrace::kLength + 20; ++i)
+        playback.step();
+    const Brain& brain = playback.trial().creature().brain();
+    const Slot slot = playback.phenotype().network.neuron_slot(0);
+    CHECK(playback.signals().of_slot(slot).size() == SignalTrace::kLength);
+    CHECK(playback.signals().of_slot(slot).back() == brain.value(slot));
+    CHECK(playback.signals().of_output(1).back() == brain.output(1));
+}
+
+}  // namespace
+}  // namespace cambrian

@@ -1,0 +1,93 @@
+#include "studio/viewer/gene_editor.h"
+
+#include "support/catch.h"
+#include "support/creatures.h"
+#include "support/kinds.h"
+
+namespace cambrian {
+namespace {
+
+Exhibit crawler_on_show() {
+    Exhibit exhibit;
+    exhibit.genome = test::crawler(test::kinds().creature.catalog);
+    exhibit.title = "Crawler";
+    exhibit.uid = "00000000000000ff";
+    exhibit.method = "crossover";
+    exhibit.result = EvaluationResult{};
+    return exhibit;
+}
+
+GenomePtr with_length(const GenomePtr& genome, double length) {
+    Genome changed = *genome;
+    changed.nodes[1].length = length;
+    return std::make_shared<const Genome>(changed);
+}
+
+// One drag of a length, as a slider makes it.
+void drag(GeneEditor& editor, const Exhibit& shown, std::initializer_list<double> lengths) {
+    double last = shown.genome->nodes[1].length;
+    for (const double length : lengths) {
+        editor.edit(shown, with_length(shown.genome, length),
+                    {"part 1 length", std::to_string(last), std::to_string(length)});
+        last = length;
+    }
+    editor.finish();
+}
+
+TEST_CASE("an edited creature is the child of the original", "[studio][gene_editor]") {
+    const Exhibit original = crawler_on_show();
+    GeneEditor editor;
+    drag(editor, original, {0.9});
+    const Exhibit edited = editor.exhibit();
+    CHECK(edited.genome->nodes[1].length == 0.9);
+    CHECK(edited.method == "edited");
+    CHECK(edited.parents == std::vector<std::string>{original.uid});
+    REQUIRE(edited.mother.get() != nullptr);
+    CHECK(edited.mother.get()->genome == original.genome);
+    CHECK(edited.mother.get()->uid == 0xff);
+    CHECK_FALSE(edited.result);
+    CHECK(edited.uid != original.uid);
+    REQUIRE(edited.mutations.size() == 1);
+    CHECK(edited.mutations[0].place == "part 1 length");
+}
+
+TEST_CASE("a drag is one step, told from its first value to its last", "[studio][gene_editor]") {
+    const Exhibit original = crawler_on_show();
+    GeneEditor editor;
+    drag(editor, original, {0.5, 0.6, 0.7});
+    REQUIRE(editor.exhibit().mutations.size() == 1);
+    CHECK(editor.exhibit().mutations[0].from == std::to_string(0.4));
+    CHECK(editor.exhibit().mutations[0].to == std::to_string(0.7));
+    editor.undo();
+    CHECK_FALSE(editor.can_undo());
+    CHECK(editor.exhibit().genome == original.genome);
+    CHECK(editor.exhibit().method == "crossover");
+    CHECK(editor.exhibit().result);
+    editor.redo();
+    CHECK(editor.exhibit().genome->nodes[1].length == 0.7);
+}
+
+TEST_CASE("an edit after an undo takes the place of what was undone", "[studio][gene_editor]") {
+    const Exhibit original = crawler_on_show();
+    GeneEditor editor;
+    drag(editor, original, {0.5});
+    drag(editor, editor.exhibit(), {0.6});
+    editor.undo();
+    REQUIRE(editor.can_redo());
+    drag(editor, editor.exhibit(), {1.1});
+    CHECK_FALSE(editor.can_redo());
+    editor.undo();
+    CHECK(editor.exhibit().genome->nodes[1].length == 0.5);
+}
+
+TEST_CASE("a gene edited back to what it was leaves the original", "[studio][gene_editor]") {
+    const Exhibit original = crawler_on_show();
+    GeneEditor editor;
+    drag(editor, original, {0.5});
+    drag(editor, editor.exhibit(), {0.4});
+    CHECK(editor.exhibit().method == "crossover");
+    CHECK(editor.exhibit().mutations.empty());
+}
+
+}  // namespace
+}  // namespace cambrian
