@@ -7,6 +7,7 @@
 #include "persist/rescoring.h"
 #include "persist/settings_file.h"
 #include "persist/steered_run.h"
+#include "simulator/simulator_version.h"
 #include "support/temporary_directory.h"
 
 using namespace cambrian;
@@ -55,8 +56,7 @@ TEST_CASE("an experiment of any version is read without a change", "[persist][ol
     CHECK(bytes_of(path) == before);
 }
 
-TEST_CASE("an experiment of any version goes on as if it had been begun now",
-          "[persist][older_versions]") {
+TEST_CASE("an experiment of any version goes on with this simulator", "[persist][older_versions]") {
     const std::string version = GENERATE("1");
     const TemporaryDirectory folder;
     const auto path = folder / "run.cambrian";
@@ -80,12 +80,36 @@ TEST_CASE("an experiment of any version goes on as if it had been begun now",
     CHECK(again->simulators.size() == (same_simulator ? 1 : 2));
     if (!same_simulator) return;  // its first generations would come out otherwise
 
-    Evolution anew = begun_anew(*again, kinds());
-    const auto whole = ExperimentFile::create(kinds(), again->settings, again->founders);
-    REQUIRE(whole);
-    run_on(anew, **whole, 6, again->journal);
-    REQUIRE((*whole)->move_to(folder / "whole.cambrian"));
-    CHECK(load_experiment(folder / "whole.cambrian", kinds())->digests == again->digests);
+    CHECK(again->simulators.size() == 2);
+    CHECK(again->simulators.back().generation == 4);
+    CHECK(again->simulators.back().version == kSimulatorVersion);
+}
+
+TEST_CASE("scores of an older simulator are given again before they decide anything more",
+          "[persist][older_versions]") {
+    const auto saved = load_experiment(kVersions / "1" / "run.cambrian", kinds());
+    REQUIRE(saved);
+    CHECK(scored_by_another_simulator(*saved));
+    const Evolution evolution = resumed(*saved, kinds());
+    for (const IndividualPtr& one : evolution.population())
+        CHECK_FALSE(one->evaluated);
+}
+
+TEST_CASE("lines and body plans that an older version did not tell are filled in",
+          "[persist][older_versions]") {
+    const auto saved = load_experiment(kVersions / "1" / "run.cambrian", kinds());
+    REQUIRE(saved);
+    for (IndividualPtr one : saved->latest->population) {
+        CHECK(one->result.plan == plan_of(*one->genome, *saved->latest->settings, kinds()));
+        CHECK(one->result.scores.empty());
+        const std::uint64_t line = one->line;
+        while (one->mother.get())
+            one = one->mother.get();
+        CHECK(line == one->line);
+        CHECK(line == (one->parents[0] == 0 ? one->uid : one->parents[0]));
+    }
+    for (const GenerationStatistics& generation : saved->latest->history)
+        CHECK(generation.best_lowest == generation.best);
 }
 
 TEST_CASE("an older experiment that is damaged stays as it was", "[persist][older_versions]") {
