@@ -40,25 +40,25 @@ ExperimentSettings half_of_ten() {
     return settings;
 }
 
-using Places = std::vector<std::size_t>;
+using Kept = std::vector<std::size_t>;
 
 }  // namespace
 
 TEST_CASE("of one founder's line no more survive than its share", "[evolution][lines]") {
     const auto ranked = ranking({1, 1, 1, 1, 2, 2, 2, 3, 3, 4}, {1, 2, 3, 4, 5, 6, 7, 8, 9, 10});
     ExperimentSettings settings = half_of_ten();
-    CHECK(truncated(ranked, settings) == Places{0, 1, 4, 5, 7});
+    CHECK(truncated(ranked, settings) == Kept{0, 1, 4, 5, 7});
     settings.selection.line_share = 1.0;
-    CHECK(truncated(ranked, settings) == Places{0, 1, 2, 3, 4});
+    CHECK(truncated(ranked, settings) == Kept{0, 1, 2, 3, 4});
     settings.selection.line_share = 0.01;  // one at least
-    CHECK(truncated(ranked, settings) == Places{0, 1, 4, 7, 9});
+    CHECK(truncated(ranked, settings) == Kept{0, 1, 4, 7, 9});
 }
 
 TEST_CASE("of one body plan no more survive than copies are allowed", "[evolution][lines]") {
     const auto ranked = ranking({1, 2, 3, 4, 5, 6, 7, 8, 9, 10}, {1, 1, 1, 2, 2, 2, 3, 3, 3, 4});
     ExperimentSettings settings = half_of_ten();
     settings.selection.plan_copies = 2;
-    CHECK(truncated(ranked, settings) == Places{0, 1, 3, 4, 6});
+    CHECK(truncated(ranked, settings) == Kept{0, 1, 3, 4, 6});
 }
 
 TEST_CASE("places that limits leave empty go to the best of the others", "[evolution][lines]") {
@@ -66,7 +66,7 @@ TEST_CASE("places that limits leave empty go to the best of the others", "[evolu
     settings.selection.plan_copies = 1;
     const auto alike = ranking({1, 1, 1, 1, 1, 2, 2, 2, 2, 2}, {1, 1, 1, 1, 1, 1, 1, 1, 1, 1});
     // One plan, then two of each line, then the best.
-    CHECK(truncated(alike, settings) == Places{0, 1, 2, 5, 6});
+    CHECK(truncated(alike, settings) == Kept{0, 1, 2, 5, 6});
 }
 
 TEST_CASE("limits do not make failures survive", "[evolution][lines]") {
@@ -77,7 +77,7 @@ TEST_CASE("limits do not make failures survive", "[evolution][lines]") {
         failed.result.fitness = 0.0;
         ranked[i] = std::make_shared<const Individual>(failed);
     }
-    CHECK(truncated(ranked, half_of_ten()) == Places{0, 1, 2, 3, 4});
+    CHECK(truncated(ranked, half_of_ten()) == Kept{0, 1, 2, 3, 4});
 }
 
 TEST_CASE("giving trials up keeps a distance where lines and plans are limited",
