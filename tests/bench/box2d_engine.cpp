@@ -1,10 +1,13 @@
 // Box2D 2.4.1: single precision, maximal coordinates, sequential impulses. Motors are its joint
-// motors, told a rate every step; drag and torques are external forces held for one step.
+// motors, told a rate every step, or torques; drag and torques are external forces held for one
+// step.
 
 #include "bench/drag_law.h"
 #include "bench/engine_kinds.h"
 #include "bench/motor_law.h"
 #include "bench/pair_filter.h"
+#include "core/assert.h"
+#include "dynamics/model_building.h"
 #include "math/angle.h"
 #include "support/body_plans.h"
 
@@ -45,6 +48,16 @@ private:
     std::uintptr_t ground_;
 };
 
+// kg m^2, what a lone effort at each part's joint feels; 0 for the root.
+std::vector<double> joint_inertias(const BodyPlan& plan, double density) {
+    const Result<PlanarModel> model = build_planar_model(plan, density);
+    CAMBRIAN_ASSERT(model.has_value(), "benchmark bodies are valid");
+    std::vector<double> inertias(plan.parts.size(), 0.0);
+    for (std::size_t i = 1; i < inertias.size(); ++i)
+        inertias[i] = model->effective_inertia[model->part_body[i]];
+    return inertias;
+}
+
 class Box2dEngine final : public BenchEngine {
 public:
     Box2dEngine(const BodyPlan& plan, const Environment& environment, const Box2dSettings& settings,
@@ -58,6 +71,10 @@ public:
           world_(gravity(environment)),
           targets_(plan.parts.size(), 0.0),
           previous_targets_(plan.parts.size(), 0.0),
+          inertia_(settings.motors == Box2dMotors::kTorques
+                       ? joint_inertias(plan, environment.density)
+                       : std::vector<double>()),
+          torque_(plan.parts.size(), 0.0),
           drag_(plan.parts.size()) {
         world_.SetAllowSleeping(false);
         world_.SetContactFilter(&filter_);
@@ -144,7 +161,7 @@ private:
         definition.enableLimit = true;
         definition.lowerAngle = narrow(part.limit_low);
         definition.upperAngle = narrow(part.limit_high);
-        definition.enableMotor = part.motor_mode != MotorMode::kTorque;
+        definition.enableMotor = has_joint_motor(part);
         definition.maxMotorTorque = narrow(part.max_effort);
         joints_.push_back(static_cast<b2RevoluteJoint*>(world_.CreateJoint(&definition)));
     }
@@ -159,18 +176,35 @@ private:
         world_.CreateBody(&definition)->CreateFixture(&fixture);
     }
 
+    bool has_joint_motor(const PlannedPart& part) const {
+        return settings_.motors == Box2dMotors::kJointMotors &&
+               part.motor_mode != MotorMode::kTorque;
+    }
+
     void drive_motors(double tick_share) {
         for (std::size_t i = 1; i < bodies_.size(); ++i) {
             const PlannedPart& part = plan_.parts[i];
             b2RevoluteJoint& joint = *joints_[i - 1];
-            if (part.motor_mode == MotorMode::kTorque) {
-                twist(joint,
-                      part.max_effort * std::lerp(previous_targets_[i], targets_[i], tick_share));
+            if (!has_joint_motor(part)) {
+                torque_[i] = torque_of(i, tick_share);
+                twist(joint, torque_[i]);
                 continue;
             }
             const auto angle = static_cast<double>(joint.GetJointAngle());
             joint.SetMotorSpeed(narrow(wanted_rate(part.motor_mode, targets_[i], angle)));
         }
+    }
+
+    double torque_of(std::size_t index, double tick_share) const {
+        const PlannedPart& part = plan_.parts[index];
+        const b2RevoluteJoint& joint = *joints_[index - 1];
+        const double target = targets_[index];
+        if (part.motor_mode == MotorMode::kTorque)
+            return part.max_effort * std::lerp(previous_targets_[index], target, tick_share);
+        const auto angle = static_cast<double>(joint.GetJointAngle());
+        const auto rate = static_cast<double>(joint.GetJointSpeed());
+        return motor_torque(part, inertia_[index], wanted_rate(part.motor_mode, target, angle),
+                            rate);
     }
 
     static void twist(b2RevoluteJoint& joint, double torque) {
@@ -202,9 +236,9 @@ private:
             const auto parent = static_cast<std::size_t>(plan_.parts[i].parent);
             const double before = before_[i].spin - before_[parent].spin;
             const double after = after_[i].spin - after_[parent].spin;
-            const auto torque =
+            const auto reaction =
                 static_cast<double>(joints_[i - 1]->GetReactionTorque(narrow(1.0 / step_)));
-            work_ += step_ * torque * mean_of(before, after);
+            work_ += step_ * (reaction + torque_[i]) * mean_of(before, after);
         }
     }
 
@@ -218,6 +252,8 @@ private:
     std::vector<b2Body*> bodies_;
     std::vector<b2RevoluteJoint*> joints_;  // joint of part i at i - 1
     std::vector<double> targets_, previous_targets_;
+    std::vector<double> inertia_;  // kg m^2, of each part's joint; empty if its motors drive it
+    std::vector<double> torque_;   // N m, applied from outside during this step
     std::vector<PlanarWrench> drag_;
     std::vector<PartMotion> before_, after_;
     double work_ = 0.0;  // J
@@ -230,7 +266,8 @@ EngineKind box2d_engine(std::string id, const Box2dSettings& settings) {
     kind.id = std::move(id);
     kind.label = "Box2D 2.4.1, " + std::to_string(60 * settings.steps_per_tick) + " Hz, " +
                  std::to_string(settings.velocity_iterations) + "/" +
-                 std::to_string(settings.position_iterations) + " iterations";
+                 std::to_string(settings.position_iterations) + " iterations" +
+                 (settings.motors == Box2dMotors::kTorques ? ", torques" : "");
     kind.books_contacts = false;
     kind.make = [settings](const BodyPlan& plan, const Environment& environment, Books books) {
         return std::make_unique<Box2dEngine>(plan, environment, settings, books);

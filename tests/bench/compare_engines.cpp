@@ -4,14 +4,15 @@
 
 #include "bench/engine_kinds.h"
 #include "bench/runs.h"
-#include "core/file_io.h"
+#include "bench/selection.h"
+#include "bench/write_table.h"
 #include "support/body_plans.h"
+#include "support/sample_statistics.h"
 #include "support/thread_time.h"
 #include "support/workload.h"
 
 #include <CLI/CLI.hpp>
 
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
@@ -46,21 +47,6 @@ struct Cell {
     double residual = 0.0;      // J, mean size
     double kinetic = 0.0;       // J, mean of the creatures' greatest
 };
-
-double median(std::vector<double> values) {
-    std::sort(values.begin(), values.end());
-    const std::size_t middle = values.size() / 2;
-    return values.size() % 2 == 1 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
-}
-
-template <class Kind>
-std::vector<Kind> select_kinds(std::vector<Kind> kinds, const std::vector<std::string>& ids) {
-    if (ids.empty()) return kinds;
-    std::erase_if(kinds, [&](const Kind& kind) {
-        return std::find(ids.begin(), ids.end(), kind.id) == ids.end();
-    });
-    return kinds;
-}
 
 std::vector<BenchCreature> draw_creatures(const Options& options, std::size_t bodies) {
     std::vector<BenchCreature> creatures;
@@ -177,10 +163,7 @@ int compare(const Options& options) {
             std::fflush(stdout);
         }
     }
-    if (options.csv_path.empty()) return EXIT_SUCCESS;
-    const Status written = write_file(options.csv_path, csv);
-    if (!written) std::fprintf(stderr, "%s\n", written.error().message.c_str());
-    return written ? EXIT_SUCCESS : EXIT_FAILURE;
+    return write_table(options.csv_path, csv);
 }
 
 // Each creature once in each engine and nothing else, for instruction counters.
@@ -200,7 +183,8 @@ int advance_only(const Options& options) {
 int main(int argc, char** argv) try {
     cambrian::bench::Options options;
     CLI::App app("Times the same creatures in Cambrian's physics, Box2D and MuJoCo");
-    app.add_option("--engine", options.engines, "cambrian, box2d, mujoco; all by default");
+    app.add_option("--engine", options.engines,
+                   "cambrian, box2d, box2d-torques, mujoco, mujoco-coarse; all by default");
     app.add_option("--workload", options.workloads, "air, swim, walk; all by default");
     app.add_option("--bodies", options.bodies, "bodies a creature");
     app.add_option("--creatures", options.creatures, "creatures a cell")

@@ -3,7 +3,11 @@
 namespace cambrian::bench {
 
 std::vector<EngineKind> all_engines() {
-    return {planar_engine("cambrian", {}), box2d_engine("box2d", {}), mujoco_engine("mujoco", {})};
+    constexpr int fewest_mujoco_steps = 3;  // a tick; its users seldom go beyond 5 ms
+    return {planar_engine("cambrian", {}), box2d_engine("box2d", {}),
+            box2d_engine("box2d-torques", {.motors = Box2dMotors::kTorques}),
+            mujoco_engine("mujoco", {}),
+            mujoco_engine("mujoco-coarse", {.steps_per_tick = fewest_mujoco_steps})};
 }
 
 }  // namespace cambrian::bench

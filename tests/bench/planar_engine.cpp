@@ -1,8 +1,7 @@
 // Ours. Its books are always open: the audit is part of every trial.
 
 #include "bench/engine_kinds.h"
-#include "core/assert.h"
-#include "dynamics/planar_scene.h"
+#include "bench/planar_runs.h"
 #include "support/body_plans.h"
 
 #include <utility>
@@ -44,9 +43,7 @@ EngineKind planar_engine(std::string id, const SceneSettings& settings) {
     kind.id = std::move(id);
     kind.label = "Cambrian, " + settings.integrator;
     kind.make = [settings](const BodyPlan& plan, const Environment& environment, Books) {
-        auto scene = planar_scene_kind().make(plan, environment, settings);
-        CAMBRIAN_ASSERT(scene.has_value(), "benchmark bodies are valid");
-        return std::make_unique<PlanarEngine>(std::move(scene).value());
+        return std::make_unique<PlanarEngine>(make_planar_scene(plan, environment, settings));
     };
     return kind;
 }

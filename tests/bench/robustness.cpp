@@ -1,8 +1,8 @@
 // cambrian_bench_robustness: many random creatures under violent motors, or told to hold a pose:
 // how many simulations fail, what they cost, how honest they are (physics.md 12.4 and 13).
 
+#include "bench/write_table.h"
 #include "core/assert.h"
-#include "core/file_io.h"
 #include "core/thread_pool.h"
 #include "dynamics/planar_scene.h"
 #include "simulator/audit.h"
@@ -416,10 +416,7 @@ std::string survey_poses(const Options& options) {
 
 int run_survey(const Options& options) {
     const std::string csv = options.pose ? survey_poses(options) : survey_violence(options);
-    if (options.csv_path.empty()) return EXIT_SUCCESS;
-    const Status written = write_file(options.csv_path, csv);
-    if (!written) std::fprintf(stderr, "%s\n", written.error().message.c_str());
-    return written ? EXIT_SUCCESS : EXIT_FAILURE;
+    return write_table(options.csv_path, csv);
 }
 
 }  // namespace

@@ -1,9 +1,7 @@
 // Micro-benchmarks of one tick of our scene: workload x bodies. The digest of the motion is printed
 // as a counter, so that a faster wrong answer shows.
 
-#include "bench/bench_creature.h"
-#include "core/assert.h"
-#include "dynamics/planar_scene.h"
+#include "bench/planar_runs.h"
 #include "support/body_plans.h"
 #include "support/workload.h"
 
@@ -13,18 +11,6 @@ namespace cambrian::bench {
 namespace {
 
 constexpr std::size_t kTicks = 600;  // a trial of 10 s, over and over
-
-std::unique_ptr<PhysicsScene> make_scene(const BenchCreature& creature, const Workload& workload) {
-    auto scene = planar_scene_kind().make(creature.plan, workload.environment, SceneSettings{});
-    CAMBRIAN_ASSERT(scene.has_value(), "benchmark bodies are valid");
-    return std::move(scene).value();
-}
-
-void advance_tick(PhysicsScene& scene, const BenchCreature& creature, std::size_t tick) {
-    for (std::size_t part = 1; part < creature.plan.parts.size(); ++part)
-        scene.set_target(part, creature.target(tick, part));
-    scene.advance(kTestTick);
-}
 
 // Share of 2^32, so that it prints whole.
 double short_digest(const PhysicsScene& scene) {
@@ -37,13 +23,13 @@ void advance_scene_tick(benchmark::State& state) {
     const Workload workload = all_workloads()[static_cast<std::size_t>(state.range(0))];
     const auto bodies = static_cast<std::size_t>(state.range(1));
     const BenchCreature creature = random_creature(bodies, 1, kTicks);
-    const auto scene = make_scene(creature, workload);
+    const auto scene = make_planar_scene(creature.plan, workload.environment);
     const auto start = scene->save();
     double digest = 0.0;
     SceneAudit audit;
     std::size_t tick = 0;
     while (state.KeepRunning()) {
-        advance_tick(*scene, creature, tick);
+        advance_planar_scene(*scene, creature, tick);
         if (++tick < kTicks) continue;
         state.PauseTiming();
         digest = short_digest(*scene);
@@ -71,7 +57,7 @@ void build_scene(benchmark::State& state) {
     const Workload workload = all_workloads().back();
     const BenchCreature creature = random_creature(static_cast<std::size_t>(state.range(0)), 1, 1);
     while (state.KeepRunning())
-        benchmark::DoNotOptimize(make_scene(creature, workload));
+        benchmark::DoNotOptimize(make_planar_scene(creature.plan, workload.environment));
 }
 BENCHMARK(build_scene)
     ->ArgName("bodies")

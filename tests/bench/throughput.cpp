@@ -2,6 +2,7 @@
 // end of a generation, and what an evaluation costs besides physics.
 #include "app/builtin_kinds.h"
 #include "bench/evaluation_cost.h"
+#include "bench/write_table.h"
 #include "core/stopwatch.h"
 #include "core/thread_pool.h"
 #include "evolution/evolution.h"
@@ -70,15 +71,20 @@ struct Options {
     int generations = 5;
     int size = 300;
     std::size_t threads = 2;
+    std::string csv_path;
 };
+
+double evaluations_an_hour_and_core(const TimedBackend& backend) {
+    const double capacity = static_cast<double>(backend.workers()) * backend.wall();
+    return 3600.0 * static_cast<double>(backend.evaluations()) / capacity;
+}
 
 void report_generations(const TimedBackend& backend, double breeding) {
     const double cores = static_cast<double>(backend.workers());
     const double capacity = cores * backend.wall();
     std::printf("evaluations            %zu in %.2f s on %zu threads\n", backend.evaluations(),
                 backend.wall(), backend.workers());
-    std::printf("an hour and core       %.0f\n",
-                3600.0 * static_cast<double>(backend.evaluations()) / capacity);
+    std::printf("an hour and core       %.0f\n", evaluations_an_hour_and_core(backend));
     std::printf("longest                %.3f s, mean %.3f s\n", backend.longest(),
                 backend.busy() / static_cast<double>(backend.evaluations()));
     std::printf("idle share of the pool %.2f %% (target below 5)\n",
@@ -87,20 +93,35 @@ void report_generations(const TimedBackend& backend, double breeding) {
                 100.0 * breeding / (breeding + backend.wall()));
 }
 
-void report_costs(const std::vector<IndividualPtr>& population, const ExperimentSettings& settings,
-                  const EvolutionKinds& kinds) {
+bench::EvaluationCost cost_of(const std::vector<IndividualPtr>& population,
+                              const ExperimentSettings& settings, const EvolutionKinds& kinds) {
     bench::EvaluationCost sum;
     for (const IndividualPtr& individual : population) {
         if (individual->result.outcome == Outcome::kCompleted)
             sum += bench::measure_cost(*individual->genome, settings, kinds);
     }
+    return sum;
+}
+
+double percent_not_physics(const bench::EvaluationCost& cost) {
+    return 100.0 * (1.0 - cost.physics / cost.total());
+}
+
+void report_costs(const bench::EvaluationCost& sum) {
     std::printf(
         "an evaluation's cost   expression %.2f %%, scoring %.2f %%, control and "
         "bookkeeping %.2f %%, physics %.2f %%\n",
         100.0 * sum.expression / sum.total(), 100.0 * sum.scoring / sum.total(),
         100.0 * sum.control() / sum.total(), 100.0 * sum.physics / sum.total());
-    std::printf("overhead               %.2f %% (target below 10)\n",
-                100.0 * (1.0 - sum.physics / sum.total()));
+    std::printf("overhead               %.2f %% (target below 10)\n", percent_not_physics(sum));
+}
+
+std::string csv_of(const TimedBackend& backend, const bench::EvaluationCost& cost) {
+    char text[256];
+    std::snprintf(text, sizeof text,
+                  "figure,value\nevaluations_an_hour_and_core,%.6g\npercent_not_physics,%.6g\n",
+                  evaluations_an_hour_and_core(backend), percent_not_physics(cost));
+    return text;
 }
 
 int run(const Options& options) {
@@ -124,8 +145,9 @@ int run(const Options& options) {
         evolution.evaluate(backend, progress, {});
     }
     report_generations(backend, breeding);
-    report_costs(evolution.population(), *settings, kinds);
-    return 0;
+    const bench::EvaluationCost cost = cost_of(evolution.population(), *settings, kinds);
+    report_costs(cost);
+    return bench::write_table(options.csv_path, csv_of(backend, cost));
 }
 
 }  // namespace
@@ -139,6 +161,7 @@ int main(int argc, char** argv) {
         ->check(CLI::Range(1, 1000));
     app.add_option("--size", options.size, "Creatures a generation")->check(CLI::Range(2, 20000));
     app.add_option("-t,--threads", options.threads, "Threads")->check(CLI::Range(1, 1024));
+    app.add_option("--csv", options.csv_path, "File to write the figures to");
     CLI11_PARSE(app, argc, argv);
     return run(options);
 }

@@ -1,11 +1,13 @@
 // cambrian_bench_precision: cost against error of every integrator of ours and of the other
 // engines, on a passive chain that tumbles in empty space. The error is how far its parts stray
 // from where they truly are; truth is the best of our integrators at a tolerance nobody needs.
+// Or, with --creatures, what our tolerance comes to on creatures in every world.
 
 #include "bench/engine_kinds.h"
 #include "bench/runs.h"
 #include "bench/svg_plot.h"
-#include "core/file_io.h"
+#include "bench/tolerance_survey.h"
+#include "bench/write_table.h"
 #include "dynamics/planar_scene.h"
 #include "support/body_plans.h"
 #include "support/thread_time.h"
@@ -28,6 +30,8 @@ constexpr int kFinestSteps = 256;  // a tick; of the second opinion on the refer
 struct Options {
     double seconds = 2.0;
     int repeats = 5;
+    bool creatures = false;
+    ToleranceSurvey survey;
     std::string csv_path;
     std::string svg_path;
 };
@@ -169,14 +173,18 @@ Track find_truth(const BenchCreature& chain, std::size_t ticks) {
     return truth;
 }
 
-int write_or_complain(const std::string& path, const std::string& text) {
-    if (path.empty()) return EXIT_SUCCESS;
-    const Status written = write_file(path, text);
-    if (!written) std::fprintf(stderr, "%s\n", written.error().message.c_str());
-    return written ? EXIT_SUCCESS : EXIT_FAILURE;
+int tell(const Options& options, const std::string& csv, const Plot& plot) {
+    std::fputs(csv.c_str(), stdout);
+    return std::max(write_table(options.csv_path, csv),
+                    write_table(options.svg_path, to_svg(plot)));
 }
 
-int run(const Options& options) {
+int run_creatures(const Options& options) {
+    const SurveyedTolerances found = survey_tolerances(options.survey);
+    return tell(options, found.csv, found.plot);
+}
+
+int run_chain(const Options& options) {
     const auto ticks = static_cast<std::size_t>(std::lround(options.seconds / kTestTick));
     const BenchCreature chain = passive_chain(kBodies, ticks);
     const Track truth = find_truth(chain, ticks);
@@ -199,9 +207,7 @@ int run(const Options& options) {
         }
         plot.series.push_back(series);
     }
-    std::fputs(csv.c_str(), stdout);
-    return std::max(write_or_complain(options.csv_path, csv),
-                    write_or_complain(options.svg_path, to_svg(plot)));
+    return tell(options, csv, plot);
 }
 
 }  // namespace
@@ -213,10 +219,18 @@ int main(int argc, char** argv) try {
     app.add_option("--seconds", options.seconds, "simulated time, s")->check(CLI::PositiveNumber);
     app.add_option("--repeats", options.repeats, "the least time of them counts")
         ->check(CLI::PositiveNumber);
+    app.add_flag("--creatures", options.creatures,
+                 "instead, what our tolerance comes to on creatures in air, in water and on the "
+                 "ground: errors of joint angles and evaluations");
+    app.add_option("--bodies", options.survey.bodies, "sizes of these creatures")
+        ->check(CLI::Range(2, 32));
+    app.add_option("--threads", options.survey.threads, "for these creatures")
+        ->check(CLI::PositiveNumber);
     app.add_option("--csv", options.csv_path, "file to write the table to");
     app.add_option("--svg", options.svg_path, "file to write the plot to");
     CLI11_PARSE(app, argc, argv);
-    return cambrian::bench::run(options);
+    return options.creatures ? cambrian::bench::run_creatures(options)
+                             : cambrian::bench::run_chain(options);
 } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n", error.what());
     return EXIT_FAILURE;

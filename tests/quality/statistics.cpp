@@ -29,12 +29,6 @@ std::vector<std::size_t> doubled_ranks(const std::vector<double>& values) {
 
 }  // namespace
 
-double median(std::vector<double> values) {
-    std::sort(values.begin(), values.end());
-    const std::size_t middle = values.size() / 2;
-    return values.size() % 2 == 1 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
-}
-
 Interval median_interval(const std::vector<double>& values) {
     RandomStream stream(stream_seed({values.size(), 90}));
     std::vector<double> medians;

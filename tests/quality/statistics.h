@@ -2,12 +2,12 @@
 
 // What can be said of a few values that vary a lot.
 
+#include "support/sample_statistics.h"
+
 #include <cstdint>
 #include <vector>
 
 namespace cambrian::quality {
-
-double median(std::vector<double> values);  // of at least one
 
 struct Interval {
     double low = 0.0;

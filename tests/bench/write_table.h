@@ -1,0 +1,20 @@
+#pragma once
+
+#include "core/file_io.h"
+
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+
+namespace cambrian::bench {
+
+// Writes what a program measured, unless no file was asked for; the status to end with.
+inline int write_table(const std::filesystem::path& path, const std::string& text) {
+    if (path.empty()) return EXIT_SUCCESS;
+    const Status written = write_file(path, text);
+    if (!written) std::fprintf(stderr, "%s\n", written.error().message.c_str());
+    return written ? EXIT_SUCCESS : EXIT_FAILURE;
+}
+
+}  // namespace cambrian::bench

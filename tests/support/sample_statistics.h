@@ -1,0 +1,26 @@
+#pragma once
+
+// Figures of a few numbers. Samples must not be empty.
+
+#include <algorithm>
+#include <numeric>
+#include <vector>
+
+namespace cambrian {
+
+// Of an even number the mean of the middle two.
+inline double median(std::vector<double> values) {
+    std::sort(values.begin(), values.end());
+    const std::size_t middle = values.size() / 2;
+    return values.size() % 2 == 1 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
+}
+
+inline double mean(const std::vector<double>& values) {
+    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+inline double greatest(const std::vector<double>& values) {
+    return *std::max_element(values.begin(), values.end());
+}
+
+}  // namespace cambrian
