@@ -87,7 +87,9 @@ TEST_CASE("an experiment of any version goes on with this simulator", "[persist]
 
 TEST_CASE("scores of an older simulator are given again before they decide anything more",
           "[persist][older_versions]") {
-    const auto saved = load_experiment(kVersions / "1" / "run.cambrian", kinds());
+    const TemporaryDirectory folder;
+    std::filesystem::copy(kVersions / "1" / "run.cambrian", folder / "run.cambrian");
+    const auto saved = load_experiment(folder / "run.cambrian", kinds());
     REQUIRE(saved);
     CHECK(scored_by_another_simulator(*saved));
     const Evolution evolution = resumed(*saved, kinds());
@@ -97,7 +99,9 @@ TEST_CASE("scores of an older simulator are given again before they decide anyth
 
 TEST_CASE("lines and body plans that an older version did not tell are filled in",
           "[persist][older_versions]") {
-    const auto saved = load_experiment(kVersions / "1" / "run.cambrian", kinds());
+    const TemporaryDirectory folder;
+    std::filesystem::copy(kVersions / "1" / "run.cambrian", folder / "run.cambrian");
+    const auto saved = load_experiment(folder / "run.cambrian", kinds());
     REQUIRE(saved);
     for (IndividualPtr one : saved->latest->population) {
         CHECK(one->result.plan == plan_of(*one->genome, *saved->latest->settings, kinds()));

@@ -25,6 +25,7 @@ public:
         return plain;
     };
     int stop_after = -1;  // evaluations of the next call; -1 never
+    int most_a_call = -1;  // evaluations of every call; -1 for all
     int evaluations = 0;
 
     bool evaluate(std::span<const EvaluationRequest> requests,
@@ -33,6 +34,7 @@ public:
                   std::stop_token stop) override {
         progress.total = static_cast<std::uint32_t>(requests.size());
         int left = std::exchange(stop_after, -1);
+        if (left < 0) left = most_a_call;
         for (std::size_t i = 0; i < requests.size(); ++i) {
             if (results[i]) continue;
             if (stop.stop_requested() || left == 0) return false;
