@@ -5,6 +5,7 @@
 #include "app/messages.h"
 #include "app/progress_bar.h"
 #include "app/run_outputs.h"
+#include "app/score_notice.h"
 #include "core/thread_pool.h"
 #include "evolution/backends/thread_pool_backend.h"
 #include "evolution/evolution.h"
@@ -12,10 +13,11 @@
 #include "evolution/stopping.h"
 #include "persist/creature_file.h"
 #include "persist/experiment_file.h"
+#include "persist/rescoring.h"
 #include "persist/settings_file.h"
-#include "simulator/simulator_version.h"
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <system_error>
 #include <unistd.h>
@@ -72,6 +74,7 @@ struct Course {
     ExperimentSettings limits;  // say when it is over
     std::shared_ptr<ExperimentFile> file;
     RunOutputs outputs;
+    std::optional<SavedExperiment> before = std::nullopt;  // what was resumed
 };
 
 Result<Course> new_course(const EvolutionRun& run, const EvolutionKinds& kinds) {
@@ -101,10 +104,7 @@ Result<Course> resumed_course(const EvolutionRun& run, const EvolutionKinds& kin
     Result<OpenedExperiment> opened = open_experiment(run.resume, kinds);
     if (!opened) return opened.error();
     const SavedExperiment& saved = opened->saved;
-    if (scored_by_another_simulator(saved)) {
-        say(run.resume + ": scored by simulator " + saved.simulators.back().version + ", this is " +
-            std::string(kSimulatorVersion) + "; everybody is scored again in the next generation");
-    }
+    say_of_simulator(run.resume, saved);
     ExperimentSettings limits = saved.latest ? *saved.latest->settings : *saved.settings;
     limits.generations = run.generations.value_or(limits.generations);
     if (saved.latest && !stop_reason(saved.latest->history, limits).empty()) {
@@ -116,7 +116,7 @@ Result<Course> resumed_course(const EvolutionRun& run, const EvolutionKinds& kin
     if (!outputs) return outputs.error();
     outputs->experiment = run.resume;
     return Course{resumed(saved, kinds), std::move(limits), std::move(opened->file),
-                  *std::move(outputs)};
+                  *std::move(outputs), std::move(opened->saved)};
 }
 
 Result<Course> course_of(const EvolutionRun& run, const EvolutionKinds& kinds) {
@@ -172,6 +172,10 @@ ExitStatus report(const Course& course, const Harvest& harvest, const std::strin
     RunOutputs outputs = course.outputs;
     if (!outputs.champion.empty()) {
         CreatureDocument champion = creature_document(*harvest.champion, *harvest.settings, kinds);
+        if (course.before && champion.scored) {
+            champion.scored->simulator = scored_by(*course.before, harvest.champion->born,
+                                                   course.evolution.history().back().generation);
+        }
         complete_score(champion, kinds);
         const auto saved = save_champion(outputs.champion, champion, kinds);
         if (!saved) return fail(saved.error(), ExitStatus::kFailed);

@@ -4,11 +4,20 @@
 #include "persist/rescoring.h"
 
 namespace cambrian {
+namespace {
+
+void say_other(const std::string& file, const std::optional<std::string>& other) {
+    if (other) say(file + ": " + *other + "; 'cambrian rescore' scores it with this one");
+}
+
+}  // namespace
 
 void say_of_simulator(const std::string& file, const CreatureDocument& document) {
-    if (!document.scored) return;
-    if (const auto other = other_simulator(*document.scored))
-        say(file + ": " + *other + "; 'cambrian rescore' scores it with this one");
+    if (document.scored) say_other(file, other_simulator(*document.scored));
+}
+
+void say_of_simulator(const std::string& file, const SavedExperiment& saved) {
+    say_other(file, other_simulator(saved));
 }
 
 }  // namespace cambrian

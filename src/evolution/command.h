@@ -29,6 +29,9 @@ struct InjectGenome {
 struct AddNewcomers {
     double share = 0.2;
 };
+// Everyone is judged again in the present generation: the scores were given by a simulator that
+// moved them otherwise.
+struct RescorePopulation {};
 // Begins anew, paused, at generation 0.
 struct StartExperiment {
     SettingsPtr settings;
@@ -41,8 +44,9 @@ struct ContinueExperiment {
     std::shared_ptr<ExperimentLog> log = nullptr;  // that it came from; null: not kept any more
 };
 
-using Command = std::variant<PauseEvolution, ResumeEvolution, StepGeneration, ChangeSettings,
-                             InjectGenome, AddNewcomers, StartExperiment, ContinueExperiment>;
+using Command =
+    std::variant<PauseEvolution, ResumeEvolution, StepGeneration, ChangeSettings, InjectGenome,
+                 AddNewcomers, RescorePopulation, StartExperiment, ContinueExperiment>;
 using EngineInbox = WorkerInbox<Command, 256>;
 
 }  // namespace cambrian

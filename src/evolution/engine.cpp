@@ -142,6 +142,10 @@ void EvolutionEngine::apply(AddNewcomers command) {
     if (steer(command)) evolution_->add_newcomers(command.share);
 }
 
+void EvolutionEngine::apply(RescorePopulation command) {
+    if (steer(command)) evolution_->rescore();
+}
+
 void EvolutionEngine::apply(StartExperiment command) {
     evolution_.emplace(command.settings, kinds_, command.founders);
     start_showing(command.log);

@@ -51,6 +51,7 @@ private:
     void apply(ChangeSettings command);
     void apply(InjectGenome command);
     void apply(AddNewcomers command);
+    void apply(RescorePopulation command);
     void apply(StartExperiment command);
     void apply(ContinueExperiment command);
     void publish();

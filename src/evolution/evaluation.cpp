@@ -146,10 +146,8 @@ std::optional<NotedTrial> note_ticks(const Genome& genome, const ExperimentSetti
     const auto trial = Trial::start(grow(genome, settings, kinds), kinds.creature, settings.world);
     if (!trial) return std::nullopt;
     NotedTrial noted;
-    for (bool more = true; more; note_tick(noted.ticks, **trial)) {
-        if (stop.stop_requested()) return std::nullopt;
-        more = (*trial)->tick();
-    }
+    if (!run_noting_ticks(**trial, noted.ticks, [&] { return stop.stop_requested(); }))
+        return std::nullopt;
     noted.digest = (*trial)->record().digest;
     return noted;
 }

@@ -255,11 +255,12 @@ void Evolution::replace_settings(SettingsPtr settings) {
     const bool keeps_bars = settings_->stop_hopeless == settings->stop_hopeless;
     settings_ = std::move(settings);
     // A plan is one of the settings in the end, whenever they came.
-    if (!keeps_scores || !keeps_bars) forget_plan();
-    if (!keeps_scores) outdate_scores();
+    if (!keeps_bars) forget_plan();
+    if (!keeps_scores) rescore();
 }
 
-void Evolution::outdate_scores() {
+void Evolution::rescore() {
+    forget_plan();
     memory_ = {};
     judged_anew_ = true;
     least_survivor_.reset();

@@ -51,9 +51,9 @@ public:
 
     // From the next breed() or evaluate() on. A change of world or goal forgets all scores.
     void replace_settings(SettingsPtr settings);
-    // Everybody of the next generation is judged again: scores given so far cannot be compared with
-    // new ones. They still decide who breeds.
-    void outdate_scores();
+    // Forgets all scores: the next evaluate() judges everyone again. Those of a generation that is
+    // evaluated already still decide who breeds.
+    void rescore();
     // Takes the worst's place in the next generation bred.
     void inject(GenomePtr genome);
     // Gives a share (0 to 1) of the next offspring places, once, to new random creatures.

@@ -1,7 +1,5 @@
 #include "evolution/experiment_log.h"
 
-#include "simulator/simulator_version.h"
-
 namespace cambrian {
 namespace {
 
@@ -14,13 +12,22 @@ void give(Evolution& evolution, const InjectGenome& command) {
 void give(Evolution& evolution, const AddNewcomers& command) {
     evolution.add_newcomers(command.share);
 }
+void give(Evolution& evolution, const RescorePopulation& /*command*/) {
+    evolution.rescore();
+}
 
-// What was asked of the generation's children; its settings judged it already.
+// Whether a command changes how the generation it was given to is judged.
+bool concerns_judgement(const SteeringCommand& command) {
+    return std::holds_alternative<ChangeSettings>(command) ||
+           std::holds_alternative<RescorePopulation>(command);
+}
+
+// What was asked of the generation's children; it is judged already.
 void give_breeding_commands(Evolution& evolution, const std::vector<NotedCommand>& journal,
                             std::uint32_t generation) {
     for (const NotedCommand& noted : journal) {
         if (noted.generation != generation) continue;
-        if (std::holds_alternative<ChangeSettings>(noted.command)) continue;
+        if (concerns_judgement(noted.command)) continue;
         std::visit([&](const auto& command) { give(evolution, command); }, noted.command);
     }
 }
@@ -33,10 +40,6 @@ void give_commands(Evolution& evolution, const std::vector<NotedCommand>& journa
         if (noted.generation != generation) continue;
         std::visit([&](const auto& command) { give(evolution, command); }, noted.command);
     }
-}
-
-bool scored_by_another_simulator(const SavedExperiment& saved) {
-    return saved.latest && saved.simulators.back().version != kSimulatorVersion;
 }
 
 std::vector<JournalEntry> setting_changes(const SavedExperiment& saved) {
@@ -57,7 +60,6 @@ Evolution begun_anew(const SavedExperiment& saved, const EvolutionKinds& kinds) 
 Evolution resumed(const SavedExperiment& saved, const EvolutionKinds& kinds) {
     if (!saved.latest) return begun_anew(saved, kinds);
     Evolution evolution(*saved.latest, kinds);
-    if (scored_by_another_simulator(saved)) evolution.outdate_scores();
     give_breeding_commands(evolution, saved.journal, saved.latest->generation);
     evolution.breed();
     give_commands(evolution, saved.journal, evolution.generation());

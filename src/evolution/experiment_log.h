@@ -17,7 +17,7 @@
 namespace cambrian {
 
 // What changes the course of an experiment once it has begun.
-using SteeringCommand = std::variant<ChangeSettings, InjectGenome, AddNewcomers>;
+using SteeringCommand = std::variant<ChangeSettings, InjectGenome, AddNewcomers, RescorePopulation>;
 
 // A command, and the generation that was present when it was given: newly bred, not yet evaluated
 // to the end.
@@ -59,16 +59,12 @@ struct SavedExperiment {
 void give_commands(Evolution& evolution, const std::vector<NotedCommand>& journal,
                    std::uint32_t generation);
 
-// Whether the newest scores were given by another version of the simulator than this.
-bool scored_by_another_simulator(const SavedExperiment& saved);
-
 // Where settings changed, generation 0 included.
 std::vector<JournalEntry> setting_changes(const SavedExperiment& saved);
 
 // The experiment from its beginning, as it was when generation 0 had not been evaluated.
 Evolution begun_anew(const SavedExperiment& saved, const EvolutionKinds& kinds);
-// As it was when it was last kept: the generation after the newest recorded one. If another version
-// of the simulator scored that one, everybody is judged again.
+// As it was when it was last kept: the generation after the newest recorded one.
 Evolution resumed(const SavedExperiment& saved, const EvolutionKinds& kinds);
 
 }  // namespace cambrian

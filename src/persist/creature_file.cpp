@@ -11,6 +11,8 @@
 #include "persist/digest_text.h"
 #include "persist/json_reader.h"
 
+#include <utility>
+
 namespace cambrian {
 namespace {
 
@@ -230,21 +232,12 @@ void complete_score(CreatureDocument& document, const EvolutionKinds& kinds,
     ScoredRecord& scored = *document.scored;
     const ExperimentSettings settings = settings_of(scored);
     if (scored.ticks.empty()) {
-        const auto noted = note_ticks(document.genome, settings, kinds, stop);
-        if (noted && is_of(scored, *noted)) scored.ticks = noted->ticks;
+        auto noted = note_ticks(document.genome, settings, kinds, stop);
+        if (noted && is_of(scored, *noted)) scored.ticks = std::move(noted->ticks);
     }
     if (scored.finer) return;
     const FinerResult finer = recompute(document.genome, settings, kinds, stop);
     if (finer.outcome != Outcome::kInterrupted) scored.finer = finer;
-}
-
-ExperimentSettings settings_of(const ScoredRecord& scored) {
-    ExperimentSettings settings;
-    settings.seed = scored.seed;
-    settings.goal = scored.goal;
-    settings.world = scored.world;
-    settings.expression = scored.expression;
-    return settings;
 }
 
 }  // namespace cambrian

@@ -7,6 +7,7 @@
 #include "evolution/evolution_kinds.h"
 #include "evolution/experiment_settings.h"
 #include "evolution/individual.h"
+#include "evolution/judged_settings.h"
 #include "simulator/simulator_version.h"
 #include "simulator/tick_checks.h"
 
@@ -86,8 +87,5 @@ CreatureDocument creature_document(const Individual& individual, const Experimen
 // the score (physics.md 9), unless that was done before. If stopped meanwhile, nothing is kept.
 void complete_score(CreatureDocument& document, const EvolutionKinds& kinds,
                     const std::stop_token& stop = {});
-
-// Settings under which the scored trial can be run again; everything else is at its default.
-ExperimentSettings settings_of(const ScoredRecord& scored);
 
 }  // namespace cambrian

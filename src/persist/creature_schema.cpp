@@ -58,7 +58,7 @@ constexpr std::array kMeanings = {
     Meaning{"w", "Multiplies the value; of a constant, the value itself."},
     Meaning{"kind", "What is read."},
     Meaning{"k", "Index of the neuron, modulo how many there are."},
-    Meaning{"ch", "Index of the sensor channel, modulo how many there are."},
+    Meaning{"ch", "Number of the sensor channel; a channel that does not exist reads 0."},
     Meaning{"e", "Which of the parts that grow from this one."},
     Meaning{"n", "Index of the node whose part is read."},
     Meaning{"i", "Which of the node's parts."},

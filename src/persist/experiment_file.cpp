@@ -158,9 +158,11 @@ Result<OpenedExperiment> open_experiment(const std::filesystem::path& path,
     if (Status writable = check_writable(path); !writable) return writable.error();
     try {
         Database database(path, Database::Access::kWrite);
+        Transaction transaction(database);
         if (Status current = bring_up_to_date(database); !current)
             return failure(kOpening, path, current.error().message);
         ReadExperiment read = read_experiment(database, kinds);
+        transaction.commit();
         make_durable(database);
         auto open = std::make_unique<ExperimentFile::Open>(path, std::move(*lock),
                                                            std::move(database), kinds);

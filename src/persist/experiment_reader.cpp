@@ -132,6 +132,8 @@ private:
             journal.push_back({generation, InjectGenome{genotype(row, 4)}});
         } else if (command == "newcomers") {
             journal.push_back({generation, AddNewcomers{share_of(row, 3)}});
+        } else if (command == "rescore") {
+            journal.push_back({generation, RescorePopulation{}});
         } else {
             throw DatabaseError("unknown command \"" + std::string(command) + "\"");
         }

@@ -48,14 +48,11 @@ static_assert(kSteps.size() + 1 == kExperimentVersion);
 Status bring_up_to_date(Database& database) {
     const Result<std::int64_t> version = version_of_tables(database);
     if (!version) return version.error();
-    if (*version == kExperimentVersion) return check_tables(database);
-    Transaction transaction(database);
-    for (std::int64_t i = *version; i < kExperimentVersion; ++i)
+    for (std::int64_t i = *version; i < kExperimentVersion; ++i) {
         kSteps[static_cast<std::size_t>(i - 1)](database);
-    database.execute("PRAGMA user_version = " + std::to_string(kExperimentVersion));
-    if (Status whole = check_tables(database); !whole) return whole;
-    transaction.commit();
-    return {};
+        database.execute("PRAGMA user_version = " + std::to_string(i + 1));
+    }
+    return check_tables(database);
 }
 
 Result<Database> up_to_date(Database database) {

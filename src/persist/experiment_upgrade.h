@@ -7,8 +7,9 @@
 
 namespace cambrian {
 
-// Brings the tables up to this program's version, a step a version, all of them or none, and checks
-// them. Fails, leaving the file as it is, if it is no experiment, too new or damaged.
+// Brings the tables up to this program's version, a step a version, and checks them. Fails if it is
+// no experiment, too new or damaged. Belongs into a transaction that is committed only once what
+// the tables hold has been read.
 Status bring_up_to_date(Database& database);
 
 // The same for a database that is only to be read: an older one is copied first.

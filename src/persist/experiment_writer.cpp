@@ -213,6 +213,10 @@ void ExperimentWriter::insert(std::uint32_t generation, const AddNewcomers& comm
     insert_command("newcomers", generation, std::nullopt, command.share);
 }
 
+void ExperimentWriter::insert(std::uint32_t generation, const RescorePopulation& /*command*/) {
+    insert_command("rescore", generation, std::nullopt, std::nullopt);
+}
+
 void ExperimentWriter::insert_population(const Evolution& evolution) {
     clear_population_.run();
     std::uint64_t place = 0;

@@ -61,6 +61,7 @@ private:
     void insert(std::uint32_t generation, const ChangeSettings& command);
     void insert(std::uint32_t generation, const InjectGenome& command);
     void insert(std::uint32_t generation, const AddNewcomers& command);
+    void insert(std::uint32_t generation, const RescorePopulation& command);
     void insert_population(const Evolution& evolution);
     void insert_novel(const SelectionMemory& memory);
     void insert_generation(const Evolution& evolution);

@@ -217,8 +217,7 @@ void JsonReader::optional_bytes(const char* key, std::vector<std::uint8_t>& byte
         "1 to " + std::to_string(line_bytes) + " pairs of hexadecimal digits 0 to f";
     for (std::size_t i = 0; i < list->values.size(); ++i) {
         const JsonValue& each = list->values[i];
-        const auto line =
-            each.kind == Kind::kText ? parse_hex_pairs(each.text) : decltype(parse_hex_pairs(""))();
+        const auto line = each.kind == Kind::kText ? parse_hex_pairs(each.text) : std::nullopt;
         if (!line || line->empty() || line->size() > line_bytes)
             return wrong_type(place(key) + "/" + std::to_string(i), expected.c_str(), each);
         bytes.insert(bytes.end(), line->begin(), line->end());

@@ -16,11 +16,21 @@ namespace cambrian {
 // differ has the same byte; those after it tell.
 using TickChecks = std::vector<std::uint8_t>;
 
-inline constexpr std::size_t kTicksASecond = 60;
+inline constexpr auto kTicksASecond = static_cast<std::size_t>(1.0 / kBrainTick + 0.5);
 inline constexpr std::size_t kMostTickChecks = 120 * kTicksASecond;  // later ones are not kept
 
 // Notes the tick a trial has just made.
 void note_tick(TickChecks& checks, const Trial& trial);
+
+// Runs a trial to its end, noting every tick. False if unwanted() said so before one.
+template <class Unwanted>
+bool run_noting_ticks(Trial& trial, TickChecks& checks, const Unwanted& unwanted) {
+    for (bool more = true; more; note_tick(checks, trial)) {
+        if (unwanted()) return false;
+        more = trial.tick();
+    }
+    return true;
+}
 
 // The first tick that differs or that only one of them has, counted from 1.
 std::optional<std::size_t> first_different_tick(const TickChecks& a, const TickChecks& b);

@@ -53,11 +53,11 @@ float drag_strip(const char* name, const Rect& strip, bool sideways) {
 
 Layout divide_window(float width, float height, const ViewState& view, float scale) {
     const float gap = std::round(kGap * scale);
-    const float left = panel_size(view.left_panel, view.left_width, 0.25F * width,
+    const float left = panel_size(view.panels.left, view.panels.left_width, 0.25F * width,
                                   {270 * scale, 350 * scale, 0.4F * width}, scale);
-    const float right = panel_size(view.right_panel, view.right_width, 0.225F * width,
+    const float right = panel_size(view.panels.right, view.panels.right_width, 0.225F * width,
                                    {260 * scale, 360 * scale, 0.4F * width}, scale);
-    const float bottom = panel_size(view.bottom_panel, view.bottom_height, 0.26F * height,
+    const float bottom = panel_size(view.panels.bottom, view.panels.bottom_height, 0.26F * height,
                                     {176 * scale, 270 * scale, 0.5F * height}, scale);
     const float left_edge = std::round(left > 0 ? left + gap : 0);
     const float right_edge = std::round(right > 0 ? width - right : width + gap);
@@ -103,9 +103,9 @@ bool drag_gaps(const Layout& layout, ViewState& view) {
     const float above =
         drag_strip("gap bottom",
                    {0, bottom.y - thick, layout.bar.width, bottom.height > 0 ? thick : 0}, false);
-    if (beside != 0.0F) view.left_width = (left.width + beside) / scale;
-    if (across != 0.0F) view.right_width = (right.width - across) / scale;
-    if (above != 0.0F) view.bottom_height = (bottom.height - above) / scale;
+    if (beside != 0.0F) view.panels.left_width = (left.width + beside) / scale;
+    if (across != 0.0F) view.panels.right_width = (right.width - across) / scale;
+    if (above != 0.0F) view.panels.bottom_height = (bottom.height - above) / scale;
     return beside != 0.0F || across != 0.0F || above != 0.0F;
 }
 

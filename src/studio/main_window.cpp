@@ -1,30 +1,37 @@
 #include "studio/main_window.h"
 
-#include "studio/help/tour.h"
-
-#include <algorithm>
-#include <cmath>
+#include <string>
 
 namespace cambrian {
 namespace {
 
-void draw_padded(const char* name, const Rect& rect, const ImVec2& padding, Panel& panel,
-                 const FrameContext& frame, Requests& out) {
-    begin_place(name, rect, padding.x, padding.y);
-    panel.draw(frame, out);
-    end_place();
+const Rect& area_of(const Layout& layout, PanelArea area) {
+    switch (area) {
+        case PanelArea::kBar:
+            return layout.bar;
+        case PanelArea::kLeft:
+            return layout.experiment;
+        case PanelArea::kUnderCenter:
+            return layout.transport;
+        case PanelArea::kRight:
+            return layout.inspector;
+        case PanelArea::kBottomLeft:
+            return layout.timeline;
+        case PanelArea::kBottomRight:
+            return layout.population;
+        case PanelArea::kCenter:
+        case PanelArea::kCard:
+            break;
+    }
+    return layout.viewport;
 }
 
-void draw_in(const char* name, const Rect& rect, Panel& panel, const FrameContext& frame,
-             Requests& out, Place place = Place::kNone) {
-    if (rect.width < 1.0F || rect.height < 1.0F) return;
-    if (place != Place::kNone && place == frame.focus) ImGui::SetNextWindowFocus();
-    begin_place(name, rect);
-    panel.draw(frame, out);
-    end_place();
+// Negative lengths stand for the style's.
+float length(float units) {
+    return units < 0.0F ? units : px(units);
 }
 
-// Soft and around the window being drawn, so that it stands out from what it covers.
+// Draws a soft shadow around the window being drawn, which sets it off from what it covers.
 void draw_shadow(const Rect& rect, float rounding) {
     constexpr int rings = 14;
     const Color edge =
@@ -41,11 +48,13 @@ void draw_shadow(const Rect& rect, float rounding) {
     list.PopClipRect();
 }
 
-// A window over the panels.
-void begin_overlay(const char* name, const Rect& rect, const ImVec2& padding, float rounding) {
+// Opens a window over the panels.
+void begin_card(const char* name, const Rect& rect, const PanelPlace& place) {
+    const float rounding = px(place.rounding);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, rounding);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0F);
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, padding);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding,
+                        ImVec2{px(place.padding_x), px(place.padding_y)});
     ImGui::PushStyleColor(ImGuiCol_WindowBg, paint(colors().overlay));
     ImGui::SetNextWindowPos(rect.low());
     ImGui::SetNextWindowSize({rect.width, rect.height});
@@ -56,110 +65,55 @@ void begin_overlay(const char* name, const Rect& rect, const ImVec2& padding, fl
     note_place(std::string("panel ") + name, rect);
 }
 
-void end_overlay() {
+void end_card() {
     ImGui::End();
     ImGui::PopStyleVar(3);
     ImGui::PopStyleColor();
 }
 
-// A card in the middle of the window.
-Rect card_place(const Rect& over, float width, float height) {
-    const float w = std::min(px(width), over.width - px(24));
-    const float h = std::min(px(height), over.height - px(24));
-    return {std::round(over.center().x - 0.5F * w), std::round(over.center().y - 0.5F * h), w, h};
-}
-
-void draw_card(const char* name, const Rect& rect, Panel& panel, const FrameContext& frame,
-               Requests& out) {
-    begin_overlay(name, rect, {px(20), px(18)}, px(10));
-    panel.draw(frame, out);
-    end_overlay();
-}
-
-Rect notice_place(const Rect& viewport, const std::string& text) {
-    const float wide = std::min(px(620), viewport.width - px(32));
-    const ImVec2 size = ImGui::CalcTextSize(text.c_str(), nullptr, false, wide - px(94));
-    const float height = std::min(size.y + px(20), viewport.height);
-    const float width = std::min(wide, size.x + px(104));
-    return {std::round(viewport.center().x - 0.5F * width),
-            std::round(viewport.y + viewport.height - height - px(14)), std::round(width),
-            std::round(height)};
-}
-
 }  // namespace
 
-void MainWindow::draw(const FrameContext& frame, int framebuffer_height, Requests& out) {
-    viewport_.set_framebuffer_height(framebuffer_height);
-    grid_.set_framebuffer_height(framebuffer_height);
-    const ImVec2 size = ImGui::GetIO().DisplaySize;
-    if (frame.viewer) {
-        const Layout layout = viewer_layout(size.x, size.y, ui().scale);
-        draw_stage(frame, layout, out);
-        draw_overlays(frame, layout, out);
-    } else {
-        draw_studio(frame, divide_window(size.x, size.y, frame.view, ui().scale), out);
-    }
+MainWindow::MainWindow(std::span<const PanelKind> kinds, Renderer* renderer) : kinds_(kinds) {
+    for (const PanelKind& kind : kinds)
+        panels_.push_back(kind.make(renderer));
 }
 
-void MainWindow::draw_studio(const FrameContext& frame, const Layout& layout, Requests& out) {
-    draw_gaps(layout);
-    draw_padded("bar", layout.bar, {px(12), px(10)}, bar_, frame, out);
-    draw_in("experiment", layout.experiment, experiment_, frame, out);
-    const bool picking = frame.picking != nullptr;
-    if (picking && !frame.picking->single) {
-        draw_grid(frame, layout, out);
-    } else {
-        draw_stage(frame, layout, out);
-    }
-    if (picking) {
-        draw_in("tree", layout.timeline, tree_, frame, out);
-        draw_in("shelf place", layout.population, shelf_, frame, out);
-    } else {
-        draw_in("timeline", layout.timeline, timeline_, frame, out, Place::kTimeline);
-        draw_in("population", layout.population, population_, frame, out, Place::kPopulation);
-    }
+void MainWindow::draw(const FrameContext& frame, Requests& out) {
+    const ImVec2 size = ImGui::GetIO().DisplaySize;
+    const bool alone = frame.window.viewer_only;
+    const Layout layout = alone ? viewer_layout(size.x, size.y, ui().scale)
+                                : divide_window(size.x, size.y, frame.view, ui().scale);
+    if (!alone) draw_gaps(layout);
+    draw_areas(frame, layout, out);
     ViewState view = frame.view;
-    if (drag_gaps(layout, view)) out.ask(ChangeView{view});
-    draw_overlays(frame, layout, out);
+    if (!alone && drag_gaps(layout, view)) out.ask(ChangeView{view});
+    draw_cards(frame, layout, out);
 }
 
-// One creature, and what there is to know of it.
-void MainWindow::draw_stage(const FrameContext& frame, const Layout& layout, Requests& out) {
-    draw_padded("viewport", layout.viewport, {0, 0}, viewport_, frame, out);
-    draw_padded("transport", layout.transport, {px(10), px(6)}, transport_, frame, out);
-    draw_in("inspector", layout.inspector, inspector_, frame, out);
+void MainWindow::draw_areas(const FrameContext& frame, const Layout& layout, Requests& out) {
+    for (std::size_t i = 0; i < kinds_.size(); ++i) {
+        const PanelKind& kind = kinds_[i];
+        if (kind.place.area == PanelArea::kCard || !kind.shown(frame)) continue;
+        const Rect& rect = area_of(layout, kind.place.area);
+        if (rect.width < 1.0F || rect.height < 1.0F) continue;
+        const Place keyboard = kind.place.keyboard;
+        if (keyboard != Place::kNone && keyboard == frame.window.focus) ImGui::SetNextWindowFocus();
+        begin_place(kind.name, rect, length(kind.place.padding_x), length(kind.place.padding_y));
+        panels_[i]->draw(frame, out);
+        end_place();
+    }
 }
 
-// The creatures to pick from.
-void MainWindow::draw_grid(const FrameContext& frame, const Layout& layout, Requests& out) {
-    draw_padded("picking grid", layout.viewport, {0, 0}, grid_, frame, out);
-    draw_padded("picking strip", layout.transport, {px(10), px(8)}, strip_, frame, out);
-    draw_in("picking", layout.inspector, picking_, frame, out);
-}
-
-void MainWindow::draw_tour(const FrameContext& frame, const Rect& whole, Requests& out) {
-    const auto& places = ui().places;
-    const auto found = places.find(tour_steps()[static_cast<std::size_t>(frame.tour_step)].place);
-    const bool shown = found != places.end() && found->second.frame == ImGui::GetFrameCount();
-    const Rect subject = shown ? found->second.rect : Rect{};
-    if (subject.width > 1.0F) outline_subject(subject);
-    draw_card("tour", tour_card_place(subject.width > 1.0F ? subject : whole, whole), tour_, frame,
-              out);
-}
-
-void MainWindow::draw_overlays(const FrameContext& frame, const Layout& layout, Requests& out) {
+void MainWindow::draw_cards(const FrameContext& frame, const Layout& layout, Requests& out) {
     const ImVec2 size = ImGui::GetIO().DisplaySize;
-    const Rect whole = {0, 0, size.x, size.y};
-    if (frame.files.open) draw_card("files", card_place(whole, 620, 560), files_, frame, out);
-    if (frame.help_shown) draw_card("help", card_place(whole, 860, 640), help_, frame, out);
-    if (frame.samples != nullptr && frame.samples->open)
-        draw_card("samples", card_place(whole, 780, 560), samples_, frame, out);
-    if (frame.tour_step >= 0) draw_tour(frame, whole, out);
-    if (frame.notice == nullptr) return;
-    begin_overlay("notice", notice_place(layout.viewport, frame.notice->text), {px(18), px(10)},
-                  px(4));
-    notice_.draw(frame, out);
-    end_overlay();
+    const CardSpace space = {.window = {0, 0, size.x, size.y}, .viewport = layout.viewport};
+    for (std::size_t i = 0; i < kinds_.size(); ++i) {
+        const PanelKind& kind = kinds_[i];
+        if (kind.place.area != PanelArea::kCard || !kind.shown(frame)) continue;
+        begin_card(kind.name, kind.place.card(frame, space), kind.place);
+        panels_[i]->draw(frame, out);
+        end_card();
+    }
 }
 
 }  // namespace cambrian

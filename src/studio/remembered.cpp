@@ -3,9 +3,9 @@
 #include "core/file_io.h"
 #include "core/pretty_text.h"
 #include "persist/settings_file.h"
+#include "studio/experiment/timeline_plots.h"
 #include "studio/look/overlays.h"
 #include "studio/panels/generations/tile_list.h"
-#include "studio/panels/generations/timeline_plots.h"
 
 #include <algorithm>
 #include <array>
@@ -19,34 +19,34 @@ constexpr std::size_t kMostBytes = 100'000;
 
 struct Flag {
     const char* name;
-    bool ViewState::*place;
+    bool& (*of)(ViewState& view);
 };
 constexpr std::array kFlags = {
-    Flag{"follow", &ViewState::follow},
-    Flag{"experiment-panel", &ViewState::left_panel},
-    Flag{"inspector-panel", &ViewState::right_panel},
-    Flag{"bottom-panel", &ViewState::bottom_panel},
-    Flag{"tour-taken", &ViewState::tour_taken},
+    Flag{"follow", [](ViewState& view) -> bool& { return view.follow; }},
+    Flag{"experiment-panel", [](ViewState& view) -> bool& { return view.panels.left; }},
+    Flag{"inspector-panel", [](ViewState& view) -> bool& { return view.panels.right; }},
+    Flag{"bottom-panel", [](ViewState& view) -> bool& { return view.panels.bottom; }},
+    Flag{"tour-taken", [](ViewState& view) -> bool& { return view.tour_taken; }},
 };
 
 struct Size {
     const char* name;
-    float ViewState::*place;
+    float PanelSizes::*place;
 };
 constexpr std::array kSizes = {
-    Size{"experiment-width", &ViewState::left_width},
-    Size{"inspector-width", &ViewState::right_width},
-    Size{"bottom-height", &ViewState::bottom_height},
+    Size{"experiment-width", &PanelSizes::left_width},
+    Size{"inspector-width", &PanelSizes::right_width},
+    Size{"bottom-height", &PanelSizes::bottom_height},
 };
 constexpr std::array kGhostChoices = {"none", "improvements", "every-tenth", "across"};
 constexpr float kMostSize = 4000.0F;
 
 void read_line(const std::string& name, const std::string& value, ViewState& view) {
     for (const Flag& flag : kFlags) {
-        if (name == flag.name) view.*flag.place = value == "yes";
+        if (name == flag.name) flag.of(view) = value == "yes";
     }
     for (const OverlayKind& overlay : overlay_kinds()) {
-        if (name == overlay.name) view.*overlay.shown = value == "yes";
+        if (name == overlay.name) view.overlays.*overlay.shown = value == "yes";
     }
     for (std::size_t i = 0; i < kGhostChoices.size(); ++i) {
         if (name == "ghosts" && value == kGhostChoices[i])
@@ -54,7 +54,8 @@ void read_line(const std::string& name, const std::string& value, ViewState& vie
     }
     for (const Size& size : kSizes) {
         const float units = std::strtof(value.c_str(), nullptr);
-        if (name == size.name && units >= 0.0F && units <= kMostSize) view.*size.place = units;
+        if (name == size.name && units >= 0.0F && units <= kMostSize)
+            view.panels.*size.place = units;
     }
     for (const TimelinePlot& plot : timeline_plots()) {
         if (name == "timeline" && value == plot.id) view.quantity = plot.quantity;
@@ -73,13 +74,15 @@ void read_line(const std::string& name, const std::string& value, ViewState& vie
 
 std::string write_view(const ViewState& view) {
     std::string text;
+    ViewState copy = view;
     for (const Flag& flag : kFlags)
-        text += std::string(flag.name) + " = " + (view.*flag.place ? "yes" : "no") + "\n";
+        text += std::string(flag.name) + " = " + (flag.of(copy) ? "yes" : "no") + "\n";
     for (const OverlayKind& overlay : overlay_kinds())
-        text += std::string(overlay.name) + " = " + (view.*overlay.shown ? "yes" : "no") + "\n";
+        text += std::string(overlay.name) + " = " + (view.overlays.*overlay.shown ? "yes" : "no") +
+                "\n";
     text += std::string("ghosts = ") + kGhostChoices[static_cast<std::size_t>(view.ghosts)] + "\n";
     for (const Size& size : kSizes)
-        text += format("%s = %.0f\n", size.name, static_cast<double>(view.*size.place));
+        text += format("%s = %.0f\n", size.name, static_cast<double>(view.panels.*size.place));
     text += std::string("theme = ") + (view.theme == ThemeKind::kLight ? "light" : "dark") + "\n";
     text += std::string("timeline = ") + timeline_plot(view.quantity).id + "\n";
     text += std::string("population = ") + tile_sorting(view.order).id + "\n";

@@ -70,24 +70,25 @@ void export_plot(const FrameContext&, Requests& out) {
 
 template <Place Where>
 void focus_place(const FrameContext& frame, Requests& out) {
-    if (!frame.view.bottom_panel) {
+    if (!frame.view.panels.bottom) {
         ViewState view = frame.view;
-        view.bottom_panel = true;
+        view.panels.bottom = true;
         out.ask(ChangeView{view});
     }
     out.ask(FocusPlace{Where});
 }
 
 void close_what_is_open(const FrameContext& frame, Requests& out) {
-    if (frame.tour_step >= 0) {
+    if (frame.guide.tour_step >= 0) {
         out.ask(TurnTour{-1});
-    } else if (frame.samples != nullptr && frame.samples->open) {
+    } else if (frame.files.samples != nullptr && frame.files.samples->open) {
         out.ask(ToggleSamples{});
-    } else if (frame.files.open) {
+    } else if (frame.files.browser.open) {
         out.ask(CloseFilePanel{});
-    } else if (frame.help_shown) {
+    } else if (frame.guide.help_shown) {
         out.ask(ToggleHelp{});
-    } else if (frame.picking != nullptr && frame.picking->single && frame.notice == nullptr) {
+    } else if (frame.picking != nullptr && frame.picking->single &&
+               frame.window.notice == nullptr) {
         out.ask(ShowGrid{});
     } else {
         out.ask(DismissNotice{});
@@ -240,7 +241,7 @@ constexpr std::array kViewerShortcuts = {
 bool press_in(std::span<const Shortcut> table, const KeyPress& press, const FrameContext& frame,
               Requests& out) {
     const auto found = std::find_if(table.begin(), table.end(), [&](const Shortcut& each) {
-        return each.press == press && (!frame.viewer || each.in_viewer);
+        return each.press == press && (!frame.window.viewer_only || each.in_viewer);
     });
     if (found == table.end()) return false;
     found->ask(frame, out);
@@ -281,9 +282,9 @@ std::string keys_text() {
 
 void press_shortcut(const KeyPress& press, bool typing, const FrameContext& frame, Requests& out) {
     if (typing && !press.control && press.key != GLFW_KEY_ESCAPE) return;
-    const bool covered = frame.files.open || frame.help_shown;
+    const bool covered = frame.files.browser.open || frame.guide.help_shown;
     if (grid_shown(frame) && !covered && press_in_grid(press, frame, out)) return;
-    if (frame.viewer && press_in(kViewerShortcuts, press, frame, out)) return;
+    if (frame.window.viewer_only && press_in(kViewerShortcuts, press, frame, out)) return;
     static_cast<void>(press_in(kShortcuts, press, frame, out));
 }
 

@@ -7,6 +7,7 @@
 #include "studio/host/frame_log.h"
 #include "studio/host/imgui_host.h"
 #include "studio/main_window.h"
+#include "studio/panels/builtin_panels.h"
 #include "studio/panels/generations/timeline_chart.h"
 #include "studio/probe/screen_report.h"
 #include "studio/session.h"
@@ -36,24 +37,24 @@ public:
                    options.status_log),
           host_(window, options.scale > 0.0 ? static_cast<float>(options.scale) : window.scale(),
                 session_.view().theme),
-          main_window_(&renderer),
+          main_window_(builtin_panels(), &renderer),
           frame_log_(options.frame_log) {
-        if (options.viewer) session_.be_viewer();
+        if (options.viewer) session_.window().be_viewer();
         session_.remember_in(options.state_dir);
         session_.use_assets(options.assets);
         open_first_files();
         const bool first_look = !options.state_dir.empty() && options.open_file.empty();
-        if (first_look && !options.evolve) session_.offer_tour();
+        if (first_look && !options.evolve) session_.guide().offer_tour();
     }
 
     void run() {
         const Stopwatch clock;
         double last_start = 0.0;
-        while (!window_.close_wanted() && !session_.quit_wanted()) {
+        while (!window_.close_wanted() && !session_.window().quit_wanted()) {
             wait_for_frame(clock, last_start);
             const double now = clock.seconds();
             frame_log_.begin_frame();
-            session_.log().begin_frame(frame_log_.frame());
+            session_.feedback().log().begin_frame(frame_log_.frame());
             frame(now, now - last_start);
             const double work = clock.seconds() - now;
             window_.show_frame();
@@ -62,7 +63,7 @@ public:
             if (options_.quit_after > 0.0 && now > options_.quit_after) break;
         }
         session_.keep_memory();
-        session_.log().write("quit");
+        session_.feedback().log().write("quit");
         if (!options_.screenshot.empty()) take_picture(options_.screenshot);
     }
 
@@ -76,13 +77,13 @@ private:
     void open_first_files() {
         const std::filesystem::path& file = options_.open_file;
         if (!file.empty()) {
-            session_.open_now(file, ExhibitSource::kFile);
+            session_.files().open_now(file, ExhibitSource::kFile);
         } else if (!options_.evolve) {
             session_.reopen_last();
         }
-        if (session_.frame_context().playback.empty() && !options_.sample_creature.empty())
-            session_.open_now(options_.sample_creature, ExhibitSource::kSample);
-        if (session_.frame_context().playback.empty()) session_.show_newcomer();
+        if (session_.frame_context().viewer.playback.empty() && !options_.sample_creature.empty())
+            session_.files().open_now(options_.sample_creature, ExhibitSource::kSample);
+        if (session_.frame_context().viewer.playback.empty()) session_.show_newcomer();
         if (options_.evolve) {
             Requests requests;
             requests.ask(ToggleEvolution{});
@@ -104,28 +105,29 @@ private:
 
     void frame(double now, double elapsed) {
         session_.update(now, elapsed);
-        const FrameContext context = session_.frame_context();
+        FrameContext context = session_.frame_context();
+        context.window.framebuffer_height = window_.framebuffer_height();
         Requests requests;
         if (host_.context().theme != session_.view().theme) host_.set_theme(session_.view().theme);
         const std::vector<KeyPress> pressed = window_.take_keys();
         host_.begin_frame(pressed);
         for (const KeyPress& press : pressed) {
-            session_.log().write("pressed", {{"key", static_cast<double>(press.key)}});
+            session_.feedback().log().write("pressed", {{"key", static_cast<double>(press.key)}});
             press_shortcut(press, ImGui::GetIO().WantTextInput, context, requests);
         }
         for (const std::filesystem::path& path : window_.take_dropped_files())
-            session_.drop(path);
-        const int height = window_.framebuffer_height();
-        if (options_.viewer) window_.set_title(context.playback.exhibit().title + " – Cambrian");
-        if (session_.take_fit()) main_window_.fit();
-        main_window_.draw(context, height, requests);
-        if (const auto plot = session_.take_plot_request()) keep_plot(*plot, context);
+            session_.files().carry_out(LoadFile{path});
+        if (options_.viewer)
+            window_.set_title(context.viewer.playback.exhibit().title + " – Cambrian");
+        main_window_.draw(context, requests);
+        const PictureOrders orders = session_.files().take_orders();
+        if (orders.plot) keep_plot(*orders.plot, context);
         host_.end_frame();
-        if (const auto path = session_.take_picture_request()) keep_picture(*path);
-        if (const auto card = session_.take_card_request()) keep_card(*card);
+        if (orders.screenshot) keep_picture(orders.screenshot->path);
+        if (orders.card) keep_card(*orders.card);
         session_.carry_out(requests);
-        if (!options_.status_log.empty()) screen_report_.write(session_.log());
-        if (!std::exchange(started_, true)) session_.log().write("started");
+        if (!options_.status_log.empty()) screen_report_.write(session_.feedback().log());
+        if (!std::exchange(started_, true)) session_.feedback().log().write("started");
     }
 
     Image picture() {
@@ -135,26 +137,27 @@ private:
     void keep_picture(std::filesystem::path path) {
         for (int number = 1; path.empty() || std::filesystem::exists(path); ++number)
             path = "cambrian-" + std::to_string(number) + ".png";
-        session_.keep_picture(std::filesystem::absolute(path), picture());
+        session_.files().save_picture(std::filesystem::absolute(path), picture());
     }
 
     void keep_plot(const SavePlotPicture& request, const FrameContext& context) {
         const int width = request.size.width;
         const int height = request.size.height;
         auto image = host_.picture(width, height, [&](ImDrawList& list) {
-            draw_timeline_picture(list,
-                                  {0, 0, static_cast<float>(width), static_cast<float>(height)},
-                                  context.snapshot, context.view.quantity,
-                                  goal_unit(context.snapshot.settings->goal, context.kinds.goals));
+            draw_timeline_picture(
+                list, {0, 0, static_cast<float>(width), static_cast<float>(height)},
+                context.experiment.snapshot, context.view.quantity,
+                goal_unit(context.experiment.snapshot.settings->goal, context.kinds.goals));
         });
-        if (!image) return session_.tell(NoticeKind::kProblem, image.error().message);
-        session_.keep_picture(std::filesystem::absolute(request.path), std::move(*image));
+        if (!image) return session_.feedback().tell(NoticeKind::kProblem, image.error().message);
+        session_.files().save_picture(std::filesystem::absolute(request.path), std::move(*image));
     }
 
     void keep_card(const PreparedCard& card) {
         auto picture = draw_card_picture(card.subject);
-        if (!picture) return session_.tell(NoticeKind::kProblem, picture.error().message);
-        session_.keep_card(card, std::move(*picture));
+        if (!picture)
+            return session_.feedback().tell(NoticeKind::kProblem, picture.error().message);
+        session_.files().save_card(card, std::move(*picture));
     }
 
     Result<Image> draw_card_picture(const Subject& subject) {
@@ -168,7 +171,7 @@ private:
 
     void take_picture(const std::filesystem::path& path) {
         frame(1e9, 0.0);
-        session_.keep_picture(path, picture());
+        session_.files().save_picture(path, picture());
     }
 
     const StudioOptions& options_;

@@ -15,6 +15,7 @@ import json
 import math
 import os
 import pathlib
+import re
 import statistics
 import subprocess
 import sys
@@ -193,6 +194,20 @@ def soundness(bench):
                   figures("books", workload, "steps a second"))
 
 
+def fallbacks(bench):
+    """Nothing where the program that counts them is not built."""
+    program = bench.bin / "cambrian_bench_rows"
+    if not program.exists():
+        return
+    sizes = ["-n", 2, "--seconds", 2] if bench.quick else []
+    told = bench.run(program, "--threads", bench.threads, *sizes)
+    # A line a size, the share of all problems in its last column.
+    found = {int(size): float(percent)
+             for size, percent in re.findall(r"^ *(\d+) .*\| +([\d.]+) %$", told, re.MULTILINE)}
+    yield Row("row problems that fall back to sweeps, walking, %",
+              [found[size] for size in BODIES], most=[0.1, 0.1, 0.5, 2.0])
+
+
 def violence(bench):
     creatures = 200 if bench.quick else 10000
     table = bench.table("violence", "cambrian_bench_robustness", "-n", creatures,
@@ -255,7 +270,7 @@ def champions(bench):
 
 
 PARTS = {part.__name__: part for part in
-         [instructions, cpu_time, throughput, soundness, violence, rest, champions]}
+         [instructions, cpu_time, throughput, soundness, fallbacks, violence, rest, champions]}
 USUAL = [name for name in PARTS if name != "champions"]
 
 

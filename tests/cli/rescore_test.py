@@ -4,7 +4,8 @@ import json
 import shutil
 import unittest
 
-from program import DONE, FAILED, ROOT, ProgramTest
+from experiment_tables import digests, opened
+from program import DONE, FAILED, ROOT, SMALL, ProgramTest
 
 # Scored by a simulator that moved it otherwise.
 OLDER = ROOT / "tests/persist/versions/older_simulator/walker.creature.json"
@@ -97,6 +98,53 @@ class Rescore(ProgramTest):
         result = self.run_program("rescore", path.name)
         self.assert_refused(result, "left as it is", "over-budget", status=FAILED)
         self.assertEqual(path.read_bytes(), before)
+
+
+class RescoredExperiment(ProgramTest):
+    def setUp(self):
+        super().setUp()
+        self.write("small.toml", SMALL)
+        self.run_well("evolve", "small.toml", "-o", "a.cambrian")
+        self.path = self.folder / "a.cambrian"
+
+    def test_everyone_is_judged_again_in_the_next_generation_and_the_replay_holds(self):
+        before = digests(self.path)
+        told = self.run_well("rescore", "a.cambrian").stdout
+        self.assertRegex(told, r"best of generation 3 (\S+) BL/s by simulator .*; "
+                               r"best of generation 2 (\S+) BL/s by simulator \S+, now \2 BL/s")
+        self.assertEqual(digests(self.path)[:-1], before)
+        with opened(self.path) as database:
+            survivors = database.execute("SELECT count(*) FROM individuals JOIN population "
+                                         "ON id = individual WHERE born < 3").fetchone()[0]
+            judged = database.execute("SELECT DISTINCT judged FROM population").fetchall()
+        self.assertGreater(survivors, 0)
+        self.assertEqual(judged, [(3,)])
+        self.run_well("evolve", "--resume", "a.cambrian", "-n", 6)
+        self.assertIn("6 of 6 generations, 1 commands",
+                      self.run_well("verify", "a.cambrian").stdout)
+
+    def test_an_experiment_of_another_simulator_says_so_until_it_is_rescored(self):
+        with opened(self.path) as database:
+            database.execute("UPDATE simulators SET version = '0.9'")
+        self.assertEqual(self.champions_simulator(), "0.9")
+        resumed = self.run_well("evolve", "--resume", "a.cambrian", "-n", 4)
+        self.assertIn("scored by simulator 0.9, this is ", resumed.stderr)
+        told = self.run_well("rescore", "a.cambrian").stdout
+        self.assertIn("best of generation 4 ", told)
+        self.assertNotEqual(self.champions_simulator(), "0.9")
+        resumed = self.run_well("evolve", "--resume", "a.cambrian", "-n", 6)
+        self.assertNotIn("0.9", resumed.stderr)
+
+    def champions_simulator(self):
+        exported = self.run_well("export", "a.cambrian", "--champion").stdout
+        return json.loads(exported)["scored"]["simulator"]
+
+    def test_misuse_changes_nothing(self):
+        before = self.path.read_bytes()
+        self.assert_refused(self.run_program("rescore", "a.cambrian", "--out", "b.cambrian"),
+                            "--out and --default-integration are for creatures")
+        self.assert_refused(self.run_program("rescore", "no.cambrian"), "no.cambrian")
+        self.assertEqual(self.path.read_bytes(), before)
 
 
 class RescoredCard(ProgramTest):

@@ -215,6 +215,41 @@ TEST_CASE("survivors are not evaluated again until the world changes", "[evoluti
     CHECK(backend.evaluations == static_cast<int>(distinct.size()));
 }
 
+TEST_CASE("rescored survivors lose what another simulator gave them", "[evolution]") {
+    const auto settings = small_settings();
+    FakeBackend backend;
+    EvaluationProgress progress;
+    Evolution honest(settings, kinds());
+    run(honest, backend, 2);
+    EvolutionState flattered{
+        settings, honest.generation(), honest.population(), honest.history(), {}, {}};
+    for (IndividualPtr& each : flattered.population) {
+        Individual changed = *each;
+        changed.result.fitness += 1000.0;
+        each = std::make_shared<const Individual>(std::move(changed));
+    }
+    Evolution kept(flattered, kinds());
+    kept.breed();
+    REQUIRE(kept.evaluate(backend, progress, {}));
+    CHECK(kept.population().front()->result.fitness >= 1000.0);
+
+    Evolution rescored(flattered, kinds());
+    rescored.breed();
+    rescored.rescore();
+    REQUIRE(rescored.evaluate(backend, progress, {}));
+    std::set<std::uint64_t> known;
+    for (const IndividualPtr& each : honest.population())
+        known.insert(each->uid);
+    int survivors = 0;
+    for (const IndividualPtr& each : rescored.population()) {
+        CHECK(each->result.fitness < 1000.0);
+        survivors += known.contains(each->uid) ? 1 : 0;
+    }
+    CHECK(survivors > 0);
+    CHECK(rescored.population().front()->result.fitness >=
+          honest.population().front()->result.fitness);
+}
+
 TEST_CASE("a generation keeps its size under any mix of settings", "[evolution]") {
     for (const int size : {2, 3, 17, 60}) {
         auto settings = small_settings(size);

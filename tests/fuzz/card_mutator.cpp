@@ -2,6 +2,8 @@
 // set right again, and inside the compressed text of a chunk that has one. Otherwise hardly any
 // change would come further than to the first checksum.
 
+#include "persist/deflated_text.h"
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -100,21 +102,14 @@ std::optional<std::string> inflated(std::string_view bytes) {
     return text;
 }
 
-std::string deflated(const std::string& text) {
-    static libdeflate_compressor* deflater = libdeflate_alloc_compressor(1);
-    std::string bytes(libdeflate_zlib_compress_bound(deflater, text.size()), '\0');
-    bytes.resize(
-        libdeflate_zlib_compress(deflater, text.data(), text.size(), bytes.data(), bytes.size()));
-    return bytes;
-}
-
 // Changes what the chunk holds compressed; false if it holds nothing of the kind.
 bool mutate_compressed(Chunk& chunk) {
     const auto start = compressed_start(chunk);
     if (!start || *start >= chunk.contents.size()) return false;
     const auto text = inflated(std::string_view(chunk.contents).substr(*start));
     if (!text) return false;
-    chunk.contents.replace(*start, std::string::npos, deflated(mutated(*text)));
+    static cambrian::Deflater deflater;
+    chunk.contents.replace(*start, std::string::npos, deflater.deflate(mutated(*text)));
     return true;
 }
 

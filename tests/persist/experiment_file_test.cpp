@@ -1,5 +1,6 @@
 #include "persist/experiment_file.h"
 
+#include "evolution/ancestry_digest.h"
 #include "evolution/population_digest.h"
 #include "persist/experiment_schema.h"
 #include "persist/settings_file.h"
@@ -38,6 +39,18 @@ void write_run(const std::filesystem::path& path, const ExperimentSettings& sett
     Evolution evolution(shared(settings), kinds());
     run_on(evolution, *file, generations, steering);
 }
+
+// A run that goes on, kept in a file, or in one without a name.
+struct KeptRun {
+    explicit KeptRun(const std::string& name = "a.cambrian")
+        : path(name.empty() ? std::filesystem::path() : folder / name) {}
+
+    TemporaryDirectory folder;
+    std::filesystem::path path;
+    SettingsPtr settings = shared(small_settings());
+    std::shared_ptr<ExperimentFile> file = new_file(path, settings);
+    Evolution evolution{settings, kinds()};
+};
 
 std::vector<std::uint64_t> digests_of(const std::filesystem::path& path) {
     const auto saved = load_experiment(path, kinds());
@@ -81,27 +94,25 @@ std::string refusal(const std::filesystem::path& path) {
 }  // namespace
 
 TEST_CASE("a population comes back as it was written", "[persist][experiment_file]") {
-    const TemporaryDirectory folder;
-    const SettingsPtr settings = shared(small_settings());
-    const auto file = new_file(folder / "a.cambrian", settings);
-    Evolution evolution(settings, kinds());
-    run_on(evolution, *file, 4);
-    const auto saved = load_experiment(folder / "a.cambrian", kinds());
+    KeptRun run;
+    run_on(run.evolution, *run.file, 4);
+    const auto saved = load_experiment(run.path, kinds());
     REQUIRE(saved);
     REQUIRE(saved->latest);
     CHECK(saved->latest->generation == 3);
-    CHECK(write_settings(*saved->latest->settings, kinds()) == write_settings(*settings, kinds()));
-    REQUIRE(saved->latest->population.size() == evolution.population().size());
-    for (std::size_t i = 0; i < evolution.population().size(); ++i)
-        check_equal(*saved->latest->population[i], *evolution.population()[i]);
-    CHECK(saved->digests.back() == population_digest(evolution.population()));
+    CHECK(write_settings(*saved->latest->settings, kinds()) ==
+          write_settings(*run.settings, kinds()));
+    REQUIRE(saved->latest->population.size() == run.evolution.population().size());
+    for (std::size_t i = 0; i < run.evolution.population().size(); ++i)
+        check_equal(*saved->latest->population[i], *run.evolution.population()[i]);
+    CHECK(saved->digests.back() == population_digest(run.evolution.population()));
     CHECK(saved->champions.size() == 4);
-    CHECK(saved->latest->history.back().best == evolution.history().back().best);
+    CHECK(saved->latest->history.back().best == run.evolution.history().back().best);
     const auto confirmed = [](const IndividualPtr& one) { return !one->result.scores.empty(); };
     CHECK(
         std::any_of(saved->latest->population.begin(), saved->latest->population.end(), confirmed));
     for (std::size_t i = 0; i < 4; ++i) {
-        const GenerationStatistics& written = evolution.history()[i];
+        const GenerationStatistics& written = run.evolution.history()[i];
         const GenerationStatistics& read = saved->latest->history[i];
         CHECK(read.lines == written.lines);
         CHECK(read.plans == written.plans);
@@ -112,17 +123,15 @@ TEST_CASE("a population comes back as it was written", "[persist][experiment_fil
 }
 
 TEST_CASE("lines of descent come back to their beginning", "[persist][experiment_file]") {
-    const TemporaryDirectory folder;
-    const SettingsPtr settings = shared(small_settings());
-    const auto file = new_file(folder / "a.cambrian", settings);
-    Evolution evolution(settings, kinds());
-    run_on(evolution, *file, 8);
-    const auto saved = load_experiment(folder / "a.cambrian", kinds());
+    KeptRun run;
+    run_on(run.evolution, *run.file, 8);
+    const auto saved = load_experiment(run.path, kinds());
     REQUIRE(saved);
     std::size_t generations = 0;
-    for (std::size_t i = 0; i < evolution.population().size(); ++i) {
-        IndividualPtr original = evolution.population()[i];
+    for (std::size_t i = 0; i < run.evolution.population().size(); ++i) {
+        IndividualPtr original = run.evolution.population()[i];
         IndividualPtr copy = saved->latest->population[i];
+        CHECK(ancestry_digest(*copy) == ancestry_digest(*original));
         for (; original; ++generations) {
             REQUIRE(copy);
             CHECK(copy->uid == original->uid);
@@ -133,7 +142,7 @@ TEST_CASE("lines of descent come back to their beginning", "[persist][experiment
         }
         CHECK_FALSE(copy);
     }
-    CHECK(generations > 2 * evolution.population().size());
+    CHECK(generations > 2 * run.evolution.population().size());
 }
 
 TEST_CASE("resumed at any generation a run goes on as if never stopped",
@@ -225,27 +234,25 @@ TEST_CASE("genotypes of those who neither survived nor bore are let go",
 
 TEST_CASE("a star keeps each score it was given, whoever else lets go of it",
           "[persist][experiment_file]") {
-    const TemporaryDirectory folder;
-    const SettingsPtr settings = shared(small_settings());
-    const auto file = new_file(folder / "a.cambrian", settings);
-    Evolution evolution(settings, kinds());
-    run_on(evolution, *file, 2);
+    KeptRun run;
+    run_on(run.evolution, *run.file, 2);
     std::vector<ChampionRecord> stars;
     const auto star_all = [&] {
-        for (const IndividualPtr& each : evolution.population())
-            stars.push_back({evolution.generation(), each, evolution.shared_settings()});
-        REQUIRE(file->keep_stars(stars));
+        for (const IndividualPtr& each : run.evolution.population())
+            stars.push_back({run.evolution.generation(), each, run.evolution.shared_settings()});
+        REQUIRE(run.file->keep_stars(stars));
     };
     star_all();
-    ExperimentSettings moon = *settings;
+    ExperimentSettings moon = *run.settings;
     moon.world.environment.gravity = 1.62;
-    run_on(evolution, *file, 3, {{2, ChangeSettings{shared(moon)}}});  // survivors are judged anew
+    run_on(run.evolution, *run.file, 3,
+           {{2, ChangeSettings{shared(moon)}}});  // survivors are judged anew
     star_all();
-    run_on(evolution, *file, 9);
-    const auto path = folder / "b.cambrian";
-    std::filesystem::copy(folder / "a.cambrian", path);
-    if (std::filesystem::exists(folder / "a.cambrian-wal"))
-        std::filesystem::copy(folder / "a.cambrian-wal", folder / "b.cambrian-wal");
+    run_on(run.evolution, *run.file, 9);
+    const auto path = run.folder / "b.cambrian";
+    std::filesystem::copy(run.path, path);
+    if (std::filesystem::exists(run.folder / "a.cambrian-wal"))
+        std::filesystem::copy(run.folder / "a.cambrian-wal", run.folder / "b.cambrian-wal");
     const auto opened = open_experiment(path, kinds());
     INFO((opened ? "" : opened.error().message));
     REQUIRE(opened);
@@ -255,37 +262,32 @@ TEST_CASE("a star keeps each score it was given, whoever else lets go of it",
 }
 
 TEST_CASE("an experiment moves to another file and goes on there", "[persist][experiment_file]") {
-    const TemporaryDirectory folder;
     const auto steering = some_steering(small_settings());
-    write_run(folder / "whole.cambrian", small_settings(), 6, steering);
     const std::string origin = GENERATE("a.cambrian", "");
-    const SettingsPtr settings = shared(small_settings());
-    const auto file =
-        new_file(origin.empty() ? std::filesystem::path() : folder / origin, settings);
-    Evolution evolution(settings, kinds());
-    run_on(evolution, *file, 3, steering);
-    std::ofstream(folder / "b.cambrian") << "something else";
-    REQUIRE(file->move_to(folder / "b.cambrian"));
-    CHECK(file->path() == folder / "b.cambrian");
-    run_on(evolution, *file, 6, steering);
-    CHECK(digests_of(folder / "b.cambrian") == digests_of(folder / "whole.cambrian"));
-    if (!origin.empty()) CHECK(digests_of(folder / origin).size() == 3);
+    KeptRun run(origin);
+    const std::filesystem::path whole = run.folder / "whole.cambrian";
+    const std::filesystem::path other = run.folder / "b.cambrian";
+    write_run(whole, small_settings(), 6, steering);
+    run_on(run.evolution, *run.file, 3, steering);
+    std::ofstream(other) << "something else";
+    REQUIRE(run.file->move_to(other));
+    CHECK(run.file->path() == other);
+    run_on(run.evolution, *run.file, 6, steering);
+    CHECK(digests_of(other) == digests_of(whole));
+    if (!origin.empty()) CHECK(digests_of(run.path).size() == 3);
 }
 
 TEST_CASE("an experiment that is removed or replaced is not written to",
           "[persist][experiment_file]") {
-    const TemporaryDirectory folder;
-    const SettingsPtr settings = shared(small_settings());
-    const auto file = new_file(folder / "a.cambrian", settings);
-    Evolution evolution(settings, kinds());
-    run_on(evolution, *file, 1);
-    std::filesystem::remove(folder / "a.cambrian");
-    const Status refused = file->record(evolution);
+    KeptRun run;
+    run_on(run.evolution, *run.file, 1);
+    std::filesystem::remove(run.path);
+    const Status refused = run.file->record(run.evolution);
     REQUIRE_FALSE(refused);
     CHECK_THAT(refused.error().message, Catch::Contains("removed or replaced"));
-    CHECK_FALSE(std::filesystem::exists(folder / "a.cambrian"));
-    REQUIRE(file->move_to(folder / "b.cambrian"));
-    CHECK(digests_of(folder / "b.cambrian").size() == 1);
+    CHECK_FALSE(std::filesystem::exists(run.path));
+    REQUIRE(run.file->move_to(run.folder / "b.cambrian"));
+    CHECK(digests_of(run.folder / "b.cambrian").size() == 1);
 }
 
 TEST_CASE("one experiment is open in one place only", "[persist][experiment_file]") {

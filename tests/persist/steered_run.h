@@ -33,7 +33,8 @@ inline std::vector<NotedCommand> some_steering(const ExperimentSettings& setting
     return {{1, AddNewcomers{0.3}},
             {2, ChangeSettings{std::make_shared<const ExperimentSettings>(moon)}},
             {3, ChangeSettings{std::make_shared<const ExperimentSettings>(patient)}},
-            {3, InjectGenome{crawler(kinds().creature.catalog)}}};
+            {3, InjectGenome{crawler(kinds().creature.catalog)}},
+            {4, RescorePopulation{}}};
 }
 
 // Evaluates and records up to `generations` in all.

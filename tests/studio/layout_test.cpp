@@ -42,7 +42,7 @@ TEST_CASE("the viewport keeps most of the room at 1280 by 720", "[studio][layout
 
 TEST_CASE("hidden panels give their room to the viewport", "[studio][layout]") {
     ViewState bare;
-    bare.left_panel = bare.right_panel = bare.bottom_panel = false;
+    bare.panels.left = bare.panels.right = bare.panels.bottom = false;
     const Layout layout = divide_window(1280, 720, bare, 1);
     CHECK(layout.viewport.width == 1280);
     CHECK(layout.experiment.width == 0);
@@ -67,7 +67,7 @@ TEST_CASE("dragging a gap makes its panel wider", "[studio][layout]") {
 
 TEST_CASE("no drag can take the viewport's room", "[studio][layout]") {
     ViewState greedy;
-    greedy.left_width = greedy.right_width = greedy.bottom_height = 3000;
+    greedy.panels.left_width = greedy.panels.right_width = greedy.panels.bottom_height = 3000;
     const Layout layout = divide_window(1280, 720, greedy, 1);
     CHECK(layout.viewport.width > 200);
     CHECK(layout.viewport.height > 200);

@@ -1,5 +1,6 @@
 #include "studio/main_window.h"
 
+#include "studio/panels/builtin_panels.h"
 #include "studio_fixture.h"
 #include "support/null_imgui.h"
 
@@ -11,14 +12,14 @@ namespace {
 // The whole window, the crawler on show.
 struct WindowRun {
     NullImGui gui{1280, 720};
-    MainWindow window{nullptr};
+    MainWindow window{builtin_panels(), nullptr};
     test::StudioFixture studio;
     Requests out;
 
     WindowRun() { studio.show_crawler(); }
 
     void draw(const FrameContext& frame) {
-        gui.bare_frame([&] { window.draw(frame, 720, out); });
+        gui.bare_frame([&] { window.draw(frame, out); });
     }
     void draw() { draw(studio.frame()); }
     // Presses a control that the last frame drew.
@@ -47,7 +48,7 @@ TEST_CASE("the main controls stand inside a window of 1280 by 720", "[studio][ma
         INFO(name);
         CHECK(inside(run.gui.place(name), 1280, 720));
     }
-    CHECK(run.out.actions().empty());
+    CHECK(run.out.all().empty());
 }
 
 TEST_CASE("the timeline's and the population's controls stand in a small window without overlap",
@@ -74,9 +75,9 @@ TEST_CASE("the keyboard can be sent to the timeline and to the population",
     const auto left_in = [&](Place place) {
         FrameContext frame = run.studio.frame();
         run.draw(frame);
-        frame.focus = place;
+        frame.window.focus = place;
         run.draw(frame);
-        frame.focus = Place::kNone;
+        frame.window.focus = Place::kNone;
         run.gui.hold_key(ImGuiKey_LeftArrow, true);
         run.draw(frame);
         run.gui.hold_key(ImGuiKey_LeftArrow, false);
@@ -102,7 +103,7 @@ TEST_CASE("a notice lies over the viewport and can be dismissed", "[studio][main
     WindowRun run;
     const Notice notice{NoticeKind::kProblem, "The disk is full; free some room and save again."};
     FrameContext frame = run.studio.frame();
-    frame.notice = &notice;
+    frame.window.notice = &notice;
     run.draw(frame);
     run.click("Dismiss", frame);
     CHECK(test::was_asked<DismissNotice>(run.out));
@@ -132,7 +133,7 @@ TEST_CASE("in selection by hand the controls stand inside a window of 1280 by 72
         INFO(name);
         CHECK(inside(run.gui.place(name), 1280, 720));
     }
-    CHECK(run.out.actions().empty());
+    CHECK(run.out.all().empty());
 }
 
 TEST_CASE("a creature of the grid dragged to the shelf is kept", "[studio][main_window][picking]") {

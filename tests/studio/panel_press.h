@@ -49,8 +49,8 @@ struct PanelRun {
     // What this click asked for; gathered too.
     Requests click(const std::string& name, int button = 0) {
         Requests asked = test::click(gui, panel, studio, name, button);
-        for (const StudioAction& action : asked.actions())
-            out.ask(action);
+        for (const StudioRequest& request : asked.all())
+            std::visit([this](const auto& each) { out.ask(each); }, request);
         return asked;
     }
     Requests press_key(ImGuiKey key) { return test::press_key(gui, panel, studio, key); }

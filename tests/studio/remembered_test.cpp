@@ -12,12 +12,12 @@ TEST_CASE("the arrangement and the settings come back as they were left", "[stud
     Remembered left;
     left.view.theme = ThemeKind::kLight;
     left.view.speed = 0.25;
-    left.view.bottom_panel = false;
-    left.view.torques = true;
-    left.view.grid = false;
+    left.view.panels.bottom = false;
+    left.view.overlays.torques = true;
+    left.view.overlays.grid = false;
     left.view.ghosts = GhostChoice::kTenths;
     left.view.tour_taken = true;
-    left.view.left_width = 312.0F;
+    left.view.panels.left_width = 312.0F;
     left.view.quantity = TimelineQuantity::kNeurons;
     left.view.order = TileOrder::kMass;
     left.settings.world.environment.gravity = 1.62;

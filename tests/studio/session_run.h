@@ -42,7 +42,9 @@ public:
         }
         return false;
     }
-    std::size_t champions() const { return session.frame_context().snapshot.champions.size(); }
+    std::size_t champions() const {
+        return session.frame_context().experiment.snapshot.champions.size();
+    }
     std::string log() const {
         std::ostringstream text;
         text << std::ifstream(folder.path() / "log").rdbuf();

@@ -13,39 +13,40 @@ using test::SessionRun;
 
 TEST_CASE("the tour is offered until it was taken or declined", "[studio][session]") {
     SessionRun run;
-    run.session.offer_tour();
-    CHECK(run.session.frame_context().tour_step == 0);
+    run.session.guide().offer_tour();
+    CHECK(run.session.frame_context().guide.tour_step == 0);
     run.ask(TurnTour{1});
-    CHECK(run.session.frame_context().tour_step == 1);
+    CHECK(run.session.frame_context().guide.tour_step == 1);
     run.ask(TurnTour{-1});
-    CHECK(run.session.frame_context().tour_step == -1);
+    CHECK(run.session.frame_context().guide.tour_step == -1);
     CHECK(run.session.view().tour_taken);
-    run.session.offer_tour();
-    CHECK(run.session.frame_context().tour_step == -1);
+    run.session.guide().offer_tour();
+    CHECK(run.session.frame_context().guide.tour_step == -1);
     run.ask(TurnTour{0});  // from the Help menu, at any time
-    CHECK(run.session.frame_context().tour_step == 0);
+    CHECK(run.session.frame_context().guide.tour_step == 0);
 }
 
 TEST_CASE("help and samples come from the assets", "[studio][session]") {
     SessionRun run;
     run.session.use_assets(std::string(CAMBRIAN_SOURCE_DIR) + "/assets");
-    REQUIRE(run.frames_until([&] { return !run.session.frame_context().help->pages.empty(); }));
+    REQUIRE(
+        run.frames_until([&] { return !run.session.frame_context().guide.help->pages.empty(); }));
     run.ask(ShowHelp{"viewport"});
-    CHECK(run.session.frame_context().help_shown);
-    CHECK(run.session.frame_context().help->open == "viewport");
+    CHECK(run.session.frame_context().guide.help_shown);
+    CHECK(run.session.frame_context().guide.help->open == "viewport");
     run.ask(ToggleSamples{});
-    REQUIRE(run.frames_until([&] { return run.session.frame_context().samples->read; }));
-    CHECK_FALSE(run.session.frame_context().samples->samples.empty());
+    REQUIRE(run.frames_until([&] { return run.session.frame_context().files.samples->read; }));
+    CHECK_FALSE(run.session.frame_context().files.samples->samples.empty());
 }
 
 TEST_CASE("finding a setting brings the settings back into the window", "[studio][session]") {
     SessionRun run;
     ViewState hidden = run.session.view();
-    hidden.left_panel = false;
+    hidden.panels.left = false;
     run.ask(ChangeView{hidden});
     run.ask(FindSetting{});
-    CHECK(run.session.view().left_panel);
-    CHECK(run.session.frame_context().find_asked == 1);
+    CHECK(run.session.view().panels.left);
+    CHECK(run.session.frame_context().experiment.find_asked == 1);
 }
 
 TEST_CASE("a new run can begin with the creature on show", "[studio][session]") {
@@ -53,14 +54,14 @@ TEST_CASE("a new run can begin with the creature on show", "[studio][session]") 
     run.ask(StartFromShown{});  // nothing on show: nothing happens
     run.ask(RunOneGeneration{});
     REQUIRE(run.frames_until([&] { return run.champions() == 1; }));
-    const GenomePtr shown = run.session.frame_context().playback.exhibit().genome;
+    const GenomePtr shown = run.session.frame_context().viewer.playback.exhibit().genome;
     run.ask(StartFromShown{});
     run.ask(RunOneGeneration{});
     REQUIRE(run.frames_until([&] {
-        const EvolutionSnapshot& snapshot = run.session.frame_context().snapshot;
+        const EvolutionSnapshot& snapshot = run.session.frame_context().experiment.snapshot;
         return snapshot.experiment == 2 && snapshot.champions.size() == 1;
     }));
-    const auto& population = run.session.frame_context().snapshot.population;
+    const auto& population = run.session.frame_context().experiment.snapshot.population;
     CHECK(std::any_of(population.begin(), population.end(),
                       [&](const IndividualPtr& one) { return one->genome == shown; }));
     CHECK(std::all_of(population.begin(), population.end(),
@@ -73,8 +74,9 @@ TEST_CASE("one generation is evaluated, logged and its champion takes the stage"
     run.ask(RunOneGeneration{});
     REQUIRE(run.frames_until([&] { return run.champions() == 1; }));
     const FrameContext frame = run.session.frame_context();
-    REQUIRE_FALSE(frame.playback.empty());
-    CHECK(frame.playback.exhibit().genome == frame.snapshot.champions[0].individual->genome);
+    REQUIRE_FALSE(frame.viewer.playback.empty());
+    CHECK(frame.viewer.playback.exhibit().genome ==
+          frame.experiment.snapshot.champions[0].individual->genome);
     CHECK(run.log().find("{\"event\":\"generation\",\"number\":0,\"best\":") != std::string::npos);
 }
 
@@ -84,25 +86,27 @@ void finish_generations(SessionRun& run, std::size_t count) {
         const std::size_t before = run.champions();
         run.ask(RunOneGeneration{});
         REQUIRE(run.frames_until([&] { return run.champions() == before + 1; }));
-        REQUIRE(run.frames_until(
-            [&] { return run.session.frame_context().snapshot.status == EngineStatus::kPaused; }));
+        REQUIRE(run.frames_until([&] {
+            return run.session.frame_context().experiment.snapshot.status == EngineStatus::kPaused;
+        }));
     }
 }
 
 const Exhibit& shown_in(const SessionRun& run) {
-    return run.session.frame_context().playback.exhibit();
+    return run.session.frame_context().viewer.playback.exhibit();
 }
 
 TEST_CASE("scrubbing shows past champions until the newest is asked for", "[studio][session]") {
     SessionRun run;
     run.ask(ShowChampion{0});  // there is none yet: nothing happens
-    CHECK(run.session.frame_context().playback.empty());
+    CHECK(run.session.frame_context().viewer.playback.empty());
     finish_generations(run, 4);
     for (const std::uint32_t generation : {2U, 1U, 0U, 3U, 0U}) {
         run.ask(ShowChampion{generation});
         CHECK(shown_in(run).generation == generation);
-        CHECK(shown_in(run).genome ==
-              run.session.frame_context().snapshot.champions[generation].individual->genome);
+        CHECK(shown_in(run).genome == run.session.frame_context()
+                                          .experiment.snapshot.champions[generation]
+                                          .individual->genome);
     }
     run.ask(ShowChampion{77});
     CHECK(shown_in(run).generation == 0);
@@ -118,36 +122,36 @@ TEST_CASE("after a fast scrub the creature that stayed gets its score", "[studio
     finish_generations(run, 3);
     for (int i = 0; i < 200; ++i)
         run.ask(ShowChampion{static_cast<std::uint32_t>(i % 3)});
-    REQUIRE(run.frames_until([&] { return run.session.frame_context().score != nullptr; }));
-    CHECK(run.session.frame_context().score->record.digest == shown_in(run).result->digest);
+    REQUIRE(run.frames_until([&] { return run.session.frame_context().viewer.score != nullptr; }));
+    CHECK(run.session.frame_context().viewer.score->record.digest == shown_in(run).result->digest);
 }
 
 TEST_CASE("statistics are exported as a table with a row a generation", "[studio][session]") {
     SessionRun run;
     const auto path = run.folder.path() / "run.csv";
     run.ask(OpenFilePanel{FileTask::kSaveStatistics});
-    CHECK_FALSE(run.session.frame_context().files.open);  // nothing to export yet
+    CHECK_FALSE(run.session.frame_context().files.browser.open);  // nothing to export yet
     finish_generations(run, 3);
     run.ask(OpenFilePanel{FileTask::kSaveStatistics});
-    CHECK(run.session.frame_context().files.open);
+    CHECK(run.session.frame_context().files.browser.open);
     run.ask(SaveStatisticsFile{path});
     REQUIRE(run.frames_until([&] { return std::filesystem::exists(path); }));
     std::ostringstream text;
     text << std::ifstream(path).rdbuf();
-    CHECK(text.str() == statistics_csv(run.session.frame_context().snapshot.history));
+    CHECK(text.str() == statistics_csv(run.session.frame_context().experiment.snapshot.history));
 }
 
 TEST_CASE("a plot is asked of the window in the size that was chosen", "[studio][session]") {
     SessionRun run;
     finish_generations(run, 1);
     run.ask(OpenFilePanel{FileTask::kSavePlot, {1920, 1080}});
-    CHECK(run.session.frame_context().files.picture.width == 1920);
-    CHECK(run.session.frame_context().files.suggested_name == "fitness.png");
+    CHECK(run.session.frame_context().files.browser.picture.width == 1920);
+    CHECK(run.session.frame_context().files.browser.suggested_name == "fitness.png");
     run.ask(SavePlotPicture{"plot.png", {1920, 1080}});
-    const auto request = run.session.take_plot_request();
+    const auto request = run.session.files().take_orders().plot;
     REQUIRE(request);
     CHECK(request->size.height == 1080);
-    CHECK_FALSE(run.session.take_plot_request());
+    CHECK_FALSE(run.session.files().take_orders().plot);
 }
 
 TEST_CASE("the creature on show can have a star and is shown from it under its own settings",
@@ -155,13 +159,13 @@ TEST_CASE("the creature on show can have a star and is shown from it under its o
     SessionRun run;
     run.session.show_newcomer();
     run.ask(ToggleStarOfShown{});  // not of this experiment
-    CHECK(run.session.frame_context().stars.all().empty());
+    CHECK(run.session.frame_context().generations.stars.all().empty());
     finish_generations(run, 1);
     run.ask(ShowNewest{});
     run.ask(ToggleStarOfShown{});
-    REQUIRE(run.session.frame_context().stars.all().size() == 1);
-    const ChampionRecord kept = run.session.frame_context().stars.all().front();
-    ExperimentSettings moon = run.session.frame_context().editor.draft();
+    REQUIRE(run.session.frame_context().generations.stars.all().size() == 1);
+    const ChampionRecord kept = run.session.frame_context().generations.stars.all().front();
+    ExperimentSettings moon = run.session.frame_context().experiment.editor.draft();
     moon.world.environment.gravity = 1.62;
     run.ask(EditSettings{moon, "environment.gravity"});
     run.ask(FinishEdit{});
@@ -171,35 +175,35 @@ TEST_CASE("the creature on show can have a star and is shown from it under its o
     CHECK(shown_in(run).generation == 0);
     CHECK(shown_in(run).world.environment.gravity == 9.81);
     run.ask(ToggleStarOfShown{});
-    CHECK(run.session.frame_context().stars.all().empty());
+    CHECK(run.session.frame_context().generations.stars.all().empty());
     run.ask(RestoreStar{});
-    CHECK(run.session.frame_context().stars.all().size() == 1);
+    CHECK(run.session.frame_context().generations.stars.all().size() == 1);
 }
 
 TEST_CASE("the score shown is the one the engine found, and the replay is verified",
           "[studio][session]") {
     SessionRun run;
     run.ask(RunOneGeneration{});
-    REQUIRE(run.frames_until([&] { return run.session.frame_context().score != nullptr; }));
+    REQUIRE(run.frames_until([&] { return run.session.frame_context().viewer.score != nullptr; }));
     const FrameContext frame = run.session.frame_context();
-    const EvaluationResult& result = *frame.playback.exhibit().result;
-    CHECK(frame.score->score.value == result.fitness);
-    CHECK(frame.score->record.digest == result.digest);
+    const EvaluationResult& result = *frame.viewer.playback.exhibit().result;
+    CHECK(frame.viewer.score->score.value == result.fitness);
+    CHECK(frame.viewer.score->record.digest == result.digest);
 }
 
 TEST_CASE("a saved creature loads as the same creature", "[studio][session]") {
     SessionRun run;
     run.ask(RunOneGeneration{});
     REQUIRE(run.frames_until([&] { return run.champions() == 1; }));
-    const GenomePtr genome = run.session.frame_context().playback.exhibit().genome;
+    const GenomePtr genome = run.session.frame_context().viewer.playback.exhibit().genome;
     const auto path = run.folder.path() / "best.creature.json";
     run.ask(SaveCreatureFile{path});
     REQUIRE(run.frames_until([&] { return std::filesystem::exists(path); }));
     run.ask(LoadFile{path});
     REQUIRE(run.frames_until([&] {
-        return run.session.frame_context().playback.exhibit().source == ExhibitSource::kFile;
+        return run.session.frame_context().viewer.playback.exhibit().source == ExhibitSource::kFile;
     }));
-    CHECK(*run.session.frame_context().playback.exhibit().genome == *genome);
+    CHECK(*run.session.frame_context().viewer.playback.exhibit().genome == *genome);
 }
 
 TEST_CASE("a creature judged by several trials is verified by as many, tick by tick",
@@ -220,11 +224,11 @@ TEST_CASE("a creature judged by several trials is verified by as many, tick by t
     const auto path = run.folder.path() / "robust.creature.json";
     REQUIRE(save_creature(path, document, test::kinds()));
     run.ask(LoadFile{path});
-    REQUIRE(run.frames_until([&] { return run.session.frame_context().score != nullptr; }));
+    REQUIRE(run.frames_until([&] { return run.session.frame_context().viewer.score != nullptr; }));
     const FrameContext frame = run.session.frame_context();
-    CHECK(frame.score->digest == judged.result.digest);
-    CHECK(frame.score->digest != frame.score->record.digest);
-    CHECK_FALSE(first_different_tick(frame.score->ticks, document.scored->ticks));
+    CHECK(frame.viewer.score->digest == judged.result.digest);
+    CHECK(frame.viewer.score->digest != frame.viewer.score->record.digest);
+    CHECK_FALSE(first_different_tick(frame.viewer.score->ticks, document.scored->ticks));
 
     const auto copy = run.folder.path() / "copy.creature.json";
     run.ask(SaveCreatureFile{copy});
@@ -240,8 +244,8 @@ TEST_CASE("what a loaded creature uses that the experiment has not enabled is to
     SessionRun run;
     run.ask(LoadFile{std::string(CAMBRIAN_SOURCE_DIR) +
                      "/tests/persist/creatures/W04_linear_joint.creature.json"});
-    REQUIRE(run.frames_until([&] { return run.session.frame_context().notice != nullptr; }));
-    CHECK_THAT(run.session.frame_context().notice->text, Catch::Contains("W04 "));
+    REQUIRE(run.frames_until([&] { return run.session.frame_context().window.notice != nullptr; }));
+    CHECK_THAT(run.session.frame_context().window.notice->text, Catch::Contains("W04 "));
 }
 
 TEST_CASE("a creature saved as a card is prepared, drawn by the window and comes back",
@@ -249,24 +253,24 @@ TEST_CASE("a creature saved as a card is prepared, drawn by the window and comes
     SessionRun run;
     run.ask(RunOneGeneration{});
     REQUIRE(run.frames_until([&] { return run.champions() == 1; }));
-    const GenomePtr genome = run.session.frame_context().playback.exhibit().genome;
+    const GenomePtr genome = run.session.frame_context().viewer.playback.exhibit().genome;
     const auto path = run.folder.path() / "best.card.png";
     run.ask(SaveCreatureFile{path});
     std::optional<PreparedCard> card;
     REQUIRE(run.frames_until([&] {
-        if (!card) card = run.session.take_card_request();
+        if (!card) card = run.session.files().take_orders().card;
         return card.has_value();
     }));
     CHECK(card->subject.generation == 0);
     CHECK(card->subject.verified == true);
     CHECK_FALSE(std::filesystem::exists(path));
-    run.session.keep_card(*card, {2, 2, std::vector<std::uint8_t>(12, 128)});
+    run.session.files().save_card(*card, {2, 2, std::vector<std::uint8_t>(12, 128)});
     REQUIRE(run.frames_until([&] { return std::filesystem::exists(path); }));
     run.ask(LoadFile{path});
     REQUIRE(run.frames_until([&] {
-        return run.session.frame_context().playback.exhibit().source == ExhibitSource::kFile;
+        return run.session.frame_context().viewer.playback.exhibit().source == ExhibitSource::kFile;
     }));
-    CHECK(*run.session.frame_context().playback.exhibit().genome == *genome);
+    CHECK(*run.session.frame_context().viewer.playback.exhibit().genome == *genome);
 }
 
 TEST_CASE("a file that cannot be opened is a notice and changes nothing", "[studio][session]") {
@@ -274,11 +278,11 @@ TEST_CASE("a file that cannot be opened is a notice and changes nothing", "[stud
     const auto path = run.folder.path() / "broken.creature.json";
     std::ofstream(path) << "{ not json";
     run.ask(LoadFile{path});
-    REQUIRE(run.frames_until([&] { return run.session.frame_context().notice != nullptr; }));
-    const Notice& notice = *run.session.frame_context().notice;
+    REQUIRE(run.frames_until([&] { return run.session.frame_context().window.notice != nullptr; }));
+    const Notice& notice = *run.session.frame_context().window.notice;
     CHECK(notice.kind == NoticeKind::kProblem);
     CHECK(notice.text.find("broken.creature.json") != std::string::npos);
-    CHECK(run.session.frame_context().playback.empty());
+    CHECK(run.session.frame_context().viewer.playback.empty());
 }
 
 TEST_CASE("an edited world is felt on stage at once and by the engine once let go",
@@ -286,32 +290,34 @@ TEST_CASE("an edited world is felt on stage at once and by the engine once let g
     SessionRun run;
     run.ask(RunOneGeneration{});
     REQUIRE(run.frames_until([&] { return run.champions() == 1; }));
-    ExperimentSettings moon = run.session.frame_context().editor.draft();
+    ExperimentSettings moon = run.session.frame_context().experiment.editor.draft();
     moon.world.environment.gravity = 1.62;
     run.ask(EditSettings{moon, "environment.gravity"});
-    CHECK(run.session.frame_context().playback.environment().gravity == 1.62);
-    CHECK(run.session.frame_context().snapshot.settings->world.environment.gravity == 9.81);
+    CHECK(run.session.frame_context().viewer.playback.environment().gravity == 1.62);
+    CHECK(run.session.frame_context().experiment.snapshot.settings->world.environment.gravity ==
+          9.81);
     run.ask(FinishEdit{});
     CHECK(run.frames_until([&] {
-        return run.session.frame_context().snapshot.settings->world.environment.gravity == 1.62;
+        return run.session.frame_context()
+                   .experiment.snapshot.settings->world.environment.gravity == 1.62;
     }));
-    CHECK(run.session.frame_context().snapshot.journal.size() == 2);
+    CHECK(run.session.frame_context().experiment.snapshot.journal.size() == 2);
 }
 
 TEST_CASE("an edit of anything but the world leaves the stage's world alone", "[studio][session]") {
     SessionRun run;
     run.session.show_newcomer();
-    ExperimentSettings moon = run.session.frame_context().editor.draft();
+    ExperimentSettings moon = run.session.frame_context().experiment.editor.draft();
     moon.world.environment.gravity = 1.62;
     run.ask(EditSettings{moon, "environment.gravity"});
     run.ask(FinishEdit{});
     run.session.show_newcomer();
-    const Environment before = run.session.frame_context().playback.environment();
-    ExperimentSettings larger = run.session.frame_context().editor.draft();
+    const Environment before = run.session.frame_context().viewer.playback.environment();
+    ExperimentSettings larger = run.session.frame_context().experiment.editor.draft();
     larger.population.size = 12;
     run.ask(EditSettings{larger, "population.size"});
     run.ask(FinishEdit{});
-    CHECK(run.session.frame_context().playback.environment() == before);
+    CHECK(run.session.frame_context().viewer.playback.environment() == before);
     CHECK(before.gravity == 1.62);
 }
 
@@ -319,35 +325,38 @@ TEST_CASE("a new run from the present creatures begins with them", "[studio][ses
     SessionRun run;
     run.ask(RunOneGeneration{});
     REQUIRE(run.frames_until([&] { return run.champions() == 1; }));
-    const auto experiment = run.session.frame_context().snapshot.experiment;
+    const auto experiment = run.session.frame_context().experiment.snapshot.experiment;
     run.ask(StartNewRun{true});
-    REQUIRE(run.frames_until(
-        [&] { return run.session.frame_context().snapshot.experiment == experiment + 1; }));
-    CHECK(run.session.frame_context().snapshot.generation == 0);
+    REQUIRE(run.frames_until([&] {
+        return run.session.frame_context().experiment.snapshot.experiment == experiment + 1;
+    }));
+    CHECK(run.session.frame_context().experiment.snapshot.generation == 0);
     CHECK(run.champions() == 0);
 }
 
 TEST_CASE("undo takes an edit back from the engine too", "[studio][session]") {
     SessionRun run;
-    ExperimentSettings edited = run.session.frame_context().editor.draft();
+    ExperimentSettings edited = run.session.frame_context().experiment.editor.draft();
     edited.population.size = 9;
     run.ask(EditSettings{edited, "population.size"});
     run.ask(FinishEdit{});
-    REQUIRE(run.frames_until(
-        [&] { return run.session.frame_context().snapshot.settings->population.size == 9; }));
+    REQUIRE(run.frames_until([&] {
+        return run.session.frame_context().experiment.snapshot.settings->population.size == 9;
+    }));
     run.ask(UndoEdit{});
-    CHECK(run.frames_until(
-        [&] { return run.session.frame_context().snapshot.settings->population.size == 6; }));
+    CHECK(run.frames_until([&] {
+        return run.session.frame_context().experiment.snapshot.settings->population.size == 6;
+    }));
 }
 
 EditGenes lengthen_root(const FrameContext& frame, double length) {
-    Genome genome = *frame.playback.exhibit().genome;
+    Genome genome = *frame.viewer.playback.exhibit().genome;
     genome.nodes[0].length = length;
     return {std::make_shared<const Genome>(genome), {"part 0 length", "old", "new"}};
 }
 
 double root_length(const SessionRun& run) {
-    return run.session.frame_context().playback.exhibit().genome->nodes[0].length;
+    return run.session.frame_context().viewer.playback.exhibit().genome->nodes[0].length;
 }
 
 TEST_CASE("an edited gene is on stage at once, can be undone and made again", "[studio][session]") {
@@ -356,11 +365,11 @@ TEST_CASE("an edited gene is on stage at once, can be undone and made again", "[
     const double before = root_length(run);
     run.ask(lengthen_root(run.session.frame_context(), 1.5));
     run.ask(FinishGeneEdit{});
-    CHECK(run.session.frame_context().playback.phenotype().parts[0].length == 1.5);
-    CHECK(run.session.frame_context().playback.exhibit().method == "edited");
+    CHECK(run.session.frame_context().viewer.playback.phenotype().parts[0].length == 1.5);
+    CHECK(run.session.frame_context().viewer.playback.exhibit().method == "edited");
     run.ask(UndoEdit{});
     CHECK(root_length(run) == before);
-    CHECK(run.session.frame_context().playback.exhibit().method == "random");
+    CHECK(run.session.frame_context().viewer.playback.exhibit().method == "random");
     run.ask(RedoEdit{});
     CHECK(root_length(run) == 1.5);
     CHECK(run.log().find("{\"event\":\"gene edited\",\"place\":\"part 0 length\"") !=
@@ -372,11 +381,11 @@ TEST_CASE("an edited creature is scored anew and saved as edited", "[studio][ses
     SessionRun run;
     run.ask(RunOneGeneration{});
     REQUIRE(run.frames_until([&] { return run.champions() == 1; }));
-    const std::string parent = run.session.frame_context().playback.exhibit().uid;
+    const std::string parent = run.session.frame_context().viewer.playback.exhibit().uid;
     run.ask(lengthen_root(run.session.frame_context(), 1.1));
     run.ask(lengthen_root(run.session.frame_context(), 1.2));
-    CHECK(run.session.frame_context().score == nullptr);
-    REQUIRE(run.frames_until([&] { return run.session.frame_context().score != nullptr; }));
+    CHECK(run.session.frame_context().viewer.score == nullptr);
+    REQUIRE(run.frames_until([&] { return run.session.frame_context().viewer.score != nullptr; }));
     const auto path = run.folder.path() / "edited.creature.json";
     run.ask(SaveCreatureFile{path});
     REQUIRE(run.frames_until([&] { return std::filesystem::exists(path); }));
@@ -394,8 +403,9 @@ TEST_CASE("a gene outside its range is refused with a message", "[studio][sessio
     run.ask(lengthen_root(run.session.frame_context(), 25.0));
     run.session.update(0.1, 0.0);
     CHECK(root_length(run) == before);
-    REQUIRE(run.session.frame_context().notice != nullptr);
-    CHECK(run.session.frame_context().notice->text.find("/nodes/0/length") != std::string::npos);
+    REQUIRE(run.session.frame_context().window.notice != nullptr);
+    CHECK(run.session.frame_context().window.notice->text.find("/nodes/0/length") !=
+          std::string::npos);
     CHECK_FALSE(run.session.frame_context().can_undo());
 }
 
@@ -403,14 +413,14 @@ TEST_CASE("with another creature on show, undo is of the settings again", "[stud
     SessionRun run;
     run.session.show_newcomer();
     const auto other =
-        std::make_shared<const Exhibit>(run.session.frame_context().playback.exhibit());
+        std::make_shared<const Exhibit>(run.session.frame_context().viewer.playback.exhibit());
     run.ask(lengthen_root(run.session.frame_context(), 1.5));
-    ExperimentSettings moon = run.session.frame_context().editor.draft();
+    ExperimentSettings moon = run.session.frame_context().experiment.editor.draft();
     moon.world.environment.gravity = 1.62;
     run.ask(EditSettings{moon, "environment.gravity"});
     run.ask(ShowExhibit{other});
     run.ask(UndoEdit{});
-    CHECK(run.session.frame_context().editor.draft().world.environment.gravity == 9.81);
+    CHECK(run.session.frame_context().experiment.editor.draft().world.environment.gravity == 9.81);
 }
 
 TEST_CASE("a forced neuron marks the run as disturbed", "[studio][session]") {
@@ -418,13 +428,13 @@ TEST_CASE("a forced neuron marks the run as disturbed", "[studio][session]") {
     run.ask(ForceNeuron{0, 1.0});  // nothing on show: nothing happens
     run.ask(RunOneGeneration{});
     REQUIRE(run.frames_until([&] { return run.champions() == 1; }));
-    REQUIRE_FALSE(run.session.frame_context().playback.phenotype().network.neurons.empty());
+    REQUIRE_FALSE(run.session.frame_context().viewer.playback.phenotype().network.neurons.empty());
     run.ask(ForceNeuron{0, 1.0});
-    CHECK(run.session.frame_context().playback.disturbed());
+    CHECK(run.session.frame_context().viewer.playback.disturbed());
     run.ask(ReleaseNeuron{0});
-    CHECK(run.session.frame_context().playback.forced().empty());
+    CHECK(run.session.frame_context().viewer.playback.forced().empty());
     run.ask(RestartPlayback{});
-    CHECK_FALSE(run.session.frame_context().playback.disturbed());
+    CHECK_FALSE(run.session.frame_context().viewer.playback.disturbed());
 }
 
 TEST_CASE("a champion on show knows its line", "[studio][session]") {
@@ -435,9 +445,9 @@ TEST_CASE("a champion on show knows its line", "[studio][session]") {
     }
     run.ask(ShowChampion{3});
     const FrameContext frame = run.session.frame_context();
-    const Exhibit& exhibit = frame.playback.exhibit();
-    CHECK(exhibit.experiment == frame.snapshot.experiment);
-    CHECK(exhibit.mother.get() == frame.snapshot.champions[3].individual->mother.get());
+    const Exhibit& exhibit = frame.viewer.playback.exhibit();
+    CHECK(exhibit.experiment == frame.experiment.snapshot.experiment);
+    CHECK(exhibit.mother.get() == frame.experiment.snapshot.champions[3].individual->mother.get());
 }
 
 }  // namespace

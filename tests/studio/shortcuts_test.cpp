@@ -20,7 +20,7 @@ TEST_CASE("Space evolves, but not while text is typed", "[studio][shortcuts]") {
     const test::StudioFixture studio;
     Requests out;
     press_shortcut({GLFW_KEY_SPACE}, true, studio.frame(), out);
-    CHECK(out.actions().empty());
+    CHECK(out.all().empty());
     press_shortcut({GLFW_KEY_SPACE}, false, studio.frame(), out);
     CHECK(test::was_asked<ToggleEvolution>(out));
 }
@@ -62,7 +62,7 @@ TEST_CASE("numbers pick cells, as far as there are any", "[studio][shortcuts][pi
     CHECK(test::asked<FocusCell>(out).cell == 8);
     Requests beyond;
     press_shortcut({GLFW_KEY_EQUAL}, false, studio.frame(), beyond);
-    CHECK(beyond.actions().empty());
+    CHECK(beyond.all().empty());
 }
 
 TEST_CASE("arrows move the focus and stop at the edges of the grid",
@@ -73,7 +73,7 @@ TEST_CASE("arrows move the focus and stop at the edges of the grid",
         studio.focus_cell(from);
         Requests out;
         press_shortcut({key}, false, studio.frame(), out);
-        return out.actions().empty() ? from : test::asked<FocusCell>(out).cell;
+        return out.all().empty() ? from : test::asked<FocusCell>(out).cell;
     };
     CHECK(after(0, GLFW_KEY_RIGHT) == 1);
     CHECK(after(3, GLFW_KEY_RIGHT) == 3);

@@ -38,7 +38,7 @@ private:
     void evolve() { run_.ask(ToggleEvolution{}); }
     void step() { run_.ask(RunOneGeneration{}); }
     void edit() {
-        ExperimentSettings draft = frame().editor.draft();
+        ExperimentSettings draft = frame().experiment.editor.draft();
         draft.world.environment.gravity = chance_.uniform(1.0, 20.0);
         run_.ask(EditSettings{draft, "environment.gravity"});
         if (chance_.chance(0.7)) run_.ask(FinishEdit{});
@@ -52,7 +52,7 @@ private:
     }
     void show_newest() { run_.ask(ShowNewest{}); }
     void show_anyone() {
-        const EvolutionSnapshot& snapshot = frame().snapshot;
+        const EvolutionSnapshot& snapshot = frame().experiment.snapshot;
         if (snapshot.population.empty()) return;
         const std::size_t place = chance_.below(snapshot.population.size());
         run_.ask(ShowIndividual{{snapshot.champions.back().generation, snapshot.population[place],
@@ -146,7 +146,9 @@ void check_still_evolving(SessionRun& run) {
     int calm = 0;
     REQUIRE(run.frames_until([&] { return ++calm == 500; }));
     if (run.session.frame_context().picking != nullptr) run.ask(ToggleHandPicking{});
-    const auto experiment = [&run] { return run.session.frame_context().snapshot.experiment; };
+    const auto experiment = [&run] {
+        return run.session.frame_context().experiment.snapshot.experiment;
+    };
     const std::uint64_t before = experiment();
     run.ask(StartNewRun{});
     REQUIRE(run.frames_until([&] { return experiment() > before; }));
@@ -166,7 +168,7 @@ TEST_CASE("a session withstands a restless person", "[studio][session][stress][t
     for (int i = 0; i < frames; ++i) {
         run.session.update(0.016 * i, 0.016);
         const FrameContext frame = run.session.frame_context();
-        for (const IndividualPtr& each : frame.snapshot.population)
+        for (const IndividualPtr& each : frame.experiment.snapshot.population)
             REQUIRE(each->genome != nullptr);
         if (pace.chance(0.3)) person.act();
         std::this_thread::sleep_for(std::chrono::milliseconds(1));

@@ -9,8 +9,10 @@
 #include "support/creatures.h"
 #include "support/kinds.h"
 
+#include <algorithm>
 #include <memory>
 #include <optional>
+#include <type_traits>
 #include <utility>
 #include <variant>
 
@@ -76,14 +78,14 @@ public:
     }
     FrameContext frame() const {
         return {.kinds = kinds(),
-                .fields = fields_,
-                .snapshot = snapshot_,
-                .progress = progress_,
-                .editor = editor_,
-                .playback = playback_,
                 .view = view_,
-                .files = files_,
-                .stars = stars_,
+                .experiment = {.fields = fields_,
+                               .snapshot = snapshot_,
+                               .progress = progress_,
+                               .editor = editor_},
+                .generations = {.stars = stars_},
+                .viewer = {.playback = playback_},
+                .files = {.browser = files_},
                 .picking = picking_view_ ? &*picking_view_ : nullptr};
     }
 
@@ -112,36 +114,53 @@ private:
     std::optional<PickingView> picking_view_;
 };
 
-// The only command for the picking desk that was asked for; fails the test if there is none.
+// The request itself if it is of this kind, else null.
+template <class Kind>
+const Kind* request_if(const StudioRequest& request) {
+    return std::visit(
+        [](const auto& subject) -> const Kind* {
+            return std::visit(
+                [](const auto& each) -> const Kind* {
+                    if constexpr (std::is_same_v<std::decay_t<decltype(each)>, Kind>) {
+                        return &each;
+                    } else {
+                        return nullptr;
+                    }
+                },
+                subject);
+        },
+        request);
+}
+
+// The last request of a kind; fails the test if there is none.
+template <class Kind>
+const Kind& asked(const Requests& requests) {
+    const Kind* found = nullptr;
+    for (const StudioRequest& request : requests.all()) {
+        if (const Kind* match = request_if<Kind>(request)) found = match;
+    }
+    REQUIRE(found != nullptr);
+    return *found;
+}
+
+template <class Kind>
+bool was_asked(const Requests& requests) {
+    return std::any_of(
+        requests.all().begin(), requests.all().end(),
+        [](const StudioRequest& request) { return request_if<Kind>(request) != nullptr; });
+}
+
+// The last command of a kind for the picking engine; fails the test if there is none.
 template <class Command>
 const Command& asked_desk(const Requests& requests) {
     const Command* found = nullptr;
-    for (const StudioAction& action : requests.actions()) {
-        const auto* asked = std::get_if<AskPicking>(&action);
+    for (const StudioRequest& request : requests.all()) {
+        const auto* asked = request_if<AskPicking>(request);
         if (asked == nullptr) continue;
         if (const auto* match = std::get_if<Command>(&asked->command)) found = match;
     }
     REQUIRE(found != nullptr);
     return *found;
-}
-
-// The only action of a kind that was asked for; fails the test if there is none.
-template <class Action>
-const Action& asked(const Requests& requests) {
-    const Action* found = nullptr;
-    for (const StudioAction& action : requests.actions()) {
-        if (const auto* match = std::get_if<Action>(&action)) found = match;
-    }
-    REQUIRE(found != nullptr);
-    return *found;
-}
-
-template <class Action>
-bool was_asked(const Requests& requests) {
-    for (const StudioAction& action : requests.actions()) {
-        if (std::holds_alternative<Action>(action)) return true;
-    }
-    return false;
 }
 
 }  // namespace cambrian::test

@@ -4,6 +4,7 @@
 #include "core/file_io.h"
 #include "persist/creature_file.h"
 #include "persist/experiment_file.h"
+#include "persist/rescoring.h"
 #include "persist/settings_file.h"
 #include "persist/statistics_csv.h"
 
@@ -59,6 +60,10 @@ private:
         const ChampionRecord& champion = saved.champions[generation];
         CreatureDocument document =
             creature_document(*champion.individual, *champion.settings, kinds);
+        if (document.scored) {
+            document.scored->simulator =
+                scored_by(saved, champion.individual->born, champion.generation);
+        }
         complete_score(document, kinds);
         return write_creature(document, kinds);
     }

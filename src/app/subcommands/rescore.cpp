@@ -1,13 +1,18 @@
+#include "app/experiment_rescoring.h"
 #include "app/interruption.h"
 #include "app/messages.h"
 #include "app/option_types.h"
 #include "app/subcommands/subcommands.h"
 #include "core/file_io.h"
 #include "core/number_text.h"
+#include "core/thread_pool.h"
+#include "evolution/backends/thread_pool_backend.h"
 #include "persist/creature_card.h"
 #include "persist/rescoring.h"
 
 #include <CLI/CLI.hpp>
+
+#include <algorithm>
 
 namespace cambrian {
 namespace {
@@ -17,11 +22,34 @@ std::string score_text(const ScoredRecord& scored) {
     return short_text(scored.fitness) + " " + scored.unit + " by simulator " + scored.simulator;
 }
 
+ExitStatus rescore_run(const std::string& file, const EvolutionKinds& kinds,
+                       const std::stop_token& stop) {
+    const auto backend = make_thread_pool_backend(kinds, ThreadPool::default_workers());
+    const Result<RescoredExperiment> done = rescore_experiment(file, kinds, *backend, stop);
+    if (!done)
+        return fail(done.error(),
+                    stop.stop_requested() ? ExitStatus::kFailed : ExitStatus::kBadInput);
+    const std::string& unit = kinds.goals.find(done->after.settings->goal)->unit;
+    const auto best_of = [&](const ChampionRecord& champion, std::string_view simulator) {
+        return "best of generation " + std::to_string(champion.generation) + " " +
+               short_text(champion.individual->result.fitness) + " " + unit + " by simulator " +
+               std::string(simulator);
+    };
+    std::string words = file + ": " + best_of(done->after, kSimulatorVersion) + "; " +
+                        best_of(done->before, done->simulator);
+    if (done->again) words += ", now " + short_text(*done->again) + " " + unit;
+    print_line(words);
+    return ExitStatus::kDone;
+}
+
 class RescoreSubcommand final : public Subcommand {
 public:
     void add_options(CLI::App& app) override {
-        app.add_option("creatures", files_, "Creature files, each replaced as a whole")
-            ->type_name(option_type::kCreature)
+        app.add_option(
+               "creatures", files_,
+               "Creature files, each replaced as a whole, or experiments, whose creatures are "
+               "judged again as their next generation")
+            ->type_name(option_type::kCreatureOrExperiment)
             ->required();
         app.add_option("-o,--out", out_, "File to write instead of replacing the only one given")
             ->type_name("FILE.creature.json");
@@ -32,16 +60,23 @@ public:
     ExitStatus run(const EvolutionKinds& kinds) override {
         if (!out_.empty() && files_.size() > 1)
             return fail({"--out is for one creature, found " + std::to_string(files_.size())});
+        if (changes_creatures() && std::any_of(files_.begin(), files_.end(), is_experiment))
+            return fail({"--out and --default-integration are for creatures, not experiments"});
         const Interruption interruption;
         ExitStatus worst = ExitStatus::kDone;
         for (const std::string& file : files_) {
-            worst = std::max(worst, rescore(file, kinds, interruption.token()));
+            worst =
+                std::max(worst, is_experiment(file) ? rescore_run(file, kinds, interruption.token())
+                                                    : rescore(file, kinds, interruption.token()));
             if (interruption.requested()) break;
         }
         return worst;
     }
 
 private:
+    static bool is_experiment(const std::string& file) { return file.ends_with(".cambrian"); }
+    bool changes_creatures() const { return !out_.empty() || default_integration_; }
+
     ExitStatus rescore(const std::string& file, const EvolutionKinds& kinds,
                        const std::stop_token& stop) const {
         const Result<CreatureDocument> before = read(file, kinds);
@@ -98,12 +133,13 @@ private:
 }  // namespace
 
 SubcommandKind rescore_subcommand() {
-    return {.id = "rescore",
-            .summary = "Score creatures again with this version of the simulator, in their files.",
-            .example = "cambrian rescore champion-walking-seed7.creature.json",
-            .make = []() -> std::unique_ptr<Subcommand> {
-                return std::make_unique<RescoreSubcommand>();
-            }};
+    return {
+        .id = "rescore",
+        .summary = "Score creatures, or a whole experiment's, with this version of the simulator.",
+        .example = "cambrian rescore champion-walking-seed7.creature.json",
+        .make = []() -> std::unique_ptr<Subcommand> {
+            return std::make_unique<RescoreSubcommand>();
+        }};
 }
 
 }  // namespace cambrian

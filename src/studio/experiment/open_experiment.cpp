@@ -47,14 +47,6 @@ bool OpenExperiment::fresh() const {
            progress_.done == 0;
 }
 
-void OpenExperiment::toggle() {
-    if (running()) {
-        send(PauseEvolution{});
-    } else {
-        send(ResumeEvolution{});
-    }
-}
-
 void OpenExperiment::measure() {
     progress_.done = engine_.progress().done.load(std::memory_order_relaxed);
     progress_.total = engine_.progress().total.load(std::memory_order_relaxed);
@@ -85,15 +77,6 @@ void OpenExperiment::measure() {
     since_mark_.restart();
 }
 
-void OpenExperiment::inject(std::span<const IndividualPtr> creatures) {
-    for (Command& command : injection_of(creatures))
-        send(std::move(command));
-}
-
-void OpenExperiment::edit(ExperimentSettings settings, const std::string& field) {
-    editor_.edit(std::move(settings), field);
-}
-
 Status OpenExperiment::commit() {
     editor_.finish();
     if (Status fault = check_settings(editor_.draft(), kinds_); !fault) return fault;
@@ -108,21 +91,6 @@ Status OpenExperiment::commit() {
     if (Status fault = check_settings(next, kinds_); !fault) return fault;
     send(ChangeSettings{std::make_shared<const ExperimentSettings>(next)});
     return {};
-}
-
-void OpenExperiment::undo() {
-    editor_.undo();
-}
-
-void OpenExperiment::redo() {
-    editor_.redo();
-}
-
-void OpenExperiment::drop_structural_edits() {
-    const ExperimentSettings kept =
-        with_live_fields(*snapshot_->settings, editor_.draft(), fields_);
-    editor_.edit(kept, "run");
-    editor_.finish();
 }
 
 Status OpenExperiment::start_new_run(std::vector<GenomePtr> founders) {

@@ -40,30 +40,21 @@ public:
     const ProgressView& progress() const { return progress_; }
     const std::vector<SettingField>& fields() const { return fields_; }
     const SettingsEditor& editor() const { return editor_; }
+    SettingsEditor& editor() { return editor_; }
     bool running() const { return snapshot_->status == EngineStatus::kRunning; }
     // Nothing was evaluated yet, so that everything may still be edited.
     bool fresh() const;
 
-    void toggle();
-    void pause() { send(PauseEvolution{}); }
-    void resume() { send(ResumeEvolution{}); }
-    void step() { send(StepGeneration{}); }
-    void add_newcomers(const AddNewcomers& newcomers) { send(newcomers); }
-    // Creatures for the next generation, in place of its worst.
-    void inject(std::span<const IndividualPtr> creatures);
-    void edit(ExperimentSettings settings, const std::string& field);
+    // The engine carries out a command as soon as its inbox has room.
+    void send(Command command);
     // The engine gets what was edited: all of it while fresh, live fields otherwise.
     Status commit();
-    void undo();
-    void redo();
-    void drop_structural_edits();
     // Generation 0 anew with the draft, from these creatures or random ones.
     Status start_new_run(std::vector<GenomePtr> founders);
     // Generation 0 anew with other settings.
     Status replace(const ExperimentSettings& settings);
 
 private:
-    void send(Command command);
     void start(std::vector<GenomePtr> founders);
     void measure();
 

@@ -16,7 +16,7 @@ void HandPicking::enter(const EvolutionSnapshot& evolution, const GenomePtr& on_
         used_ = evolution.settings;
     }
     on_ = true;
-    single_ = false;
+    choices_.single = false;
     use(evolution.settings, now);
     if (restored_) {
         PickingRecord record = *std::exchange(restored_, std::nullopt);
@@ -37,7 +37,7 @@ void HandPicking::enter(const EvolutionSnapshot& evolution, const GenomePtr& on_
 
 void HandPicking::leave(const EvolutionSnapshot& evolution) {
     on_ = false;
-    single_ = false;
+    choices_.single = false;
     left_ = {evolution.experiment, evolution.history.size()};
 }
 
@@ -75,7 +75,7 @@ void HandPicking::update(double elapsed, StatusLog& log) {
         follow_picks(log);
         seen_ = snapshot_;
     }
-    motion_.advance(playing_ && !single_ ? elapsed : 0.0);
+    motion_.advance(choices_.playing && !choices_.single ? elapsed : 0.0);
 }
 
 // The grid on show moves in the world that judged it, with the environment of the present.
@@ -90,8 +90,8 @@ void HandPicking::follow_grid(StatusLog& log) {
     world.environment = environment;
     motion_.show(grid.creatures, grid.settings->expression, world);
     if (!another) return;
-    focus_ = 0;
-    single_ = false;
+    choices_.focus = 0;
+    choices_.single = false;
     log.write("grid", {{"number", static_cast<double>(grid.number)},
                        {"parent", grid.parent ? static_cast<double>(*grid.parent) : -1.0},
                        {"cells", static_cast<double>(grid.creatures.size())},
@@ -106,11 +106,6 @@ void HandPicking::follow_picks(StatusLog& log) {
 
 std::vector<IndividualPtr> HandPicking::picks() const {
     return snapshot_->tree.empty() ? std::vector<IndividualPtr>() : picked_creatures(*snapshot_);
-}
-
-std::optional<std::uint32_t> HandPicking::grid_number() const {
-    if (!snapshot_ || snapshot_->tree.empty()) return std::nullopt;
-    return snapshot_->tree.current().number;
 }
 
 bool HandPicking::has_cell(std::size_t cell) const {
@@ -135,10 +130,10 @@ PickingView HandPicking::view() const {
     const bool evolving = snapshot_->status == PickingStatus::kEvolving;
     return {.snapshot = *snapshot_,
             .motion = motion_,
-            .options = options_,
-            .focus = focus_,
-            .single = single_,
-            .playing = playing_,
+            .options = choices_.options,
+            .focus = choices_.focus,
+            .single = choices_.single,
+            .playing = choices_.playing,
             .progress = evolving ? share(snapshot_->generations_done + in_batch,
                                          snapshot_->generations_asked + 1)
                                  : static_cast<float>(in_batch)};

@@ -35,7 +35,7 @@ public:
     void restore(PickingRecord record, double now);
     bool on() const { return on_; }
     // The creatures of the grid fill the viewport's place, rather than one of them.
-    bool grid_shown() const { return on_ && !single_; }
+    bool grid_shown() const { return on_ && !choices_.single; }
 
     void send(PickingCommand command, double now);
     // The desk judges by other settings from now on.
@@ -45,19 +45,20 @@ public:
 
     // Null before the first entry.
     const std::shared_ptr<const PickingSnapshot>& shared_snapshot() const { return snapshot_; }
-    // Of an entered one.
-    const PickingSnapshot& snapshot() const { return *snapshot_; }
     std::vector<IndividualPtr> picks() const;
-    std::optional<std::uint32_t> grid_number() const;
     bool has_cell(std::size_t cell) const;
     // A cell of the grid on show, as it was judged.
     Exhibit exhibit(std::size_t cell) const;
     PickingView view() const;
 
-    void focus(std::size_t cell) { focus_ = cell; }
-    void show_single(bool single) { single_ = single; }
-    void set_options(const PickingOptions& options) { options_ = options; }
-    void toggle_motion() { playing_ = !playing_; }
+    // What the person chose about the grid on display.
+    struct Choices {
+        PickingOptions options;
+        std::size_t focus = 0;  // cell
+        bool single = false;    // one creature has the viewport
+        bool playing = true;
+    };
+    Choices& choices() { return choices_; }
     void restart_motion() { motion_.restart(); }
 
 private:
@@ -73,11 +74,8 @@ private:
     SettingsPtr used_;  // last told to the desk
     std::optional<PickingRecord> restored_;
     GridMotion motion_;
-    PickingOptions options_;
-    std::size_t focus_ = 0;  // cell
+    Choices choices_;
     bool on_ = false;
-    bool single_ = false;
-    bool playing_ = true;
     // Of the population left last: experiment and finished generations.
     std::pair<std::uint64_t, std::size_t> left_ = {0, 0};
     std::shared_ptr<const PickingSnapshot> seen_;  // at the last update

@@ -6,30 +6,31 @@ namespace cambrian {
 namespace {
 
 constexpr std::array kOverlays = {
-    OverlayKind{"grid", "Grid", "Lines at whole metres or parts of them.", &ViewState::grid},
+    OverlayKind{"grid", "Grid", "Lines at whole metres or parts of them.", &OverlaysShown::grid},
     OverlayKind{"trail", "Trail", "Where the centre of mass was in the last six seconds.",
-                &ViewState::trail},
+                &OverlaysShown::trail},
     OverlayKind{"contacts", "Touching faces",
                 "Faces light up while they touch the ground or another part.",
-                &ViewState::contacts},
+                &OverlaysShown::contacts},
     OverlayKind{"forces", "Contact forces",
                 "A line from each touching point; as long as a third of a metre for a force of "
                 "the creature's weight.",
-                &ViewState::forces},
+                &OverlaysShown::forces},
     OverlayKind{"center-of-mass", "Centre of mass", "The centre of mass of the whole body.",
-                &ViewState::center_of_mass},
+                &OverlaysShown::center_of_mass},
     OverlayKind{"torques", "Joint torques",
                 "An arc at each joint, the way its motor pushes; the longer and redder, the nearer "
                 "to the most it can.",
-                &ViewState::torques},
+                &OverlaysShown::torques},
     OverlayKind{"limits", "Joint limits",
-                "How far each joint may go, with a needle where it stands.", &ViewState::limits},
+                "How far each joint may go, with a needle where it stands.",
+                &OverlaysShown::limits},
     OverlayKind{"sensors", "Sensors",
                 "What the brain reads: a dot for each face it feels, lit while it touches, and an "
                 "arc for each joint angle.",
-                &ViewState::sensors},
+                &OverlaysShown::sensors},
     OverlayKind{"names", "Part names", "The number of each part and the gene it grew from.",
-                &ViewState::names},
+                &OverlaysShown::names},
 };
 
 }  // namespace

@@ -12,7 +12,7 @@ struct OverlayKind {
     const char* name;   // as remembered
     const char* label;  // "Joint limits"
     const char* help;
-    bool ViewState::*shown;
+    bool OverlaysShown::*shown;
 };
 
 std::span<const OverlayKind> overlay_kinds();

@@ -27,11 +27,8 @@ inline constexpr std::array kPlaybackSpeeds = {0.1, 0.25, 0.5, 1.0, 2.0, 4.0, 8.
 // Champions of other generations that accompany the creature on show.
 enum class GhostChoice : unsigned char { kNone, kImprovements, kTenths, kAcross };
 
-// How the window is arranged and what is overlaid; remembered between runs of the program.
-struct ViewState {
-    ThemeKind theme = ThemeKind::kDark;
-    bool follow = true;  // the camera keeps to the creature
-    // What is laid over the picture; overlays.h tells what each is.
+// What is laid over the picture of a creature; overlays.h tells what each is.
+struct OverlaysShown {
     bool trail = true;
     bool contacts = true;
     bool grid = true;
@@ -41,14 +38,30 @@ struct ViewState {
     bool torques = false;
     bool limits = false;
     bool sensors = false;
-    GhostChoice ghosts = GhostChoice::kNone;
-    bool left_panel = true;
-    bool right_panel = true;
-    bool bottom_panel = true;
-    // Sizes given by hand, in units of 1/96 inch; 0 follows the window.
+
+    friend bool operator==(const OverlaysShown&, const OverlaysShown&) = default;
+};
+
+// Which panels are shown beside the viewport, and their sizes where a person set them, in units of
+// 1/96 inch; 0 follows the window.
+struct PanelSizes {
+    bool left = true;
+    bool right = true;
+    bool bottom = true;
     float left_width = 0.0F;
     float right_width = 0.0F;
     float bottom_height = 0.0F;
+
+    friend bool operator==(const PanelSizes&, const PanelSizes&) = default;
+};
+
+// How the window is arranged and what is overlaid; remembered between runs of the program.
+struct ViewState {
+    ThemeKind theme = ThemeKind::kDark;
+    bool follow = true;  // the camera keeps to the creature
+    OverlaysShown overlays;
+    PanelSizes panels;
+    GhostChoice ghosts = GhostChoice::kNone;
     double speed = 1.0;           // of playback
     bool tour_taken = false;      // or declined
     bool newest_champion = true;  // the best of each finished generation takes the stage

@@ -51,15 +51,6 @@ Exhibit exhibit_of(const Individual& individual, const ExperimentSettings& setti
     return exhibit;
 }
 
-ExperimentSettings settings_of(const Exhibit& exhibit) {
-    ExperimentSettings settings;
-    settings.seed = exhibit.seed;
-    settings.goal = exhibit.goal;
-    settings.world = exhibit.world;
-    settings.expression = exhibit.expression;
-    return settings;
-}
-
 IndividualPtr individual_of(const Exhibit& exhibit) {
     Individual individual;
     individual.uid = uid_of(exhibit.uid);

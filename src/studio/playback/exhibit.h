@@ -3,6 +3,7 @@
 #include "creature/phenotype.h"
 #include "evolution/experiment_settings.h"
 #include "evolution/individual.h"
+#include "evolution/judged_settings.h"
 #include "goals/goal.h"
 #include "simulator/tick_checks.h"
 #include "simulator/trial.h"
@@ -59,8 +60,6 @@ std::string goal_unit(const std::string& goal, const GoalRegistry& goals);
 
 Exhibit exhibit_of(const Individual& individual, const ExperimentSettings& settings,
                    std::uint32_t generation, ExhibitSource source);
-// Settings under which it is judged again as it was.
-ExperimentSettings settings_of(const Exhibit& exhibit);
 // The creature on show as an individual, a parent for others.
 IndividualPtr individual_of(const Exhibit& exhibit);
 

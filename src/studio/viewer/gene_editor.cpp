@@ -61,7 +61,9 @@ Exhibit GeneEditor::exhibit() const {
     if (!original_->uid.empty()) edited.parents.push_back(original_->uid);
     edited.mother = ParentLink(individual_of(*original_));
     edited.mutations = version.changes;
+    edited.ancestry.reset();
     edited.result.reset();
+    edited.ticks.clear();
     return edited;
 }
 

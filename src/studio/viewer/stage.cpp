@@ -17,10 +17,7 @@ std::optional<ScoreReport> run_and_score(std::shared_ptr<const Phenotype> phenot
     auto trial = Trial::start(std::move(phenotype), kinds, world);
     if (!trial) return std::nullopt;
     ScoreReport report;
-    for (bool more = true; more; note_tick(report.ticks, **trial)) {
-        if (unwanted()) return std::nullopt;
-        more = (*trial)->tick();
-    }
+    if (!run_noting_ticks(**trial, report.ticks, unwanted)) return std::nullopt;
     report.record = (*trial)->take_record();
     report.unit = goal.unit;
     report.digest = report.record.digest;

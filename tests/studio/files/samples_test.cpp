@@ -54,7 +54,7 @@ TEST_CASE("a click on a sample opens it", "[studio][samples]") {
                      {"/b.creature.json", "Hopper", "Jumping, 1 m", 0.4, body},
                      {"/c.creature.json", "Cut", "c.creature.json: E01 line 1", 0.0, nullptr}};
     FrameContext frame = studio.frame();
-    frame.samples = &shelf;
+    frame.files.samples = &shelf;
     Requests out;
     gui.click("sample Hopper", [&] { panel.draw(frame, out); });
     CHECK(test::asked<LoadFile>(out).path == "/b.creature.json");

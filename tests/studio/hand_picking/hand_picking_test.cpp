@@ -44,7 +44,7 @@ public:
             ask(RunOneGeneration{});
             REQUIRE(frames_until([&] {
                 return champions() == before + i &&
-                       session.frame_context().snapshot.status == EngineStatus::kPaused;
+                       session.frame_context().experiment.snapshot.status == EngineStatus::kPaused;
             }));
         }
     }
@@ -100,7 +100,7 @@ TEST_CASE("picks join the next generation that is bred", "[studio][session][pick
     run.ask(HandOverPicks{PicksUse::kInject});
     CHECK(run.session.frame_context().picking == nullptr);
     run.run_generations(2);  // one was bred before
-    CHECK(has_genome(run.session.frame_context().snapshot.population, picked));
+    CHECK(has_genome(run.session.frame_context().experiment.snapshot.population, picked));
 }
 
 TEST_CASE("a new run begins with the picks", "[studio][session][picking]") {
@@ -109,12 +109,12 @@ TEST_CASE("a new run begins with the picks", "[studio][session][picking]") {
     run.enter(1);
     run.pick({5});
     const GenomePtr picked = run.picking().tree.current().creatures[5]->genome;
-    const std::uint64_t before = run.session.frame_context().snapshot.experiment;
+    const std::uint64_t before = run.session.frame_context().experiment.snapshot.experiment;
     run.ask(HandOverPicks{PicksUse::kFound});
     REQUIRE(run.frames_until(
-        [&] { return run.session.frame_context().snapshot.experiment == before + 1; }));
+        [&] { return run.session.frame_context().experiment.snapshot.experiment == before + 1; }));
     run.run_generations(1);
-    CHECK(has_genome(run.session.frame_context().snapshot.population, picked));
+    CHECK(has_genome(run.session.frame_context().experiment.snapshot.population, picked));
 }
 
 TEST_CASE("handing over without a pick says so and stays", "[studio][session][picking]") {
@@ -122,14 +122,14 @@ TEST_CASE("handing over without a pick says so and stays", "[studio][session][pi
     run.session.show_newcomer();
     run.enter(1);
     run.ask(HandOverPicks{});
-    CHECK(run.frames_until([&] { return run.session.frame_context().notice != nullptr; }));
+    CHECK(run.frames_until([&] { return run.session.frame_context().window.notice != nullptr; }));
     CHECK(run.session.frame_context().picking != nullptr);
 }
 
 TEST_CASE("evolution rests while a person picks and goes on afterwards",
           "[studio][session][picking]") {
     PickingRun run;
-    const auto status = [&] { return run.session.frame_context().snapshot.status; };
+    const auto status = [&] { return run.session.frame_context().experiment.snapshot.status; };
     run.ask(ToggleEvolution{});
     REQUIRE(run.frames_until([&] { return run.champions() > 0; }));
     run.ask(ToggleHandPicking{});
@@ -147,11 +147,12 @@ TEST_CASE("a creature of the grid is shown alone and saved", "[studio][session][
     run.ask(ShowCell{7});
     run.ask(ShowCell{99});  // nothing
     REQUIRE(run.frames_until([&] { return run.session.frame_context().picking->single; }));
-    CHECK(run.session.frame_context().playback.exhibit().genome == genome);
+    CHECK(run.session.frame_context().viewer.playback.exhibit().genome == genome);
     run.ask(ShowGrid{});
     run.ask(SaveCell{7});
-    CHECK(run.session.frame_context().files.open);
-    CHECK(run.session.frame_context().files.suggested_name == "creature-8-of-grid-1.creature.json");
+    CHECK(run.session.frame_context().files.browser.open);
+    CHECK(run.session.frame_context().files.browser.suggested_name ==
+          "creature-8-of-grid-1.creature.json");
     const auto path = run.folder.path() / "picked.creature.json";
     run.ask(SaveCreatureFile{path});
     REQUIRE(run.frames_until([&] { return run.picking().log.saves == 1; }));
@@ -165,7 +166,7 @@ TEST_CASE("a world changed while picking is felt in the grid and judges the next
     PickingRun run;
     run.session.show_newcomer();
     run.enter(1);
-    ExperimentSettings moon = run.session.frame_context().editor.draft();
+    ExperimentSettings moon = run.session.frame_context().experiment.editor.draft();
     moon.world.environment.gravity = 1.62;
     run.ask(EditSettings{moon, "environment.gravity"});
     run.ask(FinishEdit{});

@@ -58,7 +58,7 @@ TEST_CASE("a page is chosen from the list, and every page can be drawn", "[studi
     for (std::size_t i = 0; i < count; ++i) {
         book.open = book.pages[i].name;
         FrameContext frame = studio.frame();
-        frame.help = &book;
+        frame.guide.help = &book;
         Requests out;
         const std::string next = book.pages[(i + 1) % count].name;
         gui.click("help " + next, [&] { panel.draw(frame, out); });
@@ -66,7 +66,7 @@ TEST_CASE("a page is chosen from the list, and every page can be drawn", "[studi
     }
     book.open = "missing";
     FrameContext frame = studio.frame();
-    frame.help = &book;
+    frame.guide.help = &book;
     Requests out;
     gui.frame([&] { panel.draw(frame, out); });
 }

@@ -1,6 +1,7 @@
 #include "studio/help/tour.h"
 
 #include "studio/main_window.h"
+#include "studio/panels/builtin_panels.h"
 #include "studio/panels/cards/tour_card.h"
 #include "studio_fixture.h"
 #include "support/null_imgui.h"
@@ -10,12 +11,12 @@ namespace {
 
 TEST_CASE("the tour is short, and its steps point at places that exist", "[studio][tour]") {
     NullImGui gui(1280.0F, 720.0F);
-    MainWindow window(nullptr);
+    MainWindow window(builtin_panels(), nullptr);
     test::StudioFixture studio;
     studio.show_crawler();
     CHECK(tour_steps().size() <= 5);
     Requests out;
-    gui.frame([&] { window.draw(studio.frame(), 720, out); });
+    gui.frame([&] { window.draw(studio.frame(), out); });
     for (const TourStep& step : tour_steps()) {
         const Rect& subject = gui.place(step.place);
         const Rect card = tour_card_place(subject, {0, 0, 1280, 720});
@@ -32,7 +33,7 @@ TEST_CASE("the tour goes on, and can be skipped", "[studio][tour]") {
     TourCard card;
     test::StudioFixture studio;
     FrameContext frame = studio.frame();
-    frame.tour_step = 1;
+    frame.guide.tour_step = 1;
     const auto click = [&](const char* name) {
         Requests out;
         gui.click(name, [&] { card.draw(frame, out); });
@@ -40,7 +41,7 @@ TEST_CASE("the tour goes on, and can be skipped", "[studio][tour]") {
     };
     CHECK(click("Next") == 2);
     CHECK(click("Skip") == static_cast<int>(tour_steps().size()));
-    frame.tour_step = static_cast<int>(tour_steps().size()) - 1;
+    frame.guide.tour_step = static_cast<int>(tour_steps().size()) - 1;
     CHECK(click("Done") == static_cast<int>(tour_steps().size()));
 }
 

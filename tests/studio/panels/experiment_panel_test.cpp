@@ -134,8 +134,8 @@ TEST_CASE("the shares of breeding make room for the one dragged", "[studio][expe
     run.click("group breeding");
     run.click("breeding.asexual");
     int dragged = 0;
-    for (const StudioAction& action : run.out.actions()) {
-        const auto* edit = std::get_if<EditSettings>(&action);
+    for (const StudioRequest& request : run.out.all()) {
+        const auto* edit = test::request_if<EditSettings>(request);
         if (edit == nullptr) continue;
         const auto& shares = edit->settings.breeding.shares;
         double sum = 0.0;
@@ -209,7 +209,7 @@ TEST_CASE("a setting to be found gets the keyboard, its value on Enter",
     unsigned asked = 0;
     const auto frame = [&] {
         FrameContext context = run.studio.frame();
-        context.find_asked = asked;
+        context.experiment.find_asked = asked;
         run.gui.frame([&] { run.panel.draw(context, run.out); });
     };
     frame();

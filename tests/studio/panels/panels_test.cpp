@@ -17,7 +17,7 @@ TEST_CASE("pressing Evolve asks to evolve, once", "[studio][evolve_bar]") {
     EvolveBar bar;
     const test::StudioFixture studio;
     const Requests out = click(gui, bar, studio, "Evolve");
-    CHECK(out.actions().size() == 1);
+    CHECK(out.all().size() == 1);
     CHECK(test::was_asked<ToggleEvolution>(out));
 }
 
@@ -28,7 +28,7 @@ TEST_CASE("while evolving the button says Pause and no single step is offered",
     test::StudioFixture studio;
     studio.snapshot().status = EngineStatus::kRunning;
     CHECK(test::was_asked<ToggleEvolution>(click(gui, bar, studio, "Pause")));
-    CHECK(click(gui, bar, studio, "Step one generation").actions().empty());
+    CHECK(click(gui, bar, studio, "Step one generation").all().empty());
 }
 
 TEST_CASE("a menu opens and its entry asks", "[studio][main_menu]") {
@@ -84,7 +84,7 @@ TEST_CASE("a stagnant run offers newcomers and many kinds, and does neither by i
     CHECK_FALSE(gui.has("Add newcomers"));
     studio.snapshot().history.back().generations_without_progress = 20;
     gui.frame([&] { panel.draw(studio.frame(), unasked); });
-    CHECK(unasked.actions().empty());
+    CHECK(unasked.all().empty());
     CHECK(test::asked<AddNewcomers>(click(gui, panel, studio, "Add newcomers")).share == 0.2);
     const Requests kinds = click(gui, panel, studio, "Many kinds");
     CHECK(test::asked<EditSettings>(kinds).settings.selection.method == "map-elites");
@@ -146,7 +146,7 @@ TEST_CASE("overlays, ghosts and help are at hand in the viewport", "[studio][vie
     CHECK(test::asked<ShowHelp>(click(gui, panel, studio, "? viewport")).page == "viewport");
     click(gui, panel, studio, "Overlays");
     const Requests torques = click(gui, panel, studio, "Joint torques");
-    CHECK(test::asked<ChangeView>(torques).view.torques);
+    CHECK(test::asked<ChangeView>(torques).view.overlays.torques);
     CHECK_FALSE(test::was_asked<PokePart>(torques));
 }
 

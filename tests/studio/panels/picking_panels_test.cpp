@@ -38,8 +38,8 @@ TEST_CASE("a double click shows the creature and leaves the picks as they were",
     gui.frame(draw);
     CHECK(test::asked<ShowCell>(out).cell == 2);
     int toggles = 0;
-    for (const StudioAction& action : out.actions())
-        toggles += std::holds_alternative<AskPicking>(action) ? 1 : 0;
+    for (const StudioRequest& request : out.all())
+        toggles += test::request_if<AskPicking>(request) != nullptr ? 1 : 0;
     CHECK(toggles == 2);
 }
 
@@ -66,7 +66,7 @@ TEST_CASE("the bar breeds once something is picked", "[studio][picking][evolve_b
     EvolveBar bar;
     test::StudioFixture studio;
     studio.show_grid(12);
-    CHECK(click(gui, bar, studio, "Breed").actions().empty());
+    CHECK(click(gui, bar, studio, "Breed").all().empty());
     studio.picking().picks = {3};
     test::asked_desk<BreedPicks>(click(gui, bar, studio, "Breed"));
     studio.picking().status = PickingStatus::kBreeding;
@@ -78,7 +78,7 @@ TEST_CASE("the bar switches between automatic evolution and selection by hand",
     NullImGui gui;
     EvolveBar bar;
     test::StudioFixture studio;
-    CHECK(click(gui, bar, studio, "Automatic").actions().empty());
+    CHECK(click(gui, bar, studio, "Automatic").all().empty());
     CHECK(test::was_asked<ToggleHandPicking>(click(gui, bar, studio, "Hand-pick")));
     studio.show_grid(12);
     CHECK(test::was_asked<ToggleHandPicking>(click(gui, bar, studio, "Automatic")));
@@ -89,10 +89,10 @@ TEST_CASE("the strip leads back only where there is a grid before", "[studio][pi
     PickingStrip strip;
     test::StudioFixture studio;
     studio.show_grid(12);
-    CHECK(click(gui, strip, studio, "Back").actions().empty());
+    CHECK(click(gui, strip, studio, "Back").all().empty());
     studio.show_grid(12, GridOrigin::kBreeding);
     test::asked_desk<GoBack>(click(gui, strip, studio, "Back"));
-    CHECK(click(gui, strip, studio, "Forward").actions().empty());
+    CHECK(click(gui, strip, studio, "Forward").all().empty());
 }
 
 TEST_CASE("the strip acts on the creature in focus", "[studio][picking]") {
@@ -128,7 +128,7 @@ TEST_CASE("evolution and the way back need picks", "[studio][picking]") {
     test::StudioFixture studio;
     studio.show_grid(12);
     for (const char* name : {"Assist", "Inject picks", "New run"})
-        CHECK(click(gui, panel, studio, name).actions().empty());
+        CHECK(click(gui, panel, studio, name).all().empty());
     studio.picking().picks = {1, 2};
     CHECK(test::asked_desk<AskEvolution>(click(gui, panel, studio, "Assist")).generations == 10);
     CHECK(test::asked<HandOverPicks>(click(gui, panel, studio, "Inject picks")).use ==

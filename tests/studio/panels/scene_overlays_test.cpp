@@ -32,25 +32,17 @@ TEST_CASE("each overlay switches something of the picture on and off", "[studio]
     OverlayRun run;
     for (const OverlayKind& overlay : overlay_kinds()) {
         // Words are no shapes, and the crawler hears no sensor.
-        if (overlay.shown == &ViewState::names || overlay.shown == &ViewState::sensors) continue;
+        if (overlay.shown == &OverlaysShown::names || overlay.shown == &OverlaysShown::sensors)
+            continue;
         std::size_t shapes[2] = {0, 0};
         for (const bool shown : {false, true}) {
             NullImGui gui;
             ViewportPanel panel(nullptr);
-            ViewState view;
+            OverlaysShown& overlays = run.studio.view().overlays;
             for (const OverlayKind& each : overlay_kinds())
-                view.*each.shown = false;
-            view.*overlay.shown = shown;
-            const FrameContext seen = run.studio.frame();
-            const FrameContext frame{.kinds = seen.kinds,
-                                     .fields = seen.fields,
-                                     .snapshot = seen.snapshot,
-                                     .progress = seen.progress,
-                                     .editor = seen.editor,
-                                     .playback = seen.playback,
-                                     .view = view,
-                                     .files = seen.files,
-                                     .stars = seen.stars};
+                overlays.*each.shown = false;
+            overlays.*overlay.shown = shown;
+            const FrameContext frame = run.studio.frame();
             Requests out;
             gui.frame([&] { panel.draw(frame, out); });
             shapes[shown ? 1 : 0] = panel.scene().shapes.size();

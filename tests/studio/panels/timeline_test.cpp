@@ -48,10 +48,10 @@ TEST_CASE("a drag over the timeline scrubs through the champions", "[studio][tim
     CHECK(test::asked<ShowChampion>(drag_to(-0.5F)).generation == 0);
     CHECK(test::asked<ShowChampion>(drag_to(3.0F)).generation == 100);
     show_champion(studio, 100);
-    CHECK(drag_to(3.0F).actions().empty());  // it is on show already
+    CHECK(drag_to(3.0F).all().empty());  // it is on show already
     gui.release();
     drag_to(0.5F);
-    CHECK(drag_to(0.5F).actions().empty());
+    CHECK(drag_to(0.5F).all().empty());
 }
 
 TEST_CASE("the arrow keys step through the champions and past the last to the newest",
@@ -89,7 +89,7 @@ TEST_CASE("keys mean nothing to a timeline without the keyboard", "[studio][time
     gui.hold_key(ImGuiKey_LeftArrow, true);
     gui.frame(draw);
     gui.hold_key(ImGuiKey_LeftArrow, false);
-    CHECK(out.actions().empty());
+    CHECK(out.all().empty());
 }
 
 TEST_CASE("another quantity can be chosen by mouse and by key", "[studio][timeline]") {

@@ -46,6 +46,8 @@ TEST_CASE("an edited creature is the child of the original", "[studio][gene_edit
     CHECK(edited.mother.get()->genome == original.genome);
     CHECK(edited.mother.get()->uid == 0xff);
     CHECK_FALSE(edited.result);
+    CHECK(edited.ticks.empty());
+    CHECK_FALSE(edited.ancestry);  // that was the original's
     CHECK(edited.uid != original.uid);
     REQUIRE(edited.mutations.size() == 1);
     CHECK(edited.mutations[0].place == "part 1 length");

@@ -24,22 +24,22 @@ float draw_reading(const ImVec2& at, const std::string& value, const std::string
 }
 
 std::string unit_of_goal(const FrameContext& frame) {
-    const GoalKind* goal = frame.kinds.goals.find(frame.snapshot.settings->goal);
+    const GoalKind* goal = frame.kinds.goals.find(frame.experiment.snapshot.settings->goal);
     return goal == nullptr ? std::string() : goal->unit;
 }
 
 std::string done_words(const FrameContext& frame) {
-    const ProgressView& progress = frame.progress;
+    const ProgressView& progress = frame.experiment.progress;
     if (progress.total > 0)
         return pretty_number(progress.done) + " of " + pretty_number(progress.total) + " creatures";
-    const std::size_t kept = frame.snapshot.history.size();
+    const std::size_t kept = frame.experiment.snapshot.history.size();
     if (kept == 0) return "nothing evaluated yet";
     return kept == 1 ? "1 generation kept" : std::to_string(kept) + " generations kept";
 }
 
 std::string best_text(const FrameContext& frame) {
-    if (frame.snapshot.history.empty()) return "–";
-    return measured(frame.snapshot.history.back().best, unit_of_goal(frame));
+    if (frame.experiment.snapshot.history.empty()) return "–";
+    return measured(frame.experiment.snapshot.history.back().best, unit_of_goal(frame));
 }
 
 }  // namespace
@@ -122,7 +122,7 @@ void EvolveBar::draw_picking(const FrameContext& frame) {
 }
 
 void EvolveBar::draw_buttons(const FrameContext& frame, Requests& out) {
-    const bool running = frame.snapshot.status == EngineStatus::kRunning;
+    const bool running = frame.experiment.snapshot.status == EngineStatus::kRunning;
     ButtonStyle main;
     main.look = ButtonLook::kPrimary;
     main.icon = running ? Icon::kPause : Icon::kPlay;
@@ -143,7 +143,7 @@ void EvolveBar::draw_buttons(const FrameContext& frame, Requests& out) {
 }
 
 void EvolveBar::draw_numbers(const FrameContext& frame) {
-    const ProgressView& progress = frame.progress;
+    const ProgressView& progress = frame.experiment.progress;
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float right = at.x + ImGui::GetContentRegionAvail().x;
     float x = at.x;
@@ -151,7 +151,7 @@ void EvolveBar::draw_numbers(const FrameContext& frame) {
     const auto reading = [&](const std::string& value, const std::string& name, float least) {
         x += std::fmax(px(least), draw_reading({x, y}, value, name) + px(22));
     };
-    reading(pretty_number(frame.snapshot.generation), "generation", 96);
+    reading(pretty_number(frame.experiment.snapshot.generation), "generation", 96);
     reading(best_text(frame), "best fitness", 110);
     const float speed_width = px(178);
     const float bar_width = std::fmin(right - x - speed_width, px(420));

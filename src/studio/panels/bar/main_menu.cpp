@@ -12,10 +12,11 @@ namespace cambrian {
 namespace {
 
 void draw_file_menu(const FrameContext& frame, Requests& out) {
-    const bool any = !frame.playback.empty();
+    const bool any = !frame.viewer.playback.empty();
     if (menu_item("Open…", "Ctrl+O")) out.ask(OpenFilePanel{FileTask::kOpen});
     if (menu_item("Samples…", "Ctrl+Shift+O")) out.ask(ToggleSamples{});
-    if (menu_item("Open the run before", nullptr, frame.previous_run)) out.ask(OpenPreviousRun{});
+    if (menu_item("Open the run before", nullptr, frame.experiment.previous_run))
+        out.ask(OpenPreviousRun{});
     ImGui::Separator();
     if (menu_item("Save creature…", "Ctrl+S", any)) out.ask(OpenFilePanel{FileTask::kSaveCreature});
     if (menu_item("Save experiment…", "Ctrl+K")) out.ask(OpenFilePanel{FileTask::kSaveExperiment});
@@ -33,17 +34,19 @@ void draw_edit_menu(const FrameContext& frame, Requests& out) {
     if (menu_item("Find a setting", "Ctrl+F")) out.ask(FindSetting{});
     ImGui::Separator();
     if (menu_item("New run", nullptr)) out.ask(StartNewRun{false});
-    const bool any = !frame.snapshot.population.empty();
+    const bool any = !frame.experiment.snapshot.population.empty();
     if (menu_item("New run from these creatures", nullptr, any)) out.ask(StartNewRun{true});
-    if (menu_item("New run from the creature on show", nullptr, !frame.playback.empty()))
+    if (menu_item("New run from the creature on show", nullptr, !frame.viewer.playback.empty()))
         out.ask(StartFromShown{});
 }
 
-void view_item(const char* label, const char* keys, bool ViewState::*flag,
+// An item that switches one flag of the view.
+void view_item(const char* label, const char* keys, const std::function<bool&(ViewState&)>& flag,
                const FrameContext& frame, Requests& out) {
-    if (!menu_item(label, keys, true, frame.view.*flag)) return;
     ViewState view = frame.view;
-    view.*flag = !(view.*flag);
+    bool& on = flag(view);
+    if (!menu_item(label, keys, true, on)) return;
+    on = !on;
     out.ask(ChangeView{view});
 }
 
@@ -51,16 +54,28 @@ void draw_view_menu(const FrameContext& frame, Requests& out) {
     const bool picking = frame.picking != nullptr;
     if (menu_item("Pick by hand", "H", true, picking)) out.ask(ToggleHandPicking{});
     ImGui::Separator();
-    view_item("Experiment", nullptr, &ViewState::left_panel, frame, out);
-    view_item("Inspector", nullptr, &ViewState::right_panel, frame, out);
-    view_item("Timeline and population", nullptr, &ViewState::bottom_panel, frame, out);
+    view_item(
+        "Experiment", nullptr, [](ViewState& view) -> bool& { return view.panels.left; }, frame,
+        out);
+    view_item(
+        "Inspector", nullptr, [](ViewState& view) -> bool& { return view.panels.right; }, frame,
+        out);
+    view_item(
+        "Timeline and population", nullptr,
+        [](ViewState& view) -> bool& { return view.panels.bottom; }, frame, out);
     ImGui::Separator();
-    view_item("Follow the creature", "F", &ViewState::follow, frame, out);
-    view_item("Show each new champion", nullptr, &ViewState::newest_champion, frame, out);
+    view_item(
+        "Follow the creature", "F", [](ViewState& view) -> bool& { return view.follow; }, frame,
+        out);
+    view_item(
+        "Show each new champion", nullptr,
+        [](ViewState& view) -> bool& { return view.newest_champion; }, frame, out);
     if (menu_item("Fit into view", "Home")) out.ask(FitView{});
     ImGui::Separator();
     for (const OverlayKind& overlay : overlay_kinds())
-        view_item(overlay.label, nullptr, overlay.shown, frame, out);
+        view_item(
+            overlay.label, nullptr,
+            [&](ViewState& view) -> bool& { return view.overlays.*overlay.shown; }, frame, out);
     ImGui::Separator();
     ghost_lines(frame, out);
     ImGui::Separator();

@@ -68,7 +68,7 @@ bool entry_line(const std::string& name, Icon icon, bool chosen) {
 }  // namespace
 
 void FilePanel::draw(const FrameContext& frame, Requests& out) {
-    const FileBrowser& files = frame.files;
+    const FileBrowser& files = frame.files.browser;
     if (opening_ != files.opened) {
         opening_ = files.opened;
         write_name(files.suggested_name);
@@ -79,7 +79,7 @@ void FilePanel::draw(const FrameContext& frame, Requests& out) {
         ImGui::TextUnformatted(title_of(files.task));
     }
     draw_places(frame, out);
-    const bool creature = frame.files.task == FileTask::kSaveCreature;
+    const bool creature = frame.files.browser.task == FileTask::kSaveCreature;
     const float foot = px(30) * 2 + px(34) + (creature ? px(50) : 0.0F);
     ImGui::BeginChild("entries", {0, -foot}, false, ImGuiWindowFlags_NoBackground);
     draw_entries(frame, out);
@@ -89,7 +89,7 @@ void FilePanel::draw(const FrameContext& frame, Requests& out) {
 }
 
 void FilePanel::draw_places(const FrameContext& frame, Requests& out) {
-    const std::filesystem::path& folder = frame.files.listing.folder;
+    const std::filesystem::path& folder = frame.files.browser.listing.folder;
     if (push_button("Up", {.icon = Icon::kUp, .label_shown = false, .tooltip = "The folder above"}))
         out.ask(ListFolder{folder.parent_path()});
     ImGui::SameLine();
@@ -99,7 +99,7 @@ void FilePanel::draw_places(const FrameContext& frame, Requests& out) {
 }
 
 void FilePanel::draw_entries(const FrameContext& frame, Requests& out) {
-    const FolderListing& listing = frame.files.listing;
+    const FolderListing& listing = frame.files.browser.listing;
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, px(1)));
     if (!listing.problem.empty()) muted_text(listing.problem);
     for (const std::string& name : listing.folders) {
@@ -110,7 +110,7 @@ void FilePanel::draw_entries(const FrameContext& frame, Requests& out) {
         if (!entry_line(name, Icon::kFile, chosen)) continue;
         const bool twice = ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left) || chosen;
         write_name(name);
-        if (twice && frame.files.task == FileTask::kOpen) confirm(frame, out);
+        if (twice && frame.files.browser.task == FileTask::kOpen) confirm(frame, out);
     }
     if (listing.folders.empty() && listing.files.empty() && listing.problem.empty())
         muted_text("No folders and no files of this kind here.");
@@ -146,7 +146,7 @@ void FilePanel::draw_name(const FrameContext& frame, Requests& out) {
         ImGui::InputText("##name", name_.data(), name_.size(),
                          ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
     note_place("file name");
-    const bool saving = frame.files.task != FileTask::kOpen;
+    const bool saving = frame.files.browser.task != FileTask::kOpen;
     const char* verb = saving ? "Save" : "Open";
     const bool named = name_[0] != '\0';
     ImGui::SetCursorPosX(ImGui::GetWindowContentRegionMax().x - px(90) * 2 - px(8));
@@ -158,8 +158,8 @@ void FilePanel::draw_name(const FrameContext& frame, Requests& out) {
 }
 
 void FilePanel::confirm(const FrameContext& frame, Requests& out) const {
-    std::filesystem::path path = frame.files.listing.folder / name_.data();
-    const FileTask task = frame.files.task;
+    std::filesystem::path path = frame.files.browser.listing.folder / name_.data();
+    const FileTask task = frame.files.browser.task;
     const std::string ending = ending_of(task);
     const bool complete = path.string().ends_with(ending) ||
                           (task == FileTask::kSaveCreature && is_creature_name(path.string()));
@@ -169,7 +169,7 @@ void FilePanel::confirm(const FrameContext& frame, Requests& out) const {
     if (task == FileTask::kSaveExperiment) out.ask(SaveExperimentFile{path});
     if (task == FileTask::kSaveSettings) out.ask(SaveSettingsFile{path});
     if (task == FileTask::kSaveStatistics) out.ask(SaveStatisticsFile{path});
-    if (task == FileTask::kSavePlot) out.ask(SavePlotPicture{path, frame.files.picture});
+    if (task == FileTask::kSavePlot) out.ask(SavePlotPicture{path, frame.files.browser.picture});
     out.ask(CloseFilePanel{});
 }
 

@@ -52,8 +52,8 @@ void HelpPanel::draw(const FrameContext& frame, Requests& out) {
                                    .width = px(34),
                                    .tooltip = "Close (Esc)"}))
         out.ask(ToggleHelp{});
-    if (frame.help == nullptr) return;
-    const HelpBook& book = *frame.help;
+    if (frame.guide.help == nullptr) return;
+    const HelpBook& book = *frame.guide.help;
     ImGui::BeginChild("pages", {px(190), 0}, false, ImGuiWindowFlags_NoBackground);
     draw_list(book, out);
     ImGui::EndChild();

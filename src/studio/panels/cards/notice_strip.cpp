@@ -2,11 +2,14 @@
 
 #include "studio/widgets/widgets.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace cambrian {
 
 void NoticeStrip::draw(const FrameContext& frame, Requests& out) {
-    if (frame.notice == nullptr) return;
-    const bool problem = frame.notice->kind == NoticeKind::kProblem;
+    if (frame.window.notice == nullptr) return;
+    const bool problem = frame.window.notice->kind == NoticeKind::kProblem;
     const ImVec2 at = ImGui::GetCursorScreenPos();
     ImGui::GetWindowDrawList()->AddCircleFilled({at.x + px(4), at.y + 0.5F * ImGui::GetFontSize()},
                                                 px(4),
@@ -15,7 +18,7 @@ void NoticeStrip::draw(const FrameContext& frame, Requests& out) {
     ImGui::SameLine(0, px(10));
     const float text_width = ImGui::GetContentRegionAvail().x - px(44);
     ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + text_width);
-    ImGui::TextUnformatted(frame.notice->text.c_str());
+    ImGui::TextUnformatted(frame.window.notice->text.c_str());
     ImGui::PopTextWrapPos();
     ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - px(26));
     if (push_button("Dismiss", {.look = ButtonLook::kGhost,
@@ -24,6 +27,18 @@ void NoticeStrip::draw(const FrameContext& frame, Requests& out) {
                                 .width = px(26),
                                 .height = px(22)}))
         out.ask(DismissNotice{});
+}
+
+Rect notice_place(const FrameContext& frame, const CardSpace& space) {
+    const Rect& viewport = space.viewport;
+    const float wide = std::min(px(620), viewport.width - px(32));
+    const ImVec2 size =
+        ImGui::CalcTextSize(frame.window.notice->text.c_str(), nullptr, false, wide - px(94));
+    const float height = std::min(size.y + px(20), viewport.height);
+    const float width = std::min(wide, size.x + px(104));
+    return {std::round(viewport.center().x - 0.5F * width),
+            std::round(viewport.y + viewport.height - height - px(14)), std::round(width),
+            std::round(height)};
 }
 
 }  // namespace cambrian

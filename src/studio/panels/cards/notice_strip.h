@@ -10,4 +10,7 @@ public:
     void draw(const FrameContext& frame, Requests& out) override;
 };
 
+// The strip's rectangle: as wide and high as its words need, at the viewport's foot.
+Rect notice_place(const FrameContext& frame, const CardSpace& space);
+
 }  // namespace cambrian

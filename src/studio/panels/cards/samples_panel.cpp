@@ -88,10 +88,10 @@ void SamplesPanel::draw(const FrameContext& frame, Requests& out) {
     muted_text("Creatures that were evolved before, each in the world it was scored in.");
     ImGui::BeginChild("samples", {0, 0}, false, ImGuiWindowFlags_NoBackground);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(px(kGap), px(kGap)));
-    if (frame.samples != nullptr) {
-        if (frame.samples->read && frame.samples->samples.empty())
+    if (frame.files.samples != nullptr) {
+        if (frame.files.samples->read && frame.files.samples->samples.empty())
             muted_text("The folder of samples is empty or missing.");
-        draw_tiles(*frame.samples, out);
+        draw_tiles(*frame.files.samples, out);
     }
     ImGui::PopStyleVar();
     ImGui::EndChild();

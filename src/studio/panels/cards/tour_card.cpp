@@ -22,6 +22,15 @@ Rect shifted_inside(Rect card, const Rect& window) {
     return {std::round(card.x), std::round(card.y), card.width, card.height};
 }
 
+// Outlines the place over everything else.
+void outline_subject(const Rect& subject) {
+    ImDrawList& list = *ImGui::GetForegroundDrawList();
+    const float out = px(2);
+    list.AddRect({subject.x - out, subject.y - out},
+                 {subject.x + subject.width + out, subject.y + subject.height + out},
+                 paint(colors().accent), px(8), 0, px(2.5F));
+}
+
 }  // namespace
 
 Rect tour_card_place(const Rect& subject, const Rect& window) {
@@ -43,18 +52,21 @@ Rect tour_card_place(const Rect& subject, const Rect& window) {
     return shifted_inside({middle.x - 0.5F * w, middle.y - 0.5F * h, w, h}, window);
 }
 
-void outline_subject(const Rect& subject) {
-    ImDrawList& list = *ImGui::GetForegroundDrawList();
-    const float out = px(2);
-    list.AddRect({subject.x - out, subject.y - out},
-                 {subject.x + subject.width + out, subject.y + subject.height + out},
-                 paint(colors().accent), px(8), 0, px(2.5F));
+Rect tour_place(const FrameContext& frame, const CardSpace& space) {
+    const auto& places = ui().places;
+    const auto step = static_cast<std::size_t>(frame.guide.tour_step);
+    const auto found = places.find(tour_steps()[step].place);
+    const bool shown = found != places.end() && found->second.frame == ImGui::GetFrameCount();
+    if (!shown || found->second.rect.width <= 1.0F)
+        return tour_card_place(space.window, space.window);
+    outline_subject(found->second.rect);
+    return tour_card_place(found->second.rect, space.window);
 }
 
 void TourCard::draw(const FrameContext& frame, Requests& out) {
     const auto steps = tour_steps();
     const int count = static_cast<int>(steps.size());
-    const TourStep& step = steps[static_cast<std::size_t>(frame.tour_step)];
+    const TourStep& step = steps[static_cast<std::size_t>(frame.guide.tour_step)];
     {
         const WithFont font(ui().fonts.title);
         ImGui::TextUnformatted(step.title);
@@ -62,14 +74,14 @@ void TourCard::draw(const FrameContext& frame, Requests& out) {
     ImGui::PushTextWrapPos(0.0F);
     ImGui::TextUnformatted(step.text);
     ImGui::PopTextWrapPos();
-    const bool last = frame.tour_step + 1 == count;
+    const bool last = frame.guide.tour_step + 1 == count;
     const float width = ImGui::GetContentRegionAvail().x;
     ImGui::SetCursorPosY(ImGui::GetWindowHeight() - px(30) - px(16));
     const float left = ImGui::GetCursorPosX();
     ImGui::AlignTextToFramePadding();
     {
         const WithTextColor muted(colors().muted);
-        ImGui::Text("%d of %d", frame.tour_step + 1, count);
+        ImGui::Text("%d of %d", frame.guide.tour_step + 1, count);
     }
     const float next_width = px(84);
     const float skip_width = last ? 0.0F : px(84) + px(8);
@@ -84,7 +96,7 @@ void TourCard::draw(const FrameContext& frame, Requests& out) {
     const bool pressed =
         push_button(last ? "Done" : "Next",
                     {.look = ButtonLook::kPrimary, .width = next_width, .tooltip = "Enter"});
-    if (pressed || panel_key(ImGuiKey_Enter)) out.ask(TurnTour{frame.tour_step + 1});
+    if (pressed || panel_key(ImGuiKey_Enter)) out.ask(TurnTour{frame.guide.tour_step + 1});
 }
 
 }  // namespace cambrian

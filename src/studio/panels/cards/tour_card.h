@@ -13,7 +13,7 @@ public:
 
 // Where the card of a step belongs: beside the place it is about, inside the window.
 Rect tour_card_place(const Rect& subject, const Rect& window);
-// Outlines the place over everything else.
-void outline_subject(const Rect& subject);
+// The rectangle of the step's card in this frame; outlines the place it is about.
+Rect tour_place(const FrameContext& frame, const CardSpace& space);
 
 }  // namespace cambrian

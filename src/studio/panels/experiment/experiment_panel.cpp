@@ -68,9 +68,9 @@ void adopt_goal_world(ExperimentSettings& settings, const EvolutionKinds& kinds)
 void draw_presets(const std::string& table, const FrameContext& frame, Requests& out) {
     const auto presets = setting_presets(table);
     if (presets.empty()) return;
-    const ExperimentSettings& draft = frame.editor.draft();
+    const ExperimentSettings& draft = frame.experiment.editor.draft();
     const auto shown = std::find_if(presets.begin(), presets.end(), [&](const auto& preset) {
-        return is_in_force(preset, draft, frame.kinds, frame.fields);
+        return is_in_force(preset, draft, frame.kinds, frame.experiment.fields);
     });
     const bool open = begin_choice("##preset", shown == presets.end() ? "Own values" : shown->label,
                                    ImGui::GetContentRegionAvail().x);
@@ -93,7 +93,7 @@ void draw_presets(const std::string& table, const FrameContext& frame, Requests&
 
 // What the goal asks for, and whether the world lets it.
 void draw_goal_help(const FrameContext& frame) {
-    const ExperimentSettings& draft = frame.editor.draft();
+    const ExperimentSettings& draft = frame.experiment.editor.draft();
     const GoalKind* goal = frame.kinds.goals.find(draft.goal);
     if (goal == nullptr) return;
     ImGui::Indent(px(kLabelIndent));
@@ -130,7 +130,7 @@ void balance_shares(const std::vector<SettingField>& fields, const std::string& 
 std::vector<ExperimentPanel::Group> ExperimentPanel::list_groups(
     const FrameContext& frame, ExperimentSettings& draft, ExperimentSettings& defaults) const {
     std::vector<Group> groups;
-    for (const SettingField& field : frame.fields) {
+    for (const SettingField& field : frame.experiment.fields) {
         auto group = std::find_if(groups.begin(), groups.end(), [&field](const Group& each) {
             return each.table == field.table;
         });
@@ -152,7 +152,7 @@ void ExperimentPanel::draw(const FrameContext& frame, Requests& out) {
     place_title("Experiment", "experiment", out);
     draw_filter(frame);
     draw_run_warning(frame, out);
-    ExperimentSettings draft = frame.editor.draft();
+    ExperimentSettings draft = frame.experiment.editor.draft();
     ExperimentSettings defaults;
     ImGui::BeginChild("settings", {0, 0}, false, ImGuiWindowFlags_NoBackground);
     const std::vector<Group> groups = list_groups(frame, draft, defaults);
@@ -167,8 +167,8 @@ void ExperimentPanel::draw(const FrameContext& frame, Requests& out) {
 }
 
 void ExperimentPanel::draw_filter(const FrameContext& frame) {
-    if (find_seen_ != frame.find_asked) ImGui::SetKeyboardFocusHere();
-    find_seen_ = frame.find_asked;
+    if (find_seen_ != frame.experiment.find_asked) ImGui::SetKeyboardFocusHere();
+    find_seen_ = frame.experiment.find_asked;
     const bool any = filter_[0] != '\0';
     const float clear_width = any ? px(30) + px(4) : 0.0F;
     const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -203,8 +203,8 @@ void ExperimentPanel::draw_found(const std::vector<Group>& groups, const Setting
     bool any = false;
     for (const Group& group : groups) {
         bool titled = false;
-        for (const SettingField& field : frame.fields) {
-            const bool applies = !field.applies || field.applies(frame.editor.draft());
+        for (const SettingField& field : frame.experiment.fields) {
+            const bool applies = !field.applies || field.applies(frame.experiment.editor.draft());
             if (field.table != group.table || !applies || !filter.finds(field, group.title))
                 continue;
             if (!titled) caption(group.title);
@@ -221,8 +221,10 @@ void ExperimentPanel::draw_found(const std::vector<Group>& groups, const Setting
 
 void ExperimentPanel::draw_run_warning(const FrameContext& frame, Requests& out) {
     const std::vector<std::string> waiting =
-        structural_changes(*frame.snapshot.settings, frame.editor.draft(), frame.fields);
-    const bool fresh = frame.snapshot.generation == 0 && frame.snapshot.population.empty();
+        structural_changes(*frame.experiment.snapshot.settings, frame.experiment.editor.draft(),
+                           frame.experiment.fields);
+    const bool fresh =
+        frame.experiment.snapshot.generation == 0 && frame.experiment.snapshot.population.empty();
     if (waiting.empty() || fresh) return;
     std::string names = waiting.front();
     for (std::size_t i = 1; i < waiting.size(); ++i)
@@ -270,9 +272,10 @@ void ExperimentPanel::draw_group(const Group& group, const FrameContext& frame, 
     if (!draw_header(group)) return;
     ImGui::PushID(group.table.c_str());
     draw_presets(group.table, frame, out);
-    for (const SettingField& field : frame.fields) {
+    for (const SettingField& field : frame.experiment.fields) {
         if (field.table != group.table) continue;
-        if (!field.applies || field.applies(frame.editor.draft())) draw_row(field, frame, out);
+        if (!field.applies || field.applies(frame.experiment.editor.draft()))
+            draw_row(field, frame, out);
     }
     if (group.table == "goal") draw_goal_help(frame);
     ImGui::Dummy({0, px(4)});
@@ -282,12 +285,12 @@ void ExperimentPanel::draw_group(const Group& group, const FrameContext& frame, 
 void ExperimentPanel::draw_row(const SettingField& field, const FrameContext& frame,
                                Requests& out) {
     ExperimentSettings defaults;
-    ExperimentSettings edited = frame.editor.draft();
+    ExperimentSettings edited = frame.experiment.editor.draft();
     const RowEvent event = setting_row(field, edited, defaults);
     if (event == RowEvent::kNone) return;
     if (field.table == "goal") adopt_goal_world(edited, frame.kinds);
     if (frame.kinds.breeding.find(field.key) != nullptr)
-        balance_shares(frame.fields, field.key, edited);
+        balance_shares(frame.experiment.fields, field.key, edited);
     out.ask(EditSettings{std::move(edited), field.table + "." + field.key});
     if (event == RowEvent::kFinished) out.ask(FinishEdit{});
 }

@@ -5,7 +5,7 @@
 namespace cambrian {
 
 void draw_export_items(const FrameContext& frame, Requests& out) {
-    const bool any = !frame.snapshot.history.empty();
+    const bool any = !frame.experiment.snapshot.history.empty();
     if (menu_item("Export statistics as CSV…", "Ctrl+E", any))
         out.ask(OpenFilePanel{FileTask::kSaveStatistics});
     if (menu_item("Export plot as PNG, 1280 × 720…", "Ctrl+Shift+E", any))

@@ -20,7 +20,8 @@ constexpr std::size_t kNotedTiles = 4;  // whose places are noted
 constexpr int kGrownAFrame = 24;
 
 bool on_show(const FrameContext& frame, const Individual& individual) {
-    return !frame.playback.empty() && frame.playback.exhibit().genome == individual.genome;
+    return !frame.viewer.playback.empty() &&
+           frame.viewer.playback.exhibit().genome == individual.genome;
 }
 
 bool judged(const EvaluationResult& result) {
@@ -43,7 +44,7 @@ std::string tile_words(const Tile& tile, const FrameContext& frame) {
     }
     text += format("\n%d parts, %d neurons, ", result.parts, result.neurons);
     text += measured(result.mass, "kg") + "\n\n";
-    return text + origin_words(individual, frame.snapshot.population, frame.kinds);
+    return text + origin_words(individual, frame.experiment.snapshot.population, frame.kinds);
 }
 
 void draw_order(const FrameContext& frame, Requests& out) {
@@ -87,7 +88,7 @@ void draw_filter(const FrameContext& frame, Requests& out) {
         view.one_a_plan = !one_a_plan;
         out.ask(ChangeView{view});
     }
-    if (!on || !frame.stars.can_restore()) return;
+    if (!on || !frame.generations.stars.can_restore()) return;
     ImGui::SameLine();
     if (push_button("Give back", {.look = ButtonLook::kGhost,
                                   .height = height,
@@ -102,12 +103,12 @@ void draw_heading(const FrameContext& frame, std::size_t count, Requests& out) {
     draw_order(frame, out);
     ImGui::SameLine();
     draw_filter(frame, out);
-    if (frame.snapshot.history.empty()) return;
+    if (frame.experiment.snapshot.history.empty()) return;
     const char* plans = frame.view.one_a_plan ? "plans " : "";
     const std::string words = frame.view.starred_only
                                   ? format("%zu kept", count)
                                   : format("%zu %sof generation %u", count, plans,
-                                           frame.snapshot.history.back().generation);
+                                           frame.experiment.snapshot.history.back().generation);
     ImGui::SameLine(0, px(12));
     const float room =
         ImGui::GetContentRegionAvail().x - px(kHelpMarkRoom) - ImGui::CalcTextSize(words.c_str()).x;
@@ -146,16 +147,16 @@ void draw_star(const Rect& room, bool starred, bool tile_hovered) {
 }  // namespace
 
 void PopulationPanel::gather(const FrameContext& frame) {
-    const EvolutionSnapshot& snapshot = frame.snapshot;
+    const EvolutionSnapshot& snapshot = frame.experiment.snapshot;
     const ListedFor wanted = {snapshot.experiment,
                               snapshot.history.size(),
-                              frame.stars.revision(),
+                              frame.generations.stars.revision(),
                               frame.view.order,
                               {frame.view.starred_only, frame.view.one_a_plan}};
     if (wanted == listed_for_) return;
     if (wanted.experiment != listed_for_.experiment) bodies_.clear();
     listed_for_ = wanted;
-    tiles_ = list_tiles(snapshot, frame.stars, wanted.order, wanted.filter);
+    tiles_ = list_tiles(snapshot, frame.generations.stars, wanted.order, wanted.filter);
 }
 
 void PopulationPanel::draw(const FrameContext& frame, Requests& out) {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "evolution/snapshot.h"
-#include "studio/panels/generations/timeline_plots.h"
+#include "studio/experiment/timeline_plots.h"
 #include "studio/widgets/plot.h"
 
 #include <string>

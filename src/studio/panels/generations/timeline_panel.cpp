@@ -17,7 +17,7 @@ constexpr float kMarkReach = 5.0F;  // from a mark, within which its words are s
 constexpr int kLongStride = 10;     // generations, with Shift
 
 std::string unit_of_goal(const FrameContext& frame) {
-    return goal_unit(frame.snapshot.settings->goal, frame.kinds.goals);
+    return goal_unit(frame.experiment.snapshot.settings->goal, frame.kinds.goals);
 }
 
 void draw_quantities(const FrameContext& frame, Requests& out) {
@@ -66,9 +66,9 @@ void draw_heading(const FrameContext& frame, Requests& out) {
 
 // What may help where the best has not risen for long (evolution.md 6.4); nothing is done unasked.
 void draw_stagnation(const FrameContext& frame, Requests& out) {
-    const auto& history = frame.snapshot.history;
+    const auto& history = frame.experiment.snapshot.history;
     if (history.empty() || !stagnant(history.back())) return;
-    const ExperimentSettings& draft = frame.editor.draft();
+    const ExperimentSettings& draft = frame.experiment.editor.draft();
     const WithFont font(ui().fonts.small);
     const float height = ImGui::GetFrameHeight();
     ImGui::AlignTextToFramePadding();
@@ -97,7 +97,7 @@ std::string difference(const FrameContext& frame, const ExperimentSettings& befo
     ExperimentSettings a = before;
     ExperimentSettings b = after;
     std::string text;
-    for (const SettingField& field : frame.fields) {
+    for (const SettingField& field : frame.experiment.fields) {
         if (same_value(field, a, b)) continue;
         text += '\n';
         text += field.label;
@@ -115,7 +115,7 @@ std::string difference(const FrameContext& frame, const ExperimentSettings& befo
 
 // What changed at the mark nearest to a pixel, if one is within reach.
 std::string change_near(const FrameContext& frame, const PlotScale& scale, float pixel) {
-    const auto& journal = frame.snapshot.journal;
+    const auto& journal = frame.experiment.snapshot.journal;
     float nearest = px(kMarkReach);
     std::string text;
     for (std::size_t i = 1; i < journal.size(); ++i) {
@@ -155,10 +155,10 @@ std::string reading(const GenerationStatistics& stats, const std::string& unit) 
 
 // The row whose champion is on show, or -1.
 int shown_row(const FrameContext& frame) {
-    if (frame.playback.empty()) return -1;
-    const Exhibit& exhibit = frame.playback.exhibit();
+    if (frame.viewer.playback.empty()) return -1;
+    const Exhibit& exhibit = frame.viewer.playback.exhibit();
     if (exhibit.source != ExhibitSource::kChampion) return -1;
-    const auto& history = frame.snapshot.history;
+    const auto& history = frame.experiment.snapshot.history;
     const auto found = std::lower_bound(history.begin(), history.end(), exhibit.generation,
                                         [](const GenerationStatistics& row, std::uint32_t wanted) {
                                             return row.generation < wanted;
@@ -195,7 +195,7 @@ void TimelinePanel::draw(const FrameContext& frame, Requests& out) {
     draw_heading(frame, out);
     draw_export_popup("export", frame, out);
     draw_stagnation(frame, out);
-    chart_.gather(frame.snapshot, frame.view.quantity);
+    chart_.gather(frame.experiment.snapshot, frame.view.quantity);
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const ImVec2 room = ImGui::GetContentRegionAvail();
     const Rect area = {at.x + px(46), at.y + px(8), room.x - px(54), room.y - px(28)};
@@ -208,7 +208,7 @@ void TimelinePanel::draw(const FrameContext& frame, Requests& out) {
     const PlotScale scale = chart_.scale_for(area);
     ImDrawList& list = *ImGui::GetWindowDrawList();
     draw_axes(list, scale);
-    draw_change_marks(list, scale, frame.snapshot);
+    draw_change_marks(list, scale, frame.experiment.snapshot);
     chart_.draw(list, scale);
     follow_mouse(scale, frame, out);
     follow_keys(frame, out);
@@ -216,7 +216,7 @@ void TimelinePanel::draw(const FrameContext& frame, Requests& out) {
 
 void TimelinePanel::follow_mouse(const PlotScale& scale, const FrameContext& frame,
                                  Requests& out) const {
-    const auto& history = frame.snapshot.history;
+    const auto& history = frame.experiment.snapshot.history;
     const float pixel = ImGui::GetIO().MousePos.x;
     const std::size_t row = chart_.row_at(scale, pixel);
     const bool held = ImGui::IsItemActive();
@@ -242,7 +242,7 @@ void TimelinePanel::follow_mouse(const PlotScale& scale, const FrameContext& fra
 void TimelinePanel::follow_keys(const FrameContext& frame, Requests& out) const {
     if (!ImGui::IsWindowFocused() || ImGui::GetIO().WantTextInput) return;
     const auto pressed = [](ImGuiKey key) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key)); };
-    const int last = static_cast<int>(frame.snapshot.history.size()) - 1;
+    const int last = static_cast<int>(frame.experiment.snapshot.history.size()) - 1;
     const int stride = ImGui::GetIO().KeyShift ? kLongStride : 1;
     const int steps = pressed(ImGuiKey_RightArrow)  ? stride
                       : pressed(ImGuiKey_LeftArrow) ? -stride
@@ -252,7 +252,7 @@ void TimelinePanel::follow_keys(const FrameContext& frame, Requests& out) const 
     if (steps != 0 && row > last) out.ask(ShowNewest{});
     if (steps != 0 && row <= last) {
         const auto wanted = static_cast<std::size_t>(std::max(0, row));
-        out.ask(ShowChampion{frame.snapshot.history[wanted].generation});
+        out.ask(ShowChampion{frame.experiment.snapshot.history[wanted].generation});
     }
     const int turn = pressed(ImGuiKey_DownArrow) ? 1 : pressed(ImGuiKey_UpArrow) ? -1 : 0;
     if (turn == 0) return;

@@ -44,13 +44,8 @@ Exhibit ancestor_exhibit(const Exhibit& head, const std::vector<AncestryStep>& l
     SettingsPtr settings;
     if (!edited && head.experiment == snapshot.experiment)
         settings = settings_of_generation(snapshot.journal, generation);
-    ExperimentSettings own;
-    own.world = head.world;
-    own.goal = head.goal;
-    own.expression = head.expression;
-    own.seed = head.seed;
-    Exhibit exhibit =
-        exhibit_of(ancestor, settings ? *settings : own, ancestor.born, ExhibitSource::kPopulation);
+    Exhibit exhibit = exhibit_of(ancestor, settings ? *settings : settings_of(head), ancestor.born,
+                                 ExhibitSource::kPopulation);
     exhibit.title = "Ancestor of generation " + std::to_string(ancestor.born);
     exhibit.experiment = head.experiment;
     if (!settings && !edited) exhibit.result.reset();

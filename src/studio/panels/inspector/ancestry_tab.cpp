@@ -37,8 +37,9 @@ std::string change_line(const Individual& individual) {
 // As it was judged; of a creature on show that never was, as it scores now.
 std::string fitness_words(const Individual& individual, const FrameContext& frame) {
     if (individual.evaluated) return pretty_number(individual.result.fitness);
-    const bool shown = frame.playback.exhibit().genome == individual.genome;
-    return shown && frame.score != nullptr ? pretty_number(frame.score->score.value) : "not judged";
+    const bool shown = frame.viewer.playback.exhibit().genome == individual.genome;
+    return shown && frame.viewer.score != nullptr ? pretty_number(frame.viewer.score->score.value)
+                                                  : "not judged";
 }
 
 std::string born_words(const Individual& individual, const Exhibit& head) {
@@ -121,7 +122,7 @@ void AncestryTab::follow(const Exhibit& shown) {
 }
 
 void AncestryTab::draw(const FrameContext& frame, Requests& out) {
-    follow(frame.playback.exhibit());
+    follow(frame.viewer.playback.exhibit());
     bodies_.begin_frame(kGrownAFrame);
     muted_text(length_words(line_.size() - 1));
     ImGui::BeginChild("line", {0, 0}, false, ImGuiWindowFlags_NoBackground);
@@ -145,7 +146,7 @@ void AncestryTab::draw_step(std::size_t index, const FrameContext& frame, Reques
     if (ImGui::InvisibleButton(name.c_str(), {width, px(kRowHeight)})) {
         out.ask(ShowExhibit{index == 0 ? head_
                                        : std::make_shared<const Exhibit>(ancestor_exhibit(
-                                             *head_, line_, index, frame.snapshot))});
+                                             *head_, line_, index, frame.experiment.snapshot))});
     }
     if (index < 4) note_place(name);
     tooltip(step_words(individual, frame.kinds.mutations));
@@ -155,7 +156,7 @@ void AncestryTab::draw_step(std::size_t index, const FrameContext& frame, Reques
     const Color back =
         ImGui::IsItemHovered() ? colors().hovered : mix(colors().panel, colors().raised, 0.6F);
     list.AddRectFilled(low, high, paint(back), px(5));
-    if (frame.playback.exhibit().genome == individual.genome)
+    if (frame.viewer.playback.exhibit().genome == individual.genome)
         list.AddRect(low, high, paint(colors().accent), px(5), ImDrawFlags_None, px(2));
     draw_body(index, frame, low);
     draw_words(step, born_words(individual, *head_), fitness_words(individual, frame), low, high);

@@ -10,7 +10,7 @@ namespace cambrian {
 namespace {
 
 std::string unit_of(const FrameContext& frame) {
-    return goal_unit(frame.playback.exhibit().goal, frame.kinds.goals);
+    return goal_unit(frame.viewer.playback.exhibit().goal, frame.kinds.goals);
 }
 
 // A small range beside the score that was confirmed.
@@ -26,32 +26,34 @@ void draw_range(const EvaluationResult& result) {
 }
 
 void draw_headline(const FrameContext& frame) {
-    const GoalKind* goal = frame.kinds.goals.find(frame.playback.exhibit().goal);
+    const GoalKind* goal = frame.kinds.goals.find(frame.viewer.playback.exhibit().goal);
     caption(goal == nullptr ? "Fitness" : goal->label);
     const WithFont font(ui().fonts.title);
-    const auto& result = frame.playback.exhibit().result;
+    const auto& result = frame.viewer.playback.exhibit().result;
     // What counted, shaking and suspicion included, if it was ever judged.
     if (result) {
         ImGui::TextUnformatted(measured(result->fitness, unit_of(frame)).c_str());
         draw_range(*result);
-    } else if (frame.score != nullptr) {
-        ImGui::TextUnformatted(measured(frame.score->score.value, unit_of(frame)).c_str());
+    } else if (frame.viewer.score != nullptr) {
+        ImGui::TextUnformatted(measured(frame.viewer.score->score.value, unit_of(frame)).c_str());
     } else {
         ImGui::TextUnformatted("…");
     }
 }
 
 std::string difference(const FrameContext& frame) {
-    const TickChecks& kept = frame.playback.exhibit().ticks;
-    const auto tick = kept.empty() ? std::nullopt : first_different_tick(kept, frame.score->ticks);
+    const TickChecks& kept = frame.viewer.playback.exhibit().ticks;
+    const auto tick =
+        kept.empty() ? std::nullopt : first_different_tick(kept, frame.viewer.score->ticks);
     return tick ? "Replay differs from tick " + std::to_string(*tick) + " on"
                 : std::string("Replay differs from its record");
 }
 
 void draw_verification(const FrameContext& frame) {
-    const auto& result = frame.playback.exhibit().result;
-    if (!result || frame.score == nullptr || frame.score->record.samples.empty()) return;
-    if (result->digest == frame.score->digest) {
+    const auto& result = frame.viewer.playback.exhibit().result;
+    if (!result || frame.viewer.score == nullptr || frame.viewer.score->record.samples.empty())
+        return;
+    if (result->digest == frame.viewer.score->digest) {
         const WithTextColor color(colors().accent);
         ImGui::TextUnformatted("Replay verified");
         tooltip("The trial was run again and every position agrees to the last bit.");
@@ -64,7 +66,7 @@ void draw_verification(const FrameContext& frame) {
 
 // What the same trial came to when it was computed more finely.
 void draw_recomputed(const FrameContext& frame) {
-    const auto& result = frame.playback.exhibit().result;
+    const auto& result = frame.viewer.playback.exhibit().result;
     if (!result || !result->finer) return;
     const FinerResult& finer = *result->finer;
     fact("Computed more finely", finer.outcome == Outcome::kCompleted
@@ -75,18 +77,18 @@ void draw_recomputed(const FrameContext& frame) {
 
 void draw_score(const FrameContext& frame) {
     section("How it was scored");
-    if (frame.score == nullptr) {
+    if (frame.viewer.score == nullptr) {
         muted_text("The trial is being run again…");
         return;
     }
-    const TrialRecord& record = frame.score->record;
+    const TrialRecord& record = frame.viewer.score->record;
     if (record.outcome != Outcome::kCompleted) {
         const WithTextColor color(colors().danger);
         ImGui::TextWrapped("%s", capitalized(std::string(outcome_name(record.outcome))).c_str());
         if (!record.reason.empty()) ImGui::TextWrapped("%s", record.reason.c_str());
         return;
     }
-    for (const ScoreTerm& term : frame.score->score.terms)
+    for (const ScoreTerm& term : frame.viewer.score->score.terms)
         fact(capitalized(term.label), measured(term.value, term.unit));
     draw_recomputed(frame);
     draw_verification(frame);
@@ -94,19 +96,19 @@ void draw_score(const FrameContext& frame) {
 
 void draw_body(const FrameContext& frame) {
     section("Body and brain");
-    const Phenotype& phenotype = frame.playback.phenotype();
+    const Phenotype& phenotype = frame.viewer.playback.phenotype();
     fact("Parts", std::to_string(phenotype.parts.size()));
     fact("Moving joints", std::to_string(phenotype.effector_parts.size()));
     fact("Live neurons", std::to_string(phenotype.network.order.size()));
     fact("Sensors in use", std::to_string(phenotype.sensors.size()));
-    const double density = frame.playback.environment().density;
+    const double density = frame.viewer.playback.environment().density;
     fact("Mass", measured(phenotype.mass(density), "kg"));
     fact("Length at rest", measured(phenotype.rest_length(), "m"));
 }
 
 void draw_origin(const FrameContext& frame) {
     section("Where it comes from");
-    const Exhibit& exhibit = frame.playback.exhibit();
+    const Exhibit& exhibit = frame.viewer.playback.exhibit();
     if (!exhibit.method.empty()) fact("Bred by", capitalized(exhibit.method));
     for (std::size_t i = 0; i < exhibit.parents.size(); ++i)
         fact(i == 0 ? "Parent" : "Second parent", exhibit.parents[i]);

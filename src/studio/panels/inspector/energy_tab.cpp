@@ -140,9 +140,9 @@ std::string share_text(double work, double scale) {
 
 void draw_audit(const FrameContext& frame) {
     section("Audit of the whole trial");
-    if (frame.score == nullptr) return muted_text("The trial is being run again…");
-    const SceneAudit& audit = frame.score->record.audit;
-    draw_verdict(judge(frame.score->record));
+    if (frame.viewer.score == nullptr) return muted_text("The trial is being run again…");
+    const SceneAudit& audit = frame.viewer.score->record.audit;
+    draw_verdict(judge(frame.viewer.score->record));
     fact("Muscle work", measured(audit.gross_motor_work, "J"));
     fact("Lost to drag", measured(-audit.drag_work, "J"));
     fact("Lost to contact", measured(-audit.contact_work - audit.impulse_work, "J"));
@@ -164,8 +164,8 @@ void draw_audit(const FrameContext& frame) {
 void EnergyTab::draw(const FrameContext& frame, Requests&) {
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(px(8), px(5)));
     muted_text("Joules over seconds of the trial, as it is played. The line is the muscles' work.");
-    const std::vector<EnergySample>& samples = frame.playback.energy().samples();
-    draw_plot(samples, frame.playback.trial().world().trial.duration);
+    const std::vector<EnergySample>& samples = frame.viewer.playback.energy().samples();
+    draw_plot(samples, frame.viewer.playback.trial().world().trial.duration);
     const EnergySample now = samples.empty() ? EnergySample{} : samples.back();
     legend_row("Work of the muscles", "Net: what they gave less what they took back.",
                colors().text, now.muscles);

@@ -110,7 +110,8 @@ ImVec2 GenotypeTab::point_of(std::size_t node) const {
 }
 
 void GenotypeTab::draw(const FrameContext& frame, Requests& out) {
-    if (genome_ != frame.playback.exhibit().genome) rebuild(frame.playback.exhibit().genome);
+    if (genome_ != frame.viewer.playback.exhibit().genome)
+        rebuild(frame.viewer.playback.exhibit().genome);
     muted_text(
         "What grows from what. Loops repeat; orange mirrors; blue grows at the end of a chain.");
     const auto rows = static_cast<float>(row_count_);
@@ -154,7 +155,7 @@ void GenotypeTab::draw_edges() const {
 
 void GenotypeTab::draw_nodes(const FrameContext& frame, Requests& out) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    const auto& parts = frame.playback.phenotype().parts;
+    const auto& parts = frame.viewer.playback.phenotype().parts;
     for (std::size_t i = 0; i < genome_->nodes.size(); ++i) {
         const ImVec2 half = half_size(genome_->nodes[i]);
         const ImVec2 at = point_of(i);
@@ -174,8 +175,8 @@ void GenotypeTab::draw_nodes(const FrameContext& frame, Requests& out) {
         part.node = static_cast<std::uint8_t>(i);
         const bool grown = std::any_of(parts.begin(), parts.end(),
                                        [i](const BodyPart& each) { return each.node == i; });
-        const int lit_part = frame.highlight.part;
-        const bool lit = frame.highlight.node == static_cast<int>(i) ||
+        const int lit_part = frame.viewer.highlight.part;
+        const bool lit = frame.viewer.highlight.node == static_cast<int>(i) ||
                          (lit_part >= 0 && parts[static_cast<std::size_t>(lit_part)].node == i);
         const Color fill = part_color(part, genome_->hue);
         list.AddRectFilled(low, high, paint(with_alpha(fill, grown ? 1.0F : 0.25F)), px(6));
@@ -193,15 +194,15 @@ void GenotypeTab::draw_nodes(const FrameContext& frame, Requests& out) {
 // Which gene the rows below are of, and what can be done with an edited creature.
 void GenotypeTab::draw_heading(const FrameContext& frame, Requests& out) const {
     panel_title(chosen_ == 0 ? "Gene 0, the root" : "Gene " + std::to_string(chosen_));
-    const auto& parts = frame.playback.phenotype().parts;
+    const auto& parts = frame.viewer.playback.phenotype().parts;
     const auto grown = std::count_if(parts.begin(), parts.end(),
                                      [this](const BodyPart& part) { return part.node == chosen_; });
     ImGui::SameLine(0, px(10));
     caption(grown == 1 ? "1 part" : std::to_string(grown) + " parts");
-    const GeneEditor* genes = frame.genes;
+    const GeneEditor* genes = frame.viewer.genes;
     const bool can_undo = genes != nullptr && genes->can_undo();
     const bool can_redo = genes != nullptr && genes->can_redo();
-    if (!can_undo && !can_redo && frame.playback.exhibit().method != "edited") return;
+    if (!can_undo && !can_redo && frame.viewer.playback.exhibit().method != "edited") return;
     const auto button = [](const char* label, const char* help, bool enabled) {
         return push_button(label, {.height = px(26), .enabled = enabled, .tooltip = help});
     };

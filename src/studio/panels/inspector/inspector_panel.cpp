@@ -26,7 +26,7 @@ void InspectorPanel::draw(const FrameContext& frame, Requests& out) {
     const int pressed = segmented("inspector", titles, chosen_);
     if (pressed >= 0) chosen_ = pressed;
     ImGui::Dummy({0, px(2)});
-    if (frame.playback.empty()) {
+    if (frame.viewer.playback.empty()) {
         muted_text("Nothing on show yet. Open a creature (Ctrl+O) or press Evolve.");
         return;
     }

@@ -92,11 +92,6 @@ PickingGridPanel::PickingGridPanel(Renderer* renderer) {
         canvas.renderer = renderer;
 }
 
-void PickingGridPanel::set_framebuffer_height(int pixels) {
-    for (SceneCanvas& canvas : canvases_)
-        canvas.framebuffer_height = pixels;
-}
-
 void PickingGridPanel::draw(const FrameContext& frame, Requests& out) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const ImVec2 room = ImGui::GetContentRegionAvail();
@@ -108,6 +103,8 @@ void PickingGridPanel::draw(const FrameContext& frame, Requests& out) {
     const std::size_t count =
         std::min({grid_of(frame).creatures.size(), frame.picking->motion.size(), canvases_.size()});
     place_cells(count, area);
+    for (SceneCanvas& canvas : canvases_)
+        canvas.framebuffer_height = frame.window.framebuffer_height;
     choose_scale(frame.picking->motion);
     look_for_hints(frame);
     for (std::size_t cell = 0; cell < count; ++cell)
@@ -170,12 +167,12 @@ void PickingGridPanel::build_scene(std::size_t cell, const FrameContext& frame) 
         follow_center(shown.center_of_mass.head<2>(), ground, canvas.camera, size_);
     const CreatureLook look{
         *recorded.phenotype, shown.poses, {}, grid_of(frame).creatures[cell]->genome->hue, {}};
-    if (frame.view.grid) add_grid(canvas.frame, palette, canvas.camera, size_);
+    if (frame.view.overlays.grid) add_grid(canvas.frame, palette, canvas.camera, size_);
     if (ground) {
         add_ground(canvas.frame, palette, canvas.camera, size_);
         add_shadow(canvas.frame, look);
     }
-    if (frame.view.trail) {
+    if (frame.view.overlays.trail) {
         canvas.frame.add_trail(recorded.trail(motion.time(), kTrailLength),
                                1.6 * canvas.camera.pixel(), with_alpha(palette.accent, 0.8F));
     }

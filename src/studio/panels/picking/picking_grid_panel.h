@@ -17,7 +17,6 @@ public:
     explicit PickingGridPanel(Renderer* renderer);
 
     void draw(const FrameContext& frame, Requests& out) override;
-    void set_framebuffer_height(int pixels);
 
 private:
     void place_cells(std::size_t count, const Rect& area);

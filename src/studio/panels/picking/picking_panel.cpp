@@ -133,8 +133,8 @@ void PickingPanel::draw(const FrameContext& frame, Requests& out) {
     ImGui::Dummy({0, px(3)});
     if (wide_button("Grid from the creature on show",
                     "A grid of children of the creature last viewed or opened (Ctrl+O)",
-                    !frame.playback.empty()))
-        out.ask(AskPicking{StartFromCreatures{{frame.playback.exhibit().genome}}});
+                    !frame.viewer.playback.empty()))
+        out.ask(AskPicking{StartFromCreatures{{frame.viewer.playback.exhibit().genome}}});
     ImGui::EndChild();
 }
 

@@ -37,7 +37,7 @@ void draw_time_bar(const FrameContext& frame, Requests& out) {
     const ImVec2 size = {ImGui::GetContentRegionAvail().x, px(12)};
     ImGui::InvisibleButton("time bar", size);
     note_place("time bar");
-    const Playback& playback = frame.playback;
+    const Playback& playback = frame.viewer.playback;
     const auto length = static_cast<float>(std::max<std::uint64_t>(1, playback.length()));
     const std::uint64_t settled = playback.empty() ? 0 : playback.trial().settle_ticks();
     const bool aimed = ImGui::IsItemHovered() || ImGui::IsItemActive();
@@ -104,7 +104,7 @@ void draw_newest(const FrameContext& frame, Requests& out) {
     const float width = px(is_narrow() ? 66 : 78);
     const float after = px(34) * 2 + px(4) * 4;
     const float right = ImGui::GetWindowContentRegionMax().x;
-    if (frame.viewer) return ImGui::SameLine(right - after + px(12));
+    if (frame.window.viewer_only) return ImGui::SameLine(right - after + px(12));
     ImGui::SameLine(right - after - width);
     const bool newest = frame.view.newest_champion;
     if (push_button("Newest",
@@ -120,7 +120,7 @@ void draw_newest(const FrameContext& frame, Requests& out) {
 void TransportBar::draw(const FrameContext& frame, Requests& out) {
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(px(4), px(2)));
     draw_time_bar(frame, out);
-    const bool playing = frame.playback.playing();
+    const bool playing = frame.viewer.playback.playing();
     if (icon_button("Restart", Icon::kRestart, "Restart (R)")) out.ask(RestartPlayback{});
     ImGui::SameLine();
     if (icon_button("Back one tick", Icon::kStepBack, "Back one tick of 1/60 s (,)"))

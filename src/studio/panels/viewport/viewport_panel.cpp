@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace cambrian {
 namespace {
@@ -24,13 +25,13 @@ void shadowed_text(ImDrawList& list, ImFont* font, float size, const ImVec2& at,
 }
 
 std::string second_line(const FrameContext& frame) {
-    const Exhibit& exhibit = frame.playback.exhibit();
+    const Exhibit& exhibit = frame.viewer.playback.exhibit();
     const GoalKind* goal = frame.kinds.goals.find(exhibit.goal);
     std::string line = goal == nullptr ? std::string() : goal->label;
-    if (goal != nullptr && frame.score != nullptr) {
-        line += "  ·  " + measured(frame.score->score.value, goal->unit);
+    if (goal != nullptr && frame.viewer.score != nullptr) {
+        line += "  ·  " + measured(frame.viewer.score->score.value, goal->unit);
     }
-    const Trial& trial = frame.playback.trial();
+    const Trial& trial = frame.viewer.playback.trial();
     const std::string clock = trial.settling() ? "settling" : format("%.1f s", trial.time());
     line += (line.empty() ? "" : "  ·  ") + clock;
     if (trial.finished()) line += " (trial over, still playing)";
@@ -43,6 +44,9 @@ void ViewportPanel::draw(const FrameContext& frame, Requests& out) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const ImVec2 room = ImGui::GetContentRegionAvail();
     canvas_.area = {at.x, at.y, room.x, room.y};
+    canvas_.framebuffer_height = frame.window.framebuffer_height;
+    if (std::exchange(fits_seen_, frame.viewer.fits_asked) != frame.viewer.fits_asked)
+        fit_wanted_ = true;
     size_ = {std::max(1.0, static_cast<double>(room.x)),
              std::max(1.0, static_cast<double>(room.y))};
     ImGui::InvisibleButton("viewport", {std::max(1.0F, room.x), std::max(1.0F, room.y)},
@@ -52,16 +56,16 @@ void ViewportPanel::draw(const FrameContext& frame, Requests& out) {
     ImGui::SetItemAllowOverlap();
     canvas_.frame.clear();
     canvas_.frame.background = colors().sky;
-    if (!frame.playback.empty()) {
+    if (!frame.viewer.playback.empty()) {
         handle_mouse(frame, out);
         place_camera(frame);
         build_scene(frame);
     }
     canvas_.add_to(*ImGui::GetWindowDrawList());
-    if (!frame.playback.empty()) {
+    if (!frame.viewer.playback.empty()) {
         draw_marks(frame);
         draw_ghost_labels(frame);
-        if (frame.view.names) draw_part_names(frame);
+        if (frame.view.overlays.names) draw_part_names(frame);
         draw_words(frame);
     }
     draw_viewport_tools(frame, canvas_.area, out);
@@ -75,23 +79,24 @@ Vec2 ViewportPanel::mouse_in_world() const {
 }
 
 Vec2 ViewportPanel::follow_target(const FrameContext& frame) const {
-    return follow_center(frame.playback.center_of_mass().head<2>(),
-                         frame.playback.environment().has_ground, canvas_.camera, size_);
+    return follow_center(frame.viewer.playback.center_of_mass().head<2>(),
+                         frame.viewer.playback.environment().has_ground, canvas_.camera, size_);
 }
 
 void ViewportPanel::fit_now(const FrameContext& frame) {
     fit_wanted_ = false;
-    const WorldWindow bounds = body_window(frame.playback.phenotype(), frame.playback.poses());
+    const WorldWindow bounds =
+        body_window(frame.viewer.playback.phenotype(), frame.viewer.playback.poses());
     canvas_.camera.fit(bounds, kFitShare, size_);
     canvas_.camera.center = follow_target(frame);
 }
 
 void ViewportPanel::place_camera(const FrameContext& frame) {
-    const bool changed = seen_ != &frame.playback.phenotype();
-    seen_ = &frame.playback.phenotype();
+    const bool changed = seen_ != &frame.viewer.playback.phenotype();
+    seen_ = &frame.viewer.playback.phenotype();
     if (changed && !fit_wanted_) {
         // Another creature keeps the scale, so that sizes compare, unless it would not be seen.
-        const WorldWindow bounds = body_window(*seen_, frame.playback.poses());
+        const WorldWindow bounds = body_window(*seen_, frame.viewer.playback.poses());
         const Vec2 pixels = (bounds.high - bounds.low) * canvas_.camera.pixels_per_metre;
         const double share = std::max(pixels.x() / size_.width, pixels.y() / size_.height);
         fit_wanted_ = share > 0.7 || share < 0.12;
@@ -130,9 +135,9 @@ void ViewportPanel::handle_mouse(const FrameContext& frame, Requests& out) {
     }
     panning_ = dragged;
     handle_poke(frame, out);
-    const int under =
-        hovered ? part_at(frame.playback.phenotype(), frame.playback.poses(), mouse_in_world())
-                : -1;
+    const int under = hovered ? part_at(frame.viewer.playback.phenotype(),
+                                        frame.viewer.playback.poses(), mouse_in_world())
+                              : -1;
     if (under >= 0) out.ask(ShowHighlight{{.part = under}});
 }
 
@@ -140,7 +145,7 @@ void ViewportPanel::handle_mouse(const FrameContext& frame, Requests& out) {
 void ViewportPanel::handle_poke(const FrameContext& frame, Requests& out) {
     const Vec2 mouse = mouse_in_world();
     const Vec3 target(mouse.x(), mouse.y(), 0.0);
-    if (const Hold* hold = frame.playback.hold()) {
+    if (const Hold* hold = frame.viewer.playback.hold()) {
         if (ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
             out.ask(PokePart{hold->part, hold->point_in_part, target});
         } else {
@@ -149,31 +154,32 @@ void ViewportPanel::handle_poke(const FrameContext& frame, Requests& out) {
         return;
     }
     if (!ImGui::IsItemActive() || !ImGui::IsMouseClicked(ImGuiMouseButton_Left)) return;
-    const int part = part_at(frame.playback.phenotype(), frame.playback.poses(), mouse);
+    const int part =
+        part_at(frame.viewer.playback.phenotype(), frame.viewer.playback.poses(), mouse);
     if (part < 0) return;
-    const Pose& pose = frame.playback.poses()[static_cast<std::size_t>(part)];
+    const Pose& pose = frame.viewer.playback.poses()[static_cast<std::size_t>(part)];
     const Vec3 inside = pose.orientation.conjugate() * (target - pose.position);
     out.ask(PokePart{static_cast<std::size_t>(part), inside, target});
 }
 
 void ViewportPanel::build_scene(const FrameContext& frame) {
-    const Playback& playback = frame.playback;
+    const Playback& playback = frame.viewer.playback;
     const Palette& palette = colors();
     SceneFrame& scene = canvas_.frame;
     std::vector<FaceSet> touched;
-    if (frame.view.contacts) touched = touched_faces(playback.trial().scene());
+    if (frame.view.overlays.contacts) touched = touched_faces(playback.trial().scene());
     const CreatureLook look{playback.phenotype(), playback.poses(), touched,
-                            playback.exhibit().genome->hue, frame.highlight};
-    if (frame.view.grid) add_grid(scene, palette, canvas_.camera, size_);
+                            playback.exhibit().genome->hue, frame.viewer.highlight};
+    if (frame.view.overlays.grid) add_grid(scene, palette, canvas_.camera, size_);
     if (playback.environment().has_ground) {
         add_ground(scene, palette, canvas_.camera, size_);
         add_shadow(scene, look);
     }
-    if (frame.view.trail) {
+    if (frame.view.overlays.trail) {
         scene.add_trail(playback.trail(), 2.2 * canvas_.camera.pixel(),
                         with_alpha(palette.accent, 0.8F));
     }
-    for (const auto& ghost : frame.ghosts)
+    for (const auto& ghost : frame.viewer.ghosts)
         add_ghost(scene, canvas_.camera,
                   {ghost->phenotype(), ghost->poses(), {}, ghost->genome().hue});
     add_creature(scene, palette, canvas_.camera, look);
@@ -186,7 +192,7 @@ void ViewportPanel::build_scene(const FrameContext& frame) {
 }
 
 void ViewportPanel::draw_marks(const FrameContext& frame) {
-    if (!frame.playback.environment().has_ground) return;
+    if (!frame.viewer.playback.environment().has_ground) return;
     const Camera& camera = canvas_.camera;
     const WorldWindow window = camera.window(size_);
     if (window.low.y() > 0.0) return;
@@ -210,14 +216,14 @@ void ViewportPanel::draw_marks(const FrameContext& frame) {
 
 void ViewportPanel::add_overlays(const FrameContext& frame, const CreatureLook& look) {
     const ViewState& view = frame.view;
-    const OverlayScene over{look, frame.playback.trial().scene(), frame.kinds.creature, colors(),
-                            canvas_.camera.pixel()};
-    if (view.limits) add_joint_limits(canvas_.frame, over);
-    if (view.torques) add_joint_torques(canvas_.frame, over);
-    if (view.sensors) add_sensor_readings(canvas_.frame, over);
-    if (view.forces) add_contact_forces(canvas_.frame, over);
-    if (view.center_of_mass)
-        add_center_of_mass(canvas_.frame, over, frame.playback.center_of_mass().head<2>());
+    const OverlayScene over{look, frame.viewer.playback.trial().scene(), frame.kinds.creature,
+                            colors(), canvas_.camera.pixel()};
+    if (view.overlays.limits) add_joint_limits(canvas_.frame, over);
+    if (view.overlays.torques) add_joint_torques(canvas_.frame, over);
+    if (view.overlays.sensors) add_sensor_readings(canvas_.frame, over);
+    if (view.overlays.forces) add_contact_forces(canvas_.frame, over);
+    if (view.overlays.center_of_mass)
+        add_center_of_mass(canvas_.frame, over, frame.viewer.playback.center_of_mass().head<2>());
 }
 
 // A name on a small plate, centred.
@@ -236,14 +242,14 @@ void ViewportPanel::draw_plate(const Vec2& at, const std::string& name) const {
 
 // Those that would cover another one are left out.
 void ViewportPanel::draw_part_names(const FrameContext& frame) const {
-    const Phenotype& phenotype = frame.playback.phenotype();
+    const Phenotype& phenotype = frame.viewer.playback.phenotype();
     std::vector<Vec2> taken;
     const double line = static_cast<double>(px(20)) * canvas_.camera.pixel();
-    for (std::size_t i = 0; i < frame.playback.poses().size(); ++i) {
+    for (std::size_t i = 0; i < frame.viewer.playback.poses().size(); ++i) {
         const std::string name =
             i == 0 ? "root"
                    : std::to_string(i) + " · gene " + std::to_string(phenotype.parts[i].node);
-        const Vec2 at = frame.playback.poses()[i].position.head<2>();
+        const Vec2 at = frame.viewer.playback.poses()[i].position.head<2>();
         const auto covers = [&](const Vec2& other) {
             return std::fabs(other.x() - at.x()) < 5.0 * line &&
                    std::fabs(other.y() - at.y()) < line;
@@ -258,7 +264,7 @@ void ViewportPanel::draw_part_names(const FrameContext& frame) const {
 void ViewportPanel::draw_ghost_labels(const FrameContext& frame) const {
     std::vector<Vec2> taken;
     const double line = static_cast<double>(px(20)) * canvas_.camera.pixel();
-    for (const auto& ghost : frame.ghosts) {
+    for (const auto& ghost : frame.viewer.ghosts) {
         const WorldWindow bounds = body_window(ghost->phenotype(), ghost->poses());
         Vec2 at = {0.5 * (bounds.low.x() + bounds.high.x()), bounds.high.y() + line};
         const auto covers = [&](const Vec2& other) {
@@ -275,7 +281,7 @@ void ViewportPanel::draw_ghost_labels(const FrameContext& frame) const {
 void ViewportPanel::draw_words(const FrameContext& frame) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const Fonts& fonts = ui().fonts;
-    const Exhibit& exhibit = frame.playback.exhibit();
+    const Exhibit& exhibit = frame.viewer.playback.exhibit();
     ImVec2 at = {canvas_.area.x + px(16), canvas_.area.y + px(12)};
     const std::string& name = exhibit.genome->name;
     const std::string title =
@@ -284,10 +290,10 @@ void ViewportPanel::draw_words(const FrameContext& frame) {
     at.y += px(27);
     shadowed_text(list, fonts.body, px(15), at, colors().muted, second_line(frame));
     at.y += px(22);
-    if (frame.playback.diverged()) {
+    if (frame.viewer.playback.diverged()) {
         shadowed_text(list, fonts.body, px(15), at, colors().danger,
                       "The motion diverged; press R to restart");
-    } else if (frame.playback.disturbed()) {
+    } else if (frame.viewer.playback.disturbed()) {
         shadowed_text(list, fonts.body, px(15), at, colors().plot_best,
                       "Disturbed by hand; press R to restart");
     }

@@ -16,9 +16,6 @@ public:
     explicit ViewportPanel(Renderer* renderer) { canvas_.renderer = renderer; }
 
     void draw(const FrameContext& frame, Requests& out) override;
-    void set_framebuffer_height(int pixels) { canvas_.framebuffer_height = pixels; }
-    // The creature is brought to a good size at the next draw.
-    void fit() { fit_wanted_ = true; }
     const Camera& camera() const { return canvas_.camera; }
     const SceneFrame& scene() const { return canvas_.frame; }
 
@@ -40,6 +37,7 @@ private:
     SceneCanvas canvas_;
     Viewport size_;
     bool fit_wanted_ = true;
+    unsigned fits_seen_ = 0;           // requests to fit the creature into view, so far
     const Phenotype* seen_ = nullptr;  // on show at the last draw; compared only
     bool panning_ = false;
 };

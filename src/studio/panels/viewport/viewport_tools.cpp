@@ -31,7 +31,7 @@ bool line(const char* label, bool chosen, const char* help) {
 // The overlays, each with a switch; several may be switched one after the other.
 void overlay_lines(const FrameContext& frame, Requests& out) {
     for (const OverlayKind& overlay : overlay_kinds()) {
-        bool shown = frame.view.*overlay.shown;
+        bool shown = frame.view.overlays.*overlay.shown;
         const bool switched = toggle_switch(overlay.label, shown);
         tooltip(overlay.help);
         ImGui::SameLine();
@@ -40,7 +40,7 @@ void overlay_lines(const FrameContext& frame, Requests& out) {
         tooltip(overlay.help);
         if (!switched) continue;
         ViewState view = frame.view;
-        view.*overlay.shown = shown;
+        view.overlays.*overlay.shown = shown;
         out.ask(ChangeView{view});
     }
 }
@@ -81,17 +81,17 @@ void ghost_lines(const FrameContext& frame, Requests& out) {
 }
 
 void draw_viewport_tools(const FrameContext& frame, const Rect& area, Requests& out) {
-    const float width = frame.viewer ? px(30) : px(30) * 2 + px(24) + px(4) * 2;
+    const float width = frame.window.viewer_only ? px(30) : px(30) * 2 + px(24) + px(4) * 2;
     ImGui::SetCursorScreenPos({area.x + area.width - width - px(10), area.y + px(10)});
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(px(4), px(4)));
-    if (!frame.viewer) {
+    if (!frame.window.viewer_only) {
         menu_button("Ghosts", Icon::kGhost, "Champions of other generations beside this one",
                     frame.view.ghosts != GhostChoice::kNone, ghost_lines, frame, out);
         ImGui::SameLine();
     }
     menu_button("Overlays", Icon::kEye, "What is drawn over the creature", false, overlay_lines,
                 frame, out);
-    if (!frame.viewer) {
+    if (!frame.window.viewer_only) {
         ImGui::SameLine();
         ImGui::SetCursorPosY(ImGui::GetCursorPosY() + px(3));
         help_mark("viewport", out);

@@ -1,4 +1,4 @@
-#include "studio/panels/generations/timeline_plots.h"
+#include "studio/experiment/timeline_plots.h"
 
 #include <cstddef>
 

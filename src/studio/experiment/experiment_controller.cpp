@@ -1,0 +1,161 @@
+#include "studio/experiment/experiment_controller.h"
+
+#include "core/random.h"
+#include "genome/random_genome.h"
+#include "picking/handover.h"
+
+#include <system_error>
+#include <utility>
+
+namespace cambrian {
+
+// One operator for each request.
+struct ExperimentController::Handler {
+    ExperimentController& self;
+
+    void operator()(const ToggleEvolution&) const {
+        if (self.suspended_) return;
+        if (self.experiment_.running()) return self.experiment_.send(PauseEvolution{});
+        self.view_.newest_champion = true;
+        self.experiment_.send(ResumeEvolution{});
+    }
+    void operator()(const RunOneGeneration&) const {
+        if (self.experiment_.running() || self.suspended_) return;
+        self.view_.newest_champion = true;
+        self.experiment_.send(StepGeneration{});
+    }
+    void operator()(const EditSettings& request) const {
+        const Environment before = self.experiment_.editor().draft().world.environment;
+        self.experiment_.editor().edit(request.settings, request.field);
+        self.follow_world(before);
+        self.services_.feedback.log().write("edited", {{"field", request.field}});
+    }
+    void operator()(const FinishEdit&) const { self.commit(); }
+    void operator()(const UndoEdit&) const {
+        if (self.viewer_.undo_gene_edit()) return;
+        const Environment before = self.experiment_.editor().draft().world.environment;
+        self.experiment_.editor().undo();
+        self.follow_world(before);
+        self.commit();
+    }
+    void operator()(const RedoEdit&) const {
+        if (self.viewer_.redo_gene_edit()) return;
+        const Environment before = self.experiment_.editor().draft().world.environment;
+        self.experiment_.editor().redo();
+        self.follow_world(before);
+        self.commit();
+    }
+    void operator()(const StartNewRun& request) const {
+        const EvolutionSnapshot& snapshot = self.experiment_.snapshot();
+        std::vector<GenomePtr> founders;
+        if (request.keep_population) founders = genomes_of(snapshot.population);
+        self.previous_run_ =
+            self.previous_run_ || (!self.own_file_.empty() && !snapshot.history.empty());
+        self.services_.feedback.report(self.experiment_.start_new_run(std::move(founders)));
+        self.services_.feedback.log().write("new run");
+    }
+    void operator()(const StartFromShown&) const {
+        const Playback& playback = self.viewer_.playback();
+        if (playback.empty()) return;
+        self.services_.feedback.report(self.experiment_.start_new_run({playback.exhibit().genome}));
+        self.services_.feedback.log().write("new run");
+    }
+    void operator()(const DropStructuralEdits&) const {
+        SettingsEditor& editor = self.experiment_.editor();
+        editor.edit(with_live_fields(*self.experiment_.snapshot().settings, editor.draft(),
+                                     self.experiment_.fields()),
+                    "run");
+        editor.finish();
+    }
+    void operator()(const AddNewcomers& request) const {
+        self.experiment_.send(request);
+        self.services_.feedback.log().write("newcomers");
+    }
+    void operator()(const FindSetting&) const {
+        self.view_.panels.left = true;
+        ++self.find_asked_;
+    }
+};
+
+ExperimentController::ExperimentController(const Services& services, ViewState& view,
+                                           ViewerController& viewer, ExperimentSettings settings,
+                                           std::size_t workers)
+    : services_(services),
+      view_(view),
+      viewer_(viewer),
+      experiment_(std::move(settings), services.kinds, workers) {}
+
+void ExperimentController::carry_out(const ExperimentRequest& request) {
+    std::visit(Handler{*this}, request);
+}
+
+ExperimentView ExperimentController::facts() const {
+    return {.fields = experiment_.fields(),
+            .snapshot = experiment_.snapshot(),
+            .progress = experiment_.progress(),
+            .editor = experiment_.editor(),
+            .find_asked = find_asked_,
+            .previous_run = previous_run_};
+}
+
+void ExperimentController::keep_in(const std::filesystem::path& file) {
+    own_file_ = file;
+    experiment_.autosave_in(file);
+    std::error_code unknown;
+    previous_run_ = std::filesystem::exists(cambrian::previous_run(file), unknown);
+}
+
+void ExperimentController::suspend() {
+    evolved_before_ = experiment_.running();
+    experiment_.send(PauseEvolution{});
+    suspended_ = true;
+}
+
+void ExperimentController::release(bool resume) {
+    suspended_ = false;
+    if (resume && evolved_before_) experiment_.send(ResumeEvolution{});
+}
+
+void ExperimentController::show_random_creature() {
+    const ExperimentSettings& settings = experiment_.editor().draft();
+    RandomStream stream(settings.seed);
+    Exhibit exhibit;
+    exhibit.genome = std::make_shared<const Genome>(
+        random_genome(settings.founders, services_.kinds.creature.catalog, stream));
+    exhibit.world = settings.world;
+    exhibit.goal = settings.goal;
+    exhibit.expression = settings.expression;
+    exhibit.title = "A random creature";
+    exhibit.method = "random";
+    viewer_.show(std::move(exhibit));
+}
+
+void ExperimentController::commit() {
+    services_.feedback.report(experiment_.commit());
+}
+
+// A world changed by hand acts on the creature on display at once; any other edit leaves it alone.
+void ExperimentController::follow_world(const Environment& before) {
+    const Environment& after = experiment_.editor().draft().world.environment;
+    if (!(after == before)) viewer_.use_environment(after);
+}
+
+void ExperimentController::follow_status() {
+    const EvolutionSnapshot& snapshot = experiment_.snapshot();
+    if (snapshot.status == seen_status_) return;
+    seen_status_ = snapshot.status;
+    switch (seen_status_) {
+        case EngineStatus::kRunning:
+            services_.feedback.log().write("running");
+            break;
+        case EngineStatus::kPaused:
+            services_.feedback.log().write("paused");
+            break;
+        case EngineStatus::kFailed:
+            services_.feedback.tell(NoticeKind::kProblem, "Evolution stopped: " + snapshot.failure +
+                                                              ". Press Evolve to try again.");
+            break;
+    }
+}
+
+}  // namespace cambrian

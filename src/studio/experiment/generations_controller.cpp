@@ -1,0 +1,136 @@
+#include "studio/experiment/generations_controller.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace cambrian {
+namespace {
+
+constexpr double kLeastStay = 5.0;  // s a champion is watched before the next may come
+
+}  // namespace
+
+// One operator for each request.
+struct GenerationsController::Handler {
+    GenerationsController& self;
+
+    void operator()(const ShowChampion& request) const {
+        self.view_.newest_champion = false;
+        const ChampionRecord* champion = self.champion_of(request.generation);
+        if (champion == nullptr) return;
+        const Playback& playback = self.viewer_.playback();
+        const bool shown = !playback.empty() &&
+                           playback.exhibit().source == ExhibitSource::kChampion &&
+                           playback.exhibit().generation == request.generation;
+        if (!shown) self.show_champion(*champion);
+    }
+    void operator()(const ShowIndividual& request) const {
+        self.view_.newest_champion = false;
+        const ChampionRecord& creature = request.creature;
+        Exhibit exhibit = exhibit_of(*creature.individual, *creature.settings, creature.generation,
+                                     ExhibitSource::kPopulation);
+        const ChampionRecord* contemporary = self.champion_of(creature.generation);
+        if (contemporary != nullptr && contemporary->settings == creature.settings)
+            exhibit.experiment = self.experiment_.open().snapshot().experiment;
+        self.viewer_.show(std::move(exhibit));
+    }
+    void operator()(const ShowNewest&) const {
+        self.view_.newest_champion = true;
+        const auto& champions = self.experiment_.open().snapshot().champions;
+        if (!champions.empty()) self.show_champion(champions.back());
+    }
+    void operator()(const ToggleStar& request) const {
+        self.stars_.toggle(request.creature);
+        const Individual& individual = *request.creature.individual;
+        self.services_.feedback.log().write(self.stars_.has(individual) ? "starred" : "star taken",
+                                            {{"uid", uid_text(individual.uid)}});
+    }
+    void operator()(const ToggleStarOfShown&) const {
+        if (const auto creature = self.creature_on_display()) return (*this)(ToggleStar{*creature});
+        self.services_.feedback.tell(
+            NoticeKind::kProblem,
+            "Only creatures of this experiment can have a star; save this one to keep it.");
+    }
+    void operator()(const RestoreStar&) const { self.stars_.restore(); }
+};
+
+void GenerationsController::carry_out(const GenerationsRequest& request) {
+    std::visit(Handler{*this}, request);
+}
+
+void GenerationsController::log_finished() {
+    const EvolutionSnapshot& snapshot = experiment_.open().snapshot();
+    if (snapshot.experiment != seen_experiment_) {
+        seen_experiment_ = snapshot.experiment;
+        seen_champions_ = 0;
+    }
+    for (std::size_t i = seen_champions_; i < snapshot.champions.size(); ++i) {
+        const ChampionRecord& champion = snapshot.champions[i];
+        services_.feedback.log().write("generation",
+                                       {{"number", static_cast<double>(champion.generation)},
+                                        {"best", champion.individual->result.fitness}});
+    }
+    seen_champions_ = snapshot.champions.size();
+}
+
+// The newest champion is displayed as soon as the one before it was watched for a while; the first
+// one at once.
+void GenerationsController::follow_newest() {
+    const EvolutionSnapshot& snapshot = experiment_.open().snapshot();
+    const Playback& playback = viewer_.playback();
+    if (!view_.newest_champion || snapshot.champions.empty() || playback.hold() != nullptr) return;
+    const ChampionRecord& newest = snapshot.champions.back();
+    const bool first = playback.empty() || playback.exhibit().source != ExhibitSource::kChampion;
+    const bool same = !first && playback.exhibit().genome == newest.individual->genome;
+    if (!same && (first || viewer_.shown_for() > kLeastStay)) show_champion(newest);
+}
+
+void GenerationsController::keep_stars() {
+    if (stars_.revision() == kept_stars_) return;
+    kept_stars_ = stars_.revision();
+    services_.worker.submit(
+        [this, stars = stars_.all(), kept = experiment_.open().kept()](const std::stop_token&) {
+            const Status status = kept->keep_stars(stars);
+            return [this, status] { services_.feedback.report(status); };
+        });
+}
+
+void GenerationsController::replace_stars(std::vector<ChampionRecord> stars) {
+    stars_.replace(std::move(stars));
+    kept_stars_ = stars_.revision();
+}
+
+void GenerationsController::show_champion(const ChampionRecord& champion) {
+    Exhibit exhibit = exhibit_of(*champion.individual, *champion.settings, champion.generation,
+                                 ExhibitSource::kChampion);
+    exhibit.experiment = experiment_.open().snapshot().experiment;
+    viewer_.show(std::move(exhibit));
+}
+
+const ChampionRecord* GenerationsController::champion_of(std::uint32_t generation) const {
+    const auto& champions = experiment_.open().snapshot().champions;
+    const auto found = std::lower_bound(
+        champions.begin(), champions.end(), generation,
+        [](const ChampionRecord& each, std::uint32_t wanted) { return each.generation < wanted; });
+    const bool known = found != champions.end() && found->generation == generation;
+    return known ? &*found : nullptr;
+}
+
+// Nothing for a creature that belongs to no generation of this experiment and has no star.
+std::optional<ChampionRecord> GenerationsController::creature_on_display() const {
+    if (viewer_.playback().empty()) return std::nullopt;
+    const Exhibit& exhibit = viewer_.playback().exhibit();
+    for (const ChampionRecord& starred : stars_.all()) {
+        if (starred.individual->genome == exhibit.genome) return starred;
+    }
+    const ChampionRecord* champion = champion_of(exhibit.generation);
+    if (champion == nullptr) return std::nullopt;
+    if (champion->individual->genome == exhibit.genome) return *champion;
+    for (const IndividualPtr& individual : experiment_.open().snapshot().population) {
+        if (individual->genome == exhibit.genome)
+            return ChampionRecord{exhibit.generation, individual, champion->settings};
+    }
+    return std::nullopt;
+}
+
+}  // namespace cambrian

@@ -1,0 +1,61 @@
+#pragma once
+
+// What panels see of files and samples and what they may request of them.
+
+#include "studio/files/file_browser.h"
+#include "studio/files/sample_shelf.h"
+
+#include <cstddef>
+#include <filesystem>
+#include <variant>
+
+namespace cambrian {
+
+struct OpenFilePanel {
+    FileTask task = FileTask::kOpen;
+    PictureSize picture = {};  // of a plot
+};
+struct CloseFilePanel {};
+struct ListFolder {
+    std::filesystem::path folder;
+};
+struct LoadFile {
+    std::filesystem::path path;
+};
+struct SaveCreatureFile {
+    std::filesystem::path path;
+};
+// Displays a creature of the grid of selection by hand and asks for a name to save it under.
+struct SaveCell {
+    std::size_t cell = 0;
+};
+struct SaveExperimentFile {
+    std::filesystem::path path;
+};
+struct OpenPreviousRun {};
+struct SaveSettingsFile {
+    std::filesystem::path path;
+};
+struct SaveStatisticsFile {
+    std::filesystem::path path;
+};
+struct SavePlotPicture {
+    std::filesystem::path path;
+    PictureSize size;
+};
+struct SaveScreenshot {
+    std::filesystem::path path;  // empty: a new name in the present folder
+};
+struct ToggleSamples {};
+
+using FilesRequest =
+    std::variant<OpenFilePanel, CloseFilePanel, ListFolder, LoadFile, SaveCreatureFile, SaveCell,
+                 SaveExperimentFile, OpenPreviousRun, SaveSettingsFile, SaveStatisticsFile,
+                 SavePlotPicture, SaveScreenshot, ToggleSamples>;
+
+struct FilesView {
+    const FileBrowser& browser;
+    const SampleShelf* samples = nullptr;
+};
+
+}  // namespace cambrian

@@ -1,0 +1,263 @@
+#include "studio/files/files_controller.h"
+
+#include "core/pretty_text.h"
+#include "studio/experiment/timeline_plots.h"
+#include "studio/files/creature_exhibit.h"
+
+#include <cctype>
+#include <utility>
+
+namespace cambrian {
+namespace {
+
+// Words fit for a file name: letters, digits and dashes.
+std::string file_stem(const std::string& words) {
+    std::string stem;
+    for (const char letter : words) {
+        const auto byte = static_cast<unsigned char>(letter);
+        if (std::isalnum(byte) != 0) {
+            stem += static_cast<char>(std::tolower(byte));
+        } else if (!stem.empty() && stem.back() != '-') {
+            stem += '-';
+        }
+    }
+    while (!stem.empty() && stem.back() == '-')
+        stem.pop_back();
+    return stem.empty() ? "creature" : stem;
+}
+
+// "Opened wanderer.creature.json. The first warning (2 more)"
+std::string opened_words(const std::filesystem::path& path,
+                         const std::vector<std::string>& warnings) {
+    std::string text = "Opened " + path.filename().string() + ".";
+    if (!warnings.empty()) text += " " + warnings.front();
+    if (warnings.size() > 1) text += format(" (%zu more)", warnings.size() - 1);
+    return text;
+}
+
+}  // namespace
+
+// One operator for each request.
+struct FilesController::Handler {
+    FilesController& self;
+
+    void operator()(const OpenFilePanel& request) const {
+        if (!self.may_open(request.task)) return;
+        FileBrowser& browser = self.browser_;
+        browser.open = true;
+        browser.task = request.task;
+        ++browser.opened;
+        browser.picture = request.picture;
+        browser.suggested_name = self.suggested_name(request.task);
+        self.desk_.list(browser.listing.folder, browser.task);
+    }
+    void operator()(const CloseFilePanel&) const { self.browser_.open = false; }
+    void operator()(const ListFolder& request) const {
+        self.desk_.list(request.folder, self.browser_.task);
+    }
+    void operator()(const LoadFile& request) const { self.desk_.load(request.path); }
+    void operator()(const SaveCreatureFile& request) const {
+        if (self.subjects_.viewer.playback().empty()) return;
+        CreatureDocument document = self.displayed_document();
+        if (!is_card_name(request.path))
+            return self.desk_.save_creature(request.path, std::move(document));
+        const Exhibit& exhibit = self.subjects_.viewer.playback().exhibit();
+        CardOrder order{.path = request.path,
+                        .document = std::move(document),
+                        .title = exhibit.title,
+                        .settings = settings_of(exhibit)};
+        if (exhibit.experiment != 0) order.generation = exhibit.born;
+        self.desk_.prepare_card(std::move(order));
+    }
+    void operator()(const SaveCell& request) const {
+        if (self.subjects_.picking.show_cell(request.cell))
+            (*this)(OpenFilePanel{FileTask::kSaveCreature});
+    }
+    void operator()(const SaveExperimentFile& request) const {
+        self.desk_.save_experiment(request.path, self.subjects_.experiment.open().kept());
+    }
+    // The run before the present one, wherever that is by now.
+    void operator()(const OpenPreviousRun&) const {
+        const std::filesystem::path& own = self.subjects_.experiment.own_file();
+        const bool begun = !self.subjects_.experiment.open().snapshot().history.empty();
+        self.desk_.load(begun ? previous_run(own) : own);
+    }
+    void operator()(const SaveSettingsFile& request) const {
+        self.desk_.save_settings(request.path, self.subjects_.experiment.open().editor().draft());
+    }
+    void operator()(const SaveStatisticsFile& request) const {
+        self.desk_.save_statistics(request.path,
+                                   self.subjects_.experiment.open().snapshot().history);
+    }
+    void operator()(const SavePlotPicture& request) const { self.orders_.plot = request; }
+    void operator()(const SaveScreenshot& request) const { self.orders_.screenshot = request; }
+    // The folder is read each time, so that creatures added meanwhile are found.
+    void operator()(const ToggleSamples&) const {
+        self.samples_.open = !self.samples_.open;
+        if (!self.samples_.open) return;
+        FilesController& controller = self;
+        self.services_.worker.submit([&controller, folder = self.samples_folder_,
+                                      &kinds = self.services_.kinds](const std::stop_token&) {
+            auto found = read_samples(folder, kinds);
+            return [&controller, found = std::move(found)] {
+                controller.samples_.samples = found;
+                controller.samples_.read = true;
+                controller.services_.feedback.log().write(
+                    "samples", {{"count", static_cast<double>(found.size())}});
+            };
+        });
+    }
+};
+
+// One operator for each way in which reading or writing ends.
+struct FilesController::Receiver {
+    FilesController& self;
+
+    Feedback& feedback() const { return self.services_.feedback; }
+    void log(const char* event, const std::filesystem::path& path) const {
+        feedback().log().write(event, {{"path", path.string()}});
+    }
+
+    void operator()(const CreatureLoaded& event) const {
+        self.view_.newest_champion = false;
+        self.show(event.document, ExhibitSource::kFile, event.path);
+        self.subjects_.picking.yield_viewport();
+        log("loaded", event.path);
+        std::vector<std::string> warnings = event.document.warnings;
+        const ExperimentSettings& draft = self.subjects_.experiment.open().editor().draft();
+        for (std::string& each :
+             foreign_kinds(event.document.genome, draft.founders, self.services_.kinds))
+            warnings.push_back(std::move(each));
+        feedback().tell(NoticeKind::kDone, opened_words(event.path, warnings));
+    }
+    void operator()(const SettingsLoaded& event) const {
+        const Status status = self.subjects_.experiment.open().replace(event.settings);
+        if (!status) return feedback().report(status);
+        log("loaded", event.path);
+        feedback().tell(NoticeKind::kDone, "Opened " + event.path.filename().string() +
+                                               ". Press Evolve to begin with these settings.");
+    }
+    void operator()(ExperimentLoaded& event) const {
+        OpenExperiment& experiment = self.subjects_.experiment.open();
+        if (std::exchange(self.reopening_, false) && !experiment.fresh()) {
+            return feedback().tell(NoticeKind::kProblem, "The experiment left last time stays in " +
+                                                             event.path.string() +
+                                                             "; open it from the File menu.");
+        }
+        OpenedExperiment& opened = *event.experiment;
+        const std::size_t generations = opened.saved.champions.size();
+        experiment.go_on(std::move(opened.saved), std::move(opened.file), event.path);
+        self.subjects_.generations.replace_stars(std::move(opened.stars));
+        self.subjects_.picking.restore(std::move(opened.picking));
+        self.view_.newest_champion = true;
+        feedback().log().write("experiment", {{"path", event.path.string()},
+                                              {"generations", static_cast<double>(generations)}});
+        feedback().tell(NoticeKind::kDone,
+                        "The experiment is where it was left: " + std::to_string(generations) +
+                            (generations == 1 ? " generation" : " generations") +
+                            ". Press Evolve to go on.");
+    }
+    void operator()(const FileSaved& event) const {
+        log("saved", event.path);
+        if (event.path.extension() == ".cambrian")
+            self.subjects_.experiment.open().moved_to(event.path);
+        if (event.creature) self.subjects_.picking.note_save();
+        feedback().tell(NoticeKind::kDone, "Saved " + event.path.string());
+    }
+    void operator()(CardPrepared& event) const { self.orders_.card = std::move(event.card); }
+    void operator()(FolderListed& event) const { self.browser_.listing = std::move(event.listing); }
+    void operator()(const FileFailed& event) const {
+        self.reopening_ = false;
+        log("failed", event.path);
+        feedback().tell(NoticeKind::kProblem, event.message);
+    }
+};
+
+FilesController::FilesController(const Services& services, ViewState& view,
+                                 const FileSubjects& subjects)
+    : services_(services),
+      view_(view),
+      subjects_(subjects),
+      desk_(services.worker, services.kinds) {
+    browser_.listing.folder = std::filesystem::current_path();
+}
+
+void FilesController::update() {
+    for (FileEvent& event : desk_.take_events())
+        std::visit(Receiver{*this}, event);
+}
+
+void FilesController::carry_out(const FilesRequest& request) {
+    std::visit(Handler{*this}, request);
+}
+
+void FilesController::open_now(const std::filesystem::path& path, ExhibitSource source) {
+    FileEvent event = load_file(path, services_.kinds);
+    auto* creature = std::get_if<CreatureLoaded>(&event);
+    if (creature == nullptr) return std::visit(Receiver{*this}, event);
+    show(creature->document, source, path);
+    if (source == ExhibitSource::kFile)
+        services_.feedback.log().write("loaded", {{"path", path.string()}});
+}
+
+void FilesController::reopen(const std::filesystem::path& path) {
+    reopening_ = true;
+    desk_.load(path);
+}
+
+void FilesController::save_card(const PreparedCard& card, Image picture) {
+    desk_.save_card(card.path, std::move(picture), card.text);
+}
+
+void FilesController::save_picture(const std::filesystem::path& path, Image image) {
+    desk_.save_picture(path, std::move(image));
+}
+
+// Tells the person why a task has nothing to save.
+bool FilesController::may_open(FileTask task) {
+    if (task == FileTask::kSaveCreature && subjects_.viewer.playback().empty()) {
+        services_.feedback.tell(NoticeKind::kProblem, "There is no creature on show to save.");
+        return false;
+    }
+    const bool of_run = task == FileTask::kSaveStatistics || task == FileTask::kSavePlot;
+    if (of_run && subjects_.experiment.open().snapshot().history.empty()) {
+        services_.feedback.tell(NoticeKind::kProblem,
+                                "There are no statistics yet; evolve a generation first.");
+        return false;
+    }
+    return true;
+}
+
+std::string FilesController::suggested_name(FileTask task) const {
+    const OpenExperiment& experiment = subjects_.experiment.open();
+    switch (task) {
+        case FileTask::kOpen:
+            return {};
+        case FileTask::kSaveCreature:
+            return file_stem(subjects_.viewer.playback().exhibit().title) + ".creature.json";
+        case FileTask::kSaveExperiment:
+            return experiment.file().empty()
+                       ? file_stem(experiment.editor().draft().goal) + ".cambrian"
+                       : experiment.file().filename().string();
+        case FileTask::kSaveSettings:
+            return "experiment.toml";
+        case FileTask::kSaveStatistics:
+            return "statistics.csv";
+        case FileTask::kSavePlot:
+            return std::string(timeline_plot(view_.quantity).id) + ".png";
+    }
+    return {};
+}
+
+void FilesController::show(const CreatureDocument& document, ExhibitSource source,
+                           const std::filesystem::path& path) {
+    const ExperimentSettings& draft = subjects_.experiment.open().editor().draft();
+    subjects_.viewer.show(exhibit_of(document, draft, source, path));
+}
+
+CreatureDocument FilesController::displayed_document() const {
+    return document_of(subjects_.viewer.playback().exhibit(), subjects_.viewer.score(),
+                       services_.kinds.goals);
+}
+
+}  // namespace cambrian

@@ -1,0 +1,47 @@
+#include "studio/help/guide_controller.h"
+
+#include "studio/help/tour.h"
+
+#include <utility>
+
+namespace cambrian {
+
+// One operator for each request.
+struct GuideController::Handler {
+    GuideController& self;
+
+    void operator()(const ToggleHelp&) const {
+        self.facts_.help_shown = !self.facts_.help_shown;
+        if (self.facts_.help_shown)
+            self.services_.feedback.log().write("help", {{"page", self.help_.open}});
+    }
+    void operator()(const ShowHelp& request) const {
+        self.help_.open = request.page;
+        self.facts_.help_shown = true;
+        self.services_.feedback.log().write("help", {{"page", request.page}});
+    }
+    void operator()(const TurnTour& request) const {
+        const bool over = request.step < 0 || request.step >= static_cast<int>(tour_steps().size());
+        self.facts_.tour_step = over ? -1 : request.step;
+        self.services_.feedback.log().write("tour",
+                                            {{"step", static_cast<double>(self.facts_.tour_step)}});
+        if (over) self.view_.tour_taken = true;
+    }
+};
+
+void GuideController::read(const std::filesystem::path& folder, std::string keys) {
+    services_.worker.submit([this, folder, keys = std::move(keys)](const std::stop_token&) {
+        auto pages = read_help(folder, keys);
+        return [this, pages = std::move(pages)] { help_.pages = pages; };
+    });
+}
+
+void GuideController::offer_tour() {
+    if (!view_.tour_taken) carry_out(TurnTour{0});
+}
+
+void GuideController::carry_out(const GuideRequest& request) {
+    std::visit(Handler{*this}, request);
+}
+
+}  // namespace cambrian

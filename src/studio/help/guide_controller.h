@@ -1,0 +1,36 @@
+#pragma once
+
+// Owns what helps a person find the way: the pages of the help and the tour.
+
+#include "studio/background/services.h"
+#include "studio/help/guide_contract.h"
+#include "studio/look/view_state.h"
+
+#include <filesystem>
+#include <string>
+
+namespace cambrian {
+
+class GuideController {
+public:
+    // Everything that `services` names and `view` must outlive it.
+    GuideController(const Services& services, ViewState& view)
+        : services_(services), view_(view), facts_{.help = &help_} {}
+
+    // Reads the pages of a folder in the background; `keys` is the text of the page of keys.
+    void read(const std::filesystem::path& folder, std::string keys);
+    // Begins the tour, unless it was taken before.
+    void offer_tour();
+    void carry_out(const GuideRequest& request);
+    GuideView facts() const { return facts_; }
+
+private:
+    struct Handler;
+
+    Services services_;
+    ViewState& view_;
+    HelpBook help_;
+    GuideView facts_;
+};
+
+}  // namespace cambrian

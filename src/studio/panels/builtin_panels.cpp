@@ -1,0 +1,109 @@
+#include "studio/panels/builtin_panels.h"
+
+#include "studio/panels/bar/evolve_bar.h"
+#include "studio/panels/cards/file_panel.h"
+#include "studio/panels/cards/help_panel.h"
+#include "studio/panels/cards/notice_strip.h"
+#include "studio/panels/cards/samples_panel.h"
+#include "studio/panels/cards/tour_card.h"
+#include "studio/panels/experiment/experiment_panel.h"
+#include "studio/panels/generations/population_panel.h"
+#include "studio/panels/generations/timeline_panel.h"
+#include "studio/panels/inspector/inspector_panel.h"
+#include "studio/panels/picking/picking_grid_panel.h"
+#include "studio/panels/picking/picking_panel.h"
+#include "studio/panels/picking/picking_strip.h"
+#include "studio/panels/picking/picking_tree_panel.h"
+#include "studio/panels/picking/shelf_panel.h"
+#include "studio/panels/viewport/transport_bar.h"
+#include "studio/panels/viewport/viewport_panel.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <type_traits>
+
+namespace cambrian {
+namespace {
+
+template <class Kind>
+std::unique_ptr<Panel> make([[maybe_unused]] Renderer* renderer) {
+    if constexpr (std::is_constructible_v<Kind, Renderer*>) {
+        return std::make_unique<Kind>(renderer);
+    } else {
+        return std::make_unique<Kind>();
+    }
+}
+
+// A card of this size in the middle of the window.
+template <int Width, int Height>
+Rect centered(const FrameContext&, const CardSpace& space) {
+    const Rect& over = space.window;
+    const float w = std::min(px(Width), over.width - px(24));
+    const float h = std::min(px(Height), over.height - px(24));
+    return {std::round(over.center().x - 0.5F * w), std::round(over.center().y - 0.5F * h), w, h};
+}
+
+// When a panel is shown.
+bool always(const FrameContext&) {
+    return true;
+}
+bool evolving(const FrameContext& frame) {
+    return frame.picking == nullptr;
+}
+bool picking(const FrameContext& frame) {
+    return frame.picking != nullptr;
+}
+bool grid_shown(const FrameContext& frame) {
+    return frame.picking != nullptr && !frame.picking->single;
+}
+bool creature_shown(const FrameContext& frame) {
+    return !grid_shown(frame);
+}
+bool files_open(const FrameContext& frame) {
+    return frame.files.browser.open;
+}
+bool help_open(const FrameContext& frame) {
+    return frame.guide.help_shown;
+}
+bool samples_open(const FrameContext& frame) {
+    return frame.files.samples != nullptr && frame.files.samples->open;
+}
+bool touring(const FrameContext& frame) {
+    return frame.guide.tour_step >= 0;
+}
+bool notice_told(const FrameContext& frame) {
+    return frame.window.notice != nullptr;
+}
+
+using enum PanelArea;
+
+// clang-format off
+const std::array kPanels = {
+    PanelKind{"bar",           {kBar, 12, 10},                            always,         make<EvolveBar>},
+    PanelKind{"experiment",    {kLeft},                                   always,         make<ExperimentPanel>},
+    PanelKind{"picking grid",  {kCenter, 0, 0},                           grid_shown,     make<PickingGridPanel>},
+    PanelKind{"picking strip", {kUnderCenter, 10, 8},                     grid_shown,     make<PickingStrip>},
+    PanelKind{"picking",       {kRight},                                  grid_shown,     make<PickingPanel>},
+    PanelKind{"viewport",      {kCenter, 0, 0},                           creature_shown, make<ViewportPanel>},
+    PanelKind{"transport",     {kUnderCenter, 10, 6},                     creature_shown, make<TransportBar>},
+    PanelKind{"inspector",     {kRight},                                  creature_shown, make<InspectorPanel>},
+    PanelKind{"tree",          {kBottomLeft},                             picking,        make<PickingTreePanel>},
+    PanelKind{"shelf place",   {kBottomRight},                            picking,        make<ShelfPanel>},
+    PanelKind{"timeline",      {kBottomLeft, -1, -1, Place::kTimeline},   evolving,       make<TimelinePanel>},
+    PanelKind{"population",    {kBottomRight, -1, -1, Place::kPopulation}, evolving,      make<PopulationPanel>},
+    PanelKind{"files",         {kCard, 20, 18, {}, 10, centered<620, 560>}, files_open,   make<FilePanel>},
+    PanelKind{"help",          {kCard, 20, 18, {}, 10, centered<860, 640>}, help_open,    make<HelpPanel>},
+    PanelKind{"samples",       {kCard, 20, 18, {}, 10, centered<780, 560>}, samples_open, make<SamplesPanel>},
+    PanelKind{"tour",          {kCard, 20, 18, {}, 10, tour_place},       touring,        make<TourCard>},
+    PanelKind{"notice",        {kCard, 18, 10, {}, 4, notice_place},      notice_told,    make<NoticeStrip>},
+};
+// clang-format on
+
+}  // namespace
+
+std::span<const PanelKind> builtin_panels() {
+    return kPanels;
+}
+
+}  // namespace cambrian

@@ -1,0 +1,140 @@
+#include "studio/viewer/viewer_controller.h"
+
+#include "genome/genome.h"
+
+#include <utility>
+
+namespace cambrian {
+namespace {
+
+constexpr double kPlaybackBudget = 0.006;  // s a frame
+constexpr double kGhostBudget = 0.004;     // s a frame
+
+}  // namespace
+
+// One operator for each request.
+struct ViewerController::Handler {
+    ViewerController& self;
+
+    Playback& playback() const { return self.stage_.playback(); }
+
+    void operator()(const TogglePlayback&) const { playback().set_playing(!playback().playing()); }
+    void operator()(const RestartPlayback&) const { playback().restart(); }
+    void operator()(const StepPlayback&) const {
+        playback().step();
+        self.log_tick();
+    }
+    void operator()(const StepPlaybackBack&) const {
+        playback().step_back();
+        self.log_tick();
+    }
+    void operator()(const SeekPlayback& request) const { playback().seek(request.tick); }
+    void operator()(const FitView&) const { ++self.facts_.fits_asked; }
+    void operator()(const PokePart& request) const {
+        playback().poke(request.part, request.point_in_part, request.target);
+    }
+    void operator()(const ReleasePoke&) const { playback().release(); }
+    void operator()(const ForceNeuron& request) const {
+        if (!playback().empty()) playback().force(request.neuron, request.value);
+    }
+    void operator()(const ReleaseNeuron& request) const {
+        if (!playback().empty()) playback().release_neuron(request.neuron);
+    }
+    void operator()(const ShowHighlight& request) const {
+        self.facts_.highlight.join(request.highlight);
+    }
+    void operator()(const ShowExhibit& request) const {
+        self.view_.newest_champion = false;
+        self.show(*request.exhibit);
+    }
+    void operator()(const EditGenes& request) const {
+        if (playback().empty()) return;
+        const auto faults = validate(*request.genome, self.services_.kinds.creature.catalog);
+        if (!faults.empty())
+            return self.services_.feedback.tell(
+                NoticeKind::kProblem,
+                "Nothing was changed, as the genes would not be valid: " + faults.front());
+        self.view_.newest_champion = false;
+        self.genes_.edit(playback().exhibit(), request.genome, request.change);
+        self.services_.feedback.log().write("gene edited", {{"place", request.change.place},
+                                                            {"from", request.change.from},
+                                                            {"to", request.change.to}});
+        self.show_edited();
+    }
+    void operator()(const FinishGeneEdit&) const { self.genes_.finish(); }
+};
+
+ViewerController::ViewerController(const Services& services, ViewState& view)
+    : services_(services),
+      view_(view),
+      stage_(services.worker, services.kinds),
+      ghosts_(services.kinds.creature),
+      facts_{.playback = stage_.playback(), .genes = &genes_} {}
+
+void ViewerController::update(double elapsed, const EvolutionSnapshot& snapshot) {
+    stage_.playback().set_speed(view_.speed);
+    stage_.playback().advance(elapsed, kPlaybackBudget);
+    ghosts_.update(snapshot, view_.ghosts, stage_.playback(), kGhostBudget);
+}
+
+void ViewerController::carry_out(const ViewerRequest& request) {
+    std::visit(Handler{*this}, request);
+}
+
+ViewerView ViewerController::facts() const {
+    ViewerView facts = facts_;
+    facts.score = stage_.score();
+    facts.ghosts = ghosts_.all();
+    return facts;
+}
+
+void ViewerController::show(Exhibit exhibit) {
+    const std::string title = exhibit.title;
+    const std::string uid = exhibit.uid;
+    if (Status status = stage_.show(std::move(exhibit)); !status)
+        return services_.feedback.report(status);
+    genes_.clear();
+    shown_since_ = services_.feedback.now();
+    services_.feedback.log().write("shown", {{"title", title}, {"uid", uid}});
+}
+
+void ViewerController::use_environment(const Environment& environment) {
+    stage_.playback().set_environment(environment);
+}
+
+bool ViewerController::undo_gene_edit() {
+    if (!genes_.can_undo()) return false;
+    genes_.undo();
+    services_.feedback.log().write("gene undone");
+    show_edited();
+    return true;
+}
+
+bool ViewerController::redo_gene_edit() {
+    if (!genes_.can_redo()) return false;
+    genes_.redo();
+    services_.feedback.log().write("gene redone");
+    show_edited();
+    return true;
+}
+
+double ViewerController::shown_for() const {
+    return services_.feedback.now() - shown_since_;
+}
+
+bool ViewerController::animating() const {
+    const Playback& playback = stage_.playback();
+    return (playback.playing() && !playback.empty()) || playback.seeking();
+}
+
+void ViewerController::show_edited() {
+    services_.feedback.report(stage_.show(genes_.exhibit()));
+    shown_since_ = services_.feedback.now();
+}
+
+void ViewerController::log_tick() {
+    services_.feedback.log().write(
+        "tick", {{"number", static_cast<double>(stage_.playback().tick_shown())}});
+}
+
+}  // namespace cambrian

@@ -1,0 +1,27 @@
+#include "studio/window_controller.h"
+
+#include <variant>
+
+namespace cambrian {
+
+// One operator for each request.
+struct WindowController::Handler {
+    WindowController& self;
+
+    void operator()(const ChangeView& request) const { self.view_ = request.view; }
+    void operator()(const FocusPlace& request) const { self.facts_.focus = request.place; }
+    void operator()(const DismissNotice&) const { self.feedback_.dismiss(); }
+    void operator()(const QuitStudio&) const { self.quit_wanted_ = true; }
+};
+
+void WindowController::carry_out(const WindowRequest& request) {
+    std::visit(Handler{*this}, request);
+}
+
+WindowView WindowController::facts() const {
+    WindowView facts = facts_;
+    facts.notice = feedback_.notice();
+    return facts;
+}
+
+}  // namespace cambrian

@@ -1,0 +1,171 @@
+#!/usr/bin/env python3
+"""Fails where a class of a layer has too many members or functions, or a folder too many files.
+
+    check_class_sizes.py <folder> --members 15 --functions 20 --files 20 [--larger Class ...] [--list]
+
+Members are a class's own data; functions are what it declares itself, constructors, operators and
+deleted ones included. Friends, nested types and what it inherits do not count. Classes named with
+--larger are still to be divided; one that is no longer too large must not be named.
+"""
+import argparse
+import pathlib
+import re
+import sys
+
+LITERALS_AND_COMMENTS = re.compile(
+    r'//[^\n]*|/\*.*?\*/|R"(\w*)\(.*?\)\1"|"(?:\\.|[^"\\\n])*"|(?<![0-9a-fA-F])\'(?:\\.|[^\'\\\n])\'',
+    re.S)
+CLASS = re.compile(r'\b(?:class|struct|union)\s+((?:\w+::)*\w+)(?:\s+final)?(\s*:[^;{(]*)?\s*\{')
+SKIPPED = re.compile(r'(friend|using|typedef|static_assert|enum)\b')
+PAIRS = {'{': '}', '(': ')', '[': ']'}
+
+
+def without_literals(text):
+    text = re.sub(r'^[ \t]*#.*(?:\\\n.*)*$', '', text, flags=re.M)
+    return LITERALS_AND_COMMENTS.sub(lambda found: '""' if found[0][0] in '"R\'' else ' ', text)
+
+
+def end_of(text, start):
+    """The place after the bracket that closes the one at start."""
+    close, depth = PAIRS[text[start]], 0
+    for i in range(start, len(text)):
+        depth += (text[i] == text[start]) - (text[i] == close)
+        if depth == 0:
+            return i + 1
+    raise ValueError('a bracket is not closed: ' + text[start:start + 60])
+
+
+def text_of(body, start):
+    """What stands in the brackets that open at start, without inner braces."""
+    return re.sub(r'\{[^{}]*\}', '', body[start:end_of(body, start)])
+
+
+def declarations(body):
+    """The declarations of a class's body, each without what its braces hold."""
+    words, i = '', 0
+    while i < len(body):
+        letter = body[i]
+        if letter == '{':
+            i = end_of(body, i)
+            rest = body[i:].lstrip()
+            is_function = '(' in without_templates(words).split('=')[0]
+            initialized = rest.startswith((';', ',', '{'))
+            words += '{}'
+            if is_function and not initialized:
+                yield words
+                words = ''
+        elif letter == '(':
+            words += text_of(body, i)
+            i = end_of(body, i)
+        elif letter == ';':
+            yield words
+            words, i = '', i + 1
+        else:
+            words, i = words + letter, i + 1
+
+
+def without_templates(words):
+    """The words without template arguments, however deep."""
+    before = None
+    while before != words:
+        before, words = words, re.sub(r'<[^<>]*>', '', words)
+    return words
+
+
+def count(body):
+    members = functions = 0
+    for words in declarations(body):
+        words = re.sub(r'\b(public|private|protected)\s*:(?!:)', ' ', words)
+        words = re.sub(r'\[\[.*?\]\]', '', words).strip()
+        words = re.sub(r'^template\s*', '', without_templates(re.sub(r'operator\s*[<>=!]+', 'operator_', words)))
+        words = re.sub(r'^requires\s*\([^)]*\)\s*', '', words).strip()
+        if not words or SKIPPED.match(words):
+            continue
+        if re.match(r'(class|struct|union)\b[^(]*(\{\})?$', words):
+            named_member = re.search(r'\{\}\s*\w+', words)
+            members += 1 if named_member else 0
+            continue
+        if '(' in re.split(r'[={]', words.replace('operator=', 'operator_'))[0]:
+            functions += 1
+        else:
+            flat = re.sub(r'\{\}', '', words)
+            while re.search(r'\([^()]*\)', flat):
+                flat = re.sub(r'\([^()]*\)', '', flat)
+            members += 1 + flat.count(',')
+    return members, functions
+
+
+def classes_of(path):
+    text = without_literals(path.read_text(encoding='utf-8'))
+    for found in CLASS.finditer(text):
+        if re.search(r'enum\s*$', text[:found.start()]):
+            continue
+        start = found.end() - 1
+        yield (found[1], *count(text[start + 1:end_of(text, start) - 1]))
+
+
+def check_counter():
+    """Counts a class whose figures are known; a parser that misses something must not pass."""
+    body = '''
+public:
+    explicit A(int x) : x_(x), y_{1} {}
+    ~A();
+    A& operator=(const A&) = delete;
+    bool operator<(const A& other) const { return x_ < other.x_; }
+    template <class T>
+    void run(std::function<void(int)> work = {});
+    static Result<std::map<int, std::pair<int, int>>> make();
+    friend bool operator==(const A&, const A&) = default;
+private:
+    struct Inner { int inside; void hidden(); };
+    using Value = int;
+    std::function<void(int)> call_;
+    int x_ = 0, y_ = f(1, 2);
+    std::array<char, 64> name_{};
+    bool (*ask_)(int) = nullptr;
+    A& other_;
+'''
+    figures = count(without_literals(body))
+    # The pointer to a function counts as a function: it is declared like one.
+    if figures != (5, 7):
+        sys.exit(f'check_class_sizes.py miscounts: {figures}')
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument('folder', type=pathlib.Path)
+    parser.add_argument('--members', type=int, required=True)
+    parser.add_argument('--functions', type=int, required=True)
+    parser.add_argument('--files', type=int, required=True)
+    parser.add_argument('--larger', nargs='*', default=[], metavar='Class')
+    parser.add_argument('--list', action='store_true', help='the largest first, no check')
+    options = parser.parse_args()
+    check_counter()
+    sources = sorted(p for p in options.folder.rglob('*') if p.suffix in ('.h', '.cpp'))
+    if not sources:
+        sys.exit(f'no sources under {options.folder}')
+    classes = [(*each, path.relative_to(options.folder)) for path in sources for each in classes_of(path)]
+    folders = {}
+    for path in sources:
+        folders.setdefault(path.parent.relative_to(options.folder), []).append(path)
+    if options.list:
+        for name, members, functions, path in sorted(classes, key=lambda c: -max(c[1], c[2]))[:30]:
+            print(f'{members:3} members {functions:3} functions  {name} ({path})')
+        for folder, files in sorted(folders.items()):
+            print(f'{len(files):3} files  {folder}')
+        return
+    too_large = [each for each in classes
+                 if each[1] > options.members or each[2] > options.functions]
+    faults = [f'{path}: {name} has {members} members and {functions} functions, at most '
+              f'{options.members} and {options.functions} are wanted'
+              for name, members, functions, path in too_large if name not in options.larger]
+    faults += [f'{name} is within the limits; take it off --larger'
+               for name in options.larger if name not in [each[0] for each in too_large]]
+    faults += [f'{folder}: {len(files)} files, at most {options.files} are wanted'
+               for folder, files in folders.items() if len(files) > options.files]
+    print('\n'.join(faults) or f'{len(classes)} classes and {len(folders)} folders checked')
+    sys.exit(1 if faults else 0)
+
+
+if __name__ == '__main__':
+    main()
