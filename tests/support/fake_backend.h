@@ -24,7 +24,7 @@ public:
     std::function<double(double fitness, const Probe&)> in_probe = [](double plain, const Probe&) {
         return plain;
     };
-    int stop_after = -1;  // evaluations of the next call; -1 never
+    int stop_after = -1;   // evaluations of the next call; -1 never
     int most_a_call = -1;  // evaluations of every call; -1 for all
     int evaluations = 0;
 
