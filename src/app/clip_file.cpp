@@ -36,21 +36,15 @@ std::vector<std::string> encoder_of(const std::filesystem::path& path) {
 std::vector<std::string> arguments_of(const std::filesystem::path& target,
                                       const std::filesystem::path& temporary, int width, int height,
                                       double frames_a_second) {
-    std::vector<std::string> arguments = {"ffmpeg",
-                                          "-nostdin",
-                                          "-hide_banner",
-                                          "-loglevel",
-                                          "error",
-                                          "-f",
-                                          "rawvideo",
-                                          "-pix_fmt",
-                                          "rgb24",
-                                          "-s",
-                                          std::to_string(width) + "x" + std::to_string(height),
-                                          "-r",
-                                          short_text(frames_a_second),
-                                          "-i",
-                                          "pipe:0"};
+    std::vector<std::string> arguments = {
+        "ffmpeg",       "-nostdin",
+        "-hide_banner", "-loglevel",
+        "error",        "-y",
+        "-f",           "rawvideo",
+        "-pix_fmt",     "rgb24",
+        "-s",           std::to_string(width) + "x" + std::to_string(height),
+        "-r",           short_text(frames_a_second),
+        "-i",           "pipe:0"};
     for (std::string& argument : encoder_of(target))
         arguments.push_back(std::move(argument));
     // Not a name that it could take for a protocol or an option.
@@ -140,8 +134,6 @@ Status ClipFile::start(const std::vector<std::string>& arguments) {
         return spawn_failure(code);
     }
     complaints_ = from[0];
-    // A pipe that ffmpeg has left must not end us.
-    ::signal(SIGPIPE, SIG_IGN);
     const int code = spawn(arguments, to[0], from[1], process_);
     ::close(to[0]);
     ::close(from[1]);

@@ -3,8 +3,8 @@
 // A clip as a file, made by the installed ffmpeg from pictures piped to it. It comes to be beside
 // its target and takes its name when it is whole; otherwise nothing is left.
 
-#include "core/file_io.h"
 #include "core/image.h"
+#include "core/pending_file.h"
 #include "core/result.h"
 
 #include <filesystem>

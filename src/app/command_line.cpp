@@ -2,11 +2,15 @@
 
 #include "app/builtin_kinds.h"
 #include "app/command_tree.h"
+#include "app/messages.h"
+#include "app/option_types.h"
 #include "app/subcommand.h"
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <memory>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -50,6 +54,29 @@ Subcommand* chosen(const std::vector<Offered>& offered) {
     return nullptr;
 }
 
+// What was asked for instead of a run, help or the version; or what is wrong with the command.
+ExitStatus answer(const CLI::App& app, const CLI::ParseError& error) {
+    std::ostringstream text;
+    if (app.exit(error, text, text) == 0) return print_result(text.str());
+    std::string command = kProgram;
+    for (const CLI::App* subcommand : app.get_subcommands())
+        command += " " + subcommand->get_name();
+    return fail({std::string(error.what()) + "; `" + command + " --help` explains"});
+}
+
+// An option that was given must say something; only a folder can be none.
+Status check_names(const CLI::App& app) {
+    for (const CLI::App* subcommand : app.get_subcommands()) {
+        for (const CLI::Option* option : subcommand->get_options()) {
+            if (option->count() == 0 || option->get_type_name() == option_type::kFolder) continue;
+            const std::vector<std::string>& values = option->results();
+            if (std::find(values.begin(), values.end(), "") != values.end())
+                return Error{option->get_name() + ": expected a value, found nothing"};
+        }
+    }
+    return {};
+}
+
 }  // namespace
 
 Command command_tree() {
@@ -64,10 +91,12 @@ ExitStatus run_command_line(int argc, char** argv) {
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? ExitStatus::kDone : ExitStatus::kBadInput;
+        return answer(app, error);
     }
     Subcommand* subcommand = chosen(offered);
     CAMBRIAN_ASSERT(subcommand != nullptr, "the standard subcommand is offered");
+    if (const Status named = check_names(app); !named) return fail(named.error());
+    if (const Status usable = subcommand->files().check(); !usable) return fail(usable.error());
     return subcommand->run(builtin_kinds());
 }
 

@@ -13,6 +13,7 @@
 #include "evolution/stopping.h"
 #include "persist/creature_file.h"
 #include "persist/experiment_file.h"
+#include "persist/experiment_parts.h"
 #include "persist/rescoring.h"
 #include "persist/settings_file.h"
 
@@ -84,7 +85,7 @@ Result<Course> new_course(const EvolutionRun& run, const EvolutionKinds& kinds) 
         say(warning);
     const auto founders = founders_of(run, **settings, kinds);
     if (!founders) return founders.error();
-    Result<RunOutputs> outputs = run_outputs(run.out, **settings);
+    Result<RunOutputs> outputs = run_outputs(run.out, **settings, files_of(run));
     if (!outputs) return outputs.error();
     std::shared_ptr<ExperimentFile> file;
     if (!outputs->experiment.empty()) {
@@ -100,21 +101,46 @@ Result<Course> new_course(const EvolutionRun& run, const EvolutionKinds& kinds) 
                   *std::move(outputs)};
 }
 
+// Whether there is something left to do in an experiment.
+Status check_unfinished(const std::string& file, const SavedExperiment& saved,
+                        const ExperimentSettings& limits) {
+    if (!saved.latest || stop_reason(saved.latest->history, limits).empty()) return {};
+    return Error{file + ": has come to its end, " + std::to_string(saved.latest->history.size()) +
+                 " generations; --generations N asks for more"};
+}
+
+ExperimentSettings limits_of(const EvolutionRun& run, const SavedExperiment& saved) {
+    ExperimentSettings limits = saved.latest ? *saved.latest->settings : *saved.settings;
+    limits.generations = run.generations.value_or(limits.generations);
+    return limits;
+}
+
+// The experiment to go on in: the one to resume or, if another is to be kept, a copy of it.
+Result<std::string> file_to_resume(const EvolutionRun& run, const EvolutionKinds& kinds) {
+    if (!is_experiment_name(run.out)) return run.resume;
+    const Result<SavedExperiment> saved = load_experiment(run.resume, kinds);
+    if (!saved) return saved.error();
+    if (Status unfinished = check_unfinished(run.resume, *saved, limits_of(run, *saved));
+        !unfinished)
+        return unfinished.error();
+    if (Status copied = copy_experiment(run.resume, run.out); !copied) return copied.error();
+    return run.out;
+}
+
 Result<Course> resumed_course(const EvolutionRun& run, const EvolutionKinds& kinds) {
-    Result<OpenedExperiment> opened = open_experiment(run.resume, kinds);
+    const Result<std::string> file = file_to_resume(run, kinds);
+    if (!file) return file.error();
+    Result<OpenedExperiment> opened = open_experiment(*file, kinds);
     if (!opened) return opened.error();
     const SavedExperiment& saved = opened->saved;
     say_of_simulator(run.resume, saved);
-    ExperimentSettings limits = saved.latest ? *saved.latest->settings : *saved.settings;
-    limits.generations = run.generations.value_or(limits.generations);
-    if (saved.latest && !stop_reason(saved.latest->history, limits).empty()) {
-        return Error{run.resume + ": has come to its end, " +
-                     std::to_string(saved.latest->history.size()) +
-                     " generations; --generations N asks for more"};
-    }
-    Result<RunOutputs> outputs = run.out.empty() ? RunOutputs{} : run_outputs(run.out, limits);
+    ExperimentSettings limits = limits_of(run, saved);
+    if (Status unfinished = check_unfinished(run.resume, saved, limits); !unfinished)
+        return unfinished.error();
+    Result<RunOutputs> outputs =
+        run.out.empty() ? RunOutputs{} : run_outputs(run.out, limits, files_of(run));
     if (!outputs) return outputs.error();
-    outputs->experiment = run.resume;
+    outputs->experiment = *file;
     return Course{resumed(saved, kinds), std::move(limits), std::move(opened->file),
                   *std::move(outputs), std::move(opened->saved)};
 }
@@ -132,6 +158,7 @@ struct Harvest {
     SettingsPtr settings;         // that judged it
     std::string_view stopped_by;  // a stop_reason(), "interruption" or "failure"
     Status kept;
+    Status told;  // on standard output
 };
 
 // Evaluates, keeps and breeds until the run is over.
@@ -153,7 +180,12 @@ Harvest evolve(Course& course, EvaluationBackend& backend, const std::string& un
         }
         harvest.champion = evolution.population().front();
         harvest.settings = evolution.shared_settings();
-        bar.finish_generation(generation_line(evolution.history().back(), unit, json));
+        harvest.told =
+            bar.finish_generation(generation_line(evolution.history().back(), unit, json));
+        if (!harvest.told) {
+            harvest.stopped_by = "failure";
+            return harvest;
+        }
         harvest.stopped_by = stop_reason(evolution.history(), course.limits);
         if (harvest.stopped_by.empty() && interruption.requested())
             harvest.stopped_by = "interruption";
@@ -181,9 +213,9 @@ ExitStatus report(const Course& course, const Harvest& harvest, const std::strin
         if (!saved) return fail(saved.error(), ExitStatus::kFailed);
         outputs.champion = *saved;
     }
-    print_line(
+    if (!harvest.told) return fail(harvest.told.error(), ExitStatus::kFailed);
+    return print_result_line(
         final_line(course.evolution, unit, *harvest.champion, outputs, harvest.stopped_by, json));
-    return ExitStatus::kDone;
 }
 
 void say_how_to_go_on(const Course& course) {
@@ -192,6 +224,12 @@ void say_how_to_go_on(const Course& course) {
 }
 
 }  // namespace
+
+CommandFiles files_of(const EvolutionRun& run) {
+    CommandFiles files;
+    files.reads(run.settings_file).reads(run.resume).reads_each(run.founders);
+    return is_experiment_name(run.out) ? files.keeps(run.out) : files.writes(run.out);
+}
 
 ExitStatus run_evolution(const EvolutionRun& run, const EvolutionKinds& kinds) {
     Result<Course> course = course_of(run, kinds);
@@ -209,7 +247,8 @@ ExitStatus run_evolution(const EvolutionRun& run, const EvolutionKinds& kinds) {
             " generation was judged");
     }
     if (!harvest.kept) status = fail(harvest.kept.error(), ExitStatus::kFailed);
-    if (harvest.stopped_by == "interruption" || !harvest.kept) say_how_to_go_on(*course);
+    if (harvest.stopped_by == "interruption" || harvest.stopped_by == "failure")
+        say_how_to_go_on(*course);
     return status;
 }
 

@@ -4,6 +4,7 @@
 // file, and the champion's file at the end. What `cambrian evolve` does, and `cambrian studio`
 // where there is no display.
 
+#include "app/command_files.h"
 #include "app/exit_status.h"
 #include "evolution/evolution_kinds.h"
 #include "evolution/experiment_settings.h"
@@ -26,6 +27,9 @@ struct EvolutionRun {
     std::string out;                     // see run_outputs(); empty to resume: no more files
     bool json = false;                   // a JSON object a line instead of words
 };
+
+// What it reads and writes.
+CommandFiles files_of(const EvolutionRun& run);
 
 // Says what goes wrong itself.
 ExitStatus run_evolution(const EvolutionRun& run, const EvolutionKinds& kinds);

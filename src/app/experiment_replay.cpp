@@ -5,7 +5,7 @@
 namespace cambrian {
 
 ReplayOutcome replay_experiment(const SavedExperiment& saved, const EvolutionKinds& kinds,
-                                EvaluationBackend& backend, const std::stop_token& stop) {
+                                EvaluationBackend& backend, const TrialWatch& watch) {
     ReplayOutcome outcome;
     Evolution evolution = begun_anew(saved, kinds);
     EvaluationProgress progress;
@@ -14,7 +14,7 @@ ReplayOutcome replay_experiment(const SavedExperiment& saved, const EvolutionKin
             evolution.breed();
             give_commands(evolution, saved.journal, evolution.generation());
         }
-        if (!evolution.evaluate(backend, progress, stop)) {
+        if (!evolution.evaluate(backend, progress, watch.stop)) {
             outcome.stopped = true;
             return outcome;
         }
@@ -23,6 +23,7 @@ ReplayOutcome replay_experiment(const SavedExperiment& saved, const EvolutionKin
             return outcome;
         }
         ++outcome.generations;
+        watch.note(outcome.generations);
     }
     return outcome;
 }

@@ -4,10 +4,10 @@
 
 #include "evolution/evaluation_backend.h"
 #include "evolution/experiment_log.h"
+#include "simulator/trial_watch.h"
 
 #include <cstdint>
 #include <optional>
-#include <stop_token>
 
 namespace cambrian {
 
@@ -17,7 +17,8 @@ struct ReplayOutcome {
     bool stopped = false;
 };
 
+// `watch` is told the number of generations that are done.
 ReplayOutcome replay_experiment(const SavedExperiment& saved, const EvolutionKinds& kinds,
-                                EvaluationBackend& backend, const std::stop_token& stop);
+                                EvaluationBackend& backend, const TrialWatch& watch);
 
 }  // namespace cambrian

@@ -31,7 +31,7 @@ Result<RescoredExperiment> rescore_experiment(const std::filesystem::path& path,
     if (const Status noted = file.note({evolution.generation(), RescorePopulation{}}); !noted)
         return noted.error();
     if (const Status kept = file.record(evolution); !kept) return kept.error();
-    const ChampionRecord& before = saved.champions.back();
+    const JudgedIndividual& before = saved.champions.back();
     return RescoredExperiment{.simulator = saved.simulators.back().version,
                               .before = before,
                               .again = score_of(before.individual->uid, evolution.population()),

@@ -13,9 +13,9 @@ namespace cambrian {
 
 struct RescoredExperiment {
     std::string simulator;        // that computed the generation before
-    ChampionRecord before;        // best of that generation
+    JudgedIndividual before;      // best of that generation
     std::optional<double> again;  // what the same creature scores now, if it survived
-    ChampionRecord after;         // best of the generation that was judged now
+    JudgedIndividual after;       // best of the generation that was judged now
 };
 
 // Judges everyone of the generation at hand, survivors included, and keeps that generation in the

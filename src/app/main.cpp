@@ -1,13 +1,21 @@
 #include "app/command_line.h"
+#include "app/messages.h"
+#include "app/process.h"
 
-#include <cstdio>
 #include <exception>
+#include <new>
 
 int main(int argc, char** argv) {
+    using cambrian::ExitStatus;
+    ExitStatus status = ExitStatus::kFailed;
     try {
-        return static_cast<int>(cambrian::run_command_line(argc, argv));
+        const cambrian::Status prepared = cambrian::prepare_process();
+        status = prepared ? cambrian::run_command_line(argc, argv)
+                          : cambrian::fail(prepared.error(), ExitStatus::kFailed);
+    } catch (const std::bad_alloc&) {
+        cambrian::say("out of memory");
     } catch (const std::exception& failure) {
-        std::fprintf(stderr, "cambrian: %s\n", failure.what());
-        return static_cast<int>(cambrian::ExitStatus::kFailed);
+        cambrian::say(failure.what());
     }
+    return static_cast<int>(status);
 }

@@ -1,5 +1,7 @@
 #include "app/messages.h"
 
+#include "core/output_stream.h"
+
 #include <cstdio>
 
 namespace cambrian {
@@ -18,9 +20,23 @@ ExitStatus fail(const Error& error, ExitStatus status) {
     return status;
 }
 
-void print_line(std::string_view line) {
-    std::printf("%.*s\n", static_cast<int>(line.size()), line.data());
-    std::fflush(stdout);
+Status print(std::string_view text) {
+    OutputStream output = OutputStream::standard_output();
+    if (Status written = output.write(text); !written) return written;
+    return output.finish();
+}
+
+Status print_line(std::string_view line) {
+    return print(std::string(line) + "\n");
+}
+
+ExitStatus print_result(std::string_view text) {
+    const Status printed = print(text);
+    return printed ? ExitStatus::kDone : fail(printed.error(), ExitStatus::kFailed);
+}
+
+ExitStatus print_result_line(std::string_view line) {
+    return print_result(std::string(line) + "\n");
 }
 
 }  // namespace cambrian

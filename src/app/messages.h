@@ -18,7 +18,13 @@ void say_of(const std::string& file, const std::vector<std::string>& warnings);
 // Says the error and returns the status, so that a subcommand can end with it.
 ExitStatus fail(const Error& error, ExitStatus status = ExitStatus::kBadInput);
 
-// One line on standard output, at once.
-void print_line(std::string_view line);
+// A text on standard output, all of it at once. Every result of the program that goes there comes
+// through here.
+Status print(std::string_view text);
+Status print_line(std::string_view line);
+
+// Prints the result of a subcommand and returns the status to end with.
+ExitStatus print_result(std::string_view text);
+ExitStatus print_result_line(std::string_view line);
 
 }  // namespace cambrian

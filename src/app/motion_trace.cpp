@@ -1,22 +1,31 @@
 #include "app/motion_trace.h"
 
 #include "core/number_text.h"
+#include "simulator/trial.h"
+
+#include <memory>
+#include <string>
 
 namespace cambrian {
+namespace {
 
-MotionTrace::MotionTrace(const Trial& trial) : csv_("time,mass_x,mass_y") {
+constexpr std::size_t kPiece = 64 * 1024;  // bytes written at a time
+
+std::string heading(const Trial& trial) {
+    std::string line = "time,mass_x,mass_y";
     for (std::size_t part = 0; part < trial.scene().part_count(); ++part) {
         const std::string name = ",part" + std::to_string(part);
         for (const char* quantity : {"_x", "_y", "_angle", "_joint"})
-            csv_.append(name).append(quantity);
+            line.append(name).append(quantity);
     }
-    csv_ += '\n';
+    return line + "\n";
 }
 
-void MotionTrace::add(const Trial& trial) {
+// The present moment.
+void add_row(std::string& text, const Trial& trial) {
     const PhysicsScene& scene = trial.scene();
-    const auto cell = [this](double number) { csv_ += "," + short_text(number); };
-    csv_ += short_text(trial.time());
+    const auto cell = [&text](double number) { text += "," + short_text(number); };
+    text += short_text(trial.time());
     const Vec3 center = scene.center_of_mass();
     cell(center.x());
     cell(center.y());
@@ -27,7 +36,33 @@ void MotionTrace::add(const Trial& trial) {
         cell(planar_angle(pose));
         cell(scene.joint_coordinate(part));
     }
-    csv_ += '\n';
+    text += '\n';
+}
+
+}  // namespace
+
+Status write_motion_trace(OutputStream& output, const Genome& genome,
+                          const ExperimentSettings& settings, const Kinds& kinds,
+                          const TrialWatch& watch) {
+    auto phenotype = std::make_shared<const Phenotype>(
+        express(genome, kinds, settings.expression, settings.world.scene));
+    auto started = Trial::start(std::move(phenotype), kinds, settings.world);
+    if (!started) return started.error();
+    Trial& trial = **started;
+    while (trial.settling() && trial.tick()) {
+    }
+    std::string text = heading(trial);
+    add_row(text, trial);
+    for (bool more = !trial.finished(); more;) {
+        if (watch.stop.stop_requested()) return Error{"interrupted; nothing was written"};
+        more = trial.tick();
+        add_row(text, trial);
+        watch.note(trial.time());
+        if (text.size() < kPiece) continue;
+        if (Status written = output.write(text); !written) return written;
+        text.clear();
+    }
+    return output.write(text);
 }
 
 }  // namespace cambrian

@@ -6,7 +6,8 @@
 
 namespace cambrian {
 
-Result<std::filesystem::path> output_path(const std::string& asked, const std::string& name) {
+Result<std::filesystem::path> output_path(const std::string& asked, const std::string& name,
+                                          const CommandFiles& files) {
     std::filesystem::path path = asked.empty() ? name : asked;
     std::error_code failure;
     if (!asked.empty() && asked.back() == '/') {
@@ -14,6 +15,7 @@ Result<std::filesystem::path> output_path(const std::string& asked, const std::s
         if (failure) return Error{"cannot make the folder " + asked + ": " + failure.message()};
     }
     if (std::filesystem::is_directory(path, failure)) path /= name;
+    if (const Status other = files.check_output(path); !other) return other.error();
     if (const Status writable = check_writable(path); !writable) return writable.error();
     return path;
 }

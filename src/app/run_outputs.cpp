@@ -7,30 +7,37 @@
 namespace cambrian {
 namespace {
 
-constexpr const char* kExperimentEnding = ".cambrian";
 constexpr int kMostOfOneName = 10'000;
 
-std::filesystem::path unused_name(const std::filesystem::path& folder, const std::string& name) {
-    std::filesystem::path path = folder / (name + kExperimentEnding);
+// Of the run of that number into a folder; the first has none in its names.
+RunOutputs named_in(const std::filesystem::path& folder, const std::string& name, int number) {
+    const std::string numbered = number == 1 ? name : name + "-" + std::to_string(number);
+    return {.champion = folder / ("champion-" + numbered + ".creature.json"),
+            .experiment = folder / (numbered + ".cambrian")};
+}
+
+bool is_free(const RunOutputs& outputs) {
     std::error_code unknown;
-    for (int i = 2; std::filesystem::exists(path, unknown) && i < kMostOfOneName; ++i)
-        path = folder / (name + "-" + std::to_string(i) + kExperimentEnding);
-    return path;
+    return !std::filesystem::exists(outputs.champion, unknown) &&
+           !std::filesystem::exists(outputs.experiment, unknown);
 }
 
 }  // namespace
 
-Result<RunOutputs> run_outputs(const std::string& asked, const ExperimentSettings& settings) {
-    if (std::filesystem::path(asked).extension() == kExperimentEnding)
-        return RunOutputs{.champion = {}, .experiment = asked};
+Result<RunOutputs> run_outputs(const std::string& asked, const ExperimentSettings& settings,
+                               const CommandFiles& files) {
+    if (is_experiment_name(asked)) return RunOutputs{.champion = {}, .experiment = asked};
     const std::string name = settings.goal + "-seed" + std::to_string(settings.seed);
-    const Result<std::filesystem::path> champion =
-        output_path(asked, "champion-" + name + ".creature.json");
-    if (!champion) return champion.error();
-    const bool one_file = !asked.empty() && champion->string() == asked;
-    return RunOutputs{.champion = *champion,
-                      .experiment = one_file ? std::filesystem::path()
-                                             : unused_name(champion->parent_path(), name)};
+    const auto place = output_path(asked, "champion-" + name + ".creature.json", files);
+    if (!place) return place.error();
+    if (!asked.empty() && place->string() == asked)
+        return RunOutputs{.champion = *place, .experiment = {}};
+    RunOutputs outputs;
+    int number = 0;
+    do {
+        outputs = named_in(place->parent_path(), name, ++number);
+    } while (!is_free(outputs) && number < kMostOfOneName);
+    return outputs;
 }
 
 }  // namespace cambrian

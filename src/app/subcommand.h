@@ -2,6 +2,7 @@
 
 // A registered subcommand of the command line: declares its options, then runs.
 
+#include "app/command_files.h"
 #include "app/exit_status.h"
 #include "core/registry.h"
 #include "evolution/evolution_kinds.h"
@@ -20,6 +21,8 @@ public:
     virtual ~Subcommand() = default;
     // Options are stored in the subcommand, which outlives the parse.
     virtual void add_options(CLI::App& app) = 0;
+    // What it reads and writes, as far as the command line tells.
+    virtual CommandFiles files() const { return {}; }
     // Results go to standard output, messages to standard error.
     virtual ExitStatus run(const EvolutionKinds& kinds) = 0;
 };

@@ -1,5 +1,6 @@
 #include "app/window_options.h"
 
+#include "app/number_checks.h"
 #include "app/option_types.h"
 
 #include <CLI/CLI.hpp>
@@ -7,11 +8,11 @@
 namespace cambrian {
 
 void add_window_options(CLI::App& app, StudioOptions& options) {
-    app.add_option("--width", options.width, "Width of the window")->check(CLI::Range(320, 16384));
-    app.add_option("--height", options.height, "Height of the window")
-        ->check(CLI::Range(240, 16384));
-    app.add_option("--scale", options.scale, "Size of everything drawn; the display's unless given")
-        ->check(CLI::Range(0.5, 4.0));
+    take_whole(*app.add_option("--width", options.width, "Width of the window"), 320, 16384);
+    take_whole(*app.add_option("--height", options.height, "Height of the window"), 240, 16384);
+    take_real(*app.add_option("--scale", options.scale,
+                              "Size of everything drawn; the display's unless given"),
+              0.5, 4.0);
     app.add_option("--status-log", options.status_log,
                    "Append what happens to this file, one JSON object a line")
         ->type_name(option_type::kFile);
@@ -19,8 +20,16 @@ void add_window_options(CLI::App& app, StudioOptions& options) {
         ->type_name(option_type::kFile);
     app.add_option("--screenshot", options.screenshot, "Write a picture of the window at the end")
         ->type_name(option_type::kPicture);
-    app.add_option("--quit-after", options.quit_after, "Close the window after so many seconds")
-        ->check(CLI::NonNegativeNumber);
+    take_real(*app.add_option("--quit-after", options.quit_after,
+                              "Close the window after so many seconds"),
+              0.0, 1e9);
+}
+
+CommandFiles window_files(const StudioOptions& options) {
+    return CommandFiles()
+        .appends(options.status_log)
+        .appends(options.frame_log)
+        .writes(options.screenshot);
 }
 
 }  // namespace cambrian

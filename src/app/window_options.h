@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/command_files.h"
 #include "studio/studio.h"
 
 namespace CLI {  // NOLINT(readability-identifier-naming): the library's name
@@ -10,5 +11,8 @@ namespace cambrian {
 
 // What every subcommand that opens a window offers: its size and what is written about it.
 void add_window_options(CLI::App& app, StudioOptions& options);
+
+// What is written about the window.
+CommandFiles window_files(const StudioOptions& options);
 
 }  // namespace cambrian

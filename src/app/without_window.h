@@ -17,6 +17,7 @@ namespace cambrian {
 class WithoutWindow {
 public:
     void add_options(CLI::App& app);
+    const std::string& settings_file() const { return settings_; }  // empty if none is given
     ExitStatus run(const Error& reason, const EvolutionKinds& kinds) const;
 
 private:

@@ -113,14 +113,19 @@ BoxManifold collide_boxes(const PlacedBox& first, const PlacedBox& second, doubl
         return manifold;
     clip(1.0, edge, tangential, ends);
     clip(-1.0, edge, tangential, ends);
-    for (const Vertex& end : ends) {
-        const double gap =
-            normal_x * (end.x - reference.x) + normal_y * (end.y - reference.y) - face;
-        if (gap > margin) continue;
+    double gaps[2];
+    for (int i = 0; i < 2; ++i)
+        gaps[i] =
+            normal_x * (ends[i].x - reference.x) + normal_y * (ends[i].y - reference.y) - face;
+    // The deeper point first, so that a mirror image has the same order.
+    const int deeper = gaps[1] < gaps[0] ? 1 : 0;
+    for (const int i : {deeper, 1 - deeper}) {
+        const Vertex& end = ends[i];
+        if (gaps[i] > margin) continue;
         manifold.corner[manifold.count] = end.corner;
         manifold.x[manifold.count] = end.x;
         manifold.y[manifold.count] = end.y;
-        manifold.gap[manifold.count] = gap;
+        manifold.gap[manifold.count] = gaps[i];
         ++manifold.count;
     }
     return manifold;

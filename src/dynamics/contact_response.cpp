@@ -13,6 +13,8 @@ namespace {
 
 constexpr double kStopBand = 1e-3;       // rad or m; joints this near a stop join the impact
 constexpr double kWorkTolerance = 1e-6;  // of the impulses' size times their closing speeds
+// Small, as an impact has no earlier impulse that could anchor its friction rows.
+constexpr double kFrictionSoftness = 1e-5;
 
 void set_impact_bias(const RowSystem& rows, double elasticity, double* bias) {
     for (int row = 0; row < rows.count; ++row) {
@@ -59,7 +61,8 @@ ImpactResult ContactSolver::strike(const PlanarModel& model, const ContactLaw& l
         if (near_.items[c].gap < kContactBand) chosen_.add(near_.items[c]);
     }
     find_stops(model, frame.kinematics, limits_);
-    build_rows(model, motion, frame, {chosen_, limits_, law.friction > 0.0}, rows_);
+    build_rows(model, motion, frame, {chosen_, limits_, law.friction > 0.0, kFrictionSoftness},
+               rows_);
     ImpactResult result;
     const auto solve = [&](double kept) {
         for (int row = 0; row < rows_.count; ++row)

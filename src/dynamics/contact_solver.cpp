@@ -16,6 +16,7 @@ constexpr double kNominalStep = 1.0 / 120;  // s
 constexpr double kWorkAllowance = 1e-3;     // J per (kg m/s^2): M g (1 m) * this
 constexpr double kAnchorWeights = 10.0;     // weights of the body that friction holds without slip
 constexpr double kReferenceGravity = 9.81;  // m/s^2
+constexpr double kFrictionSoftness = 1e-2;  // anchored at the last step's forces
 
 // How far above its demand r + W p >= 0 a row may stay: lands at gap 0 with rate 0 in two steps,
 // does not push what is leaving, and backs out of penetration with a force that stays bounded as h
@@ -64,9 +65,13 @@ bool ContactSolver::has_impact() const {
     return false;
 }
 
+// One point of two boxes answers for another only once they overlap: their corners may take turns
+// then, but a corner that is still to come must be found.
 bool ContactSolver::covers(const Contact& contact) const {
     for (int c = 0; c < chosen_.count; ++c) {
-        if (same_pair(chosen_.items[c], contact)) return true;
+        const Contact& chosen = chosen_.items[c];
+        if (chosen.id == contact.id) return true;
+        if (chosen.gap < 0.0 && same_pair(chosen, contact)) return true;
     }
     return false;
 }
@@ -83,7 +88,8 @@ bool ContactSolver::choose(const PlanarModel& model, const ContactLaw& law, cons
     }
     choose_limits(model, frame, h);
     if (chosen_.count == 0 && limits_.count == 0) return false;
-    build_rows(model, motion, frame, {chosen_, limits_, law.friction > 0.0}, rows_);
+    build_rows(model, motion, frame, {chosen_, limits_, law.friction > 0.0, kFrictionSoftness},
+               rows_);
     return true;
 }
 

@@ -57,7 +57,7 @@ public:
                 const Frame& frame, double h);
     // Contacts of the last choose() or strike().
     const ContactSet& chosen() const { return chosen_; }
-    bool covers(const Contact& contact) const;  // whether one of its pair was chosen
+    bool covers(const Contact& contact) const;  // whether it or one in its place was chosen
 
     // Solves the chosen rows for a step of length h and writes the held forces. False if the
     // active set failed and a fallback was taken.

@@ -1,5 +1,7 @@
 #include "dynamics/ground_contacts.h"
 
+#include <cmath>
+
 namespace cambrian {
 namespace {
 
@@ -10,10 +12,13 @@ struct BoxArms {
     double across_x, across_y;  // half its width
 };
 
+// From the lowest corner up, so that a mirror image has the same order.
 void add_corners(const PlanarModel& model, const Kinematics& k, int part, const BoxArms& arms,
                  std::uint8_t face, ContactSet& contacts) {
     const int b = model.part_body[part];
-    for (int corner = 0; corner < 4; ++corner) {
+    const int lowest = (arms.along_y > 0.0 ? 0 : 1) + (arms.across_y > 0.0 ? 0 : 2);
+    const int next = std::fabs(arms.along_y) < std::fabs(arms.across_y) ? 1 : 2;
+    for (const int corner : {lowest, lowest ^ next, lowest ^ next ^ 3, lowest ^ 3}) {
         const double along = (corner & 1) != 0 ? 1.0 : -1.0;
         const double across = (corner & 2) != 0 ? 1.0 : -1.0;
         const double arm_y = arms.center_y + along * arms.along_y + across * arms.across_y;

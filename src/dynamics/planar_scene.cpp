@@ -23,7 +23,7 @@ struct SavedMoment : SceneState {
 };
 
 Medium medium_of(const Environment& environment) {
-    const SineCosine turn = sine_cosine(to_radians(environment.gravity_direction));
+    const SineCosine turn = sine_cosine_of_degrees(environment.gravity_direction);
     return {environment.gravity * turn.cosine, environment.gravity * turn.sine,
             environment.viscosity_linear, environment.viscosity_quadratic};
 }
@@ -94,6 +94,7 @@ private:
     // World offset of a point of a part from its body's centre of mass.
     Vec2 arm_of(std::size_t part, double x, double y) const;
     void use_environment(const Environment& environment);
+    double energy_under(const Environment& environment) const;
     void evaluate_here();
 
     PlanarModel model_;
@@ -273,6 +274,14 @@ void PlanarScene::restore(const SceneState& state) {
     forcing_.pulled = false;
     if (saved->environment == environment_ && saved->limp == limp_) return;
     moment_.frame_is_current = false;
+    moment_.energy_reference += energy() - energy_under(saved->environment);
+}
+
+// Mechanical energy of the motion as another environment's density and gravity make it.
+double PlanarScene::energy_under(const Environment& environment) const {
+    const double here = mechanical_energy(model_, medium_of(environment), moment_.motion,
+                                          moment_.frame().kinematics);
+    return here * (environment.density / model_.density);
 }
 
 void PlanarScene::list_contacts(std::vector<SceneContact>& contacts) const {

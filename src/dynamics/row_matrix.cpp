@@ -17,7 +17,6 @@ using BodySet = std::uint32_t;  // one bit a body
 
 constexpr int kMaxGroups = kMaxRows / kLanes;
 constexpr double kRelativeSoftness = 1e-7;
-constexpr double kFrictionSoftness = 1e-2;
 constexpr double kFreeShare = 0.02;
 
 CAMBRIAN_INLINE int last_of(BodySet set) {
@@ -156,7 +155,8 @@ CAMBRIAN_INLINE void fill_block(const PlanarModel& model, const Arrivals& row,
 // A contact on a body that the mechanism hardly lets move would answer a millimetre with a huge
 // impulse; the diagonal is kept above 2 % of that of the bodies set free. Friction rows are softer:
 // two parts that stick and a joint between them would leave their forces undetermined.
-CAMBRIAN_INLINE double regularization(const PlanarModel& model, const RowSystem& rows, int row) {
+CAMBRIAN_INLINE double regularization(const PlanarModel& model, const RowSystem& rows, int row,
+                                      double friction_softness) {
     const double diagonal = rows.coupling(row, row);
     if (rows.kind[row] == RowKind::kLimit) return kRelativeSoftness * diagonal;
     const int a = rows.body_a[row];
@@ -167,13 +167,14 @@ CAMBRIAN_INLINE double regularization(const PlanarModel& model, const RowSystem&
         free += model.inverse_mass[b] +
                 rows.moment_b[row] * rows.moment_b[row] * model.inverse_inertia[b];
     const bool rubs = rows.kind[row] == RowKind::kFriction;
-    const double softness = rubs ? kFrictionSoftness : kRelativeSoftness;
+    const double softness = rubs ? friction_softness : kRelativeSoftness;
     return std::max(softness * free, kFreeShare * free - diagonal);
 }
 
 }  // namespace
 
-void compute_row_matrix(const PlanarModel& model, const Frame& frame, RowSystem& rows) {
+void compute_row_matrix(const PlanarModel& model, const Frame& frame, double friction_softness,
+                        RowSystem& rows) {
     rows.stride = round_up_to_lanes(rows.count);
     Arrivals arrivals[kMaxGroups];
     for (int first = 0; first < rows.count; first += kLanes) {
@@ -189,7 +190,7 @@ void compute_row_matrix(const PlanarModel& model, const Frame& frame, RowSystem&
             fill_block(model, group, arrivals[column / kLanes], first, column, rows);
     }
     for (int row = 0; row < rows.count; ++row) {
-        rows.regularization[row] = regularization(model, rows, row);
+        rows.regularization[row] = regularization(model, rows, row, friction_softness);
         rows.line(row)[row] += rows.regularization[row];
     }
     for (int pad = rows.count; pad < rows.stride; ++pad)

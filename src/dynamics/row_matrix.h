@@ -4,7 +4,9 @@
 
 namespace cambrian {
 
-// Fills the coupling matrix and its regularization from the factored trees.
-void compute_row_matrix(const PlanarModel& model, const Frame& frame, RowSystem& rows);
+// Fills the coupling matrix and its regularization from the factored trees. The softness is that of
+// friction rows, as a share of what couples a row to itself where no joint holds the bodies.
+void compute_row_matrix(const PlanarModel& model, const Frame& frame, double friction_softness,
+                        RowSystem& rows);
 
 }  // namespace cambrian

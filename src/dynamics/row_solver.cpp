@@ -63,6 +63,16 @@ bool RowSolver::solve(RowSystem& rows, const double* bias, double friction) {
     for (int row = 0; row < rows.count; ++row)
         rows.impulse[row] = start_[row];
     iterate(rows, bias, friction);
+    // Iteration mostly finds the right states, though not the impulses' last digits.
+    for (int row = 0; row < rows.count; ++row)
+        start_[row] = rows.impulse[row];
+    sum_loads(rows, load_);
+    read_states(rows, friction);
+    if (settle(rows, bias, friction)) return true;
+    for (int row = 0; row < rows.count; ++row)
+        rows.impulse[row] = start_[row];
+    for (int row = 0; row < rows.count; ++row)
+        rows.response[row] = rows.product(row);
     return false;
 }
 
@@ -87,20 +97,40 @@ void RowSolver::guess_states(const RowSystem& rows, const double* bias, double f
             state_[row] = impulse > 0.0 ? State::kSlidePlus : State::kSlideMinus;
     }
     for (int row = 0; row < rows.count; ++row) {
-        if (rows.kind[row] == RowKind::kFriction) match_friction(rows, row);
+        if (rows.kind[row] == RowKind::kFriction) match_friction(rows, row, State::kActive);
+    }
+}
+
+// As the impulses have it, which are near a solution.
+void RowSolver::read_states(const RowSystem& rows, double friction) {
+    constexpr double inside = 1.0 - 1e-6;  // share of the cone
+    for (int row = 0; row < rows.count; ++row) {
+        const double impulse = rows.impulse[row];
+        if (rows.kind[row] != RowKind::kFriction)
+            state_[row] = impulse > 0.0 ? State::kActive : State::kOff;
+        else if (std::fabs(impulse) < inside * friction * load_[row])
+            state_[row] = State::kActive;
+        else
+            state_[row] = impulse > 0.0 ? State::kSlidePlus : State::kSlideMinus;
+    }
+    for (int row = 0; row < rows.count; ++row) {
+        if (rows.kind[row] == RowKind::kFriction) match_friction(rows, row, State::kActive);
     }
 }
 
 bool RowSolver::settle(RowSystem& rows, const double* bias, double friction) {
     for (int round = 0; round < kRounds; ++round) {
         const int count = gather_active(rows, bias, friction);
-        if (!eliminate(count)) return false;
+        if (!eliminate(count)) {
+            if (!stop_slides(rows)) return false;
+            continue;
+        }
         scatter_active(rows, bias, friction, count);
         const int wrong = find_wrong(rows, bias, friction);
         if (wrong == 0) return true;
         const int first = round < kBlockRounds ? 0 : wrong - 1;
         for (int i = first; i < wrong; ++i)
-            change_state(rows, wrong_[i]);
+            change_state(rows, bias, wrong_[i]);
     }
     return false;
 }
@@ -132,8 +162,8 @@ int RowSolver::gather_active(const RowSystem& rows, const double* bias, double f
     return count;
 }
 
-// Without pivoting: a lost pivot means contacts that wedge (Painleve), which the caller must not
-// answer with a solution. The solution is left in column `count`.
+// Without pivoting: a lost pivot means contacts that slide and wedge (Painleve), which the caller
+// must not answer with a solution. The solution is left in column `count`.
 bool RowSolver::eliminate(int count) {
     for (int i = 0; i < count; ++i) {
         double* pivot_line = line_of(i);
@@ -157,6 +187,17 @@ bool RowSolver::eliminate(int count) {
         line[count] = sum * line[i];
     }
     return true;
+}
+
+// Lets everything stick that slides: rows that stick never lose a pivot. False if nothing slid.
+bool RowSolver::stop_slides(const RowSystem& rows) {
+    bool slid = false;
+    for (int row = 0; row < rows.count; ++row) {
+        if (state_[row] < State::kSlidePlus) continue;
+        state_[row] = State::kActive;
+        slid = true;
+    }
+    return slid;
 }
 
 void RowSolver::scatter_active(RowSystem& rows, const double* bias, double friction, int count) {
@@ -205,21 +246,24 @@ RowSolver::State RowSolver::wanted_state(const RowSystem& rows, int row, double 
     return State::kOff;
 }
 
-void RowSolver::change_state(const RowSystem& rows, int row) {
+// Friction that comes back slides: if it stuck, a normal that sticking pulls off would come and go.
+void RowSolver::change_state(const RowSystem& rows, const double* bias, int row) {
     state_[row] = wanted_[row];
     const int friction_row = rows.kind[row] == RowKind::kFriction ? row : rows.friction_of[row];
-    if (friction_row >= 0) match_friction(rows, friction_row);
+    if (friction_row < 0) return;
+    const double rate = bias[friction_row] + rows.response[friction_row];
+    match_friction(rows, friction_row, rate < 0.0 ? State::kSlidePlus : State::kSlideMinus);
 }
 
 // Friction is off exactly while none of its normals is active.
-void RowSolver::match_friction(const RowSystem& rows, int friction_row) {
+void RowSolver::match_friction(const RowSystem& rows, int friction_row, State awakened) {
     bool loaded = false;
     for (int row = 0; row < rows.count && !loaded; ++row)
         loaded = rows.friction_of[row] == friction_row && state_[row] == State::kActive;
     if (!loaded)
         state_[friction_row] = State::kOff;
     else if (state_[friction_row] == State::kOff)
-        state_[friction_row] = State::kActive;
+        state_[friction_row] = awakened;
 }
 
 }  // namespace cambrian

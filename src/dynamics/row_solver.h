@@ -26,14 +26,16 @@ private:
     enum class State : std::uint8_t { kOff, kActive, kSlidePlus, kSlideMinus };
 
     void guess_states(const RowSystem& rows, const double* bias, double friction);
+    void read_states(const RowSystem& rows, double friction);
     bool settle(RowSystem& rows, const double* bias, double friction);
     int gather_active(const RowSystem& rows, const double* bias, double friction);
     bool eliminate(int count);
+    bool stop_slides(const RowSystem& rows);
     void scatter_active(RowSystem& rows, const double* bias, double friction, int count);
     int find_wrong(const RowSystem& rows, const double* bias, double friction);
     State wanted_state(const RowSystem& rows, int row, double rate, double friction) const;
-    void change_state(const RowSystem& rows, int row);
-    void match_friction(const RowSystem& rows, int friction_row);
+    void change_state(const RowSystem& rows, const double* bias, int row);
+    void match_friction(const RowSystem& rows, int friction_row, State awakened);
 
     double* line_of(int row) { return system_ + std::ptrdiff_t{row} * stride_; }
 

@@ -148,7 +148,7 @@ void build_rows(const PlanarModel& model, const Motion& motion, const Frame& fra
             rows.acceleration[row] +=
                 turning(rows, row, sources.contacts.items[rows.source[row]], k);
     }
-    compute_row_matrix(model, frame, rows);
+    compute_row_matrix(model, frame, sources.friction_softness, rows);
     if (!model.closing_pins.empty()) hold_loops(model, frame, rows);
 }
 

@@ -60,6 +60,7 @@ struct RowSources {
     const ContactSet& contacts;
     const LimitSet& limits;
     bool with_friction = false;
+    double friction_softness = 0.0;  // of friction rows, as a share of the free bodies' coupling
 };
 
 // Rows of all sources, with rates and contact-free accelerations taken from the frame. Impulses are

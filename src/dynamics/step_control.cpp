@@ -141,6 +141,8 @@ void StepControl::strike(Tick& tick, double elasticity) {
     moment.audit.impulse_work += impact.work;
     moment.audit.positive_work += std::max(0.0, impact.work);
     moment.audit.fallbacks += impact.fell_back ? 1U : 0U;
+    ++row_tally_.impacts;
+    row_tally_.impacts_failed += impact.fell_back ? 1U : 0U;
     ++moment.audit.events;
     ++tick.impacts;
     moment.frame_is_current = false;
@@ -170,12 +172,19 @@ double StepControl::choose_length(Tick& tick, bool& has_rows) {
     return rest / std::max(1.0, steps);
 }
 
+void StepControl::hold_rows(Tick& tick, double h) {
+    SceneMoment& moment = tick.moment;
+    ++row_tally_.resting;
+    if (contacts_.hold(tick.model, tick.law, h, moment.warm, tick.forcing)) return;
+    ++row_tally_.resting_failed;
+    ++moment.audit.fallbacks;
+}
+
 StepControl::Attempt StepControl::attempt(Tick& tick, bool has_rows, double& h) {
     SceneMoment& moment = tick.moment;
     const MotionSystem system{tick.model, tick.forcing, tick.length};
     for (;;) {
-        if (has_rows && !contacts_.hold(tick.model, tick.law, h, moment.warm, tick.forcing))
-            ++moment.audit.fallbacks;
+        if (has_rows) hold_rows(tick, h);
         start_rate_ = has_rows ? &held_start_rate(tick) : &free_start_rate(tick);
         integrator_->attempt(system, {moment.motion, *start_rate_, tick.time, h, tolerance_},
                              moment.spare_frame(), result_);

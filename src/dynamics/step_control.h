@@ -43,6 +43,12 @@ struct SceneMoment {
     Frame& spare_frame() { return frames[1 - current_frame]; }
 };
 
+// Row problems posed since the start, and those the row solver gave up on.
+struct RowTally {
+    std::uint64_t resting = 0, resting_failed = 0;
+    std::uint64_t impacts = 0, impacts_failed = 0;
+};
+
 class StepControl {
 public:
     StepControl(const IntegratorKind& integrator, const SceneSettings& settings)
@@ -54,6 +60,8 @@ public:
     // Moves the moment on by one tick; its status tells whether that went well.
     void advance(const PlanarModel& model, const ContactLaw& law, Forcing& forcing, double duration,
                  SceneMoment& moment);
+
+    const RowTally& row_tally() const { return row_tally_; }
 
 private:
     struct Tick {
@@ -75,6 +83,7 @@ private:
     static void count_evaluations(Tick& tick, int evaluations);
     void strike(Tick& tick, double elasticity);
     double choose_length(Tick& tick, bool& has_rows);
+    void hold_rows(Tick& tick, double h);
     Attempt attempt(Tick& tick, bool has_rows, double& h);
     static const MotionRate& free_start_rate(Tick& tick);
     const MotionRate& held_start_rate(Tick& tick);
@@ -96,6 +105,7 @@ private:
     std::uint64_t collection_ = 1;  // number of the contacts' last collection
     MotionRate held_rate_ = {};
     const MotionRate* start_rate_ = nullptr;  // of the attempt under way
+    RowTally row_tally_;
     StepResult result_;
     HeldWork work_;             // of the attempt under way
     double end_overrun_ = 0.0;  // rad or m; of its end

@@ -7,7 +7,7 @@ namespace {
 
 constexpr int kMaxRounds = 40;
 
-// The deepest of the new fast contacts.
+// The deepest of the new contacts that close fast or are too deep.
 struct NewContact {
     bool found = false;
     double gap = kContactMargin;
@@ -19,7 +19,10 @@ NewContact deepest_new_contact(const ContactSolver& contacts) {
     const ContactSet& near = contacts.near();
     for (int c = 0; c < near.count; ++c) {
         const Contact& contact = near.items[c];
-        if (contact.closing_speed <= kRestingSpeed || contact.gap >= deepest.gap) continue;
+        const bool fast = contact.closing_speed > kRestingSpeed;
+        // The corner of a fast spinner goes in and is on its way out within one step.
+        const bool deep = contact.gap < -kContactBand;
+        if (!(fast || deep) || contact.gap >= deepest.gap) continue;
         if (contacts.covers(contact)) continue;
         deepest = {true, contact.gap, contact.closing_speed};
     }
@@ -30,7 +33,7 @@ NewContact deepest_new_contact(const ContactSolver& contacts) {
 // well inside the bracket.
 double next_share(double low, double high, double from, const NewContact& seen, double length) {
     const double middle = 0.5 * (low + high);
-    if (!seen.found) return middle;
+    if (!seen.found || seen.closing_speed <= kRestingSpeed) return middle;
     const double guess = from + (seen.gap - kRestingGap) / (seen.closing_speed * length);
     const double rim = 0.02 * (high - low);
     return guess > low + rim && guess < high - rim ? guess : middle;

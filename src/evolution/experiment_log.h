@@ -49,10 +49,10 @@ struct SavedExperiment {
     std::vector<SimulatorChange> simulators;  // in order; the first computed generation 0
     SettingsPtr settings;                     // at generation 0
     std::vector<GenomePtr> founders;
-    std::vector<NotedCommand> journal;      // in order
-    std::vector<ChampionRecord> champions;  // one a recorded generation
-    std::vector<std::uint64_t> digests;     // population_digest() of each
-    std::optional<EvolutionState> latest;   // newest recorded generation
+    std::vector<NotedCommand> journal;        // in order
+    std::vector<JudgedIndividual> champions;  // one a recorded generation
+    std::vector<std::uint64_t> digests;       // population_digest() of each
+    std::optional<EvolutionState> latest;     // newest recorded generation
 };
 
 // Gives an evolution that has come to the generation the commands noted while it was present.

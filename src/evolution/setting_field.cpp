@@ -307,8 +307,9 @@ std::string place(const SettingField& field) {
 }
 
 Status out_of_range(const SettingField& field, double value) {
-    return Error{place(field) + ": " + (std::isfinite(value) ? short_text(value) : "not a number") +
-                 " is outside [" + short_text(field.low) + ", " + short_text(field.high) + "]"};
+    return Error{place(field) + ": " + short_text(value) +
+                 (std::isfinite(value) ? " is outside " : " is not finite; expected ") + "[" +
+                 short_text(field.low) + ", " + short_text(field.high) + "]"};
 }
 
 Status check_field(const SettingField& field, const SettingRef& ref) {

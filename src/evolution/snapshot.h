@@ -3,7 +3,7 @@
 // What the engine shows of itself: immutable, shallow, published after every change.
 
 #include "evolution/experiment_settings.h"
-#include "evolution/individual.h"
+#include "evolution/judged_individual.h"
 #include "evolution/statistics.h"
 
 #include <cstdint>
@@ -14,13 +14,6 @@
 namespace cambrian {
 
 enum class EngineStatus : std::uint8_t { kPaused, kRunning, kFailed };
-
-// The best of one generation, with the settings that judged it.
-struct ChampionRecord {
-    std::uint32_t generation = 0;
-    IndividualPtr individual;
-    SettingsPtr settings;
-};
 
 // A change of settings and the first generation it applied to.
 struct JournalEntry {
@@ -36,7 +29,7 @@ struct EvolutionSnapshot {
     SettingsPtr settings;                   // in force for that generation
     std::vector<IndividualPtr> population;  // newest finished generation, best first; empty before
     std::vector<GenerationStatistics> history;
-    std::vector<ChampionRecord> champions;  // one a finished generation
+    std::vector<JudgedIndividual> champions;  // the best of each finished generation
     std::vector<JournalEntry> journal;
 };
 

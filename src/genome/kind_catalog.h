@@ -1,8 +1,8 @@
 #pragma once
 
 // A plain table of the kinds genes may use, filled from the registries of the layers that own them,
-// in registration order. Genes store indices into it. Files store the ids of functions and joints, and
-// the numbers of sensor channels.
+// in registration order. Genes store indices into it. Files store the ids of functions and joints,
+// and the numbers of sensor channels.
 
 #include <cstdint>
 #include <string>

@@ -19,4 +19,15 @@ inline constexpr double to_radians(double degrees) {
     return degrees * (kPi / 180.0);
 }
 
+// Of an angle in degrees, exact at quarter turns.
+inline SineCosine sine_cosine_of_degrees(double degrees) {
+    const double quarters = std::nearbyint(degrees / 90.0);
+    const SineCosine rest = sine_cosine(to_radians(degrees - 90.0 * quarters));
+    const double quadrant = quarters - 4.0 * std::floor(0.25 * quarters);
+    if (quadrant == 0.0) return rest;
+    if (quadrant == 1.0) return {rest.cosine, -rest.sine};
+    if (quadrant == 2.0) return {-rest.sine, -rest.cosine};
+    return {-rest.cosine, rest.sine};
+}
+
 }  // namespace cambrian

@@ -1,5 +1,6 @@
 #include "persist/database.h"
 
+#include <cerrno>
 #include <limits>
 #include <sqlite3.h>
 #include <system_error>
@@ -35,6 +36,8 @@ int flags_of(Database::Access access) {
     switch (access) {
         case Database::Access::kRead:
             return SQLITE_OPEN_READONLY;
+        case Database::Access::kReadUnchanging:
+            return SQLITE_OPEN_READONLY | SQLITE_OPEN_URI;
         case Database::Access::kWrite:
             return SQLITE_OPEN_READWRITE;
         case Database::Access::kCreate:
@@ -43,11 +46,16 @@ int flags_of(Database::Access access) {
     return SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE;
 }
 
-// Whether a file opened to be read can be: one that was in use as a write-ahead log must have a
-// place for what readers share.
-bool is_readable(sqlite3* connection) {
-    return sqlite3_exec(connection, "PRAGMA schema_version", nullptr, nullptr, nullptr) !=
-           SQLITE_CANTOPEN;
+// With its folder, so that SQLite takes no name for a URI or for a database in memory.
+std::filesystem::path usable_name(const std::filesystem::path& path, Database::Access access) {
+    if (path.empty()) return path;
+    std::error_code unknown;
+    const auto facts = std::filesystem::status(path, unknown);
+    if (std::filesystem::exists(facts) && !std::filesystem::is_regular_file(facts))
+        throw DatabaseError("it is not a regular file");
+    if (!std::filesystem::exists(facts) && access != Database::Access::kCreate)
+        throw DatabaseError(unknown ? unknown.message() : std::generic_category().message(ENOENT));
+    return std::filesystem::absolute(path);
 }
 
 // As SQLite takes the name of a file that nobody changes.
@@ -168,12 +176,9 @@ void Database::Close::operator()(sqlite3* connection) const {
     sqlite3_close_v2(connection);
 }
 
-Database::Database(const std::filesystem::path& path, Access access) {
-    open(path.string(), flags_of(access));
-    std::error_code unknown;
-    if (access == Access::kRead && !is_readable(connection_.get()) &&
-        !std::filesystem::exists(path.string() + "-wal", unknown))
-        open(unchanging(path), flags_of(access) | SQLITE_OPEN_URI);
+Database::Database(const std::filesystem::path& named, Access access) {
+    const std::filesystem::path path = usable_name(named, access);
+    open(access == Access::kReadUnchanging ? unchanging(path) : path.string(), flags_of(access));
     distrust();
 }
 
@@ -207,6 +212,18 @@ Database Database::copy() const {
     sqlite3_backup_step(backup, -1);
     if (const int code = sqlite3_backup_finish(backup); code != SQLITE_OK) fail(target, code);
     return copied;
+}
+
+void Database::copy_to(const std::filesystem::path& path) const {
+    prepare("VACUUM INTO ?").run(std::filesystem::absolute(path).string());
+}
+
+void Database::make_durable() {
+    Statement mode = prepare("PRAGMA journal_mode = WAL");
+    if (!mode.step() || mode.text(0) != "wal")
+        throw DatabaseError("it cannot have a write-ahead log there");
+    mode.finish();
+    execute("PRAGMA synchronous = FULL");
 }
 
 void Database::execute(const std::string& sql) {

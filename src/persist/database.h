@@ -85,14 +85,25 @@ private:
 
 class Database {
 public:
-    enum class Access : std::uint8_t { kRead, kWrite, kCreate };
+    enum class Access : std::uint8_t {
+        kRead,
+        kReadUnchanging,  // a file that nobody changes meanwhile: needs and leaves nothing else
+        kWrite,
+        kCreate,
+    };
 
-    // An empty path: a database of its own that vanishes with it. What is only read may be on a
-    // disk that cannot be written to.
+    // A regular file; an empty path: a database of its own that vanishes with it.
     Database(const std::filesystem::path& path, Access access);
 
     // A copy in memory.
     Database copy() const;
+
+    // All of it as another file, which must be empty if it is there.
+    void copy_to(const std::filesystem::path& path) const;
+
+    // Readers do not wait for the writer; a commit is on the disk when it returns. Fails where the
+    // file cannot have a write-ahead log.
+    void make_durable();
 
     void execute(const std::string& sql);
     Statement prepare(std::string_view sql) const { return {connection_.get(), sql}; }

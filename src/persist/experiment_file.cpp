@@ -1,13 +1,16 @@
 #include "persist/experiment_file.h"
 
 #include "core/file_io.h"
+#include "core/file_lock.h"
+#include "core/pending_file.h"
 #include "persist/experiment_reader.h"
 #include "persist/experiment_schema.h"
 #include "persist/experiment_upgrade.h"
 #include "persist/experiment_writer.h"
-#include "persist/file_lock.h"
+#include "persist/read_only_database.h"
 
 #include <cerrno>
+#include <optional>
 #include <system_error>
 #include <unistd.h>
 #include <utility>
@@ -25,14 +28,8 @@ constexpr const char* kOpening = "cannot open";
 
 // What SQLite keeps beside a file while it is open, left by a killed program.
 void remove_companions(const std::filesystem::path& path) {
-    for (const char* ending : {"-wal", "-shm"})
+    for (const char* ending : {"-wal", "-shm", "-journal"})
         ::unlink((path.string() + ending).c_str());
-}
-
-void make_durable(Database& database) {
-    // Readers do not wait for the writer; a commit is on the disk when it returns.
-    database.execute("PRAGMA journal_mode = WAL");
-    database.execute("PRAGMA synchronous = FULL");
 }
 
 }  // namespace
@@ -95,16 +92,18 @@ Status ExperimentFile::keep_picking(const PickingRecord& picking) {
     return write([&](ExperimentWriter& writer) { writer.keep_picking(picking); });
 }
 
-Status ExperimentFile::keep_stars(const std::vector<ChampionRecord>& stars) {
+Status ExperimentFile::keep_stars(const std::vector<JudgedIndividual>& stars) {
     return write([&](ExperimentWriter& writer) { writer.keep_stars(stars); });
 }
 
+// Also switched to the log that a file in use has: there is no moment at which a kill could leave
+// a file without it.
 Status ExperimentFile::copy_into(const std::filesystem::path& temporary) const {
     try {
         open_->writer.copy_to(temporary);
+        Database(temporary, Database::Access::kWrite).make_durable();
         return {};
     } catch (const DatabaseError& error) {
-        ::unlink(temporary.c_str());
         return Error{error.what()};
     }
 }
@@ -117,18 +116,17 @@ Status ExperimentFile::move_to(const std::filesystem::path& path, Existing exist
         return {};
     if (Status free = FileLock::check_free(path); !free)
         return failure(kKeeping, path, free.error().message);
-    const bool replace = existing == Existing::kReplace;
-    if (!replace && std::filesystem::exists(path, other))
+    if (existing == Existing::kRefuse && std::filesystem::exists(path, other))
         return failure(kKeeping, path, std::generic_category().message(EEXIST));
-    if (Status writable = check_writable(path); !writable) return writable;
-    const std::filesystem::path temporary = temporary_beside(path);
-    if (Status copied = copy_into(temporary); !copied)
+    Result<PendingFile> file = PendingFile::beside(path);
+    if (!file) return file.error();
+    if (Status copied = copy_into(file->path()); !copied)
         return failure(kKeeping, path, copied.error().message);
-    remove_companions(path);
-    if (Status moved = replace ? move_into_place(temporary, path) : move_to_new(temporary, path);
-        !moved)
-        return moved;
-    return go_on_in(path);
+    remove_companions(file->target());
+    if (Status moved = file->commit(existing); !moved) return moved;
+    Status kept = go_on_in(path);
+    if (!kept && existing == Existing::kRefuse) std::filesystem::remove(path, other);
+    return kept;
 }
 
 Status ExperimentFile::go_on_in(const std::filesystem::path& path) {
@@ -136,7 +134,7 @@ Status ExperimentFile::go_on_in(const std::filesystem::path& path) {
     if (!lock) return failure(kKeeping, path, lock.error().message);
     try {
         Database database(path, Database::Access::kWrite);
-        make_durable(database);
+        database.make_durable();
         auto open = std::make_unique<Open>(path, std::move(*lock), std::move(database), kinds_);
         open->writer.remember(open_->writer);
         open_ = std::move(open);
@@ -153,9 +151,10 @@ std::filesystem::path ExperimentFile::path() const {
 
 Result<OpenedExperiment> open_experiment(const std::filesystem::path& path,
                                          const EvolutionKinds& kinds) {
+    // A place for what comes to be beside it; before it is ours, for then it is not writable.
+    if (Status writable = check_writable(path); !writable) return writable.error();
     Result<FileLock> lock = FileLock::take(path);
     if (!lock) return failure(kOpening, path, lock.error().message);
-    if (Status writable = check_writable(path); !writable) return writable.error();
     try {
         Database database(path, Database::Access::kWrite);
         Transaction transaction(database);
@@ -163,7 +162,7 @@ Result<OpenedExperiment> open_experiment(const std::filesystem::path& path,
             return failure(kOpening, path, current.error().message);
         ReadExperiment read = read_experiment(database, kinds);
         transaction.commit();
-        make_durable(database);
+        database.make_durable();
         auto open = std::make_unique<ExperimentFile::Open>(path, std::move(*lock),
                                                            std::move(database), kinds);
         open->writer.remember(read);
@@ -178,10 +177,16 @@ Result<OpenedExperiment> open_experiment(const std::filesystem::path& path,
 Result<SavedExperiment> load_experiment(const std::filesystem::path& path,
                                         const EvolutionKinds& kinds) {
     try {
-        const Result<Database> database = up_to_date(Database(path, Database::Access::kRead));
-        if (!database) return failure(kOpening, path, database.error().message);
-        ReadExperiment read = read_experiment(*database, kinds);
-        return std::move(read.saved);
+        std::optional<Result<SavedExperiment>> saved;
+        read_database(path, [&](const Database& database) {
+            const Result<std::optional<Database>> newer = newer_copy(database);
+            if (newer) {
+                saved = read_experiment(*newer ? **newer : database, kinds).saved;
+            } else {
+                saved = failure(kOpening, path, newer.error().message);
+            }
+        });
+        return std::move(*saved);
     } catch (const DatabaseError& error) {
         return failure(kOpening, path, error.what());
     }

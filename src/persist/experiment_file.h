@@ -4,6 +4,7 @@
 // transaction a generation, so that whatever happens at most the generation in flight is lost. The
 // tables are described in assets/help/experiment_file.md.
 
+#include "core/pending_file.h"
 #include "core/result.h"
 #include "evolution/evolution_kinds.h"
 #include "evolution/experiment_log.h"
@@ -33,9 +34,9 @@ public:
     Status record(const Evolution& evolution);
     // Any thread.
     Status keep_picking(const PickingRecord& picking);
-    Status keep_stars(const std::vector<ChampionRecord>& stars);
+    Status keep_stars(const std::vector<JudgedIndividual>& stars);
 
-    enum class Existing : std::uint8_t { kReplace, kRefuse };
+    using Existing = PendingFile::Existing;
     // The whole experiment as another file, there from one moment to the next; everything from now
     // on goes there too. Any thread.
     Status move_to(const std::filesystem::path& path, Existing existing = Existing::kReplace);
@@ -63,7 +64,7 @@ struct OpenedExperiment {
     std::shared_ptr<ExperimentFile> file;
     SavedExperiment saved;
     PickingRecord picking;
-    std::vector<ChampionRecord> stars;
+    std::vector<JudgedIndividual> stars;
 };
 
 // One of an older version is brought up to this program's. Fails, leaving the file as it is, if it

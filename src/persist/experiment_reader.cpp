@@ -41,9 +41,70 @@ double share_of(const Statement& row, int column) {
     throw DatabaseError("a share of newcomers is outside [0, 1]");
 }
 
+// Generations are numbered from 0 without a gap.
+void check_order(const GenerationStatistics& statistics, std::size_t expected) {
+    if (statistics.generation != expected)
+        throw DatabaseError("generation " + std::to_string(expected) + " is missing");
+}
+
+// Births of every line into the history of generations that have none yet.
+void read_births(const Database& database, std::vector<GenerationStatistics>& history) {
+    Statement row =
+        database.prepare("SELECT generation, line, births FROM births ORDER BY generation, line");
+    const std::size_t most = most_rows(database);
+    std::size_t count = 0;
+    while (row.step()) {
+        std::uint32_t generation = 0;
+        LineBirths line;
+        read_column(row, 0, generation);
+        read_column(row, 1, line.line);
+        read_column(row, 2, line.births);
+        if (generation >= history.size() || line.births < 0)
+            throw DatabaseError("births of a generation that is missing");
+        history[generation].births.push_back(line);
+        if (++count > most) throw DatabaseError("it is damaged: more births than it can hold");
+    }
+    for (GenerationStatistics& generation : history)
+        put_most_first(generation.births);
+}
+
 RowRef row_ref(const Statement& row, int column) {
     return {row.integer(column), row.integer(column + 1)};
 }
+
+SettingsPtr read_settings(const Database& database, std::int64_t id, const EvolutionKinds& kinds) {
+    Statement row = database.prepare("SELECT toml FROM settings WHERE id = ?");
+    row.bind(id);
+    const std::string name = "settings " + std::to_string(id);
+    if (!row.step()) throw DatabaseError(name + " are missing");
+    if (row.text(0).size() > kMostSettings) throw DatabaseError(name + " are too large");
+    Result<ExperimentSettings> parsed = parse_settings(row.text(0), name, kinds);
+    if (!parsed) throw DatabaseError(parsed.error().message);
+    return std::make_shared<const ExperimentSettings>(std::move(*parsed));
+}
+
+// How many creatures can be brought into each generation that a command changed; the rest of those
+// brought in has no place and no effect.
+class Places {
+public:
+    // In the journal's order.
+    void change(std::uint32_t generation, const ExperimentSettings& settings) {
+        places_[generation] = static_cast<std::size_t>(settings.population.size);
+    }
+    std::size_t founders() const { return founders_; }
+    std::size_t of(std::uint32_t generation) const {
+        const auto after = places_.upper_bound(generation);
+        return after == places_.begin() ? 0 : std::prev(after)->second;
+    }
+    void begin(const ExperimentSettings& settings) {
+        founders_ = static_cast<std::size_t>(settings.population.size);
+        change(0, settings);
+    }
+
+private:
+    std::size_t founders_ = 0;
+    std::map<std::uint32_t, std::size_t> places_;  // from a generation on
+};
 
 class ExperimentReader {
 public:
@@ -60,7 +121,7 @@ public:
         read_generations();
         if (read_.saved.latest) read_latest();
         read_grids();
-        read_.picking.shelf = shelf();
+        read_.picking.shelf = kept("shelf");
         read_.stars = kept("star");
         return std::move(read_);
     }
@@ -68,15 +129,7 @@ public:
 private:
     SettingsPtr settings(std::int64_t id) {
         SettingsPtr& place = settings_[id];
-        if (place) return place;
-        Statement row = database_.prepare("SELECT toml FROM settings WHERE id = ?");
-        row.bind(id);
-        const std::string name = "settings " + std::to_string(id);
-        if (!row.step()) throw DatabaseError(name + " are missing");
-        if (row.text(0).size() > kMostSettings) throw DatabaseError(name + " are too large");
-        Result<ExperimentSettings> parsed = parse_settings(row.text(0), name, kinds_);
-        if (!parsed) throw DatabaseError(parsed.error().message);
-        place = std::make_shared<const ExperimentSettings>(std::move(*parsed));
+        if (!place) place = read_settings(database_, id, kinds_);
         return place;
     }
 
@@ -106,15 +159,46 @@ private:
     }
 
     void read_journal() {
+        read_places();
         Statement row = database_.prepare(
             "SELECT generation, command, settings, share, size, genotype FROM journal ORDER BY id");
+        std::size_t commands = 0;
+        const std::int64_t present =
+            database_.integer("SELECT ifnull(max(generation) + 1, 0) FROM generations");
         while (row.step()) {
+            check_count(++commands, "commands");
             std::uint32_t generation = 0;
             read_column(row, 0, generation);
+            if (generation > present) {
+                throw DatabaseError("a command was given in generation " +
+                                    std::to_string(generation) + ", which was never reached");
+            }
             read_command(row, generation);
-            check_count(read_.saved.founders.size() + read_.saved.journal.size(), "commands");
         }
         if (!read_.saved.settings) throw DatabaseError("the journal has no beginning");
+    }
+
+    void read_places() {
+        // Every row is counted, so that a table without end is refused.
+        Statement row =
+            database_.prepare("SELECT generation, command, settings FROM journal ORDER BY id");
+        std::size_t commands = 0;
+        while (row.step()) {
+            check_count(++commands, "commands");
+            if (row.text(1) != "start" && row.text(1) != "settings") continue;
+            std::uint32_t generation = 0;
+            read_column(row, 0, generation);
+            const SettingsPtr present = settings(row.integer(2));
+            if (row.text(1) == "start") places_.begin(*present);
+            places_.change(generation, *present);
+        }
+    }
+
+    // Whether one more creature brought in has a place; the first stays that of the champion.
+    bool has_place(std::uint32_t generation) {
+        if (generation != injected_generation_) injected_ = 0;
+        injected_generation_ = generation;
+        return ++injected_ < places_.of(generation);
     }
 
     void read_command(const Statement& row, std::uint32_t generation) {
@@ -125,11 +209,13 @@ private:
         if (command == "start") {
             read_.saved.settings = settings(row.integer(2));
         } else if (command == "founder") {
-            read_.saved.founders.push_back(genotype(row, 4));
+            if (read_.saved.founders.size() < places_.founders())
+                read_.saved.founders.push_back(genotype(row, 4));
         } else if (command == "settings") {
             journal.push_back({generation, ChangeSettings{settings(row.integer(2))}});
         } else if (command == "inject") {
-            journal.push_back({generation, InjectGenome{genotype(row, 4)}});
+            if (has_place(generation))
+                journal.push_back({generation, InjectGenome{genotype(row, 4)}});
         } else if (command == "newcomers") {
             journal.push_back({generation, AddNewcomers{share_of(row, 3)}});
         } else if (command == "rescore") {
@@ -151,10 +237,7 @@ private:
         while (row.step()) {
             GenerationStatistics statistics;
             read_columns<GenerationStatistics>(row, 0, kStatisticsColumns, statistics);
-            if (statistics.generation != latest.history.size()) {
-                throw DatabaseError("generation " + std::to_string(latest.history.size()) +
-                                    " is missing");
-            }
+            check_order(statistics, latest.history.size());
             read_columns<GenerationStatistics>(row, more + 8, kLaterStatisticsColumns, statistics);
             latest.history.push_back(statistics);
             latest.generation = statistics.generation;
@@ -168,27 +251,8 @@ private:
             latest.memory.threshold = row.real(more + 6);
             read_column(row, more + 7, latest.memory.quiet_generations);
         }
-        read_births(latest.history);
+        read_births(database_, latest.history);
         if (!latest.history.empty()) read_.saved.latest = std::move(latest);
-    }
-
-    void read_births(std::vector<GenerationStatistics>& history) {
-        Statement row = database_.prepare(
-            "SELECT generation, line, births FROM births ORDER BY generation, line");
-        std::size_t count = 0;
-        while (row.step()) {
-            std::uint32_t generation = 0;
-            LineBirths line;
-            read_column(row, 0, generation);
-            read_column(row, 1, line.line);
-            read_column(row, 2, line.births);
-            if (generation >= history.size() || line.births < 0)
-                throw DatabaseError("births of a generation that is missing");
-            history[generation].births.push_back(line);
-            check_count(++count, "births");
-        }
-        for (GenerationStatistics& generation : history)
-            put_most_first(generation.births);
     }
 
     void read_latest() {
@@ -289,14 +353,14 @@ private:
         return row.step() ? std::string(row.text(0)) : std::string();
     }
 
-    std::vector<ChampionRecord> kept(const char* role) {
-        std::vector<ChampionRecord> creatures;
+    std::vector<JudgedIndividual> kept(const char* role) {
+        std::vector<JudgedIndividual> creatures;
         Statement row = database_.prepare(
             "SELECT individual, judged, generation, settings FROM kept WHERE role = ? "
             "ORDER BY place");
         row.bind(role);
         while (row.step()) {
-            ChampionRecord each;
+            JudgedIndividual each;
             read_column(row, 2, each.generation);
             each.settings = settings(row.integer(3));
             each.individual = chosen(row_ref(row, 0), *each.settings);
@@ -306,19 +370,15 @@ private:
         return creatures;
     }
 
-    std::vector<PinnedCreature> shelf() {
-        std::vector<PinnedCreature> shelf;
-        for (ChampionRecord& each : kept("shelf"))
-            shelf.push_back({std::move(each.individual), std::move(each.settings)});
-        return shelf;
-    }
-
     const Database& database_;
     const EvolutionKinds& kinds_;
     std::size_t most_rows_;
     IndividualReader individuals_;
     GenotypeReader genotypes_;
     std::map<std::int64_t, SettingsPtr> settings_;
+    Places places_;
+    std::uint32_t injected_generation_ = 0;
+    std::size_t injected_ = 0;  // into that generation
     ReadExperiment read_;
 };
 
@@ -326,6 +386,32 @@ private:
 
 ReadExperiment read_experiment(const Database& database, const EvolutionKinds& kinds) {
     return ExperimentReader(database, kinds).read();
+}
+
+SettingsPtr read_last_settings(const Database& database, const EvolutionKinds& kinds) {
+    Statement row = database.prepare(
+        "SELECT settings FROM journal WHERE id = (SELECT max(id) FROM "
+        "(SELECT id, command FROM journal ORDER BY id DESC LIMIT ?) "
+        "WHERE command IN ('start', 'settings'))");
+    row.bind(std::uint64_t{most_rows(database)});
+    if (!row.step()) throw DatabaseError("the journal has no beginning");
+    return read_settings(database, row.integer(0), kinds);
+}
+
+std::vector<GenerationStatistics> read_history(const Database& database) {
+    Statement row =
+        database.prepare("SELECT " + column_names<GenerationStatistics>(kStatisticsColumns) + ", " +
+                         column_names<GenerationStatistics>(kLaterStatisticsColumns) +
+                         " FROM generations ORDER BY generation");
+    std::vector<GenerationStatistics> history;
+    while (row.step()) {
+        GenerationStatistics& statistics = history.emplace_back();
+        const int next = read_columns<GenerationStatistics>(row, 0, kStatisticsColumns, statistics);
+        read_columns<GenerationStatistics>(row, next, kLaterStatisticsColumns, statistics);
+        check_order(statistics, history.size() - 1);
+    }
+    read_births(database, history);
+    return history;
 }
 
 }  // namespace cambrian

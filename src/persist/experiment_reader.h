@@ -17,12 +17,16 @@ struct ReadExperiment {
     SavedExperiment saved;
     std::vector<RowRef> population;  // rows of the latest one
     PickingRecord picking;
-    std::vector<ChampionRecord> stars;
+    std::vector<JudgedIndividual> stars;
     // Whoever is in grids, on the shelf or starred.
     std::vector<std::pair<IndividualPtr, RowRef>> chosen;
 };
 
 // Of a database whose tables were checked.
 ReadExperiment read_experiment(const Database& database, const EvolutionKinds& kinds);
+
+// Parts of it, read alone.
+SettingsPtr read_last_settings(const Database& database, const EvolutionKinds& kinds);
+std::vector<GenerationStatistics> read_history(const Database& database);
 
 }  // namespace cambrian

@@ -55,12 +55,16 @@ Status bring_up_to_date(Database& database) {
     return check_tables(database);
 }
 
-Result<Database> up_to_date(Database database) {
+Result<std::optional<Database>> newer_copy(const Database& database) {
     const Result<std::int64_t> version = version_of_tables(database);
     if (!version) return version.error();
-    if (*version < kExperimentVersion) database = database.copy();
-    if (Status current = bring_up_to_date(database); !current) return current.error();
-    return database;
+    if (*version == kExperimentVersion) {
+        if (Status whole = check_tables(database); !whole) return whole.error();
+        return std::optional<Database>();
+    }
+    Database copied = database.copy();
+    if (Status current = bring_up_to_date(copied); !current) return current.error();
+    return std::optional<Database>(std::move(copied));
 }
 
 }  // namespace cambrian

@@ -54,7 +54,7 @@ void ExperimentWriter::remember(const ReadExperiment& read) {
         const IndividualPtr& individual = latest.population[i];
         kept_.remember(individual, read.population[i], individual->born < latest.generation);
     }
-    for (const ChampionRecord& champion : read.saved.champions)
+    for (const JudgedIndividual& champion : read.saved.champions)
         kept_.hold_score(champion.individual);
     for (const auto& [individual, row] : read.chosen)
         kept_.hold_score(individual);
@@ -111,17 +111,14 @@ void ExperimentWriter::keep_picking(const PickingRecord& picking) {
         }
         for (; known_.grids < picking.tree.size(); ++known_.grids)
             insert_grid(picking.tree.node(static_cast<std::uint32_t>(known_.grids)));
-        std::vector<ChampionRecord> shelf;
-        for (const PinnedCreature& pinned : picking.shelf)
-            shelf.push_back({0, pinned.creature, pinned.settings});
-        replace_kept("shelf", shelf);
+        replace_kept("shelf", picking.shelf);
         if (picking.tree.empty()) return;
         set_fact("grid_on_show", std::to_string(picking.tree.current().number));
         set_fact("picks_on_show", picks_text(picking.picks));
     });
 }
 
-void ExperimentWriter::keep_stars(const std::vector<ChampionRecord>& stars) {
+void ExperimentWriter::keep_stars(const std::vector<JudgedIndividual>& stars) {
     transact([&] { replace_kept("star", stars); });
 }
 
@@ -150,10 +147,10 @@ void ExperimentWriter::insert_grid(const GridNode& grid) {
 }
 
 void ExperimentWriter::replace_kept(const char* role,
-                                    const std::vector<ChampionRecord>& creatures) {
+                                    const std::vector<JudgedIndividual>& creatures) {
     clear_kept_.run(role);
     std::uint64_t place = 0;
-    for (const ChampionRecord& each : creatures) {
+    for (const JudgedIndividual& each : creatures) {
         const RowRef row = keep_chosen(each.individual);
         insert_kept_.run(role, place++, row.individual, row.judged, each.generation,
                          row_of(each.settings));
@@ -173,7 +170,7 @@ void ExperimentWriter::set_fact(const char* name, const std::string& value) {
 }
 
 void ExperimentWriter::copy_to(const std::filesystem::path& path) const {
-    database_.prepare("VACUUM INTO ?").run(path.string());
+    database_.copy_to(path);
 }
 
 std::int64_t ExperimentWriter::row_of(const SettingsPtr& settings) {

@@ -35,7 +35,7 @@ public:
     void record(const Evolution& evolution);
     // Grids that are new, and where the person is among them.
     void keep_picking(const PickingRecord& picking);
-    void keep_stars(const std::vector<ChampionRecord>& stars);
+    void keep_stars(const std::vector<JudgedIndividual>& stars);
     void copy_to(const std::filesystem::path& path) const;
 
 private:
@@ -68,7 +68,7 @@ private:
     void name_simulator(std::uint32_t generation);
     RowRef keep_chosen(const IndividualPtr& individual);
     void insert_grid(const GridNode& grid);
-    void replace_kept(const char* role, const std::vector<ChampionRecord>& creatures);
+    void replace_kept(const char* role, const std::vector<JudgedIndividual>& creatures);
     void set_fact(const char* name, const std::string& value);
 
     Database database_;  // outlives its statements

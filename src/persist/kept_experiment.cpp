@@ -1,6 +1,6 @@
 #include "persist/kept_experiment.h"
 
-#include "persist/file_lock.h"
+#include "core/file_lock.h"
 
 #include <system_error>
 #include <utility>
@@ -109,7 +109,7 @@ Status KeptExperiment::keep_picking(const PickingRecord& picking) {
     return file_->keep_picking(picking);
 }
 
-Status KeptExperiment::keep_stars(const std::vector<ChampionRecord>& stars) {
+Status KeptExperiment::keep_stars(const std::vector<JudgedIndividual>& stars) {
     const std::lock_guard guard(mutex_);
     return file_ ? file_->keep_stars(stars) : Status();
 }

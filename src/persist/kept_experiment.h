@@ -30,7 +30,7 @@ public:
     // Any thread, as long as the others are not called for the first time.
     Status move_to(const std::filesystem::path& path);
     Status keep_picking(const PickingRecord& picking);
-    Status keep_stars(const std::vector<ChampionRecord>& stars);
+    Status keep_stars(const std::vector<JudgedIndividual>& stars);
 
 private:
     struct Beginning {

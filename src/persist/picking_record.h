@@ -16,7 +16,7 @@ namespace cambrian {
 struct PickingRecord {
     PickingTree tree;
     std::vector<std::size_t> picks;  // in the grid on show
-    std::vector<PinnedCreature> shelf;
+    std::vector<JudgedIndividual> shelf;
 };
 
 // As in the tables, in the order of the enumerations.

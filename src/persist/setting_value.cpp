@@ -50,9 +50,15 @@ SettingCheck assign_to(double& place, const SettingField& field, const SettingVa
 template <class Integer>
 SettingCheck assign_to(Integer& place, const SettingField& field, const SettingValue& value) {
     const auto* whole = std::get_if<std::int64_t>(&value);
-    if (whole == nullptr) return wrong_type("a whole number", value);
-    SettingCheck check = check_range(field, static_cast<double>(*whole));
-    if (check.fault == SettingFault::kNone) place = static_cast<Integer>(*whole);
+    const auto* real = std::get_if<double>(&value);
+    // Large ones are written with an exponent: 1e+15.
+    const bool comes_to_whole =
+        real != nullptr && std::isfinite(*real) && std::trunc(*real) == *real;
+    if (whole == nullptr && !comes_to_whole) return wrong_type("a whole number", value);
+    const double number = whole != nullptr ? static_cast<double>(*whole) : *real;
+    SettingCheck check = check_range(field, number);
+    if (check.fault == SettingFault::kNone)
+        place = whole != nullptr ? static_cast<Integer>(*whole) : static_cast<Integer>(*real);
     return check;
 }
 

@@ -29,7 +29,7 @@ struct StartFromCreatures {
 struct RestoreGrids {
     PickingTree tree;                // empty: begin anew
     std::vector<std::size_t> picks;  // cells of the grid on show
-    std::vector<PinnedCreature> shelf;
+    std::vector<JudgedIndividual> shelf;
 };
 // Grids bred from now on are judged by other settings, which must pass check_settings.
 struct UseSettings {

@@ -214,7 +214,7 @@ Status PickingSession::carry_out(const VisitGrid& command) {
 Status PickingSession::carry_out(const PinCreature& command) {
     if (Status exists = check_cell(command.node, command.cell); !exists) return exists;
     const GridNode& grid = shown_.tree.current();
-    shown_.shelf.push_back({grid.creatures[command.cell], grid.settings});
+    shown_.shelf.push_back(grid.cell(command.cell));
     return {};
 }
 
@@ -232,7 +232,7 @@ Status PickingSession::carry_out(const PlacePinned& command) {
     node.origin = GridOrigin::kShelf;
     node.picks = shown_.picks;
     node.generations = 0;
-    node.creatures[command.cell] = scored_by(*node.settings, shown_.shelf[command.place].creature,
+    node.creatures[command.cell] = scored_by(*node.settings, shown_.shelf[command.place].individual,
                                              *shown_.shelf[command.place].settings);
     shown_.log.shown_since = now_;
     show_grid(std::move(node));

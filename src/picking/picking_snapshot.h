@@ -19,17 +19,12 @@ enum class PickingStatus : std::uint8_t {
     kEvolving,  // a decision waits for automatic evolution
 };
 
-struct PinnedCreature {
-    IndividualPtr creature;
-    SettingsPtr settings;  // that judged it
-};
-
 struct PickingSnapshot {
     PickingTree tree;                // empty until the first grid is ready
     std::vector<std::size_t> picks;  // cells of the grid on show, in order of picking
     GridSettings grid;               // for the next one
     SettingsPtr settings;            // that judge the next one
-    std::vector<PinnedCreature> shelf;
+    std::vector<JudgedIndividual> shelf;
     SessionLog log;
     PickingStatus status = PickingStatus::kOpen;
     bool children_ready = false;  // of the picks: BreedPicks will be answered at once

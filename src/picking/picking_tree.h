@@ -5,7 +5,7 @@
 
 #include "core/result.h"
 #include "evolution/experiment_settings.h"
-#include "evolution/individual.h"
+#include "evolution/judged_individual.h"
 #include "picking/grid_settings.h"
 
 #include <cstddef>
@@ -35,6 +35,9 @@ struct GridNode {
     int generations = 0;                   // of automatic evolution
     SettingsPtr settings;                  // that judged the creatures
     std::vector<IndividualPtr> creatures;  // one a cell
+
+    // The creature of a cell; its generation is the grid's number.
+    JudgedIndividual cell(std::size_t cell) const { return {number, creatures[cell], settings}; }
 };
 
 class PickingTree {

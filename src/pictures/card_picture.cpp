@@ -97,9 +97,10 @@ void add_strip(Easel& easel, const CardSpace& at, const Subject& subject, const 
     double x = kMargin;
     for (const double time : even_times(subject.motion(), kStripPoses)) {
         const Area cell = at.area({x, 962, width, height});
-        add_moment(easel, cell, subject, time, style);
+        const Moment moment = moment_of(subject.motion(), time);
+        add_moment(easel, cell, subject, moment, style);
         easel.round_corners(cell, 10.0 * at.unit, palette.window);
-        easel.add_text(cell.x + 0.5 * cell.width, at.y(1182), format("%.1f s", time), ink,
+        easel.add_text(cell.x + 0.5 * cell.width, at.y(1182), format("%.1f s", moment.time), ink,
                        Align::kMiddle);
         x += width + gap;
     }
@@ -122,7 +123,8 @@ void draw_card(Easel& easel, const Subject& subject, const Palette& palette) {
     const Area portrait = at.area({kMargin, kMargin, kCardWidth - 2.0 * kMargin, 650});
     MomentStyle style{.palette = palette, .label_size = 18.0 * at.unit};
     style.pixels_per_metre = scale_to_fit(subject.motion(), portrait, kPortraitShare);
-    add_moment(easel, portrait, subject, telling_time(subject.motion()), style);
+    add_moment(easel, portrait, subject,
+               moment_of(subject.motion(), telling_time(subject.motion())), style);
     easel.round_corners(portrait, 18.0 * at.unit, palette.window);
     add_heading(easel, at, subject, palette);
     add_facts(easel, at, subject, palette);

@@ -1,7 +1,6 @@
 #include "pictures/clip.h"
 
 #include "core/pretty_text.h"
-#include "pictures/moment.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,17 +21,20 @@ std::uint64_t clip_frames(const ClipTiming& timing) {
     return static_cast<std::uint64_t>(std::max(1.0, std::round(frames)));
 }
 
+double clip_time(const ClipTiming& timing, std::uint64_t frame) {
+    return static_cast<double>(frame) * timing.speed / timing.frames_a_second;
+}
+
 void draw_clip_frame(Easel& easel, const Subject& subject, const Palette& palette,
-                     const ClipTiming& timing, std::uint64_t frame) {
+                     const Moment& moment) {
     const double unit =
         std::max(kLeastUnit, std::min(easel.width() / kWidth, easel.height() / kHeight));
     const Area whole = {0, 0, static_cast<double>(easel.width()),
                         static_cast<double>(easel.height())};
-    const double time = static_cast<double>(frame) * timing.speed / timing.frames_a_second;
     MomentStyle style{.palette = palette, .label_size = 16.0 * unit, .trail = kTrail};
     style.pixels_per_metre = scale_to_fit(subject.motion(), whole, kBodyShare);
     easel.clear(palette.sky);
-    add_moment(easel, whole, subject, time, style);
+    add_moment(easel, whole, subject, moment, style);
     const Ink title{Typeface::kStrong, 28.0 * unit, palette.text};
     const Ink small{Typeface::kRegular, 19.0 * unit, palette.muted};
     const double left = 24.0 * unit;
@@ -42,7 +44,7 @@ void draw_clip_frame(Easel& easel, const Subject& subject, const Palette& palett
     easel.add_text(left, 44.0 * unit, subject.name, title, Align::kLeft,
                    right - left - 120.0 * unit);
     easel.add_text(left, 72.0 * unit, line, small);
-    easel.add_text(right, 44.0 * unit, format("%.1f s", time), title, Align::kRight);
+    easel.add_text(right, 44.0 * unit, format("%.1f s", moment.time), title, Align::kRight);
 }
 
 }  // namespace cambrian

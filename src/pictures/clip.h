@@ -1,6 +1,7 @@
 #pragma once
 
 #include "pictures/easel.h"
+#include "pictures/moment.h"
 #include "pictures/subject.h"
 
 #include <cstdint>
@@ -17,8 +18,11 @@ struct ClipTiming {
 // At least one: the start.
 std::uint64_t clip_frames(const ClipTiming& timing);
 
-// One frame of the clip, with the creature's name, its score and the time.
+// When a frame of it is, s of the trial.
+double clip_time(const ClipTiming& timing, std::uint64_t frame);
+
+// One frame of a clip, with the creature's name, its score and the time.
 void draw_clip_frame(Easel& easel, const Subject& subject, const Palette& palette,
-                     const ClipTiming& timing, std::uint64_t frame);
+                     const Moment& moment);
 
 }  // namespace cambrian

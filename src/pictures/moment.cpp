@@ -19,9 +19,9 @@ Vec2 size_of_body(const RecordedMotion& motion, const MotionFrame& frame) {
     return window.high - window.low;
 }
 
-SceneFrame scene_of(const Subject& subject, double time, const Camera& camera,
+SceneFrame scene_of(const Subject& subject, const Moment& moment, const Camera& camera,
                     const Viewport& viewport, const MomentStyle& style) {
-    const MotionFrame shown = subject.motion().at(time);
+    const MotionFrame& shown = moment.frame;
     const CreatureLook look{subject.phenotype(), shown.poses, shown.touched, subject.hue, {}};
     SceneFrame scene;
     scene.background = style.palette.sky;
@@ -30,7 +30,7 @@ SceneFrame scene_of(const Subject& subject, double time, const Camera& camera,
         add_ground(scene, style.palette, camera, viewport);
         add_shadow(scene, look);
     }
-    scene.add_trail(subject.motion().trail(time, style.trail),
+    scene.add_trail(subject.motion().trail(moment.time, style.trail),
                     kTrailDot * style.label_size / 13.0 * camera.pixel(),
                     with_alpha(style.palette.accent, 0.8F));
     add_creature(scene, style.palette, camera, look);
@@ -85,18 +85,28 @@ double telling_time(const RecordedMotion& motion) {
             size_of_body(motion, motion.frames[best]).prod())
             best = i;
     }
-    return static_cast<double>(best) * kBrainTick;
+    return static_cast<double>(best * motion.stride) * kBrainTick;
 }
 
-void add_moment(Easel& easel, const Area& area, const Subject& subject, double time,
+// Times of kept frames: what a picture shows was so to the tick.
+Moment moment_of(const RecordedMotion& motion, double time) {
+    if (motion.stride > 1) {
+        const double step = static_cast<double>(motion.stride) * kBrainTick;
+        const double last = static_cast<double>(motion.frames.size() - 1);
+        time = std::min(std::floor(std::max(0.0, time) / step), last) * step;
+    }
+    return {time, motion.at(time)};
+}
+
+void add_moment(Easel& easel, const Area& area, const Subject& subject, const Moment& moment,
                 const MomentStyle& style) {
     const Viewport viewport{area.width, area.height};
     Camera camera;
     camera.pixels_per_metre = style.pixels_per_metre;
     const bool ground = subject.environment.has_ground;
-    const Vec3 center = subject.motion().at(time).center_of_mass;
+    const Vec3 center = moment.frame.center_of_mass;
     camera.center = follow_center(center.head<2>(), ground, camera, viewport);
-    easel.add_scene(scene_of(subject, time, camera, viewport, style), camera, area);
+    easel.add_scene(scene_of(subject, moment, camera, viewport, style), camera, area);
     if (ground) add_ground_labels(easel, area, camera, viewport, style);
 }
 

@@ -26,8 +26,13 @@ std::vector<double> even_times(const RecordedMotion& motion, int count);
 // A time of the middle half at which the creature reaches out farthest.
 double telling_time(const RecordedMotion& motion);
 
-// The camera keeps to the creature, which is in the middle.
-void add_moment(Easel& easel, const Area& area, const Subject& subject, double time,
+// The subject as it was then. The camera keeps to the creature, which is in the middle.
+struct Moment {
+    double time = 0.0;  // s
+    MotionFrame frame;
+};
+Moment moment_of(const RecordedMotion& motion, double time);
+void add_moment(Easel& easel, const Area& area, const Subject& subject, const Moment& moment,
                 const MomentStyle& style);
 
 // What is known of the creature in a line: "4 parts · 3 joints · 7 neurons".

@@ -20,17 +20,9 @@ MotionFrame motion_frame(const BodyView& body) {
     return frame;
 }
 
-double RecordedMotion::length() const {
-    return frames.empty() ? 0.0 : static_cast<double>(frames.size() - 1) * kBrainTick;
-}
+namespace {
 
-MotionFrame RecordedMotion::at(double time) const {
-    const double ticks = std::max(0.0, time / kBrainTick);
-    const auto before = static_cast<std::size_t>(ticks);
-    if (before + 1 >= frames.size()) return frames.back();
-    const MotionFrame& from = frames[before];
-    const MotionFrame& to = frames[before + 1];
-    const double share = ticks - static_cast<double>(before);
+MotionFrame between(const MotionFrame& from, const MotionFrame& to, double share) {
     MotionFrame between = from;
     for (std::size_t i = 0; i < between.poses.size(); ++i) {
         between.poses[i].position += share * (to.poses[i].position - from.poses[i].position);
@@ -41,37 +33,125 @@ MotionFrame RecordedMotion::at(double time) const {
     return between;
 }
 
+// Runs the settling phase; the frame at its end.
+MotionFrame settle(Trial& trial) {
+    MotionFrame start = motion_frame(trial.scene());
+    while (trial.settling() && trial.tick())
+        start = motion_frame(trial.scene());
+    return start;
+}
+
+std::size_t size_of(const MotionFrame& frame) {
+    return sizeof(MotionFrame) + frame.poses.size() * sizeof(Pose) +
+           frame.touched.size() * sizeof(FaceSet);
+}
+
+// Keeps the frames of one trial, fewer of them the longer it is.
+class MotionRecorder {
+public:
+    MotionRecorder(RecordedMotion& motion, std::size_t most_bytes)
+        : motion_(motion), most_bytes_(most_bytes) {}
+
+    void add(MotionFrame frame) {
+        if (tick_ % kTicksADot == 0) motion_.centers.push_back(frame.center_of_mass.head<2>());
+        if (tick_ % motion_.stride == 0) {
+            if ((motion_.frames.size() + 1) * size_of(frame) > most_bytes_) thin_out();
+            if (tick_ % motion_.stride == 0) motion_.frames.push_back(std::move(frame));
+        }
+        motion_.ticks = tick_++;
+    }
+
+private:
+    void thin_out() {
+        std::vector<MotionFrame>& frames = motion_.frames;
+        const std::size_t kept = (frames.size() + 1) / 2;
+        for (std::size_t i = 1; i < kept; ++i)
+            frames[i] = std::move(frames[2 * i]);
+        frames.resize(kept);
+        motion_.stride *= 2;
+    }
+
+    RecordedMotion& motion_;
+    std::size_t most_bytes_;
+    std::size_t tick_ = 0;
+};
+
+}  // namespace
+
+double RecordedMotion::length() const {
+    if (stride > 1) return static_cast<double>(ticks) * kBrainTick;
+    return frames.empty() ? 0.0 : static_cast<double>(frames.size() - 1) * kBrainTick;
+}
+
+MotionFrame RecordedMotion::at(double time) const {
+    const double moment = std::max(0.0, time / kBrainTick);
+    const auto before = static_cast<std::size_t>(moment);
+    if (stride > 1) return frames[std::min(before / stride, frames.size() - 1)];
+    if (before + 1 >= frames.size()) return frames.back();
+    return between(frames[before], frames[before + 1], moment - static_cast<double>(before));
+}
+
 std::vector<Vec2> RecordedMotion::trail(double time, std::size_t most) const {
     if (frames.empty()) return {};
-    const auto now =
-        std::min(static_cast<std::size_t>(std::max(0.0, time / kBrainTick)), frames.size() - 1);
+    const std::size_t last = stride > 1 ? ticks : frames.size() - 1;
+    const auto now = std::min(static_cast<std::size_t>(std::max(0.0, time / kBrainTick)), last);
     std::vector<Vec2> dots;
     for (std::size_t dot = std::min(now / kTicksADot, most); dot > 0; --dot) {
-        const std::size_t tick = (now / kTicksADot - dot + 1) * kTicksADot;
-        dots.push_back(frames[tick].center_of_mass.head<2>());
+        const std::size_t place = now / kTicksADot - dot + 1;
+        dots.push_back(stride > 1 ? centers[place]
+                                  : Vec2(frames[place * kTicksADot].center_of_mass.head<2>()));
     }
     return dots;
 }
 
 Result<RecordedTrial> record_trial(std::shared_ptr<const Phenotype> phenotype, const Kinds& kinds,
-                                   const TrialWorld& world) {
-    auto trial = Trial::start(phenotype, kinds, world);
-    if (!trial) return trial.error();
-    MotionFrame start = motion_frame((*trial)->scene());
-    while ((*trial)->settling() && (*trial)->tick())
-        start = motion_frame((*trial)->scene());
+                                   const TrialWorld& world, const TrialWatch& watch,
+                                   std::size_t most_bytes) {
+    auto started = Trial::start(phenotype, kinds, world);
+    if (!started) return started.error();
+    Trial& trial = **started;
     RecordedTrial recorded;
     recorded.motion.phenotype = std::move(phenotype);
     recorded.motion.complete = true;
-    std::vector<MotionFrame>& frames = recorded.motion.frames;
-    frames.push_back(std::move(start));
-    while (!(*trial)->finished()) {
-        (*trial)->tick();
-        if ((*trial)->scene().status() != SceneStatus::kRunning) break;
-        frames.push_back(motion_frame((*trial)->scene()));
+    MotionRecorder recorder(recorded.motion, most_bytes);
+    recorder.add(settle(trial));
+    while (!trial.finished()) {
+        if (watch.stop.stop_requested()) return Error{"interrupted; nothing was written"};
+        trial.tick();
+        if (trial.scene().status() != SceneStatus::kRunning) break;
+        recorder.add(motion_frame(trial.scene()));
+        watch.note(trial.time());
     }
-    recorded.record = (*trial)->take_record();
+    recorded.record = trial.take_record();
     return recorded;
+}
+
+Result<ReplayedMotion> ReplayedMotion::start(std::shared_ptr<const Phenotype> phenotype,
+                                             const Kinds& kinds, const TrialWorld& world) {
+    auto trial = Trial::start(std::move(phenotype), kinds, world);
+    if (!trial) return trial.error();
+    ReplayedMotion motion(std::move(*trial));
+    motion.after_ = settle(*motion.trial_);
+    motion.before_ = motion.after_;
+    motion.ended_ = !motion.advance();
+    return motion;
+}
+
+// To the next frame; false after the last one.
+bool ReplayedMotion::advance() {
+    if (trial_->finished()) return false;
+    trial_->tick();
+    if (trial_->scene().status() != SceneStatus::kRunning) return false;
+    before_ = std::exchange(after_, motion_frame(trial_->scene()));
+    return true;
+}
+
+MotionFrame ReplayedMotion::at(double time) {
+    const double moment = std::max(0.0, time / kBrainTick);
+    const auto tick = static_cast<std::size_t>(moment);
+    for (; tick_ < tick && !ended_; ++tick_)
+        ended_ = !advance();
+    return ended_ ? after_ : between(before_, after_, moment - static_cast<double>(tick));
 }
 
 }  // namespace cambrian

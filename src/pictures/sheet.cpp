@@ -80,10 +80,11 @@ void draw_sheet(Easel& easel, const Subject& subject, const Palette& palette, in
         const Area cell = {std::round(room.x + index % grid.columns * (width + gap)),
                            std::round(room.y + row * (height + gap + caption)), std::round(width),
                            std::round(height)};
-        add_moment(easel, cell, subject, time, style);
+        const Moment moment = moment_of(subject.motion(), time);
+        add_moment(easel, cell, subject, moment, style);
         easel.round_corners(cell, 8.0 * unit, palette.window);
-        easel.add_text(cell.x + 0.5 * width, cell.bottom() + 22.0 * unit, format("%.1f s", time),
-                       ink, Align::kMiddle);
+        easel.add_text(cell.x + 0.5 * width, cell.bottom() + 22.0 * unit,
+                       format("%.1f s", moment.time), ink, Align::kMiddle);
         ++index;
     }
 }

@@ -27,10 +27,11 @@ std::string fitness_of(const CreatureDocument& document, const ExperimentSetting
 }  // namespace
 
 Result<Subject> subject_of(const CreatureDocument& document, const ExperimentSettings& settings,
-                           const std::string& title, const EvolutionKinds& kinds) {
+                           const std::string& title, const EvolutionKinds& kinds,
+                           const TrialWatch& watch) {
     auto phenotype = std::make_shared<const Phenotype>(
         express(document.genome, kinds.creature, settings.expression, settings.world.scene));
-    auto trial = record_trial(phenotype, kinds.creature, settings.world);
+    auto trial = record_trial(phenotype, kinds.creature, settings.world, watch);
     if (!trial) return trial.error();
     Subject subject;
     subject.name = document.genome.name.empty() ? title : document.genome.name;

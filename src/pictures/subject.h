@@ -28,9 +28,10 @@ struct Subject {
     const Phenotype& phenotype() const { return *trial.motion.phenotype; }
 };
 
-// Runs the creature's trial under the settings; `title` names one without a name. Fails if physics
-// refuses the body.
+// Runs the creature's trial under the settings; `title` names one without a name. Fails as
+// record_trial() does.
 Result<Subject> subject_of(const CreatureDocument& document, const ExperimentSettings& settings,
-                           const std::string& title, const EvolutionKinds& kinds);
+                           const std::string& title, const EvolutionKinds& kinds,
+                           const TrialWatch& watch = {});
 
 }  // namespace cambrian

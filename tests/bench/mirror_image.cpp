@@ -1,27 +1,10 @@
 #include "bench/mirror_image.h"
 
-#include "math/elementary.h"
-
-#include <utility>
-
 namespace cambrian::bench {
 
 BenchCreature mirror_image(const BenchCreature& creature, Flip flip) {
     BenchCreature image = creature;
-    const auto flipped = [flip](const Vec3& anchor) {
-        return flip == Flip::kLength ? Vec3(-anchor.x(), anchor.y(), anchor.z())
-                                     : Vec3(anchor.x(), -anchor.y(), anchor.z());
-    };
-    for (PlannedPart& part : image.plan.parts) {
-        const Vec3 position = part.rest_pose.position;
-        part.rest_angle = (flip == Flip::kLength ? 0.0 : kPi) - part.rest_angle;
-        part.rest_pose = planar_pose(-position.x(), position.y(), part.rest_angle);
-        part.anchor_in_parent = flipped(part.anchor_in_parent);
-        part.anchor_in_child = flipped(part.anchor_in_child);
-        std::swap(part.limit_low, part.limit_high);
-        part.limit_low = -part.limit_low;
-        part.limit_high = -part.limit_high;
-    }
+    image.plan = cambrian::mirror_image(creature.plan, flip);
     for (double& target : image.targets)
         target = -target;
     return image;

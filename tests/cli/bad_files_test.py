@@ -136,7 +136,7 @@ class BadFiles(ProgramTest):
         self.write("empty.toml", "")
         result = self.run_program("evolve", "empty.toml", "--seed", "9" * 18)
         self.assertEqual(result.returncode, BAD_INPUT)
-        self.assertIn("[run] seed", result.stderr)
+        self.assertIn("--seed: 999999999999999999 is outside [0, 1e+15]", result.stderr)
 
 
 if __name__ == "__main__":

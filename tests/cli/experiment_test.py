@@ -22,7 +22,8 @@ class Experiment(ProgramTest):
     def test_a_run_is_kept_beside_its_champion_unless_told_otherwise(self):
         self.run_well("evolve", "small.toml", "-n", 1)
         self.run_well("evolve", "small.toml", "-n", 1)
-        self.assertEqual(self.files(), ["champion-walking-seed1.creature.json", "small.toml",
+        self.assertEqual(self.files(), ["champion-walking-seed1-2.creature.json",
+                                        "champion-walking-seed1.creature.json", "small.toml",
                                         "walking-seed1-2.cambrian", "walking-seed1.cambrian"])
         report = self.run_well("evolve", "small.toml", "-n", 1, "-o", "a.cambrian", "--json").stdout
         last = json.loads(report.splitlines()[-1])

@@ -141,7 +141,7 @@ class RescoredExperiment(ProgramTest):
 
     def test_misuse_changes_nothing(self):
         before = self.path.read_bytes()
-        self.assert_refused(self.run_program("rescore", "a.cambrian", "--out", "b.cambrian"),
+        self.assert_refused(self.run_program("rescore", "a.cambrian", "--out", "b.creature.json"),
                             "--out and --default-integration are for creatures")
         self.assert_refused(self.run_program("rescore", "no.cambrian"), "no.cambrian")
         self.assertEqual(self.path.read_bytes(), before)

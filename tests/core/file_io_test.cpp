@@ -135,26 +135,6 @@ TEST_CASE("a link to a file stays a link and its target gets the text", "[core][
     CHECK(get_text(folder / "target") == "new");
 }
 
-TEST_CASE("a pending file takes its name only when committed", "[core][file_io]") {
-    const TemporaryDirectory folder;
-    put_text(folder / "target", "old");
-    {
-        const auto pending = PendingFile::beside(folder / "target");
-        REQUIRE(pending);
-        put_text(pending->path(), "half");
-        CHECK(get_text(folder / "target") == "old");
-    }
-    CHECK(std::distance(std::filesystem::directory_iterator(folder.path()), {}) == 1);
-    auto pending = PendingFile::beside(folder / "target");
-    REQUIRE(pending);
-    put_text(pending->path(), "new");
-    REQUIRE(pending->commit());
-    CHECK(get_text(folder / "target") == "new");
-    CHECK(std::distance(std::filesystem::directory_iterator(folder.path()), {}) == 1);
-    CHECK_FALSE(PendingFile::beside(folder.path()));
-    CHECK_FALSE(PendingFile::beside("/dev/null"));
-}
-
 TEST_CASE("the start of a file is as much as there is", "[core][file_io]") {
     const TemporaryDirectory folder;
     put_text(folder / "file", "abcdef");

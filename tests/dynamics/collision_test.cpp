@@ -31,7 +31,71 @@ std::vector<double> apexes(double elasticity, std::size_t count, SceneAudit* aud
     return heights;
 }
 
+struct PointSpeeds {
+    double normal, tangential;  // m/s
+};
+
+PointSpeeds speeds_at(const Contact& contact, const Kinematics& k) {
+    const int a = contact.body_a;
+    return {k.velocity_y[a] + k.spin[a] * contact.arm_ax,
+            k.velocity_x[a] - k.spin[a] * contact.arm_ay};
+}
+
 }  // namespace
+
+TEST_CASE("a corner that sticks stops exactly and bounces exactly", "[dynamics][collision]") {
+    Environment environment;
+    environment.friction = 100.0;
+    environment.elasticity = 0.3;
+    int struck = 0;
+    for (int round = 0; round < 60; ++round) {
+        RandomStream random(stream_seed({static_cast<std::uint64_t>(round), 74}));
+        Rig rig(random_tree(random, 1 + round % 12, 0.0, 0.0, 5.0), environment);
+        Motion& motion = rig.moment.motion;
+        motion.position[0] += random.uniform(-3.0, 3.0);
+        Kinematics& k = rig.moment.frame().kinematics;
+        compute_kinematics(rig.model, motion, k);
+        double lowest = 100.0;
+        for (int corner = 0; corner < 4 * rig.model.part_count; ++corner) {
+            const int b = rig.model.part_body[corner / 4];
+            lowest = std::fmin(lowest, k.y[b] + k.sine[b] * rig.model.corner_x[corner] +
+                                           k.cosine[b] * rig.model.corner_y[corner]);
+        }
+        motion.position[center_of(rig.model, 0) + 1] += kRestingGap - lowest;
+        for (int c = 0; c < rig.model.body_count; ++c)
+            motion.speed[c] = random.uniform(-3.0, 3.0);
+        motion.speed[center_of(rig.model, 0)] = random.uniform(-3.0, 3.0);
+        motion.speed[center_of(rig.model, 0) + 1] = -10.0;
+        rig.begin();
+        ContactSolver contacts;
+        contacts.collect(rig.model, rig.law, k);
+        if (!contacts.has_impact()) continue;
+        contacts.strike(rig.model, rig.law, environment.elasticity, rig.moment.frame(), motion);
+        if (contacts.chosen().count != 1) continue;  // the others of a group hold each other up
+        const Contact& corner = contacts.chosen().items[0];
+        const PointSpeeds before = speeds_at(corner, k);
+        compute_kinematics(rig.model, motion, k);
+        const PointSpeeds after = speeds_at(corner, k);
+        const double scale = std::hypot(before.normal, before.tangential);
+        INFO("round " << round);
+        CHECK(std::fabs(after.tangential) <= 1e-3 * scale);
+        CHECK(std::fabs(after.normal + 0.3 * before.normal) <= 1e-3 * scale);
+        ++struck;
+    }
+    CHECK(struck > 30);
+}
+
+TEST_CASE("no corner of a fast spinner gets through the ground", "[dynamics][collision]") {
+    for (int round = 0; round < 200; ++round) {
+        RandomStream random(stream_seed({static_cast<std::uint64_t>(round), 75}));
+        Rig rig(one_box(0.35, 0.05, 0.0, random.uniform(0.2, 0.36)), {});
+        rig.moment.motion.speed[0] = random.uniform(20.0, 120.0);
+        rig.begin();
+        REQUIRE(rig.run(0.5));
+        INFO("round " << round);
+        CHECK(rig.moment.audit.max_penetration <= 2e-3);
+    }
+}
 
 TEST_CASE("a box bounces to the elasticity squared of its height", "[dynamics][collision]") {
     for (const double e : {0.5, 0.8, 1.0}) {

@@ -72,6 +72,27 @@ TEST_CASE("a changed environment acts at once and leaves the books straight", "[
     CHECK(std::fabs(scene->audit().energy_residual) < 1e-9);
 }
 
+TEST_CASE("a moment restored into another environment leaves the books straight",
+          "[dynamics][scene]") {
+    Environment moon;
+    moon.gravity = 1.6;
+    moon.gravity_direction = -70.0;
+    moon.density = 3.0;
+    const BodyPlan plan = chain(3, 1.0, 0.0, 5.0);
+    const auto away = make_scene(plan, moon);
+    REQUIRE(run(*away, 0.5));
+    const auto moment = away->save();
+    const auto scene = make_scene(plan, {});
+    scene->restore(*moment);
+    CHECK(scene->energy() > 0.0);
+    REQUIRE(run(*scene, 0.25));
+    CHECK(std::fabs(scene->audit().energy_residual) < 1e-9);
+    away->set_environment({});
+    away->restore(*moment);
+    REQUIRE(run(*away, 0.25));
+    CHECK(std::fabs(away->audit().energy_residual) < 1e-9);
+}
+
 TEST_CASE("views of welded parts move with their body", "[dynamics][scene]") {
     BodyPlan plan = one_box(0.2, 0.1, 0.0, 0.0);
     attach(plan, 0, Vec3(0.2, 0.0, 0.0), 0.7, kRigidJoint);

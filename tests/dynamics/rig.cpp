@@ -1,16 +1,16 @@
 #include "dynamics/rig.h"
 
 #include "math/angle.h"
-#include "support/catch.h"
 
 #include <cmath>
+#include <stdexcept>
 
 namespace cambrian {
 namespace {
 
 PlanarModel built(const BodyPlan& plan, double density) {
     auto model = build_planar_model(plan, density);
-    REQUIRE(model);
+    if (!model) throw std::runtime_error(model.error().message);
     return *model;
 }
 
@@ -22,7 +22,7 @@ SceneSettings settings_with(double tolerance) {
 
 const IntegratorKind& found(const std::string& id) {
     const IntegratorKind* kind = builtin_integrators().find(id);
-    REQUIRE(kind != nullptr);
+    if (kind == nullptr) throw std::runtime_error("unknown integrator " + id);
     return *kind;
 }
 
@@ -33,7 +33,7 @@ Rig::Rig(const BodyPlan& plan, const Environment& environment, const std::string
     : model(built(plan, environment.density)),
       law{environment.friction, environment.elasticity, environment.has_ground},
       control(found(integrator), settings_with(tolerance)) {
-    const SineCosine turn = sine_cosine(to_radians(environment.gravity_direction));
+    const SineCosine turn = sine_cosine_of_degrees(environment.gravity_direction);
     forcing.medium = {environment.gravity * turn.cosine, environment.gravity * turn.sine,
                       environment.viscosity_linear, environment.viscosity_quadratic};
     forcing.drive.frequency = SceneSettings{}.motor_frequency;

@@ -50,10 +50,11 @@ void renew_digest(Database& database) {
     std::vector<IndividualPtr> population;
     IndividualReader individuals(database, kinds());
     try {
+        const SettingsPtr settings = read_last_settings(database, kinds());
         Statement place =
             database.prepare("SELECT individual, judged FROM population ORDER BY place");
         while (place.step())
-            population.push_back(individuals.read({place.integer(0), place.integer(1)}));
+            population.push_back(individuals.read({place.integer(0), place.integer(1)}, *settings));
     } catch (const DatabaseError&) {
         return;
     }
@@ -119,7 +120,7 @@ void look_at(const SavedExperiment& saved) {
     const std::size_t generations = saved.latest ? saved.latest->history.size() : 0;
     promise(saved.champions.size() == generations && saved.digests.size() == generations,
             "every generation has a champion and a digest");
-    for (const ChampionRecord& champion : saved.champions)
+    for (const JudgedIndividual& champion : saved.champions)
         look_at(champion.individual);
     if (saved.latest) look_at(*saved.latest);
     look_at(saved.settings);

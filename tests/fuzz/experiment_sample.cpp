@@ -65,7 +65,7 @@ void write_choices(const Evolution& evolution, ExperimentFile& file) {
     node.picks = {1, 2};
     record.tree.add(node);
     record.picks = {0};
-    record.shelf = {{evolution.population()[1], evolution.shared_settings()}};
+    record.shelf = {{0, evolution.population()[1], evolution.shared_settings()}};
     promise(file.keep_picking(record) &&
                 file.keep_stars({{1, evolution.population()[0], evolution.shared_settings()}}),
             "choices can be kept");

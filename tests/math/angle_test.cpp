@@ -37,3 +37,17 @@ TEST_CASE("degrees and radians convert both ways", "[math][angle]") {
     CHECK(to_radians(-90.0) == Approx(-kPi / 2));
     CHECK(to_radians(to_degrees(1.25)) == Approx(1.25));
 }
+
+TEST_CASE("sine and cosine of quarter turns in degrees are exact", "[math][angle]") {
+    const double sines[] = {0.0, 1.0, 0.0, -1.0};
+    for (int quarter = -9; quarter <= 9; ++quarter) {
+        const SineCosine turn = sine_cosine_of_degrees(90.0 * quarter);
+        CHECK(turn.sine == sines[(quarter + 12) % 4]);
+        CHECK(turn.cosine == sines[(quarter + 13) % 4]);
+    }
+    for (double degrees = -400.0; degrees < 400.0; degrees += 7.3) {
+        const SineCosine turn = sine_cosine_of_degrees(degrees);
+        CHECK(turn.sine == Approx(std::sin(to_radians(degrees))).margin(1e-13));
+        CHECK(turn.cosine == Approx(std::cos(to_radians(degrees))).margin(1e-13));
+    }
+}

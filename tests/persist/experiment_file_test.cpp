@@ -236,7 +236,7 @@ TEST_CASE("a star keeps each score it was given, whoever else lets go of it",
           "[persist][experiment_file]") {
     KeptRun run;
     run_on(run.evolution, *run.file, 2);
-    std::vector<ChampionRecord> stars;
+    std::vector<JudgedIndividual> stars;
     const auto star_all = [&] {
         for (const IndividualPtr& each : run.evolution.population())
             stars.push_back({run.evolution.generation(), each, run.evolution.shared_settings()});

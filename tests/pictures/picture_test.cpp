@@ -69,7 +69,7 @@ TEST_CASE("sheets, cards and frames of clips show something in their size", "[pi
         CHECK(colors_in(sheet) > 50);
         draw_card(easel, subject, palette_of(theme));
         CHECK(colors_in(easel.finish()) > 50);
-        draw_clip_frame(easel, subject, palette_of(theme), {}, 0);
+        draw_clip_frame(easel, subject, palette_of(theme), moment_of(subject.motion(), 0.0));
         CHECK(colors_in(easel.finish()) > 50);
     }
 }
@@ -79,7 +79,8 @@ TEST_CASE("the same moment gives the same picture and another one another", "[pi
     const Subject subject = crawler();
     Easel easel = workshop.easel(160, 120);
     const auto frame = [&](std::uint64_t number) {
-        draw_clip_frame(easel, subject, palette_of(ThemeKind::kDark), {}, number);
+        draw_clip_frame(easel, subject, palette_of(ThemeKind::kDark),
+                        moment_of(subject.motion(), clip_time({}, number)));
         return easel.finish().rgb;
     };
     const auto first = frame(0);

@@ -67,5 +67,64 @@ TEST_CASE("a part's touched faces are kept with each moment", "[pictures][record
     CHECK(any != 0);
 }
 
+TEST_CASE("a motion too long to be kept whole is kept in steps that are true",
+          "[pictures][recorded_motion]") {
+    const RecordedMotion whole = crawl().motion;
+    const MotionFrame& first = whole.frames.front();
+    const std::size_t frame_bytes = sizeof(MotionFrame) + first.poses.size() * sizeof(Pose) +
+                                    first.touched.size() * sizeof(FaceSet);
+    for (const std::size_t frames : {2U, 5U, 12U, 30U}) {
+        auto recorded = record_trial(whole.phenotype, test::kinds().creature, short_world(), {},
+                                     frames * frame_bytes);
+        REQUIRE(recorded);
+        const RecordedMotion& motion = recorded->motion;
+        INFO(motion.stride << " ticks a frame");
+        CHECK(motion.stride > 1);
+        CHECK(motion.length() == whole.length());
+        CHECK(motion.frames.size() == 30 / motion.stride + 1);
+        for (std::size_t i = 0; i < motion.frames.size(); ++i) {
+            const std::size_t tick = i * motion.stride;
+            CHECK(motion.frames[i].center_of_mass == whole.frames[tick].center_of_mass);
+            const double time = (static_cast<double>(tick) + 0.25) * kBrainTick;
+            CHECK(motion.at(time).center_of_mass == whole.frames[tick].center_of_mass);
+        }
+        CHECK(motion.trail(0.4, 60) == whole.trail(0.4, 60));
+        CHECK(recorded->record.digest == crawl().record.digest);
+    }
+}
+
+TEST_CASE("a replayed motion is the recorded one at every time", "[pictures][recorded_motion]") {
+    const RecordedMotion motion = crawl().motion;
+    auto replayed = ReplayedMotion::start(motion.phenotype, test::kinds().creature, short_world());
+    REQUIRE(replayed);
+    for (double time = 0.0; time < 0.7; time += 0.0071) {
+        const MotionFrame expected = motion.at(time);
+        const MotionFrame frame = replayed->at(time);
+        INFO(time << " s");
+        CHECK(frame.center_of_mass == expected.center_of_mass);
+        CHECK(frame.touched == expected.touched);
+        for (std::size_t part = 0; part < frame.poses.size(); ++part) {
+            CHECK(frame.poses[part].position == expected.poses[part].position);
+            CHECK(frame.poses[part].orientation.coeffs() ==
+                  expected.poses[part].orientation.coeffs());
+        }
+    }
+}
+
+TEST_CASE("a trial that is recorded ends when asked to and tells how far it is",
+          "[pictures][recorded_motion]") {
+    const RecordedMotion motion = crawl().motion;
+    std::atomic<double> time = 0.0;
+    std::stop_source source;
+    REQUIRE(record_trial(motion.phenotype, test::kinds().creature, short_world(),
+                         {.stop = source.get_token(), .time = &time}));
+    CHECK(time.load() == Approx(0.5));
+    source.request_stop();
+    const auto stopped = record_trial(motion.phenotype, test::kinds().creature, short_world(),
+                                      {.stop = source.get_token(), .time = &time});
+    REQUIRE_FALSE(stopped);
+    CHECK_THAT(stopped.error().message, Catch::Contains("interrupted"));
+}
+
 }  // namespace
 }  // namespace cambrian

@@ -4,6 +4,8 @@
 #include "studio_fixture.h"
 #include "support/null_imgui.h"
 
+#include <array>
+#include <memory>
 #include <utility>
 
 namespace cambrian {
@@ -162,6 +164,38 @@ TEST_CASE("one creature of the grid has the viewport and leads back",
     CHECK_FALSE(run.gui.has("cell 1"));
     run.click("Back to the grid", run.studio.frame());
     CHECK(test::was_asked<ShowGrid>(run.out));
+}
+
+// A panel that the program does not know.
+class MadeUpPanel final : public Panel {
+public:
+    void draw(const FrameContext&, Requests& out) override {
+        ImGui::TextUnformatted("made up");
+        note_place("made up");
+        out.ask(FitView{});
+    }
+};
+
+TEST_CASE("a panel is drawn in the area and at the times its line says", "[studio][main_window]") {
+    const std::array kinds = {
+        PanelKind{
+            "left",
+            {PanelArea::kLeft},
+            [](const FrameContext& frame) { return frame.picking == nullptr; },
+            [](Renderer*) -> std::unique_ptr<Panel> { return std::make_unique<MadeUpPanel>(); }},
+    };
+    NullImGui gui(1280, 720);
+    MainWindow window{kinds, nullptr};
+    test::StudioFixture studio;
+    Requests out;
+    gui.bare_frame([&] { window.draw(studio.frame(), out); });
+    CHECK(test::was_asked<FitView>(out));
+    const Layout layout = divide_window(1280, 720, studio.view(), 1.0F);
+    CHECK(layout.experiment.contains(gui.place("made up").center()));
+    studio.show_grid(4);
+    Requests later;
+    gui.bare_frame([&] { window.draw(studio.frame(), later); });
+    CHECK_FALSE(test::was_asked<FitView>(later));
 }
 
 }  // namespace

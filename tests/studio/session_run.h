@@ -55,4 +55,20 @@ public:
     Session session;
 };
 
+// Runs until so many generations are finished.
+inline void finish_generations(SessionRun& run, std::size_t count) {
+    while (run.champions() < count) {
+        const std::size_t before = run.champions();
+        run.ask(RunOneGeneration{});
+        REQUIRE(run.frames_until([&] { return run.champions() == before + 1; }));
+        REQUIRE(run.frames_until([&] {
+            return run.session.frame_context().experiment.snapshot.status == EngineStatus::kPaused;
+        }));
+    }
+}
+
+inline const Exhibit& shown_in(const SessionRun& run) {
+    return run.session.frame_context().viewer.playback.exhibit();
+}
+
 }  // namespace cambrian::test

@@ -18,6 +18,14 @@
 
 namespace cambrian::test {
 
+// The crawler on display, to walk in the world of the settings.
+inline Exhibit crawler_exhibit(ExperimentSettings settings = {}) {
+    settings.goal = "walking";
+    return {.creature = unjudged(crawler(kinds().creature.catalog),
+                                 std::make_shared<const ExperimentSettings>(settings), ""),
+            .title = "Crawler"};
+}
+
 class StudioFixture {
 public:
     StudioFixture() {
@@ -26,13 +34,7 @@ public:
     }
 
     // The crawler takes the stage.
-    void show_crawler() {
-        Exhibit exhibit;
-        exhibit.genome = crawler(kinds().creature.catalog);
-        exhibit.goal = "walking";
-        exhibit.title = "Crawler";
-        REQUIRE(playback_.show(std::move(exhibit)));
-    }
+    void show_crawler() { REQUIRE(playback_.show(crawler_exhibit())); }
     // One more finished generation whose best scored so much.
     void finish_generation(double best) {
         auto champion = std::make_shared<Individual>();

@@ -1,10 +1,12 @@
 #include "app/completion.h"
 
+#include "app/messages.h"
 #include "app/subcommands/subcommands.h"
 
 #include <CLI/CLI.hpp>
 
-#include <cstdio>
+#include <algorithm>
+#include <iterator>
 
 namespace cambrian {
 namespace {
@@ -20,10 +22,9 @@ public:
             ->check(CLI::IsMember(names));
     }
     ExitStatus run(const EvolutionKinds& /*kinds*/) override {
-        for (const CompletionShell& shell : kCompletionShells) {
-            if (shell.name == shell_) std::fputs(shell.script(command_tree()).c_str(), stdout);
-        }
-        return ExitStatus::kDone;
+        const auto* shell = std::find_if(std::begin(kCompletionShells), std::end(kCompletionShells),
+                                         [this](const auto& each) { return each.name == shell_; });
+        return print_result(shell->script(command_tree()));
     }
 
 private:

@@ -1,4 +1,5 @@
 #include "app/evolution_run.h"
+#include "app/number_checks.h"
 #include "app/option_types.h"
 #include "app/subcommands/subcommands.h"
 
@@ -12,15 +13,17 @@ public:
     void add_options(CLI::App& app) override {
         auto* settings = app.add_option("settings", run_.settings_file, "Settings file (*.toml)")
                              ->type_name(option_type::kSettings);
-        app.add_option("-n,--generations", run_.generations, "Generations, instead of the file's")
-            ->check(CLI::Range(1, 1'000'000));
+        take_whole(*app.add_option("-n,--generations", run_.generations,
+                                   "Generations, instead of the file's"),
+                   1, 1'000'000);
         auto* seed = app.add_option("-s,--seed", run_.seed, "Seed, instead of the file's");
+        take_whole(*seed, 0, 1'000'000'000'000'000);
         auto* founders = app.add_option("-f,--founders", run_.founders,
                                         "Creature files to begin with instead of random creatures")
                              ->type_name(option_type::kCreature);
-        app.add_option("-t,--threads", run_.threads,
-                       "Threads; one a core unless given. Never changes a result")
-            ->check(CLI::Range(1, 1024));
+        take_whole(*app.add_option("-t,--threads", run_.threads,
+                                   "Threads; one a core unless given. Never changes a result"),
+                   1, 1024);
         app.add_option("-o,--out", run_.out,
                        "Experiment file to keep (*.cambrian), file of the champion, or folder "
                        "for both (current folder)")
@@ -31,6 +34,7 @@ public:
             ->excludes(settings, seed, founders);
         app.add_flag("--json", run_.json, "Report as JSON, one object a line");
     }
+    CommandFiles files() const override { return files_of(run_); }
     ExitStatus run(const EvolutionKinds& kinds) override { return run_evolution(run_, kinds); }
 
 private:

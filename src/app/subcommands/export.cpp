@@ -1,15 +1,21 @@
+#include "app/long_work.h"
 #include "app/messages.h"
+#include "app/number_checks.h"
 #include "app/option_types.h"
+#include "app/output_path.h"
 #include "app/subcommands/subcommands.h"
 #include "core/file_io.h"
 #include "persist/creature_file.h"
 #include "persist/experiment_file.h"
+#include "persist/experiment_parts.h"
 #include "persist/rescoring.h"
 #include "persist/settings_file.h"
 #include "persist/statistics_csv.h"
 
 #include <CLI/CLI.hpp>
 
+#include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 
@@ -26,8 +32,8 @@ public:
             app.add_flag("--champion", champion_, "The best creature of the last generation");
         auto* generation =
             app.add_option("-g,--generation", generation_, "The best creature of this generation")
-                ->check(CLI::Range(0, 10'000'000))
                 ->excludes(champion);
+        take_whole(*generation, 0, 10'000'000);
         auto* stats = app.add_flag("--stats", stats_, "Every generation's statistics, as CSV")
                           ->excludes(champion, generation);
         app.add_flag("--settings", settings_, "The settings of the last generation")
@@ -35,42 +41,61 @@ public:
         app.add_option("-o,--out", out_, "File to write; standard output unless given")
             ->type_name(option_type::kFile);
     }
+    CommandFiles files() const override { return CommandFiles().reads(file_).writes(out_); }
     ExitStatus run(const EvolutionKinds& kinds) override {
         if (!champion_ && !generation_ && !stats_ && !settings_)
             return fail({"what to export: --champion, --generation G, --stats or --settings"});
-        const Result<SavedExperiment> saved = load_experiment(file_, kinds);
-        if (!saved) return fail(saved.error());
-        const Result<std::string> text = text_of(*saved, kinds);
+        // Before the work, so that nobody waits and then loses the result.
+        const Result<std::filesystem::path> path =
+            out_.empty() ? std::filesystem::path() : output_path(out_, "", files());
+        if (!path) return fail(path.error());
+        LongWork work;
+        const Result<std::string> text = text_of(kinds, work);
         if (!text) return fail(text.error());
-        const Status written = write_file(out_.empty() ? "/dev/stdout" : out_, *text);
+        if (out_.empty()) return print_result(*text);
+        const Status written = write_file(*path, *text);
         return written ? ExitStatus::kDone : fail(written.error(), ExitStatus::kFailed);
     }
 
 private:
-    Result<std::string> text_of(const SavedExperiment& saved, const EvolutionKinds& kinds) const {
-        if (settings_) return write_settings(*setting_changes(saved).back().settings, kinds);
-        if (!saved.latest) return Error{file_ + ": no generation has been finished yet"};
-        if (stats_) return statistics_csv(saved.latest->history);
-        const std::size_t generation =
-            generation_ ? static_cast<std::size_t>(*generation_) : saved.champions.size() - 1;
-        if (generation >= saved.champions.size()) {
-            return Error{file_ + ": has no generation " + std::to_string(generation) +
-                         "; the last is " + std::to_string(saved.champions.size() - 1)};
+    Result<std::string> text_of(const EvolutionKinds& kinds, LongWork& work) const {
+        if (settings_) {
+            const Result<SettingsPtr> settings = load_last_settings(file_, kinds);
+            return settings ? Result(write_settings(**settings, kinds)) : settings.error();
         }
-        const ChampionRecord& champion = saved.champions[generation];
+        if (stats_) {
+            const auto history = load_history(file_);
+            return history ? Result(statistics_csv(*history)) : history.error();
+        }
+        return champion_text(kinds, work);
+    }
+
+    Result<std::string> champion_text(const EvolutionKinds& kinds, LongWork& work) const {
+        const Result<SavedExperiment> saved = load_experiment(file_, kinds);
+        if (!saved) return saved.error();
+        if (!saved->latest) return Error{file_ + ": no generation has been finished yet"};
+        const std::uint32_t last = saved->latest->generation;
+        const std::uint32_t generation = generation_.value_or(last);
+        if (generation > last) {
+            return Error{file_ + ": has no generation " + std::to_string(generation) +
+                         "; the last is " + std::to_string(last)};
+        }
+        const JudgedIndividual& champion = saved->champions[generation];
         CreatureDocument document =
             creature_document(*champion.individual, *champion.settings, kinds);
         if (document.scored) {
             document.scored->simulator =
-                scored_by(saved, champion.individual->born, champion.generation);
+                scored_by(*saved, champion.individual->born, champion.generation);
         }
-        complete_score(document, kinds);
+        work.begin("computing more finely", champion.settings->world.trial.duration);
+        complete_score(document, kinds, work.stop());
+        if (work.interrupted()) return Error{"interrupted; nothing was written"};
         return write_creature(document, kinds);
     }
 
     std::string file_;
     std::string out_;
-    std::optional<int> generation_;
+    std::optional<std::uint32_t> generation_;
     bool champion_ = false;
     bool stats_ = false;
     bool settings_ = false;

@@ -1,10 +1,9 @@
 #include "app/manual.h"
 
+#include "app/messages.h"
 #include "app/subcommands/subcommands.h"
 
 #include <CLI/CLI.hpp>
-
-#include <cstdio>
 
 namespace cambrian {
 namespace {
@@ -13,8 +12,7 @@ class ManualSubcommand final : public Subcommand {
 public:
     void add_options(CLI::App& /*app*/) override {}
     ExitStatus run(const EvolutionKinds& /*kinds*/) override {
-        std::fputs(manual_page(command_tree(), CAMBRIAN_VERSION).c_str(), stdout);
-        return ExitStatus::kDone;
+        return print_result(manual_page(command_tree(), CAMBRIAN_VERSION));
     }
 };
 

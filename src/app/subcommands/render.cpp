@@ -1,11 +1,13 @@
 #include "app/clip_file.h"
 #include "app/creature_world.h"
-#include "app/interruption.h"
+#include "app/long_work.h"
 #include "app/messages.h"
+#include "app/number_checks.h"
 #include "app/option_types.h"
 #include "app/output_path.h"
 #include "app/score_notice.h"
 #include "app/subcommands/subcommands.h"
+#include "core/file_io.h"
 #include "core/pretty_text.h"
 #include "persist/creature_card.h"
 #include "persist/png_file.h"
@@ -145,20 +147,27 @@ public:
         app.add_option("--theme", options_.theme, "dark or light")
             ->check(CLI::IsMember({"dark", "light"}))
             ->capture_default_str();
-        app.add_option("--poses", options_.poses, "Poses of a sheet (12)")
-            ->check(CLI::Range(1, kMostPoses));
-        app.add_option("--fps", options_.frames_a_second, "Frames a second of a clip (30)")
-            ->check(CLI::Range(1.0, 120.0));
-        app.add_option("--speed", options_.speed, "Speed of a clip; 1 is real time")
-            ->check(CLI::Range(0.05, 20.0));
-        app.add_option("--seconds", options_.seconds,
-                       "So much of the trial from its start; all of it unless given")
-            ->check(CLI::Range(0.01, 86400.0));
+        take_whole(*app.add_option("--poses", options_.poses, "Poses of a sheet (12)"), 1,
+                   kMostPoses);
+        take_real(
+            *app.add_option("--fps", options_.frames_a_second, "Frames a second of a clip (30)"),
+            1.0, 120.0);
+        take_real(*app.add_option("--speed", options_.speed, "Speed of a clip; 1 is real time"),
+                  0.05, 20.0);
+        take_real(*app.add_option("--seconds", options_.seconds,
+                                  "So much of the trial from its start; all of it unless given"),
+                  0.01, 86400.0);
         app.add_option("-e,--environment", options_.environment,
                        "Settings file whose world and goal to use instead of the creature's own")
             ->type_name(option_type::kSettings);
     }
 
+    CommandFiles files() const override {
+        return CommandFiles()
+            .reads(options_.creature)
+            .reads(options_.environment)
+            .writes(options_.out);
+    }
     ExitStatus run(const EvolutionKinds& kinds) override {
         const Result<Product> product = product_of(options_);
         if (!product) return fail(product.error());
@@ -172,13 +181,16 @@ public:
         say_of_simulator(options_.creature, *document);
         const auto settings = world_of(*document, options_.environment, kinds);
         if (!settings) return fail(settings.error());
-        const auto path = output_path(options_.out, "");
+        const auto path = output_path(options_.out, "", files());
         if (!path) return fail(path.error());
-        const auto subject = subject_of(*document, *settings, title(), kinds);
+        LongWork work;
+        work.begin("simulating", settings->world.trial.duration);
+        const auto subject = subject_of(*document, *settings, title(), kinds, work.watch());
         if (!subject) return fail(subject.error(), ExitStatus::kFailed);
+        const Scene scene{*subject, settings->world, kinds.creature};
         if (subject->verified == false)
             say(options_.creature + ": moves otherwise than when it was scored");
-        const Status made = make(*product, *subject, *text, *path);
+        const Status made = make(*product, scene, *text, *path, work);
         return made ? ExitStatus::kDone : fail(made.error(), ExitStatus::kFailed);
     }
 
@@ -189,15 +201,23 @@ private:
         return capitalized(name.substr(0, name.find('.')));
     }
 
-    Status make(Product product, const Subject& subject, const std::string& text,
-                const std::filesystem::path& path) const {
+    // What is drawn, and all it takes to compute it once more.
+    struct Scene {
+        const Subject& subject;
+        const TrialWorld& world;
+        const Kinds& kinds;
+    };
+
+    Status make(Product product, const Scene& scene, const std::string& text,
+                const std::filesystem::path& path, LongWork& work) const {
+        const Subject& subject = scene.subject;
         const Size size = parse_size(options_.size).value_or(usual_size(product));
         const auto workshop = open_workshop(size);
         if (!workshop) return workshop.error();
         Easel& easel = *(*workshop)->easel;
         const Palette palette =
             palette_of(options_.theme == "light" ? ThemeKind::kLight : ThemeKind::kDark);
-        if (product == Product::kClip) return make_clip(easel, subject, palette, path);
+        if (product == Product::kClip) return make_clip(easel, scene, palette, path, work);
         if (product == Product::kCard) {
             draw_card(easel, subject, palette);
             return save_card(path, easel.finish(), text);
@@ -207,19 +227,24 @@ private:
         return png ? write_file(path, *png) : Status(png.error());
     }
 
-    Status make_clip(Easel& easel, const Subject& subject, const Palette& palette,
-                     const std::filesystem::path& path) const {
+    Status make_clip(Easel& easel, const Scene& scene, const Palette& palette,
+                     const std::filesystem::path& path, LongWork& work) const {
+        const Subject& subject = scene.subject;
         ClipTiming timing;
         timing.frames_a_second = options_.frames_a_second.value_or(timing.frames_a_second);
         timing.speed = options_.speed.value_or(timing.speed);
         timing.seconds = std::min(options_.seconds.value_or(subject.motion().length()),
                                   subject.motion().length());
-        const Interruption interruption;
+        auto motion = ReplayedMotion::start(subject.motion().phenotype, scene.kinds, scene.world);
+        if (!motion) return motion.error();
         auto clip = ClipFile::open(path, easel.width(), easel.height(), timing.frames_a_second);
         if (!clip) return clip.error();
+        work.begin("drawing", timing.seconds);
         for (std::uint64_t frame = 0; frame < clip_frames(timing); ++frame) {
-            if (interruption.requested()) return Error{"interrupted; nothing was written"};
-            draw_clip_frame(easel, subject, palette, timing, frame);
+            if (work.interrupted()) return Error{"interrupted; nothing was written"};
+            const double time = clip_time(timing, frame);
+            draw_clip_frame(easel, subject, palette, {time, motion->at(time)});
+            work.watch().note(time);
             if (Status added = (*clip)->add(easel.finish()); !added) return added;
         }
         return (*clip)->finish();

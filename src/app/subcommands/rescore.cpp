@@ -1,5 +1,5 @@
 #include "app/experiment_rescoring.h"
-#include "app/interruption.h"
+#include "app/long_work.h"
 #include "app/messages.h"
 #include "app/option_types.h"
 #include "app/subcommands/subcommands.h"
@@ -22,15 +22,14 @@ std::string score_text(const ScoredRecord& scored) {
     return short_text(scored.fitness) + " " + scored.unit + " by simulator " + scored.simulator;
 }
 
-ExitStatus rescore_run(const std::string& file, const EvolutionKinds& kinds,
-                       const std::stop_token& stop) {
+ExitStatus rescore_run(const std::string& file, const EvolutionKinds& kinds, LongWork& work) {
+    work.begin("judging again", 1, "generation");
     const auto backend = make_thread_pool_backend(kinds, ThreadPool::default_workers());
-    const Result<RescoredExperiment> done = rescore_experiment(file, kinds, *backend, stop);
+    const Result<RescoredExperiment> done = rescore_experiment(file, kinds, *backend, work.stop());
     if (!done)
-        return fail(done.error(),
-                    stop.stop_requested() ? ExitStatus::kFailed : ExitStatus::kBadInput);
+        return fail(done.error(), work.interrupted() ? ExitStatus::kFailed : ExitStatus::kBadInput);
     const std::string& unit = kinds.goals.find(done->after.settings->goal)->unit;
-    const auto best_of = [&](const ChampionRecord& champion, std::string_view simulator) {
+    const auto best_of = [&](const JudgedIndividual& champion, std::string_view simulator) {
         return "best of generation " + std::to_string(champion.generation) + " " +
                short_text(champion.individual->result.fitness) + " " + unit + " by simulator " +
                std::string(simulator);
@@ -38,8 +37,7 @@ ExitStatus rescore_run(const std::string& file, const EvolutionKinds& kinds,
     std::string words = file + ": " + best_of(done->after, kSimulatorVersion) + "; " +
                         best_of(done->before, done->simulator);
     if (done->again) words += ", now " + short_text(*done->again) + " " + unit;
-    print_line(words);
-    return ExitStatus::kDone;
+    return print_result_line(words);
 }
 
 class RescoreSubcommand final : public Subcommand {
@@ -57,45 +55,45 @@ public:
                      "With the usual integrator, tolerance and contact step instead of the file's");
     }
 
+    CommandFiles files() const override { return CommandFiles().reads_each(files_).writes(out_); }
+
     ExitStatus run(const EvolutionKinds& kinds) override {
         if (!out_.empty() && files_.size() > 1)
             return fail({"--out is for one creature, found " + std::to_string(files_.size())});
         if (changes_creatures() && std::any_of(files_.begin(), files_.end(), is_experiment))
             return fail({"--out and --default-integration are for creatures, not experiments"});
-        const Interruption interruption;
+        LongWork work;
         ExitStatus worst = ExitStatus::kDone;
         for (const std::string& file : files_) {
-            worst =
-                std::max(worst, is_experiment(file) ? rescore_run(file, kinds, interruption.token())
-                                                    : rescore(file, kinds, interruption.token()));
-            if (interruption.requested()) break;
+            worst = std::max(worst, is_experiment(file) ? rescore_run(file, kinds, work)
+                                                        : rescore(file, kinds, work));
+            if (work.interrupted()) break;
         }
         return worst;
     }
 
 private:
-    static bool is_experiment(const std::string& file) { return file.ends_with(".cambrian"); }
+    static bool is_experiment(const std::string& file) { return is_experiment_name(file); }
     bool changes_creatures() const { return !out_.empty() || default_integration_; }
 
-    ExitStatus rescore(const std::string& file, const EvolutionKinds& kinds,
-                       const std::stop_token& stop) const {
+    ExitStatus rescore(const std::string& file, const EvolutionKinds& kinds, LongWork& work) const {
         const Result<CreatureDocument> before = read(file, kinds);
         if (!before) return fail(before.error());
         const std::string target = out_.empty() ? file : out_;
         if (const Status writable = check_writable(target); !writable)
             return fail(writable.error());
-        const Result<CreatureDocument> after = rescored(asked_of(*before), kinds, stop);
+        const TrialSettings& trial = before->scored->world.trial;
+        work.begin("scoring " + file, trial.duration * trial.trials);
+        const Result<CreatureDocument> after = rescored(asked_of(*before), kinds, work.stop());
         if (!after)
             return fail({file + ": left as it is: " + after.error().message}, ExitStatus::kFailed);
         if (out_.empty() && before->scored == after->scored) {
-            print_line(file + ": unchanged, " + score_text(*after->scored));
-            return ExitStatus::kDone;
+            return print_result_line(file + ": unchanged, " + score_text(*after->scored));
         }
         const Status written = save_creature(target, *after, kinds);
         if (!written) return fail(written.error(), ExitStatus::kFailed);
-        print_line(target + ": " + score_text(*after->scored) + ", was " +
-                   score_text(*before->scored));
-        return ExitStatus::kDone;
+        return print_result_line(target + ": " + score_text(*after->scored) + ", was " +
+                                 score_text(*before->scored));
     }
 
     // The creature of a file whose score can be replaced.

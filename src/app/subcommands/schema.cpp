@@ -1,9 +1,8 @@
+#include "app/messages.h"
 #include "app/subcommands/subcommands.h"
 #include "persist/creature_schema.h"
 
 #include <CLI/CLI.hpp>
-
-#include <cstdio>
 
 namespace cambrian {
 namespace {
@@ -12,8 +11,7 @@ class SchemaSubcommand final : public Subcommand {
 public:
     void add_options(CLI::App& /*app*/) override {}
     ExitStatus run(const EvolutionKinds& kinds) override {
-        std::fputs(creature_schema(kinds).c_str(), stdout);
-        return ExitStatus::kDone;
+        return print_result(creature_schema(kinds));
     }
 };
 

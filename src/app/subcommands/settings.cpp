@@ -8,8 +8,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include <cstdio>
-
 namespace cambrian {
 namespace {
 
@@ -23,17 +21,15 @@ public:
         app.add_option("-o,--out", out_, "File or folder to write to, instead of the screen")
             ->type_name(option_type::kSettings);
     }
+    CommandFiles files() const override { return CommandFiles().reads(file_).writes(out_); }
     ExitStatus run(const EvolutionKinds& kinds) override {
         const Result<ExperimentSettings> settings =
             file_.empty() ? parse_settings(starting_text(), "--goal", kinds)
                           : load_settings(file_, kinds);
         if (!settings) return fail(settings.error());
         const std::string text = write_settings(*settings, kinds);
-        if (out_.empty()) {
-            std::fputs(text.c_str(), stdout);
-            return ExitStatus::kDone;
-        }
-        const auto path = output_path(out_, settings->goal + ".toml");
+        if (out_.empty()) return print_result(text);
+        const auto path = output_path(out_, settings->goal + ".toml", files());
         if (!path) return fail(path.error());
         const Status written = write_file(*path, text);
         return written ? ExitStatus::kDone : fail(written.error(), ExitStatus::kFailed);

@@ -1,13 +1,15 @@
 #include "app/creature_world.h"
+#include "app/long_work.h"
 #include "app/messages.h"
 #include "app/motion_trace.h"
+#include "app/number_checks.h"
 #include "app/option_types.h"
 #include "app/output_path.h"
 #include "app/score_notice.h"
 #include "app/subcommands/subcommands.h"
 #include "app/trial_report.h"
-#include "core/file_io.h"
 #include "core/number_text.h"
+#include "core/output_stream.h"
 #include "evolution/evaluation.h"
 #include "evolution/setting_field.h"
 #include "evolution/trials.h"
@@ -41,23 +43,6 @@ Result<ExperimentSettings> settings_for(const SimulateOptions& options,
     return settings;
 }
 
-Result<std::string> trace_of(const GenomePtr& genome, const ExperimentSettings& settings,
-                             const Kinds& kinds) {
-    const auto phenotype = std::make_shared<const Phenotype>(
-        express(*genome, kinds, settings.expression, settings.world.scene));
-    auto trial = Trial::start(phenotype, kinds, settings.world);
-    if (!trial) return trial.error();
-    while ((*trial)->settling() && (*trial)->tick()) {
-    }
-    MotionTrace trace(**trial);
-    trace.add(**trial);
-    for (bool more = !(*trial)->finished(); more;) {
-        more = (*trial)->tick();
-        trace.add(**trial);
-    }
-    return trace.csv();
-}
-
 class SimulateSubcommand final : public Subcommand {
 public:
     void add_options(CLI::App& app) override {
@@ -69,11 +54,18 @@ public:
             ->type_name(option_type::kSettings);
         app.add_option("--integrator", options_.integrator,
                        "Integrator to use instead of the world's; 'cambrian settings' lists them");
-        app.add_option("--seconds", options_.seconds, "Length of the trial, instead of its own");
+        take_finite(*app.add_option("--seconds", options_.seconds,
+                                    "Length of the trial, instead of its own"));
         app.add_option("--trace", options_.trace,
                        "Write every part's motion to this file, as CSV with a row a tick")
             ->type_name(option_type::kTable);
         app.add_flag("--json", options_.json, "Report as one JSON object");
+    }
+    CommandFiles files() const override {
+        return CommandFiles()
+            .reads(options_.creature)
+            .reads(options_.environment)
+            .writes(options_.trace);
     }
     ExitStatus run(const EvolutionKinds& kinds) override {
         const Result<CreatureDocument> document = load_creature(options_.creature, kinds);
@@ -85,27 +77,34 @@ public:
         if (!options_.environment.empty())
             say_of(options_.creature, foreign_kinds(document->genome, settings->founders, kinds));
         const auto genome = std::make_shared<const Genome>(document->genome);
+        LongWork work;
         if (!options_.trace.empty()) {
-            const ExitStatus traced = write_trace(genome, *settings, kinds.creature);
+            const ExitStatus traced = write_trace(*genome, *settings, kinds.creature, work);
             if (traced != ExitStatus::kDone) return traced;
         }
+        work.begin("evaluating", settings->world.trial.duration * settings->world.trial.trials);
         EvaluationResult result = evaluate_in_trials(
-            {.genome = genome, .trial_seed = trial_seed(*settings)}, *settings, kinds);
-        if (result.outcome == Outcome::kCompleted && !result.finer)
-            result.finer = recompute(*genome, *settings, kinds);
+            {.genome = genome, .trial_seed = trial_seed(*settings)}, *settings, kinds, work.stop());
+        if (result.outcome == Outcome::kCompleted && !result.finer) {
+            work.begin("computing more finely", settings->world.trial.duration);
+            result.finer = recompute(*genome, *settings, kinds, work.stop());
+        }
+        if (work.interrupted()) return fail({"interrupted"}, ExitStatus::kFailed);
         const std::string& unit = kinds.goals.find(settings->goal)->unit;
-        print_line(options_.json ? trial_json(result, unit) : trial_text(result, unit));
-        return ExitStatus::kDone;
+        return print_result_line(options_.json ? trial_json(result, unit)
+                                               : trial_text(result, unit));
     }
 
 private:
-    ExitStatus write_trace(const GenomePtr& genome, const ExperimentSettings& settings,
-                           const Kinds& kinds) const {
-        const auto path = output_path(options_.trace, "trace.csv");
+    ExitStatus write_trace(const Genome& genome, const ExperimentSettings& settings,
+                           const Kinds& kinds, LongWork& work) const {
+        const auto path = output_path(options_.trace, "trace.csv", files());
         if (!path) return fail(path.error());
-        const Result<std::string> csv = trace_of(genome, settings, kinds);
-        if (!csv) return fail(csv.error(), ExitStatus::kFailed);
-        const Status written = write_file(*path, *csv);
+        Result<OutputStream> output = OutputStream::open(*path);
+        if (!output) return fail(output.error());
+        work.begin("tracing", settings.world.trial.duration);
+        Status written = write_motion_trace(*output, genome, settings, kinds, work.watch());
+        if (written) written = output->finish();
         return written ? ExitStatus::kDone : fail(written.error(), ExitStatus::kFailed);
     }
 

@@ -1,6 +1,7 @@
 #include "studio/studio.h"
 
 #include "app/assets_folder.h"
+#include "app/number_checks.h"
 #include "app/option_types.h"
 #include "app/subcommands/subcommands.h"
 #include "app/window_options.h"
@@ -36,14 +37,19 @@ public:
         app.add_option("file", options_.open_file, "Creature file, card or settings file to open")
             ->type_name(option_type::kAnyOfOurs);
         app.add_flag("--evolve", options_.evolve, "Begin to evolve at once");
-        app.add_option("-t,--threads", options_.workers,
-                       "Threads that evaluate; one a core unless given")
-            ->check(CLI::Range(1, 1024));
+        take_whole(*app.add_option("-t,--threads", options_.workers,
+                                   "Threads that evaluate; one a core unless given"),
+                   1, 1024);
         add_window_options(app, options_);
         app.add_option("--state-dir", options_.state_dir,
                        "Folder of what is remembered from one start to the next; \"\" for nothing")
             ->type_name(option_type::kFolder);
         without_window_.add_options(app);
+    }
+    CommandFiles files() const override {
+        return window_files(options_)
+            .reads(options_.open_file)
+            .reads(without_window_.settings_file());
     }
     ExitStatus run(const EvolutionKinds& kinds) override {
         const Status shown = run_studio(options_, kinds);

@@ -1,5 +1,5 @@
 #include "app/experiment_replay.h"
-#include "app/interruption.h"
+#include "app/long_work.h"
 #include "app/messages.h"
 #include "app/option_types.h"
 #include "app/score_notice.h"
@@ -20,10 +20,16 @@ namespace cambrian {
 namespace {
 
 // The trial of the file, run again here and now; also more finely if that was kept.
-EvaluationResult replay(const CreatureDocument& document, const EvolutionKinds& kinds) {
-    EvaluationResult result = run_scored_trial(document, kinds);
-    if (document.scored->finer && !result.finer)
-        result.finer = recompute(document.genome, settings_of(*document.scored), kinds);
+EvaluationResult replay(const CreatureDocument& document, const EvolutionKinds& kinds,
+                        LongWork& work) {
+    const TrialSettings& trial = document.scored->world.trial;
+    work.begin("replaying", trial.duration * trial.trials);
+    EvaluationResult result = run_scored_trial(document, kinds, work.stop());
+    if (document.scored->finer && !result.finer) {
+        work.begin("computing more finely", trial.duration);
+        result.finer =
+            recompute(document.genome, settings_of(*document.scored), kinds, work.stop());
+    }
     return result;
 }
 
@@ -40,14 +46,15 @@ std::string where_different(const CreatureDocument& document, const EvolutionKin
                : std::string(", though the motion of the first trial does not");
 }
 
-ExitStatus verify(const std::string& file, const EvolutionKinds& kinds) {
+ExitStatus verify(const std::string& file, const EvolutionKinds& kinds, LongWork& work) {
     const Result<CreatureDocument> document = load_creature(file, kinds);
     if (!document) return fail(document.error());
     say_of(file, document->warnings);
     if (!document->scored) return fail({file + ": holds no score to verify"});
     const ScoredRecord& scored = *document->scored;
     say_of_simulator(file, *document);
-    const EvaluationResult result = replay(*document, kinds);
+    const EvaluationResult result = replay(*document, kinds, work);
+    if (work.interrupted()) return fail({file + ": interrupted"}, ExitStatus::kFailed);
     if (result.digest == scored.trajectory && result.fitness == scored.fitness) {
         if (scored.finer && result.finer != scored.finer)
             return fail({file + ": computed more finely it differs: " +
@@ -58,8 +65,7 @@ ExitStatus verify(const std::string& file, const EvolutionKinds& kinds) {
                               scored.unit + ", " + std::string(verdict_name(result.verdict));
         if (scored.finer)
             message += "; computed more finely " + finer_text(*scored.finer, scored.unit);
-        print_line(message);
-        return ExitStatus::kDone;
+        return print_result_line(message);
     }
     std::string message = file + ": the replay differs" + where_different(*document, kinds) + ": " +
                           short_text(result.fitness) + " " + scored.unit + " with motion " +
@@ -79,12 +85,12 @@ std::string other_simulators(const SavedExperiment& saved) {
     return words.empty() ? words : words + ", this is " + std::string(kSimulatorVersion);
 }
 
-ExitStatus verify_experiment(const std::string& file, const EvolutionKinds& kinds) {
+ExitStatus verify_experiment(const std::string& file, const EvolutionKinds& kinds, LongWork& work) {
     const Result<SavedExperiment> saved = load_experiment(file, kinds);
     if (!saved) return fail(saved.error());
     const auto backend = make_thread_pool_backend(kinds, ThreadPool::default_workers());
-    const Interruption interruption;
-    const ReplayOutcome outcome = replay_experiment(*saved, kinds, *backend, interruption.token());
+    work.begin("replaying", static_cast<double>(saved->digests.size()), "generations");
+    const ReplayOutcome outcome = replay_experiment(*saved, kinds, *backend, work.watch());
     const std::string done = std::to_string(outcome.generations) + " of " +
                              std::to_string(saved->digests.size()) + " generations";
     if (outcome.different) {
@@ -93,9 +99,8 @@ ExitStatus verify_experiment(const std::string& file, const EvolutionKinds& kind
                     ExitStatus::kFailed);
     }
     if (outcome.stopped) return fail({file + ": stopped after " + done}, ExitStatus::kFailed);
-    print_line(file + ": replay verified, " + done + ", " + std::to_string(saved->journal.size()) +
-               " commands on the way");
-    return ExitStatus::kDone;
+    return print_result_line(file + ": replay verified, " + done + ", " +
+                             std::to_string(saved->journal.size()) + " commands on the way");
 }
 
 class VerifySubcommand final : public Subcommand {
@@ -105,11 +110,15 @@ public:
             ->type_name(option_type::kCreatureOrExperiment)
             ->required();
     }
+    CommandFiles files() const override { return CommandFiles().reads_each(files_); }
     ExitStatus run(const EvolutionKinds& kinds) override {
         ExitStatus worst = ExitStatus::kDone;
-        for (const std::string& file : files_)
-            worst = std::max(worst, file.ends_with(".cambrian") ? verify_experiment(file, kinds)
-                                                                : verify(file, kinds));
+        LongWork work;
+        for (const std::string& file : files_) {
+            worst = std::max(worst, is_experiment_name(file) ? verify_experiment(file, kinds, work)
+                                                             : verify(file, kinds, work));
+            if (work.interrupted()) break;
+        }
         return worst;
     }
 

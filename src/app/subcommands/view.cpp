@@ -27,6 +27,7 @@ public:
             ->capture_default_str();
         add_window_options(app, options_);
     }
+    CommandFiles files() const override { return window_files(options_).reads(options_.open_file); }
     ExitStatus run(const EvolutionKinds& kinds) override {
         const auto document = load_creature(options_.open_file, kinds);
         if (!document) return fail(document.error());

@@ -57,7 +57,8 @@ struct ExperimentController::Handler {
     void operator()(const StartFromShown&) const {
         const Playback& playback = self.viewer_.playback();
         if (playback.empty()) return;
-        self.services_.feedback.report(self.experiment_.start_new_run({playback.exhibit().genome}));
+        self.services_.feedback.report(
+            self.experiment_.start_new_run({playback.exhibit().genome()}));
         self.services_.feedback.log().write("new run");
     }
     void operator()(const DropStructuralEdits&) const {
@@ -117,17 +118,12 @@ void ExperimentController::release(bool resume) {
 }
 
 void ExperimentController::show_random_creature() {
-    const ExperimentSettings& settings = experiment_.editor().draft();
-    RandomStream stream(settings.seed);
-    Exhibit exhibit;
-    exhibit.genome = std::make_shared<const Genome>(
-        random_genome(settings.founders, services_.kinds.creature.catalog, stream));
-    exhibit.world = settings.world;
-    exhibit.goal = settings.goal;
-    exhibit.expression = settings.expression;
-    exhibit.title = "A random creature";
-    exhibit.method = "random";
-    viewer_.show(std::move(exhibit));
+    const auto settings = std::make_shared<const ExperimentSettings>(experiment_.editor().draft());
+    RandomStream stream(settings->seed);
+    auto genome = std::make_shared<const Genome>(
+        random_genome(settings->founders, services_.kinds.creature.catalog, stream));
+    viewer_.show({.creature = unjudged(std::move(genome), settings, "random"),
+                  .title = "A random creature"});
 }
 
 void ExperimentController::commit() {

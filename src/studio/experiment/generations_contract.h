@@ -16,12 +16,12 @@ struct ShowChampion {
 };
 // Displays a creature of some generation, under the settings that judged it.
 struct ShowIndividual {
-    ChampionRecord creature;
+    JudgedIndividual creature;
 };
 // Displays the newest champion, and each that follows.
 struct ShowNewest {};
 struct ToggleStar {
-    ChampionRecord creature;
+    JudgedIndividual creature;
 };
 struct ToggleStarOfShown {};
 // Gives back the star that was taken away last.

@@ -16,20 +16,19 @@ struct GenerationsController::Handler {
 
     void operator()(const ShowChampion& request) const {
         self.view_.newest_champion = false;
-        const ChampionRecord* champion = self.champion_of(request.generation);
+        const JudgedIndividual* champion = self.champion_of(request.generation);
         if (champion == nullptr) return;
         const Playback& playback = self.viewer_.playback();
         const bool shown = !playback.empty() &&
                            playback.exhibit().source == ExhibitSource::kChampion &&
-                           playback.exhibit().generation == request.generation;
+                           playback.exhibit().creature.generation == request.generation;
         if (!shown) self.show_champion(*champion);
     }
     void operator()(const ShowIndividual& request) const {
         self.view_.newest_champion = false;
-        const ChampionRecord& creature = request.creature;
-        Exhibit exhibit = exhibit_of(*creature.individual, *creature.settings, creature.generation,
-                                     ExhibitSource::kPopulation);
-        const ChampionRecord* contemporary = self.champion_of(creature.generation);
+        const JudgedIndividual& creature = request.creature;
+        Exhibit exhibit = exhibit_of(creature, ExhibitSource::kPopulation);
+        const JudgedIndividual* contemporary = self.champion_of(creature.generation);
         if (contemporary != nullptr && contemporary->settings == creature.settings)
             exhibit.experiment = self.experiment_.open().snapshot().experiment;
         self.viewer_.show(std::move(exhibit));
@@ -65,7 +64,7 @@ void GenerationsController::log_finished() {
         seen_champions_ = 0;
     }
     for (std::size_t i = seen_champions_; i < snapshot.champions.size(); ++i) {
-        const ChampionRecord& champion = snapshot.champions[i];
+        const JudgedIndividual& champion = snapshot.champions[i];
         services_.feedback.log().write("generation",
                                        {{"number", static_cast<double>(champion.generation)},
                                         {"best", champion.individual->result.fitness}});
@@ -78,10 +77,12 @@ void GenerationsController::log_finished() {
 void GenerationsController::follow_newest() {
     const EvolutionSnapshot& snapshot = experiment_.open().snapshot();
     const Playback& playback = viewer_.playback();
-    if (!view_.newest_champion || snapshot.champions.empty() || playback.hold() != nullptr) return;
-    const ChampionRecord& newest = snapshot.champions.back();
+    if (!view_.newest_champion || snapshot.champions.empty() ||
+        playback.creature().hold() != nullptr)
+        return;
+    const JudgedIndividual& newest = snapshot.champions.back();
     const bool first = playback.empty() || playback.exhibit().source != ExhibitSource::kChampion;
-    const bool same = !first && playback.exhibit().genome == newest.individual->genome;
+    const bool same = !first && playback.exhibit().genome() == newest.individual->genome;
     if (!same && (first || viewer_.shown_for() > kLeastStay)) show_champion(newest);
 }
 
@@ -95,40 +96,40 @@ void GenerationsController::keep_stars() {
         });
 }
 
-void GenerationsController::replace_stars(std::vector<ChampionRecord> stars) {
+void GenerationsController::replace_stars(std::vector<JudgedIndividual> stars) {
     stars_.replace(std::move(stars));
     kept_stars_ = stars_.revision();
 }
 
-void GenerationsController::show_champion(const ChampionRecord& champion) {
-    Exhibit exhibit = exhibit_of(*champion.individual, *champion.settings, champion.generation,
-                                 ExhibitSource::kChampion);
+void GenerationsController::show_champion(const JudgedIndividual& champion) {
+    Exhibit exhibit = exhibit_of(champion, ExhibitSource::kChampion);
     exhibit.experiment = experiment_.open().snapshot().experiment;
     viewer_.show(std::move(exhibit));
 }
 
-const ChampionRecord* GenerationsController::champion_of(std::uint32_t generation) const {
+const JudgedIndividual* GenerationsController::champion_of(std::uint32_t generation) const {
     const auto& champions = experiment_.open().snapshot().champions;
-    const auto found = std::lower_bound(
-        champions.begin(), champions.end(), generation,
-        [](const ChampionRecord& each, std::uint32_t wanted) { return each.generation < wanted; });
+    const auto found = std::lower_bound(champions.begin(), champions.end(), generation,
+                                        [](const JudgedIndividual& each, std::uint32_t wanted) {
+                                            return each.generation < wanted;
+                                        });
     const bool known = found != champions.end() && found->generation == generation;
     return known ? &*found : nullptr;
 }
 
 // Nothing for a creature that belongs to no generation of this experiment and has no star.
-std::optional<ChampionRecord> GenerationsController::creature_on_display() const {
+std::optional<JudgedIndividual> GenerationsController::creature_on_display() const {
     if (viewer_.playback().empty()) return std::nullopt;
     const Exhibit& exhibit = viewer_.playback().exhibit();
-    for (const ChampionRecord& starred : stars_.all()) {
-        if (starred.individual->genome == exhibit.genome) return starred;
+    for (const JudgedIndividual& starred : stars_.all()) {
+        if (starred.individual->genome == exhibit.genome()) return starred;
     }
-    const ChampionRecord* champion = champion_of(exhibit.generation);
+    const JudgedIndividual* champion = champion_of(exhibit.creature.generation);
     if (champion == nullptr) return std::nullopt;
-    if (champion->individual->genome == exhibit.genome) return *champion;
+    if (champion->individual->genome == exhibit.genome()) return *champion;
     for (const IndividualPtr& individual : experiment_.open().snapshot().population) {
-        if (individual->genome == exhibit.genome)
-            return ChampionRecord{exhibit.generation, individual, champion->settings};
+        if (individual->genome == exhibit.genome())
+            return JudgedIndividual{exhibit.creature.generation, individual, champion->settings};
     }
     return std::nullopt;
 }

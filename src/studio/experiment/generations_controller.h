@@ -29,13 +29,13 @@ public:
     // Once a frame: writes the stars to the experiment's file if they changed.
     void keep_stars();
     // The stars of an experiment that was opened.
-    void replace_stars(std::vector<ChampionRecord> stars);
+    void replace_stars(std::vector<JudgedIndividual> stars);
 
 private:
     struct Handler;
-    void show_champion(const ChampionRecord& champion);
-    const ChampionRecord* champion_of(std::uint32_t generation) const;
-    std::optional<ChampionRecord> creature_on_display() const;
+    void show_champion(const JudgedIndividual& champion);
+    const JudgedIndividual* champion_of(std::uint32_t generation) const;
+    std::optional<JudgedIndividual> creature_on_display() const;
 
     Services services_;
     ViewState& view_;

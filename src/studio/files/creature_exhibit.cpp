@@ -1,65 +1,76 @@
 #include "studio/files/creature_exhibit.h"
 
 #include "core/pretty_text.h"
+#include "persist/digest_text.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace cambrian {
+namespace {
+
+// As good as the file tells it: of its score, what replays are compared with.
+Individual individual_of(const CreatureDocument& document) {
+    Individual individual;
+    individual.uid = parse_hex(document.uid).value_or(0);
+    individual.genome = std::make_shared<const Genome>(document.genome);
+    individual.genome_hash = genome_hash(document.genome);
+    const std::size_t parents = std::min(document.parents.size(), individual.parents.size());
+    for (std::size_t i = 0; i < parents; ++i)
+        individual.parents[i] = parse_hex(document.parents[i]).value_or(0);
+    individual.method = document.method;
+    individual.evaluated = document.scored.has_value();
+    if (!document.scored) return individual;
+    individual.result.fitness = document.scored->fitness;
+    individual.result.digest = document.scored->trajectory;
+    individual.result.finer = document.scored->finer;
+    return individual;
+}
+
+// The score of the one trial on display.
+ScoredRecord scored_on_display(const ExperimentSettings& settings, const ScoreReport& score,
+                               const std::string& unit) {
+    ScoredRecord scored{.world = settings.world,
+                        .expression = settings.expression,
+                        .goal = settings.goal,
+                        .seed = settings.seed,
+                        .fitness = score.score.value,
+                        .confirmed = {},
+                        .unit = unit,
+                        .trajectory = score.record.digest,
+                        .finer = {}};
+    scored.world.trial.trials = 1;
+    return scored;
+}
+
+}  // namespace
 
 Exhibit exhibit_of(const CreatureDocument& document, const ExperimentSettings& otherwise,
                    ExhibitSource source, const std::filesystem::path& path) {
-    const ExperimentSettings settings = document.scored ? settings_of(*document.scored) : otherwise;
-    Exhibit exhibit;
-    exhibit.genome = std::make_shared<const Genome>(document.genome);
-    exhibit.world = settings.world;
-    exhibit.goal = settings.goal;
-    exhibit.expression = settings.expression;
-    exhibit.source = source;
     const std::string stem = path.filename().string();
-    exhibit.title = capitalized(stem.substr(0, stem.find('.')));
-    if (!document.genome.name.empty()) exhibit.title = document.genome.name;
-    exhibit.seed = settings.seed;
-    exhibit.uid = document.uid;
-    exhibit.method = document.method;
-    exhibit.parents = document.parents;
+    Exhibit exhibit;
+    exhibit.creature.individual = std::make_shared<const Individual>(individual_of(document));
+    exhibit.creature.settings = std::make_shared<const ExperimentSettings>(
+        document.scored ? settings_of(*document.scored) : otherwise);
+    exhibit.source = source;
+    exhibit.title = document.genome.name.empty() ? capitalized(stem.substr(0, stem.find('.')))
+                                                 : document.genome.name;
     exhibit.ancestry = document.ancestry;
-    if (document.scored) {
-        exhibit.ticks = document.scored->ticks;
-        EvaluationResult result;
-        result.fitness = document.scored->fitness;
-        result.digest = document.scored->trajectory;
-        result.finer = document.scored->finer;
-        exhibit.result = result;
-    }
+    if (document.scored) exhibit.ticks = document.scored->ticks;
     return exhibit;
 }
 
 CreatureDocument document_of(const Exhibit& exhibit, const ScoreReport* score,
-                             const GoalRegistry& goals) {
-    CreatureDocument document;
-    document.genome = *exhibit.genome;
-    document.uid = exhibit.uid;
-    document.parents = exhibit.parents;
-    document.method = exhibit.method;
+                             const EvolutionKinds& kinds) {
+    CreatureDocument document = creature_document(exhibit.individual(), exhibit.settings(), kinds);
+    document.uid = uid_text(exhibit.individual().uid);
     document.ancestry = exhibit.ancestry;
-    const GoalKind* goal = goals.find(exhibit.goal);
-    // A trial that was stopped early gives no score; the one on display is run to its end.
-    const bool judged = exhibit.result && exhibit.result->outcome != Outcome::kStoppedEarly;
-    if (goal == nullptr || (!judged && score == nullptr)) return document;
-    ScoredRecord scored;
-    scored.world = exhibit.world;
-    if (!judged) scored.world.trial.trials = 1;  // the one on display
-    scored.expression = exhibit.expression;
-    scored.goal = exhibit.goal;
-    scored.seed = exhibit.seed;
-    scored.fitness = judged ? exhibit.result->fitness : score->score.value;
-    scored.unit = goal->unit;
-    scored.trajectory = judged ? exhibit.result->digest : score->record.digest;
-    if (judged) {
-        scored.finer = exhibit.result->finer;
-        scored.ticks = exhibit.ticks;
+    const GoalKind* goal = kinds.goals.find(exhibit.settings().goal);
+    if (document.scored) {
+        document.scored->ticks = exhibit.ticks;
+    } else if (goal != nullptr && score != nullptr) {
+        document.scored = scored_on_display(exhibit.settings(), *score, goal->unit);
     }
-    document.scored = std::move(scored);
     return document;
 }
 

@@ -17,6 +17,6 @@ Exhibit exhibit_of(const CreatureDocument& document, const ExperimentSettings& o
 // What a file of the exhibit holds. `score` is that of the trial on display, or null; it stands in
 // for a result the creature does not have.
 CreatureDocument document_of(const Exhibit& exhibit, const ScoreReport* score,
-                             const GoalRegistry& goals);
+                             const EvolutionKinds& kinds);
 
 }  // namespace cambrian

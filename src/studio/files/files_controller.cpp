@@ -65,8 +65,8 @@ struct FilesController::Handler {
         CardOrder order{.path = request.path,
                         .document = std::move(document),
                         .title = exhibit.title,
-                        .settings = settings_of(exhibit)};
-        if (exhibit.experiment != 0) order.generation = exhibit.born;
+                        .settings = exhibit.settings()};
+        if (exhibit.experiment != 0) order.generation = exhibit.individual().born;
         self.desk_.prepare_card(std::move(order));
     }
     void operator()(const SaveCell& request) const {
@@ -257,7 +257,7 @@ void FilesController::show(const CreatureDocument& document, ExhibitSource sourc
 
 CreatureDocument FilesController::displayed_document() const {
     return document_of(subjects_.viewer.playback().exhibit(), subjects_.viewer.score(),
-                       services_.kinds.goals);
+                       services_.kinds);
 }
 
 }  // namespace cambrian

@@ -114,8 +114,7 @@ bool HandPicking::has_cell(std::size_t cell) const {
 
 Exhibit HandPicking::exhibit(std::size_t cell) const {
     const GridNode& grid = snapshot_->tree.current();
-    Exhibit exhibit =
-        exhibit_of(*grid.creatures[cell], *grid.settings, grid.number, ExhibitSource::kHandPicked);
+    Exhibit exhibit = exhibit_of(grid.cell(cell), ExhibitSource::kHandPicked);
     exhibit.title =
         "Creature " + std::to_string(cell + 1) + " of grid " + std::to_string(grid.number + 1);
     return exhibit;

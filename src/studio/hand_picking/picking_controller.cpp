@@ -109,7 +109,7 @@ void PickingController::enter() {
     experiment_.suspend();
     const Playback& playback = viewer_.playback();
     picking_.enter(experiment_.open().snapshot(),
-                   playback.empty() ? nullptr : playback.exhibit().genome,
+                   playback.empty() ? nullptr : playback.exhibit().genome(),
                    services_.feedback.now());
     services_.feedback.log().write("hand-picking", {{"on", true}});
 }

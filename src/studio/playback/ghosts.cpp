@@ -13,27 +13,27 @@ constexpr std::uint32_t kTenth = 10;  // generations
 constexpr std::size_t kMostTenths = 6;
 constexpr std::size_t kAcross = 5;
 
-using Records = std::vector<const ChampionRecord*>;
+using Records = std::vector<const JudgedIndividual*>;
 
 // Champions fitter than all before them.
-Records improvements(const std::vector<ChampionRecord>& champions) {
+Records improvements(const std::vector<JudgedIndividual>& champions) {
     Records found;
-    for (const ChampionRecord& each : champions) {
+    for (const JudgedIndividual& each : champions) {
         const double best = found.empty() ? 0.0 : found.back()->individual->result.fitness;
         if (found.empty() || each.individual->result.fitness > best) found.push_back(&each);
     }
     return found;
 }
 
-Records tenths(const std::vector<ChampionRecord>& champions) {
+Records tenths(const std::vector<JudgedIndividual>& champions) {
     Records found;
-    for (const ChampionRecord& each : champions) {
+    for (const JudgedIndividual& each : champions) {
         if (each.generation % kTenth == 0) found.push_back(&each);
     }
     return found;
 }
 
-Records across(const std::vector<ChampionRecord>& champions) {
+Records across(const std::vector<JudgedIndividual>& champions) {
     Records found;
     const std::size_t count = std::min(kAcross, champions.size());
     for (std::size_t i = 0; i < count; ++i)
@@ -48,7 +48,7 @@ Records newest(const Records& records, std::size_t most, const Genome* shown) {
     for (auto each = records.rbegin(); each != records.rend() && kept.size() < most; ++each) {
         const Genome* genome = (*each)->individual->genome.get();
         const bool known =
-            std::any_of(kept.begin(), kept.end(), [genome](const ChampionRecord* other) {
+            std::any_of(kept.begin(), kept.end(), [genome](const JudgedIndividual* other) {
                 return other->individual->genome.get() == genome;
             });
         if (genome != shown && !known) kept.push_back(*each);
@@ -63,8 +63,8 @@ std::uint64_t test_ticks(const Trial& trial) {
 
 }  // namespace
 
-std::vector<const ChampionRecord*> choose_ghosts(const std::vector<ChampionRecord>& champions,
-                                                 GhostChoice choice, const Genome* shown) {
+std::vector<const JudgedIndividual*> choose_ghosts(const std::vector<JudgedIndividual>& champions,
+                                                   GhostChoice choice, const Genome* shown) {
     switch (choice) {
         case GhostChoice::kNone:
             break;
@@ -78,7 +78,7 @@ std::vector<const ChampionRecord*> choose_ghosts(const std::vector<ChampionRecor
     return {};
 }
 
-std::unique_ptr<Ghost> Ghost::start(const ChampionRecord& champion, const Kinds& kinds,
+std::unique_ptr<Ghost> Ghost::start(const JudgedIndividual& champion, const Kinds& kinds,
                                     const Environment& environment) {
     TrialWorld world = champion.settings->world;
     world.environment = environment;
@@ -89,7 +89,7 @@ std::unique_ptr<Ghost> Ghost::start(const ChampionRecord& champion, const Kinds&
     return std::unique_ptr<Ghost>(new Ghost(champion, std::move(*replay)));
 }
 
-Ghost::Ghost(ChampionRecord champion, std::unique_ptr<Replay> replay)
+Ghost::Ghost(JudgedIndividual champion, std::unique_ptr<Replay> replay)
     : champion_(std::move(champion)), replay_(std::move(replay)) {
     motion_.jump_to(trial().scene());
 }
@@ -101,8 +101,8 @@ bool Ghost::go_back(std::uint64_t tick) {
 }
 
 bool Ghost::follow(const Playback& playback) {
-    if (!(replay_->environment() == playback.environment()))
-        replay_->set_environment(playback.environment());
+    if (!(replay_->environment() == playback.creature().replay().environment()))
+        replay_->set_environment(playback.creature().replay().environment());
     const Trial& leader = playback.trial();
     if (leader.settling()) {
         if (trial().ticks() > leader.ticks()) return go_back(leader.ticks());
@@ -121,18 +121,18 @@ bool Ghost::follow(const Playback& playback) {
 void Ghosts::choose(const EvolutionSnapshot& snapshot, GhostChoice choice,
                     const Playback& playback) {
     const Basis basis{snapshot.experiment, snapshot.champions.size(), choice,
-                      playback.exhibit().genome};
+                      playback.exhibit().genome()};
     if (basis == basis_) return;
     basis_ = basis;
     const auto chosen = choose_ghosts(snapshot.champions, choice, basis.shown.get());
     const auto wanted = [&chosen](const std::unique_ptr<Ghost>& ghost) {
-        return std::any_of(chosen.begin(), chosen.end(), [&ghost](const ChampionRecord* each) {
+        return std::any_of(chosen.begin(), chosen.end(), [&ghost](const JudgedIndividual* each) {
             return each->individual->genome.get() == &ghost->genome();
         });
     };
     std::erase_if(ghosts_, [&wanted](const auto& ghost) { return !wanted(ghost); });
     called_.clear();
-    for (const ChampionRecord* each : chosen) {
+    for (const JudgedIndividual* each : chosen) {
         const bool here = std::any_of(ghosts_.begin(), ghosts_.end(), [each](const auto& ghost) {
             return &ghost->genome() == each->individual->genome.get();
         });
@@ -151,7 +151,7 @@ void Ghosts::update(const EvolutionSnapshot& snapshot, GhostChoice choice, const
                     double budget) {
     if (playback.empty()) return;
     choose(snapshot, choice, playback);
-    call_next(playback.environment());
+    call_next(playback.creature().replay().environment());
     if (playback.seeking()) return;
     const Stopwatch spent;
     bool moved = true;

@@ -14,13 +14,13 @@
 namespace cambrian {
 
 // Which of the champions, oldest first, none of them of this genome and no genome twice.
-std::vector<const ChampionRecord*> choose_ghosts(const std::vector<ChampionRecord>& champions,
-                                                 GhostChoice choice, const Genome* shown);
+std::vector<const JudgedIndividual*> choose_ghosts(const std::vector<JudgedIndividual>& champions,
+                                                   GhostChoice choice, const Genome* shown);
 
 class Ghost {
 public:
     // Null if physics refuses the body.
-    static std::unique_ptr<Ghost> start(const ChampionRecord& champion, const Kinds& kinds,
+    static std::unique_ptr<Ghost> start(const JudgedIndividual& champion, const Kinds& kinds,
                                         const Environment& environment);
 
     // One tick nearer to where the creature on show is, or back to it; false once there.
@@ -34,10 +34,10 @@ public:
     const std::vector<Pose>& poses() const { return motion_.poses(); }
 
 private:
-    Ghost(ChampionRecord champion, std::unique_ptr<Replay> replay);
+    Ghost(JudgedIndividual champion, std::unique_ptr<Replay> replay);
     bool go_back(std::uint64_t tick);
 
-    ChampionRecord champion_;
+    JudgedIndividual champion_;
     std::unique_ptr<Replay> replay_;
     ShownMotion motion_;
 };
@@ -59,7 +59,7 @@ private:
 
     const Kinds* kinds_;
     std::vector<std::unique_ptr<Ghost>> ghosts_;
-    std::vector<ChampionRecord> called_;  // still to come
+    std::vector<JudgedIndividual> called_;  // still to come
     // What the choice was made from.
     struct Basis {
         std::uint64_t experiment = 0;

@@ -26,7 +26,7 @@ std::vector<MutationRecord> with_change(std::vector<MutationRecord> changes,
 void GeneEditor::edit(const Exhibit& shown, GenomePtr genome, const GeneChange& change) {
     if (!original_) {
         original_ = shown;
-        versions_.push_back({shown.genome, {}});
+        versions_.push_back({shown.genome(), {}});
     }
     Version next{std::move(genome), with_change(versions_[present_].changes, change)};
     if (open_place_ == change.place) {
@@ -52,17 +52,19 @@ void GeneEditor::redo() {
 Exhibit GeneEditor::exhibit() const {
     const Version& version = versions_[present_];
     if (version.changes.empty()) return *original_;
+    Individual child;
+    child.uid = genome_hash(*version.genome);
+    child.born = original_->individual().born;
+    child.genome = version.genome;
+    child.genome_hash = child.uid;
+    child.parents[0] = original_->individual().uid;
+    child.mother = ParentLink(original_->creature.individual);
+    child.method = "edited";
+    child.mutations = version.changes;
     Exhibit edited = *original_;
-    edited.genome = version.genome;
+    edited.creature.individual = std::make_shared<const Individual>(std::move(child));
     edited.title += ", edited";
-    edited.uid = uid_text(genome_hash(*version.genome));
-    edited.method = "edited";
-    edited.parents.clear();
-    if (!original_->uid.empty()) edited.parents.push_back(original_->uid);
-    edited.mother = ParentLink(individual_of(*original_));
-    edited.mutations = version.changes;
     edited.ancestry.reset();
-    edited.result.reset();
     edited.ticks.clear();
     return edited;
 }

@@ -31,11 +31,11 @@ std::optional<ScoreReport> report_on(const Exhibit& exhibit,
                                      const std::stop_token& stop,
                                      const std::atomic<bool>& outdated) {
     const auto unwanted = [&] { return stop.stop_requested() || outdated; };
-    auto report =
-        run_and_score(std::move(phenotype), kinds.creature, exhibit.world, goal, unwanted);
-    if (!report || exhibit.world.trial.trials == 1) return report;
-    const ExperimentSettings settings = settings_of(exhibit);
-    const EvaluationRequest request{.genome = exhibit.genome, .trial_seed = trial_seed(settings)};
+    auto report = run_and_score(std::move(phenotype), kinds.creature, exhibit.settings().world,
+                                goal, unwanted);
+    if (!report || exhibit.settings().world.trial.trials == 1) return report;
+    const ExperimentSettings& settings = exhibit.settings();
+    const EvaluationRequest request{.genome = exhibit.genome(), .trial_seed = trial_seed(settings)};
     report->digest = evaluate_in_trials(request, settings, kinds, stop).digest;
     return report;
 }
@@ -52,9 +52,10 @@ Status Stage::show(Exhibit exhibit) {
 }
 
 void Stage::request_score() {
-    const GoalKind* goal = kinds_.goals.find(playback_.exhibit().goal);
+    const GoalKind* goal = kinds_.goals.find(playback_.exhibit().settings().goal);
     if (goal == nullptr) return;
-    worker_.submit([this, goal, outdated = outdated_, phenotype = playback_.shared_phenotype(),
+    worker_.submit([this, goal, outdated = outdated_,
+                    phenotype = playback_.creature().shared_phenotype(),
                     exhibit = playback_.exhibit()](const std::stop_token& stop) {
         auto report = report_on(exhibit, phenotype, *goal, kinds_, stop, *outdated);
         return [this, outdated, report = std::move(report)] {

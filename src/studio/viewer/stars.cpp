@@ -6,8 +6,8 @@ namespace cambrian {
 namespace {
 
 // Survivors share their genome with what they were a generation ago.
-auto find_in(const std::vector<ChampionRecord>& creatures, const Individual& individual) {
-    return std::find_if(creatures.begin(), creatures.end(), [&](const ChampionRecord& each) {
+auto find_in(const std::vector<JudgedIndividual>& creatures, const Individual& individual) {
+    return std::find_if(creatures.begin(), creatures.end(), [&](const JudgedIndividual& each) {
         return each.individual->genome == individual.genome;
     });
 }
@@ -18,7 +18,7 @@ bool Stars::has(const Individual& individual) const {
     return find_in(all_, individual) != all_.end();
 }
 
-void Stars::toggle(const ChampionRecord& creature) {
+void Stars::toggle(const JudgedIndividual& creature) {
     ++revision_;
     const auto found = find_in(all_, *creature.individual);
     if (found == all_.end()) {
@@ -31,12 +31,12 @@ void Stars::toggle(const ChampionRecord& creature) {
 
 void Stars::restore() {
     if (taken_.empty()) return;
-    const ChampionRecord creature = taken_.back();
+    const JudgedIndividual creature = taken_.back();
     taken_.pop_back();
     if (!has(*creature.individual)) toggle(creature);
 }
 
-void Stars::replace(std::vector<ChampionRecord> all) {
+void Stars::replace(std::vector<JudgedIndividual> all) {
     all_ = std::move(all);
     taken_.clear();
     ++revision_;

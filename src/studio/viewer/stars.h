@@ -12,19 +12,19 @@ namespace cambrian {
 class Stars {
 public:
     // In the order in which they were given.
-    const std::vector<ChampionRecord>& all() const { return all_; }
+    const std::vector<JudgedIndividual>& all() const { return all_; }
     bool has(const Individual& individual) const;
-    void toggle(const ChampionRecord& creature);
+    void toggle(const JudgedIndividual& creature);
     // Those of another experiment.
-    void replace(std::vector<ChampionRecord> all);
+    void replace(std::vector<JudgedIndividual> all);
     // Gives back the star that was taken away last, if any was.
     void restore();
     bool can_restore() const { return !taken_.empty(); }
     std::uint64_t revision() const { return revision_; }  // counts changes
 
 private:
-    std::vector<ChampionRecord> all_;
-    std::vector<ChampionRecord> taken_;  // last one last
+    std::vector<JudgedIndividual> all_;
+    std::vector<JudgedIndividual> taken_;  // last one last
     std::uint64_t revision_ = 0;
 };
 

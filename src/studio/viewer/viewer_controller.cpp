@@ -18,7 +18,9 @@ struct ViewerController::Handler {
 
     Playback& playback() const { return self.stage_.playback(); }
 
-    void operator()(const TogglePlayback&) const { playback().set_playing(!playback().playing()); }
+    void operator()(const TogglePlayback&) const {
+        playback().pace().playing = !playback().pace().playing;
+    }
     void operator()(const RestartPlayback&) const { playback().restart(); }
     void operator()(const StepPlayback&) const {
         playback().step();
@@ -31,14 +33,14 @@ struct ViewerController::Handler {
     void operator()(const SeekPlayback& request) const { playback().seek(request.tick); }
     void operator()(const FitView&) const { ++self.facts_.fits_asked; }
     void operator()(const PokePart& request) const {
-        playback().poke(request.part, request.point_in_part, request.target);
+        playback().creature().pull(Hold{request.part, request.point_in_part, request.target});
     }
-    void operator()(const ReleasePoke&) const { playback().release(); }
+    void operator()(const ReleasePoke&) const { playback().creature().pull(std::nullopt); }
     void operator()(const ForceNeuron& request) const {
-        if (!playback().empty()) playback().force(request.neuron, request.value);
+        if (!playback().empty()) playback().creature().force(request.neuron, request.value);
     }
     void operator()(const ReleaseNeuron& request) const {
-        if (!playback().empty()) playback().release_neuron(request.neuron);
+        if (!playback().empty()) playback().creature().force(request.neuron, std::nullopt);
     }
     void operator()(const ShowHighlight& request) const {
         self.facts_.highlight.join(request.highlight);
@@ -72,7 +74,7 @@ ViewerController::ViewerController(const Services& services, ViewState& view)
       facts_{.playback = stage_.playback(), .genes = &genes_} {}
 
 void ViewerController::update(double elapsed, const EvolutionSnapshot& snapshot) {
-    stage_.playback().set_speed(view_.speed);
+    stage_.playback().pace().speed = view_.speed;
     stage_.playback().advance(elapsed, kPlaybackBudget);
     ghosts_.update(snapshot, view_.ghosts, stage_.playback(), kGhostBudget);
 }
@@ -90,7 +92,7 @@ ViewerView ViewerController::facts() const {
 
 void ViewerController::show(Exhibit exhibit) {
     const std::string title = exhibit.title;
-    const std::string uid = exhibit.uid;
+    const std::string uid = uid_text(exhibit.individual().uid);
     if (Status status = stage_.show(std::move(exhibit)); !status)
         return services_.feedback.report(status);
     genes_.clear();
@@ -99,7 +101,7 @@ void ViewerController::show(Exhibit exhibit) {
 }
 
 void ViewerController::use_environment(const Environment& environment) {
-    stage_.playback().set_environment(environment);
+    stage_.playback().creature().set_environment(environment);
 }
 
 bool ViewerController::undo_gene_edit() {
@@ -124,7 +126,7 @@ double ViewerController::shown_for() const {
 
 bool ViewerController::animating() const {
     const Playback& playback = stage_.playback();
-    return (playback.playing() && !playback.empty()) || playback.seeking();
+    return (playback.pace().playing && !playback.empty()) || playback.seeking();
 }
 
 void ViewerController::show_edited() {

@@ -147,7 +147,7 @@ TEST_CASE("a creature of the grid is shown alone and saved", "[studio][session][
     run.ask(ShowCell{7});
     run.ask(ShowCell{99});  // nothing
     REQUIRE(run.frames_until([&] { return run.session.frame_context().picking->single; }));
-    CHECK(run.session.frame_context().viewer.playback.exhibit().genome == genome);
+    CHECK(run.session.frame_context().viewer.playback.exhibit().genome() == genome);
     run.ask(ShowGrid{});
     run.ask(SaveCell{7});
     CHECK(run.session.frame_context().files.browser.open);

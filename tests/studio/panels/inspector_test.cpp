@@ -65,7 +65,7 @@ TEST_CASE("the chosen neuron is forced and released by its switch", "[studio][in
     TabRun<BrainTab> run;
     run.click("brain node 0");
     const ForceNeuron force = test::asked<ForceNeuron>(run.click("force neuron"));
-    run.studio.playback().force(force.neuron, force.value);
+    run.studio.playback().creature().force(force.neuron, force.value);
     CHECK(test::asked<ReleaseNeuron>(run.click("force neuron")).neuron == force.neuron);
 }
 
@@ -102,7 +102,7 @@ TEST_CASE("a gene's switch asks for the genome with that gene changed", "[studio
     CHECK(test::was_asked<FinishGeneEdit>(out));
     Genome restored = *edit.genome;
     restored.nodes[0].symmetric = false;
-    CHECK(restored == *run.studio.playback().exhibit().genome);
+    CHECK(restored == *run.studio.playback().exhibit().genome());
 }
 
 TEST_CASE("a gene's slider changes its number within its range", "[studio][inspector]") {
@@ -131,15 +131,15 @@ TEST_CASE("a click on an ancestor shows it, and the line stays to come back by",
     TabRun<AncestryTab> run;
     GeneEditor editor;
     const Exhibit original = run.studio.playback().exhibit();
-    Genome changed = *original.genome;
+    Genome changed = *original.genome();
     changed.nodes[0].length = 0.6;
     editor.edit(original, std::make_shared<const Genome>(changed), {"part 0 length", "0.8", "0.6"});
     REQUIRE(run.studio.playback().show(editor.exhibit()));
     const ShowExhibit back = test::asked<ShowExhibit>(run.click("ancestor 1"));
-    CHECK(back.exhibit->genome == original.genome);
+    CHECK(back.exhibit->genome() == original.genome());
     REQUIRE(run.studio.playback().show(*back.exhibit));
     const ShowExhibit again = test::asked<ShowExhibit>(run.click("ancestor 0"));
-    CHECK(again.exhibit->method == "edited");
+    CHECK(again.exhibit->individual().method == "edited");
 }
 
 TEST_CASE("mutations are told by operator and change", "[studio][inspector]") {

@@ -108,10 +108,10 @@ TEST_CASE("the viewport draws the creature on show and takes hold of it", "[stud
     Requests out;
     const auto draw = [&] { panel.draw(studio.frame(), out); };
     gui.frame(draw);
-    CHECK(panel.scene().shapes.size() > studio.playback().phenotype().parts.size());
+    CHECK(panel.scene().shapes.size() > studio.playback().creature().phenotype().parts.size());
     const Rect& area = gui.place("viewport");
     const Vec2 body = panel.camera().to_screen(
-        studio.playback().poses()[0].position.head<2>(),
+        studio.playback().creature().motion().poses()[0].position.head<2>(),
         {static_cast<double>(area.width), static_cast<double>(area.height)});
     gui.move_to({area.x + static_cast<float>(body.x()), area.y + static_cast<float>(body.y())});
     gui.frame(draw);

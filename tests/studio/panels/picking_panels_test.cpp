@@ -162,8 +162,7 @@ TEST_CASE("a creature of the shelf goes into the cell in focus, or away", "[stud
     test::StudioFixture studio;
     studio.show_grid(9);
     studio.focus_cell(7);
-    studio.picking().shelf.push_back(
-        {studio.picking().tree.current().creatures[1], studio.snapshot().settings});
+    studio.picking().shelf.push_back(studio.picking().tree.current().cell(1));
     CHECK(test::asked_desk<PlacePinned>(click(gui, panel, studio, "pin 1")).cell == 7);
     CHECK(test::asked_desk<UnpinCreature>(click(gui, panel, studio, "pin 1", 1)).place == 0);
 }

@@ -29,13 +29,12 @@ void populate(test::StudioFixture& studio, std::size_t count) {
     }
 }
 
-void show(test::StudioFixture& studio, const ChampionRecord& creature) {
-    REQUIRE(studio.playback().show(exhibit_of(*creature.individual, *creature.settings,
-                                              creature.generation, ExhibitSource::kPopulation)));
+void show(test::StudioFixture& studio, const JudgedIndividual& creature) {
+    REQUIRE(studio.playback().show(exhibit_of(creature, ExhibitSource::kPopulation)));
 }
 
-ChampionRecord creature_at(test::StudioFixture& studio, std::size_t rank) {
-    const ChampionRecord& best = studio.snapshot().champions.back();
+JudgedIndividual creature_at(test::StudioFixture& studio, std::size_t rank) {
+    const JudgedIndividual& best = studio.snapshot().champions.back();
     return {best.generation, studio.snapshot().population.at(rank), best.settings};
 }
 
@@ -142,7 +141,7 @@ TEST_CASE("one tile a body plan is the best of each", "[studio][population]") {
 TEST_CASE("a starred creature stays when its generation has passed", "[studio][population]") {
     test::StudioFixture studio;
     populate(studio, 20);
-    const ChampionRecord kept = creature_at(studio, 5);
+    const JudgedIndividual kept = creature_at(studio, 5);
     studio.stars().toggle(kept);
     auto tiles =
         list_tiles(studio.snapshot(), studio.stars(), TileOrder::kFitness, {.starred_only = true});

@@ -18,7 +18,8 @@ public:
     template <class Add>
     SceneFrame drawn(Add add) {
         const Playback& playback = studio.playback();
-        const CreatureLook look{playback.phenotype(), playback.poses(), {}, 0.3, {}};
+        const CreatureLook look{
+            playback.creature().phenotype(), playback.creature().motion().poses(), {}, 0.3, {}};
         const Palette palette = palette_of(ThemeKind::kDark);
         SceneFrame frame;
         add(frame,
@@ -55,7 +56,8 @@ TEST_CASE("each overlay switches something of the picture on and off", "[studio]
 TEST_CASE("the needle of a joint's limits stands between them", "[studio][overlays]") {
     OverlayRun run;
     const SceneFrame frame = run.drawn(add_joint_limits);
-    CHECK(frame.shapes.size() >= 4 * run.studio.playback().phenotype().effector_parts.size());
+    CHECK(frame.shapes.size() >=
+          4 * run.studio.playback().creature().phenotype().effector_parts.size());
 }
 
 TEST_CASE("what the brain hears is drawn where it is felt", "[studio][overlays]") {
@@ -65,17 +67,17 @@ TEST_CASE("what the brain hears is drawn where it is felt", "[studio][overlays]"
     const auto kind = [&kinds](const char* id) {
         return static_cast<std::uint8_t>(kinds.index_of(id).value());
     };
-    Phenotype sensing = playback.phenotype();
+    Phenotype sensing = playback.creature().phenotype();
     sensing.sensors = {{.part = 1, .kind = kind("joint")},
                        {.part = 0, .kind = kind("contact"), .channel = 1, .handedness = -1}};
-    const CreatureLook look{sensing, playback.poses(), {}, 0.3, {}};
+    const CreatureLook look{sensing, playback.creature().motion().poses(), {}, 0.3, {}};
     const Palette palette = palette_of(ThemeKind::kDark);
     SceneFrame frame;
     add_sensor_readings(frame,
                         {look, playback.trial().scene(), test::kinds().creature, palette, 0.01});
     // On a mirrored part the left face is the right one, at the box's lower side.
     const Vec3& half = sensing.plan.parts[0].half_extents;
-    const Vec3 at = transform(playback.poses()[0], {0.0, -0.8 * half.y(), 0.0});
+    const Vec3 at = transform(playback.creature().motion().poses()[0], {0.0, -0.8 * half.y(), 0.0});
     CHECK((frame.shapes.back().center - at.head<2>()).norm() < 1e-9);
     CHECK(frame.shapes.size() > 3);
 }

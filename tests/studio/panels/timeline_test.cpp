@@ -20,9 +20,8 @@ Requests frame_of(NullImGui& gui, TimelinePanel& panel, const test::StudioFixtur
 
 // The champion of a generation takes the stage.
 void show_champion(test::StudioFixture& studio, std::uint32_t generation) {
-    const ChampionRecord& champion = studio.snapshot().champions.at(generation);
-    REQUIRE(studio.playback().show(exhibit_of(*champion.individual, *champion.settings, generation,
-                                              ExhibitSource::kChampion)));
+    const JudgedIndividual& champion = studio.snapshot().champions.at(generation);
+    REQUIRE(studio.playback().show(exhibit_of(champion, ExhibitSource::kChampion)));
 }
 
 void finish_generations(test::StudioFixture& studio, int count) {

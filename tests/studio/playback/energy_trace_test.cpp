@@ -36,19 +36,19 @@ TEST_CASE("what is stored is the change of the scene's energy", "[studio][energy
     test::StudioFixture studio;
     studio.show_crawler();
     Playback& playback = studio.playback();
-    while (playback.trial().settling() || playback.energy().samples().empty())
+    while (playback.trial().settling() || playback.creature().readings().energy().samples().empty())
         playback.step();
     const double before = playback.trial().scene().energy();
-    const EnergySample first = playback.energy().samples().back();
-    const std::size_t size = playback.energy().samples().size();
-    while (playback.energy().samples().size() < size + 10)
+    const EnergySample first = playback.creature().readings().energy().samples().back();
+    const std::size_t size = playback.creature().readings().energy().samples().size();
+    while (playback.creature().readings().energy().samples().size() < size + 10)
         playback.step();
-    const EnergySample& last = playback.energy().samples().back();
+    const EnergySample& last = playback.creature().readings().energy().samples().back();
     CHECK(last.muscles != 0.0);
     CHECK(last.stored - first.stored ==
           Approx(playback.trial().scene().energy() - before).margin(1e-6));
     playback.restart();
-    CHECK(playback.energy().samples().empty());
+    CHECK(playback.creature().readings().energy().samples().empty());
 }
 
 }  // namespace

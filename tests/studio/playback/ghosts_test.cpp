@@ -6,8 +6,8 @@ namespace cambrian {
 namespace {
 
 // A run whose champions scored so much; a champion that scored as the one before is the same.
-std::vector<ChampionRecord> champions_of(const std::vector<double>& scores) {
-    std::vector<ChampionRecord> champions;
+std::vector<JudgedIndividual> champions_of(const std::vector<double>& scores) {
+    std::vector<JudgedIndividual> champions;
     auto settings = std::make_shared<ExperimentSettings>();
     for (const double score : scores) {
         const bool same =
@@ -21,9 +21,9 @@ std::vector<ChampionRecord> champions_of(const std::vector<double>& scores) {
     return champions;
 }
 
-std::vector<std::uint32_t> generations(const std::vector<const ChampionRecord*>& records) {
+std::vector<std::uint32_t> generations(const std::vector<const JudgedIndividual*>& records) {
     std::vector<std::uint32_t> numbers;
-    for (const ChampionRecord* each : records)
+    for (const JudgedIndividual* each : records)
         numbers.push_back(each->generation);
     return numbers;
 }
@@ -86,7 +86,7 @@ TEST_CASE("ghosts feel the world as the creature on show does", "[studio][ghosts
     run.play_to(60);
     Environment moon;
     moon.gravity = 1.62;
-    run.studio.playback().set_environment(moon);
+    run.studio.playback().creature().set_environment(moon);
     run.update();
     run.play_to(120);
     for (const auto& ghost : run.ghosts.all())

@@ -6,13 +6,15 @@
 namespace cambrian {
 namespace {
 
+ExperimentSettings short_trial() {
+    ExperimentSettings settings;
+    settings.world.trial.duration = 1.0;
+    settings.world.trial.settle_limit = 0.2;
+    return settings;
+}
+
 Exhibit crawler_exhibit() {
-    Exhibit exhibit;
-    exhibit.genome = test::crawler(test::kinds().creature.catalog);
-    exhibit.goal = "walking";
-    exhibit.world.trial.duration = 1.0;
-    exhibit.world.trial.settle_limit = 0.2;
-    return exhibit;
+    return test::crawler_exhibit(short_trial());
 }
 
 constexpr double kPlenty = 1e3;  // s of budget
@@ -23,9 +25,9 @@ TEST_CASE("what is watched is what is scored, to the last bit", "[studio][playba
     REQUIRE(playback.show(exhibit));
     while (!playback.trial().finished())
         playback.advance(1.0 / 60.0, kPlenty);
-    const auto phenotype =
-        std::make_shared<const Phenotype>(express(*exhibit.genome, test::kinds().creature, {}, {}));
-    const auto record = run_trial(phenotype, test::kinds().creature, exhibit.world);
+    const auto phenotype = std::make_shared<const Phenotype>(
+        express(*exhibit.genome(), test::kinds().creature, {}, {}));
+    const auto record = run_trial(phenotype, test::kinds().creature, exhibit.settings().world);
     REQUIRE(record);
     CHECK(playback.trial().record().digest == record->digest);
 }
@@ -33,7 +35,7 @@ TEST_CASE("what is watched is what is scored, to the last bit", "[studio][playba
 TEST_CASE("playing twice as fast plays twice as far", "[studio][playback]") {
     Playback playback(test::kinds().creature);
     REQUIRE(playback.show(crawler_exhibit()));
-    playback.set_speed(2.0);
+    playback.pace().speed = 2.0;
     for (int i = 0; i < 20; ++i)
         playback.advance(kBrainTick, kPlenty);
     CHECK(playback.trial().ticks() >= 39);
@@ -50,7 +52,7 @@ TEST_CASE("a spent budget leaves the rest for later", "[studio][playback]") {
 TEST_CASE("paused, only single ticks move the creature", "[studio][playback]") {
     Playback playback(test::kinds().creature);
     REQUIRE(playback.show(crawler_exhibit()));
-    playback.set_playing(false);
+    playback.pace().playing = false;
     playback.advance(1.0, kPlenty);
     CHECK(playback.trial().ticks() == 0);
     playback.step();
@@ -60,16 +62,16 @@ TEST_CASE("paused, only single ticks move the creature", "[studio][playback]") {
 TEST_CASE("a step back ends where the step before had ended", "[studio][playback]") {
     Playback playback(test::kinds().creature);
     REQUIRE(playback.show(crawler_exhibit()));
-    std::vector<Vec3> centers = {playback.center_of_mass()};
+    std::vector<Vec3> centers = {playback.creature().motion().center()};
     for (int i = 0; i < 70; ++i) {
         playback.step();
-        centers.push_back(playback.center_of_mass());
+        centers.push_back(playback.creature().motion().center());
     }
     for (std::size_t tick = 70; tick-- > 0;) {
         playback.step_back();
         playback.advance(0.0, kPlenty);
         REQUIRE(playback.trial().ticks() == tick);
-        CHECK(playback.center_of_mass() == centers[tick]);
+        CHECK(playback.creature().motion().center() == centers[tick]);
     }
     playback.step_back();
     CHECK(playback.tick_shown() == 0);
@@ -79,7 +81,7 @@ TEST_CASE("a trial gone back in is scored as if it had not been", "[studio][play
     Playback playback(test::kinds().creature);
     REQUIRE(playback.show(crawler_exhibit()));
     const auto digest = [&playback] {
-        playback.set_playing(true);
+        playback.pace().playing = true;
         while (!playback.trial().finished())
             playback.advance(1.0 / 60.0, kPlenty);
         return playback.trial().record().digest;
@@ -96,24 +98,24 @@ TEST_CASE("going before a poke takes it back, going after it does not", "[studio
     REQUIRE(playback.show(crawler_exhibit()));
     for (int i = 0; i < 40; ++i)
         playback.step();
-    playback.poke(0, Vec3::Zero(), Vec3(0.0, 5.0, 0.0));
+    playback.creature().pull(Hold{0, Vec3::Zero(), Vec3(0.0, 5.0, 0.0)});
     for (int i = 0; i < 10; ++i)
         playback.step();
-    playback.release();
+    playback.creature().pull(std::nullopt);
     for (int i = 0; i < 20; ++i)
         playback.step();
     playback.seek(60);
     playback.advance(0.0, kPlenty);
-    CHECK(playback.disturbed());
+    CHECK(playback.creature().disturbed());
     playback.seek(40);
     playback.advance(0.0, kPlenty);
-    CHECK_FALSE(playback.disturbed());
+    CHECK_FALSE(playback.creature().disturbed());
 }
 
 TEST_CASE("a moment ahead is reached within the budget of several frames", "[studio][playback]") {
     Playback playback(test::kinds().creature);
     REQUIRE(playback.show(crawler_exhibit()));
-    playback.set_playing(false);
+    playback.pace().playing = false;
     playback.seek(50);
     playback.advance(0.01, 0.0);
     CHECK(playback.seeking());
@@ -124,15 +126,16 @@ TEST_CASE("a moment ahead is reached within the budget of several frames", "[stu
 }
 
 TEST_CASE("less gravity makes a creature in the air fall slower at once", "[studio][playback]") {
-    Exhibit exhibit = crawler_exhibit();
-    exhibit.world.environment.has_ground = false;
+    ExperimentSettings in_the_air = short_trial();
+    in_the_air.world.environment.has_ground = false;
+    const Exhibit exhibit = test::crawler_exhibit(in_the_air);
     double fallen[2] = {0.0, 0.0};
     for (const int moon : {0, 1}) {
         Playback playback(test::kinds().creature);
         REQUIRE(playback.show(exhibit));
-        Environment world = exhibit.world.environment;
+        Environment world = exhibit.settings().world.environment;
         if (moon == 1) world.gravity = 1.62;
-        playback.set_environment(world);
+        playback.creature().set_environment(world);
         for (int i = 0; i < 30; ++i)
             playback.step();
         fallen[moon] = -playback.trial().scene().center_of_mass().y();
@@ -146,25 +149,26 @@ TEST_CASE("restarting forgets a poke and keeps a changed world", "[studio][playb
     REQUIRE(playback.show(crawler_exhibit()));
     Environment moon;
     moon.gravity = 1.62;
-    playback.set_environment(moon);
-    playback.poke(0, Vec3::Zero(), Vec3(0.0, 5.0, 0.0));
+    playback.creature().set_environment(moon);
+    playback.creature().pull(Hold{0, Vec3::Zero(), Vec3(0.0, 5.0, 0.0)});
     playback.step();
-    CHECK(playback.disturbed());
+    CHECK(playback.creature().disturbed());
     playback.restart();
-    CHECK_FALSE(playback.disturbed());
+    CHECK_FALSE(playback.creature().disturbed());
     CHECK(playback.trial().ticks() == 0);
-    CHECK(playback.environment() == moon);
+    CHECK(playback.creature().replay().environment() == moon);
 }
 
 TEST_CASE("a poke pulls the creature towards the mouse", "[studio][playback]") {
-    Exhibit exhibit = crawler_exhibit();
-    exhibit.world.environment.has_ground = false;
-    exhibit.world.environment.gravity = 0.0;
+    ExperimentSettings afloat = short_trial();
+    afloat.world.environment.has_ground = false;
+    afloat.world.environment.gravity = 0.0;
+    const Exhibit exhibit = test::crawler_exhibit(afloat);
     Playback playback(test::kinds().creature);
     REQUIRE(playback.show(exhibit));
     const double before = playback.trial().scene().center_of_mass().x();
     for (int i = 0; i < 20; ++i) {
-        playback.poke(0, Vec3::Zero(), Vec3(2.0, 0.0, 0.0));
+        playback.creature().pull(Hold{0, Vec3::Zero(), Vec3(2.0, 0.0, 0.0)});
         playback.step();
     }
     CHECK(playback.trial().scene().center_of_mass().x() > before + 0.1);
@@ -175,24 +179,26 @@ TEST_CASE("a forced neuron disturbs the motion until restarted", "[studio][playb
     Playback forced(test::kinds().creature);
     REQUIRE(free.show(crawler_exhibit()));
     REQUIRE(forced.show(crawler_exhibit()));
-    forced.force(0, 2.0);
-    CHECK(forced.disturbed());
+    forced.creature().force(0, 2.0);
+    CHECK(forced.creature().disturbed());
     for (int i = 0; i < 60; ++i) {
         free.step();
         forced.step();
     }
-    CHECK(forced.trial().creature().brain().value(forced.phenotype().network.neuron_slot(0)) ==
-          2.0);
-    CHECK(forced.poses()[1].position != free.poses()[1].position);
+    CHECK(forced.trial().creature().brain().value(
+              forced.creature().phenotype().network.neuron_slot(0)) == 2.0);
+    CHECK(forced.creature().motion().poses()[1].position !=
+          free.creature().motion().poses()[1].position);
     forced.restart();
-    CHECK(forced.forced().empty());
-    CHECK_FALSE(forced.disturbed());
+    CHECK(forced.creature().replay().forced().empty());
+    CHECK_FALSE(forced.creature().disturbed());
     free.restart();
     for (int i = 0; i < 60; ++i) {
         free.step();
         forced.step();
     }
-    CHECK(forced.poses()[1].position == free.poses()[1].position);
+    CHECK(forced.creature().motion().poses()[1].position ==
+          free.creature().motion().poses()[1].position);
 }
 
 TEST_CASE("the last 3 s of every signal are kept", "[studio][playback]") {
@@ -201,10 +207,10 @@ TEST_CASE("the last 3 s of every signal are kept", "[studio][playback]") {
     for (std::size_t i = 0; i < SignalTrace::kLength + 20; ++i)
         playback.step();
     const Brain& brain = playback.trial().creature().brain();
-    const Slot slot = playback.phenotype().network.neuron_slot(0);
-    CHECK(playback.signals().of_slot(slot).size() == SignalTrace::kLength);
-    CHECK(playback.signals().of_slot(slot).back() == brain.value(slot));
-    CHECK(playback.signals().of_output(1).back() == brain.output(1));
+    const Slot slot = playback.creature().phenotype().network.neuron_slot(0);
+    CHECK(playback.creature().readings().signals().of_slot(slot).size() == SignalTrace::kLength);
+    CHECK(playback.creature().readings().signals().of_slot(slot).back() == brain.value(slot));
+    CHECK(playback.creature().readings().signals().of_output(1).back() == brain.output(1));
 }
 
 }  // namespace

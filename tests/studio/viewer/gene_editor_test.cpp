@@ -8,13 +8,14 @@ namespace cambrian {
 namespace {
 
 Exhibit crawler_on_show() {
-    Exhibit exhibit;
-    exhibit.genome = test::crawler(test::kinds().creature.catalog);
-    exhibit.title = "Crawler";
-    exhibit.uid = "00000000000000ff";
-    exhibit.method = "crossover";
-    exhibit.result = EvaluationResult{};
-    return exhibit;
+    Individual individual;
+    individual.genome = test::crawler(test::kinds().creature.catalog);
+    individual.uid = 0xff;
+    individual.method = "crossover";
+    individual.evaluated = true;
+    return {.creature = {.individual = std::make_shared<const Individual>(individual),
+                         .settings = std::make_shared<const ExperimentSettings>()},
+            .title = "Crawler"};
 }
 
 GenomePtr with_length(const GenomePtr& genome, double length) {
@@ -25,9 +26,9 @@ GenomePtr with_length(const GenomePtr& genome, double length) {
 
 // One drag of a length, as a slider makes it.
 void drag(GeneEditor& editor, const Exhibit& shown, std::initializer_list<double> lengths) {
-    double last = shown.genome->nodes[1].length;
+    double last = shown.genome()->nodes[1].length;
     for (const double length : lengths) {
-        editor.edit(shown, with_length(shown.genome, length),
+        editor.edit(shown, with_length(shown.genome(), length),
                     {"part 1 length", std::to_string(last), std::to_string(length)});
         last = length;
     }
@@ -38,17 +39,16 @@ TEST_CASE("an edited creature is the child of the original", "[studio][gene_edit
     const Exhibit original = crawler_on_show();
     GeneEditor editor;
     drag(editor, original, {0.9});
-    const Exhibit edited = editor.exhibit();
+    const Exhibit shown = editor.exhibit();
+    const Individual& edited = shown.individual();
     CHECK(edited.genome->nodes[1].length == 0.9);
     CHECK(edited.method == "edited");
-    CHECK(edited.parents == std::vector<std::string>{original.uid});
-    REQUIRE(edited.mother.get() != nullptr);
-    CHECK(edited.mother.get()->genome == original.genome);
-    CHECK(edited.mother.get()->uid == 0xff);
-    CHECK_FALSE(edited.result);
-    CHECK(edited.ticks.empty());
-    CHECK_FALSE(edited.ancestry);  // that was the original's
-    CHECK(edited.uid != original.uid);
+    CHECK(edited.parents == std::array<std::uint64_t, 2>{0xff, 0});
+    CHECK(edited.mother.get() == original.creature.individual);
+    CHECK(shown.result() == nullptr);
+    CHECK(shown.ticks.empty());
+    CHECK_FALSE(shown.ancestry);  // that was the original's
+    CHECK(edited.uid != 0xff);
     REQUIRE(edited.mutations.size() == 1);
     CHECK(edited.mutations[0].place == "part 1 length");
 }
@@ -57,16 +57,16 @@ TEST_CASE("a drag is one step, told from its first value to its last", "[studio]
     const Exhibit original = crawler_on_show();
     GeneEditor editor;
     drag(editor, original, {0.5, 0.6, 0.7});
-    REQUIRE(editor.exhibit().mutations.size() == 1);
-    CHECK(editor.exhibit().mutations[0].from == std::to_string(0.4));
-    CHECK(editor.exhibit().mutations[0].to == std::to_string(0.7));
+    REQUIRE(editor.exhibit().individual().mutations.size() == 1);
+    CHECK(editor.exhibit().individual().mutations[0].from == std::to_string(0.4));
+    CHECK(editor.exhibit().individual().mutations[0].to == std::to_string(0.7));
     editor.undo();
     CHECK_FALSE(editor.can_undo());
-    CHECK(editor.exhibit().genome == original.genome);
-    CHECK(editor.exhibit().method == "crossover");
-    CHECK(editor.exhibit().result);
+    CHECK(editor.exhibit().genome() == original.genome());
+    CHECK(editor.exhibit().individual().method == "crossover");
+    CHECK(editor.exhibit().result());
     editor.redo();
-    CHECK(editor.exhibit().genome->nodes[1].length == 0.7);
+    CHECK(editor.exhibit().genome()->nodes[1].length == 0.7);
 }
 
 TEST_CASE("an edit after an undo takes the place of what was undone", "[studio][gene_editor]") {
@@ -79,7 +79,7 @@ TEST_CASE("an edit after an undo takes the place of what was undone", "[studio][
     drag(editor, editor.exhibit(), {1.1});
     CHECK_FALSE(editor.can_redo());
     editor.undo();
-    CHECK(editor.exhibit().genome->nodes[1].length == 0.5);
+    CHECK(editor.exhibit().genome()->nodes[1].length == 0.5);
 }
 
 TEST_CASE("a gene edited back to what it was leaves the original", "[studio][gene_editor]") {
@@ -87,8 +87,8 @@ TEST_CASE("a gene edited back to what it was leaves the original", "[studio][gen
     GeneEditor editor;
     drag(editor, original, {0.5});
     drag(editor, editor.exhibit(), {0.4});
-    CHECK(editor.exhibit().method == "crossover");
-    CHECK(editor.exhibit().mutations.empty());
+    CHECK(editor.exhibit().individual().method == "crossover");
+    CHECK(editor.exhibit().individual().mutations.empty());
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 namespace cambrian {
 namespace {
 
-ChampionRecord creature(std::uint32_t generation) {
+JudgedIndividual creature(std::uint32_t generation) {
     auto individual = std::make_shared<Individual>();
     individual->genome = std::make_shared<const Genome>();
     return {generation, individual, nullptr};
@@ -13,8 +13,8 @@ ChampionRecord creature(std::uint32_t generation) {
 
 TEST_CASE("a star is given, taken and given back", "[studio][stars]") {
     Stars stars;
-    const ChampionRecord first = creature(3);
-    const ChampionRecord second = creature(4);
+    const JudgedIndividual first = creature(3);
+    const JudgedIndividual second = creature(4);
     stars.toggle(first);
     stars.toggle(second);
     CHECK(stars.all().size() == 2);
@@ -32,7 +32,7 @@ TEST_CASE("a star is given, taken and given back", "[studio][stars]") {
 
 TEST_CASE("a survivor of the next generation has the star of its genome", "[studio][stars]") {
     Stars stars;
-    const ChampionRecord creature_then = creature(3);
+    const JudgedIndividual creature_then = creature(3);
     stars.toggle(creature_then);
     Individual now = *creature_then.individual;
     now.result.fitness = 7.0;

@@ -21,7 +21,7 @@ constexpr int kGrownAFrame = 24;
 
 bool on_show(const FrameContext& frame, const Individual& individual) {
     return !frame.viewer.playback.empty() &&
-           frame.viewer.playback.exhibit().genome == individual.genome;
+           frame.viewer.playback.exhibit().genome() == individual.genome;
 }
 
 bool judged(const EvaluationResult& result) {

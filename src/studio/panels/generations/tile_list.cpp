@@ -23,9 +23,9 @@ constexpr std::array kSortings = {
 std::vector<Tile> tiles_of_generation(const EvolutionSnapshot& snapshot, const Stars& stars) {
     std::vector<Tile> tiles;
     if (snapshot.champions.empty()) return tiles;
-    const ChampionRecord& best = snapshot.champions.back();
+    const JudgedIndividual& best = snapshot.champions.back();
     std::set<const Genome*> starred;
-    for (const ChampionRecord& each : stars.all())
+    for (const JudgedIndividual& each : stars.all())
         starred.insert(each.individual->genome.get());
     for (const IndividualPtr& individual : snapshot.population) {
         tiles.push_back({{best.generation, individual, best.settings},
@@ -41,7 +41,7 @@ std::vector<Tile> tiles_with_star(std::vector<Tile> generation, const Stars& sta
     std::set<const Genome*> living;
     for (const Tile& tile : generation)
         living.insert(tile.creature.individual->genome.get());
-    for (const ChampionRecord& each : stars.all()) {
+    for (const JudgedIndividual& each : stars.all()) {
         if (living.count(each.individual->genome.get()) == 0) generation.push_back({each, 0, true});
     }
     return generation;

@@ -13,7 +13,7 @@
 namespace cambrian {
 
 struct Tile {
-    ChampionRecord creature;
+    JudgedIndividual creature;
     std::size_t rank = 0;  // by merit in its generation, from 1; 0 if that has passed
     bool starred = false;
     double key = 0.0;  // what it was sorted by, greatest first

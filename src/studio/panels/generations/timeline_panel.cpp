@@ -159,11 +159,11 @@ int shown_row(const FrameContext& frame) {
     const Exhibit& exhibit = frame.viewer.playback.exhibit();
     if (exhibit.source != ExhibitSource::kChampion) return -1;
     const auto& history = frame.experiment.snapshot.history;
-    const auto found = std::lower_bound(history.begin(), history.end(), exhibit.generation,
+    const auto found = std::lower_bound(history.begin(), history.end(), exhibit.creature.generation,
                                         [](const GenerationStatistics& row, std::uint32_t wanted) {
                                             return row.generation < wanted;
                                         });
-    const bool known = found != history.end() && found->generation == exhibit.generation;
+    const bool known = found != history.end() && found->generation == exhibit.creature.generation;
     return known ? static_cast<int>(found - history.begin()) : -1;
 }
 

@@ -23,7 +23,7 @@ SettingsPtr settings_of_generation(const std::vector<JournalEntry>& journal,
 
 std::vector<AncestryStep> ancestry_of(const Exhibit& exhibit) {
     std::vector<AncestryStep> line;
-    for (IndividualPtr one = individual_of(exhibit); one != nullptr; one = one->mother.get()) {
+    for (IndividualPtr one = exhibit.creature.individual; one != nullptr; one = one->mother.get()) {
         AncestryStep step{one, {}};
         const IndividualPtr& mother = one->mother.get();
         if (mother != nullptr && judged(*one) && judged(*mother))
@@ -35,7 +35,7 @@ std::vector<AncestryStep> ancestry_of(const Exhibit& exhibit) {
 
 Exhibit ancestor_exhibit(const Exhibit& head, const std::vector<AncestryStep>& line,
                          std::size_t index, const EvolutionSnapshot& snapshot) {
-    const Individual& ancestor = *line[index].individual;
+    const IndividualPtr& ancestor = line[index].individual;
     // Parents breed as they were judged in the generation before their child's; what was edited by
     // hand stays in the world it was shown in.
     const Individual& child = *line[index - 1].individual;
@@ -44,11 +44,13 @@ Exhibit ancestor_exhibit(const Exhibit& head, const std::vector<AncestryStep>& l
     SettingsPtr settings;
     if (!edited && head.experiment == snapshot.experiment)
         settings = settings_of_generation(snapshot.journal, generation);
-    Exhibit exhibit = exhibit_of(ancestor, settings ? *settings : settings_of(head), ancestor.born,
+    const bool known = settings != nullptr || edited;
+    Exhibit exhibit = exhibit_of({.generation = ancestor->born,
+                                  .individual = known ? ancestor : without_score(*ancestor),
+                                  .settings = settings ? settings : head.creature.settings},
                                  ExhibitSource::kPopulation);
-    exhibit.title = "Ancestor of generation " + std::to_string(ancestor.born);
+    exhibit.title = "Ancestor of generation " + std::to_string(ancestor->born);
     exhibit.experiment = head.experiment;
-    if (!settings && !edited) exhibit.result.reset();
     return exhibit;
 }
 

@@ -37,7 +37,7 @@ std::string change_line(const Individual& individual) {
 // As it was judged; of a creature on show that never was, as it scores now.
 std::string fitness_words(const Individual& individual, const FrameContext& frame) {
     if (individual.evaluated) return pretty_number(individual.result.fitness);
-    const bool shown = frame.viewer.playback.exhibit().genome == individual.genome;
+    const bool shown = frame.viewer.playback.exhibit().genome() == individual.genome;
     return shown && frame.viewer.score != nullptr ? pretty_number(frame.viewer.score->score.value)
                                                   : "not judged";
 }
@@ -114,7 +114,7 @@ void end_of_line(const Individual& oldest) {
 
 void AncestryTab::follow(const Exhibit& shown) {
     const bool known = std::any_of(line_.begin(), line_.end(), [&](const AncestryStep& step) {
-        return step.individual->genome == shown.genome;
+        return step.individual->genome == shown.genome();
     });
     if (known) return;
     head_ = std::make_shared<const Exhibit>(shown);
@@ -156,7 +156,7 @@ void AncestryTab::draw_step(std::size_t index, const FrameContext& frame, Reques
     const Color back =
         ImGui::IsItemHovered() ? colors().hovered : mix(colors().panel, colors().raised, 0.6F);
     list.AddRectFilled(low, high, paint(back), px(5));
-    if (frame.viewer.playback.exhibit().genome == individual.genome)
+    if (frame.viewer.playback.exhibit().genome() == individual.genome)
         list.AddRect(low, high, paint(colors().accent), px(5), ImDrawFlags_None, px(2));
     draw_body(index, frame, low);
     draw_words(step, born_words(individual, *head_), fitness_words(individual, frame), low, high);
@@ -164,8 +164,8 @@ void AncestryTab::draw_step(std::size_t index, const FrameContext& frame, Reques
 
 void AncestryTab::draw_body(std::size_t index, const FrameContext& frame, const ImVec2& at) {
     const GenomePtr& genome = line_[index].individual->genome;
-    const Phenotype* phenotype =
-        bodies_.find(genome, frame.kinds.creature, head_->expression, head_->world.scene);
+    const Phenotype* phenotype = bodies_.find(
+        genome, frame.kinds.creature, head_->settings().expression, head_->settings().world.scene);
     if (phenotype == nullptr) return;
     const Rect area = {at.x + px(8), at.y + px(8), px(kPictureWidth - 8), px(kRowHeight - 16)};
     draw_creature_tile(*ImGui::GetWindowDrawList(), area, *phenotype, genome->hue);

@@ -87,7 +87,7 @@ void draw_trace(ImDrawList& list, const Rect& area, const std::vector<double>& v
 }  // namespace
 
 void BrainTab::rebuild(const FrameContext& frame) {
-    phenotype_ = frame.viewer.playback.shared_phenotype();
+    phenotype_ = frame.viewer.playback.creature().shared_phenotype();
     graph_ = brain_graph(*phenotype_, frame.kinds.creature, kMostInRow);
     if (chosen_ >= graph_.nodes.size()) chosen_ = 0;
 }
@@ -98,7 +98,7 @@ ImVec2 BrainTab::point_of(const Rect& area, std::size_t node) const {
 }
 
 void BrainTab::draw(const FrameContext& frame, Requests& out) {
-    if (phenotype_ != frame.viewer.playback.shared_phenotype()) rebuild(frame);
+    if (phenotype_ != frame.viewer.playback.creature().shared_phenotype()) rebuild(frame);
     muted_text("Sensors on top, joints at the bottom. Orange is positive, blue negative.");
     const float room = ImGui::GetContentRegionAvail().y - px(kFootHeight);
     ImGui::BeginChild("network", {0, std::max(px(2 * kRowHeight), room)}, false,
@@ -158,7 +158,7 @@ void BrainTab::draw_nodes(const Rect& area, const FrameContext& frame, Requests&
         draw_trace(list,
                    {at.x - px(0.5F * kTraceWidth), at.y + radius + px(2), px(kTraceWidth),
                     px(kTraceHeight - 2)},
-                   history_of(node, frame.viewer.playback.signals()),
+                   history_of(node, frame.viewer.playback.creature().readings().signals()),
                    forced ? colors().danger : colors().muted, px(1));
         const Color rim = forced         ? colors().danger
                           : i == chosen_ ? colors().accent
@@ -175,7 +175,7 @@ void BrainTab::draw_nodes(const Rect& area, const FrameContext& frame, Requests&
 
 bool BrainTab::is_forced(const FrameContext& frame, const BrainNode& node) const {
     return node.kind == BrainNodeKind::kNeuron &&
-           frame.viewer.playback.forced().count(neuron_of(node)) == 1;
+           frame.viewer.playback.creature().replay().forced().count(neuron_of(node)) == 1;
 }
 
 std::size_t BrainTab::neuron_of(const BrainNode& node) const {
@@ -188,7 +188,8 @@ void BrainTab::draw_history(const FrameContext& frame) const {
     caption(node.label + ", the last 3 s; now " + pretty_number(value));
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const Rect area = {at.x, at.y, ImGui::GetContentRegionAvail().x, px(52)};
-    draw_trace(*ImGui::GetWindowDrawList(), area, history_of(node, frame.viewer.playback.signals()),
+    draw_trace(*ImGui::GetWindowDrawList(), area,
+               history_of(node, frame.viewer.playback.creature().readings().signals()),
                colors().accent, px(1.5F));
     ImGui::Dummy({area.width, area.height});
 }
@@ -201,8 +202,8 @@ void BrainTab::draw_force(const FrameContext& frame, Requests& out) {
         return;
     }
     const std::size_t neuron = neuron_of(node);
-    const auto present = frame.viewer.playback.forced().find(neuron);
-    bool forced = present != frame.viewer.playback.forced().end();
+    const auto present = frame.viewer.playback.creature().replay().forced().find(neuron);
+    bool forced = present != frame.viewer.playback.creature().replay().forced().end();
     double value =
         forced ? present->second : value_of(node, frame.viewer.playback.trial().creature().brain());
     ImGui::AlignTextToFramePadding();

@@ -10,7 +10,7 @@ namespace cambrian {
 namespace {
 
 std::string unit_of(const FrameContext& frame) {
-    return goal_unit(frame.viewer.playback.exhibit().goal, frame.kinds.goals);
+    return goal_unit(frame.viewer.playback.exhibit().settings().goal, frame.kinds.goals);
 }
 
 // A small range beside the score that was confirmed.
@@ -26,12 +26,12 @@ void draw_range(const EvaluationResult& result) {
 }
 
 void draw_headline(const FrameContext& frame) {
-    const GoalKind* goal = frame.kinds.goals.find(frame.viewer.playback.exhibit().goal);
+    const GoalKind* goal = frame.kinds.goals.find(frame.viewer.playback.exhibit().settings().goal);
     caption(goal == nullptr ? "Fitness" : goal->label);
     const WithFont font(ui().fonts.title);
-    const auto& result = frame.viewer.playback.exhibit().result;
+    const EvaluationResult* result = frame.viewer.playback.exhibit().result();
     // What counted, shaking and suspicion included, if it was ever judged.
-    if (result) {
+    if (result != nullptr) {
         ImGui::TextUnformatted(measured(result->fitness, unit_of(frame)).c_str());
         draw_range(*result);
     } else if (frame.viewer.score != nullptr) {
@@ -50,8 +50,9 @@ std::string difference(const FrameContext& frame) {
 }
 
 void draw_verification(const FrameContext& frame) {
-    const auto& result = frame.viewer.playback.exhibit().result;
-    if (!result || frame.viewer.score == nullptr || frame.viewer.score->record.samples.empty())
+    const EvaluationResult* result = frame.viewer.playback.exhibit().result();
+    if (result == nullptr || frame.viewer.score == nullptr ||
+        frame.viewer.score->record.samples.empty())
         return;
     if (result->digest == frame.viewer.score->digest) {
         const WithTextColor color(colors().accent);
@@ -66,8 +67,8 @@ void draw_verification(const FrameContext& frame) {
 
 // What the same trial came to when it was computed more finely.
 void draw_recomputed(const FrameContext& frame) {
-    const auto& result = frame.viewer.playback.exhibit().result;
-    if (!result || !result->finer) return;
+    const EvaluationResult* result = frame.viewer.playback.exhibit().result();
+    if (result == nullptr || !result->finer) return;
     const FinerResult& finer = *result->finer;
     fact("Computed more finely", finer.outcome == Outcome::kCompleted
                                      ? measured(finer.score, unit_of(frame))
@@ -96,26 +97,26 @@ void draw_score(const FrameContext& frame) {
 
 void draw_body(const FrameContext& frame) {
     section("Body and brain");
-    const Phenotype& phenotype = frame.viewer.playback.phenotype();
+    const Phenotype& phenotype = frame.viewer.playback.creature().phenotype();
     fact("Parts", std::to_string(phenotype.parts.size()));
     fact("Moving joints", std::to_string(phenotype.effector_parts.size()));
     fact("Live neurons", std::to_string(phenotype.network.order.size()));
     fact("Sensors in use", std::to_string(phenotype.sensors.size()));
-    const double density = frame.viewer.playback.environment().density;
+    const double density = frame.viewer.playback.creature().replay().environment().density;
     fact("Mass", measured(phenotype.mass(density), "kg"));
     fact("Length at rest", measured(phenotype.rest_length(), "m"));
 }
 
 void draw_origin(const FrameContext& frame) {
     section("Where it comes from");
-    const Exhibit& exhibit = frame.viewer.playback.exhibit();
-    if (!exhibit.method.empty()) fact("Bred by", capitalized(exhibit.method));
-    for (std::size_t i = 0; i < exhibit.parents.size(); ++i)
-        fact(i == 0 ? "Parent" : "Second parent", exhibit.parents[i]);
-    if (!exhibit.uid.empty()) fact("Identity", exhibit.uid);
-    if (exhibit.mutations.empty()) return;
+    const Individual& individual = frame.viewer.playback.exhibit().individual();
+    if (!individual.method.empty()) fact("Bred by", capitalized(individual.method));
+    if (individual.parents[0] != 0) fact("Parent", uid_text(individual.parents[0]));
+    if (individual.parents[1] != 0) fact("Second parent", uid_text(individual.parents[1]));
+    if (individual.uid != 0) fact("Identity", uid_text(individual.uid));
+    if (individual.mutations.empty()) return;
     section("What changed in it");
-    for (const MutationRecord& mutation : exhibit.mutations)
+    for (const MutationRecord& mutation : individual.mutations)
         draw_mutation(mutation, frame.kinds.mutations);
 }
 

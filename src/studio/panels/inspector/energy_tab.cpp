@@ -164,7 +164,8 @@ void draw_audit(const FrameContext& frame) {
 void EnergyTab::draw(const FrameContext& frame, Requests&) {
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(px(8), px(5)));
     muted_text("Joules over seconds of the trial, as it is played. The line is the muscles' work.");
-    const std::vector<EnergySample>& samples = frame.viewer.playback.energy().samples();
+    const std::vector<EnergySample>& samples =
+        frame.viewer.playback.creature().readings().energy().samples();
     draw_plot(samples, frame.viewer.playback.trial().world().trial.duration);
     const EnergySample now = samples.empty() ? EnergySample{} : samples.back();
     legend_row("Work of the muscles", "Net: what they gave less what they took back.",

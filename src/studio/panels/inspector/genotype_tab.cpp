@@ -110,8 +110,8 @@ ImVec2 GenotypeTab::point_of(std::size_t node) const {
 }
 
 void GenotypeTab::draw(const FrameContext& frame, Requests& out) {
-    if (genome_ != frame.viewer.playback.exhibit().genome)
-        rebuild(frame.viewer.playback.exhibit().genome);
+    if (genome_ != frame.viewer.playback.exhibit().genome())
+        rebuild(frame.viewer.playback.exhibit().genome());
     muted_text(
         "What grows from what. Loops repeat; orange mirrors; blue grows at the end of a chain.");
     const auto rows = static_cast<float>(row_count_);
@@ -155,7 +155,7 @@ void GenotypeTab::draw_edges() const {
 
 void GenotypeTab::draw_nodes(const FrameContext& frame, Requests& out) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    const auto& parts = frame.viewer.playback.phenotype().parts;
+    const auto& parts = frame.viewer.playback.creature().phenotype().parts;
     for (std::size_t i = 0; i < genome_->nodes.size(); ++i) {
         const ImVec2 half = half_size(genome_->nodes[i]);
         const ImVec2 at = point_of(i);
@@ -194,7 +194,7 @@ void GenotypeTab::draw_nodes(const FrameContext& frame, Requests& out) {
 // Which gene the rows below are of, and what can be done with an edited creature.
 void GenotypeTab::draw_heading(const FrameContext& frame, Requests& out) const {
     panel_title(chosen_ == 0 ? "Gene 0, the root" : "Gene " + std::to_string(chosen_));
-    const auto& parts = frame.viewer.playback.phenotype().parts;
+    const auto& parts = frame.viewer.playback.creature().phenotype().parts;
     const auto grown = std::count_if(parts.begin(), parts.end(),
                                      [this](const BodyPart& part) { return part.node == chosen_; });
     ImGui::SameLine(0, px(10));
@@ -202,7 +202,8 @@ void GenotypeTab::draw_heading(const FrameContext& frame, Requests& out) const {
     const GeneEditor* genes = frame.viewer.genes;
     const bool can_undo = genes != nullptr && genes->can_undo();
     const bool can_redo = genes != nullptr && genes->can_redo();
-    if (!can_undo && !can_redo && frame.viewer.playback.exhibit().method != "edited") return;
+    if (!can_undo && !can_redo && frame.viewer.playback.exhibit().individual().method != "edited")
+        return;
     const auto button = [](const char* label, const char* help, bool enabled) {
         return push_button(label, {.height = px(26), .enabled = enabled, .tooltip = help});
     };

@@ -134,7 +134,7 @@ void PickingPanel::draw(const FrameContext& frame, Requests& out) {
     if (wide_button("Grid from the creature on show",
                     "A grid of children of the creature last viewed or opened (Ctrl+O)",
                     !frame.viewer.playback.empty()))
-        out.ask(AskPicking{StartFromCreatures{{frame.viewer.playback.exhibit().genome}}});
+        out.ask(AskPicking{StartFromCreatures{{frame.viewer.playback.exhibit().genome()}}});
     ImGui::EndChild();
 }
 

@@ -42,7 +42,7 @@ void ShelfPanel::draw(const FrameContext& frame, Requests& out) {
 
 void ShelfPanel::draw_tile(std::size_t place, const FrameContext& frame, Requests& out) {
     const PickingSnapshot& snapshot = frame.picking->snapshot;
-    const PinnedCreature& pinned = snapshot.shelf[place];
+    const JudgedIndividual& pinned = snapshot.shelf[place];
     const std::string name = "pin " + std::to_string(place + 1);
     const ImVec2 size = {px(kTileWidth), px(kTileHeight)};
     const bool pressed = ImGui::InvisibleButton(name.c_str(), size);
@@ -59,10 +59,10 @@ void ShelfPanel::draw_tile(std::size_t place, const FrameContext& frame, Request
     list.AddRectFilled(low, ImGui::GetItemRectMax(), paint(back), px(5));
     const Rect body = {low.x + px(8), low.y + px(8), size.x - px(16), size.y - px(16)};
     const Phenotype* phenotype =
-        bodies_.find(pinned.creature->genome, frame.kinds.creature, pinned.settings->expression,
+        bodies_.find(pinned.individual->genome, frame.kinds.creature, pinned.settings->expression,
                      pinned.settings->world.scene);
     if (phenotype != nullptr)
-        draw_creature_tile(list, body, *phenotype, pinned.creature->genome->hue);
+        draw_creature_tile(list, body, *phenotype, pinned.individual->genome->hue);
     tooltip("Drag it into a cell of any grid, or click: it takes cell " +
             std::to_string(frame.picking->focus + 1) +
             ", the one in focus. Right-click to take it off the shelf.");

@@ -120,7 +120,7 @@ void draw_newest(const FrameContext& frame, Requests& out) {
 void TransportBar::draw(const FrameContext& frame, Requests& out) {
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(px(4), px(2)));
     draw_time_bar(frame, out);
-    const bool playing = frame.viewer.playback.playing();
+    const bool playing = frame.viewer.playback.pace().playing;
     if (icon_button("Restart", Icon::kRestart, "Restart (R)")) out.ask(RestartPlayback{});
     ImGui::SameLine();
     if (icon_button("Back one tick", Icon::kStepBack, "Back one tick of 1/60 s (,)"))

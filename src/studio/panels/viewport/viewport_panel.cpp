@@ -13,9 +13,10 @@
 namespace cambrian {
 namespace {
 
-constexpr double kFollowLag = 0.25;    // s
-constexpr double kFitShare = 0.32;     // of the viewport filled by a body that is fitted
-constexpr double kWheelFactor = 1.15;  // a notch
+constexpr double kFollowLag = 0.25;     // s
+constexpr double kFitShare = 0.32;      // of the viewport filled by a body that is fitted
+constexpr double kWheelFactor = 1.15;   // a notch
+constexpr float kWordsHeight = 100.0F;  // pixels from the top to below the words of the creature
 
 void shadowed_text(ImDrawList& list, ImFont* font, float size, const ImVec2& at, const Color& color,
                    const std::string& text) {
@@ -26,7 +27,7 @@ void shadowed_text(ImDrawList& list, ImFont* font, float size, const ImVec2& at,
 
 std::string second_line(const FrameContext& frame) {
     const Exhibit& exhibit = frame.viewer.playback.exhibit();
-    const GoalKind* goal = frame.kinds.goals.find(exhibit.goal);
+    const GoalKind* goal = frame.kinds.goals.find(exhibit.settings().goal);
     std::string line = goal == nullptr ? std::string() : goal->label;
     if (goal != nullptr && frame.viewer.score != nullptr) {
         line += "  ·  " + measured(frame.viewer.score->score.value, goal->unit);
@@ -34,7 +35,7 @@ std::string second_line(const FrameContext& frame) {
     const Trial& trial = frame.viewer.playback.trial();
     const std::string clock = trial.settling() ? "settling" : format("%.1f s", trial.time());
     line += (line.empty() ? "" : "  ·  ") + clock;
-    if (trial.finished()) line += " (trial over, still playing)";
+    if (trial.finished()) line += " (trial over)";
     return line;
 }
 
@@ -79,24 +80,26 @@ Vec2 ViewportPanel::mouse_in_world() const {
 }
 
 Vec2 ViewportPanel::follow_target(const FrameContext& frame) const {
-    return follow_center(frame.viewer.playback.center_of_mass().head<2>(),
-                         frame.viewer.playback.environment().has_ground, canvas_.camera, size_);
+    return follow_center(frame.viewer.playback.creature().motion().center().head<2>(),
+                         frame.viewer.playback.creature().replay().environment().has_ground,
+                         canvas_.camera, size_);
 }
 
 void ViewportPanel::fit_now(const FrameContext& frame) {
     fit_wanted_ = false;
-    const WorldWindow bounds =
-        body_window(frame.viewer.playback.phenotype(), frame.viewer.playback.poses());
+    const WorldWindow bounds = body_window(frame.viewer.playback.creature().phenotype(),
+                                           frame.viewer.playback.creature().motion().poses());
     canvas_.camera.fit(bounds, kFitShare, size_);
     canvas_.camera.center = follow_target(frame);
 }
 
 void ViewportPanel::place_camera(const FrameContext& frame) {
-    const bool changed = seen_ != &frame.viewer.playback.phenotype();
-    seen_ = &frame.viewer.playback.phenotype();
+    const bool changed = seen_ != &frame.viewer.playback.creature().phenotype();
+    seen_ = &frame.viewer.playback.creature().phenotype();
     if (changed && !fit_wanted_) {
         // Another creature keeps the scale, so that sizes compare, unless it would not be seen.
-        const WorldWindow bounds = body_window(*seen_, frame.viewer.playback.poses());
+        const WorldWindow bounds =
+            body_window(*seen_, frame.viewer.playback.creature().motion().poses());
         const Vec2 pixels = (bounds.high - bounds.low) * canvas_.camera.pixels_per_metre;
         const double share = std::max(pixels.x() / size_.width, pixels.y() / size_.height);
         fit_wanted_ = share > 0.7 || share < 0.12;
@@ -135,9 +138,10 @@ void ViewportPanel::handle_mouse(const FrameContext& frame, Requests& out) {
     }
     panning_ = dragged;
     handle_poke(frame, out);
-    const int under = hovered ? part_at(frame.viewer.playback.phenotype(),
-                                        frame.viewer.playback.poses(), mouse_in_world())
-                              : -1;
+    const int under =
+        hovered ? part_at(frame.viewer.playback.creature().phenotype(),
+                          frame.viewer.playback.creature().motion().poses(), mouse_in_world())
+                : -1;
     if (under >= 0) out.ask(ShowHighlight{{.part = under}});
 }
 
@@ -145,7 +149,7 @@ void ViewportPanel::handle_mouse(const FrameContext& frame, Requests& out) {
 void ViewportPanel::handle_poke(const FrameContext& frame, Requests& out) {
     const Vec2 mouse = mouse_in_world();
     const Vec3 target(mouse.x(), mouse.y(), 0.0);
-    if (const Hold* hold = frame.viewer.playback.hold()) {
+    if (const Hold* hold = frame.viewer.playback.creature().hold()) {
         if (ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
             out.ask(PokePart{hold->part, hold->point_in_part, target});
         } else {
@@ -154,10 +158,11 @@ void ViewportPanel::handle_poke(const FrameContext& frame, Requests& out) {
         return;
     }
     if (!ImGui::IsItemActive() || !ImGui::IsMouseClicked(ImGuiMouseButton_Left)) return;
-    const int part =
-        part_at(frame.viewer.playback.phenotype(), frame.viewer.playback.poses(), mouse);
+    const int part = part_at(frame.viewer.playback.creature().phenotype(),
+                             frame.viewer.playback.creature().motion().poses(), mouse);
     if (part < 0) return;
-    const Pose& pose = frame.viewer.playback.poses()[static_cast<std::size_t>(part)];
+    const Pose& pose =
+        frame.viewer.playback.creature().motion().poses()[static_cast<std::size_t>(part)];
     const Vec3 inside = pose.orientation.conjugate() * (target - pose.position);
     out.ask(PokePart{static_cast<std::size_t>(part), inside, target});
 }
@@ -168,15 +173,15 @@ void ViewportPanel::build_scene(const FrameContext& frame) {
     SceneFrame& scene = canvas_.frame;
     std::vector<FaceSet> touched;
     if (frame.view.overlays.contacts) touched = touched_faces(playback.trial().scene());
-    const CreatureLook look{playback.phenotype(), playback.poses(), touched,
-                            playback.exhibit().genome->hue, frame.viewer.highlight};
+    const CreatureLook look{playback.creature().phenotype(), playback.creature().motion().poses(),
+                            touched, playback.exhibit().genome()->hue, frame.viewer.highlight};
     if (frame.view.overlays.grid) add_grid(scene, palette, canvas_.camera, size_);
-    if (playback.environment().has_ground) {
+    if (playback.creature().replay().environment().has_ground) {
         add_ground(scene, palette, canvas_.camera, size_);
         add_shadow(scene, look);
     }
     if (frame.view.overlays.trail) {
-        scene.add_trail(playback.trail(), 2.2 * canvas_.camera.pixel(),
+        scene.add_trail(playback.creature().readings().trail(), 2.2 * canvas_.camera.pixel(),
                         with_alpha(palette.accent, 0.8F));
     }
     for (const auto& ghost : frame.viewer.ghosts)
@@ -184,15 +189,16 @@ void ViewportPanel::build_scene(const FrameContext& frame) {
                   {ghost->phenotype(), ghost->poses(), {}, ghost->genome().hue});
     add_creature(scene, palette, canvas_.camera, look);
     add_overlays(frame, look);
-    const Hold* hold = playback.hold();
+    const Hold* hold = playback.creature().hold();
     if (hold == nullptr) return;
-    const Vec3 from = transform(playback.poses()[hold->part], hold->point_in_part);
+    const Vec3 from =
+        transform(playback.creature().motion().poses()[hold->part], hold->point_in_part);
     scene.add_line(from.head<2>(), hold->target.head<2>(), 2.0 * canvas_.camera.pixel(),
                    palette.danger);
 }
 
 void ViewportPanel::draw_marks(const FrameContext& frame) {
-    if (!frame.viewer.playback.environment().has_ground) return;
+    if (!frame.viewer.playback.creature().replay().environment().has_ground) return;
     const Camera& camera = canvas_.camera;
     const WorldWindow window = camera.window(size_);
     if (window.low.y() > 0.0) return;
@@ -223,7 +229,8 @@ void ViewportPanel::add_overlays(const FrameContext& frame, const CreatureLook& 
     if (view.overlays.sensors) add_sensor_readings(canvas_.frame, over);
     if (view.overlays.forces) add_contact_forces(canvas_.frame, over);
     if (view.overlays.center_of_mass)
-        add_center_of_mass(canvas_.frame, over, frame.viewer.playback.center_of_mass().head<2>());
+        add_center_of_mass(canvas_.frame, over,
+                           frame.viewer.playback.creature().motion().center().head<2>());
 }
 
 // A name on a small plate, centred.
@@ -242,14 +249,14 @@ void ViewportPanel::draw_plate(const Vec2& at, const std::string& name) const {
 
 // Those that would cover another one are left out.
 void ViewportPanel::draw_part_names(const FrameContext& frame) const {
-    const Phenotype& phenotype = frame.viewer.playback.phenotype();
+    const Phenotype& phenotype = frame.viewer.playback.creature().phenotype();
     std::vector<Vec2> taken;
     const double line = static_cast<double>(px(20)) * canvas_.camera.pixel();
-    for (std::size_t i = 0; i < frame.viewer.playback.poses().size(); ++i) {
+    for (std::size_t i = 0; i < frame.viewer.playback.creature().motion().poses().size(); ++i) {
         const std::string name =
             i == 0 ? "root"
                    : std::to_string(i) + " · gene " + std::to_string(phenotype.parts[i].node);
-        const Vec2 at = frame.viewer.playback.poses()[i].position.head<2>();
+        const Vec2 at = frame.viewer.playback.creature().motion().poses()[i].position.head<2>();
         const auto covers = [&](const Vec2& other) {
             return std::fabs(other.x() - at.x()) < 5.0 * line &&
                    std::fabs(other.y() - at.y()) < line;
@@ -260,19 +267,26 @@ void ViewportPanel::draw_part_names(const FrameContext& frame) const {
     }
 }
 
-// Above each ghost its generation; those that would cover another one are moved up.
+// Above each ghost its generation; one that would cover another is moved.
 void ViewportPanel::draw_ghost_labels(const FrameContext& frame) const {
     std::vector<Vec2> taken;
     const double line = static_cast<double>(px(20)) * canvas_.camera.pixel();
+    // Labels stay below the words about the creature.
+    const double highest =
+        canvas_.camera.to_world({0.0, static_cast<double>(px(kWordsHeight))}, size_).y();
     for (const auto& ghost : frame.viewer.ghosts) {
         const WorldWindow bounds = body_window(ghost->phenotype(), ghost->poses());
-        Vec2 at = {0.5 * (bounds.low.x() + bounds.high.x()), bounds.high.y() + line};
+        Vec2 at = {0.5 * (bounds.low.x() + bounds.high.x()),
+                   std::min(bounds.high.y() + line, highest)};
         const auto covers = [&](const Vec2& other) {
             return std::fabs(other.x() - at.x()) < 4.5 * line &&
                    std::fabs(other.y() - at.y()) < 0.99 * line;
         };
-        while (std::any_of(taken.begin(), taken.end(), covers))
-            at.y() += line;
+        double step = line;
+        while (std::any_of(taken.begin(), taken.end(), covers)) {
+            if (at.y() + step > highest) step = -line;
+            at.y() += step;
+        }
         taken.push_back(at);
         draw_plate(at, "generation " + std::to_string(ghost->generation()));
     }
@@ -283,17 +297,17 @@ void ViewportPanel::draw_words(const FrameContext& frame) {
     const Fonts& fonts = ui().fonts;
     const Exhibit& exhibit = frame.viewer.playback.exhibit();
     ImVec2 at = {canvas_.area.x + px(16), canvas_.area.y + px(12)};
-    const std::string& name = exhibit.genome->name;
+    const std::string& name = exhibit.genome()->name;
     const std::string title =
         name.empty() || exhibit.source == ExhibitSource::kChampion ? exhibit.title : name;
     shadowed_text(list, fonts.title, px(20), at, colors().text, title);
     at.y += px(27);
     shadowed_text(list, fonts.body, px(15), at, colors().muted, second_line(frame));
     at.y += px(22);
-    if (frame.viewer.playback.diverged()) {
+    if (frame.viewer.playback.creature().replay().diverged()) {
         shadowed_text(list, fonts.body, px(15), at, colors().danger,
                       "The motion diverged; press R to restart");
-    } else if (frame.viewer.playback.disturbed()) {
+    } else if (frame.viewer.playback.creature().disturbed()) {
         shadowed_text(list, fonts.body, px(15), at, colors().plot_best,
                       "Disturbed by hand; press R to restart");
     }

@@ -1,0 +1,167 @@
+#include "app/command_files.h"
+
+#include "core/file_io.h"
+#include "core/file_lock.h"
+#include "core/output_target.h"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <sys/stat.h>
+#include <system_error>
+#include <unistd.h>
+
+namespace cambrian {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view kExperimentEnding = ".cambrian";
+// Of what belongs to an experiment while it is open or after a crash.
+constexpr std::array<std::string_view, 3> kCompanions = {"-wal", "-shm", "-journal"};
+
+bool is_same(const struct stat& one, const struct stat& other) {
+    return one.st_dev == other.st_dev && one.st_ino == other.st_ino;
+}
+
+// By what they lead to or, where nothing is yet, by name.
+bool is_same_file(const fs::path& one, const fs::path& other) {
+    struct stat first {};
+    struct stat second {};
+    if (::stat(one.c_str(), &first) == 0 && ::stat(other.c_str(), &second) == 0)
+        return is_same(first, second) && S_ISREG(first.st_mode);
+    std::error_code unknown;
+    return fs::weakly_canonical(one, unknown) == fs::weakly_canonical(other, unknown) && !unknown;
+}
+
+bool is_standard_output(const fs::path& path) {
+    struct stat output {};
+    struct stat file {};
+    return ::fstat(STDOUT_FILENO, &output) == 0 && S_ISREG(output.st_mode) &&
+           ::stat(path.c_str(), &file) == 0 && is_same(output, file);
+}
+
+bool belongs_to_experiment(const fs::path& path) {
+    const std::string name = path.filename().string();
+    return std::any_of(kCompanions.begin(), kCompanions.end(), [&name](std::string_view ending) {
+        return name.ends_with(std::string(kExperimentEnding).append(ending));
+    });
+}
+
+void add(std::vector<fs::path>& paths, const std::string& path) {
+    std::error_code unknown;
+    if (!path.empty() && path.back() != '/' && !fs::is_directory(path, unknown))
+        paths.emplace_back(path);
+}
+
+Error refusal(const fs::path& path, const std::string& reason) {
+    return Error{"cannot write " + path.string() + ": " + reason};
+}
+
+Status check_there(const fs::path& path) {
+    struct stat facts {};
+    if (::stat(path.c_str(), &facts) == 0) return {};
+    return Error{"cannot open " + path.string() + ": " + std::generic_category().message(errno)};
+}
+
+// A file that is written where it is must be writable or have a folder that is.
+Status check_log(const fs::path& path) {
+    if (::access(path.c_str(), W_OK) == 0) return {};
+    if (errno != ENOENT) return refusal(path, std::generic_category().message(errno));
+    return check_writable(path);
+}
+
+// Whether a program of ours is writing to the file.
+Status check_free(const fs::path& path) {
+    const Result<OutputTarget> target = output_target(path);
+    if (!target) return target.error();
+    if (target->kind != OutputTarget::Kind::kFile) return {};
+    const Status free = FileLock::check_free(target->path);
+    return free ? Status() : Status(refusal(path, free.error().message));
+}
+
+}  // namespace
+
+bool is_experiment_name(const fs::path& path) {
+    return path.extension() == kExperimentEnding;
+}
+
+CommandFiles& CommandFiles::reads(const std::string& path) {
+    add(inputs_, path);
+    add(required_, path);
+    return *this;
+}
+
+CommandFiles& CommandFiles::reads_each(const std::vector<std::string>& paths) {
+    for (const std::string& path : paths)
+        add(inputs_, path);
+    return *this;
+}
+
+CommandFiles& CommandFiles::writes(const std::string& path) {
+    add(outputs_, path);
+    return *this;
+}
+
+CommandFiles& CommandFiles::appends(const std::string& path) {
+    add(logs_, path);
+    return *this;
+}
+
+CommandFiles& CommandFiles::keeps(const std::string& path) {
+    add(experiments_, path);
+    return *this;
+}
+
+Status CommandFiles::check_inputs(const fs::path& output) const {
+    for (const fs::path& input : inputs_) {
+        if (is_same_file(input, output))
+            return refusal(output, "it is read by the same command; name another file");
+    }
+    return {};
+}
+
+Status CommandFiles::check_output(const fs::path& path) const {
+    if (is_experiment_name(path) || belongs_to_experiment(path))
+        return refusal(path, "*.cambrian are experiments, which this would not be");
+    if (Status other = check_inputs(path); !other) return other;
+    return check_free(path);
+}
+
+// Also among themselves.
+Status CommandFiles::check_outputs(const std::vector<fs::path>& outputs) const {
+    for (std::size_t i = 0; i < outputs.size(); ++i) {
+        if (Status possible = check_output(outputs[i]); !possible) return possible;
+        for (std::size_t other = 0; other < i; ++other) {
+            if (is_same_file(outputs[i], outputs[other]))
+                return refusal(outputs[i], "the same command writes something else to it");
+        }
+    }
+    return {};
+}
+
+Status CommandFiles::check() const {
+    for (const fs::path& input : required_) {
+        if (Status there = check_there(input); !there) return there;
+    }
+    for (const fs::path& input : inputs_) {
+        if (is_standard_output(input))
+            return Error{"cannot write to standard output: it leads to " + input.string() +
+                         ", which is read by the same command"};
+    }
+    for (const fs::path& experiment : experiments_) {
+        if (Status other = check_inputs(experiment); !other) return other;
+    }
+    std::vector<fs::path> outputs = outputs_;
+    outputs.insert(outputs.end(), logs_.begin(), logs_.end());
+    if (Status apart = check_outputs(outputs); !apart) return apart;
+    for (const fs::path& log : logs_) {
+        if (Status place = check_log(log); !place) return place;
+    }
+    for (const fs::path& output : outputs_) {
+        if (Status writable = check_writable(output); !writable) return writable;
+    }
+    return {};
+}
+
+}  // namespace cambrian

@@ -1,0 +1,33 @@
+#include "app/long_work.h"
+
+#include "core/number_text.h"
+
+#include <algorithm>
+
+namespace cambrian {
+namespace {
+
+constexpr double kShort = 0.5;  // s; work that is over sooner is not shown
+
+}  // namespace
+
+void LongWork::begin(const std::string& stage, double length, const std::string& unit) {
+    line_.interrupt([&] {
+        stage_ = stage;
+        length_ = length;
+        unit_ = unit;
+        began_ = line_.seconds();
+        time_ = 0.0;
+    });
+}
+
+std::string LongWork::text() const {
+    const double seconds = line_.seconds() - began_;
+    if (stage_.empty() || seconds < kShort) return "";
+    const std::string start = stage_ + ", " + short_text(length_) + " " + unit_ + " ";
+    const double share = length_ > 0.0 ? std::min(1.0, time_.load() / length_) : 0.0;
+    if (share > 0.0) return start + bar_text(share) + time_left_text(share, seconds);
+    return start + "(since " + std::to_string(static_cast<long long>(seconds)) + " s)";
+}
+
+}  // namespace cambrian

@@ -1,0 +1,55 @@
+#include "app/process.h"
+
+#include <algorithm>
+#include <csignal>
+#include <fcntl.h>
+#include <pthread.h>
+#include <string>
+#include <sys/resource.h>
+#include <unistd.h>
+
+namespace cambrian {
+namespace {
+
+constexpr rlim_t kUsualStack = 8U << 20U;  // bytes
+constexpr rlim_t kLeastStack = 1U << 20U;
+
+// A file opened later must not get the number of a standard stream that was closed: results would
+// be written into it. What stands in for one refuses to be written to.
+void open_standard_streams() {
+    for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+        if (::fcntl(stream, F_GETFD) < 0) ::open("/dev/null", O_RDONLY);
+    }
+}
+
+// Threads get a stack of this size too.
+Status provide_stack() {
+    rlimit stack{};
+    if (::getrlimit(RLIMIT_STACK, &stack) != 0) return {};
+    if (stack.rlim_cur < kUsualStack) {
+        stack.rlim_cur = std::min(kUsualStack, stack.rlim_max);
+        ::setrlimit(RLIMIT_STACK, &stack);
+    }
+    if (stack.rlim_cur < kLeastStack) {
+        return Error{"the stack is limited to " + std::to_string(stack.rlim_cur / 1024) +
+                     " kB; at least " + std::to_string(kLeastStack / 1024) +
+                     " kB are needed (ulimit -s)"};
+    }
+    pthread_attr_t attributes;
+    ::pthread_attr_init(&attributes);
+    ::pthread_attr_setstacksize(&attributes, std::min(stack.rlim_cur, kUsualStack));
+    ::pthread_setattr_default_np(&attributes);
+    ::pthread_attr_destroy(&attributes);
+    return {};
+}
+
+}  // namespace
+
+Status prepare_process() {
+    open_standard_streams();
+    std::signal(SIGPIPE, SIG_IGN);
+    std::signal(SIGXFSZ, SIG_IGN);
+    return provide_stack();
+}
+
+}  // namespace cambrian

@@ -1,0 +1,78 @@
+#include "app/progress_line.h"
+
+#include <algorithm>
+#include <chrono>
+#include <condition_variable>
+#include <cstdio>
+#include <unistd.h>
+#include <utility>
+
+namespace cambrian {
+namespace {
+
+constexpr std::size_t kCells = 24;
+constexpr auto kPause = std::chrono::milliseconds(100);
+constexpr double kTooEarlyToTell = 0.5;  // s
+
+std::string clock_text(double seconds) {
+    const auto whole = static_cast<long long>(std::min(seconds, 1e9));
+    char text[32];
+    if (whole >= 3600) {
+        std::snprintf(text, sizeof text, "%lld:%02lld:%02lld", whole / 3600, whole / 60 % 60,
+                      whole % 60);
+    } else {
+        std::snprintf(text, sizeof text, "%lld:%02lld", whole / 60, whole % 60);
+    }
+    return text;
+}
+
+}  // namespace
+
+std::string bar_text(double share) {
+    const auto filled = static_cast<std::size_t>(share * kCells);
+    return "[" + std::string(filled, '#') + std::string(kCells - filled, '.') + "] " +
+           std::to_string(static_cast<int>(share * 100)) + " %";
+}
+
+std::string time_left_text(double share, double seconds) {
+    if (seconds < kTooEarlyToTell || share <= 0.0) return "";
+    return "  " + clock_text(seconds / share - seconds) + " left";
+}
+
+ProgressLine::ProgressLine(std::function<std::string()> text)
+    : text_(std::move(text)), shown_(::isatty(STDERR_FILENO) != 0) {
+    if (shown_) thread_ = std::jthread([this](const std::stop_token& stop) { draw_until(stop); });
+}
+
+ProgressLine::~ProgressLine() {
+    if (!shown_) return;
+    thread_.request_stop();
+    thread_.join();
+    clear();
+}
+
+void ProgressLine::interrupt(const std::function<void()>& work) {
+    const std::lock_guard lock(terminal_);
+    if (shown_) clear();
+    work();
+    if (shown_) draw();
+}
+
+void ProgressLine::draw_until(const std::stop_token& stop) {
+    std::condition_variable_any woken;
+    std::unique_lock lock(terminal_);
+    while (!stop.stop_requested()) {
+        draw();
+        woken.wait_for(lock, stop, kPause, [] { return false; });
+    }
+}
+
+void ProgressLine::draw() const {
+    std::fprintf(stderr, "\r%s\033[K", text_().c_str());
+}
+
+void ProgressLine::clear() {
+    std::fputs("\r\033[K", stderr);
+}
+
+}  // namespace cambrian

@@ -1,0 +1,53 @@
+#include "core/output_stream.h"
+
+#include "core/output_target.h"
+
+#include <cerrno>
+#include <fcntl.h>
+#include <system_error>
+#include <unistd.h>
+
+namespace cambrian {
+
+OutputStream OutputStream::standard_output() {
+    OutputStream stream("to standard output");
+    stream.descriptor_ = STDOUT_FILENO;
+    return stream;
+}
+
+Result<OutputStream> OutputStream::open(const std::filesystem::path& path) {
+    const Result<OutputTarget> target = output_target(path);
+    if (!target) return target.error();
+    OutputStream stream(path.string());
+    if (target->kind == OutputTarget::Kind::kDescriptor) {
+        stream.descriptor_ = target->descriptor;
+    } else if (target->kind == OutputTarget::Kind::kStream) {
+        stream.opened_ = FileDescriptor(::open(target->path.c_str(), O_WRONLY | O_CLOEXEC));
+        if (!stream.opened_.is_open()) return stream.outcome(errno).error();
+        stream.descriptor_ = stream.opened_.get();
+    } else {
+        Result<PendingFile> file = PendingFile::beside(path);
+        if (!file) return file.error();
+        stream.file_.emplace(std::move(*file));
+    }
+    return stream;
+}
+
+Status OutputStream::outcome(int failure) const {
+    if (failure == 0) return {};
+    return Error{"cannot write " + name_ + ": " + std::generic_category().message(failure)};
+}
+
+Status OutputStream::write(std::string_view bytes) {
+    return outcome(file_ ? file_->write(bytes) : write_all(descriptor_, bytes));
+}
+
+Status OutputStream::finish() {
+    if (file_) return file_->commit();
+    if (opened_.is_open()) return outcome(opened_.close());
+    // Some file systems tell of a failure only when a file is closed.
+    FileDescriptor again(::fcntl(descriptor_, F_DUPFD_CLOEXEC, 0));
+    return outcome(again.is_open() ? again.close() : errno);
+}
+
+}  // namespace cambrian

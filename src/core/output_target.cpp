@@ -1,0 +1,92 @@
+#include "core/output_target.h"
+
+#include <charconv>
+#include <linux/magic.h>
+#include <optional>
+#include <string>
+#include <sys/stat.h>
+#include <sys/vfs.h>
+#include <system_error>
+
+namespace cambrian {
+namespace {
+
+constexpr int kMostLinks = 40;  // as the operating system has it
+
+std::filesystem::path folder_of(const std::filesystem::path& path) {
+    const std::filesystem::path folder = path.parent_path();
+    return folder.empty() ? "." : folder;
+}
+
+bool is_of_processes(const std::filesystem::path& folder) {
+    struct statfs facts {};
+    return ::statfs(folder.c_str(), &facts) == 0 && facts.f_type == PROC_SUPER_MAGIC;
+}
+
+// Of this process or of one of its threads.
+bool is_own(const std::filesystem::path& folder) {
+    std::error_code unknown;
+    const std::string own = std::filesystem::canonical("/proc/self", unknown).string();
+    const std::string name = folder.string();
+    return !unknown && (name == own + "/fd" || name.starts_with(own + "/task/"));
+}
+
+std::optional<int> number_of(const std::string& text) {
+    int number = 0;
+    const char* end = text.data() + text.size();
+    const auto parsed = std::from_chars(text.data(), end, number);
+    if (parsed.ec != std::errc() || parsed.ptr != end || number < 0) return std::nullopt;
+    return number;
+}
+
+Error refusal(const std::filesystem::path& path, const std::string& reason) {
+    return Error{"cannot write " + path.string() + ": " + reason};
+}
+
+// The descriptor that a name in a folder of open files stands for; none elsewhere.
+Result<std::optional<int>> descriptor_of(const std::filesystem::path& name,
+                                         const std::filesystem::path& asked) {
+    if (!is_of_processes(folder_of(name))) return std::optional<int>();
+    std::error_code unknown;
+    const std::filesystem::path folder = std::filesystem::canonical(folder_of(name), unknown);
+    if (unknown || folder.filename() != "fd") return std::optional<int>();
+    if (!is_own(folder)) return refusal(asked, "it is an open file of another program");
+    const std::optional<int> descriptor = number_of(name.filename().string());
+    struct stat facts {};
+    if (!descriptor || ::fstat(*descriptor, &facts) != 0)
+        return refusal(asked, std::generic_category().message(EBADF));
+    return descriptor;
+}
+
+Result<OutputTarget::Kind> kind_of(const std::filesystem::path& path,
+                                   const std::filesystem::path& asked) {
+    struct stat facts {};
+    if (::stat(path.c_str(), &facts) != 0 || S_ISREG(facts.st_mode))
+        return OutputTarget::Kind::kFile;
+    if (S_ISDIR(facts.st_mode)) return OutputTarget::Kind::kFolder;
+    if (S_ISCHR(facts.st_mode) || S_ISFIFO(facts.st_mode)) return OutputTarget::Kind::kStream;
+    return refusal(asked, S_ISBLK(facts.st_mode) ? "it is a disk" : "it is a socket");
+}
+
+}  // namespace
+
+Result<OutputTarget> output_target(const std::filesystem::path& asked) {
+    std::filesystem::path path = asked;
+    for (int links = 0; links <= kMostLinks; ++links) {
+        const Result<std::optional<int>> descriptor = descriptor_of(path, asked);
+        if (!descriptor) return descriptor.error();
+        if (*descriptor)
+            return OutputTarget{path, OutputTarget::Kind::kDescriptor, descriptor->value()};
+        std::error_code none;
+        const std::filesystem::path link = std::filesystem::read_symlink(path, none);
+        if (none) {
+            const Result<OutputTarget::Kind> kind = kind_of(path, asked);
+            if (!kind) return kind.error();
+            return OutputTarget{path, *kind};
+        }
+        path = link.is_absolute() ? link : path.parent_path() / link;
+    }
+    return refusal(asked, std::generic_category().message(ELOOP));
+}
+
+}  // namespace cambrian

@@ -1,0 +1,153 @@
+#include "core/pending_file.h"
+
+#include "core/file_lock.h"
+#include "core/output_target.h"
+
+#include <cerrno>
+#include <charconv>
+#include <csignal>
+#include <fcntl.h>
+#include <mutex>
+#include <string>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <system_error>
+#include <unistd.h>
+
+namespace cambrian {
+namespace {
+
+constexpr std::string_view kPrefix = ".cambrian-";
+// What SQLite keeps beside a file while it is open.
+constexpr const char* kCompanions[] = {"-journal", "-wal", "-shm"};
+
+Status outcome(int failure, const std::filesystem::path& path) {
+    if (failure == 0) return {};
+    return Error{"cannot write " + path.string() + ": " + std::generic_category().message(failure)};
+}
+
+void remove_with_companions(const std::filesystem::path& file) {
+    ::unlink(file.c_str());
+    for (const char* ending : kCompanions)
+        ::unlink((file.string() + ending).c_str());
+}
+
+// The process in the name of a temporary file, ".cambrian-PID-N"; 0 in other names.
+pid_t maker_of(std::string_view name) {
+    if (!name.starts_with(kPrefix)) return 0;
+    name.remove_prefix(kPrefix.size());
+    pid_t process = 0;
+    unsigned number = 0;
+    const char* end = name.data() + name.size();
+    const auto first = std::from_chars(name.data(), end, process);
+    if (first.ec != std::errc() || first.ptr == end || *first.ptr != '-') return 0;
+    const auto second = std::from_chars(first.ptr + 1, end, number);
+    return second.ec == std::errc() && second.ptr == end ? process : 0;
+}
+
+// Whether its process has gone without it. The lock tells also of processes that cannot be seen
+// from here, and of a number that was given out again.
+bool is_stale(const std::filesystem::path& file, pid_t maker) {
+    if (maker != ::getpid() && (::kill(maker, 0) == 0 || errno != ESRCH)) return false;
+    const FileDescriptor held(::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK));
+    return held.is_open() && (::flock(held.get(), LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK);
+}
+
+void remove_stale(const std::filesystem::path& folder) {
+    std::error_code unreadable;
+    std::filesystem::directory_iterator entry(folder.empty() ? "." : folder, unreadable);
+    for (; !unreadable && entry != std::filesystem::directory_iterator();
+         entry.increment(unreadable)) {
+        const pid_t maker = maker_of(entry->path().filename().string());
+        if (maker > 0 && is_stale(entry->path(), maker)) remove_with_companions(entry->path());
+    }
+}
+
+struct NewFile {
+    std::filesystem::path path;
+    FileDescriptor file;  // closed: it could not be made, errno says why
+};
+
+// Short, so that it is a possible name beside any other, and nobody else's.
+NewFile make_beside(const std::filesystem::path& target, mode_t mode) {
+    static std::mutex one_at_a_time;  // a new file is not stale before it is locked
+    static unsigned count = 0;
+    const std::lock_guard lock(one_at_a_time);
+    remove_stale(target.parent_path());
+    const std::string start = std::string(kPrefix) + std::to_string(::getpid()) + "-";
+    NewFile made;
+    do {
+        made.path = target.parent_path() / (start + std::to_string(++count));
+        made.file =
+            FileDescriptor(::open(made.path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, mode));
+    } while (!made.file.is_open() && errno == EEXIST);
+    if (made.file.is_open()) ::flock(made.file.get(), LOCK_EX | LOCK_NB);
+    return made;
+}
+
+// As far as we may.
+void adopt_permissions(int file, const std::filesystem::path& from) {
+    struct stat facts {};
+    if (::stat(from.c_str(), &facts) != 0) return;
+    if (::fchown(file, facts.st_uid, facts.st_gid) != 0 &&
+        ::fchown(file, static_cast<uid_t>(-1), facts.st_gid) != 0)
+        facts.st_mode &= static_cast<mode_t>(~S_IRWXG);
+    ::fchmod(file, facts.st_mode & 0777);
+}
+
+int rename_over(const std::filesystem::path& temporary, const std::filesystem::path& target) {
+    return ::rename(temporary.c_str(), target.c_str()) == 0 ? 0 : errno;
+}
+
+int rename_to_new(const std::filesystem::path& temporary, const std::filesystem::path& target) {
+    if (::renameat2(AT_FDCWD, temporary.c_str(), AT_FDCWD, target.c_str(), RENAME_NOREPLACE) == 0)
+        return 0;
+    if (errno != EINVAL && errno != ENOSYS) return errno;
+    // A file system that has only the plain call.
+    std::error_code unknown;
+    return std::filesystem::exists(target, unknown) ? EEXIST : rename_over(temporary, target);
+}
+
+}  // namespace
+
+Result<PendingFile> PendingFile::beside(const std::filesystem::path& target) {
+    const Result<OutputTarget> facts = output_target(target);
+    if (!facts) return facts.error();
+    if (facts->kind == OutputTarget::Kind::kFolder) return outcome(EISDIR, target).error();
+    if (facts->kind != OutputTarget::Kind::kFile)
+        return Error{"cannot write " + target.string() + ": not a regular file"};
+    if (const Status free = FileLock::check_free(facts->path); !free)
+        return Error{"cannot write " + target.string() + ": " + free.error().message};
+    struct stat replaced {};
+    const bool exists = ::stat(facts->path.c_str(), &replaced) == 0;
+    // Never open to more people than what it replaces.
+    const mode_t mode = exists ? (replaced.st_mode & 0777) | S_IRUSR | S_IWUSR : 0666;
+    NewFile made = make_beside(facts->path, mode);
+    if (!made.file.is_open()) return outcome(errno, target).error();
+    return PendingFile(facts->path, std::move(made.path), std::move(made.file));
+}
+
+PendingFile::PendingFile(PendingFile&& other) noexcept
+    : target_(std::move(other.target_)),
+      temporary_(std::exchange(other.temporary_, {})),
+      file_(std::move(other.file_)) {}
+
+PendingFile::~PendingFile() {
+    if (!temporary_.empty()) remove_with_companions(temporary_);
+}
+
+int PendingFile::put_in_place(Existing existing) {
+    adopt_permissions(file_.get(), target_);
+    if (::fsync(file_.get()) != 0) return errno;
+    if (const int failure = file_.close(); failure != 0) return failure;
+    return existing == Existing::kReplace ? rename_over(temporary_, target_)
+                                          : rename_to_new(temporary_, target_);
+}
+
+Status PendingFile::commit(Existing existing) {
+    const int failure = put_in_place(existing);
+    if (failure == 0) temporary_.clear();
+    return outcome(failure, target_);
+}
+
+}  // namespace cambrian

@@ -1,0 +1,25 @@
+#pragma once
+
+// Single things out of an experiment file, read without the rest of it: neither the time nor the
+// memory they take grows with what else is in the file. The file is not changed.
+
+#include "core/result.h"
+#include "evolution/evolution_kinds.h"
+#include "evolution/experiment_log.h"
+
+#include <filesystem>
+#include <vector>
+
+namespace cambrian {
+
+// Those in force at the end.
+Result<SettingsPtr> load_last_settings(const std::filesystem::path& path,
+                                       const EvolutionKinds& kinds);
+
+// Of every finished generation; fails if there is none.
+Result<std::vector<GenerationStatistics>> load_history(const std::filesystem::path& path);
+
+// The whole experiment as another file, of a name that is free. The experiment may be in use.
+Status copy_experiment(const std::filesystem::path& from, const std::filesystem::path& to);
+
+}  // namespace cambrian

@@ -1,0 +1,37 @@
+#pragma once
+
+// What is noted of a creature while its trial is played: signals, energy and the path of its centre
+// of mass.
+
+#include "math/types.h"
+#include "studio/playback/energy_trace.h"
+#include "studio/playback/signal_trace.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace cambrian {
+
+class Trial;
+
+class TrialReadings {
+public:
+    void clear();
+    // Notes the trial's present tick; `outputs` is the count of the network's outputs.
+    void add(const Trial& trial, std::size_t outputs);
+    // Forgets signals, and the path after this tick.
+    void go_back(std::uint64_t tick);
+
+    const SignalTrace& signals() const { return signals_; }
+    const EnergyTrace& energy() const { return energy_; }  // of the test phase
+    // Where the centre of mass was, in m, oldest first, fourteen a second.
+    std::span<const Vec2> trail() const;
+
+private:
+    SignalTrace signals_;
+    EnergyTrace energy_;
+    std::vector<Vec2> dots_;  // all since the start
+};
+
+}  // namespace cambrian

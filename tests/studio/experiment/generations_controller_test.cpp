@@ -1,0 +1,108 @@
+#include "studio/experiment/generations_controller.h"
+
+#include "session_run.h"
+#include "studio_fixture.h"
+
+namespace cambrian {
+namespace {
+
+using test::finish_generations;
+using test::SessionRun;
+using test::shown_in;
+
+TEST_CASE("one generation is evaluated, logged and its champion takes the stage",
+          "[studio][generations]") {
+    SessionRun run;
+    run.ask(RunOneGeneration{});
+    REQUIRE(run.frames_until([&] { return run.champions() == 1; }));
+    const FrameContext frame = run.session.frame_context();
+    REQUIRE_FALSE(frame.viewer.playback.empty());
+    CHECK(frame.viewer.playback.exhibit().genome() ==
+          frame.experiment.snapshot.champions[0].individual->genome);
+    CHECK(run.log().find("{\"event\":\"generation\",\"number\":0,\"best\":") != std::string::npos);
+}
+
+TEST_CASE("scrubbing shows past champions until the newest is asked for", "[studio][generations]") {
+    SessionRun run;
+    run.ask(ShowChampion{0});  // there is none yet: nothing happens
+    CHECK(run.session.frame_context().viewer.playback.empty());
+    finish_generations(run, 4);
+    for (const std::uint32_t generation : {2U, 1U, 0U, 3U, 0U}) {
+        run.ask(ShowChampion{generation});
+        CHECK(shown_in(run).creature.generation == generation);
+        CHECK(shown_in(run).genome() == run.session.frame_context()
+                                            .experiment.snapshot.champions[generation]
+                                            .individual->genome);
+    }
+    run.ask(ShowChampion{77});
+    CHECK(shown_in(run).creature.generation == 0);
+    finish_generations(run, 5);
+    run.ask(ShowChampion{1});
+    run.ask(ShowNewest{});
+    CHECK(shown_in(run).creature.generation == 4);
+    CHECK(run.session.view().newest_champion);
+}
+
+TEST_CASE("after a fast scrub the creature that stayed gets its score", "[studio][generations]") {
+    SessionRun run;
+    finish_generations(run, 3);
+    for (int i = 0; i < 200; ++i)
+        run.ask(ShowChampion{static_cast<std::uint32_t>(i % 3)});
+    REQUIRE(run.frames_until([&] { return run.session.frame_context().viewer.score != nullptr; }));
+    CHECK(run.session.frame_context().viewer.score->record.digest ==
+          shown_in(run).result()->digest);
+}
+
+TEST_CASE("the creature on show can have a star and is shown from it under its own settings",
+          "[studio][generations]") {
+    SessionRun run;
+    run.session.show_newcomer();
+    run.ask(ToggleStarOfShown{});  // not of this experiment
+    CHECK(run.session.frame_context().generations.stars.all().empty());
+    finish_generations(run, 1);
+    run.ask(ShowNewest{});
+    run.ask(ToggleStarOfShown{});
+    REQUIRE(run.session.frame_context().generations.stars.all().size() == 1);
+    const JudgedIndividual kept = run.session.frame_context().generations.stars.all().front();
+    ExperimentSettings moon = run.session.frame_context().experiment.editor.draft();
+    moon.world.environment.gravity = 1.62;
+    run.ask(EditSettings{moon, "environment.gravity"});
+    run.ask(FinishEdit{});
+    finish_generations(run, 3);
+    run.ask(ShowIndividual{kept});
+    CHECK(shown_in(run).genome() == kept.individual->genome);
+    CHECK(shown_in(run).creature.generation == 0);
+    CHECK(shown_in(run).settings().world.environment.gravity == 9.81);
+    run.ask(ToggleStarOfShown{});
+    CHECK(run.session.frame_context().generations.stars.all().empty());
+    run.ask(RestoreStar{});
+    CHECK(run.session.frame_context().generations.stars.all().size() == 1);
+}
+
+TEST_CASE("the score shown is the one the engine found, and the replay is verified",
+          "[studio][generations]") {
+    SessionRun run;
+    run.ask(RunOneGeneration{});
+    REQUIRE(run.frames_until([&] { return run.session.frame_context().viewer.score != nullptr; }));
+    const FrameContext frame = run.session.frame_context();
+    const EvaluationResult& result = *frame.viewer.playback.exhibit().result();
+    CHECK(frame.viewer.score->score.value == result.fitness);
+    CHECK(frame.viewer.score->record.digest == result.digest);
+}
+
+TEST_CASE("a champion on show knows its line", "[studio][generations]") {
+    SessionRun run;
+    for (std::size_t i = 0; i < 4; ++i) {
+        run.ask(RunOneGeneration{});
+        REQUIRE(run.frames_until([&] { return run.champions() == i + 1; }));
+    }
+    run.ask(ShowChampion{3});
+    const FrameContext frame = run.session.frame_context();
+    const Exhibit& exhibit = frame.viewer.playback.exhibit();
+    CHECK(exhibit.experiment == frame.experiment.snapshot.experiment);
+    CHECK(exhibit.individual().mother.get() ==
+          frame.experiment.snapshot.champions[3].individual->mother.get());
+}
+
+}  // namespace
+}  // namespace cambrian

@@ -1,0 +1,103 @@
+#include "studio/viewer/viewer_controller.h"
+
+#include "session_run.h"
+#include "studio_fixture.h"
+
+namespace cambrian {
+namespace {
+
+using test::SessionRun;
+
+EditGenes lengthen_root(const FrameContext& frame, double length) {
+    Genome genome = *frame.viewer.playback.exhibit().genome();
+    genome.nodes[0].length = length;
+    return {std::make_shared<const Genome>(genome), {"part 0 length", "old", "new"}};
+}
+
+double root_length(const SessionRun& run) {
+    return run.session.frame_context().viewer.playback.exhibit().genome()->nodes[0].length;
+}
+
+TEST_CASE("an edited gene is on stage at once, can be undone and made again", "[studio][viewer]") {
+    SessionRun run;
+    run.session.show_newcomer();
+    const double before = root_length(run);
+    run.ask(lengthen_root(run.session.frame_context(), 1.5));
+    run.ask(FinishGeneEdit{});
+    CHECK(run.session.frame_context().viewer.playback.creature().phenotype().parts[0].length ==
+          1.5);
+    CHECK(run.session.frame_context().viewer.playback.exhibit().individual().method == "edited");
+    run.ask(UndoEdit{});
+    CHECK(root_length(run) == before);
+    CHECK(run.session.frame_context().viewer.playback.exhibit().individual().method == "random");
+    run.ask(RedoEdit{});
+    CHECK(root_length(run) == 1.5);
+    CHECK(run.log().find("{\"event\":\"gene edited\",\"place\":\"part 0 length\"") !=
+          std::string::npos);
+    CHECK(run.log().find("gene undone") != std::string::npos);
+}
+
+TEST_CASE("an edited creature is scored anew and saved as edited", "[studio][viewer]") {
+    SessionRun run;
+    run.ask(RunOneGeneration{});
+    REQUIRE(run.frames_until([&] { return run.champions() == 1; }));
+    const std::string parent =
+        uid_text(run.session.frame_context().viewer.playback.exhibit().individual().uid);
+    run.ask(lengthen_root(run.session.frame_context(), 1.1));
+    run.ask(lengthen_root(run.session.frame_context(), 1.2));
+    CHECK(run.session.frame_context().viewer.score == nullptr);
+    REQUIRE(run.frames_until([&] { return run.session.frame_context().viewer.score != nullptr; }));
+    const auto path = run.folder.path() / "edited.creature.json";
+    run.ask(SaveCreatureFile{path});
+    REQUIRE(run.frames_until([&] { return std::filesystem::exists(path); }));
+    const auto saved = load_creature(path, test::kinds());
+    REQUIRE(saved);
+    CHECK(saved->method == "edited");
+    CHECK(saved->parents == std::vector<std::string>{parent});
+    CHECK(saved->genome.nodes[0].length == 1.2);
+}
+
+TEST_CASE("a gene outside its range is refused with a message", "[studio][viewer]") {
+    SessionRun run;
+    run.session.show_newcomer();
+    const double before = root_length(run);
+    run.ask(lengthen_root(run.session.frame_context(), 25.0));
+    run.session.update(0.1, 0.0);
+    CHECK(root_length(run) == before);
+    REQUIRE(run.session.frame_context().window.notice != nullptr);
+    CHECK(run.session.frame_context().window.notice->text.find("/nodes/0/length") !=
+          std::string::npos);
+    CHECK_FALSE(run.session.frame_context().can_undo());
+}
+
+TEST_CASE("with another creature on show, undo is of the settings again", "[studio][viewer]") {
+    SessionRun run;
+    run.session.show_newcomer();
+    const auto other =
+        std::make_shared<const Exhibit>(run.session.frame_context().viewer.playback.exhibit());
+    run.ask(lengthen_root(run.session.frame_context(), 1.5));
+    ExperimentSettings moon = run.session.frame_context().experiment.editor.draft();
+    moon.world.environment.gravity = 1.62;
+    run.ask(EditSettings{moon, "environment.gravity"});
+    run.ask(ShowExhibit{other});
+    run.ask(UndoEdit{});
+    CHECK(run.session.frame_context().experiment.editor.draft().world.environment.gravity == 9.81);
+}
+
+TEST_CASE("a forced neuron marks the run as disturbed", "[studio][viewer]") {
+    SessionRun run;
+    run.ask(ForceNeuron{0, 1.0});  // nothing on show: nothing happens
+    run.ask(RunOneGeneration{});
+    REQUIRE(run.frames_until([&] { return run.champions() == 1; }));
+    REQUIRE_FALSE(
+        run.session.frame_context().viewer.playback.creature().phenotype().network.neurons.empty());
+    run.ask(ForceNeuron{0, 1.0});
+    CHECK(run.session.frame_context().viewer.playback.creature().disturbed());
+    run.ask(ReleaseNeuron{0});
+    CHECK(run.session.frame_context().viewer.playback.creature().replay().forced().empty());
+    run.ask(RestartPlayback{});
+    CHECK_FALSE(run.session.frame_context().viewer.playback.creature().disturbed());
+}
+
+}  // namespace
+}  // namespace cambrian
