@@ -1,5 +1,6 @@
 #include "evolution/confirmation.h"
 
+#include "core/sample_statistics.h"
 #include "evolution/trials.h"
 
 #include <algorithm>
@@ -8,12 +9,6 @@
 
 namespace cambrian {
 namespace {
-
-double median(std::vector<double> values) {
-    std::sort(values.begin(), values.end());
-    const std::size_t half = values.size() / 2;
-    return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
-}
 
 // Whether another trial could tell anything.
 bool unconfirmed(const EvaluationResult& result) {

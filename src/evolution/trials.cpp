@@ -79,4 +79,17 @@ EvaluationResult evaluate_in_trials(const EvaluationRequest& request,
     return all;
 }
 
+std::vector<double> scores_in(std::span<const Probe> probes, const GenomePtr& genome,
+                              const ExperimentSettings& settings, const EvolutionKinds& kinds,
+                              const std::stop_token& stop) {
+    std::vector<double> scores;
+    for (const Probe& probe : probes) {
+        const EvaluationResult result = evaluate_in_trials(
+            {.genome = genome, .trial_seed = trial_seed(settings), .probe = probe}, settings, kinds,
+            stop);
+        scores.push_back(result.outcome == Outcome::kCompleted ? result.fitness : 0.0);
+    }
+    return scores;
+}
+
 }  // namespace cambrian

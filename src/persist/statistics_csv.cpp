@@ -45,11 +45,13 @@ std::string statistics_csv(std::span<const GenerationStatistics> history) {
         text += std::string(column.name) + ',';
     for (const Column<Row>& column : kLaterStatisticsColumns)
         text += std::string(column.name) + ',';
-    text += "births_by_line\n";
+    text += "trials,births_by_line\n";
+    std::int64_t trials = 0;
     for (const Row& row : history) {
+        trials += row.evaluations;
         add_values(text, row, kStatisticsColumns);
         add_values(text, row, kLaterStatisticsColumns);
-        text += births_text(row.births) + '\n';
+        text += std::to_string(trials) + ',' + births_text(row.births) + '\n';
     }
     return text;
 }

@@ -1,6 +1,8 @@
 #include "app/evolution_run.h"
+#include "app/messages.h"
 #include "app/number_checks.h"
 #include "app/option_types.h"
+#include "app/seed_list.h"
 #include "app/subcommands/subcommands.h"
 
 #include <CLI/CLI.hpp>
@@ -16,8 +18,15 @@ public:
         take_whole(*app.add_option("-n,--generations", run_.generations,
                                    "Generations, instead of the file's"),
                    1, 1'000'000);
-        auto* seed = app.add_option("-s,--seed", run_.seed, "Seed, instead of the file's");
-        take_whole(*seed, 0, 1'000'000'000'000'000);
+        auto* seeds = app.add_option("-s,--seed,--seeds", seeds_,
+                                     "Seed, instead of the file's; for several runs one after the "
+                                     "other a list as 1..9 or 1..9,12")
+                          ->type_name("SEEDS");
+        auto* sets = app.add_option("--set", run_.sets,
+                                    "A setting instead of the file's, as selection.method=rank; "
+                                    "may be given again")
+                         ->type_name("KEY=VALUE")
+                         ->allow_extra_args(false);
         auto* founders = app.add_option("-f,--founders", run_.founders,
                                         "Creature files to begin with instead of random creatures")
                              ->type_name(option_type::kCreature);
@@ -31,13 +40,21 @@ public:
         app.add_option("-r,--resume", run_.resume,
                        "Go on with an experiment file, to the generations given")
             ->type_name(option_type::kExperiment)
-            ->excludes(settings, seed, founders);
+            ->excludes(settings, seeds, sets, founders);
         app.add_flag("--json", run_.json, "Report as JSON, one object a line");
     }
     CommandFiles files() const override { return files_of(run_); }
-    ExitStatus run(const EvolutionKinds& kinds) override { return run_evolution(run_, kinds); }
+    ExitStatus run(const EvolutionKinds& kinds) override {
+        if (!seeds_.empty()) {
+            auto seeds = parse_seeds(seeds_);
+            if (!seeds) return fail({"--seed: " + seeds.error().message});
+            run_.seeds = *std::move(seeds);
+        }
+        return run_evolution(run_, kinds);
+    }
 
 private:
+    std::string seeds_;
     EvolutionRun run_;
 };
 
