@@ -9,6 +9,7 @@
 #include <mutex>
 #include <string>
 #include <system_error>
+#include <tuple>
 #include <utility>
 
 namespace cambrian {
@@ -100,13 +101,18 @@ std::vector<ComparedRun> Comparison::finished() const {
     return rows;
 }
 
-// The champion first: a run in the table has one.
+// The champion first: a run in the table has one. The table's order does not depend on who ends
+// first.
 Status Comparison::keep(const PlannedRun& run, const FinishedRun& finished) {
     CreatureDocument champion = creature_document(*finished.champion, *run.settings, *kinds_);
     complete_score(champion, *kinds_);
     const auto path = folder_ / kChampions / file_name(finished.row);
     if (Status saved = save_creature(path, champion, *kinds_); !saved) return saved;
     table_.push_back(finished.row);
+    std::sort(table_.begin(), table_.end(), [](const ComparedRun& a, const ComparedRun& b) {
+        return std::tie(a.world, a.arm, a.seed, a.trials, a.settings, a.simulator) <
+               std::tie(b.world, b.arm, b.seed, b.trials, b.settings, b.simulator);
+    });
     return write_file(folder_ / kTable, run_table_csv(table_));
 }
 

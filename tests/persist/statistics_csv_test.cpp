@@ -51,8 +51,8 @@ TEST_CASE("every field of the statistics has a named column", "[persist][statist
     const auto table = table_of(statistics_csv(std::vector{numbered_row()}));
     REQUIRE(table.size() == 2);
     CHECK(table[0].front() == "generation");
-    REQUIRE(table[0].size() == 28);
-    REQUIRE(table[1].size() == 28);
+    REQUIRE(table[0].size() == 29);
+    REQUIRE(table[1].size() == 29);
     CHECK(table[0].back() == "births_by_line");
     CHECK(table[1].back() == "00000000000000ab:30 1234567890abcdef:2");
     std::vector<double> found;
