@@ -13,7 +13,8 @@ std::optional<std::uint64_t> parse_seed(std::string_view text) {
     std::uint64_t seed = 0;
     const char* const end = text.data() + text.size();
     const auto read = std::from_chars(text.data(), end, seed);
-    if (read.ec != std::errc() || read.ptr != end || seed > kMostSeed) return std::nullopt;
+    if (read.ec != std::errc() || read.ptr != end || seed > std::uint64_t{kMostSeed})
+        return std::nullopt;
     return seed;
 }
 

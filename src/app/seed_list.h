@@ -8,7 +8,7 @@
 
 namespace cambrian {
 
-inline constexpr std::uint64_t kMostSeed = 1'000'000'000'000'000;
+inline constexpr std::int64_t kMostSeed = 1'000'000'000'000'000;
 inline constexpr std::size_t kMostSeeds = 100;
 
 // "7", "1..9" or several of these with commas between, in ascending order and each once.

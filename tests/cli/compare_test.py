@@ -147,7 +147,7 @@ class TypedSettings(ProgramTest):
                          int(rows[0]["evaluations"]) + int(rows[1]["evaluations"]))
         refused = self.run_program("evolve", "quick.toml", "--seeds", "1,2", "-o", "a.cambrian")
         self.assert_refused(refused, "several seeds need a folder")
-        self.assert_refused(self.run_program("evolve", "quick.toml", "--seed", "x"),
+        self.assert_refused(self.run_program("evolve", "quick.toml", "--seeds", "x"),
                             "'x' is no list of seeds")
 
 

@@ -31,12 +31,12 @@ TEST_CASE("settings are typed with or without their table and quotes", "[persist
 TEST_CASE("a later text replaces what an earlier one says, and nothing else", "[persist]") {
     const auto settings =
         merge_settings({{"[goal]\nbehavior = \"swimming\"\n[population]\nsize = 40\n", "world"},
-                        {"[population]\nsize = 50\nsurvival = 0.1\n", "arm"}},
+                        {"[population]\nsize = 50\nimmigrants = 3\n", "arm"}},
                        kinds());
     REQUIRE(settings);
     ExperimentSettings expected = default_settings("swimming", kinds());
     expected.population.size = 50;
-    expected.population.survival = 0.1;
+    expected.population.immigrants = 3;
     CHECK(*settings == expected);
     const auto bad = merge_settings({{"", "world"}, {"[population]\nsiz = 5\n", "arm"}}, kinds());
     REQUIRE_FALSE(bad);

@@ -112,7 +112,7 @@ TEST_CASE("a curve rises where its values do, between the edges of its band",
     const auto rows_of_middle = [&](int x) {
         const Image image = easel.finish();
         std::vector<int> rows;
-        for (int y = 0; y < 700; ++y) {
+        for (int y = 0; y < 760; ++y) {
             const std::uint8_t* pixel = image.pixel(x, y);
             if (pixel[0] > 200 && pixel[1] > 130 && pixel[1] < 180 && pixel[2] < 60)
                 rows.push_back(y);

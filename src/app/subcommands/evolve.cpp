@@ -7,6 +7,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include <optional>
+
 namespace cambrian {
 namespace {
 
@@ -18,10 +20,12 @@ public:
         take_whole(*app.add_option("-n,--generations", run_.generations,
                                    "Generations, instead of the file's"),
                    1, 1'000'000);
-        auto* seeds = app.add_option("-s,--seed,--seeds", seeds_,
-                                     "Seed, instead of the file's; for several runs one after the "
-                                     "other a list as 1..9 or 1..9,12")
-                          ->type_name("SEEDS");
+        auto* seed = app.add_option("-s,--seed", seed_, "Seed, instead of the file's");
+        take_whole(*seed, 0, kMostSeed);
+        auto* seeds = app.add_option("--seeds", seeds_,
+                                     "A run with each of these, one after the other, as 1..9 or "
+                                     "1..9,12")
+                          ->excludes(seed);
         auto* sets = app.add_option("--set", run_.sets,
                                     "A setting instead of the file's, as selection.method=rank; "
                                     "may be given again")
@@ -40,20 +44,22 @@ public:
         app.add_option("-r,--resume", run_.resume,
                        "Go on with an experiment file, to the generations given")
             ->type_name(option_type::kExperiment)
-            ->excludes(settings, seeds, sets, founders);
+            ->excludes(settings, seed, seeds, sets, founders);
         app.add_flag("--json", run_.json, "Report as JSON, one object a line");
     }
     CommandFiles files() const override { return files_of(run_); }
     ExitStatus run(const EvolutionKinds& kinds) override {
         if (!seeds_.empty()) {
             auto seeds = parse_seeds(seeds_);
-            if (!seeds) return fail({"--seed: " + seeds.error().message});
+            if (!seeds) return fail({"--seeds: " + seeds.error().message});
             run_.seeds = *std::move(seeds);
         }
+        if (seed_) run_.seeds = {*seed_};
         return run_evolution(run_, kinds);
     }
 
 private:
+    std::optional<std::uint64_t> seed_;
     std::string seeds_;
     EvolutionRun run_;
 };
