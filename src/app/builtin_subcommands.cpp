@@ -8,6 +8,7 @@ SubcommandRegistry builtin_subcommands() {
     subcommands.add(studio_subcommand());
     subcommands.add(view_subcommand());
     subcommands.add(evolve_subcommand());
+    subcommands.add(compare_subcommand());
     subcommands.add(export_subcommand());
     subcommands.add(simulate_subcommand());
     subcommands.add(render_subcommand());

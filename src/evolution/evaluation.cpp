@@ -1,5 +1,6 @@
 #include "evolution/evaluation.h"
 
+#include "creature/body_plan_hash.h"
 #include "creature/overlap.h"
 #include "creature/phenotype_hash.h"
 #include "simulator/audit.h"
@@ -18,6 +19,7 @@ constexpr double kSuspectPenalty = 0.5;   // simulator/README.md 4
 EvaluationResult describe(const Phenotype& phenotype, const ExperimentSettings& settings) {
     EvaluationResult result;
     result.phenotype = phenotype_hash(phenotype);
+    result.plan = body_plan_hash(phenotype);
     result.parts = static_cast<int>(phenotype.parts.size());
     result.neurons = static_cast<int>(phenotype.network.order.size());
     result.mass = phenotype.mass(settings.world.environment.density);
@@ -127,6 +129,11 @@ EvaluationResult evaluate(const EvaluationRequest& request, const ExperimentSett
 std::uint64_t phenotype_of(const Genome& genome, const ExperimentSettings& settings,
                            const EvolutionKinds& kinds) {
     return phenotype_hash(*grow(genome, settings, kinds));
+}
+
+std::uint64_t plan_of(const Genome& genome, const ExperimentSettings& settings,
+                      const EvolutionKinds& kinds) {
+    return body_plan_hash(*grow(genome, settings, kinds));
 }
 
 FinerResult recompute(const Genome& genome, const ExperimentSettings& settings,

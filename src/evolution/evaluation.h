@@ -6,6 +6,7 @@
 #include "evolution/experiment_settings.h"
 #include "evolution/hopeless.h"
 #include "evolution/individual.h"
+#include "evolution/probe.h"
 #include "simulator/tick_checks.h"
 
 #include <cstdint>
@@ -20,7 +21,8 @@ struct EvaluationRequest {
     std::uint64_t trial_seed = 0;
     std::uint32_t slot = 0;  // place in the generation
     std::optional<Bar> bar = std::nullopt;
-    std::uint64_t expected_work = 0;  // see Individual; decides only what is begun first
+    std::uint64_t expected_work = 0;            // see Individual; decides only what is begun first
+    std::optional<Probe> probe = std::nullopt;  // to be tried in another world than the settings'
 };
 
 // One trial: expresses, simulates and scores. Never throws; failures are outcomes. When asked to
@@ -31,6 +33,10 @@ EvaluationResult evaluate(const EvaluationRequest& request, const ExperimentSett
 // EvaluationResult::phenotype without a trial: creatures that have the same score the same.
 std::uint64_t phenotype_of(const Genome& genome, const ExperimentSettings& settings,
                            const EvolutionKinds& kinds);
+
+// EvaluationResult::plan without a trial.
+std::uint64_t plan_of(const Genome& genome, const ExperimentSettings& settings,
+                      const EvolutionKinds& kinds);
 
 // Runs the first trial more finely (finer_settings) and scores it: what to know of a champion
 // before it is saved (simulator/README.md 4).

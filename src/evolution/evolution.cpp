@@ -7,13 +7,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace cambrian {
 namespace {
 
 constexpr std::size_t kNoRequest = static_cast<std::size_t>(-1);
-constexpr std::uint64_t kAuditedOneIn = 50;  // of trials found hopeless
+constexpr std::uint64_t kAuditedOneIn = 10;  // of trials found hopeless
+constexpr std::size_t kChampions = 20;       // survivors of whom one may be called champion
+constexpr int kChampionWorlds = 10;          // in which these are tried again
 
 }  // namespace
 
@@ -61,7 +64,7 @@ bool Evolution::evaluate(EvaluationBackend& backend, EvaluationProgress& progres
                          std::stop_token stop) {
     if (evaluated_) return true;
     plan_evaluations();
-    if (!backend.evaluate(requests_, results_, *settings_, progress, std::move(stop))) return false;
+    if (!backend.evaluate(requests_, results_, *settings_, progress, stop)) return false;
     std::vector<IndividualPtr> ranked;
     for (std::size_t slot = 0; slot < population_.size(); ++slot) {
         if (population_[slot]->evaluated) {
@@ -75,6 +78,11 @@ bool Evolution::evaluate(EvaluationBackend& backend, EvaluationProgress& progres
     }
     std::sort(ranked.begin(), ranked.end(),
               [](const IndividualPtr& a, const IndividualPtr& b) { return better(*a, *b); });
+    const std::vector<Probe> probes =
+        probes_of(*settings_, generation_, settings_->selection.confirmations);
+    const auto survivors = [this](std::span<const IndividualPtr> all) { return survivors_of(all); };
+    if (!confirmation_.confirm(ranked, survivors, probes, {backend, *settings_, progress, stop}))
+        return false;
     population_ = std::move(ranked);
     record_generation();
     forget_plan();
@@ -82,9 +90,45 @@ bool Evolution::evaluate(EvaluationBackend& backend, EvaluationProgress& progres
     return true;
 }
 
+// Of the generation as it would be bred from now.
+std::vector<std::size_t> Evolution::survivors_of(std::span<const IndividualPtr> ranked) const {
+    return cambrian::survivors_of(ranked, *settings_, *kinds_, generation_ + 1, memory_);
+}
+
+IndividualPtr Evolution::confirmed_champion(EvaluationBackend& backend,
+                                            EvaluationProgress& progress,
+                                            std::stop_token stop) const {
+    CAMBRIAN_ASSERT(evaluated_, "only an evaluated generation has a champion");
+    if (settings_->selection.confirmations == 0) return population_.front();
+    std::vector<IndividualPtr> candidates;
+    for (const std::size_t survivor : survivors_of(population_)) {
+        Individual fresh = *population_[survivor];
+        fresh.result.fitness = unconfirmed_score(fresh.result);
+        fresh.result.scores.clear();
+        candidates.push_back(std::make_shared<const Individual>(std::move(fresh)));
+        if (candidates.size() == kChampions) break;
+    }
+    const auto everybody = [](std::span<const IndividualPtr> all) {
+        std::vector<std::size_t> places(all.size());
+        std::iota(places.begin(), places.end(), std::size_t{0});
+        return places;
+    };
+    // The first worlds of a generation are those that chose the survivors; these are others.
+    const std::vector<Probe> probes =
+        probes_of(*settings_, generation_, settings_->selection.confirmations + kChampionWorlds);
+    const auto others = std::span(probes).last(kChampionWorlds);
+    Confirmation confirmation;
+    if (!confirmation.confirm(candidates, everybody, others,
+                              {backend, *settings_, progress, std::move(stop)}))
+        return population_.front();
+    return candidates.front();
+}
+
 void Evolution::record_generation() {
-    GenerationStatistics statistics =
-        summarize(population_, generation_, static_cast<int>(requests_.size()));
+    GenerationStatistics statistics = summarize(
+        population_, generation_, static_cast<int>(requests_.size()) + confirmation_.trials());
+    statistics.confirmations = confirmation_.trials();
+    count_lines(statistics, population_, survivors_of(population_));
     const TrialSettings& trial = settings_->world.trial;
     const auto unscored =
         static_cast<int>(std::count_if(request_of_slot_.begin(), request_of_slot_.end(),
@@ -137,23 +181,27 @@ bool Evolution::score_as_known(std::size_t slot, std::uint64_t phenotype) {
 
 std::optional<Bar> Evolution::bar_for(const Individual& individual) const {
     if (!settings_->stop_hopeless || !least_survivor_ || !bar_audit_.trustworthy()) return {};
-    return Bar{.score = *least_survivor_, .audited = individual.uid % kAuditedOneIn == 0};
+    const bool drawn = individual.uid % kAuditedOneIn == 0;
+    return Bar{.score = *least_survivor_, .audited = drawn || !bar_audit_.proven()};
 }
 
 // What a creature of the next generation has to score to survive, as far as is known; and whether
 // audited ones did although they seemed hopeless.
 void Evolution::raise_bar(const std::vector<IndividualPtr>& next) {
     least_survivor_.reset();
-    const bool may_cut =
-        kinds_->selections.find(settings_->selection.method)->truncates(settings_->selection);
+    const double share =
+        kinds_->selections.find(settings_->selection.method)->bar(settings_->selection);
     for (const IndividualPtr& individual : next) {
         if (!individual->evaluated) continue;
         if (individual->born + 1 == generation_ && individual->result.hopeless)
             ++bar_audit_.survived;
-        if (may_cut && !scores_outdated_) {
-            least_survivor_ = std::fmin(least_survivor_.value_or(individual->result.fitness),
-                                        individual->result.fitness);
-        }
+        least_survivor_ = std::fmin(least_survivor_.value_or(individual->result.fitness),
+                                    individual->result.fitness);
+    }
+    if (share > 0.0 && least_survivor_ && !scores_outdated_) {
+        *least_survivor_ *= share;
+    } else {
+        least_survivor_.reset();
     }
 }
 
@@ -161,6 +209,7 @@ void Evolution::forget_plan() {
     requests_.clear();
     results_.clear();
     request_of_slot_.clear();
+    confirmation_.forget();
 }
 
 void Evolution::breed() {

@@ -3,6 +3,7 @@
 // The loop itself, without threads of its own: a population, evaluated and bred generation by
 // generation. The command line drives one directly, the studio through the engine thread.
 
+#include "evolution/confirmation.h"
 #include "evolution/evaluation_backend.h"
 #include "evolution/evolution_kinds.h"
 #include "evolution/statistics.h"
@@ -40,6 +41,11 @@ public:
     // may be repeated.
     bool evaluate(EvaluationBackend& backend, EvaluationProgress& progress, std::stop_token stop);
 
+    // After evaluate(): the best of the survivors, once they have been tried in ten more worlds a
+    // hair different; the best as it is if the settings ask for no confirmation, or if stopped.
+    IndividualPtr confirmed_champion(EvaluationBackend& backend, EvaluationProgress& progress,
+                                     std::stop_token stop) const;
+
     // After evaluate(): survivors and offspring become the next generation.
     void breed();
 
@@ -67,6 +73,7 @@ public:
 private:
     IndividualPtr make_founder(std::size_t slot, const std::vector<GenomePtr>& founders) const;
     void plan_evaluations();
+    std::vector<std::size_t> survivors_of(std::span<const IndividualPtr> ranked) const;
     std::optional<Bar> bar_for(const Individual& individual) const;
     void raise_bar(const std::vector<IndividualPtr>& next);
     void forget_plan();
@@ -88,7 +95,7 @@ private:
     double newcomer_share_ = 0.0;  // of the next generation bred, besides the settings' immigrants
     std::vector<GenerationStatistics> history_;
 
-    std::optional<double> least_survivor_;  // fitness, where worse creatures leave no trace
+    std::optional<double> least_survivor_;  // fitness that may be enough to survive, if it is known
     BarAudit bar_audit_;
     std::map<std::uint64_t, EvaluationResult> known_results_;  // of the last one, by phenotype
     int known_scores_ = 0;  // of this generation, that creatures of the last one had already
@@ -97,6 +104,7 @@ private:
     std::vector<EvaluationRequest> requests_;
     std::vector<std::optional<EvaluationResult>> results_;  // one a request
     std::vector<std::size_t> request_of_slot_;
+    Confirmation confirmation_;
 };
 
 }  // namespace cambrian

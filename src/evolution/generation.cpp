@@ -107,6 +107,7 @@ IndividualPtr make_child(const Mating& mating, const ExperimentSettings& setting
                                             settings, generation, child, mating.method.id);
     individual.parents = {mother.uid, paired ? father.uid : 0};
     individual.mother = ParentLink(mating.first);
+    individual.line = mother.line;
     for (const Individual* parent : {&father, &mother}) {
         if (same_body(*individual.genome, *parent->genome))
             individual.body_born = parent->body_born;
@@ -131,20 +132,38 @@ Individual make_individual(GenomePtr genome, const ExperimentSettings& settings,
     individual.uid = stream_seed({settings.seed, generation, child});
     individual.born = generation;
     individual.body_born = generation;
+    individual.line = individual.uid;
     individual.genome_hash = genome_hash(*genome);
     individual.genome = std::move(genome);
     individual.method = std::move(method);
     return individual;
 }
 
+namespace {
+
+SelectionResult select(std::span<const IndividualPtr> ranked, const ExperimentSettings& settings,
+                       const EvolutionKinds& kinds, std::uint32_t generation,
+                       SelectionMemory& memory) {
+    const SelectionKind* selection = kinds.selections.find(settings.selection.method);
+    CAMBRIAN_ASSERT(selection != nullptr, "settings were checked");
+    RandomStream stream(stream_seed(settings.seed, generation, 0, Purpose::kSelection));
+    return selection->select(ranked, settings, memory, stream);
+}
+
+}  // namespace
+
+std::vector<std::size_t> survivors_of(std::span<const IndividualPtr> ranked,
+                                      const ExperimentSettings& settings,
+                                      const EvolutionKinds& kinds, std::uint32_t generation,
+                                      SelectionMemory memory) {
+    return select(ranked, settings, kinds, generation, memory).survivors;
+}
+
 std::vector<IndividualPtr> next_generation(std::span<const IndividualPtr> ranked,
                                            const ExperimentSettings& settings,
                                            const EvolutionKinds& kinds, std::uint32_t generation,
                                            SelectionMemory& memory) {
-    const SelectionKind* selection = kinds.selections.find(settings.selection.method);
-    CAMBRIAN_ASSERT(selection != nullptr, "settings were checked");
-    RandomStream stream(stream_seed(settings.seed, generation, 0, Purpose::kSelection));
-    const SelectionResult selected = selection->select(ranked, settings, memory, stream);
+    const SelectionResult selected = select(ranked, settings, kinds, generation, memory);
     const Nursery nursery{ranked, settings, kinds, generation, selected.partner_weights};
 
     std::vector<IndividualPtr> next;

@@ -17,6 +17,12 @@ std::vector<IndividualPtr> next_generation(std::span<const IndividualPtr> ranked
                                            const EvolutionKinds& kinds, std::uint32_t generation,
                                            SelectionMemory& memory);
 
+// Who of the ranking would live on in that generation, as indices in ascending order.
+std::vector<std::size_t> survivors_of(std::span<const IndividualPtr> ranked,
+                                      const ExperimentSettings& settings,
+                                      const EvolutionKinds& kinds, std::uint32_t generation,
+                                      SelectionMemory memory);
+
 // Who has a child, and how.
 struct Mating {
     const IndividualPtr& first;

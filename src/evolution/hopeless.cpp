@@ -29,6 +29,10 @@ double best_speed(const TrialRecord& record) {
 // The record as it would be if the creature ran on with the given velocity.
 TrialRecord ran_on(TrialRecord record, const Vec3& velocity) {
     const MotionSample last = record.samples.back();
+    for (double time = kBrainTick; time < record.duration - last.time; time += kBrainTick) {
+        const double moved = time * velocity.y();
+        record.jumps.watch(last.bounds.low.y() + moved, last.center_of_mass.y() + moved);
+    }
     while (record.samples.back().time < record.duration) {
         MotionSample next = last;
         next.time = std::min(record.samples.back().time + kSamplePeriod, record.duration);

@@ -22,12 +22,16 @@ struct Bar {
     friend bool operator==(const Bar&, const Bar&) = default;
 };
 
-// Whether giving up can be trusted: at most 1 in 1000 of the audited may turn out a survivor.
+// Whether giving up can be trusted: not before 30 doomed trials were finished all the same, and
+// only while at most 1 in 1000 of those turned out a survivor.
 struct BarAudit {
+    static constexpr int kLeastFinished = 30;
+
     int finished = 0;  // audited trials
     int survived = 0;  // of those, that would have survived
 
     bool trustworthy() const { return 1000 * survived <= finished; }
+    bool proven() const { return trustworthy() && finished >= kLeastFinished; }
     friend bool operator==(const BarAudit&, const BarAudit&) = default;
 };
 

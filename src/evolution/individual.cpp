@@ -22,6 +22,10 @@ bool same_part(const NodeGene& a, const NodeGene& b) {
 
 }  // namespace
 
+double unconfirmed_score(const EvaluationResult& result) {
+    return result.scores.empty() ? result.fitness : result.scores.front();
+}
+
 IndividualPtr without_score(const Individual& individual) {
     Individual unscored = individual;
     unscored.evaluated = false;

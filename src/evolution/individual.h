@@ -25,18 +25,23 @@ struct FinerResult {
 };
 
 struct EvaluationResult {
-    double fitness = 0.0;  // of the finer trial if the first one was suspect
+    double fitness =
+        0.0;  // of the finer trial if the first one was suspect; if confirmed, a median
     Outcome outcome = Outcome::kCompleted;
     std::uint64_t digest = 0;     // of the motion, for replay checks
     std::uint64_t phenotype = 0;  // phenotype_hash() of what was judged
+    std::uint64_t plan = 0;       // body_plan_hash() of the same
     double body_length = 0.0;     // m
     double mass = 0.0;            // kg
     int parts = 0;
-    int neurons = 0;                              // live ones
-    Behavior behavior;                            // zero unless simulated
-    double computed_time = 0.0;                   // s of all its trials that were simulated
-    std::uint64_t work = 0;                       // evaluations of accelerations, about
-    bool hopeless = false;                        // its trial was given up, or could have been
+    int neurons = 0;             // live ones
+    Behavior behavior;           // zero unless simulated
+    double computed_time = 0.0;  // s of all its trials that were simulated
+    std::uint64_t work = 0;      // evaluations of accelerations, about
+    bool hopeless = false;       // its trial was given up, or could have been
+    // Of the world as it is and of those that confirmed it, whose median is the fitness; empty
+    // unless it was tried again (confirmation.h).
+    std::vector<double> scores;
     std::string reason;                           // why it failed, for a person
     AuditVerdict verdict = AuditVerdict::kClean;  // of the trial, computed as the settings say
     SceneAudit audit;                             // of the same
@@ -50,6 +55,7 @@ struct Individual {
     std::uint32_t born = 0;  // generation
     // Generation in which its line of descent last changed its body; see same_body().
     std::uint32_t body_born = 0;
+    std::uint64_t line = 0;  // uid of the founder that it descends from by mothers
     GenomePtr genome;
     std::uint64_t genome_hash = 0;
     std::array<std::uint64_t, 2> parents = {0, 0};  // uids; 0 for none
@@ -62,6 +68,9 @@ struct Individual {
 };
 
 using IndividualPtr = std::shared_ptr<const Individual>;
+
+// What the first trial came to, in the world as it is: the score that a replay gives.
+double unconfirmed_score(const EvaluationResult& result);
 
 // The same creature as if it had never been evaluated.
 IndividualPtr without_score(const Individual& individual);

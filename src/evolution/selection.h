@@ -33,9 +33,10 @@ struct SelectionKind {
     std::string id;
     std::string label;
     std::string help;
-    // Whether who is worse than the worst survivor leaves no trace, so that a trial may be cut
-    // short once it cannot do better.
-    bool (*truncates)(const SelectionSettings& settings) = nullptr;
+    // Share of the worst survivor's score that a creature has to reach to survive, so that a trial
+    // may be cut short once it cannot: 1 where who is worse than the worst survivor leaves no
+    // trace, less where that is likely only, 0 where the least fit may matter.
+    double (*bar)(const SelectionSettings& settings) = nullptr;
     // ranked: everyone evaluated, best first (by better()), not empty.
     SelectionResult (*select)(std::span<const IndividualPtr> ranked,
                               const ExperimentSettings& settings, SelectionMemory& memory,

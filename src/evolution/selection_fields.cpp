@@ -42,6 +42,37 @@ void add_truncation(TableBuilder& selection) {
             "Creatures with the same body and live brain that may survive together.",
             [](Settings & s) -> auto& { return s.population.max_clones; })
         .applies = with_method({"truncation", "rank", "tournament", "roulette"});
+    const auto truncates = [](const Settings& settings) {
+        return with_method({"truncation", "rank", "tournament"})(settings) &&
+               !everybody_breeds(settings);
+    };
+    selection
+        .number(
+            "line-share", "Share of a line", "", Range{0.01, 1},
+            "Share of the survivors that may descend from one founder, by mothers; 1 for no limit.",
+            [](Settings & s) -> auto& { return s.selection.line_share; })
+        .applies = truncates;
+    selection
+        .number(
+            "plan-copies", "Copies of a body plan", "creatures", Range{0, 20000},
+            "Survivors whose parts and joints form the same tree; 0 for no limit.",
+            [](Settings & s) -> auto& { return s.selection.plan_copies; })
+        .applies = truncates;
+}
+
+void add_confirmation(TableBuilder& selection) {
+    selection.number(
+        "confirmations", "Confirming trials", "", Range{0, 20},
+        "Worlds a hair different in which whoever would survive is tried again; its score is then "
+        "the median of all.",
+        [](Settings & s) -> auto& { return s.selection.confirmations; });
+    selection
+        .number(
+            "confirm-jitter", "Confirming changes", "", Range{0, 0.2},
+            "Share by which gravity, friction and drag of these worlds differ at most, and rad by "
+            "which the start pose does.",
+            [](Settings & s) -> auto& { return s.selection.confirm_jitter; })
+        .applies = [](const Settings& settings) { return settings.selection.confirmations > 0; };
 }
 
 void add_tournament(TableBuilder& selection) {
@@ -101,6 +132,7 @@ void add_selection(std::vector<SettingField>& fields, const EvolutionKinds& kind
         "method", "Method", ids_of(kinds.selections), "Who survives and who breeds how often.",
         [](Settings & s) -> auto& { return s.selection.method; });
     add_truncation(selection);
+    add_confirmation(selection);
     add_tournament(selection);
     add_map(selection);
     add_novelty(selection);

@@ -41,7 +41,8 @@ void add_run(std::vector<SettingField>& fields) {
     run.flag(
         "stop-hopeless", "Stop hopeless trials",
         "Halfway, gives up creatures that could not survive even at 1.5 times their best speed; "
-        "2 % of them are finished all the same, to tell whether that was right.",
+        "10 % of them, and the first 30, are finished all the same, to tell whether that was "
+        "right.",
         [](Settings & s) -> auto& { return s.stop_hopeless; });
 }
 
@@ -345,7 +346,7 @@ Status check_order(double low, double high, const char* low_key, const char* hig
 Status check_stop_hopeless(const Settings& s, const EvolutionKinds& kinds) {
     if (!s.stop_hopeless) return {};
     const SelectionKind* selection = kinds.selections.find(s.selection.method);
-    if (selection != nullptr && !selection->truncates(s.selection)) {
+    if (selection != nullptr && !(selection->bar(s.selection) > 0.0)) {
         return Error{"[run] stop-hopeless: not with [selection] method \"" + s.selection.method +
                      "\", where the least fit may matter; allowed with truncation, rank and "
                      "tournaments of survivors"};

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 
 namespace cambrian {
@@ -29,6 +30,10 @@ GenerationStatistics summarize(std::span<const IndividualPtr> ranked, std::uint3
     summary.size = static_cast<int>(ranked.size());
     summary.evaluations = evaluations;
     summary.best = ranked.front()->result.fitness;
+    const std::vector<double>& scores = ranked.front()->result.scores;
+    const auto range = std::minmax_element(scores.begin(), scores.end());
+    summary.best_lowest = scores.empty() ? summary.best : *range.first;
+    summary.best_highest = scores.empty() ? summary.best : *range.second;
     summary.progress_mark = summary.best;
     summary.upper = quantile(ranked, 0.9);
     summary.median = quantile(ranked, 0.5);
@@ -45,6 +50,32 @@ GenerationStatistics summarize(std::span<const IndividualPtr> ranked, std::uint3
     }
     summary.distinct_genomes = static_cast<int>(hashes.size());
     return summary;
+}
+
+void count_lines(GenerationStatistics& statistics, std::span<const IndividualPtr> ranked,
+                 std::span<const std::size_t> survivors) {
+    std::set<std::uint64_t> lines;
+    std::set<std::uint64_t> plans;
+    for (const std::size_t survivor : survivors) {
+        lines.insert(ranked[survivor]->line);
+        plans.insert(ranked[survivor]->result.plan);
+    }
+    statistics.lines = static_cast<int>(lines.size());
+    statistics.plans = static_cast<int>(plans.size());
+    std::map<std::uint64_t, int> births;
+    for (const IndividualPtr& individual : ranked) {
+        if (individual->born == statistics.generation) ++births[individual->line];
+    }
+    statistics.births.clear();
+    for (const auto& [line, count] : births)
+        statistics.births.push_back({line, count});
+    put_most_first(statistics.births);
+}
+
+void put_most_first(std::vector<LineBirths>& births) {
+    std::sort(births.begin(), births.end(), [](const LineBirths& a, const LineBirths& b) {
+        return a.births != b.births ? a.births > b.births : a.line < b.line;
+    });
 }
 
 void count_savings(GenerationStatistics& statistics,

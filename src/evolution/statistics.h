@@ -9,13 +9,26 @@
 
 namespace cambrian {
 
+// Children that a founder's line had in a generation.
+struct LineBirths {
+    std::uint64_t line = 0;  // uid of the founder
+    int births = 0;
+
+    friend bool operator==(const LineBirths&, const LineBirths&) = default;
+};
+
+void put_most_first(std::vector<LineBirths>& births);
+
 // What is plotted and printed of one evaluated generation.
 struct GenerationStatistics {
     std::uint32_t generation = 0;
     int size = 0;
-    int evaluations = 0;  // distinct trials run for it
-    double best = 0.0;    // fitness
-    double upper = 0.0;   // 90th percentile
+    int evaluations = 0;       // distinct trials run for it, those that confirm included
+    int confirmations = 0;     // of those, trials in worlds a hair different, to confirm scores
+    double best = 0.0;         // fitness
+    double best_lowest = 0.0;  // the best creature's scores in all worlds that it was tried in
+    double best_highest = 0.0;
+    double upper = 0.0;  // 90th percentile
     double median = 0.0;
     double lower = 0.0;  // 10th percentile
     double mean = 0.0;
@@ -23,6 +36,9 @@ struct GenerationStatistics {
     double mean_parts = 0.0;
     double mean_neurons = 0.0;
     int distinct_genomes = 0;
+    int lines = 0;                   // founders that survivors descend from, by mothers
+    int plans = 0;                   // body plans of survivors
+    std::vector<LineBirths> births;  // of the lines that had any, put_most_first()
     // Trials not run, or not to the end (evolution/README.md 4):
     int rejected = 0;                   // P1: nothing could move, or nothing drove it
     int reused = 0;                     // P2: the phenotype had a score already
@@ -40,6 +56,11 @@ struct GenerationStatistics {
 // ranked: best first.
 GenerationStatistics summarize(std::span<const IndividualPtr> ranked, std::uint32_t generation,
                                int evaluations);
+
+// Counts founder lines and body plans of the survivors (indices into the ranking) and births by
+// line.
+void count_lines(GenerationStatistics& statistics, std::span<const IndividualPtr> ranked,
+                 std::span<const std::size_t> survivors);
 
 // Counts what was saved: results of the trials run, scores that needed none, and the time (s) each
 // creature's trials take in full.

@@ -58,6 +58,14 @@ Jitter jitter_of(std::uint64_t trial_seed, int trial, const TrialSettings& setti
 EvaluationResult evaluate_in_trials(const EvaluationRequest& request,
                                     const ExperimentSettings& settings, const EvolutionKinds& kinds,
                                     const std::stop_token& stop) {
+    if (request.probe) {
+        EvaluationRequest probed = request;
+        probed.probe.reset();
+        Genome turned = *request.genome;
+        const ExperimentSettings world = probed_world(*request.probe, settings, turned);
+        probed.genome = std::make_shared<const Genome>(std::move(turned));
+        return evaluate_in_trials(probed, world, kinds, stop);
+    }
     const TrialSettings& trials = settings.world.trial;
     EvaluationResult all = evaluate(request, settings, kinds, stop);
     if (trials.trials == 1 || all.outcome != Outcome::kCompleted) return all;
@@ -69,6 +77,19 @@ EvaluationResult evaluate_in_trials(const EvaluationRequest& request,
         combine(all, evaluate_jittered(request, jitter, settings, kinds, stop), minimum, share);
     }
     return all;
+}
+
+std::vector<double> scores_in(std::span<const Probe> probes, const GenomePtr& genome,
+                              const ExperimentSettings& settings, const EvolutionKinds& kinds,
+                              const std::stop_token& stop) {
+    std::vector<double> scores;
+    for (const Probe& probe : probes) {
+        const EvaluationResult result = evaluate_in_trials(
+            {.genome = genome, .trial_seed = trial_seed(settings), .probe = probe}, settings, kinds,
+            stop);
+        scores.push_back(result.outcome == Outcome::kCompleted ? result.fitness : 0.0);
+    }
+    return scores;
 }
 
 }  // namespace cambrian

@@ -1,6 +1,9 @@
-// Jumping, goals/README.md 2: S = h + 0.2 min(max(c, 0), BL / 2), with h the greatest height of the
-// lowest point above ground and c the greatest rise of the centre of mass above its settled height.
-// The second term only gives selection something to climb before the first true jump.
+// Jumping, goals/README.md 2. With J the height of the highest jump (simulator/jump_watch.h) and v
+// the greatest upward speed of the centre of mass over 0.1 s:
+//
+//     S = J + 0.02 s * min(v, 2.5 m/s)
+//
+// The second term, 0.05 m at most, gives selection something to climb before the first true jump.
 #include "goals/goal.h"
 #include "goals/mismatch.h"
 
@@ -9,21 +12,18 @@
 namespace cambrian {
 namespace {
 
-constexpr double kRiseShare = 0.2;
+constexpr double kSpeedWorth = 0.02;  // s
+constexpr double kMostSpeed = 2.5;    // m/s
 
 Score score_jumping(const TrialRecord& record) {
-    if (record.samples.empty()) return {};
-    double clearance = 0.0;
-    double rise = 0.0;
-    const double settled = record.samples.front().center_of_mass.y();
-    for (const MotionSample& sample : record.samples) {
-        clearance = std::max(clearance, sample.bounds.low.y());
-        rise = std::max(rise, sample.center_of_mass.y() - settled);
-    }
-    const double credited_rise = kRiseShare * std::min(rise, 0.5 * record.body_length);
-    return {clearance + credited_rise,
-            {{"height of the lowest point", clearance, "m"},
-             {"rise of the centre of mass", rise, "m"}}};
+    const Jump& jump = record.jumps.best();
+    const double speed = record.jumps.upward_speed();
+    return {jump.height + kSpeedWorth * std::min(speed, kMostSpeed),
+            {{"height of the best jump", jump.height, "m"},
+             {"height of the lowest point", jump.clearance, "m"},
+             {"rise of the centre of mass", jump.rise, "m"},
+             {"speed at take-off", jump.take_off_speed, "m/s"},
+             {"greatest upward speed", speed, "m/s"}}};
 }
 
 }  // namespace
@@ -32,7 +32,9 @@ void register_jumping(GoalRegistry& goals) {
     goals.add({.id = "jumping",
                .label = "Jumping",
                .unit = "m",
-               .help = "Height of the lowest point above the ground at the top of the best jump.",
+               .help = "Height of the best jump: of the lowest point above the ground, as far as "
+                       "the body rose with it.",
+               .default_confirmations = 2,
                .default_environment = [] { return Environment{}; },
                .mismatch = needs_ground,
                .score = score_jumping});

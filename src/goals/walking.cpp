@@ -1,52 +1,61 @@
-// Walking, goals/README.md 1. With e(t) the creature's trailing edge in a direction, t1 = 0.2 T,
-// t2 = 0.6 T, d1 = e(t2) - e(t1), d2 = e(T) - e(t2):
+// Walking, goals/README.md 1. p1..p4 is the progress of the creature's trailing edge in a direction
+// in the windows [.2,.4] [.4,.6] [.6,.8] [.8,1] T:
 //
-//     S = max over both directions of [0.3 (d1 + d2) + 1.4 min(d1, d2)] / (BL * 0.8 T), at least 0
+//     S = max over both directions of [0.3 (p1 + p2 + p3 + p4) + 2.8 min(p)] / (BL * 0.8 T),
 //
-// For steady motion this is the speed in body lengths a second. The trailing edge, the ignored
-// first fifth and the minimum of two halves keep falls, launches and single hops from paying.
+// at least 0. For steady motion this is the speed in body lengths a second. The trailing edge, the
+// ignored first fifth and the minimum of four windows keep falls, launches and single hops from
+// paying: what happens once moves the edge in two windows at most.
 #include "goals/goal.h"
 #include "goals/mismatch.h"
 #include "goals/sampling.h"
 
 #include <algorithm>
+#include <array>
 
 namespace cambrian {
 namespace {
 
-constexpr double kStart = 0.2;  // shares of the trial
-constexpr double kMiddle = 0.6;
+constexpr std::array<double, 5> kSeams = {0.2, 0.4, 0.6, 0.8, 1.0};  // shares of the trial
+constexpr double kWindows = 4.0;
+constexpr double kShareOfAll = 0.3;  // the slowest window makes the rest
 
 // Progress of the edge that comes last, in metres towards +x (direction 1) or -x (direction -1).
 double trailing_edge(const MotionSample& sample, int direction) {
     return direction > 0 ? sample.bounds.low.x() : -sample.bounds.high.x();
 }
 
-struct Halves {
-    double first = 0.0;   // m
-    double second = 0.0;  // m
-    double credit() const { return 0.3 * (first + second) + 1.4 * std::min(first, second); }
+struct Progress {
+    double all = 0.0;      // m
+    double slowest = 0.0;  // m, of the window that saw least
+    double credit() const { return kShareOfAll * all + (1.0 - kShareOfAll) * kWindows * slowest; }
 };
 
-Halves halves_towards(const TrialRecord& record, int direction) {
-    const double start = trailing_edge(sample_at(record, kStart), direction);
-    const double middle = trailing_edge(sample_at(record, kMiddle), direction);
-    const double end = trailing_edge(sample_at(record, 1.0), direction);
-    return {middle - start, end - middle};
+Progress progress_towards(const TrialRecord& record, int direction) {
+    Progress progress;
+    double before = trailing_edge(sample_at(record, kSeams.front()), direction);
+    for (std::size_t i = 1; i < kSeams.size(); ++i) {
+        const double now = trailing_edge(sample_at(record, kSeams[i]), direction);
+        const double moved = now - before;
+        progress.all += moved;
+        progress.slowest = i == 1 ? moved : std::min(progress.slowest, moved);
+        before = now;
+    }
+    return progress;
 }
 
 Score score_walking(const TrialRecord& record) {
-    const double scored_time = (1.0 - kStart) * record.duration;
+    const double scored_time = (1.0 - kSeams.front()) * record.duration;
     if (!(scored_time > 0.0 && record.body_length > 0.0)) return {};
-    const Halves right = halves_towards(record, 1);
-    const Halves left = halves_towards(record, -1);
-    const Halves& best = right.credit() >= left.credit() ? right : left;
+    const Progress right = progress_towards(record, 1);
+    const Progress left = progress_towards(record, -1);
+    const Progress& best = right.credit() >= left.credit() ? right : left;
     const double speed = std::max(0.0, best.credit() / (record.body_length * scored_time));
     return {speed,
-            {{"first half", best.first, "m"},
-             {"second half", best.second, "m"},
+            {{"distance", best.all, "m"},
+             {"slowest window", best.slowest * kWindows / scored_time, "m/s"},
              {"body length", record.body_length, "m"},
-             {"speed", (best.first + best.second) / scored_time, "m/s"}}};
+             {"speed", best.all / scored_time, "m/s"}}};
 }
 
 }  // namespace
@@ -56,6 +65,7 @@ void register_walking(GoalRegistry& goals) {
                .label = "Walking",
                .unit = "BL/s",
                .help = "Steady progress over the ground, in body lengths a second.",
+               .default_confirmations = 2,
                .default_environment = [] { return Environment{}; },
                .mismatch = needs_ground,
                .score = score_walking});

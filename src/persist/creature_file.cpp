@@ -112,6 +112,15 @@ bool is_of(const ScoredRecord& scored, const NotedTrial& noted) {
     return scored.world.trial.trials > 1 || noted.digest == scored.trajectory;
 }
 
+std::optional<ConfirmedScore> confirmed_score(const EvaluationResult& result) {
+    if (result.scores.empty()) return std::nullopt;
+    const auto range = std::minmax_element(result.scores.begin(), result.scores.end());
+    return ConfirmedScore{.median = result.fitness,
+                          .lowest = *range.first,
+                          .highest = *range.second,
+                          .worlds = static_cast<int>(result.scores.size())};
+}
+
 }  // namespace
 
 void creature_format::write_genotype(std::string& text, const Individual& individual,
@@ -209,7 +218,8 @@ CreatureDocument creature_document(const Individual& individual, const Experimen
                                    .expression = settings.expression,
                                    .goal = settings.goal,
                                    .seed = settings.seed,
-                                   .fitness = individual.result.fitness,
+                                   .fitness = unconfirmed_score(individual.result),
+                                   .confirmed = confirmed_score(individual.result),
                                    .unit = goal_unit(settings.goal, kinds.goals),
                                    .trajectory = individual.result.digest,
                                    .finer = individual.result.finer};

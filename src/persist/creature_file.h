@@ -8,6 +8,7 @@
 #include "evolution/experiment_settings.h"
 #include "evolution/individual.h"
 #include "evolution/judged_settings.h"
+#include "simulator/simulator_version.h"
 #include "simulator/tick_checks.h"
 
 #include <cstdint>
@@ -20,16 +21,24 @@
 
 namespace cambrian {
 
-// Raised whenever the same genome and settings would move differently.
-inline constexpr std::string_view kSimulatorVersion = "1.1";
+// The scores of a creature in the trial's world and in others a hair different.
+struct ConfirmedScore {
+    double median = 0.0;
+    double lowest = 0.0;
+    double highest = 0.0;
+    int worlds = 0;
+
+    friend bool operator==(const ConfirmedScore&, const ConfirmedScore&) = default;
+};
 
 // The trial that scored the creature: all that is needed to run it again.
 struct ScoredRecord {
     TrialWorld world;
     ExpressionSettings expression;
-    std::string goal;              // id
-    std::uint64_t seed = 0;        // of the experiment
-    double fitness = 0.0;          // in `unit`
+    std::string goal;        // id
+    std::uint64_t seed = 0;  // of the experiment
+    double fitness = 0.0;    // in `unit`, of the trial itself
+    std::optional<ConfirmedScore> confirmed;
     std::string unit;              // of the goal's score: "BL/s"
     std::uint64_t trajectory = 0;  // digest of the motion
     TickChecks ticks = {};         // of the first trial, if they were noted

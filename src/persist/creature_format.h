@@ -20,6 +20,7 @@ inline constexpr int kVersion = 2;           // 1 numbers sensor channels, 2 nam
 inline constexpr std::size_t kMaxName = 64;  // bytes
 inline constexpr std::size_t kMaxUid = 32;
 inline constexpr std::size_t kMaxWord = 64;
+inline constexpr double kMostWorlds = 100.0;
 inline constexpr double kMaxSeed = 9007199254740992.0;  // 2^53; whole numbers are exact below
 
 // In the order of the enumerations.
@@ -196,6 +197,15 @@ void describe_finer(Archive& archive, Finer& finer) {
     archive.choice("verdict", finer.verdict, kVerdicts, "verdict");
 }
 
+template <class Archive, class Confirmed>
+void describe_confirmed(Archive& archive, Confirmed& confirmed) {
+    archive.type("confirmed");
+    archive.integer("worlds", confirmed.worlds, 1, kMostWorlds);
+    archive.plain_real("median", confirmed.median);
+    archive.plain_real("lowest", confirmed.lowest);
+    archive.plain_real("highest", confirmed.highest);
+}
+
 template <class Archive, class Scored, class Settings>
 void describe_scored(Archive& archive, Scored& scored, Settings& settings,
                      const std::vector<ScoreTable>& tables) {
@@ -211,6 +221,8 @@ void describe_scored(Archive& archive, Scored& scored, Settings& settings,
     archive.integer("seed", scored.seed, 0, kMaxSeed);
     archive.plain_real("fitness", scored.fitness);
     archive.text("unit", scored.unit, kMaxWord);
+    archive.optional_object("confirmed", scored.confirmed, Layout::kCompact,
+                            [](Archive& inner, auto& each) { describe_confirmed(inner, each); });
     archive.digest("trajectory", scored.trajectory);
     archive.optional_bytes("ticks", scored.ticks, kTicksASecond, kMostTickChecks);
     archive.optional_object("recomputed", scored.finer, Layout::kCompact,

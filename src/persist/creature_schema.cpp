@@ -73,6 +73,12 @@ constexpr std::array kMeanings = {
     Meaning{"seed", "Seed of the experiment."},
     Meaning{"scored.fitness", "The score."},
     Meaning{"unit", "Unit of the score."},
+    Meaning{"confirmed",
+            "Scores in the trial's world and in others a hair different, to tell merit from luck."},
+    Meaning{"worlds", "In how many worlds it was tried."},
+    Meaning{"median", "The median of the scores."},
+    Meaning{"lowest", "The lowest of the scores."},
+    Meaning{"highest", "The highest of the scores."},
     Meaning{"trajectory", "Digest of the motion."},
     Meaning{"ticks",
             "A byte for each tick of 1/60 s of the motion, a second a line, as hexadecimal digits: "

@@ -48,6 +48,27 @@ void check_order(const GenerationStatistics& statistics, std::size_t expected) {
         throw DatabaseError("generation " + std::to_string(expected) + " is missing");
 }
 
+// Births of every line into the history of generations that have none yet.
+void read_births(const Database& database, std::vector<GenerationStatistics>& history) {
+    Statement row =
+        database.prepare("SELECT generation, line, births FROM births ORDER BY generation, line");
+    const std::size_t most = most_rows(database);
+    std::size_t count = 0;
+    while (row.step()) {
+        std::uint32_t generation = 0;
+        LineBirths line;
+        read_column(row, 0, generation);
+        read_column(row, 1, line.line);
+        read_column(row, 2, line.births);
+        if (generation >= history.size() || line.births < 0)
+            throw DatabaseError("births of a generation that is missing");
+        history[generation].births.push_back(line);
+        if (++count > most) throw DatabaseError("it is damaged: more births than it can hold");
+    }
+    for (GenerationStatistics& generation : history)
+        put_most_first(generation.births);
+}
+
 RowRef row_ref(const Statement& row, int column) {
     return {row.integer(column), row.integer(column + 1)};
 }
@@ -211,27 +232,31 @@ private:
 
     void read_generations() {
         const int more = static_cast<int>(kStatisticsColumns.size());
-        Statement row = database_.prepare(
-            "SELECT " + column_names<GenerationStatistics>(kStatisticsColumns) +
-            ", champion, champion_judged, settings, population_digest, audited, "
-            "audited_survivors, novelty_threshold, novelty_quiet FROM generations "
-            "ORDER BY generation");
+        Statement row =
+            database_.prepare("SELECT " + column_names<GenerationStatistics>(kStatisticsColumns) +
+                              ", champion, champion_judged, settings, population_digest, audited, "
+                              "audited_survivors, novelty_threshold, novelty_quiet, " +
+                              column_names<GenerationStatistics>(kLaterStatisticsColumns) +
+                              " FROM generations ORDER BY generation");
         EvolutionState latest;
         while (row.step()) {
             GenerationStatistics statistics;
             read_columns<GenerationStatistics>(row, 0, kStatisticsColumns, statistics);
             check_order(statistics, latest.history.size());
+            read_columns<GenerationStatistics>(row, more + 8, kLaterStatisticsColumns, statistics);
             latest.history.push_back(statistics);
             latest.generation = statistics.generation;
             latest.settings = settings(row.integer(more + 2));
             read_.saved.champions.push_back(
-                {statistics.generation, individuals_.read(row_ref(row, more)), latest.settings});
+                {statistics.generation, individuals_.read(row_ref(row, more), *latest.settings),
+                 latest.settings});
             read_.saved.digests.push_back(static_cast<std::uint64_t>(row.integer(more + 3)));
             read_column(row, more + 4, latest.bar_audit.finished);
             read_column(row, more + 5, latest.bar_audit.survived);
             latest.memory.threshold = row.real(more + 6);
             read_column(row, more + 7, latest.memory.quiet_generations);
         }
+        read_births(database_, latest.history);
         if (!latest.history.empty()) read_.saved.latest = std::move(latest);
     }
 
@@ -241,13 +266,14 @@ private:
             database_.prepare("SELECT individual, judged FROM population ORDER BY place");
         while (place.step()) {
             read_.population.push_back(row_ref(place, 0));
-            latest.population.push_back(individuals_.read(read_.population.back()));
+            latest.population.push_back(
+                individuals_.read(read_.population.back(), *latest.settings));
             if (latest.population.size() > kLargestPopulation)
                 throw DatabaseError("the population is too large");
         }
         Statement novel = database_.prepare("SELECT individual, judged FROM novel ORDER BY place");
         while (novel.step()) {
-            latest.memory.archive.push_back(individuals_.read(row_ref(novel, 0)));
+            latest.memory.archive.push_back(individuals_.read(row_ref(novel, 0), *latest.settings));
             check_count(latest.memory.archive.size(), "novel creatures");
         }
         if (latest.population.empty() ||
@@ -255,8 +281,8 @@ private:
             throw DatabaseError("the latest population is not the one that was written");
     }
 
-    IndividualPtr chosen(const RowRef& row) {
-        IndividualPtr individual = individuals_.read(row);
+    IndividualPtr chosen(const RowRef& row, const ExperimentSettings& settings) {
+        IndividualPtr individual = individuals_.read(row, settings);
         read_.chosen.emplace_back(individual, row);
         return individual;
     }
@@ -294,7 +320,7 @@ private:
             "SELECT individual, judged FROM grid_cells WHERE grid = ? ORDER BY cell LIMIT 100");
         cell.bind(number);
         while (cell.step())
-            node.creatures.push_back(chosen(row_ref(cell, 0)));
+            node.creatures.push_back(chosen(row_ref(cell, 0), *node.settings));
         if (node.creatures.empty()) throw DatabaseError("a grid is empty");
         const PickingTree& tree = read_.picking.tree;
         node.picks =
@@ -340,9 +366,9 @@ private:
         row.bind(role);
         while (row.step()) {
             JudgedIndividual each;
-            each.individual = chosen(row_ref(row, 0));
             read_column(row, 2, each.generation);
             each.settings = settings(row.integer(3));
+            each.individual = chosen(row_ref(row, 0), *each.settings);
             creatures.push_back(std::move(each));
             check_count(creatures.size(), "kept creatures");
         }
@@ -397,13 +423,17 @@ std::optional<std::string> read_only_simulator(const Database& database) {
 
 std::vector<GenerationStatistics> read_history(const Database& database) {
     Statement row =
-        database.prepare("SELECT " + column_names<GenerationStatistics>(kStatisticsColumns) +
+        database.prepare("SELECT " + column_names<GenerationStatistics>(kStatisticsColumns) + ", " +
+                         column_names<GenerationStatistics>(kLaterStatisticsColumns) +
                          " FROM generations ORDER BY generation");
     std::vector<GenerationStatistics> history;
     while (row.step()) {
-        read_columns<GenerationStatistics>(row, 0, kStatisticsColumns, history.emplace_back());
-        check_order(history.back(), history.size() - 1);
+        GenerationStatistics& statistics = history.emplace_back();
+        const int next = read_columns<GenerationStatistics>(row, 0, kStatisticsColumns, statistics);
+        read_columns<GenerationStatistics>(row, next, kLaterStatisticsColumns, statistics);
+        check_order(statistics, history.size() - 1);
     }
+    read_births(database, history);
     return history;
 }
 

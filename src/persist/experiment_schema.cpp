@@ -6,6 +6,7 @@
 namespace cambrian {
 namespace {
 
+// Of version 2.
 std::string tables() {
     return "CREATE TABLE facts (name TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID;"
            "CREATE TABLE settings (id INTEGER PRIMARY KEY, toml TEXT NOT NULL);"
@@ -51,6 +52,15 @@ std::string tables() {
            "FROM generations JOIN individuals ON id = champion;";
 }
 
+template <class Row>
+void add_columns(Database& database, const char* table, std::span<const Column<Row>> columns) {
+    for (const Column<Row>& column : columns) {
+        const bool whole = !std::holds_alternative<double Row::*>(column.field);
+        database.execute(std::string("ALTER TABLE ") + table + " ADD COLUMN " + column.name +
+                         (whole ? " INTEGER NOT NULL DEFAULT 0" : ""));
+    }
+}
+
 std::map<std::string, std::string> statements_of(const Database& database) {
     std::map<std::string, std::string> statements;
     Statement schema =
@@ -62,10 +72,21 @@ std::map<std::string, std::string> statements_of(const Database& database) {
 
 }  // namespace
 
+void add_lines_and_confirmations(Database& database) {
+    database.execute("ALTER TABLE individuals ADD COLUMN line INTEGER NOT NULL DEFAULT 0");
+    add_columns<EvaluationResult>(database, "results", kLaterResultColumns);
+    database.execute("ALTER TABLE results ADD COLUMN scores TEXT");
+    add_columns<GenerationStatistics>(database, "generations", kLaterStatisticsColumns);
+    database.execute(
+        "CREATE TABLE births (generation INTEGER NOT NULL, line INTEGER NOT NULL, "
+        "births INTEGER NOT NULL, PRIMARY KEY (generation, line)) WITHOUT ROWID");
+}
+
 void create_tables(Database& database) {
     database.execute("PRAGMA application_id = " + std::to_string(kExperimentApplication));
     database.execute("PRAGMA user_version = " + std::to_string(kExperimentVersion));
     database.execute(tables());
+    add_lines_and_confirmations(database);
 }
 
 Result<std::int64_t> version_of_tables(const Database& database) {
@@ -84,6 +105,7 @@ Result<std::int64_t> version_of_tables(const Database& database) {
 Status check_tables(const Database& database) {
     Database model({}, Database::Access::kCreate);
     model.execute(tables());
+    add_lines_and_confirmations(model);
     const auto found = statements_of(database);
     for (const auto& [name, sql] : statements_of(model)) {
         const auto table = found.find(name);

@@ -15,7 +15,7 @@ namespace cambrian {
 // In the file's header, so that `file` and we know one: "Camb".
 inline constexpr std::int64_t kExperimentApplication = 0x43616d62;
 // Raised whenever a table changes; older files are brought up step by step.
-inline constexpr std::int64_t kExperimentVersion = 2;
+inline constexpr std::int64_t kExperimentVersion = 3;
 // Each is read and checked when the experiment is opened.
 inline constexpr std::int64_t kMostSettingsChanges = 5000;
 
@@ -32,6 +32,10 @@ inline constexpr std::array kResultColumns = {
     Column<EvaluationResult>{"computed_time", &EvaluationResult::computed_time},
     Column<EvaluationResult>{"work", &EvaluationResult::work},
     Column<EvaluationResult>{"hopeless", &EvaluationResult::hopeless},
+};
+// Since version 3.
+inline constexpr std::array kLaterResultColumns = {
+    Column<EvaluationResult>{"plan", &EvaluationResult::plan},
 };
 inline constexpr std::array kBehaviorColumns = {
     Column<Behavior>{"settled_height", &Behavior::settled_height},
@@ -62,6 +66,10 @@ inline constexpr std::array kAuditColumns = {
     Column<SceneAudit>{"events", &SceneAudit::events},
     Column<SceneAudit>{"fallbacks", &SceneAudit::fallbacks},
 };
+
+// Makes the tables of version 2 into those of version 3: founder lines, body plans, confirmed
+// scores.
+void add_lines_and_confirmations(Database& database);
 
 // Makes the tables in an empty database.
 void create_tables(Database& database);

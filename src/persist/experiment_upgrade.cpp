@@ -3,6 +3,7 @@
 #include "persist/experiment_schema.h"
 
 #include <array>
+#include <map>
 #include <string>
 #include <utility>
 
@@ -16,8 +17,30 @@ void name_simulators(Database& database) {
         "INSERT INTO simulators VALUES (0, '1.0')");
 }
 
+// Version 2 did not name the founder that everybody descends from: it stands at the end of the
+// mothers, as far as they are known. Who bears has a lower row than who is born.
+void trace_lines(Database& database) {
+    std::map<std::int64_t, std::int64_t> lines;  // by row
+    Statement row = database.prepare(
+        "SELECT id, mother, CASE parent1 WHEN 0 THEN uid ELSE parent1 END FROM individuals "
+        "ORDER BY id");
+    while (row.step()) {
+        const auto mother = lines.find(row.is_null(1) ? 0 : row.integer(1));
+        lines.emplace(row.integer(0), mother == lines.end() ? row.integer(2) : mother->second);
+    }
+    Statement update = database.prepare("UPDATE individuals SET line = ? WHERE id = ?");
+    for (const auto& [id, line] : lines)
+        update.run(line, id);
+}
+
+void add_lines(Database& database) {
+    add_lines_and_confirmations(database);
+    trace_lines(database);
+    database.execute("UPDATE generations SET best_lowest = best, best_highest = best");
+}
+
 // The step from version 1, from version 2...
-constexpr std::array kSteps = {name_simulators};
+constexpr std::array kSteps = {name_simulators, add_lines};
 static_assert(kSteps.size() + 1 == kExperimentVersion);
 
 }  // namespace

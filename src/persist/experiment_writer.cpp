@@ -28,9 +28,12 @@ ExperimentWriter::ExperimentWriter(Database database, const EvolutionKinds& kind
       insert_place_(database_.prepare("INSERT INTO population VALUES (?, ?, ?)")),
       clear_novel_(database_.prepare("DELETE FROM novel")),
       insert_novel_(database_.prepare("INSERT INTO novel VALUES (?, ?, ?)")),
-      insert_generation_(database_.prepare(
-          "INSERT INTO generations VALUES (?" +
-          more_places(kStatisticsColumns.size() + kMoreGenerationColumns - 1) + ")")),
+      insert_generation_(
+          database_.prepare("INSERT INTO generations VALUES (?" +
+                            more_places(kStatisticsColumns.size() + kMoreGenerationColumns +
+                                        kLaterStatisticsColumns.size() - 1) +
+                            ")")),
+      insert_births_(database_.prepare("INSERT INTO births VALUES (?, ?, ?)")),
       insert_grid_(database_.prepare("INSERT INTO grids VALUES (?" + more_places(8) + ")")),
       insert_cell_(database_.prepare("INSERT INTO grid_cells VALUES (?, ?, ?, ?)")),
       clear_kept_(database_.prepare("DELETE FROM kept WHERE role = ?")),
@@ -255,7 +258,11 @@ void ExperimentWriter::insert_generation(const Evolution& evolution) {
     insert_generation_.bind_next(evolution.bar_audit().survived);
     insert_generation_.bind_next(memory.threshold);
     insert_generation_.bind_next(memory.quiet_generations);
+    bind_columns<GenerationStatistics>(insert_generation_, kLaterStatisticsColumns,
+                                       evolution.history().back());
     insert_generation_.finish();
+    for (const LineBirths& line : evolution.history().back().births)
+        insert_births_.run(evolution.generation(), line.line, line.births);
 }
 
 }  // namespace cambrian

@@ -84,6 +84,7 @@ private:
     Statement clear_novel_;
     Statement insert_novel_;
     Statement insert_generation_;
+    Statement insert_births_;
     Statement insert_grid_;
     Statement insert_cell_;
     Statement clear_kept_;

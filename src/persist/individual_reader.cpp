@@ -1,12 +1,15 @@
 #include "persist/individual_reader.h"
 
+#include "evolution/evaluation.h"
 #include "persist/creature_format.h"
 #include "persist/experiment_schema.h"
 #include "persist/mutation_text.h"
+#include "persist/score_text.h"
 
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,6 +32,12 @@ AuditVerdict verdict_of(std::string_view name) {
     return choice_of<AuditVerdict>(name, creature_format::kVerdicts);
 }
 
+std::vector<double> scores_of(std::string_view text) {
+    std::optional<std::vector<double>> scores = parse_scores(text);
+    if (!scores) throw DatabaseError("its scores are no numbers");
+    return *std::move(scores);
+}
+
 void check_finite(const EvaluationResult& result) {
     for (const auto& column : kBehaviorColumns) {
         const auto* field = std::get_if<double Behavior::*>(&column.field);
@@ -41,27 +50,32 @@ void check_finite(const EvaluationResult& result) {
 }  // namespace
 
 IndividualReader::IndividualReader(const Database& database, const EvolutionKinds& kinds)
-    : genotypes_(kinds),
+    : kinds_(kinds),
+      genotypes_(kinds),
       select_individual_(
           database.prepare("SELECT uid, born, body_born, parent1, parent2, mother, method, "
                            "mutations, genome_hash, fitness, outcome, verdict, digest, parts, "
-                           "neurons FROM individuals WHERE id = ?")),
+                           "neurons, line FROM individuals WHERE id = ?")),
       select_genotype_(
           database.prepare("SELECT size, document FROM genotypes WHERE individual = ?")),
       select_result_(database.prepare(
           "SELECT outcome, verdict, finer_outcome, finer_fitness, finer_verdict, " +
           column_names<EvaluationResult>(kResultColumns) + ", " +
           column_names<Behavior>(kBehaviorColumns) + ", " +
-          column_names<SceneAudit>(kAuditColumns) +
-          " FROM results WHERE individual = ? AND judged = ?")) {}
+          column_names<SceneAudit>(kAuditColumns) + ", " +
+          column_names<EvaluationResult>(kLaterResultColumns) +
+          ", scores FROM results WHERE individual = ? AND judged = ?")) {}
 
-IndividualPtr IndividualReader::read(const RowRef& row) {
+IndividualPtr IndividualReader::read(const RowRef& row, const ExperimentSettings& settings) {
     IndividualPtr& place = individuals_[{row.individual, row.judged}];
     if (place) return place;
     auto [individual, mother] = read_row(row.individual);
     individual.result = read_result(row);
     individual.genome = read_genome(row.individual, individual.genome_hash);
     if (!individual.genome) throw DatabaseError("its genotype is missing");
+    // Files of before version 3 do not tell.
+    if (individual.result.plan == 0)
+        individual.result.plan = plan_of(*individual.genome, settings, kinds_);
     if (mother != 0) individual.mother = ParentLink(ancestor(mother, row.individual));
     place = std::make_shared<const Individual>(std::move(individual));
     return place;
@@ -92,6 +106,7 @@ IndividualReader::Row IndividualReader::read_row(std::int64_t id) {
     read_column(row, 12, one.result.digest);
     read_column(row, 13, one.result.parts);
     read_column(row, 14, one.result.neurons);
+    read_column(row, 15, one.line);
     return {std::move(one), mother};
 }
 
@@ -122,7 +137,9 @@ EvaluationResult IndividualReader::read_result(const RowRef& row) {
             FinerResult{outcome_of(found.text(2)), found.real(3), verdict_of(found.text(4))};
     int next = read_columns<EvaluationResult>(found, 5, kResultColumns, result);
     next = read_columns<Behavior>(found, next, kBehaviorColumns, result.behavior);
-    read_columns<SceneAudit>(found, next, kAuditColumns, result.audit);
+    next = read_columns<SceneAudit>(found, next, kAuditColumns, result.audit);
+    next = read_columns<EvaluationResult>(found, next, kLaterResultColumns, result);
+    if (!found.is_null(next)) result.scores = scores_of(found.text(next));
     check_finite(result);
     return result;
 }

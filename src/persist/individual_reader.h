@@ -18,8 +18,8 @@ class IndividualReader {
 public:
     IndividualReader(const Database& database, const EvolutionKinds& kinds);
 
-    // The same pointer for the same row.
-    IndividualPtr read(const RowRef& row);
+    // The same pointer for the same row. The settings are those that judged it.
+    IndividualPtr read(const RowRef& row, const ExperimentSettings& settings);
 
 private:
     struct Row {
@@ -32,6 +32,7 @@ private:
     EvaluationResult read_result(const RowRef& row);
     IndividualPtr ancestor(std::int64_t id, std::int64_t child);
 
+    const EvolutionKinds& kinds_;
     GenotypeReader genotypes_;
     Statement select_individual_;
     Statement select_genotype_;

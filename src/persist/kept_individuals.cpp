@@ -2,6 +2,7 @@
 
 #include "persist/experiment_schema.h"
 #include "persist/mutation_text.h"
+#include "persist/score_text.h"
 
 #include <algorithm>
 #include <string>
@@ -9,12 +10,13 @@
 namespace cambrian {
 namespace {
 
-constexpr std::size_t kWordColumns = 5;  // outcome, verdict and the finer trial's
+constexpr std::size_t kWordColumns = 6;  // outcome, verdict, the finer trial's, scores
 
 Statement result_insertion(const Database& database) {
     return database.prepare("INSERT OR REPLACE INTO results VALUES (?, ?" +
                             more_places(kWordColumns + kResultColumns.size() +
-                                        kBehaviorColumns.size() + kAuditColumns.size()) +
+                                        kBehaviorColumns.size() + kAuditColumns.size() +
+                                        kLaterResultColumns.size()) +
                             ")");
 }
 
@@ -25,7 +27,7 @@ KeptIndividuals::KeptIndividuals(const Database& database, const EvolutionKinds&
     : known_(known),
       packer_(kinds),
       insert_individual_(
-          database.prepare("INSERT INTO individuals VALUES (?" + more_places(15) + ")")),
+          database.prepare("INSERT INTO individuals VALUES (?" + more_places(16) + ")")),
       insert_genotype_(database.prepare("INSERT INTO genotypes VALUES (?, ?, ?)")),
       insert_result_(result_insertion(database)),
       update_individual_(
@@ -90,6 +92,7 @@ KeptIndividuals::Entry KeptIndividuals::insert(const IndividualPtr& individual,
     insert_individual_.bind_next(one.result.digest);
     insert_individual_.bind_next(one.result.parts);
     insert_individual_.bind_next(one.result.neurons);
+    insert_individual_.bind_next(one.line);
     insert_individual_.finish();
 
     const RowRef row{insert_individual_.inserted_row(), judged};
@@ -116,6 +119,12 @@ void KeptIndividuals::insert_score(const Individual& individual, const RowRef& r
     bind_columns<EvaluationResult>(insert_result_, kResultColumns, result);
     bind_columns<Behavior>(insert_result_, kBehaviorColumns, result.behavior);
     bind_columns<SceneAudit>(insert_result_, kAuditColumns, result.audit);
+    bind_columns<EvaluationResult>(insert_result_, kLaterResultColumns, result);
+    if (result.scores.empty()) {
+        insert_result_.bind_next(std::nullopt);
+    } else {
+        insert_result_.bind_next(scores_text(result.scores));
+    }
     insert_result_.finish();
 }
 

@@ -78,6 +78,9 @@ Result<CreatureDocument> rescored(CreatureDocument document, const EvolutionKind
                      std::string(outcome_name(result.outcome)) + ", " + result.reason + ")"};
     }
     ScoredRecord& scored = *document.scored;
+    // The other worlds' scores are of the motion that is replaced.
+    if (scored.simulator != kSimulatorVersion || scored.trajectory != result.digest)
+        scored.confirmed.reset();
     scored.fitness = result.fitness;
     scored.unit = kinds.goals.find(scored.goal)->unit;
     scored.trajectory = result.digest;

@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace cambrian {
 
@@ -28,6 +29,17 @@ Status save_settings(const std::filesystem::path& path, const ExperimentSettings
 // The same for text; source names it in messages.
 Result<ExperimentSettings> parse_settings(std::string_view text, std::string_view source,
                                           const EvolutionKinds& kinds);
+
+// Settings in several texts, each of which says some of them: a later one replaces what an earlier
+// one says. A key that none has is at its default, which may go with the goal.
+struct SettingsText {
+    std::string text;
+    std::string source;  // names it in messages
+};
+Result<ExperimentSettings> merge_settings(const std::vector<SettingsText>& texts,
+                                          const EvolutionKinds& kinds);
+Result<SettingsText> read_settings_text(const std::filesystem::path& path);
+
 std::string write_settings(const ExperimentSettings& settings, const EvolutionKinds& kinds);
 
 }  // namespace cambrian

@@ -126,19 +126,34 @@ private:
 
 Result<ExperimentSettings> parse_settings(std::string_view text, std::string_view source,
                                           const EvolutionKinds& kinds) {
-    ErrorList errors;
-    const toml::parse_result document = toml::parse(text);
-    if (!document) {
-        errors.error("", line_of(document.error().source()),
-                     shown(document.error().description(), kLongestReason));
-        return errors.as_error(source);
+    return merge_settings({{std::string(text), std::string(source)}}, kinds);
+}
+
+Result<ExperimentSettings> merge_settings(const std::vector<SettingsText>& texts,
+                                          const EvolutionKinds& kinds) {
+    std::vector<toml::table> documents;
+    std::string goal;
+    for (const auto& [text, source] : texts) {
+        ErrorList errors;
+        toml::parse_result document = toml::parse(text);
+        if (!document) {
+            errors.error("", line_of(document.error().source()),
+                         shown(document.error().description(), kLongestReason));
+            return errors.as_error(source);
+        }
+        goal = document["goal"]["behavior"].value_or(goal);
+        documents.push_back(std::move(document).table());
     }
-    const std::string goal = document["goal"]["behavior"].value_or(std::string());
+    ErrorList errors;
     SettingsReader reader(kinds, errors, kinds.goals.find(goal) == nullptr ? "" : goal);
-    reader.read(document.table());
-    if (!errors.empty()) return errors.as_error(source);
+    std::string sources;
+    for (std::size_t i = 0; i < documents.size(); ++i) {
+        reader.read(documents[i]);
+        if (!errors.empty()) return errors.as_error(texts[i].source);
+        sources += (i == 0 ? "" : " with ") + texts[i].source;
+    }
     if (const Status contradiction = check_settings(reader.settings(), kinds); !contradiction)
-        return Error{std::string(source) + ": " + contradiction.error().message};
+        return Error{sources + ": " + contradiction.error().message};
     return reader.settings();
 }
 

@@ -41,7 +41,8 @@ std::string line(const SettingField& field, const ExperimentSettings& settings,
 std::string write_settings(const ExperimentSettings& settings, const EvolutionKinds& kinds) {
     std::string text =
         "# The settings of one experiment: `cambrian evolve THIS-FILE` evolves under them.\n"
-        "# A key left out has its default; those of [environment] go with the goal.\n";
+        "# A key left out has its default; those of [environment] and confirmations go\n"
+        "# with the goal.\n";
     const ExperimentSettings defaults = default_settings(settings.goal, kinds);
     std::string table;
     for (const SettingField& field : setting_fields(kinds)) {

@@ -34,4 +34,13 @@ inline constexpr std::array kStatisticsColumns = {
     Column<GenerationStatistics>{"progress_mark", &GenerationStatistics::progress_mark},
 };
 
+// Since version 3 of experiment files.
+inline constexpr std::array kLaterStatisticsColumns = {
+    Column<GenerationStatistics>{"confirmations", &GenerationStatistics::confirmations},
+    Column<GenerationStatistics>{"best_lowest", &GenerationStatistics::best_lowest},
+    Column<GenerationStatistics>{"best_highest", &GenerationStatistics::best_highest},
+    Column<GenerationStatistics>{"lines", &GenerationStatistics::lines},
+    Column<GenerationStatistics>{"plans", &GenerationStatistics::plans},
+};
+
 }  // namespace cambrian

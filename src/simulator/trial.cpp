@@ -90,6 +90,7 @@ void Trial::begin_test() {
     for (const std::uint16_t part : phenotype_->effector_parts) {
         progress_.reversals.emplace_back(scene_->joint_coordinate(part));
     }
+    watch_jumps();
     sample();
     if (ticks_in(world_.trial.duration) == 0) finish();
 }
@@ -108,6 +109,7 @@ void Trial::test_tick() {
     }
     check_guards();
     if (progress_.finished) return;
+    watch_jumps();
     const bool last = static_cast<int>(progress_.test_ticks) >= ticks_in(world_.trial.duration);
     if (last || progress_.test_ticks % kTicksPerSample == 0) sample();
     if (last) {
@@ -128,6 +130,10 @@ void Trial::stop_early(Outcome outcome, std::string reason) {
     progress_.record.outcome = outcome;
     progress_.record.reason = std::move(reason);
     finish();
+}
+
+void Trial::watch_jumps() {
+    progress_.record.jumps.watch(scene_->bounds().low.y(), scene_->center_of_mass().y());
 }
 
 void Trial::sample() {

@@ -98,6 +98,7 @@ private:
     void settle_tick();
     void test_tick();
     void begin_test();
+    void watch_jumps();
     void sample();
     void check_guards();
     void fail_with(SceneStatus status);

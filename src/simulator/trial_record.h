@@ -1,8 +1,9 @@
 #pragma once
 
-// What is kept of one trial: sampled motion, the audit, a digest of every tick.
+// What is kept of one trial: sampled motion, the highest jump, the audit, a digest.
 
 #include "math/bounds.h"
+#include "simulator/jump_watch.h"
 #include "simulator/outcome.h"
 #include "world/physics_scene.h"
 
@@ -29,6 +30,7 @@ struct TrialRecord {
     double reversal_rate = 0.0;       // Hz, of the busiest joint; swings over 0.05 rad
     double mean_reversal_rate = 0.0;  // Hz, of all joints that can move
     std::vector<MotionSample> samples;  // every 0.1 s from 0 to duration, unless failed
+    JumpWatch jumps;                    // of every tick of the test phase
     SceneAudit audit;                   // of the test phase
     std::uint64_t digest = 0;           // of the state at every sample and the start of settling
 };

@@ -12,7 +12,7 @@
 #include "bench/write_table.h"
 #include "core/threads/thread_pool.h"
 #include "support/body_plans.h"
-#include "support/sample_statistics.h"
+#include "core/sample_statistics.h"
 #include "support/workload.h"
 
 #include <CLI/CLI.hpp>

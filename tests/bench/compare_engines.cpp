@@ -7,8 +7,8 @@
 #include "bench/selection.h"
 #include "bench/write_table.h"
 #include "support/body_plans.h"
-#include "support/sample_statistics.h"
-#include "support/thread_time.h"
+#include "core/sample_statistics.h"
+#include "core/thread_time.h"
 #include "support/workload.h"
 
 #include <CLI/CLI.hpp>

@@ -1,7 +1,7 @@
 #include "bench/evaluation_cost.h"
 
 #include "simulator/trial.h"
-#include "support/thread_time.h"
+#include "core/thread_time.h"
 
 #include <vector>
 

@@ -3,7 +3,7 @@
 #include "bench/joint_angles.h"
 #include "core/threads/thread_pool.h"
 #include "support/body_plans.h"
-#include "support/sample_statistics.h"
+#include "core/sample_statistics.h"
 #include "support/workload.h"
 
 #include <array>

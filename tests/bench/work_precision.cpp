@@ -10,7 +10,7 @@
 #include "bench/write_table.h"
 #include "dynamics/planar_scene.h"
 #include "support/body_plans.h"
-#include "support/thread_time.h"
+#include "core/thread_time.h"
 
 #include <CLI/CLI.hpp>
 

@@ -33,10 +33,12 @@ class Evolve(ProgramTest):
     def test_every_generation_is_one_line_and_the_best_never_falls(self):
         self.write("small.toml", SMALL)
         lines = self.run_well("evolve", "small.toml", "-n", 4).stdout.splitlines()
-        self.assertEqual(len(lines), 7)
+        self.assertEqual(len(lines), 8)
         for number, line in enumerate(lines[:4]):
             self.assertRegex(line, rf"^generation +{number}   best +[0-9.]+ BL/s   median")
-        self.assertEqual(lines[6], "experiment: walking-seed1.cambrian")
+        self.assertRegex(lines[6], r"^confirmed: [0-9.]+ BL/s, the median of 11 worlds "
+                                   r"\([0-9.]+ to [0-9.]+\)$")
+        self.assertEqual(lines[7], "experiment: walking-seed1.cambrian")
         best = [float(line.split()[3]) for line in lines[:4]]
         self.assertEqual(best, sorted(best))
         self.assertIn("best of generation 0:", lines[4])
@@ -52,7 +54,13 @@ class Evolve(ProgramTest):
         self.assertEqual(reports[-1]["stopped_by"], "generations")
         self.assertEqual(reports[-1]["best_of_last"], reports[2]["best"])
         self.assertTrue((self.folder / reports[-1]["champion"]).exists())
-        self.assertEqual(reports[0]["reused"] + reports[0]["evaluations"], 12)
+        first = reports[0]
+        self.assertEqual(first["reused"] + first["evaluations"] - first["confirmations"], 12)
+        self.assertGreater(first["confirmations"], 0)
+        self.assertEqual(sum(first["births_by_line"].values()), 12)
+        self.assertEqual(len(reports[-1]["scores"]), 11)
+        self.assertEqual(reports[-1]["fitness"], sorted(reports[-1]["scores"])[5])
+        self.assertIsNone(reports[-1]["audited"])
 
     def test_the_champions_origin_is_told_in_words(self):
         self.write("grown.toml", SMALL + "[mutation]\nrate = 3\n")
@@ -66,7 +74,8 @@ class Evolve(ProgramTest):
             self.assertEqual(sorted(mutation), ["from", "operator", "place", "to"])
             self.assertTrue(mutation["operator"] and mutation["place"] and mutation["to"])
         words = self.run_well("evolve", "grown.toml", "-n", 12, "-o", "a.json").stdout
-        self.assertIn(champion["mutations"][0]["place"] + ": ", words.splitlines()[-1])
+        [told] = [line for line in words.splitlines() if line.startswith("champion: ")]
+        self.assertIn(champion["mutations"][0]["place"] + ": ", told)
 
     def test_the_champion_goes_where_it_is_asked_to(self):
         self.write("small.toml", SMALL)
@@ -86,9 +95,13 @@ class Evolve(ProgramTest):
     def test_the_champion_scores_in_its_file_what_the_report_said(self):
         self.write("small.toml", SMALL)
         reports = self.run_well("evolve", "small.toml", "--json", "-o", "a.json").stdout
-        best = json.loads(reports.splitlines()[-1])["best_of_last"]
+        final = json.loads(reports.splitlines()[-1])
         creature = json.loads((self.folder / "a.json").read_text())
-        self.assertEqual(creature["scored"]["fitness"], best)
+        self.assertEqual(creature["scored"]["fitness"], final["scores"][0])
+        self.assertEqual(creature["scored"]["confirmed"],
+                         {"worlds": 11, "median": final["fitness"],
+                          "lowest": min(final["scores"]), "highest": max(final["scores"])})
+        self.run_well("verify", "a.json")
         self.assertEqual(creature["scored"]["trial"]["duration"], 2)
 
     def test_a_place_that_cannot_be_written_is_refused_before_evolving(self):
@@ -156,8 +169,17 @@ class Evolve(ProgramTest):
         self.assertGreaterEqual(sum(spent), 40)
         self.assertLess(sum(spent[:-1]), 40)
 
+    def test_giving_up_tells_how_many_were_audited(self):
+        self.write("hasty.toml", SMALL.replace("[run]\n", "[run]\nstop-hopeless = true\n"))
+        words = self.run_well("evolve", "hasty.toml", "-n", 6, "-o", "a.json").stdout
+        self.assertRegex(words, r"\nearly termination: \d+ audited, \d+ would have survived\n")
+        report = self.run_well("evolve", "hasty.toml", "-n", 6, "--json", "-o", "a.json").stdout
+        audited = json.loads(report.splitlines()[-1])["audited"]
+        self.assertGreater(audited["finished"], 0)
+        self.assertLessEqual(audited["would_have_survived"], audited["finished"])
+
     def test_founders_begin_the_population(self):
-        self.write("small.toml", SMALL)
+        self.write("small.toml", SMALL + "[selection]\nconfirmations = 0\n")
         self.run_well("evolve", "small.toml", "-n", 1, "-s", 3, "-o", "a.json")
         self.run_well("evolve", "small.toml", "-n", 1, "-s", 4, "-o", "b.json")
         before = max(json.loads((self.folder / name).read_text())["scored"]["fitness"]

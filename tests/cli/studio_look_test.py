@@ -19,7 +19,7 @@ duration = 2
 CLOSED_AT_FIRST = ["breeding", "mutation.weights", "body", "body.joints", "body.functions",
                    "body.sensors", "body.references", "simulation", "trial", "run"]
 INSPECTOR_TABS = ["Creature", "Brain", "Genotype", "Ancestry", "Energy"]
-PLOTS = ["fitness", "diversity", "parts", "neurons", "trials", "invalid"]
+PLOTS = ["fitness", "diversity", "kinds", "lines", "parts", "neurons", "trials", "invalid"]
 TOUR_STEPS = 5
 MOST_PAGES = 20  # of the experiment panel
 # Panels, grounds that controls lie on, and parts of a row that is named besides.
@@ -178,6 +178,9 @@ class StudioLook(StudioTest):
         self.tap("tile order")
         self.look("population-orders")
         self.tap_nowhere()
+        self.tap("One a plan")
+        self.look("population-one-a-plan")
+        self.tap("One a plan")
 
     def look_at_tour(self):
         self.tap("Help")

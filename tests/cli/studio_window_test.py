@@ -294,8 +294,8 @@ class StudioWindow(StudioTest):
 
     def test_the_viewer_shows_one_creature_and_nothing_else(self):
         display = self.open_display()
-        self.open_window(display, "view", ROOT / "assets/creatures/acrobat.creature.json")
-        self.assertEqual(display.tool("getwindowname", self.window).strip(), "Acrobat – Cambrian")
+        self.open_window(display, "view", ROOT / "assets/creatures/hopper.creature.json")
+        self.assertEqual(display.tool("getwindowname", self.window).strip(), "Hopper – Cambrian")
         self.wait_for("place", name="viewport")
         names = {event["name"] for event in self.events() if event["event"] == "place"}
         self.assertIn("Restart", names)

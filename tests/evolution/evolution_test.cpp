@@ -193,6 +193,7 @@ TEST_CASE("an interrupted generation goes on where it stopped", "[evolution]") {
 
 TEST_CASE("survivors are not evaluated again until the world changes", "[evolution]") {
     auto settings = small_settings(50);
+    settings->selection.confirmations = 0;
     Evolution evolution(settings, kinds());
     FakeBackend backend;
     run(evolution, backend, 1);

@@ -78,7 +78,13 @@ TEST_CASE("stopping at rest changes no survivor, champion or best in 30 generati
 
 TEST_CASE("giving up hopeless trials changes no survivor of 30 generations",
           "[evolution][savings]") {
-    auto settings = short_walks(30);
+    const bool limited = GENERATE(true, false);
+    // The bar is lower where lines and plans are limited, so that fewer seem doomed.
+    auto settings = short_walks(limited ? 90 : 30);
+    if (!limited) {
+        settings->selection.line_share = 1.0;
+        settings->selection.plan_copies = 0;
+    }
     const History full = evolve(settings, 30);
     auto hasty = std::make_shared<ExperimentSettings>(*settings);
     hasty->stop_hopeless = true;
@@ -107,7 +113,7 @@ TEST_CASE("a reused score is the one a trial of its own gives", "[evolution][sav
         for (const IndividualPtr& one : evolution.population()) {
             const auto fresh = evaluate_in_trials(
                 {.genome = one->genome, .trial_seed = trial_seed(*settings)}, *settings, kinds());
-            CHECK(fresh.fitness == one->result.fitness);
+            CHECK(fresh.fitness == unconfirmed_score(one->result));
             CHECK(fresh.digest == one->result.digest);
         }
         evolution.breed();
@@ -170,6 +176,31 @@ TEST_CASE("unknown work is begun first, then the most work, and every trial once
     std::vector<std::size_t> order = {0, 1, 2, 3, 4};
     put_longest_first(order, requests);
     CHECK(order == std::vector<std::size_t>{3, 1, 2, 0, 4});
+}
+
+TEST_CASE("until thirty doomed trials were finished, all of them are", "[evolution][savings]") {
+    CHECK_FALSE(BarAudit{0, 0}.proven());
+    CHECK_FALSE(BarAudit{29, 0}.proven());
+    CHECK(BarAudit{30, 0}.proven());
+    CHECK_FALSE(BarAudit{30, 1}.proven());
+    auto settings = short_walks(90);
+    settings->stop_hopeless = true;
+    const auto backend = make_thread_pool_backend(kinds(), 2);
+    Evolution evolution(settings, kinds());
+    EvaluationProgress progress;
+    int unproven = 0;
+    int given_up = 0;
+    for (int i = 0; i < 20; ++i) {
+        const bool proven = evolution.bar_audit().proven();
+        REQUIRE(evolution.evaluate(*backend, progress, {}));
+        if (!proven) CHECK(evolution.history().back().given_up == 0);
+        unproven += proven ? 0 : 1;
+        given_up += evolution.history().back().given_up;
+        evolution.breed();
+    }
+    CHECK(unproven > 1);
+    CHECK(given_up > 0);
+    CHECK(evolution.bar_audit().finished >= BarAudit::kLeastFinished);
 }
 
 TEST_CASE("giving up is trusted until 1 in 1000 audited trials would have survived",

@@ -21,6 +21,35 @@ TEST_CASE("statistics of 101 evenly spread creatures", "[evolution][statistics]"
     CHECK(summary.distinct_genomes == 101);
 }
 
+TEST_CASE("lines and plans of survivors and births by line are counted",
+          "[evolution][statistics]") {
+    auto all = test::individuals({6, 5, 4, 3, 2, 1});
+    const std::uint64_t lines[] = {7, 7, 8, 9, 9, 9};
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        Individual one = *all[i];
+        one.line = lines[i];
+        one.result.plan = i / 2;
+        one.born = i == 0 ? 2 : 3;
+        all[i] = std::make_shared<const Individual>(one);
+    }
+    GenerationStatistics summary = summarize(all, 3, 6);
+    count_lines(summary, all, std::vector<std::size_t>{0, 1, 2});
+    CHECK(summary.lines == 2);
+    CHECK(summary.plans == 2);
+    CHECK(summary.births == std::vector<LineBirths>{{9, 3}, {7, 1}, {8, 1}});
+}
+
+TEST_CASE("the range of the best is that of its scores", "[evolution][statistics]") {
+    auto all = test::individuals({3, 2});
+    CHECK(summarize(all, 0, 2).best_lowest == 3.0);
+    CHECK(summarize(all, 0, 2).best_highest == 3.0);
+    Individual best = *all[0];
+    best.result.scores = {3.0, 2.5, 4.0};
+    all[0] = std::make_shared<const Individual>(best);
+    CHECK(summarize(all, 0, 2).best_lowest == 2.5);
+    CHECK(summarize(all, 0, 2).best_highest == 4.0);
+}
+
 TEST_CASE("only diverged and cheating creatures count as invalid", "[evolution][statistics]") {
     auto all = test::individuals({4, 3, 2, 1});
     const Outcome outcomes[] = {Outcome::kCompleted, Outcome::kRejected, Outcome::kDiverged,

@@ -50,10 +50,11 @@ void renew_digest(Database& database) {
     std::vector<IndividualPtr> population;
     IndividualReader individuals(database, kinds());
     try {
+        const SettingsPtr settings = read_last_settings(database, kinds());
         Statement place =
             database.prepare("SELECT individual, judged FROM population ORDER BY place");
         while (place.step())
-            population.push_back(individuals.read({place.integer(0), place.integer(1)}));
+            population.push_back(individuals.read({place.integer(0), place.integer(1)}, *settings));
     } catch (const DatabaseError&) {
         return;
     }

@@ -40,6 +40,15 @@ TEST_CASE("one leap of a body length earns less than 0.03", "[goals][walking]") 
     }
 }
 
+TEST_CASE("two leaps across seams of the windows earn less than 0.06", "[goals][walking]") {
+    for (const double seam : {6.0, 9.0, 12.0}) {
+        const auto record = moving_box(15.0, 1.0, 0.2, [&](double t) {
+            return Vec3((t < seam - 0.5 ? 0.0 : 1.0) + (t < seam + 0.5 ? 0.0 : 1.0), 0.1, 0.0);
+        });
+        CHECK(walking_score(record) <= 2.0 * 0.3 / 12.0 + 1e-12);
+    }
+}
+
 TEST_CASE("going there and back earns nothing", "[goals][walking]") {
     const auto record =
         moving_box(15.0, 1.0, 0.2, [](double t) { return Vec3(t < 9.0 ? t : 18.0 - t, 0.1, 0.0); });

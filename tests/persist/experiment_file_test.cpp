@@ -9,6 +9,7 @@
 #include "persist/steered_run.h"
 #include "support/temporary_directory.h"
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 
@@ -75,6 +76,9 @@ void check_equal(const Individual& a, const Individual& b) {
     CHECK(a.result.reason == b.result.reason);
     CHECK(a.result.digest == b.result.digest);
     CHECK(a.result.phenotype == b.result.phenotype);
+    CHECK(a.result.plan == b.result.plan);
+    CHECK(a.result.scores == b.result.scores);
+    CHECK(a.line == b.line);
     CHECK(a.result.behavior == b.result.behavior);
     CHECK(a.result.work == b.result.work);
     CHECK(a.result.verdict == b.result.verdict);
@@ -106,6 +110,18 @@ TEST_CASE("a population comes back as it was written", "[persist][experiment_fil
     CHECK(saved->digests.back() == population_digest(run.evolution.population()));
     CHECK(saved->champions.size() == 4);
     CHECK(saved->latest->history.back().best == run.evolution.history().back().best);
+    const auto confirmed = [](const IndividualPtr& one) { return !one->result.scores.empty(); };
+    CHECK(
+        std::any_of(saved->latest->population.begin(), saved->latest->population.end(), confirmed));
+    for (std::size_t i = 0; i < 4; ++i) {
+        const GenerationStatistics& written = run.evolution.history()[i];
+        const GenerationStatistics& read = saved->latest->history[i];
+        CHECK(read.lines == written.lines);
+        CHECK(read.plans == written.plans);
+        CHECK(read.births == written.births);
+        CHECK(read.confirmations == written.confirmations);
+        CHECK(read.best_lowest == written.best_lowest);
+    }
 }
 
 TEST_CASE("lines of descent come back to their beginning", "[persist][experiment_file]") {
@@ -348,7 +364,7 @@ TEST_CASE("a champion is read without the rest of its experiment", "[persist][ex
 
 TEST_CASE("whatever is wrong inside an experiment is one message", "[persist][experiment_file]") {
     const auto [sql, words] = GENERATE(table<std::string, std::string>({
-        {"PRAGMA user_version = 99", "its version 99 is newer than this program (2)"},
+        {"PRAGMA user_version = 99", "its version 99 is newer than this program (3)"},
         {"PRAGMA user_version = 0", "its version 0 never existed"},
         {"DROP TABLE novel", "table \"novel\" is missing"},
         {"ALTER TABLE novel ADD COLUMN more", "table \"novel\" has other columns"},

@@ -32,16 +32,18 @@ std::vector<std::vector<std::string>> table_of(const std::string& text) {
 // that none is forgotten here and in the file.
 GenerationStatistics numbered_row() {
     GenerationStatistics row;
-    auto& [generation, size, evaluations, best, upper, median, lower, mean, invalid, parts, neurons,
-           distinct, rejected, reused, rested, given_up, distrusted, saved, cells, quality, idle,
-           mark] = row;
+    auto& [generation, size, evaluations, confirmations, best, lowest, highest, upper, median,
+           lower, mean, invalid, parts, neurons, distinct, lines, plans, births, rejected, reused,
+           rested, given_up, distrusted, saved, cells, quality, idle, mark] = row;
     double next = 101.0;
     const auto number = [&next](auto&... fields) {
         ((fields = static_cast<std::remove_reference_t<decltype(fields)>>(next++)), ...);
     };
-    number(generation, size, evaluations, best, upper, median, lower, mean, invalid, parts, neurons,
-           distinct, rejected, reused, rested, given_up, saved, cells, quality, idle, mark);
+    number(generation, size, evaluations, confirmations, best, lowest, highest, upper, median,
+           lower, mean, invalid, parts, neurons, distinct, lines, plans, rejected, reused, rested,
+           given_up, saved, cells, quality, idle, mark);
     distrusted = true;
+    births = {{0xab, 30}, {0x1234567890abcdef, 2}};
     return row;
 }
 
@@ -49,11 +51,15 @@ TEST_CASE("every field of the statistics has a named column", "[persist][statist
     const auto table = table_of(statistics_csv(std::vector{numbered_row()}));
     REQUIRE(table.size() == 2);
     CHECK(table[0].front() == "generation");
-    REQUIRE(table[0].size() == 22);
-    REQUIRE(table[1].size() == 22);
+    REQUIRE(table[0].size() == 29);
+    REQUIRE(table[1].size() == 29);
+    CHECK(table[0].back() == "births_by_line");
+    CHECK(table[0][27] == "trials");
+    CHECK(table[1][27] == "103");  // the evaluations of the only row
+    CHECK(table[1].back() == "00000000000000ab:30 1234567890abcdef:2");
     std::vector<double> found;
-    for (const std::string& cell : table[1])
-        found.push_back(std::strtod(cell.c_str(), nullptr));
+    for (std::size_t i = 0; i + 2 < table[1].size(); ++i)
+        found.push_back(std::strtod(table[1][i].c_str(), nullptr));
     std::sort(found.begin(), found.end());
     CHECK(found.front() == 1.0);  // yes
     for (std::size_t i = 1; i < found.size(); ++i)

@@ -2,6 +2,7 @@
 
 #include "pictures/card_picture.h"
 #include "pictures/clip.h"
+#include "pictures/curves_picture.h"
 #include "pictures/scene/moment.h"
 #include "pictures/sheet.h"
 #include "render/offscreen_context.h"
@@ -100,6 +101,35 @@ TEST_CASE("the smallest and oddest sizes can be drawn", "[pictures][picture]") {
         draw_card(easel, subject, palette_of(ThemeKind::kDark));
         CHECK(easel.finish().height == height);
     }
+}
+
+TEST_CASE("a curve rises where its values do, between the edges of its band",
+          "[pictures][picture]") {
+    Workshop workshop;
+    Easel easel = workshop.easel(1600, 900);
+    const BandedCurve rising{"rising", {0, 50, 100}, {0, 0.4, 0.9}, {0, 0.5, 1}, {0, 0.6, 2}};
+    const CurvesLabels labels{"Title", "below", "trials", "score"};
+    const auto rows_of_middle = [&](int x) {
+        const Image image = easel.finish();
+        std::vector<int> rows;
+        for (int y = 0; y < 760; ++y) {
+            const std::uint8_t* pixel = image.pixel(x, y);
+            if (pixel[0] > 200 && pixel[1] > 130 && pixel[1] < 180 && pixel[2] < 60)
+                rows.push_back(y);
+        }
+        return rows;
+    };
+    draw_curves(easel, {rising}, labels, palette_of(ThemeKind::kDark));
+    const std::vector<int> early = rows_of_middle(400);
+    const std::vector<int> late = rows_of_middle(1400);
+    REQUIRE_FALSE(early.empty());
+    REQUIRE_FALSE(late.empty());
+    CHECK(late.front() < early.front() - 100);
+    draw_curves(easel, {}, labels, palette_of(ThemeKind::kDark));
+    CHECK(rows_of_middle(400).empty());
+    const std::vector<BandedCurve> many(40, BandedCurve{"no runs yet", {}, {}, {}, {}});
+    draw_curves(easel, many, labels, palette_of(ThemeKind::kLight));
+    CHECK(colors_in(easel.finish()) > 50);
 }
 
 TEST_CASE("a clip has a frame for each stretch of the trial", "[pictures][clip]") {

@@ -2,7 +2,7 @@
 
 #include "quality/arm.h"
 #include "quality/rounded.h"
-#include "quality/statistics.h"
+#include "comparison/statistics.h"
 
 #include <algorithm>
 #include <functional>
@@ -41,7 +41,7 @@ Criterion fight(const std::vector<RunResult>& runs, const Duel& duel) {
     const auto theirs = scores_of(runs_of(runs, duel.plan, duel.goal, duel.against));
     if (ours.empty() || theirs.empty()) return {duel.id, asked, {}, Finding::kNotRun};
     const double ratio = median(ours) / median(theirs);
-    const Comparison comparison = mann_whitney(ours, theirs);
+    const RankTest comparison = mann_whitney(ours, theirs);
     const std::string found = rounded(median(ours)) + " against " + rounded(median(theirs)) +
                               ": ratio " + rounded(ratio) + ", p " + rounded(comparison.p) +
                               ", effect " + rounded(comparison.effect);

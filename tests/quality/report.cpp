@@ -2,7 +2,7 @@
 
 #include "quality/arm.h"
 #include "quality/rounded.h"
-#include "quality/statistics.h"
+#include "comparison/statistics.h"
 
 namespace cambrian::quality {
 namespace {
@@ -34,7 +34,7 @@ std::string row_of(const Arm& arm, const std::vector<RunResult>& runs,
                       rounded(median(scores)) + " | " + rounded(interval.low) + " to " +
                       rounded(interval.high) + " | " + all_of(scores) + " | ";
     if (random.empty() || arm.id == kRandomSearch) return row + "| | |\n";
-    const Comparison comparison = mann_whitney(scores, random);
+    const RankTest comparison = mann_whitney(scores, random);
     return row + rounded(median(scores) / median(random)) + " | " + rounded(comparison.p) + " | " +
            rounded(comparison.effect) + " |\n";
 }

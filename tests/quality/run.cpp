@@ -9,7 +9,7 @@
 #include "persist/creature_file.h"
 #include "persist/settings_file.h"
 #include "quality/arm.h"
-#include "support/thread_time.h"
+#include "core/thread_time.h"
 
 #include <algorithm>
 #include <cmath>

@@ -128,15 +128,16 @@ inline GenomePtr falling_tower(const KindCatalog& catalog, double delay) {
     return builder.build();
 }
 
-// A body on two legs folded beside it that it kicks down, once, `delay` seconds after birth.
-inline GenomePtr kicker(const KindCatalog& catalog, double delay) {
+// A body on two legs folded beside it that it kicks down by an angle (rad), once, `delay` seconds
+// after birth.
+inline GenomePtr kicker(const KindCatalog& catalog, double delay, double angle = 1.35) {
     CreatureBuilder builder(catalog);
     const auto body = builder.part(0.4, 0.2);
     for (const double side : {-1.0, 1.0}) {
         const auto leg = builder.part(0.5, 0.2);
         builder.attach(body, leg, 0.875 + 0.075 * side, 1.35 * side);
         builder.limits(leg, -2.0, 2.0);
-        builder.drive(leg, alarm(builder, leg, delay, 1.35), -side);
+        builder.drive(leg, alarm(builder, leg, delay, angle), -side);
     }
     return builder.build();
 }

@@ -20,7 +20,12 @@ inline double total_length(const Genome& genome) {
 class FakeBackend final : public EvaluationBackend {
 public:
     std::function<double(const Genome&)> fitness = total_length;
-    int stop_after = -1;  // evaluations of the next call; -1 never
+    // What becomes of it in a world a hair different.
+    std::function<double(double fitness, const Probe&)> in_probe = [](double plain, const Probe&) {
+        return plain;
+    };
+    int stop_after = -1;   // evaluations of the next call; -1 never
+    int most_a_call = -1;  // evaluations of every call; -1 for all
     int evaluations = 0;
 
     bool evaluate(std::span<const EvaluationRequest> requests,
@@ -29,12 +34,14 @@ public:
                   std::stop_token stop) override {
         progress.total = static_cast<std::uint32_t>(requests.size());
         int left = std::exchange(stop_after, -1);
+        if (left < 0) left = most_a_call;
         for (std::size_t i = 0; i < requests.size(); ++i) {
             if (results[i]) continue;
             if (stop.stop_requested() || left == 0) return false;
             --left;
             EvaluationResult result;
             result.fitness = fitness(*requests[i].genome);
+            if (requests[i].probe) result.fitness = in_probe(result.fitness, *requests[i].probe);
             result.phenotype = phenotype_of(*requests[i].genome, settings, kinds());
             results[i] = result;
             ++evaluations;

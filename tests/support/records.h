@@ -10,7 +10,7 @@
 namespace cambrian::test {
 
 // A box of the given size whose centre follows the path over `duration` seconds, sampled every 0.1
-// s.
+// s and watched for jumps every tick.
 inline TrialRecord moving_box(double duration, double length, double height,
                               const std::function<Vec3(double time)>& path) {
     TrialRecord record;
@@ -25,6 +25,11 @@ inline TrialRecord moving_box(double duration, double length, double height,
         sample.bounds.add(center + Vec3(0.5 * length, 0.5 * height, 0.0));
         sample.bounds.add(center - Vec3(0.5 * length, 0.5 * height, 0.0));
         record.samples.push_back(sample);
+    }
+    const int ticks = static_cast<int>(duration / kBrainTick + 0.5);
+    for (int i = 0; i <= ticks; ++i) {
+        const double center = path(i * kBrainTick).y();
+        record.jumps.watch(center - 0.5 * height, center);
     }
     return record;
 }

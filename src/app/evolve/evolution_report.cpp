@@ -5,6 +5,7 @@
 #include "persist/digest_text.h"
 #include "persist/quoted_text.h"
 
+#include <algorithm>
 #include <cstdio>
 
 namespace cambrian {
@@ -57,12 +58,23 @@ std::string json_of_mutations(const Individual& individual) {
     return json_list(mutations);
 }
 
+// {"00f3a1b2c4d5e6f7": 12, ...}: the founders' uids.
+std::string json_of_births(const GenerationStatistics& statistics) {
+    JsonMembers lines;
+    for (const LineBirths& line : statistics.births)
+        lines.push_back({hex_text(line.line), std::to_string(line.births)});
+    return json_object(lines);
+}
+
 std::string json_of(const GenerationStatistics& statistics, const std::string& unit) {
     return json_object(
         {{"generation", std::to_string(statistics.generation)},
          {"size", std::to_string(statistics.size)},
          {"evaluations", std::to_string(statistics.evaluations)},
+         {"confirmations", std::to_string(statistics.confirmations)},
          {"best", real_text(statistics.best)},
+         {"best_lowest", real_text(statistics.best_lowest)},
+         {"best_highest", real_text(statistics.best_highest)},
          {"upper", real_text(statistics.upper)},
          {"median", real_text(statistics.median)},
          {"lower", real_text(statistics.lower)},
@@ -71,6 +83,9 @@ std::string json_of(const GenerationStatistics& statistics, const std::string& u
          {"mean_parts", real_text(statistics.mean_parts)},
          {"mean_neurons", real_text(statistics.mean_neurons)},
          {"distinct_genomes", std::to_string(statistics.distinct_genomes)},
+         {"lines", std::to_string(statistics.lines)},
+         {"plans", std::to_string(statistics.plans)},
+         {"births_by_line", json_of_births(statistics)},
          {"rejected", std::to_string(statistics.rejected)},
          {"reused", std::to_string(statistics.reused)},
          {"rested", std::to_string(statistics.rested)},
@@ -81,6 +96,26 @@ std::string json_of(const GenerationStatistics& statistics, const std::string& u
          {"quality", real_text(statistics.quality)},
          {"generations_without_progress", std::to_string(statistics.generations_without_progress)},
          {"unit", quoted_text(unit)}});
+}
+
+std::string json_of(const BarAudit& audit) {
+    return json_object({{"finished", std::to_string(audit.finished)},
+                        {"would_have_survived", std::to_string(audit.survived)}});
+}
+
+// "0.93 BL/s, the median of 11 worlds (0.81 to 0.99)"
+std::string confirmed_in_words(const EvaluationResult& result, const std::string& unit) {
+    const auto range = std::minmax_element(result.scores.begin(), result.scores.end());
+    return fixed(result.fitness) + " " + unit + ", the median of " +
+           std::to_string(result.scores.size()) + " worlds (" + fixed(*range.first) + " to " +
+           fixed(*range.second) + ")";
+}
+
+std::string json_of_scores(const EvaluationResult& result) {
+    std::vector<std::string> scores;
+    for (const double score : result.scores)
+        scores.push_back(real_text(score));
+    return json_list(scores);
 }
 
 std::string json_of_path(const std::filesystem::path& path) {
@@ -108,9 +143,12 @@ std::string generation_line(const GenerationStatistics& statistics, const std::s
            remarks(statistics);
 }
 
-std::string final_line(std::span<const GenerationStatistics> history, const std::string& unit,
+std::string final_line(const Evolution& evolution, const std::string& unit,
                        const Individual& champion, const RunOutputs& files,
                        std::string_view stopped_by, bool json) {
+    const std::vector<GenerationStatistics>& history = evolution.history();
+    const BarAudit& audit = evolution.bar_audit();
+    const bool gave_up = evolution.settings().stop_hopeless;
     const GenerationStatistics& first = history.front();
     const GenerationStatistics& last = history.back();
     const bool interrupted = stopped_by == "interruption";
@@ -125,6 +163,9 @@ std::string final_line(std::span<const GenerationStatistics> history, const std:
                             {"generations", std::to_string(history.size())},
                             {"best_of_first", real_text(first.best)},
                             {"best_of_last", real_text(last.best)},
+                            {"fitness", real_text(champion.result.fitness)},
+                            {"scores", json_of_scores(champion.result)},
+                            {"audited", gave_up ? json_of(audit) : "null"},
                             {"unit", quoted_text(unit)},
                             {"stopped_by", quoted_text(stopped_by)},
                             {"interrupted", json_truth(interrupted)}});
@@ -135,6 +176,12 @@ std::string final_line(std::span<const GenerationStatistics> history, const std:
                        fixed(last.best) + " " + unit + "\nchampion: ";
     if (!files.champion.empty()) text += files.champion.string() + " ";
     text += "(" + origin_in_words(champion) + ")";
+    if (!champion.result.scores.empty())
+        text += "\nconfirmed: " + confirmed_in_words(champion.result, unit);
+    if (gave_up) {
+        text += "\nearly termination: " + std::to_string(audit.finished) + " audited, " +
+                std::to_string(audit.survived) + " would have survived";
+    }
     if (!files.experiment.empty()) text += "\nexperiment: " + files.experiment.string();
     return text;
 }

@@ -1,9 +1,8 @@
 #pragma once
 
 #include "app/evolve/run_outputs.h"
-#include "evolution/statistics.h"
+#include "evolution/evolution.h"
 
-#include <span>
 #include <string>
 #include <string_view>
 
@@ -16,9 +15,9 @@ std::string generation_line(const GenerationStatistics& statistics, const std::s
 // Where a creature comes from: when and how it was bred, and every mutation from what to what.
 std::string origin_in_words(const Individual& individual);
 
-// What came out of all of them, the files kept and why the run is over: a stop_reason(),
-// "interruption" or "failure". history is not empty.
-std::string final_line(std::span<const GenerationStatistics> history, const std::string& unit,
+// What came out of all generations, the files kept and why the run is over: a stop_reason(),
+// "interruption" or "failure". One generation at least was evaluated.
+std::string final_line(const Evolution& evolution, const std::string& unit,
                        const Individual& champion, const RunOutputs& files,
                        std::string_view stopped_by, bool json);
 

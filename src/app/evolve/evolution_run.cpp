@@ -16,7 +16,9 @@
 #include "persist/experiment_parts.h"
 #include "persist/rescoring.h"
 #include "persist/settings_file.h"
+#include "persist/typed_setting.h"
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <span>
@@ -29,8 +31,10 @@ namespace {
 Result<SettingsPtr> settings_of(const EvolutionRun& run, const EvolutionKinds& kinds) {
     Result<ExperimentSettings> settings = load_settings(run.settings_file, kinds);
     if (!settings) return settings.error();
+    settings = with_typed(*std::move(settings), run.sets, kinds);
+    if (!settings) return Error{"--set: " + settings.error().message};
     settings->generations = run.generations.value_or(settings->generations);
-    settings->seed = run.seed.value_or(settings->seed);
+    if (!run.seeds.empty()) settings->seed = run.seeds.front();
     if (const Status valid = check_settings(*settings, kinds); !valid) return valid.error();
     return std::make_shared<const ExperimentSettings>(*std::move(settings));
 }
@@ -189,7 +193,11 @@ Harvest evolve(Course& course, EvaluationBackend& backend, const std::string& un
         harvest.stopped_by = stop_reason(evolution.history(), course.limits);
         if (harvest.stopped_by.empty() && interruption.requested())
             harvest.stopped_by = "interruption";
-        if (!harvest.stopped_by.empty()) return harvest;
+        if (!harvest.stopped_by.empty()) {
+            harvest.champion =
+                evolution.confirmed_champion(backend, progress, interruption.token());
+            return harvest;
+        }
         evolution.breed();
     }
 }
@@ -210,8 +218,8 @@ ExitStatus report(const Course& course, const Harvest& harvest, const std::strin
         outputs.champion = *saved;
     }
     if (!harvest.told) return fail(harvest.told.error(), ExitStatus::kFailed);
-    return print_result_line(final_line(course.evolution.history(), unit, *harvest.champion,
-                                        outputs, harvest.stopped_by, json));
+    return print_result_line(
+        final_line(course.evolution, unit, *harvest.champion, outputs, harvest.stopped_by, json));
 }
 
 void say_how_to_go_on(const Course& course) {
@@ -219,17 +227,16 @@ void say_how_to_go_on(const Course& course) {
         say("to go on: cambrian evolve --resume " + course.outputs.experiment.string());
 }
 
-}  // namespace
+// How a run ended.
+struct RunEnd {
+    ExitStatus status = ExitStatus::kDone;
+    bool interrupted = false;
+};
 
-CommandFiles files_of(const EvolutionRun& run) {
-    CommandFiles files;
-    files.reads(run.settings_file).reads(run.resume).reads_each(run.founders);
-    return is_experiment_name(run.out) ? files.keeps(run.out) : files.writes(run.out);
-}
-
-ExitStatus run_evolution(const EvolutionRun& run, const EvolutionKinds& kinds) {
+// With the first of the seeds, if there are any.
+RunEnd run_once(const EvolutionRun& run, const EvolutionKinds& kinds) {
     Result<Course> course = course_of(run, kinds);
-    if (!course) return fail(course.error());
+    if (!course) return {fail(course.error())};
     const auto backend =
         make_thread_pool_backend(kinds, run.threads.value_or(ThreadPool::default_workers()));
     const std::string unit = kinds.goals.find(course->limits.goal)->unit;
@@ -245,7 +252,37 @@ ExitStatus run_evolution(const EvolutionRun& run, const EvolutionKinds& kinds) {
     if (!harvest.kept) status = fail(harvest.kept.error(), ExitStatus::kFailed);
     if (harvest.stopped_by == "interruption" || harvest.stopped_by == "failure")
         say_how_to_go_on(*course);
-    return status;
+    return {status, harvest.stopped_by == "interruption"};
+}
+
+// Several runs take their names from their seeds.
+Status check_place_of_several(const EvolutionRun& run) {
+    const bool folder =
+        run.out.empty() || run.out.ends_with('/') || std::filesystem::is_directory(run.out);
+    if (folder) return {};
+    return Error{"--out " + run.out + ": several seeds need a folder; " + run.out + "/ makes one"};
+}
+
+}  // namespace
+
+CommandFiles files_of(const EvolutionRun& run) {
+    CommandFiles files;
+    files.reads(run.settings_file).reads(run.resume).reads_each(run.founders);
+    return is_experiment_name(run.out) ? files.keeps(run.out) : files.writes(run.out);
+}
+
+ExitStatus run_evolution(const EvolutionRun& run, const EvolutionKinds& kinds) {
+    if (run.seeds.size() < 2) return run_once(run, kinds).status;
+    if (const Status place = check_place_of_several(run); !place) return fail(place.error());
+    ExitStatus worst = ExitStatus::kDone;
+    for (const std::uint64_t seed : run.seeds) {
+        EvolutionRun one = run;
+        one.seeds = {seed};
+        const RunEnd end = run_once(one, kinds);
+        worst = std::max(worst, end.status);
+        if (end.interrupted || end.status == ExitStatus::kBadInput) break;
+    }
+    return worst;
 }
 
 }  // namespace cambrian

@@ -22,7 +22,8 @@ struct EvolutionRun {
     std::string resume;                  // experiment file to go on with
     std::vector<std::string> founders;   // creature files to begin with; empty: random creatures
     std::optional<int> generations;      // instead of the file's
-    std::optional<std::uint64_t> seed;   // instead of the file's
+    std::vector<std::uint64_t> seeds;    // a run with each, instead of the file's
+    std::vector<std::string> sets;       // typed_setting(), over the file's
     std::optional<std::size_t> threads;  // one a core if absent; never changes a result
     std::string out;                     // see run_outputs(); empty to resume: no more files
     bool json = false;                   // a JSON object a line instead of words

@@ -9,7 +9,7 @@ std::optional<double> score_of(std::uint64_t uid, const std::vector<IndividualPt
     const auto found = std::find_if(population.begin(), population.end(),
                                     [uid](const IndividualPtr& each) { return each->uid == uid; });
     if (found == population.end()) return std::nullopt;
-    return (*found)->result.fitness;
+    return unconfirmed_score((*found)->result);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "app/trial/clip_file.h"
 #include "app/trial/creature_world.h"
 #include "app/trial/score_notice.h"
+#include "app/trial/workshop.h"
 #include "core/files/file_io.h"
 #include "core/text/pretty_text.h"
 #include "persist/creature_card.h"
@@ -14,7 +15,6 @@
 #include "pictures/card_picture.h"
 #include "pictures/clip.h"
 #include "pictures/sheet.h"
-#include "render/offscreen_context.h"
 
 #include <CLI/CLI.hpp>
 
@@ -102,31 +102,6 @@ Status check_options(const RenderOptions& options, Product product) {
     return {};
 }
 
-// All that drawing needs, in the order in which it comes and goes.
-struct Workshop {
-    std::unique_ptr<OffscreenContext> context;
-    std::unique_ptr<Renderer> renderer;
-    std::unique_ptr<Lettering> lettering;
-    std::optional<Easel> easel;
-};
-
-Result<std::unique_ptr<Workshop>> open_workshop(const Size& size) {
-    auto workshop = std::make_unique<Workshop>();
-    auto context = OffscreenContext::create();
-    if (!context) return context.error();
-    workshop->context = std::move(*context);
-    auto renderer = Renderer::create();
-    if (!renderer) return renderer.error();
-    workshop->renderer = std::move(*renderer);
-    auto lettering = Lettering::load();
-    if (!lettering) return lettering.error();
-    workshop->lettering = std::move(*lettering);
-    auto easel = Easel::create(*workshop->renderer, *workshop->lettering, size.width, size.height);
-    if (!easel) return easel.error();
-    workshop->easel.emplace(std::move(*easel));
-    return workshop;
-}
-
 class RenderSubcommand final : public Subcommand {
 public:
     void add_options(CLI::App& app) override {
@@ -212,7 +187,7 @@ private:
                 const std::filesystem::path& path, LongWork& work) const {
         const Subject& subject = scene.subject;
         const Size size = parse_size(options_.size).value_or(usual_size(product));
-        const auto workshop = open_workshop(size);
+        const auto workshop = open_workshop(size.width, size.height);
         if (!workshop) return workshop.error();
         Easel& easel = *(*workshop)->easel;
         const Palette palette =

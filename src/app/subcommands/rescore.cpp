@@ -31,8 +31,8 @@ ExitStatus rescore_run(const std::string& file, const EvolutionKinds& kinds, Lon
     const std::string& unit = kinds.goals.find(done->after.settings->goal)->unit;
     const auto best_of = [&](const JudgedIndividual& champion, std::string_view simulator) {
         return "best of generation " + std::to_string(champion.generation) + " " +
-               short_text(champion.individual->result.fitness) + " " + unit + " by simulator " +
-               std::string(simulator);
+               short_text(unconfirmed_score(champion.individual->result)) + " " + unit +
+               " by simulator " + std::string(simulator);
     };
     std::string words = file + ": " + best_of(done->after, kSimulatorVersion) + "; " +
                         best_of(done->before, done->simulator);

@@ -14,6 +14,7 @@
 #include "evolution/setting_field.h"
 #include "evolution/trials.h"
 #include "persist/creature_file.h"
+#include "persist/typed_setting.h"
 
 #include <CLI/CLI.hpp>
 
@@ -28,6 +29,9 @@ struct SimulateOptions {
     std::string trace;
     std::string integrator;
     std::optional<double> seconds;
+    std::optional<double> tolerance;
+    std::optional<int> repeat;
+    std::vector<std::string> sets;
     bool json = false;
 };
 
@@ -37,8 +41,11 @@ Result<ExperimentSettings> settings_for(const SimulateOptions& options,
                                         const EvolutionKinds& kinds) {
     Result<ExperimentSettings> settings = world_of(document, options.environment, kinds);
     if (!settings) return settings.error();
+    settings = with_typed(*std::move(settings), options.sets, kinds);
+    if (!settings) return settings.error();
     if (!options.integrator.empty()) settings->world.scene.integrator = options.integrator;
     settings->world.trial.duration = options.seconds.value_or(settings->world.trial.duration);
+    settings->world.scene.tolerance = options.tolerance.value_or(settings->world.scene.tolerance);
     if (const Status valid = check_settings(*settings, kinds); !valid) return valid.error();
     return settings;
 }
@@ -56,6 +63,17 @@ public:
                        "Integrator to use instead of the world's; 'cambrian settings' lists them");
         take_finite(*app.add_option("--seconds", options_.seconds,
                                     "Length of the trial, instead of its own"));
+        take_finite(*app.add_option("--tolerance", options_.tolerance,
+                                    "Error allowed in a step, instead of the world's"));
+        app.add_option("--set", options_.sets,
+                       "Another setting of the world, as environment.gravity=1.62; may be given "
+                       "again")
+            ->type_name("KEY=VALUE")
+            ->allow_extra_args(false);
+        take_whole(*app.add_option("--repeat", options_.repeat,
+                                   "Also in so many worlds a hair different, to tell merit from "
+                                   "luck: the median of the scores and how far they lie apart"),
+                   1, 1000);
         app.add_option("--trace", options_.trace,
                        "Write every part's motion to this file, as CSV with a row a tick")
             ->type_name(option_type::kTable);
@@ -88,6 +106,11 @@ public:
         if (result.outcome == Outcome::kCompleted && !result.finer) {
             work.begin("computing more finely", settings->world.trial.duration);
             result.finer = recompute(*genome, *settings, kinds, work.stop());
+        }
+        if (options_.repeat && result.outcome == Outcome::kCompleted) {
+            work.begin("trying again", *options_.repeat, "worlds");
+            result.scores = scores_in(probes_of(*settings, 0, *options_.repeat), genome, *settings,
+                                      kinds, work.stop());
         }
         if (work.interrupted()) return fail({"interrupted"}, ExitStatus::kFailed);
         const std::string& unit = kinds.goals.find(settings->goal)->unit;

@@ -4,6 +4,7 @@
 
 namespace cambrian {
 
+SubcommandKind compare_subcommand();
 SubcommandKind completion_subcommand();
 SubcommandKind evolve_subcommand();
 SubcommandKind export_subcommand();

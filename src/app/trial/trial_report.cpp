@@ -1,10 +1,12 @@
 #include "app/trial/trial_report.h"
 
 #include "app/process/json_text.h"
+#include "core/sample_statistics.h"
 #include "core/text/number_text.h"
 #include "persist/digest_text.h"
 #include "persist/quoted_text.h"
 
+#include <algorithm>
 #include <cstdio>
 
 namespace cambrian {
@@ -57,6 +59,21 @@ std::string audit_text(const SceneAudit& audit) {
            std::to_string(audit.fallbacks) + " fallbacks";
 }
 
+// "in 10 worlds a hair different: 0.93 BL/s, 0.81 to 0.99"
+std::string scores_text(const std::vector<double>& scores, const std::string& unit) {
+    const auto range = std::minmax_element(scores.begin(), scores.end());
+    return "in " + std::to_string(scores.size()) + " worlds a hair different: median " +
+           rounded(median(scores)) + " " + unit + ", " + rounded(*range.first) + " to " +
+           rounded(*range.second);
+}
+
+std::string scores_json(const std::vector<double>& scores) {
+    std::vector<std::string> values;
+    for (const double score : scores)
+        values.push_back(real_text(score));
+    return json_list(values);
+}
+
 }  // namespace
 
 std::string finer_text(const FinerResult& finer, const std::string& unit) {
@@ -75,6 +92,7 @@ std::string trial_text(const EvaluationResult& result, const std::string& unit) 
             " kg\nmotion " + digest_text(result.digest) +
             "\naudit: " + std::string(verdict_name(result.verdict)) + "; " +
             audit_text(result.audit);
+    if (!result.scores.empty()) text += "\n" + scores_text(result.scores, unit);
     if (result.finer) text += "\ncomputed more finely: " + finer_text(*result.finer, unit);
     return text;
 }
@@ -96,6 +114,7 @@ std::string trial_json(const EvaluationResult& result, const std::string& unit) 
                         {"trajectory", quoted_text(digest_text(result.digest))},
                         {"verdict", quoted_text(verdict_name(result.verdict))},
                         {"audit", audit_json(result.audit)},
+                        {"repeated", scores_json(result.scores)},
                         {"recomputed", finer}});
 }
 

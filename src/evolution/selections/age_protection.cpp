@@ -41,7 +41,7 @@ void register_age_protection(SelectionRegistry& selections) {
     selections.add({.id = "age-protection",
                     .label = "Age protection",
                     .help = "The young compete with the young: new bodies get time to adapt.",
-                    .truncates = [](const SelectionSettings&) { return false; },
+                    .bar = [](const SelectionSettings&) { return 0.0; },
                     .select = select_by_age});
 }
 

@@ -57,7 +57,7 @@ void register_map_elites(SelectionRegistry& selections) {
     selections.add({.id = "map-elites",
                     .label = "MAP-Elites",
                     .help = "Many kinds: the fittest of every kind of body survives and breeds.",
-                    .truncates = [](const SelectionSettings&) { return false; },
+                    .bar = [](const SelectionSettings&) { return 0.0; },
                     .select = select_by_map});
 }
 

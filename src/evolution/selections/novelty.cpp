@@ -142,7 +142,7 @@ void register_novelty(SelectionRegistry& selections) {
     selections.add({.id = "novelty",
                     .label = "Novelty",
                     .help = "Those unlike the others and better than their neighbors survive.",
-                    .truncates = [](const SelectionSettings&) { return false; },
+                    .bar = [](const SelectionSettings&) { return 0.0; },
                     .select = select_by_novelty});
 }
 

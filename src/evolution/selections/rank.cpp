@@ -23,7 +23,7 @@ void register_rank(SelectionRegistry& selections) {
     selections.add({.id = "rank",
                     .label = "Rank",
                     .help = "The best share survives and breeds by its place in the ranking alone.",
-                    .truncates = [](const SelectionSettings&) { return true; },
+                    .bar = bar_of_truncation,
                     .select = select_by_rank});
 }
 

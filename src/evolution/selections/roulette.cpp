@@ -43,7 +43,7 @@ void register_roulette(SelectionRegistry& selections) {
     selections.add({.id = "roulette",
                     .label = "Roulette",
                     .help = "Everybody may breed, the fitter the more often; only elites survive.",
-                    .truncates = [](const SelectionSettings&) { return false; },
+                    .bar = [](const SelectionSettings&) { return 0.0; },
                     .select = select_by_roulette});
 }
 

@@ -14,9 +14,18 @@ namespace cambrian {
 std::vector<std::size_t> first_of_ranking(std::span<const IndividualPtr> ranked, std::size_t wanted,
                                           int max_clones);
 
-// The share of the population that survives truncation, at least one.
+// How many survive truncation: the settings' share of the population, at least one.
+std::size_t truncated_size(const PopulationSettings& population);
+
+// The best that survive truncation. Of one founder's line and of one body plan no more survive than
+// the settings allow, unless there are too few others that have a score: then first the limit of
+// plans is lifted, next that of lines.
 std::vector<std::size_t> truncated(std::span<const IndividualPtr> ranked,
                                    const ExperimentSettings& settings);
+
+// SelectionKind::bar of truncation: 1 without limits of lines and plans. With them, who is worse
+// than the worst survivor may take a place that a line or a plan is denied; seldom one far worse.
+double bar_of_truncation(const SelectionSettings& settings);
 
 // Creatures of the ranking that were not disqualified; all of it if there are none. They are the
 // first of the ranking.

@@ -62,12 +62,14 @@ SelectionResult select_by_tournament(std::span<const IndividualPtr> ranked,
 }  // namespace
 
 void register_tournament(SelectionRegistry& selections) {
-    selections.add(
-        {.id = "tournament",
-         .label = "Tournament",
-         .help = "Each parent is the best of a few drawn at random.",
-         .truncates = [](const SelectionSettings& settings) { return !settings.tournament_of_all; },
-         .select = select_by_tournament});
+    selections.add({.id = "tournament",
+                    .label = "Tournament",
+                    .help = "Each parent is the best of a few drawn at random.",
+                    .bar =
+                        [](const SelectionSettings& settings) {
+                            return settings.tournament_of_all ? 0.0 : bar_of_truncation(settings);
+                        },
+                    .select = select_by_tournament});
 }
 
 }  // namespace cambrian

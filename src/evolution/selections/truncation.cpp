@@ -42,7 +42,7 @@ void register_truncation(SelectionRegistry& selections) {
     selections.add({.id = "truncation",
                     .label = "Truncation",
                     .help = "The best share survives and breeds in proportion to its success.",
-                    .truncates = [](const SelectionSettings&) { return true; },
+                    .bar = bar_of_truncation,
                     .select = select_by_truncation});
 }
 

@@ -73,6 +73,10 @@ void Easel::add_box(const Area& area, double radius, const Color& fill) {
                              .fill = fill});
 }
 
+void Easel::add_line(const Vec2& from, const Vec2& to, double width, const Color& color) {
+    boxes_.add_line({from.x(), -from.y()}, {to.x(), -to.y()}, width, color);
+}
+
 void Easel::add_scene(SceneFrame frame, const Camera& camera, const Area& area) {
     scenes_.push_back({std::move(frame), camera, pixels_of(area, height())});
 }

@@ -52,6 +52,7 @@ public:
     // Fills everything with one colour.
     void clear(const Color& background);
     void add_box(const Area& area, double radius, const Color& fill);
+    void add_line(const Vec2& from, const Vec2& to, double width, const Color& color);
     // Over a rectangle of full pixels and over all boxes.
     void add_scene(SceneFrame frame, const Camera& camera, const Area& area);
     // Paints over what is outside the rounded corners of a rectangle, but below words.

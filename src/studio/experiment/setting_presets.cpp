@@ -51,12 +51,31 @@ void try_creatures(Settings& settings, int trials, double friction_jitter, doubl
     trial.combine = TrialSettings{}.combine;
 }
 
+// Sizes of random parts, in m.
+void size_founders(Settings& settings, const FounderSettings& sizes) {
+    settings.founders.min_length = sizes.min_length;
+    settings.founders.max_length = sizes.max_length;
+    settings.founders.min_width = sizes.min_width;
+    settings.founders.max_width = sizes.max_width;
+}
+
+// Thick parts are strong for their weight: what jumps begins from them.
+FounderSettings big_founders() {
+    FounderSettings sizes;
+    sizes.min_length = 0.4;
+    sizes.max_length = 1.6;
+    sizes.min_width = 0.2;
+    sizes.max_width = 0.96;
+    return sizes;
+}
+
 constexpr double kEarthGravity = 9.81;  // m/s^2
 constexpr double kMoonGravity = 1.62;
 
 constexpr std::string_view kEnvironment = "environment";
 constexpr std::string_view kMutation = "mutation";
 constexpr std::string_view kTrial = "trial";
+constexpr std::string_view kBody = "body";
 
 // Mutations: breeding/README.md 4; trials: simulator/README.md 1.
 constexpr std::array kPresets = {
@@ -86,6 +105,12 @@ constexpr std::array kPresets = {
                   "The mean of three trials, two of them with up to 15 % more or less friction and "
                   "a start tilted by up to 2 degrees.",
                   [](Settings& s, const Kinds&) { try_creatures(s, 3, 0.15, 2.0); }},
+    SettingPreset{kBody, "Usual founders", "Random creatures of parts of all sizes.",
+                  [](Settings& s, const Kinds&) { size_founders(s, {}); }},
+    SettingPreset{kBody, "Big founders",
+                  "Random creatures of long and thick parts, which are strong: to begin with for "
+                  "jumping.",
+                  [](Settings& s, const Kinds&) { size_founders(s, big_founders()); }},
 };
 
 }  // namespace

@@ -25,6 +25,7 @@ struct TimelinePlot {
     std::vector<TimelineCurve> curves;
     TimelineMeasure lower = nullptr;  // of the band around the second curve, or null
     TimelineMeasure upper = nullptr;
+    bool births_by_line = false;  // bands, one on the other, instead of curves
 };
 
 // One a quantity, in its order.

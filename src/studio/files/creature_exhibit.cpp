@@ -35,6 +35,7 @@ ScoredRecord scored_on_display(const ExperimentSettings& settings, const ScoreRe
                         .goal = settings.goal,
                         .seed = settings.seed,
                         .fitness = score.score.value,
+                        .confirmed = {},
                         .unit = unit,
                         .trajectory = score.record.digest,
                         .finer = {}};

@@ -10,6 +10,8 @@ namespace cambrian {
 enum class TimelineQuantity : unsigned char {
     kFitness,
     kDiversity,
+    kKinds,
+    kLines,
     kParts,
     kNeurons,
     kTrials,
@@ -66,6 +68,7 @@ struct ViewState {
     TimelineQuantity quantity = TimelineQuantity::kFitness;
     TileOrder order = TileOrder::kFitness;
     bool starred_only = false;  // of the population's tiles
+    bool one_a_plan = false;    // of the population's tiles, the best of each body plan only
 
     friend bool operator==(const ViewState&, const ViewState&) = default;
 };

@@ -86,7 +86,7 @@ TEST_CASE("the score shown is the one the engine found, and the replay is verifi
     REQUIRE(run.frames_until([&] { return run.session.frame_context().viewer.score != nullptr; }));
     const FrameContext frame = run.session.frame_context();
     const EvaluationResult& result = *frame.viewer.playback.exhibit().result();
-    CHECK(frame.viewer.score->score.value == result.fitness);
+    CHECK(frame.viewer.score->score.value == unconfirmed_score(result));
     CHECK(frame.viewer.score->record.digest == result.digest);
 }
 

@@ -87,7 +87,7 @@ TEST_CASE("tiles are sorted by what is asked for", "[studio][population]") {
     test::StudioFixture studio;
     populate(studio, 50);
     const auto sorted_by = [&](TileOrder order, auto measure) {
-        const std::vector<Tile> tiles = list_tiles(studio.snapshot(), studio.stars(), order, false);
+        const std::vector<Tile> tiles = list_tiles(studio.snapshot(), studio.stars(), order, {});
         REQUIRE(tiles.size() == 50);
         return std::is_sorted(tiles.begin(), tiles.end(), [&](const Tile& a, const Tile& b) {
             return measure(*a.creature.individual) > measure(*b.creature.individual);
@@ -114,10 +114,28 @@ TEST_CASE("the creature least like the others comes first by difference, ranks s
     auto odd = std::make_shared<Individual>(*population[6]);
     odd->result.parts = 12;
     population[6] = odd;
-    const auto tiles = list_tiles(studio.snapshot(), studio.stars(), TileOrder::kDifference, false);
+    const auto tiles = list_tiles(studio.snapshot(), studio.stars(), TileOrder::kDifference, {});
     CHECK(tiles.front().creature.individual == odd);
     CHECK(tiles.front().rank == 7);
     CHECK(tiles.front().key > tiles[1].key);
+}
+
+TEST_CASE("one tile a body plan is the best of each", "[studio][population]") {
+    test::StudioFixture studio;
+    populate(studio, 9);
+    std::vector<IndividualPtr>& population = studio.snapshot().population;
+    for (std::size_t i = 0; i < population.size(); ++i) {
+        auto planned = std::make_shared<Individual>(*population[i]);
+        planned->result.plan = i / 3;
+        population[i] = planned;
+    }
+    const auto tiles =
+        list_tiles(studio.snapshot(), studio.stars(), TileOrder::kFitness, {.one_a_plan = true});
+    REQUIRE(tiles.size() == 3);
+    for (std::size_t i = 0; i < 3; ++i) {
+        CHECK(tiles[i].creature.individual == population[3 * i]);
+        CHECK(tiles[i].rank == 3 * i + 1);
+    }
 }
 
 TEST_CASE("a starred creature stays when its generation has passed", "[studio][population]") {
@@ -125,16 +143,18 @@ TEST_CASE("a starred creature stays when its generation has passed", "[studio][p
     populate(studio, 20);
     const JudgedIndividual kept = creature_at(studio, 5);
     studio.stars().toggle(kept);
-    auto tiles = list_tiles(studio.snapshot(), studio.stars(), TileOrder::kFitness, true);
+    auto tiles =
+        list_tiles(studio.snapshot(), studio.stars(), TileOrder::kFitness, {.starred_only = true});
     REQUIRE(tiles.size() == 1);
     CHECK(tiles[0].rank == 6);
     studio.finish_generation(2.0);
-    tiles = list_tiles(studio.snapshot(), studio.stars(), TileOrder::kFitness, true);
+    tiles =
+        list_tiles(studio.snapshot(), studio.stars(), TileOrder::kFitness, {.starred_only = true});
     REQUIRE(tiles.size() == 1);
     CHECK(tiles[0].creature.individual == kept.individual);
     CHECK(tiles[0].creature.generation == 0);
     CHECK(tiles[0].rank == 0);
-    CHECK(list_tiles(studio.snapshot(), studio.stars(), TileOrder::kFitness, false).size() == 1);
+    CHECK(list_tiles(studio.snapshot(), studio.stars(), TileOrder::kFitness, {}).size() == 1);
 }
 
 TEST_CASE("a click on a tile's corner asks for its star, elsewhere for the creature",
@@ -171,6 +191,7 @@ TEST_CASE("sorting and the filter are chosen in the heading, a taken star is giv
     PopulationRun run(640, 300, 20);
     run.click("tile order");
     CHECK(test::asked<ChangeView>(run.click("by mass")).view.order == TileOrder::kMass);
+    CHECK(test::asked<ChangeView>(run.click("One a plan")).view.one_a_plan);
     CHECK(test::asked<ChangeView>(run.click("Starred")).view.starred_only);
     run.studio.view().starred_only = true;
     run.studio.stars().toggle(creature_at(run.studio, 0));

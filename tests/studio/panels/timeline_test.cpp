@@ -167,6 +167,28 @@ TEST_CASE("a chart of thousands of generations costs no more than its pixels",
     CHECK(vertices(50'000) < of_thousands * 11 / 10);
 }
 
+TEST_CASE("births by line are bands of all births, one on the other", "[studio][timeline]") {
+    const NullImGui gui;
+    EvolutionSnapshot snapshot;
+    TimelineChart chart;
+    const auto vertices = [&](std::vector<LineBirths> births) {
+        GenerationStatistics row;
+        row.generation = static_cast<std::uint32_t>(snapshot.history.size());
+        row.births = std::move(births);
+        snapshot.history.push_back(row);
+        chart.gather(snapshot, TimelineQuantity::kLines);
+        const PlotScale scale = chart.scale_for({0, 0, 500, 100});
+        CHECK(scale.y_high >= 20.0);
+        CHECK(scale.y_high < 30.0);
+        ImDrawList list(ImGui::GetDrawListSharedData());
+        list._ResetForNewFrame();
+        chart.draw(list, scale);
+        return list.VtxBuffer.Size;
+    };
+    vertices({{1, 12}, {2, 8}});
+    CHECK(vertices({{2, 19}, {1, 1}}) > 0);
+}
+
 TEST_CASE("the row under the mouse is the nearest generation's", "[studio][timeline]") {
     EvolutionSnapshot snapshot;
     for (std::uint32_t generation = 7; generation <= 27; ++generation) {

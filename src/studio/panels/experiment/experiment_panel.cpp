@@ -54,13 +54,14 @@ std::size_t rank_of(std::string_view table) {
     return group == nullptr ? kGroups.size() : static_cast<std::size_t>(group - kGroups.data());
 }
 
-// A goal brings the world it makes sense in.
+// A goal brings the world it makes sense in, and how many more it is confirmed in.
 void adopt_goal_world(ExperimentSettings& settings, const EvolutionKinds& kinds) {
     const GoalKind* goal = kinds.goals.find(settings.goal);
     if (goal == nullptr || goal->default_environment == nullptr) return;
     const double density = settings.world.environment.density;
     settings.world.environment = goal->default_environment();
     settings.world.environment.density = density;
+    settings.selection.confirmations = goal->default_confirmations;
 }
 
 // A choice of the table's presets, if it has any.

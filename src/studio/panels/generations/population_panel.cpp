@@ -3,6 +3,7 @@
 #include "core/text/pretty_text.h"
 #include "studio/frame/help_mark.h"
 #include "studio/viewer/origin_words.h"
+#include "studio/viewer/score_words.h"
 #include "studio/widgets/creature_tile.h"
 #include "studio/widgets/widgets.h"
 
@@ -35,6 +36,8 @@ std::string tile_words(const Tile& tile, const FrameContext& frame) {
     if (judged(result)) {
         const std::string unit = goal_unit(tile.creature.settings->goal, frame.kinds.goals);
         text += "Fitness " + with_unit(result.fitness, unit);
+        const std::string range = confirmed_range(result);
+        if (!range.empty()) text += ", " + range;
     } else {
         text += capitalized(std::string(outcome_name(result.outcome)));
         if (!result.reason.empty()) text += ": " + result.reason;
@@ -74,6 +77,17 @@ void draw_filter(const FrameContext& frame, Requests& out) {
         view.starred_only = !on;
         out.ask(ChangeView{view});
     }
+    ImGui::SameLine();
+    const bool one_a_plan = frame.view.one_a_plan;
+    if (push_button("One a plan",
+                    {.look = one_a_plan ? ButtonLook::kSelected : ButtonLook::kGhost,
+                     .height = height,
+                     .tooltip = "Only the best of each body plan: of creatures whose parts and "
+                                "joints form the same tree, whatever their sizes."})) {
+        ViewState view = frame.view;
+        view.one_a_plan = !one_a_plan;
+        out.ask(ChangeView{view});
+    }
     if (!on || !frame.generations.stars.can_restore()) return;
     ImGui::SameLine();
     if (push_button("Give back", {.look = ButtonLook::kGhost,
@@ -90,9 +104,10 @@ void draw_heading(const FrameContext& frame, std::size_t count, Requests& out) {
     ImGui::SameLine();
     draw_filter(frame, out);
     if (frame.experiment.snapshot.history.empty()) return;
+    const char* plans = frame.view.one_a_plan ? "plans " : "";
     const std::string words = frame.view.starred_only
                                   ? format("%zu kept", count)
-                                  : format("%zu of generation %u", count,
+                                  : format("%zu %sof generation %u", count, plans,
                                            frame.experiment.snapshot.history.back().generation);
     ImGui::SameLine(0, px(12));
     const float room =
@@ -133,13 +148,15 @@ void draw_star(const Rect& room, bool starred, bool tile_hovered) {
 
 void PopulationPanel::gather(const FrameContext& frame) {
     const EvolutionSnapshot& snapshot = frame.experiment.snapshot;
-    const ListedFor wanted = {snapshot.experiment, snapshot.history.size(),
-                              frame.generations.stars.revision(), frame.view.order,
-                              frame.view.starred_only};
+    const ListedFor wanted = {snapshot.experiment,
+                              snapshot.history.size(),
+                              frame.generations.stars.revision(),
+                              frame.view.order,
+                              {frame.view.starred_only, frame.view.one_a_plan}};
     if (wanted == listed_for_) return;
     if (wanted.experiment != listed_for_.experiment) bodies_.clear();
     listed_for_ = wanted;
-    tiles_ = list_tiles(snapshot, frame.generations.stars, wanted.order, wanted.starred_only);
+    tiles_ = list_tiles(snapshot, frame.generations.stars, wanted.order, wanted.filter);
 }
 
 void PopulationPanel::draw(const FrameContext& frame, Requests& out) {

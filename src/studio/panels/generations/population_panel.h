@@ -23,7 +23,7 @@ private:
         std::size_t generations = 0;
         std::uint64_t stars = 0;
         TileOrder order = TileOrder::kFitness;
-        bool starred_only = false;
+        TileFilter filter;
 
         friend bool operator==(const ListedFor&, const ListedFor&) = default;
     };

@@ -47,6 +47,14 @@ std::vector<Tile> tiles_with_star(std::vector<Tile> generation, const Stars& sta
     return generation;
 }
 
+// Of each body plan the first, which is the best of its generation.
+void keep_one_a_plan(std::vector<Tile>& tiles) {
+    std::set<std::uint64_t> plans;
+    std::erase_if(tiles, [&plans](const Tile& tile) {
+        return !plans.insert(tile.creature.individual->result.plan).second;
+    });
+}
+
 double measure(const Individual& individual, TileOrder order) {
     switch (order) {
         case TileOrder::kFitness:
@@ -89,10 +97,11 @@ const TileSorting& tile_sorting(TileOrder order) {
 }
 
 std::vector<Tile> list_tiles(const EvolutionSnapshot& snapshot, const Stars& stars, TileOrder order,
-                             bool starred_only) {
+                             const TileFilter& filter) {
     std::vector<Tile> tiles = tiles_of_generation(snapshot, stars);
-    if (starred_only) tiles = tiles_with_star(std::move(tiles), stars);
-    if (order == TileOrder::kFitness && !starred_only) return tiles;
+    if (filter.starred_only) tiles = tiles_with_star(std::move(tiles), stars);
+    if (filter.one_a_plan) keep_one_a_plan(tiles);
+    if (order == TileOrder::kFitness && !filter.starred_only) return tiles;
     for (Tile& tile : tiles)
         tile.key = measure(*tile.creature.individual, order);
     if (order == TileOrder::kDifference) measure_difference(tiles);

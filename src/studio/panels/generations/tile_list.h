@@ -29,8 +29,16 @@ struct TileSorting {
 std::span<const TileSorting> tile_sortings();
 const TileSorting& tile_sorting(TileOrder order);
 
+// Which of them to list.
+struct TileFilter {
+    bool starred_only = false;  // of all generations
+    bool one_a_plan = false;    // the best of each body plan
+
+    friend bool operator==(const TileFilter&, const TileFilter&) = default;
+};
+
 // The newest finished generation, or all that have a star, sorted; equals keep their rank's order.
 std::vector<Tile> list_tiles(const EvolutionSnapshot& snapshot, const Stars& stars, TileOrder order,
-                             bool starred_only);
+                             const TileFilter& filter);
 
 }  // namespace cambrian

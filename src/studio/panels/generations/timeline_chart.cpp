@@ -1,10 +1,12 @@
 #include "studio/panels/generations/timeline_chart.h"
 
 #include "core/text/pretty_text.h"
+#include "pictures/scene/scene_builder.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 
 namespace cambrian {
 namespace {
@@ -19,6 +21,32 @@ struct LegendEntry {
     Color color;
     bool band;
 };
+
+constexpr std::size_t kNamedLines = 12;  // founder lines with a colour of their own
+constexpr double kHueStep = 0.381966;    // turns between neighbours: the golden section
+
+Color band_color(std::size_t band) {
+    if (band == kNamedLines) return with_alpha(colors().muted, 0.35F);
+    const double hue = kHueStep * static_cast<double>(band);
+    return with_alpha(part_color({}, hue - std::floor(hue)), 0.85F);
+}
+
+// The founder lines with most births in all generations, those first.
+std::vector<std::uint64_t> most_fertile(const std::vector<GenerationStatistics>& history) {
+    std::map<std::uint64_t, int> totals;
+    for (const GenerationStatistics& row : history) {
+        for (const LineBirths& line : row.births)
+            totals[line.line] += line.births;
+    }
+    std::vector<LineBirths> order;
+    for (const auto& [line, births] : totals)
+        order.push_back({line, births});
+    put_most_first(order);
+    std::vector<std::uint64_t> lines;
+    for (std::size_t i = 0; i < std::min(order.size(), kNamedLines); ++i)
+        lines.push_back(order[i].line);
+    return lines;
+}
 
 Color curve_color(std::size_t curve) {
     return curve == 0 ? colors().plot_best : colors().plot_median;
@@ -44,13 +72,35 @@ void TimelineChart::forget() {
     lower_.clear();
     upper_.clear();
     curves_.assign(plot_->curves.size(), {});
+    bands_.clear();
+}
+
+// The order of the bands follows from all generations, so that they are laid anew when one is
+// added.
+void TimelineChart::stack(const EvolutionSnapshot& snapshot) {
+    const std::vector<std::uint64_t> lines = most_fertile(snapshot.history);
+    bands_.assign(kNamedLines + 1, {});
+    for (const GenerationStatistics& row : snapshot.history) {
+        std::array<double, kNamedLines + 1> births = {};
+        for (const LineBirths& line : row.births) {
+            const auto place = std::find(lines.begin(), lines.end(), line.line);
+            births[place == lines.end() ? kNamedLines
+                                        : static_cast<std::size_t>(place - lines.begin())] +=
+                line.births;
+        }
+        double edge = 0.0;
+        for (std::size_t band = 0; band < bands_.size(); ++band)
+            bands_[band].push_back(edge += births[band]);
+    }
 }
 
 void TimelineChart::gather(const EvolutionSnapshot& snapshot, TimelineQuantity quantity) {
     const bool other = quantity != plot_->quantity || snapshot.experiment != experiment_;
     plot_ = &timeline_plot(quantity);
     experiment_ = snapshot.experiment;
-    if (other || curves_.empty() || snapshot.history.size() < generations_.size()) forget();
+    const bool unknown = curves_.empty() && bands_.empty();
+    if (other || unknown || snapshot.history.size() < generations_.size()) forget();
+    if (plot_->births_by_line && generations_.size() < snapshot.history.size()) stack(snapshot);
     for (std::size_t i = generations_.size(); i < snapshot.history.size(); ++i) {
         const GenerationStatistics& row = snapshot.history[i];
         generations_.push_back(row.generation);
@@ -73,6 +123,8 @@ PlotScale TimelineChart::scale_for(const Rect& area) const {
     };
     for (const std::vector<double>& curve : curves_)
         include(curve);
+    for (const std::vector<double>& band : bands_)
+        include(band);
     include(lower_);
     include(upper_);
     const Range y = plot_range(lowest, highest);
@@ -81,6 +133,10 @@ PlotScale TimelineChart::scale_for(const Rect& area) const {
 }
 
 void TimelineChart::draw(ImDrawList& list, const PlotScale& scale) const {
+    const std::vector<double> ground(bands_.empty() ? 0 : generations_.size(), 0.0);
+    for (std::size_t i = 0; i < bands_.size(); ++i)
+        draw_band(list, scale, generations_, i == 0 ? ground : bands_[i - 1], bands_[i],
+                  band_color(i));
     if (!lower_.empty()) {
         draw_band(list, scale, generations_, lower_, upper_,
                   with_alpha(colors().plot_median, 0.22F));
@@ -114,9 +170,9 @@ std::string timeline_title(const TimelinePlot& plot, const std::string& unit) {
 
 float legend_width(const TimelinePlot& plot) {
     const WithFont font(ui().fonts.small);
-    float width = -px(kEntryGap);
+    float width = 0.0F;
     for (const LegendEntry& entry : legend_of(plot))
-        width += entry_width(entry) + px(kEntryGap);
+        width += entry_width(entry) + (width > 0.0F ? px(kEntryGap) : 0.0F);
     return width;
 }
 

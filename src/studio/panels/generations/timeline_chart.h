@@ -26,6 +26,7 @@ public:
 
 private:
     void forget();
+    void stack(const EvolutionSnapshot& snapshot);
 
     std::uint64_t experiment_ = 0;
     const TimelinePlot* plot_ = &timeline_plot(TimelineQuantity::kFitness);
@@ -33,6 +34,8 @@ private:
     std::vector<std::vector<double>> curves_;
     std::vector<double> lower_;
     std::vector<double> upper_;
+    // Upper edges of the bands of births by line, from the bottom; the last is of all others.
+    std::vector<std::vector<double>> bands_;
 };
 
 // "Fitness in m"; unit: of the goal.

@@ -136,14 +136,20 @@ std::string percent(double share) {
 
 std::string reading(const GenerationStatistics& stats, const std::string& unit) {
     std::string text = format("Generation %u\nBest ", stats.generation);
-    text += with_unit(stats.best, unit) + ", median " + pretty_number(stats.median);
+    text += with_unit(stats.best, unit);
+    if (stats.best_lowest < stats.best_highest) {
+        text += " (" + pretty_number(stats.best_lowest) + " to " +
+                pretty_number(stats.best_highest) + " in other worlds)";
+    }
+    text += ", median " + pretty_number(stats.median);
     text += "\n10–90 %: " + pretty_number(stats.lower) + " to " + pretty_number(stats.upper);
     text += format("\n%d distinct of %d, ", stats.distinct_genomes, stats.size);
+    text += format("%d founder lines and %d body plans survive, ", stats.lines, stats.plans);
     text += percent(stats.invalid_share) + " invalid\nOn average ";
     text += pretty_number(stats.mean_parts) + " parts, " + pretty_number(stats.mean_neurons);
     text += format(" neurons\nMap: %d cells filled, quality ", stats.filled_cells);
     text += pretty_number(stats.quality);
-    text += format("\n%d creatures simulated, ", stats.evaluations);
+    text += format("\n%d trials, %d to confirm, ", stats.evaluations, stats.confirmations);
     return text + percent(stats.time_saved) + " of the time saved";
 }
 

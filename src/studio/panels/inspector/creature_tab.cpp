@@ -3,6 +3,7 @@
 #include "core/text/pretty_text.h"
 #include "studio/viewer/mutation_words.h"
 #include "studio/viewer/origin_words.h"
+#include "studio/viewer/score_words.h"
 #include "studio/widgets/widgets.h"
 
 namespace cambrian {
@@ -10,6 +11,18 @@ namespace {
 
 std::string unit_of(const FrameContext& frame) {
     return goal_unit(frame.viewer.playback.exhibit().settings().goal, frame.kinds.goals);
+}
+
+// A small range beside the score that was confirmed.
+void draw_range(const EvaluationResult& result) {
+    const std::string range = confirmed_range(result);
+    if (range.empty()) return;
+    ImGui::SameLine();
+    const WithFont font(ui().fonts.small);
+    muted_text(range);
+    tooltip(
+        "Whoever would survive is tried again in worlds a hair different; the median of all "
+        "counts.");
 }
 
 void draw_headline(const FrameContext& frame) {
@@ -20,6 +33,7 @@ void draw_headline(const FrameContext& frame) {
     // What counted, shaking and suspicion included, if it was ever judged.
     if (result != nullptr) {
         ImGui::TextUnformatted(measured(result->fitness, unit_of(frame)).c_str());
+        draw_range(*result);
     } else if (frame.viewer.score != nullptr) {
         ImGui::TextUnformatted(measured(frame.viewer.score->score.value, unit_of(frame)).c_str());
     } else {

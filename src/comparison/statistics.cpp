@@ -1,11 +1,11 @@
-#include "quality/statistics.h"
+#include "comparison/statistics.h"
 
 #include "core/random.h"
 
 #include <algorithm>
 #include <cstddef>
 
-namespace cambrian::quality {
+namespace cambrian {
 namespace {
 
 constexpr int kSamples = 10'000;
@@ -43,7 +43,7 @@ Interval median_interval(const std::vector<double>& values) {
     return {medians[cut], medians[kSamples - 1 - cut]};
 }
 
-Comparison mann_whitney(const std::vector<double>& a, const std::vector<double>& b) {
+RankTest mann_whitney(const std::vector<double>& a, const std::vector<double>& b) {
     std::vector<double> all = a;
     all.insert(all.end(), b.begin(), b.end());
     const std::vector<std::size_t> ranks = doubled_ranks(all);
@@ -73,4 +73,8 @@ Comparison mann_whitney(const std::vector<double>& a, const std::vector<double>&
     return {extreme / total, u / (n * static_cast<double>(b.size()))};
 }
 
-}  // namespace cambrian::quality
+double two_sided(const std::vector<double>& a, const std::vector<double>& b) {
+    return std::min(1.0, 2.0 * std::min(mann_whitney(a, b).p, mann_whitney(b, a).p));
+}
+
+}  // namespace cambrian

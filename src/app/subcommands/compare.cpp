@@ -1,0 +1,209 @@
+#include "app/evolve/comparison_pictures.h"
+#include "app/process/interruption.h"
+#include "app/process/messages.h"
+#include "app/command_line/number_checks.h"
+#include "app/command_line/option_types.h"
+#include "app/process/progress_line.h"
+#include "app/command_line/seed_list.h"
+#include "app/subcommands/subcommands.h"
+#include "comparison/comparison.h"
+#include "comparison/plan.h"
+#include "comparison/report.h"
+#include "core/files/file_io.h"
+#include "core/text/pretty_text.h"
+#include "core/stopwatch.h"
+#include "core/threads/thread_pool.h"
+#include "persist/typed_setting.h"
+
+#include <CLI/CLI.hpp>
+
+#include <optional>
+
+namespace cambrian {
+namespace {
+
+constexpr const char* kPlainArm = "default";
+constexpr const char* kReport = "report.md";
+
+struct CompareOptions {
+    std::vector<std::string> arms;
+    std::vector<std::string> worlds;
+    std::vector<std::string> sets;
+    std::string sweep;
+    std::string seeds = "1..9";
+    std::string out = "comparison";
+    int trials = 4000;
+    bool random_search = false;
+    std::optional<std::size_t> threads;
+};
+
+Result<std::vector<NamedSettings>> named_settings(const std::vector<std::string>& files) {
+    std::vector<NamedSettings> some;
+    for (const std::string& file : files) {
+        Result<SettingsText> text = read_settings_text(file);
+        if (!text) return text.error();
+        some.push_back({std::filesystem::path(file).stem().string(), {*std::move(text)}});
+    }
+    return some;
+}
+
+// Every arm once for each value of "key=value,value...".
+Result<std::vector<NamedSettings>> swept(const std::vector<NamedSettings>& arms,
+                                         const std::string& sweep, const EvolutionKinds& kinds) {
+    const std::size_t sign = sweep.find('=');
+    if (sign == std::string::npos) return Error{"--sweep: expected key=value,value..."};
+    const std::string key = sweep.substr(0, sign);
+    std::vector<NamedSettings> all;
+    for (const NamedSettings& arm : arms) {
+        for (const std::string& value : CLI::detail::split(sweep.substr(sign + 1), ',')) {
+            const std::string assignment = key + "=" + value;
+            Result<SettingsText> text = typed_setting(assignment, kinds);
+            if (!text) return Error{"--sweep: " + text.error().message};
+            NamedSettings& one = all.emplace_back(arm);
+            one.name = arms.size() == 1 ? assignment : arm.name + " " + assignment;
+            one.texts.push_back(*std::move(text));
+        }
+    }
+    return all;
+}
+
+Result<std::vector<NamedSettings>> arms_of(const CompareOptions& options,
+                                           const EvolutionKinds& kinds) {
+    auto arms = named_settings(options.arms);
+    if (!arms) return arms.error();
+    if (arms->empty()) arms->push_back({kPlainArm, {{"", kPlainArm}}});
+    for (const std::string& assignment : options.sets) {
+        const Result<SettingsText> text = typed_setting(assignment, kinds);
+        if (!text) return Error{"--set: " + text.error().message};
+        for (NamedSettings& arm : *arms)
+            arm.texts.push_back(*text);
+    }
+    return options.sweep.empty() ? arms : swept(*arms, options.sweep, kinds);
+}
+
+Result<std::vector<PlannedRun>> runs_of(const CompareOptions& options,
+                                        const EvolutionKinds& kinds) {
+    auto worlds = named_settings(options.worlds);
+    if (!worlds) return worlds.error();
+    auto arms = arms_of(options, kinds);
+    if (!arms) return arms.error();
+    auto seeds = parse_seeds(options.seeds);
+    if (!seeds) return Error{"--seeds: " + seeds.error().message};
+    return planned_runs({.worlds = *std::move(worlds),
+                         .arms = *std::move(arms),
+                         .random_search = options.random_search,
+                         .seeds = *std::move(seeds),
+                         .trials = options.trials},
+                        kinds);
+}
+
+std::string run_line(const ComparedRun& run) {
+    return run.world + ", " + run.arm + ", seed " + std::to_string(run.seed) + ": " +
+           format("%.3g", run.confirmed) + " (" + format("%.3g", run.score) + " before) after " +
+           std::to_string(run.evaluations) + " trials, " + pretty_time(run.seconds);
+}
+
+class CompareSubcommand final : public Subcommand {
+public:
+    void add_options(CLI::App& app) override {
+        app.add_option("arms", options_.arms,
+                       "Settings files to compare; the first is what the others are measured "
+                       "against. Without any, the worlds' own settings")
+            ->type_name(option_type::kSettings);
+        app.add_option("-w,--world", options_.worlds,
+                       "Settings file of a world to compare in, in which an arm changes only what "
+                       "it says; may be given again for more worlds")
+            ->type_name(option_type::kSettings)
+            ->allow_extra_args(false);
+        app.add_option("--set", options_.sets,
+                       "A setting of all arms, as selection.survival=0.1; may be given again")
+            ->type_name("KEY=VALUE")
+            ->allow_extra_args(false);
+        app.add_option("--sweep", options_.sweep, "Every arm once for each value of a setting")
+            ->type_name("KEY=VALUE,VALUE...");
+        app.add_flag("--random-search", options_.random_search,
+                     "One more arm: new random creatures only; the best are kept");
+        app.add_option("-s,--seeds", options_.seeds, "Seeds of the runs, as 1..9 or 1..9,12")
+            ->capture_default_str();
+        take_whole(*app.add_option("-n,--trials", options_.trials,
+                                   "Trials of each run, counted to the end of a generation")
+                        ->capture_default_str(),
+                   1, 1'000'000'000);
+        take_whole(*app.add_option("-t,--threads", options_.threads,
+                                   "Runs at a time; one a core unless given"),
+                   1, 1024);
+        app.add_option("-o,--out", options_.out,
+                       "Folder of runs.csv, report.md, curves and champions; runs that it has "
+                       "already are not run again")
+            ->type_name(option_type::kFolder)
+            ->capture_default_str();
+    }
+    CommandFiles files() const override {
+        CommandFiles files;
+        for (const auto* inputs : {&options_.arms, &options_.worlds}) {
+            for (const std::string& input : *inputs)
+                files.reads(input);
+        }
+        return files;
+    }
+    ExitStatus run(const EvolutionKinds& kinds) override {
+        if (options_.arms.empty() && options_.worlds.empty())
+            return fail({"what to compare: settings files, or --world FILE"});
+        auto runs = runs_of(options_, kinds);
+        if (!runs) return fail(runs.error());
+        const auto comparison = Comparison::open(options_.out, *std::move(runs), kinds);
+        if (!comparison) return fail(comparison.error());
+        const Interruption interruption;
+        if (const Status ran = run_all(**comparison, interruption); !ran)
+            return fail(ran.error(), ExitStatus::kFailed);
+        const ExitStatus told = tell((*comparison)->finished());
+        if (!interruption.requested()) return told;
+        say("interrupted; the same command goes on with the runs that are missing");
+        return ExitStatus::kFailed;
+    }
+
+private:
+    Status run_all(Comparison& comparison, const Interruption& interruption) const {
+        if (comparison.missing() == 0) return {};
+        say(std::to_string(comparison.missing()) + " runs to do");
+        const Stopwatch watch;
+        ProgressLine line([&] {
+            const double share = comparison.share_done();
+            return bar_text(share) + time_left_text(share, watch.seconds());
+        });
+        return comparison.run(
+            options_.threads.value_or(ThreadPool::default_workers()),
+            [&](const ComparedRun& run) { line.interrupt([&] { say(run_line(run)); }); },
+            interruption.token());
+    }
+
+    ExitStatus tell(const std::vector<ComparedRun>& runs) const {
+        if (runs.empty()) return ExitStatus::kFailed;
+        const std::filesystem::path folder = options_.out;
+        const std::string report = comparison_report(runs);
+        if (const Status written = write_file(folder / kReport, report); !written)
+            return fail(written.error(), ExitStatus::kFailed);
+        if (const Status drawn = save_comparison_pictures(folder, runs); !drawn)
+            say(drawn.error().message);
+        return print_result(report);
+    }
+
+    CompareOptions options_;
+};
+
+}  // namespace
+
+SubcommandKind compare_subcommand() {
+    return {.id = "compare",
+            .summary =
+                "Evolve under several settings side by side and say which does better, and "
+                "whether by more than chance.",
+            .example =
+                "cambrian compare --world assets/settings/walking.toml --sweep "
+                "selection.method=truncation,rank --random-search --seeds 1..9 --out comparison/",
+            .make = []() -> std::unique_ptr<Subcommand> {
+                return std::make_unique<CompareSubcommand>();
+            }};
+}
+
+}  // namespace cambrian

@@ -1,0 +1,139 @@
+#include "comparison/compared_run.h"
+
+#include "core/hash.h"
+#include "core/random.h"
+#include "core/sample_statistics.h"
+#include "core/thread_time.h"
+#include "creature/phenotype.h"
+#include "evolution/backends/thread_pool_backend.h"
+#include "evolution/evolution.h"
+#include "evolution/generation.h"
+#include "evolution/trials.h"
+#include "persist/digest_text.h"
+#include "persist/settings_file.h"
+#include "simulator/simulator_version.h"
+#include "simulator/trial.h"
+
+#include <algorithm>
+#include <memory>
+#include <set>
+
+namespace cambrian {
+namespace {
+
+constexpr int kJudgingWorlds = 10;
+constexpr double kJudgingJitter = 0.01;    // share by which these worlds differ
+constexpr std::uint64_t kJudging = 1'000;  // keeps them apart from those that choose survivors
+constexpr double kFineTolerance = 1e-6;
+constexpr double kFineContactStep = 0.25;  // of the settings'
+constexpr double kFineWork = 100.0;        // may cost so many times as much
+constexpr std::size_t kBest = 20;          // survivors whose body plans are counted
+
+double confirmed_score(const GenomePtr& genome, ExperimentSettings settings,
+                       const EvolutionKinds& kinds) {
+    settings.selection.confirm_jitter = kJudgingJitter;
+    std::vector<Probe> probes;
+    for (std::uint64_t world = 0; world < kJudgingWorlds; ++world)
+        probes.push_back({stream_seed({trial_seed(settings), kJudging, world})});
+    return median(scores_in(probes, genome, settings, kinds));
+}
+
+double finer_score(const GenomePtr& genome, ExperimentSettings settings,
+                   const EvolutionKinds& kinds) {
+    SceneSettings& scene = settings.world.scene;
+    scene.integrator = kinds.creature.scene.accurate_integrator;
+    scene.tolerance = std::min(scene.tolerance, kFineTolerance);
+    scene.contact_step *= kFineContactStep;
+    scene.max_evaluations *= kFineWork;
+    const EvaluationResult result =
+        evaluate_in_trials({.genome = genome, .trial_seed = trial_seed(settings)}, settings, kinds);
+    return result.outcome == Outcome::kCompleted ? result.fitness : 0.0;
+}
+
+double jump_height(const GenomePtr& genome, const ExperimentSettings& settings,
+                   const EvolutionKinds& kinds) {
+    const auto phenotype = std::make_shared<const Phenotype>(
+        express(*genome, kinds.creature, settings.expression, settings.world.scene));
+    const auto record = run_trial(phenotype, kinds.creature, settings.world);
+    const double gravity = settings.world.environment.gravity;
+    if (!record || !(gravity > 0.0)) return 0.0;
+    const double speed = std::max(0.0, record->jumps.best().take_off_speed);
+    return speed * speed / (2.0 * gravity);
+}
+
+int plans_of_best(const Evolution& evolution, const EvolutionKinds& kinds) {
+    std::set<std::uint64_t> plans;
+    std::size_t seen = 0;
+    for (const std::size_t survivor :
+         survivors_of(evolution.population(), evolution.settings(), kinds,
+                      evolution.generation() + 1, evolution.selection_memory())) {
+        plans.insert(evolution.population()[survivor]->result.plan);
+        if (++seen == kBest) break;
+    }
+    return static_cast<int>(plans.size());
+}
+
+void note_generation(ComparedRun& row, const GenerationStatistics& statistics) {
+    row.evaluations += statistics.evaluations;
+    row.time_saved += (statistics.time_saved - row.time_saved) / ++row.generations;
+    row.lines = statistics.lines;
+    row.curve.push_back({row.evaluations, statistics.best});
+}
+
+void note_end(ComparedRun& row, const Evolution& evolution, const Individual& champion,
+              const EvolutionKinds& kinds) {
+    const ExperimentSettings& settings = evolution.settings();
+    row.score = champion.result.fitness;
+    row.parts = champion.result.parts;
+    row.confirmed = confirmed_score(champion.genome, settings, kinds);
+    row.finer = finer_score(champion.genome, settings, kinds);
+    row.jump_height = jump_height(champion.genome, settings, kinds);
+    row.plans = plans_of_best(evolution, kinds);
+    row.audited = evolution.bar_audit().finished;
+    row.survivors = evolution.bar_audit().survived;
+}
+
+}  // namespace
+
+ComparedRun planned_row(const PlannedRun& run, const EvolutionKinds& kinds) {
+    ComparedRun row;
+    row.world = run.world;
+    row.arm = run.arm;
+    row.seed = run.settings->seed;
+    row.trials = run.trials;
+    Hash64 hash;
+    hash.add(write_settings(*run.settings, kinds));
+    row.settings = hex_text(hash.value());
+    row.simulator = kSimulatorVersion;
+    return row;
+}
+
+bool is_row_of(const ComparedRun& finished, const ComparedRun& planned) {
+    return finished.world == planned.world && finished.arm == planned.arm &&
+           finished.seed == planned.seed && finished.trials == planned.trials &&
+           finished.settings == planned.settings && finished.simulator == planned.simulator;
+}
+
+std::optional<FinishedRun> perform(const PlannedRun& run, const EvolutionKinds& kinds,
+                                   std::atomic<std::uint64_t>& done, const std::stop_token& stop) {
+    const double begun = thread_cpu_time();
+    const auto backend = make_thread_pool_backend(kinds, 1);
+    EvaluationProgress progress;
+    Evolution evolution(run.settings, kinds);
+    ComparedRun row = planned_row(run, kinds);
+    for (;;) {
+        if (!evolution.evaluate(*backend, progress, stop)) return std::nullopt;
+        const GenerationStatistics& latest = evolution.history().back();
+        note_generation(row, latest);
+        done += static_cast<std::uint64_t>(latest.evaluations);
+        if (row.evaluations >= run.trials || stop.stop_requested()) break;
+        evolution.breed();
+    }
+    const IndividualPtr champion = evolution.confirmed_champion(*backend, progress, stop);
+    if (stop.stop_requested()) return std::nullopt;
+    note_end(row, evolution, *champion, kinds);
+    row.seconds = thread_cpu_time() - begun;
+    return FinishedRun{std::move(row), champion};
+}
+
+}  // namespace cambrian

@@ -1,0 +1,119 @@
+#include "comparison/comparison.h"
+
+#include "comparison/run_table.h"
+#include "core/files/file_io.h"
+#include "core/threads/thread_pool.h"
+#include "persist/creature_file.h"
+
+#include <algorithm>
+#include <mutex>
+#include <string>
+#include <system_error>
+#include <tuple>
+#include <utility>
+
+namespace cambrian {
+namespace {
+
+constexpr const char* kTable = "runs.csv";
+constexpr const char* kChampions = "champions";
+
+const ComparedRun* row_of(const std::vector<ComparedRun>& table, const PlannedRun& run,
+                          const EvolutionKinds& kinds) {
+    const ComparedRun planned = planned_row(run, kinds);
+    const auto found = std::find_if(table.begin(), table.end(), [&](const ComparedRun& row) {
+        return is_row_of(row, planned);
+    });
+    return found == table.end() ? nullptr : &*found;
+}
+
+// A name that any file may have.
+std::string file_name(const ComparedRun& row) {
+    std::string name = row.world + "-" + row.arm + "-seed" + std::to_string(row.seed);
+    for (char& letter : name) {
+        const auto code = static_cast<unsigned char>(letter);
+        if (code <= ' ' || letter == '/' || code == 0x7F) letter = '-';
+    }
+    return name + ".creature.json";
+}
+
+}  // namespace
+
+Result<std::unique_ptr<Comparison>> Comparison::open(const std::filesystem::path& folder,
+                                                     std::vector<PlannedRun> runs,
+                                                     const EvolutionKinds& kinds) {
+    std::error_code failure;
+    std::filesystem::create_directories(folder / kChampions, failure);
+    if (failure) return Error{(folder / kChampions).string() + ": " + failure.message()};
+    if (const Status writable = check_writable(folder / kTable); !writable) return writable.error();
+    auto table = load_run_table(folder / kTable);
+    if (!table) return table.error();
+    return std::unique_ptr<Comparison>(
+        new Comparison(folder, std::move(runs), *std::move(table), kinds));
+}
+
+Comparison::Comparison(std::filesystem::path folder, std::vector<PlannedRun> runs,
+                       std::vector<ComparedRun> table, const EvolutionKinds& kinds)
+    : folder_(std::move(folder)), runs_(std::move(runs)), table_(std::move(table)), kinds_(&kinds) {
+    for (std::size_t i = 0; i < runs_.size(); ++i) {
+        if (row_of(table_, runs_[i], kinds) != nullptr) continue;
+        missing_.push_back(i);
+        planned_ += static_cast<std::uint64_t>(runs_[i].trials);
+    }
+}
+
+Status Comparison::run(std::size_t threads, const std::function<void(const ComparedRun&)>& told,
+                       const std::stop_token& stop) {
+    std::mutex mutex;
+    Status kept;  // guarded by the mutex
+    std::stop_source failed;
+    const std::stop_callback pass_on(stop, [&failed] { failed.request_stop(); });
+    ThreadPool pool(threads);
+    pool.parallel_for(
+        missing_.size(),
+        [&](std::size_t index, std::size_t /*worker*/) {
+            const PlannedRun& run = runs_[missing_[index]];
+            const auto finished = perform(run, *kinds_, done_, failed.get_token());
+            if (!finished) return;
+            const std::lock_guard<std::mutex> lock(mutex);
+            if (!kept) return;
+            kept = keep(run, *finished);
+            if (!kept) {
+                failed.request_stop();
+                return;
+            }
+            told(finished->row);
+        },
+        failed.get_token());
+    return kept;
+}
+
+double Comparison::share_done() const {
+    if (planned_ == 0) return 1.0;
+    return std::min(1.0, static_cast<double>(done_) / static_cast<double>(planned_));
+}
+
+std::vector<ComparedRun> Comparison::finished() const {
+    std::vector<ComparedRun> rows;
+    for (const PlannedRun& run : runs_) {
+        if (const ComparedRun* row = row_of(table_, run, *kinds_)) rows.push_back(*row);
+    }
+    return rows;
+}
+
+// The champion first: a run in the table has one. The table's order does not depend on who ends
+// first.
+Status Comparison::keep(const PlannedRun& run, const FinishedRun& finished) {
+    CreatureDocument champion = creature_document(*finished.champion, *run.settings, *kinds_);
+    complete_score(champion, *kinds_);
+    const auto path = folder_ / kChampions / file_name(finished.row);
+    if (Status saved = save_creature(path, champion, *kinds_); !saved) return saved;
+    table_.push_back(finished.row);
+    std::sort(table_.begin(), table_.end(), [](const ComparedRun& a, const ComparedRun& b) {
+        return std::tie(a.world, a.arm, a.seed, a.trials, a.settings, a.simulator) <
+               std::tie(b.world, b.arm, b.seed, b.trials, b.settings, b.simulator);
+    });
+    return write_file(folder_ / kTable, run_table_csv(table_));
+}
+
+}  // namespace cambrian

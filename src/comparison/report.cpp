@@ -1,0 +1,140 @@
+#include "comparison/report.h"
+
+#include "comparison/statistics.h"
+#include "core/text/pretty_text.h"
+#include "core/sample_statistics.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cambrian {
+namespace {
+
+constexpr double kAgrees = 0.1;  // share by which a finer score may differ
+
+std::string rounded(double value) {
+    return format("%.3g", value);
+}
+
+template <class Number>
+std::vector<double> column(const std::vector<ComparedRun>& runs, Number ComparedRun::*field) {
+    std::vector<double> values;
+    for (const ComparedRun& run : runs)
+        values.push_back(static_cast<double>(run.*field));
+    return values;
+}
+
+std::vector<std::string> distinct(const std::vector<ComparedRun>& runs,
+                                  std::string ComparedRun::*field) {
+    std::vector<std::string> names;
+    for (const ComparedRun& run : runs) {
+        if (std::find(names.begin(), names.end(), run.*field) == names.end())
+            names.push_back(run.*field);
+    }
+    return names;
+}
+
+// "0.73": of the medians of two samples; "" where there is none.
+std::string ratio_text(double ours, double theirs) {
+    return theirs > 0.0 ? rounded(ours / theirs) : "";
+}
+
+std::string against(const std::vector<double>& ours, const std::vector<double>& theirs) {
+    const RankTest comparison = mann_whitney(ours, theirs);
+    return ratio_text(median(ours), median(theirs)) + " | " + rounded(two_sided(ours, theirs)) +
+           " | " + rounded(comparison.effect);
+}
+
+std::string row(const std::string& arm, const std::vector<ComparedRun>& runs,
+                const std::vector<ComparedRun>& first) {
+    const std::vector<double> scores = column(runs, &ComparedRun::confirmed);
+    const Interval interval = median_interval(scores);
+    const auto exact = std::count_if(runs.begin(), runs.end(), [](const ComparedRun& run) {
+        return std::fabs(run.finer - run.score) <= kAgrees * run.score;
+    });
+    const bool reference = first.empty() || first.front().arm == arm;
+    std::string text = "| " + arm + " | " + std::to_string(runs.size()) + " | " +
+                       rounded(median(scores)) + " | " + rounded(interval.low) + " to " +
+                       rounded(interval.high) + " | " +
+                       ratio_text(*std::min_element(scores.begin(), scores.end()), median(scores));
+    text +=
+        " | " + (reference ? " |  | " : against(scores, column(first, &ComparedRun::confirmed)));
+    text += " | " + rounded(median(column(runs, &ComparedRun::score)));
+    text += " | " + std::to_string(exact);
+    for (const auto field :
+         {&ComparedRun::lines, &ComparedRun::plans, &ComparedRun::parts, &ComparedRun::generations})
+        text += " | " + rounded(median(column(runs, field)));
+    text += " | " + rounded(median(column(runs, &ComparedRun::jump_height)));
+    text += " | " + rounded(100.0 * mean(column(runs, &ComparedRun::time_saved))) + " %";
+    const auto sum = [](const std::vector<double>& values) {
+        return rounded(mean(values) * static_cast<double>(values.size()));
+    };
+    text += " | " + sum(column(runs, &ComparedRun::survivors)) + " of " +
+            sum(column(runs, &ComparedRun::audited));
+    return text + " |\n";
+}
+
+constexpr const char* kHead =
+    "| arm | runs | confirmed | 90 % interval | worst / median | ratio | p | effect | score | "
+    "finer within 10 % | lines | plans of 20 | parts | generations | jump, m | time saved | "
+    "audited survivors |\n"
+    "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n";
+
+// Of the medians' ratios to the first arm over all worlds in which both were run.
+std::string overall(const std::vector<ComparedRun>& runs) {
+    const std::vector<std::string> arms = arms_of(runs);
+    std::string text;
+    for (std::size_t i = 1; i < arms.size(); ++i) {
+        double sum = 0.0;
+        int count = 0;
+        for (const std::string& world : worlds_of(runs)) {
+            const auto ours = column(runs_of(runs, world, arms[i]), &ComparedRun::confirmed);
+            const auto theirs = column(runs_of(runs, world, arms[0]), &ComparedRun::confirmed);
+            if (ours.empty() || theirs.empty()) continue;
+            const double ratio = median(ours) / median(theirs);
+            if (!(ratio > 0.0) || !std::isfinite(ratio)) continue;
+            sum += std::log(ratio);
+            ++count;
+        }
+        if (count == 0) continue;
+        text += "- " + arms[i] + " against " + arms[0] + ": " + rounded(std::exp(sum / count)) +
+                ", geometric mean over " + std::to_string(count) +
+                (count == 1 ? " world\n" : " worlds\n");
+    }
+    return text;
+}
+
+}  // namespace
+
+std::vector<ComparedRun> runs_of(const std::vector<ComparedRun>& runs, const std::string& world,
+                                 const std::string& arm) {
+    std::vector<ComparedRun> some;
+    std::copy_if(runs.begin(), runs.end(), std::back_inserter(some),
+                 [&](const ComparedRun& run) { return run.world == world && run.arm == arm; });
+    return some;
+}
+
+std::vector<std::string> worlds_of(const std::vector<ComparedRun>& runs) {
+    return distinct(runs, &ComparedRun::world);
+}
+
+std::vector<std::string> arms_of(const std::vector<ComparedRun>& runs) {
+    return distinct(runs, &ComparedRun::arm);
+}
+
+std::string comparison_report(const std::vector<ComparedRun>& runs) {
+    std::string text;
+    const std::vector<std::string> arms = arms_of(runs);
+    for (const std::string& world : worlds_of(runs)) {
+        text += "**" + world + "**\n\n" + kHead;
+        const std::vector<ComparedRun> first = runs_of(runs, world, arms.front());
+        for (const std::string& arm : arms) {
+            const std::vector<ComparedRun> some = runs_of(runs, world, arm);
+            if (!some.empty()) text += row(arm, some, first);
+        }
+        text += "\n";
+    }
+    return text + overall(runs);
+}
+
+}  // namespace cambrian

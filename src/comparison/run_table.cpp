@@ -1,0 +1,147 @@
+#include "comparison/run_table.h"
+
+#include "core/files/file_io.h"
+#include "core/text/number_text.h"
+#include "persist/columns.h"
+
+#include <array>
+#include <charconv>
+#include <sstream>
+#include <type_traits>
+#include <variant>
+
+namespace cambrian {
+namespace {
+
+using Row = ComparedRun;
+constexpr std::size_t kMaxBytes = 256'000'000;
+
+constexpr std::array kColumns = {
+    Column<Row>{"world", &Row::world},
+    Column<Row>{"arm", &Row::arm},
+    Column<Row>{"seed", &Row::seed},
+    Column<Row>{"trials", &Row::trials},
+    Column<Row>{"settings", &Row::settings},
+    Column<Row>{"simulator", &Row::simulator},
+    Column<Row>{"score", &Row::score},
+    Column<Row>{"confirmed", &Row::confirmed},
+    Column<Row>{"finer", &Row::finer},
+    Column<Row>{"jump_height", &Row::jump_height},
+    Column<Row>{"parts", &Row::parts},
+    Column<Row>{"lines", &Row::lines},
+    Column<Row>{"plans", &Row::plans},
+    Column<Row>{"generations", &Row::generations},
+    Column<Row>{"evaluations", &Row::evaluations},
+    Column<Row>{"audited", &Row::audited},
+    Column<Row>{"audited_survivors", &Row::survivors},
+    Column<Row>{"time_saved", &Row::time_saved},
+    Column<Row>{"core_seconds", &Row::seconds},
+};
+constexpr const char* kCurve = "curve";
+
+std::string header() {
+    std::string text;
+    for (const Column<Row>& column : kColumns)
+        text += std::string(column.name) + ',';
+    return text + kCurve;
+}
+
+std::string cell_text(const std::string& text) {
+    return text;
+}
+std::string cell_text(double number) {
+    return real_text(number);
+}
+template <class Whole>
+std::string cell_text(Whole number) {
+    return std::to_string(number);
+}
+
+template <class Number>
+bool read_number(std::string_view cell, Number& number) {
+    const char* const end = cell.data() + cell.size();
+    const auto read = std::from_chars(cell.data(), end, number);
+    return read.ec == std::errc() && read.ptr == end;
+}
+
+bool read_cell(std::string_view cell, std::string& text) {
+    text = cell;
+    return true;
+}
+template <class Number>
+bool read_cell(std::string_view cell, Number& number) {
+    return read_number(cell, number);
+}
+bool read_cell(std::string_view /*cell*/, bool& /*flag*/) {
+    return false;  // no column is one
+}
+
+// What comes before the separator, which is taken off the text with it.
+std::string_view take(std::string_view& text, char separator) {
+    const std::size_t end = std::min(text.find(separator), text.size());
+    const std::string_view first = text.substr(0, end);
+    text.remove_prefix(std::min(end + 1, text.size()));
+    return first;
+}
+
+bool read_curve(std::string_view text, std::vector<CurvePoint>& curve) {
+    while (!text.empty()) {
+        std::string_view point = take(text, ' ');
+        CurvePoint& next = curve.emplace_back();
+        if (!read_number(take(point, ':'), next.trials) || !read_number(point, next.score))
+            return false;
+    }
+    return true;
+}
+
+bool read_row(std::string_view line, Row& row) {
+    for (const Column<Row>& column : kColumns) {
+        if (line.empty()) return false;
+        const std::string_view cell = take(line, ',');
+        if (!std::visit([&](auto field) { return read_cell(cell, row.*field); }, column.field))
+            return false;
+    }
+    return read_curve(line, row.curve);
+}
+
+}  // namespace
+
+std::string run_table_csv(const std::vector<ComparedRun>& runs) {
+    std::string text = header() + '\n';
+    for (const Row& row : runs) {
+        for (const Column<Row>& column : kColumns)
+            text +=
+                std::visit([&](auto field) { return cell_text(row.*field); }, column.field) + ',';
+        std::string curve;
+        for (const CurvePoint& point : row.curve)
+            curve += (curve.empty() ? "" : " ") + std::to_string(point.trials) + ':' +
+                     real_text(point.score);
+        text += curve + '\n';
+    }
+    return text;
+}
+
+Result<std::vector<ComparedRun>> parse_run_table(std::string_view text, std::string_view source) {
+    const auto refusal = [&](int line, const std::string& what) {
+        return Error{std::string(source) + ": line " + std::to_string(line) + ": " + what};
+    };
+    if (take(text, '\n') != header()) return refusal(1, "expected a table of compared runs");
+    std::vector<ComparedRun> runs;
+    for (int line = 2; !text.empty(); ++line) {
+        Row row;
+        const bool whole = text.find('\n') != std::string_view::npos;
+        if (!whole || !read_row(take(text, '\n'), row)) return refusal(line, "is no run");
+        runs.push_back(std::move(row));
+    }
+    return runs;
+}
+
+Result<std::vector<ComparedRun>> load_run_table(const std::filesystem::path& path) {
+    std::error_code unknown;
+    if (!std::filesystem::exists(path, unknown)) return std::vector<ComparedRun>();
+    const Result<std::string> text = read_file(path, kMaxBytes);
+    if (!text) return text.error();
+    return parse_run_table(*text, path.string());
+}
+
+}  // namespace cambrian

@@ -1,0 +1,33 @@
+#include "creature/body_plan_hash.h"
+
+#include "core/hash.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace cambrian {
+
+// The hash of a part is over its joint and the sorted hashes of its children; a parent stands
+// before its children, so that going backwards all children of a part are known.
+std::uint64_t body_plan_hash(const Phenotype& phenotype) {
+    const std::vector<PlannedPart>& parts = phenotype.plan.parts;
+    std::vector<std::vector<std::uint64_t>> children(parts.size());
+    std::uint64_t root = 0;
+    for (std::size_t i = parts.size(); i-- > 0;) {
+        const bool is_root = parts[i].parent < 0;
+        std::sort(children[i].begin(), children[i].end());
+        Hash64 hash;
+        hash.add(std::uint64_t{is_root ? 0U : 1U + parts[i].joint_kind});
+        hash.add(std::uint64_t{children[i].size()});
+        for (const std::uint64_t child : children[i])
+            hash.add(child);
+        if (is_root) {
+            root = hash.value();
+        } else {
+            children[static_cast<std::size_t>(parts[i].parent)].push_back(hash.value());
+        }
+    }
+    return root;
+}
+
+}  // namespace cambrian

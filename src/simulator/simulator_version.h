@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string_view>
+
+namespace cambrian {
+
+// Raised whenever the same genome and settings would move differently or score differently:
+//
+//     1.0
+//     1.1  jumping by height measured in every tick, walking by its slowest quarter
+inline constexpr std::string_view kSimulatorVersion = "1.1";
+
+}  // namespace cambrian

@@ -1,0 +1,190 @@
+// Merit instead of luck: survivors are tried again in worlds a hair different.
+#include "evolution/confirmation.h"
+
+#include "evolution/backends/thread_pool_backend.h"
+#include "evolution/evolution.h"
+#include "evolution/population_digest.h"
+#include "evolution/trials.h"
+#include "support/catch.h"
+#include "support/creatures.h"
+#include "support/fake_backend.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+using namespace cambrian;
+using test::FakeBackend;
+using test::kinds;
+
+namespace {
+
+std::shared_ptr<ExperimentSettings> of_twenty() {
+    auto settings = std::make_shared<ExperimentSettings>();
+    settings->population.size = 20;
+    settings->seed = 5;
+    return settings;
+}
+
+// Nine in ten of a creature's score is luck that another world takes away.
+double luck_lost(double fitness, const Probe&) {
+    return 0.1 * fitness;
+}
+
+bool tried_again(const Individual& one) {
+    return !one.result.scores.empty();
+}
+
+// After a number of generations.
+Evolution evolved(const SettingsPtr& settings, EvaluationBackend& backend, int generations) {
+    Evolution evolution(settings, kinds());
+    EvaluationProgress progress;
+    for (int i = 0; i < generations; ++i) {
+        if (i > 0) evolution.breed();
+        REQUIRE(evolution.evaluate(backend, progress, {}));
+    }
+    return evolution;
+}
+
+}  // namespace
+
+TEST_CASE("a generation's worlds differ a hair, the first is computed more finely",
+          "[evolution][confirmation]") {
+    const ExperimentSettings settings;
+    const std::vector<Probe> probes = probes_of(settings, 3, 8);
+    REQUIRE(probes.size() == 8);
+    CHECK(probes == probes_of(settings, 3, 8));
+    CHECK(probes != probes_of(settings, 4, 8));
+    std::set<double> gravities;
+    for (std::size_t i = 0; i < probes.size(); ++i) {
+        Genome creature = *test::crawler(kinds().creature.catalog);
+        const double angle = creature.root_angle;
+        const ExperimentSettings world = probed_world(probes[i], settings, creature);
+        CHECK(std::abs(world.world.environment.gravity / 9.81 - 1.0) <= 0.01);
+        CHECK(std::abs(world.world.environment.friction / 0.8 - 1.0) <= 0.01);
+        CHECK(std::abs(creature.root_angle - angle) <= 0.01);
+        CHECK(world.world.scene.contact_step ==
+              settings.world.scene.contact_step * (i == 0 ? 0.5 : 1.0));
+        gravities.insert(world.world.environment.gravity);
+    }
+    CHECK(gravities.size() == 8);
+}
+
+TEST_CASE("a trial in another world gives another score, the same every time",
+          "[evolution][confirmation]") {
+    const ExperimentSettings settings;
+    const GenomePtr crawler = test::crawler(kinds().creature.catalog);
+    const auto score = [&](const std::optional<Probe>& probe) {
+        return evaluate_in_trials(
+                   {.genome = crawler, .trial_seed = trial_seed(settings), .probe = probe},
+                   settings, kinds())
+            .fitness;
+    };
+    const double plain = score(std::nullopt);
+    for (const Probe& probe : probes_of(settings, 0, 2)) {
+        CHECK(score(probe) != plain);
+        CHECK(score(probe) == Approx(plain).epsilon(0.5));
+        CHECK(score(probe) == score(probe));
+    }
+}
+
+TEST_CASE("only who would survive is tried again, and the median counts",
+          "[evolution][confirmation]") {
+    FakeBackend backend;
+    auto settings = of_twenty();
+    settings->selection.confirmations = 4;
+    int world = 0;
+    backend.in_probe = [&](double fitness, const Probe&) {
+        return fitness * (0.6 + 0.1 * (world++ % 4));
+    };
+    const Evolution evolution = evolved(settings, backend, 1);
+    int confirmed = 0;
+    for (const IndividualPtr& one : evolution.population()) {
+        if (!tried_again(*one)) continue;
+        ++confirmed;
+        const double first = one->result.scores.front();
+        CHECK(first == Approx(test::total_length(*one->genome)));
+        CHECK(one->result.scores.size() == 5);
+        CHECK(one->result.fitness == Approx(0.8 * first));
+        CHECK(unconfirmed_score(one->result) == first);
+    }
+    CHECK(confirmed >= 4);
+    CHECK(confirmed < 20);
+    const GenerationStatistics& statistics = evolution.history().back();
+    CHECK(statistics.confirmations == 4 * confirmed);
+    CHECK(statistics.evaluations == backend.evaluations);
+    CHECK(statistics.best_lowest == Approx(0.6 * statistics.best_highest));
+}
+
+TEST_CASE("who was lucky makes way for who was not, and is not tried twice",
+          "[evolution][confirmation]") {
+    FakeBackend backend;
+    backend.in_probe = luck_lost;
+    const Evolution evolution = evolved(of_twenty(), backend, 4);
+    // All that lost their luck rank behind the others only if everybody was tried.
+    for (const IndividualPtr& one : evolution.population()) {
+        if (one->result.fitness > 0.0 && one->born < evolution.generation())
+            CHECK(tried_again(*one));
+    }
+    CHECK(tried_again(*evolution.population().front()));
+}
+
+TEST_CASE("every selection confirms all that live on", "[evolution][confirmation]") {
+    for (const SelectionKind& selection : kinds().selections.all()) {
+        CAPTURE(selection.id);
+        FakeBackend backend;
+        backend.in_probe = luck_lost;
+        auto settings = of_twenty();
+        settings->selection.method = selection.id;
+        Evolution evolution = evolved(settings, backend, 3);
+        evolution.breed();
+        int living = 0;
+        for (const IndividualPtr& one : evolution.population()) {
+            if (!one->evaluated || !(unconfirmed_score(one->result) > 0.0)) continue;
+            ++living;
+            CHECK(tried_again(*one));
+        }
+        CHECK(living > 0);
+    }
+}
+
+TEST_CASE("confirming that is stopped goes on where it was, to the same end",
+          "[evolution][confirmation]") {
+    FakeBackend whole;
+    whole.in_probe = luck_lost;
+    const Evolution reference = evolved(of_twenty(), whole, 1);
+    FakeBackend backend;
+    backend.in_probe = luck_lost;
+    Evolution evolution(of_twenty(), kinds());
+    EvaluationProgress progress;
+    int calls = 0;
+    backend.most_a_call = 7;
+    do {
+        ++calls;
+    } while (!evolution.evaluate(backend, progress, {}) && calls < 100);
+    CHECK(calls > 4);
+    CHECK(calls < 100);
+    CHECK(backend.evaluations == whole.evaluations);
+    CHECK(population_digest(evolution.population()) == population_digest(reference.population()));
+    CHECK(evolution.history().back().confirmations == reference.history().back().confirmations);
+}
+
+TEST_CASE("the champion is the best of the survivors in ten more worlds",
+          "[evolution][confirmation]") {
+    FakeBackend backend;
+    EvaluationProgress progress;
+    const Evolution evolution = evolved(of_twenty(), backend, 2);
+    const IndividualPtr best = evolution.population().front();
+    // The best of them was lucky in the worlds that chose it.
+    backend.in_probe = [&](double fitness, const Probe&) {
+        return fitness == best->result.fitness ? 0.5 * fitness : fitness;
+    };
+    const IndividualPtr champion = evolution.confirmed_champion(backend, progress, {});
+    CHECK(champion->result.scores.size() == 11);
+    CHECK(champion->uid != best->uid);
+    auto without = of_twenty();
+    without->selection.confirmations = 0;
+    const Evolution plain = evolved(without, backend, 1);
+    CHECK(plain.confirmed_champion(backend, progress, {}) == plain.population().front());
+    CHECK_FALSE(tried_again(*plain.population().front()));
+}

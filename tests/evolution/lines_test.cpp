@@ -1,0 +1,138 @@
+// Founder lines and body plans: who belongs to which, and how many of each survive.
+#include "evolution/evaluation.h"
+#include "evolution/evolution.h"
+#include "evolution/generation.h"
+#include "evolution/selections/survival.h"
+#include "support/catch.h"
+#include "support/creatures.h"
+#include "support/fake_backend.h"
+#include "support/individuals.h"
+
+#include <map>
+
+using namespace cambrian;
+using test::kinds;
+
+namespace {
+
+// Creatures best first, of the given lines and plans.
+std::vector<IndividualPtr> ranking(const std::vector<std::uint64_t>& lines,
+                                   const std::vector<std::uint64_t>& plans) {
+    std::vector<double> fitness;
+    for (std::size_t i = 0; i < lines.size(); ++i)
+        fitness.push_back(static_cast<double>(lines.size() - i));
+    auto all = test::individuals(fitness);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        Individual one = *all[i];
+        one.line = lines[i];
+        one.result.plan = plans[i];
+        all[i] = std::make_shared<const Individual>(one);
+    }
+    return all;
+}
+
+ExperimentSettings half_of_ten() {
+    ExperimentSettings settings;
+    settings.population.size = 10;
+    settings.population.survival = 0.5;
+    settings.selection.line_share = 0.4;  // 2 of 5
+    settings.selection.plan_copies = 0;
+    return settings;
+}
+
+using Kept = std::vector<std::size_t>;
+
+}  // namespace
+
+TEST_CASE("of one founder's line no more survive than its share", "[evolution][lines]") {
+    const auto ranked = ranking({1, 1, 1, 1, 2, 2, 2, 3, 3, 4}, {1, 2, 3, 4, 5, 6, 7, 8, 9, 10});
+    ExperimentSettings settings = half_of_ten();
+    CHECK(truncated(ranked, settings) == Kept{0, 1, 4, 5, 7});
+    settings.selection.line_share = 1.0;
+    CHECK(truncated(ranked, settings) == Kept{0, 1, 2, 3, 4});
+    settings.selection.line_share = 0.01;  // one at least
+    CHECK(truncated(ranked, settings) == Kept{0, 1, 4, 7, 9});
+}
+
+TEST_CASE("of one body plan no more survive than copies are allowed", "[evolution][lines]") {
+    const auto ranked = ranking({1, 2, 3, 4, 5, 6, 7, 8, 9, 10}, {1, 1, 1, 2, 2, 2, 3, 3, 3, 4});
+    ExperimentSettings settings = half_of_ten();
+    settings.selection.plan_copies = 2;
+    CHECK(truncated(ranked, settings) == Kept{0, 1, 3, 4, 6});
+}
+
+TEST_CASE("places that limits leave empty go to the best of the others", "[evolution][lines]") {
+    ExperimentSettings settings = half_of_ten();
+    settings.selection.plan_copies = 1;
+    const auto alike = ranking({1, 1, 1, 1, 1, 2, 2, 2, 2, 2}, {1, 1, 1, 1, 1, 1, 1, 1, 1, 1});
+    // One plan, then two of each line, then the best.
+    CHECK(truncated(alike, settings) == Kept{0, 1, 2, 5, 6});
+}
+
+TEST_CASE("limits do not make failures survive", "[evolution][lines]") {
+    auto ranked = ranking({1, 1, 1, 1, 1, 1, 2, 3, 4, 5}, {1, 2, 3, 4, 5, 6, 7, 8, 9, 10});
+    for (std::size_t i = 6; i < ranked.size(); ++i) {
+        Individual failed = *ranked[i];
+        failed.result.outcome = Outcome::kRejected;
+        failed.result.fitness = 0.0;
+        ranked[i] = std::make_shared<const Individual>(failed);
+    }
+    CHECK(truncated(ranked, half_of_ten()) == Kept{0, 1, 2, 3, 4});
+}
+
+TEST_CASE("giving trials up keeps a distance where lines and plans are limited",
+          "[evolution][lines]") {
+    const SelectionKind& truncation = *kinds().selections.find("truncation");
+    SelectionSettings settings;
+    CHECK(truncation.bar(settings) == 0.5);
+    settings.line_share = 1.0;
+    CHECK(truncation.bar(settings) == 0.5);
+    settings.plan_copies = 0;
+    CHECK(truncation.bar(settings) == 1.0);
+    CHECK(kinds().selections.find("map-elites")->bar(settings) == 0.0);
+}
+
+TEST_CASE("a child belongs to its mother's line, founders and newcomers begin their own",
+          "[evolution][lines]") {
+    test::FakeBackend backend;
+    auto settings = std::make_shared<ExperimentSettings>();
+    settings->population.size = 30;
+    settings->population.immigrants = 2;
+    Evolution evolution(settings, kinds());
+    EvaluationProgress progress;
+    std::map<std::uint64_t, std::uint64_t> line_of;
+    for (int generation = 0; generation < 5; ++generation) {
+        for (const IndividualPtr& one : evolution.population()) {
+            if (one->born == evolution.generation())
+                CHECK(one->line == (one->parents[0] == 0 ? one->uid : line_of.at(one->parents[0])));
+            line_of[one->uid] = one->line;
+        }
+        REQUIRE(evolution.evaluate(backend, progress, {}));
+        evolution.breed();
+    }
+}
+
+TEST_CASE("after fifty generations five lines and many plans survive", "[evolution][lines]") {
+    test::FakeBackend backend;
+    auto settings = std::make_shared<ExperimentSettings>();
+    settings->population.size = 100;
+    settings->selection.confirmations = 0;
+    const auto diversity = [&] {
+        Evolution evolution(settings, kinds());
+        EvaluationProgress progress;
+        for (int generation = 0; generation < 50; ++generation) {
+            if (generation > 0) evolution.breed();
+            REQUIRE(evolution.evaluate(backend, progress, {}));
+        }
+        const GenerationStatistics& last = evolution.history().back();
+        int births = 0;
+        for (const LineBirths& line : last.births)
+            births += line.births;
+        CHECK(births == 80);
+        return last;
+    };
+    CHECK(diversity().lines >= 5);
+    settings->selection.line_share = 1.0;
+    settings->selection.plan_copies = 0;
+    CHECK(diversity().lines < 5);
+}

@@ -1,0 +1,156 @@
+// A zoo of cheaters. In every goal there is, each of them must score below every honest sample of
+// that goal; and each must truly play the trick that it is named after.
+#include "support/cheaters.h"
+
+#include "evolution/evaluation.h"
+#include "evolution/trials.h"
+#include "persist/creature_file.h"
+#include "simulator/trial.h"
+#include "support/catch.h"
+#include "support/kinds.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <vector>
+
+using namespace cambrian;
+
+namespace {
+
+const std::filesystem::path kSamples = CAMBRIAN_SOURCE_DIR "/assets/creatures";
+
+ExperimentSettings world_for(const GoalKind& goal) {
+    ExperimentSettings settings;
+    settings.goal = goal.id;
+    settings.world.environment = goal.default_environment();
+    return settings;
+}
+
+// What a creature did, whatever it was asked for.
+struct Deed {
+    double clearance = 0.0;  // m, the highest that its lowest point was
+    double rise = 0.0;       // m, the highest of its centre of mass above where it began
+    double fall = 0.0;       // m, the lowest of its centre of mass below where it began
+    double edge = 0.0;       // m, how far its rear edge came, forwards or backwards
+    double way = 0.0;        // m, its centre of mass from start to end
+    double walked = 0.0;     // m, the same along its path
+    double shaking = 0.0;    // Hz, of its busiest joint
+};
+
+Deed deed_of(const GenomePtr& genome, const TrialWorld& world) {
+    auto trial = Trial::start(std::make_shared<const Phenotype>(
+                                  express(*genome, test::kinds().creature, {}, world.scene)),
+                              test::kinds().creature, world);
+    REQUIRE(trial);
+    while ((*trial)->settling())
+        (*trial)->tick();
+    Deed deed;
+    const Bounds first = (*trial)->scene().bounds();
+    const Vec3 start = (*trial)->scene().center_of_mass();
+    Vec3 before = start;
+    while ((*trial)->tick()) {
+        const Bounds bounds = (*trial)->scene().bounds();
+        const Vec3 center = (*trial)->scene().center_of_mass();
+        deed.clearance = std::max(deed.clearance, bounds.low.y());
+        deed.rise = std::max(deed.rise, center.y() - start.y());
+        deed.fall = std::max(deed.fall, start.y() - center.y());
+        deed.edge =
+            std::max({deed.edge, bounds.low.x() - first.low.x(), first.high.x() - bounds.high.x()});
+        deed.walked += (center - before).norm();
+        before = center;
+    }
+    REQUIRE((*trial)->record().outcome == Outcome::kCompleted);
+    deed.way = (before - start).norm();
+    deed.shaking = (*trial)->record().reversal_rate;
+    return deed;
+}
+
+struct Cheater {
+    const char* name;
+    const char* goal;  // in whose world it plays its trick
+    std::function<GenomePtr(const KindCatalog&)> build;
+    std::function<bool(const Deed&)> plays_its_trick;
+};
+
+std::vector<Cheater> zoo() {
+    using namespace test;
+    std::vector<Cheater> zoo = {
+        {"stander-up", "jumping", stander_up,
+         [](const Deed& d) { return d.rise > 0.2 && d.clearance < 0.05; }},
+        {"arm raiser", "jumping", arm_raiser,
+         [](const Deed& d) { return d.rise > 0.02 && d.clearance < 0.05; }},
+        {"slow sinker", "walking", slow_sinker, [](const Deed& d) { return d.edge > 0.3; }},
+        {"rocker", "walking", rocker,
+         [](const Deed& d) { return d.walked > 2.0 && d.way < 0.2 * d.walked; }},
+        {"vibrator", "walking", vibrator, [](const Deed& d) { return d.shaking > 5.0; }},
+        {"circler", "swimming", circler,
+         [](const Deed& d) { return d.walked > 0.5 && d.way < 0.5 * d.walked; }},
+        {"glider through water", "swimming", drifter, [](const Deed& d) { return d.way > 0.05; }},
+    };
+    for (const double delay : {1.0, 2.9, 4.5, 6.0, 7.5, 9.0, 10.5, 12.0, 13.5}) {
+        const auto at = [&](GenomePtr (*build)(const KindCatalog&, double)) {
+            return [build, delay](const KindCatalog& catalog) { return build(catalog, delay); };
+        };
+        zoo.push_back({"feet puller", "jumping", at(feet_puller), [](const Deed& d) {
+                           return d.clearance > 0.02 && d.rise < 0.02 && d.fall > 0.2;
+                       }});
+        zoo.push_back({"toppler", "walking", at(falling_tower),
+                       [](const Deed& d) { return d.fall > 0.2 && d.way > 0.5; }});
+        zoo.push_back({"thrower of a limb", "walking", at(limb_thrower),
+                       [](const Deed& d) { return d.edge > 0.5; }});
+        zoo.push_back({"roller down its own shape", "walking", at(roller),
+                       [](const Deed& d) { return d.edge > 0.3; }});
+    }
+    return zoo;
+}
+
+double score(const GenomePtr& genome, const ExperimentSettings& settings) {
+    const EvaluationResult result = evaluate_in_trials(
+        {.genome = genome, .trial_seed = trial_seed(settings)}, settings, test::kinds());
+    CHECK(result.outcome == Outcome::kCompleted);
+    return result.fitness;
+}
+
+// The lowest score of the samples of each goal, each in the trial that its file names.
+std::map<std::string, double> least_honest_scores() {
+    std::map<std::string, double> least;
+    for (const auto& file : std::filesystem::directory_iterator(kSamples)) {
+        const auto sample = load_creature(file.path(), test::kinds());
+        REQUIRE(sample);
+        REQUIRE(sample->scored);
+        const double honest =
+            score(std::make_shared<const Genome>(sample->genome), settings_of(*sample->scored));
+        double& place = least.try_emplace(sample->scored->goal, honest).first->second;
+        place = std::min(place, honest);
+    }
+    return least;
+}
+
+}  // namespace
+
+TEST_CASE("every cheater of the zoo plays its trick", "[goals][cheaters]") {
+    for (const Cheater& cheater : zoo()) {
+        const GoalKind& goal = *test::kinds().goals.find(cheater.goal);
+        const Deed deed =
+            deed_of(cheater.build(test::kinds().creature.catalog), world_for(goal).world);
+        CAPTURE(cheater.name, deed.clearance, deed.rise, deed.fall, deed.edge, deed.way,
+                deed.walked, deed.shaking);
+        CHECK(cheater.plays_its_trick(deed));
+    }
+}
+
+TEST_CASE("in every goal, every cheater scores far below every honest sample",
+          "[goals][cheaters]") {
+    const auto honest = least_honest_scores();
+    for (const GoalKind& goal : test::kinds().goals.all()) {
+        CAPTURE(goal.id);
+        REQUIRE(honest.count(goal.id) == 1);
+        for (const Cheater& cheater : zoo()) {
+            CAPTURE(cheater.name);
+            CHECK(score(cheater.build(test::kinds().creature.catalog), world_for(goal)) <
+                  0.5 * honest.at(goal.id));
+        }
+    }
+}

@@ -1,0 +1,52 @@
+#include "persist/typed_setting.h"
+
+#include "support/catch.h"
+#include "support/kinds.h"
+
+using namespace cambrian;
+using namespace cambrian::test;
+
+namespace {
+
+std::string message_of(const std::string& assignment) {
+    const auto settings = with_typed({}, {assignment}, kinds());
+    return settings ? "no error" : settings.error().message;
+}
+
+}  // namespace
+
+TEST_CASE("settings are typed with or without their table and quotes", "[persist]") {
+    const auto settings = with_typed({},
+                                     {"environment.gravity=1.62", "size=40", "method=rank",
+                                      "goal.behavior=\"swimming\"", "stop-hopeless=true"},
+                                     kinds());
+    REQUIRE(settings);
+    CHECK(settings->world.environment.gravity == 1.62);
+    CHECK(settings->population.size == 40);
+    CHECK(settings->selection.method == "rank");
+    CHECK(settings->goal == "swimming");
+    CHECK(settings->stop_hopeless);
+}
+
+TEST_CASE("a later text replaces what an earlier one says, and nothing else", "[persist]") {
+    const auto settings =
+        merge_settings({{"[goal]\nbehavior = \"swimming\"\n[population]\nsize = 40\n", "world"},
+                        {"[population]\nsize = 50\nimmigrants = 3\n", "arm"}},
+                       kinds());
+    REQUIRE(settings);
+    ExperimentSettings expected = default_settings("swimming", kinds());
+    expected.population.size = 50;
+    expected.population.immigrants = 3;
+    CHECK(*settings == expected);
+    const auto bad = merge_settings({{"", "world"}, {"[population]\nsiz = 5\n", "arm"}}, kinds());
+    REQUIRE_FALSE(bad);
+    CHECK(bad.error().message.starts_with("arm: line 2, [population] siz: unknown key"));
+}
+
+TEST_CASE("what is typed wrongly is told", "[persist]") {
+    CHECK(message_of("gravty=3") == "\"gravty=3\": unknown setting; did you mean \"gravity\"?");
+    CHECK(message_of("gravity") ==
+          "\"gravity\": expected a setting and its value, as selection.method=rank");
+    CHECK(message_of("selection.method=luck").find("luck") != std::string::npos);
+    CHECK(message_of("population.size=-1").find("-1 is outside") != std::string::npos);
+}
