@@ -70,6 +70,52 @@ Forcing random_forcing(RandomStream& random, const PlanarModel& model) {
     return forcing;
 }
 
+// A creature in the middle of a step with implicit motors, in both forms.
+struct ImplicitStages {
+    ImplicitStages(RandomStream& random, bool welds)
+        : model(creature(random, welds)), tree_model(model), motion(random_motion(random, model)) {
+        const Forcing forcing = random_forcing(random, model);
+        tree_model.dense.blocks = 0;
+        PerBody start_rate = {};
+        for (int i = 1; i < model.body_count; ++i)
+            start_rate[i] = 3.0 * random.gauss();
+        const ImplicitStage stage{1.0 / 120, start_rate};
+        const EvaluationPoint point{0.3, FrameDetail::kEverything, &stage};
+        evaluate_accelerations(model, forcing, motion, point, dense.frame, dense.rate);
+        evaluate_accelerations(tree_model, forcing, motion, point, tree.frame, tree.rate);
+        find_centers(model, dense.frame);
+    }
+
+    PlanarModel model, tree_model;
+    Motion motion;
+    Evaluation dense, tree;
+};
+
+// Two points of every body on the ground, some pressed together in pairs, and all stops.
+ContactSet scattered_contacts(RandomStream& random, const PlanarModel& model) {
+    ContactSet contacts;
+    for (int i = 0; i < 2 * model.body_count; ++i) {
+        Contact contact;
+        contact.id = i;
+        contact.body_a = i % model.body_count;
+        contact.part_a = contact.body_a;
+        if (i % 3 == 1 && contact.body_a > 0) {
+            contact.body_b = 0;
+            contact.part_b = 0;
+            contact.id = kGroundContactIds + i * kIdsPerPair;
+        }
+        const double turn = random.gauss();
+        contact.normal_x = sine(turn);
+        contact.normal_y = cosine(turn);
+        contact.arm_ax = 0.1 * random.gauss();
+        contact.arm_ay = 0.1 * random.gauss();
+        contact.arm_bx = 0.1 * random.gauss();
+        contact.arm_by = 0.1 * random.gauss();
+        contacts.add(contact);
+    }
+    return contacts;
+}
+
 }  // namespace
 
 TEST_CASE("the dense form gives what the elimination gives", "[dynamics][dense]") {
@@ -117,22 +163,11 @@ TEST_CASE("the dense form answers impulses with implicit motors as the eliminati
     RandomStream random(stream_seed({63}));
     for (int round = 0; round < 200; ++round) {
         INFO(round);
-        const PlanarModel model = creature(random, round % 2 == 1);
-        const Motion motion = random_motion(random, model);
-        const Forcing forcing = random_forcing(random, model);
-        PlanarModel tree_model = model;
-        tree_model.dense.blocks = 0;
-        PerBody start_rate = {};
-        for (int i = 1; i < model.body_count; ++i)
-            start_rate[i] = 3.0 * random.gauss();
-        const ImplicitStage stage{1.0 / 120, start_rate};
-        const EvaluationPoint point{0.3, FrameDetail::kEverything, &stage};
-        Evaluation dense;
-        Evaluation tree;
-        evaluate_accelerations(model, forcing, motion, point, dense.frame, dense.rate);
-        evaluate_accelerations(tree_model, forcing, motion, point, tree.frame, tree.rate);
+        const ImplicitStages stages(random, round % 2 == 1);
+        const PlanarModel& model = stages.model;
+        const Evaluation& dense = stages.dense;
+        const Evaluation& tree = stages.tree;
         REQUIRE(dense.frame.is_inverted);
-        find_centers(model, dense.frame);
         const int bodies = model.body_count;
         const int coordinates = coordinate_count(model);
         constexpr double kClose = 1e-11;
@@ -152,7 +187,8 @@ TEST_CASE("the dense form answers impulses with implicit motors as the eliminati
         PerCoordinate jump = {};
         solve_dense_impulse(model, dense.frame, loads, jump);
         BodyResponse expected;
-        solve_impulse(tree_model, tree.frame.kinematics, tree.frame.factors, loads, expected);
+        solve_impulse(stages.tree_model, tree.frame.kinematics, tree.frame.factors, loads,
+                      expected);
         CHECK(difference(jump, expected.coordinate, coordinates) < kClose);
         BodyResponse spread;
         spread_dense_rates(model, dense.frame.kinematics, jump, spread.spin, spread.x, spread.y);
@@ -164,53 +200,20 @@ TEST_CASE("the dense form answers impulses with implicit motors as the eliminati
         for (int i = 1; i < bodies; ++i)
             efforts.effort[i] = loads.effort[i];
         solve_dense_efforts(model, dense.frame, efforts.effort, turned);
-        solve_impulse(tree_model, tree.frame.kinematics, tree.frame.factors, efforts, expected);
+        solve_impulse(stages.tree_model, tree.frame.kinematics, tree.frame.factors, efforts,
+                      expected);
         CHECK(difference(turned, expected.coordinate, coordinates) < kClose);
     }
-}
-
-// Two points of every body on the ground, some pressed together in pairs, and all stops.
-ContactSet scattered_contacts(RandomStream& random, const PlanarModel& model) {
-    ContactSet contacts;
-    for (int i = 0; i < 2 * model.body_count; ++i) {
-        Contact contact;
-        contact.id = i;
-        contact.body_a = i % model.body_count;
-        contact.part_a = contact.body_a;
-        if (i % 3 == 1 && contact.body_a > 0) {
-            contact.body_b = 0;
-            contact.part_b = 0;
-            contact.id = kGroundContactIds + i * kIdsPerPair;
-        }
-        const double turn = random.gauss();
-        contact.normal_x = sine(turn);
-        contact.normal_y = cosine(turn);
-        contact.arm_ax = 0.1 * random.gauss();
-        contact.arm_ay = 0.1 * random.gauss();
-        contact.arm_bx = 0.1 * random.gauss();
-        contact.arm_by = 0.1 * random.gauss();
-        contacts.add(contact);
-    }
-    return contacts;
 }
 
 TEST_CASE("the dense form couples rows as the elimination does", "[dynamics][dense]") {
     RandomStream random(stream_seed({64}));
     for (int round = 0; round < 100; ++round) {
         INFO(round);
-        const PlanarModel model = creature(random, round % 2 == 1);
-        const Motion motion = random_motion(random, model);
-        const Forcing forcing = random_forcing(random, model);
-        PlanarModel tree_model = model;
-        tree_model.dense.blocks = 0;
-        const PerBody start_rate = {};
-        const ImplicitStage stage{1.0 / 120, start_rate};
-        const EvaluationPoint point{0.3, FrameDetail::kEverything, &stage};
-        Evaluation dense;
-        Evaluation tree;
-        evaluate_accelerations(model, forcing, motion, point, dense.frame, dense.rate);
-        evaluate_accelerations(tree_model, forcing, motion, point, tree.frame, tree.rate);
-        find_centers(model, dense.frame);
+        const ImplicitStages stages(random, round % 2 == 1);
+        const PlanarModel& model = stages.model;
+        const Evaluation& dense = stages.dense;
+        const Evaluation& tree = stages.tree;
         const ContactSet contacts = scattered_contacts(random, model);
         LimitSet limits;
         for (int i = 1; i < model.body_count; ++i)
@@ -219,7 +222,7 @@ TEST_CASE("the dense form couples rows as the elimination does", "[dynamics][den
         static RowSystem rows;
         static RowSystem expected;
         build_rows(model, sources, dense.frame.kinematics, dense.frame, rows);
-        build_rows(tree_model, sources, tree.frame.kinematics, tree.frame, expected);
+        build_rows(stages.tree_model, sources, tree.frame.kinematics, tree.frame, expected);
         REQUIRE(rows.count == expected.count);
         for (int row = 0; row < rows.count; ++row) {
             const double acceleration = expected[row].acceleration;
