@@ -9,7 +9,7 @@ namespace cambrian {
 namespace {
 
 constexpr int kGuessSweeps = 2;  // before the states are guessed
-constexpr int kBlockRounds = 3;  // rounds in which all wrong rows change at once
+constexpr int kBlockRounds = 5;  // rounds in which all wrong rows change at once
 constexpr int kRounds = 12;
 constexpr int kSweeps = 40;
 constexpr double kSweepTolerance = 1e-3;  // m/s
