@@ -1,11 +1,13 @@
 #include "app/command_files.h"
 
+#include "core/database_companions.h"
+#include "core/file_errors.h"
+#include "core/file_identity.h"
 #include "core/file_io.h"
 #include "core/file_lock.h"
 #include "core/output_target.h"
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <sys/stat.h>
 #include <system_error>
@@ -17,19 +19,13 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view kExperimentEnding = ".cambrian";
-// Of what belongs to an experiment while it is open or after a crash.
-constexpr std::array<std::string_view, 3> kCompanions = {"-wal", "-shm", "-journal"};
-
-bool is_same(const struct stat& one, const struct stat& other) {
-    return one.st_dev == other.st_dev && one.st_ino == other.st_ino;
-}
 
 // By what they lead to or, where nothing is yet, by name.
 bool is_same_file(const fs::path& one, const fs::path& other) {
     struct stat first {};
     struct stat second {};
     if (::stat(one.c_str(), &first) == 0 && ::stat(other.c_str(), &second) == 0)
-        return is_same(first, second) && S_ISREG(first.st_mode);
+        return identity_of(first) == identity_of(second) && S_ISREG(first.st_mode);
     std::error_code unknown;
     return fs::weakly_canonical(one, unknown) == fs::weakly_canonical(other, unknown) && !unknown;
 }
@@ -38,24 +34,21 @@ bool is_standard_output(const fs::path& path) {
     struct stat output {};
     struct stat file {};
     return ::fstat(STDOUT_FILENO, &output) == 0 && S_ISREG(output.st_mode) &&
-           ::stat(path.c_str(), &file) == 0 && is_same(output, file);
+           ::stat(path.c_str(), &file) == 0 && identity_of(output) == identity_of(file);
 }
 
 bool belongs_to_experiment(const fs::path& path) {
     const std::string name = path.filename().string();
-    return std::any_of(kCompanions.begin(), kCompanions.end(), [&name](std::string_view ending) {
-        return name.ends_with(std::string(kExperimentEnding).append(ending));
-    });
+    return std::any_of(kDatabaseCompanions.begin(), kDatabaseCompanions.end(),
+                       [&name](std::string_view ending) {
+                           return name.ends_with(std::string(kExperimentEnding).append(ending));
+                       });
 }
 
 void add(std::vector<fs::path>& paths, const std::string& path) {
     std::error_code unknown;
     if (!path.empty() && path.back() != '/' && !fs::is_directory(path, unknown))
         paths.emplace_back(path);
-}
-
-Error refusal(const fs::path& path, const std::string& reason) {
-    return Error{"cannot write " + path.string() + ": " + reason};
 }
 
 Status check_there(const fs::path& path) {
@@ -67,7 +60,7 @@ Status check_there(const fs::path& path) {
 // A file that is written where it is must be writable or have a folder that is.
 Status check_log(const fs::path& path) {
     if (::access(path.c_str(), W_OK) == 0) return {};
-    if (errno != ENOENT) return refusal(path, std::generic_category().message(errno));
+    if (errno != ENOENT) return write_outcome(path, errno);
     return check_writable(path);
 }
 
@@ -77,7 +70,7 @@ Status check_free(const fs::path& path) {
     if (!target) return target.error();
     if (target->kind != OutputTarget::Kind::kFile) return {};
     const Status free = FileLock::check_free(target->path);
-    return free ? Status() : Status(refusal(path, free.error().message));
+    return free ? Status() : Status(cannot_write(path, free.error().message));
 }
 
 }  // namespace
@@ -116,14 +109,14 @@ CommandFiles& CommandFiles::keeps(const std::string& path) {
 Status CommandFiles::check_inputs(const fs::path& output) const {
     for (const fs::path& input : inputs_) {
         if (is_same_file(input, output))
-            return refusal(output, "it is read by the same command; name another file");
+            return cannot_write(output, "it is read by the same command; name another file");
     }
     return {};
 }
 
 Status CommandFiles::check_output(const fs::path& path) const {
     if (is_experiment_name(path) || belongs_to_experiment(path))
-        return refusal(path, "*.cambrian are experiments, which this would not be");
+        return cannot_write(path, "*.cambrian are experiments, which this would not be");
     if (Status other = check_inputs(path); !other) return other;
     return check_free(path);
 }
@@ -134,7 +127,7 @@ Status CommandFiles::check_outputs(const std::vector<fs::path>& outputs) const {
         if (Status possible = check_output(outputs[i]); !possible) return possible;
         for (std::size_t other = 0; other < i; ++other) {
             if (is_same_file(outputs[i], outputs[other]))
-                return refusal(outputs[i], "the same command writes something else to it");
+                return cannot_write(outputs[i], "the same command writes something else to it");
         }
     }
     return {};

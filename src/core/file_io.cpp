@@ -1,6 +1,7 @@
 #include "core/file_io.h"
 
 #include "core/file_descriptor.h"
+#include "core/file_errors.h"
 #include "core/output_stream.h"
 #include "core/output_target.h"
 #include "core/pending_file.h"
@@ -24,11 +25,6 @@ std::string megabytes(double bytes) {
     char text[32];
     std::snprintf(text, sizeof text, "%.1f MB", bytes / 1e6);
     return text;
-}
-
-Status outcome(int failure, const std::filesystem::path& path) {
-    if (failure == 0) return {};
-    return Error{"cannot write " + path.string() + ": " + system_message(failure)};
 }
 
 int open_to_read(const std::filesystem::path& path) {
@@ -93,10 +89,10 @@ Status check_writable(const std::filesystem::path& path) {
     if (!target) return target.error();
     if (target->kind == OutputTarget::Kind::kDescriptor) {
         const int access = ::fcntl(target->descriptor, F_GETFL) & O_ACCMODE;
-        return outcome(access == O_RDONLY ? EBADF : 0, path);
+        return write_outcome(path, access == O_RDONLY ? EBADF : 0);
     }
     if (target->kind == OutputTarget::Kind::kStream)
-        return outcome(::access(target->path.c_str(), W_OK) == 0 ? 0 : errno, path);
+        return write_outcome(path, ::access(target->path.c_str(), W_OK) == 0 ? 0 : errno);
     const Result<PendingFile> trial = PendingFile::beside(path);
     return trial ? Status() : Status(trial.error());
 }

@@ -1,5 +1,7 @@
 #include "core/file_lock.h"
 
+#include "core/file_identity.h"
+
 #include <cerrno>
 #include <chrono>
 #include <fcntl.h>
@@ -16,12 +18,6 @@ namespace cambrian {
 namespace {
 
 constexpr const char* kInUse = "it is open in another window or program";
-
-using FileIdentity = std::pair<dev_t, ino_t>;
-
-FileIdentity identity_of(const struct stat& facts) {
-    return {facts.st_dev, facts.st_ino};
-}
 
 // Somebody else who looks whether the file is free holds it for a moment only.
 constexpr int kAttempts = 10;

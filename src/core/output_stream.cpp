@@ -1,10 +1,10 @@
 #include "core/output_stream.h"
 
+#include "core/file_errors.h"
 #include "core/output_target.h"
 
 #include <cerrno>
 #include <fcntl.h>
-#include <system_error>
 #include <unistd.h>
 
 namespace cambrian {
@@ -23,7 +23,7 @@ Result<OutputStream> OutputStream::open(const std::filesystem::path& path) {
         stream.descriptor_ = target->descriptor;
     } else if (target->kind == OutputTarget::Kind::kStream) {
         stream.opened_ = FileDescriptor(::open(target->path.c_str(), O_WRONLY | O_CLOEXEC));
-        if (!stream.opened_.is_open()) return stream.outcome(errno).error();
+        if (!stream.opened_.is_open()) return write_outcome(stream.name_, errno).error();
         stream.descriptor_ = stream.opened_.get();
     } else {
         Result<PendingFile> file = PendingFile::beside(path);
@@ -33,21 +33,16 @@ Result<OutputStream> OutputStream::open(const std::filesystem::path& path) {
     return stream;
 }
 
-Status OutputStream::outcome(int failure) const {
-    if (failure == 0) return {};
-    return Error{"cannot write " + name_ + ": " + std::generic_category().message(failure)};
-}
-
 Status OutputStream::write(std::string_view bytes) {
-    return outcome(file_ ? file_->write(bytes) : write_all(descriptor_, bytes));
+    return write_outcome(name_, file_ ? file_->write(bytes) : write_all(descriptor_, bytes));
 }
 
 Status OutputStream::finish() {
     if (file_) return file_->commit();
-    if (opened_.is_open()) return outcome(opened_.close());
+    if (opened_.is_open()) return write_outcome(name_, opened_.close());
     // Some file systems tell of a failure only when a file is closed.
     FileDescriptor again(::fcntl(descriptor_, F_DUPFD_CLOEXEC, 0));
-    return outcome(again.is_open() ? again.close() : errno);
+    return write_outcome(name_, again.is_open() ? again.close() : errno);
 }
 
 }  // namespace cambrian

@@ -29,7 +29,6 @@ public:
 
 private:
     explicit OutputStream(std::string name) : name_(std::move(name)) {}
-    Status outcome(int failure) const;
 
     std::string name_;  // for messages
     std::optional<PendingFile> file_;

@@ -1,5 +1,7 @@
 #include "core/output_target.h"
 
+#include "core/file_errors.h"
+
 #include <charconv>
 #include <linux/magic.h>
 #include <optional>
@@ -39,10 +41,6 @@ std::optional<int> number_of(const std::string& text) {
     return number;
 }
 
-Error refusal(const std::filesystem::path& path, const std::string& reason) {
-    return Error{"cannot write " + path.string() + ": " + reason};
-}
-
 // The descriptor that a name in a folder of open files stands for; none elsewhere.
 Result<std::optional<int>> descriptor_of(const std::filesystem::path& name,
                                          const std::filesystem::path& asked) {
@@ -50,11 +48,11 @@ Result<std::optional<int>> descriptor_of(const std::filesystem::path& name,
     std::error_code unknown;
     const std::filesystem::path folder = std::filesystem::canonical(folder_of(name), unknown);
     if (unknown || folder.filename() != "fd") return std::optional<int>();
-    if (!is_own(folder)) return refusal(asked, "it is an open file of another program");
+    if (!is_own(folder)) return cannot_write(asked, "it is an open file of another program");
     const std::optional<int> descriptor = number_of(name.filename().string());
     struct stat facts {};
     if (!descriptor || ::fstat(*descriptor, &facts) != 0)
-        return refusal(asked, std::generic_category().message(EBADF));
+        return write_outcome(asked, EBADF).error();
     return descriptor;
 }
 
@@ -65,7 +63,7 @@ Result<OutputTarget::Kind> kind_of(const std::filesystem::path& path,
         return OutputTarget::Kind::kFile;
     if (S_ISDIR(facts.st_mode)) return OutputTarget::Kind::kFolder;
     if (S_ISCHR(facts.st_mode) || S_ISFIFO(facts.st_mode)) return OutputTarget::Kind::kStream;
-    return refusal(asked, S_ISBLK(facts.st_mode) ? "it is a disk" : "it is a socket");
+    return cannot_write(asked, S_ISBLK(facts.st_mode) ? "it is a disk" : "it is a socket");
 }
 
 }  // namespace
@@ -86,7 +84,7 @@ Result<OutputTarget> output_target(const std::filesystem::path& asked) {
         }
         path = link.is_absolute() ? link : path.parent_path() / link;
     }
-    return refusal(asked, std::generic_category().message(ELOOP));
+    return write_outcome(asked, ELOOP).error();
 }
 
 }  // namespace cambrian

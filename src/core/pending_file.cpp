@@ -1,5 +1,7 @@
 #include "core/pending_file.h"
 
+#include "core/database_companions.h"
+#include "core/file_errors.h"
 #include "core/file_lock.h"
 #include "core/output_target.h"
 
@@ -18,18 +20,10 @@ namespace cambrian {
 namespace {
 
 constexpr std::string_view kPrefix = ".cambrian-";
-// What SQLite keeps beside a file while it is open.
-constexpr const char* kCompanions[] = {"-journal", "-wal", "-shm"};
-
-Status outcome(int failure, const std::filesystem::path& path) {
-    if (failure == 0) return {};
-    return Error{"cannot write " + path.string() + ": " + std::generic_category().message(failure)};
-}
 
 void remove_with_companions(const std::filesystem::path& file) {
     ::unlink(file.c_str());
-    for (const char* ending : kCompanions)
-        ::unlink((file.string() + ending).c_str());
+    remove_companions(file);
 }
 
 // The process in the name of a temporary file, ".cambrian-PID-N"; 0 in other names.
@@ -113,17 +107,16 @@ int rename_to_new(const std::filesystem::path& temporary, const std::filesystem:
 Result<PendingFile> PendingFile::beside(const std::filesystem::path& target) {
     const Result<OutputTarget> facts = output_target(target);
     if (!facts) return facts.error();
-    if (facts->kind == OutputTarget::Kind::kFolder) return outcome(EISDIR, target).error();
-    if (facts->kind != OutputTarget::Kind::kFile)
-        return Error{"cannot write " + target.string() + ": not a regular file"};
+    if (facts->kind == OutputTarget::Kind::kFolder) return write_outcome(target, EISDIR).error();
+    if (facts->kind != OutputTarget::Kind::kFile) return cannot_write(target, "not a regular file");
     if (const Status free = FileLock::check_free(facts->path); !free)
-        return Error{"cannot write " + target.string() + ": " + free.error().message};
+        return cannot_write(target, free.error().message);
     struct stat replaced {};
     const bool exists = ::stat(facts->path.c_str(), &replaced) == 0;
     // Never open to more people than what it replaces.
     const mode_t mode = exists ? (replaced.st_mode & 0777) | S_IRUSR | S_IWUSR : 0666;
     NewFile made = make_beside(facts->path, mode);
-    if (!made.file.is_open()) return outcome(errno, target).error();
+    if (!made.file.is_open()) return write_outcome(target, errno).error();
     return PendingFile(facts->path, std::move(made.path), std::move(made.file));
 }
 
@@ -147,7 +140,7 @@ int PendingFile::put_in_place(Existing existing) {
 Status PendingFile::commit(Existing existing) {
     const int failure = put_in_place(existing);
     if (failure == 0) temporary_.clear();
-    return outcome(failure, target_);
+    return write_outcome(target_, failure);
 }
 
 }  // namespace cambrian

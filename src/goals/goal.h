@@ -43,4 +43,10 @@ using GoalRegistry = Registry<GoalKind>;
 
 GoalRegistry builtin_goals();
 
+// The unit of a goal (by its id); empty if it is not known.
+inline std::string goal_unit(const std::string& goal, const GoalRegistry& goals) {
+    const GoalKind* kind = goals.find(goal);
+    return kind == nullptr ? std::string() : kind->unit;
+}
+
 }  // namespace cambrian

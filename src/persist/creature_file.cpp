@@ -213,14 +213,13 @@ CreatureDocument creature_document(const Individual& individual, const Experimen
     document.ancestry = ancestry_digest(individual);
     if (!individual.evaluated || individual.result.outcome == Outcome::kStoppedEarly)
         return document;  // a trial given up is no score to stand by
-    const GoalKind* goal = kinds.goals.find(settings.goal);
     document.scored = ScoredRecord{.world = settings.world,
                                    .expression = settings.expression,
                                    .goal = settings.goal,
                                    .seed = settings.seed,
                                    .fitness = unconfirmed_score(individual.result),
                                    .confirmed = confirmed_score(individual.result),
-                                   .unit = goal == nullptr ? std::string() : goal->unit,
+                                   .unit = goal_unit(settings.goal, kinds.goals),
                                    .trajectory = individual.result.digest,
                                    .finer = individual.result.finer};
     return document;

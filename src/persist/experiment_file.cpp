@@ -1,18 +1,17 @@
 #include "persist/experiment_file.h"
 
+#include "core/database_companions.h"
 #include "core/file_io.h"
 #include "core/file_lock.h"
 #include "core/pending_file.h"
+#include "persist/experiment_loading.h"
 #include "persist/experiment_reader.h"
 #include "persist/experiment_schema.h"
 #include "persist/experiment_upgrade.h"
 #include "persist/experiment_writer.h"
-#include "persist/read_only_database.h"
 
 #include <cerrno>
-#include <optional>
 #include <system_error>
-#include <unistd.h>
 #include <utility>
 
 namespace cambrian {
@@ -25,12 +24,6 @@ Error failure(const char* task, const std::filesystem::path& path, const std::st
 
 constexpr const char* kKeeping = "cannot keep the experiment in";
 constexpr const char* kOpening = "cannot open";
-
-// What SQLite keeps beside a file while it is open, left by a killed program.
-void remove_companions(const std::filesystem::path& path) {
-    for (const char* ending : {"-wal", "-shm", "-journal"})
-        ::unlink((path.string() + ending).c_str());
-}
 
 }  // namespace
 
@@ -176,20 +169,10 @@ Result<OpenedExperiment> open_experiment(const std::filesystem::path& path,
 
 Result<SavedExperiment> load_experiment(const std::filesystem::path& path,
                                         const EvolutionKinds& kinds) {
-    try {
-        std::optional<Result<SavedExperiment>> saved;
-        read_database(path, [&](const Database& database) {
-            const Result<std::optional<Database>> newer = newer_copy(database);
-            if (newer) {
-                saved = read_experiment(*newer ? **newer : database, kinds).saved;
-            } else {
-                saved = failure(kOpening, path, newer.error().message);
-            }
+    return load_from_experiment<SavedExperiment>(
+        path, [&](const Database& database) -> Result<SavedExperiment> {
+            return read_experiment(database, kinds).saved;
         });
-        return std::move(*saved);
-    } catch (const DatabaseError& error) {
-        return failure(kOpening, path, error.what());
-    }
 }
 
 }  // namespace cambrian

@@ -1,56 +1,57 @@
 #include "persist/experiment_parts.h"
 
 #include "core/pending_file.h"
+#include "persist/experiment_loading.h"
 #include "persist/experiment_reader.h"
 #include "persist/experiment_schema.h"
-#include "persist/experiment_upgrade.h"
 #include "persist/read_only_database.h"
+#include "persist/rescoring.h"
 
 #include <optional>
 #include <string>
 #include <utility>
 
 namespace cambrian {
-namespace {
-
-// What `read` makes of the database, brought up to date.
-template <class Part, class Read>
-Result<Part> load_part(const std::filesystem::path& path, Read read) {
-    const auto refusal = [&path](const std::string& reason) {
-        return Error{"cannot open " + path.string() + ": " + reason};
-    };
-    try {
-        std::optional<Result<Part>> part;
-        read_database(path, [&](const Database& database) {
-            const Result<std::optional<Database>> newer = newer_copy(database);
-            if (newer) {
-                part = read(*newer ? **newer : database);
-            } else {
-                part = refusal(newer.error().message);
-            }
-        });
-        return std::move(*part);
-    } catch (const DatabaseError& error) {
-        return refusal(error.what());
-    }
-}
-
-}  // namespace
-
 Result<SettingsPtr> load_last_settings(const std::filesystem::path& path,
                                        const EvolutionKinds& kinds) {
-    return load_part<SettingsPtr>(path, [&](const Database& database) -> Result<SettingsPtr> {
-        return read_last_settings(database, kinds);
-    });
+    return load_from_experiment<SettingsPtr>(path,
+                                             [&](const Database& database) -> Result<SettingsPtr> {
+                                                 return read_last_settings(database, kinds);
+                                             });
 }
 
 Result<std::vector<GenerationStatistics>> load_history(const std::filesystem::path& path) {
     using History = std::vector<GenerationStatistics>;
-    return load_part<History>(path, [&](const Database& database) -> Result<History> {
+    return load_from_experiment<History>(path, [&](const Database& database) -> Result<History> {
         History history = read_history(database);
         if (history.empty()) return Error{path.string() + ": no generation has been finished yet"};
         return history;
     });
+}
+
+Result<KeptChampion> load_champion(const std::filesystem::path& path,
+                                   const std::optional<std::uint32_t>& generation,
+                                   const EvolutionKinds& kinds) {
+    return load_from_experiment<KeptChampion>(
+        path, [&](const Database& database) -> Result<KeptChampion> {
+            const std::int64_t last =
+                database.integer("SELECT ifnull(max(generation), -1) FROM generations");
+            if (last < 0) return Error{path.string() + ": no generation has been finished yet"};
+            const std::int64_t wanted = generation.value_or(static_cast<std::uint32_t>(last));
+            if (wanted > last) {
+                return Error{path.string() + ": has no generation " + std::to_string(wanted) +
+                             "; the last is " + std::to_string(last)};
+            }
+            KeptChampion kept;
+            kept.creature = read_champion(database, static_cast<std::uint32_t>(wanted), kinds);
+            const auto only = read_only_simulator(database);
+            // Otherwise it depends on when everyone was evaluated the last time.
+            kept.simulator =
+                only ? *only
+                     : scored_by(read_experiment(database, kinds).saved,
+                                 kept.creature.individual->born, kept.creature.generation);
+            return kept;
+        });
 }
 
 Status copy_experiment(const std::filesystem::path& from, const std::filesystem::path& to) {

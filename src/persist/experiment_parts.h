@@ -7,7 +7,10 @@
 #include "evolution/evolution_kinds.h"
 #include "evolution/experiment_log.h"
 
+#include <cstdint>
 #include <filesystem>
+#include <optional>
+#include <string>
 #include <vector>
 
 namespace cambrian {
@@ -18,6 +21,16 @@ Result<SettingsPtr> load_last_settings(const std::filesystem::path& path,
 
 // Of every finished generation; fails if there is none.
 Result<std::vector<GenerationStatistics>> load_history(const std::filesystem::path& path);
+
+struct KeptChampion {
+    JudgedIndividual creature;
+    std::string simulator;  // version of the one that gave its score
+};
+
+// The best of a generation, by default the last finished one; fails if there is none.
+Result<KeptChampion> load_champion(const std::filesystem::path& path,
+                                   const std::optional<std::uint32_t>& generation,
+                                   const EvolutionKinds& kinds);
 
 // The whole experiment as another file, of a name that is free. The experiment may be in use.
 Status copy_experiment(const std::filesystem::path& from, const std::filesystem::path& to);

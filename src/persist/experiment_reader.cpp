@@ -1,6 +1,7 @@
 #include "persist/experiment_reader.h"
 
 #include "evolution/population_digest.h"
+#include "persist/experiment_schema.h"
 #include "persist/individual_reader.h"
 #include "persist/settings_file.h"
 #include "persist/statistics_columns.h"
@@ -183,9 +184,13 @@ private:
         Statement row =
             database_.prepare("SELECT generation, command, settings FROM journal ORDER BY id");
         std::size_t commands = 0;
+        std::int64_t changes = 0;  // with those it starts with
         while (row.step()) {
             check_count(++commands, "commands");
             if (row.text(1) != "start" && row.text(1) != "settings") continue;
+            if (++changes > kMostSettingsChanges + 1)
+                throw DatabaseError("more than " + std::to_string(kMostSettingsChanges) +
+                                    " changes of settings");
             std::uint32_t generation = 0;
             read_column(row, 0, generation);
             const SettingsPtr present = settings(row.integer(2));
@@ -396,6 +401,25 @@ SettingsPtr read_last_settings(const Database& database, const EvolutionKinds& k
     row.bind(std::uint64_t{most_rows(database)});
     if (!row.step()) throw DatabaseError("the journal has no beginning");
     return read_settings(database, row.integer(0), kinds);
+}
+
+JudgedIndividual read_champion(const Database& database, std::uint32_t generation,
+                               const EvolutionKinds& kinds) {
+    Statement row = database.prepare(
+        "SELECT champion, champion_judged, settings FROM generations WHERE generation = ?");
+    row.bind(std::uint64_t{generation});
+    if (!row.step())
+        throw DatabaseError("generation " + std::to_string(generation) + " is missing");
+    const SettingsPtr settings = read_settings(database, row.integer(2), kinds);
+    return {generation, IndividualReader(database, kinds).read(row_ref(row, 0), *settings),
+            settings};
+}
+
+std::optional<std::string> read_only_simulator(const Database& database) {
+    Statement row = database.prepare("SELECT version, generation FROM simulators LIMIT 2");
+    if (!row.step() || row.integer(1) != 0) return std::nullopt;
+    std::string version(row.text(0).substr(0, kLongestVersion));
+    return row.step() ? std::nullopt : std::optional(std::move(version));
 }
 
 std::vector<GenerationStatistics> read_history(const Database& database) {

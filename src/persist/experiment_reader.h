@@ -8,6 +8,9 @@
 #include "persist/kept_individuals.h"
 #include "persist/picking_record.h"
 
+#include <cstdint>
+#include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -28,5 +31,10 @@ ReadExperiment read_experiment(const Database& database, const EvolutionKinds& k
 // Parts of it, read alone.
 SettingsPtr read_last_settings(const Database& database, const EvolutionKinds& kinds);
 std::vector<GenerationStatistics> read_history(const Database& database);
+// The best of a generation that was finished.
+JudgedIndividual read_champion(const Database& database, std::uint32_t generation,
+                               const EvolutionKinds& kinds);
+// The only simulator that computed any generation; nothing if there were several.
+std::optional<std::string> read_only_simulator(const Database& database);
 
 }  // namespace cambrian

@@ -16,6 +16,8 @@ namespace cambrian {
 inline constexpr std::int64_t kExperimentApplication = 0x43616d62;
 // Raised whenever a table changes; older files are brought up step by step.
 inline constexpr std::int64_t kExperimentVersion = 3;
+// Each is read and checked when the experiment is opened.
+inline constexpr std::int64_t kMostSettingsChanges = 5000;
 
 // What is known of an individual's score beside its words (outcome, verdict, finer trial).
 inline constexpr std::array kResultColumns = {

@@ -199,6 +199,11 @@ void ExperimentWriter::insert_genotype(const char* command, std::uint32_t genera
 }
 
 void ExperimentWriter::insert(std::uint32_t generation, const ChangeSettings& command) {
+    if (database_.integer("SELECT count(*) FROM journal WHERE command = 'settings'") >=
+        kMostSettingsChanges) {
+        throw DatabaseError("it holds " + std::to_string(kMostSettingsChanges) +
+                            " changes of settings, the most of one experiment; start a new run");
+    }
     insert_command("settings", generation, row_of(command.settings), std::nullopt);
 }
 

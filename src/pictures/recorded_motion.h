@@ -55,8 +55,8 @@ Result<RecordedTrial> record_trial(std::shared_ptr<const Phenotype> phenotype, c
                                    const TrialWorld& world, const TrialWatch& watch = {},
                                    std::size_t most_bytes = kMostMotion);
 
-// The trial once more, a tick at a time, for whoever needs every frame of a motion that is too
-// long to be kept.
+// The trial computed once more, a tick at a time: every frame of a motion that is too long to be
+// kept in memory.
 class ReplayedMotion {
 public:
     // Fails as record_trial() does.

@@ -26,10 +26,8 @@ void Memory::keep(const Remembered& present, const Services& services) {
     kept_at_ = services.feedback.now();
     if (folder_.empty() || present == kept_) return;
     kept_ = present;
-    services.worker.submit([folder = folder_, present, &kinds = services.kinds,
-                            &feedback = services.feedback](const std::stop_token&) {
-        const Status status = remember(folder, present, kinds);
-        return [&feedback, status] { feedback.report(status); };
+    write_in_background(services, [folder = folder_, present, &kinds = services.kinds] {
+        return remember(folder, present, kinds);
     });
 }
 

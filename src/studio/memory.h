@@ -11,7 +11,7 @@ namespace cambrian {
 
 class Memory {
 public:
-    // What was remembered when the program began.
+    // What is remembered when the program begins.
     explicit Memory(Remembered kept) : kept_(std::move(kept)) {}
 
     // Keeps it in this folder from now on; an empty path keeps nothing.

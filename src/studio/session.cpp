@@ -27,19 +27,17 @@ struct Session::Router {
 
 Session::Session(const Remembered& remembered, const EvolutionKinds& kinds, std::size_t workers,
                  const std::filesystem::path& status_log)
-    : kinds_(kinds),
-      view_(remembered.view),
-      memory_(remembered),
+    : view_(remembered.view),
       feedback_(status_log),
+      services_{kinds, worker_, feedback_},
       window_(feedback_, view_),
-      guide_({kinds_, worker_, feedback_}, view_),
-      viewer_({kinds_, worker_, feedback_}, view_),
-      experiment_({kinds_, worker_, feedback_}, view_, viewer_, remembered.settings, workers),
-      generations_({kinds_, worker_, feedback_}, view_, viewer_, experiment_),
-      picking_({kinds_, worker_, feedback_}, view_, viewer_, experiment_, workers),
-      files_({kinds_, worker_, feedback_}, view_, {viewer_, experiment_, generations_, picking_}) {
-    memory_ = Memory({view_, experiment_.open().editor().draft(), remembered.experiment});
-}
+      guide_(services_, view_),
+      viewer_(services_, view_),
+      experiment_(services_, view_, viewer_, remembered.settings, workers),
+      generations_(services_, view_, viewer_, experiment_),
+      picking_(services_, view_, viewer_, experiment_, workers),
+      files_(services_, view_, {viewer_, experiment_, generations_, picking_}),
+      memory_({view_, experiment_.open().editor().draft(), remembered.experiment}) {}
 
 void Session::remember_in(const std::filesystem::path& folder) {
     memory_.use(folder);
@@ -55,7 +53,7 @@ void Session::keep_memory() {
     const OpenExperiment& experiment = std::as_const(experiment_).open();
     memory_.keep({view_, experiment.editor().draft(),
                   files_.reopening() ? memory_.experiment() : experiment.file().string()},
-                 {kinds_, worker_, feedback_});
+                 services_);
 }
 
 void Session::use_assets(const std::filesystem::path& folder) {
@@ -89,7 +87,7 @@ void Session::carry_out(Requests& requests) {
 }
 
 FrameContext Session::frame_context() const {
-    return {.kinds = kinds_,
+    return {.kinds = services_.kinds,
             .view = view_,
             .experiment = experiment_.facts(),
             .generations = generations_.facts(),

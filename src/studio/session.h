@@ -46,11 +46,10 @@ public:
 private:
     struct Router;
 
-    const EvolutionKinds& kinds_;
     ViewState view_;
-    Memory memory_;
     Feedback feedback_;
     BackgroundWorker worker_;
+    const Services services_;
     WindowController window_;
     GuideController guide_;
     ViewerController viewer_;
@@ -58,6 +57,7 @@ private:
     GenerationsController generations_;
     PickingController picking_;
     FilesController files_;
+    Memory memory_;
     double playback_seconds_ = 0.0;
 };
 

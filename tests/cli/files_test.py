@@ -5,6 +5,7 @@ import json
 import os
 import shutil
 import signal
+import socket
 import sqlite3
 import stat
 import struct
@@ -12,9 +13,7 @@ import subprocess
 import unittest
 
 from experiment_tables import digests, opened
-from program import BAD_INPUT, CAMBRIAN, FAILED, SMALL, ProgramTest
-
-NOBODY = 65534
+from program import BAD_INPUT, CAMBRIAN, FAILED, NOBODY, SMALL, ProgramTest
 
 
 def gone_process():
@@ -164,33 +163,12 @@ class Files(ProgramTest):
 
     # -- without write permission
 
-    def as_nobody(self, *arguments):
-        """Runs the program as a user who may not write here."""
-        if os.geteuid() != 0:
-            return self.run_program(*arguments)
-        program = self.reachable_program()
-        return subprocess.run(
-            ["setpriv", f"--reuid={NOBODY}", f"--regid={NOBODY}", "--clear-groups", program,
-             *map(str, arguments)], cwd=self.folder, stdin=subprocess.DEVNULL,
-            stdout=subprocess.PIPE, stderr=subprocess.PIPE, encoding="utf-8", check=False)
-
-    def reachable_program(self):
-        """A copy that every user may run, wherever the build is."""
-        copy = self.folder / "program"
-        if not copy.exists():
-            shutil.copy(CAMBRIAN, copy)
-            copy.chmod(0o755)
-        return copy
-
     def read_all(self, names):
         """What others read of each file; leaves nothing and changes nothing."""
         self.run_well("export", "run.cambrian", "--champion", "-o", "best.creature.json")
         expected = {option: self.run_well("export", "run.cambrian", option).stdout
                     for option in ["--stats", "--settings", "--champion"]}
-        if os.geteuid() == 0:
-            self.reachable_program()
-        self.folder.chmod(0o555)
-        self.addCleanup(self.folder.chmod, 0o755)
+        self.forbid_writing()
         before = self.files()
         for name in names:
             for option, text in expected.items():
@@ -233,12 +211,15 @@ class Files(ProgramTest):
 
     # -- files that are none
 
-    def test_fifos_folders_and_devices_are_no_experiments(self):
+    def test_fifos_sockets_folders_and_devices_are_no_experiments(self):
         os.mkfifo(self.folder / "pipe.cambrian")
+        listener = socket.socket(socket.AF_UNIX)
+        self.addCleanup(listener.close)
+        listener.bind(str(self.folder / "socket.cambrian"))
         (self.folder / "folder.cambrian").mkdir()
         (self.folder / "zero.cambrian").symlink_to("/dev/zero")
         (self.folder / "null.cambrian").symlink_to("/dev/null")
-        for name in ["pipe", "folder", "zero", "null"]:
+        for name in ["pipe", "socket", "folder", "zero", "null"]:
             for arguments in [["export", f"{name}.cambrian", "--stats"],
                               ["verify", f"{name}.cambrian"],
                               ["evolve", "-r", f"{name}.cambrian"],

@@ -4,13 +4,14 @@ import json
 import os
 import pty
 import re
+import shutil
 import signal
 import subprocess
 import threading
 import unittest
 
 from experiment_tables import opened
-from program import CAMBRIAN, DONE, FAILED, SMALL, ProgramTest
+from program import BAD_INPUT, CAMBRIAN, DONE, FAILED, SMALL, ProgramTest
 
 MOST_MEMORY = 300e6  # bytes
 
@@ -117,6 +118,20 @@ class LongTrials(ProgramTest):
             self.assertIn("cambrian: interrupted", shown)
             self.assertEqual(self.files(), before)
 
+    # -- pictures
+
+    def test_pictures_of_hours_take_little_memory(self):
+        self.write("hours.toml", EMPTY_SPACE.format(duration=10000))
+        for out, options in [("sheet.png", []),
+                             ("clip.mp4", ["--fps", 1, "--speed", 20, "--size", "320x180"])]:
+            commands = self.possible([["render", "stiff.creature.json", "-e", "hours.toml",
+                                       "-o", out, *options]])
+            for command in commands:
+                if out.endswith(".mp4") and not shutil.which("ffmpeg"):
+                    continue
+                self.assertLess(self.memory_of(*command), MOST_MEMORY, out)
+                self.assertTrue((self.folder / out).exists())
+
     # -- experiments
 
     def many_rows(self, name, rows, insert):
@@ -145,6 +160,18 @@ class LongTrials(ProgramTest):
                 self.assertLess(self.memory_of("export", name, option), 200e6, (command, option))
             status = DONE if command == "inject" else FAILED  # founders change what comes of it
             self.assertLess(self.memory_of("verify", name, status=status), 200e6, command)
+
+    def test_too_many_changes_of_settings_are_refused(self):
+        def insert(database, rows):
+            database.executemany("INSERT INTO settings VALUES (?, '')",
+                                 ((i,) for i in range(2, rows)))
+            database.executemany("INSERT INTO journal (generation, command, settings) "
+                                 "VALUES (1, 'settings', ?)", ((i,) for i in range(2, rows)))
+        self.many_rows("a.cambrian", 600000, insert)
+        self.run_well("export", "a.cambrian", "--champion")
+        for arguments in [["verify", "a.cambrian"], ["evolve", "-r", "a.cambrian", "-n", 4]]:
+            self.assertLess(self.memory_of(*arguments, status=BAD_INPUT), 200e6)
+            self.assert_refused(self.run_program(*arguments), "more than 5000 changes of settings")
 
     def test_commands_of_generations_that_never_were_are_refused(self):
         self.run_well("evolve", "small.toml", "-n", 2, "-o", "a.cambrian")

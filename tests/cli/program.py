@@ -2,6 +2,7 @@
 
 import os
 import pathlib
+import shutil
 import subprocess
 import tempfile
 import unittest
@@ -13,6 +14,7 @@ RANDOM_CREATURES = os.environ.get("RANDOM_CREATURES",
                                   str(ROOT / "build/release/bin/random_creatures"))
 
 DONE, FAILED, BAD_INPUT = 0, 1, 2
+NOBODY = 65534  # a user without rights
 
 # A short trial of few creatures: seconds, not minutes, on one core of any build.
 SMALL = """
@@ -45,6 +47,36 @@ class ProgramTest(unittest.TestCase):
             [CAMBRIAN, *map(str, arguments)], cwd=self.folder, env=environment,
             stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
             encoding="utf-8", timeout=600, check=False, **options)
+
+    # -- as a user without rights
+
+    def as_nobody(self, *arguments, **options):
+        """The finished process of a user who may not write into a folder that forbids it."""
+        return subprocess.run(
+            [*self.nobody(), self.reachable_program(), *map(str, arguments)], cwd=self.folder,
+            stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+            encoding="utf-8", timeout=600, check=False, **options)
+
+    @staticmethod
+    def nobody():
+        """What begins the command line of such a user."""
+        if os.geteuid() != 0:
+            return []
+        return ["setpriv", f"--reuid={NOBODY}", f"--regid={NOBODY}", "--clear-groups"]
+
+    def reachable_program(self):
+        """A copy that every user may run, wherever the build is."""
+        copy = self.folder / "program"
+        if not copy.exists():
+            shutil.copy(CAMBRIAN, copy)
+            copy.chmod(0o755)
+        return copy
+
+    def forbid_writing(self):
+        """The folder with what it holds can only be read from now on."""
+        self.reachable_program()
+        self.folder.chmod(0o555)
+        self.addCleanup(self.folder.chmod, 0o755)
 
     def possible(self, commands):
         """Those of the command lines (lists of words) that this build of the program has."""

@@ -311,6 +311,16 @@ class StudioWindow(StudioTest):
         self.quit()
         self.assertEqual(self.files(), ["messages.txt", "status.log"])
 
+    def test_the_viewer_needs_no_write_access(self):
+        display = self.open_display()
+        shutil.copy(ROOT / "assets/creatures/acrobat.creature.json", self.folder)
+        self.forbid_writing()
+        before = self.files()
+        result = self.as_nobody("view", "acrobat.creature.json", "--quit-after", 1,
+                                env=dict(display.environment, HOME="/nonexistent"))
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        self.assertEqual(self.files(), before)
+
     def test_a_picture_painted_in_parts_is_as_one_painted_at_once(self):
         display = self.open_display()
         self.start(display)

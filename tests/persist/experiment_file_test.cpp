@@ -2,6 +2,8 @@
 
 #include "evolution/ancestry_digest.h"
 #include "evolution/population_digest.h"
+#include "persist/creature_file.h"
+#include "persist/experiment_parts.h"
 #include "persist/experiment_schema.h"
 #include "persist/settings_file.h"
 #include "persist/steered_run.h"
@@ -246,7 +248,7 @@ TEST_CASE("a star keeps each score it was given, whoever else lets go of it",
     ExperimentSettings moon = *run.settings;
     moon.world.environment.gravity = 1.62;
     run_on(run.evolution, *run.file, 3,
-           {{2, ChangeSettings{shared(moon)}}});  // survivors are judged anew
+           {{2, ChangeSettings{shared(moon)}}});  // survivors are evaluated again
     star_all();
     run_on(run.evolution, *run.file, 9);
     const auto path = run.folder / "b.cambrian";
@@ -320,6 +322,46 @@ TEST_CASE("what is no experiment is refused and stays as it was", "[persist][exp
     CHECK(std::filesystem::file_size(folder / "text.cambrian") == 5000);
 }
 
+TEST_CASE("an experiment that has the most changes of settings takes no more",
+          "[persist][experiment_file]") {
+    const TemporaryDirectory folder;
+    const auto path = folder / "a.cambrian";
+    write_run(path, small_settings(), 2);
+    Database(path, Database::Access::kWrite)
+        .execute(
+            "INSERT INTO journal (generation, command, settings) WITH RECURSIVE n(i) AS "
+            "(SELECT 1 UNION ALL SELECT i + 1 FROM n WHERE i < 5000) SELECT 1, 'settings', 1 FROM "
+            "n");
+    auto opened = open_experiment(path, kinds());
+    REQUIRE(opened);
+    const Status noted = opened->file->note({1, ChangeSettings{shared(small_settings())}});
+    REQUIRE_FALSE(noted);
+    CHECK_THAT(noted.error().message, Catch::Contains("5000 changes of settings"));
+}
+
+TEST_CASE("a champion is read without the rest of its experiment", "[persist][experiment_file]") {
+    const TemporaryDirectory folder;
+    const auto path = folder / "a.cambrian";
+    write_run(path, small_settings(), 3);
+    const auto whole = load_experiment(path, kinds());
+    REQUIRE(whole);
+    Database(path, Database::Access::kWrite).execute("DELETE FROM population");
+    REQUIRE_FALSE(load_experiment(path, kinds()));
+    for (const std::uint32_t generation : {0U, 1U, 2U}) {
+        const auto kept = load_champion(path, generation, kinds());
+        REQUIRE(kept);
+        const JudgedIndividual& expected = whole->champions[generation];
+        CHECK(kept->creature.generation == generation);
+        check_equal(*kept->creature.individual, *expected.individual);
+        CHECK(kept->creature.settings->seed == expected.settings->seed);
+        CHECK(kept->simulator == kSimulatorVersion);
+    }
+    CHECK(load_champion(path, std::nullopt, kinds())->creature.generation == 2);
+    const auto later = load_champion(path, 3, kinds());
+    REQUIRE_FALSE(later);
+    CHECK_THAT(later.error().message, Catch::Contains("no generation 3; the last is 2"));
+}
+
 TEST_CASE("whatever is wrong inside an experiment is one message", "[persist][experiment_file]") {
     const auto [sql, words] = GENERATE(table<std::string, std::string>({
         {"PRAGMA user_version = 99", "its version 99 is newer than this program (3)"},
@@ -328,6 +370,9 @@ TEST_CASE("whatever is wrong inside an experiment is one message", "[persist][ex
         {"ALTER TABLE novel ADD COLUMN more", "table \"novel\" has other columns"},
         {"DELETE FROM journal", "the journal has no beginning"},
         {"UPDATE journal SET command = 'explode' WHERE id = 2", "unknown command \"explode\""},
+        {"INSERT INTO journal (generation, command, settings) WITH RECURSIVE n(i) AS "
+         "(SELECT 1 UNION ALL SELECT i + 1 FROM n WHERE i < 5001) SELECT 1, 'settings', 1 FROM n",
+         "more than 5000 changes of settings"},
         {"UPDATE journal SET share = 2 WHERE id = 2", "newcomers is outside [0, 1]"},
         {"UPDATE journal SET share = NULL WHERE id = 2", "newcomers is outside [0, 1]"},
         {"DELETE FROM generations WHERE generation = 1", "generation 1 is missing"},

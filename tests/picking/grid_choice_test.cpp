@@ -181,7 +181,7 @@ TEST_CASE("all fitness takes the fittest, all me does not look at fitness", "[pi
     }
 }
 
-TEST_CASE("with nothing on show the fittest is first", "[picking][choice]") {
+TEST_CASE("the fittest is first if no creature is displayed", "[picking][choice]") {
     const Creatures candidates = {shared(creature(1, 0.0, 0.0, 1.0)),
                                   shared(creature(2, 1.0, 0.0, 3.0)),
                                   shared(creature(3, 0.9, 0.0, 2.0))};

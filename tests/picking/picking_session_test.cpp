@@ -324,7 +324,7 @@ TEST_CASE("a population can be picked from, and automatic runs taken turns with"
     CHECK(better_ones < 14);  // the twelve fittest, but for dead ones
 }
 
-TEST_CASE("under other settings the parent is judged anew", "[picking][session]") {
+TEST_CASE("under other settings the parent is evaluated again", "[picking][session]") {
     Person person;
     auto moon = std::make_shared<ExperimentSettings>();
     moon->world.environment.gravity = 1.62;

@@ -6,9 +6,7 @@
 #include "app/subcommands/subcommands.h"
 #include "core/file_io.h"
 #include "persist/creature_file.h"
-#include "persist/experiment_file.h"
 #include "persist/experiment_parts.h"
-#include "persist/rescoring.h"
 #include "persist/settings_file.h"
 #include "persist/statistics_csv.h"
 
@@ -71,22 +69,12 @@ private:
     }
 
     Result<std::string> champion_text(const EvolutionKinds& kinds, LongWork& work) const {
-        const Result<SavedExperiment> saved = load_experiment(file_, kinds);
-        if (!saved) return saved.error();
-        if (!saved->latest) return Error{file_ + ": no generation has been finished yet"};
-        const std::uint32_t last = saved->latest->generation;
-        const std::uint32_t generation = generation_.value_or(last);
-        if (generation > last) {
-            return Error{file_ + ": has no generation " + std::to_string(generation) +
-                         "; the last is " + std::to_string(last)};
-        }
-        const JudgedIndividual& champion = saved->champions[generation];
+        const Result<KeptChampion> kept = load_champion(file_, generation_, kinds);
+        if (!kept) return kept.error();
+        const JudgedIndividual& champion = kept->creature;
         CreatureDocument document =
             creature_document(*champion.individual, *champion.settings, kinds);
-        if (document.scored) {
-            document.scored->simulator =
-                scored_by(*saved, champion.individual->born, champion.generation);
-        }
+        if (document.scored) document.scored->simulator = kept->simulator;
         work.begin("computing more finely", champion.settings->world.trial.duration);
         complete_score(document, kinds, work.stop());
         if (work.interrupted()) return Error{"interrupted; nothing was written"};

@@ -6,6 +6,8 @@
 #include "studio/background/background_worker.h"
 #include "studio/background/feedback.h"
 
+#include <functional>
+
 namespace cambrian {
 
 struct Services {
@@ -13,5 +15,8 @@ struct Services {
     BackgroundWorker& worker;
     Feedback& feedback;
 };
+
+// Writes something to the disk on the worker's thread; the person is told if it fails.
+void write_in_background(const Services& services, std::function<Status()> write);
 
 }  // namespace cambrian

@@ -32,18 +32,10 @@ struct ExperimentController::Handler {
     }
     void operator()(const FinishEdit&) const { self.commit(); }
     void operator()(const UndoEdit&) const {
-        if (self.viewer_.undo_gene_edit()) return;
-        const Environment before = self.experiment_.editor().draft().world.environment;
-        self.experiment_.editor().undo();
-        self.follow_world(before);
-        self.commit();
+        if (!self.viewer_.undo_gene_edit()) self.change_draft(&SettingsEditor::undo);
     }
     void operator()(const RedoEdit&) const {
-        if (self.viewer_.redo_gene_edit()) return;
-        const Environment before = self.experiment_.editor().draft().world.environment;
-        self.experiment_.editor().redo();
-        self.follow_world(before);
-        self.commit();
+        if (!self.viewer_.redo_gene_edit()) self.change_draft(&SettingsEditor::redo);
     }
     void operator()(const StartNewRun& request) const {
         const EvolutionSnapshot& snapshot = self.experiment_.snapshot();
@@ -131,6 +123,13 @@ void ExperimentController::commit() {
 }
 
 // A world changed by hand acts on the creature on display at once; any other edit leaves it alone.
+void ExperimentController::change_draft(void (SettingsEditor::*change)()) {
+    const Environment before = experiment_.editor().draft().world.environment;
+    (experiment_.editor().*change)();
+    follow_world(before);
+    commit();
+}
+
 void ExperimentController::follow_world(const Environment& before) {
     const Environment& after = experiment_.editor().draft().world.environment;
     if (!(after == before)) viewer_.use_environment(after);

@@ -37,6 +37,7 @@ public:
 private:
     struct Handler;
     void commit();
+    void change_draft(void (SettingsEditor::*change)());
     void follow_world(const Environment& before);
 
     Services services_;

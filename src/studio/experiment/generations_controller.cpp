@@ -89,11 +89,9 @@ void GenerationsController::follow_newest() {
 void GenerationsController::keep_stars() {
     if (stars_.revision() == kept_stars_) return;
     kept_stars_ = stars_.revision();
-    services_.worker.submit(
-        [this, stars = stars_.all(), kept = experiment_.open().kept()](const std::stop_token&) {
-            const Status status = kept->keep_stars(stars);
-            return [this, status] { services_.feedback.report(status); };
-        });
+    write_in_background(services_, [stars = stars_.all(), kept = experiment_.open().kept()] {
+        return kept->keep_stars(stars);
+    });
 }
 
 void GenerationsController::replace_stars(std::vector<JudgedIndividual> stars) {

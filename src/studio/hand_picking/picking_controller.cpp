@@ -125,10 +125,8 @@ void PickingController::keep() {
     const std::shared_ptr<const PickingSnapshot> picking = picking_.shared_snapshot();
     if (!picking || picking == kept_ || picking->tree.empty()) return;
     kept_ = picking;
-    services_.worker.submit([this, picking,
-                             kept = experiment_.open().kept()](const std::stop_token&) {
-        const Status status = kept->keep_picking({picking->tree, picking->picks, picking->shelf});
-        return [this, status] { services_.feedback.report(status); };
+    write_in_background(services_, [picking, kept = experiment_.open().kept()] {
+        return kept->keep_picking({picking->tree, picking->picks, picking->shelf});
     });
 }
 

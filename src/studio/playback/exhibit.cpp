@@ -11,11 +11,6 @@ std::string uid_text(std::uint64_t uid) {
     return uid == 0 ? std::string() : hex_text(uid);
 }
 
-std::string goal_unit(const std::string& goal, const GoalRegistry& goals) {
-    const GoalKind* kind = goals.find(goal);
-    return kind == nullptr ? std::string() : kind->unit;
-}
-
 Exhibit exhibit_of(JudgedIndividual creature, ExhibitSource source) {
     Exhibit exhibit;
     exhibit.source = source;

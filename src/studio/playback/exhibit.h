@@ -14,7 +14,7 @@
 
 namespace cambrian {
 
-// Where a creature on show comes from.
+// Where a displayed creature comes from.
 enum class ExhibitSource : std::uint8_t { kSample, kFile, kChampion, kPopulation, kHandPicked };
 
 // A creature on display: the creature with the settings that judge it, and where it was taken from.
@@ -46,9 +46,6 @@ struct ScoreReport {
 
 // A uid as sixteen hexadecimal digits; empty for 0, which is no uid.
 std::string uid_text(std::uint64_t uid);
-
-// In which a goal (by its id) measures fitness; empty if it is not known.
-std::string goal_unit(const std::string& goal, const GoalRegistry& goals);
 
 // A creature of a generation or of a grid, with a title that says which.
 Exhibit exhibit_of(JudgedIndividual creature, ExhibitSource source);

@@ -105,17 +105,16 @@ void ViewerController::use_environment(const Environment& environment) {
 }
 
 bool ViewerController::undo_gene_edit() {
-    if (!genes_.can_undo()) return false;
-    genes_.undo();
-    services_.feedback.log().write("gene undone");
-    show_edited();
-    return true;
+    return genes_.can_undo() && step_gene_edit(&GeneEditor::undo, "gene undone");
 }
 
 bool ViewerController::redo_gene_edit() {
-    if (!genes_.can_redo()) return false;
-    genes_.redo();
-    services_.feedback.log().write("gene redone");
+    return genes_.can_redo() && step_gene_edit(&GeneEditor::redo, "gene redone");
+}
+
+bool ViewerController::step_gene_edit(void (GeneEditor::*step)(), const char* news) {
+    (genes_.*step)();
+    services_.feedback.log().write(news);
     show_edited();
     return true;
 }

@@ -37,6 +37,7 @@ public:
 
 private:
     struct Handler;
+    bool step_gene_edit(void (GeneEditor::*step)(), const char* news);
     void show_edited();
     void log_tick();
 

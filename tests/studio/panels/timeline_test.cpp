@@ -47,7 +47,7 @@ TEST_CASE("a drag over the timeline scrubs through the champions", "[studio][tim
     CHECK(test::asked<ShowChampion>(drag_to(-0.5F)).generation == 0);
     CHECK(test::asked<ShowChampion>(drag_to(3.0F)).generation == 100);
     show_champion(studio, 100);
-    CHECK(drag_to(3.0F).all().empty());  // it is on show already
+    CHECK(drag_to(3.0F).all().empty());  // the creature is displayed already
     gui.release();
     drag_to(0.5F);
     CHECK(drag_to(0.5F).all().empty());

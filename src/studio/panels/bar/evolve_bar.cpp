@@ -24,8 +24,7 @@ float draw_reading(const ImVec2& at, const std::string& value, const std::string
 }
 
 std::string unit_of_goal(const FrameContext& frame) {
-    const GoalKind* goal = frame.kinds.goals.find(frame.experiment.snapshot.settings->goal);
-    return goal == nullptr ? std::string() : goal->unit;
+    return goal_unit(frame.experiment.snapshot.settings->goal, frame.kinds.goals);
 }
 
 std::string done_words(const FrameContext& frame) {

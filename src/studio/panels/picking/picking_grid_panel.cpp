@@ -81,8 +81,8 @@ std::string score_words(const FrameContext& frame, const Individual& creature) {
     if (!creature.evaluated) return "not judged";
     if (creature.result.outcome != Outcome::kCompleted)
         return std::string(outcome_name(creature.result.outcome));
-    const GoalKind* goal = frame.kinds.goals.find(grid_of(frame).settings->goal);
-    return measured(creature.result.fitness, goal == nullptr ? std::string() : goal->unit);
+    return measured(creature.result.fitness,
+                    goal_unit(grid_of(frame).settings->goal, frame.kinds.goals));
 }
 
 }  // namespace

@@ -1,0 +1,16 @@
+#pragma once
+
+// Which file a name or a descriptor leads to: two names of one file have the same identity.
+
+#include <sys/stat.h>
+#include <utility>
+
+namespace cambrian {
+
+using FileIdentity = std::pair<dev_t, ino_t>;
+
+inline FileIdentity identity_of(const struct stat& facts) {
+    return {facts.st_dev, facts.st_ino};
+}
+
+}  // namespace cambrian
