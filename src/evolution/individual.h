@@ -25,8 +25,7 @@ struct FinerResult {
 };
 
 struct EvaluationResult {
-    double fitness =
-        0.0;  // of the finer trial if the first one was suspect; if confirmed, a median
+    double fitness = 0.0;  // of the finer trial if the first one was suspect; see scores
     Outcome outcome = Outcome::kCompleted;
     std::uint64_t digest = 0;     // of the motion, for replay checks
     std::uint64_t phenotype = 0;  // phenotype_hash() of what was judged

@@ -410,8 +410,9 @@ JudgedIndividual read_champion(const Database& database, std::uint32_t generatio
     row.bind(std::uint64_t{generation});
     if (!row.step())
         throw DatabaseError("generation " + std::to_string(generation) + " is missing");
-    return {generation, IndividualReader(database, kinds).read(row_ref(row, 0)),
-            read_settings(database, row.integer(2), kinds)};
+    const SettingsPtr settings = read_settings(database, row.integer(2), kinds);
+    return {generation, IndividualReader(database, kinds).read(row_ref(row, 0), *settings),
+            settings};
 }
 
 std::optional<std::string> read_only_simulator(const Database& database) {

@@ -92,7 +92,7 @@ EvolutionKinds with_made_up_kinds() {
     kinds.selections.add({.id = "half",
                           .label = "Half",
                           .help = "The better half survives.",
-                          .truncates = [](const SelectionSettings&) { return false; },
+                          .bar = [](const SelectionSettings&) { return 0.0; },
                           .select = select_half});
     kinds.goals.add({.id = "heavy",
                      .label = "Heavy",
