@@ -7,7 +7,7 @@
 namespace cambrian {
 namespace {
 
-constexpr double kAirborne = 0.01;  // m; a lowest point no higher than this stands
+constexpr double kAirborne = 0.01;  // m; a lowest point no higher than this is on the ground
 
 }  // namespace
 

@@ -313,10 +313,10 @@ class StudioWindow(StudioTest):
 
     def test_the_viewer_needs_no_write_access(self):
         display = self.open_display()
-        shutil.copy(ROOT / "assets/creatures/acrobat.creature.json", self.folder)
+        shutil.copy(ROOT / "assets/creatures/walker.creature.json", self.folder)
         self.forbid_writing()
         before = self.files()
-        result = self.as_nobody("view", "acrobat.creature.json", "--quit-after", 1,
+        result = self.as_nobody("view", "walker.creature.json", "--quit-after", 1,
                                 env=dict(display.environment, HOME="/nonexistent"))
         self.assertEqual((result.returncode, result.stderr), (0, ""))
         self.assertEqual(self.files(), before)

@@ -79,8 +79,7 @@ TEST_CASE("stopping at rest changes no survivor, champion or best in 30 generati
 TEST_CASE("giving up hopeless trials changes no survivor of 30 generations",
           "[evolution][savings]") {
     const bool limited = GENERATE(true, false);
-    // The bar is lower where lines and plans are limited, so that fewer seem doomed.
-    auto settings = short_walks(limited ? 90 : 30);
+    auto settings = short_walks(90);
     if (!limited) {
         settings->selection.line_share = 1.0;
         settings->selection.plan_copies = 0;
