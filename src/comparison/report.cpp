@@ -1,8 +1,8 @@
 #include "comparison/report.h"
 
 #include "comparison/statistics.h"
-#include "core/text/pretty_text.h"
 #include "core/sample_statistics.h"
+#include "core/text/pretty_text.h"
 
 #include <algorithm>
 #include <cmath>

@@ -10,9 +10,9 @@
 #include "bench/runs.h"
 #include "bench/selection.h"
 #include "bench/write_table.h"
+#include "core/sample_statistics.h"
 #include "core/threads/thread_pool.h"
 #include "support/body_plans.h"
-#include "core/sample_statistics.h"
 #include "support/workload.h"
 
 #include <CLI/CLI.hpp>

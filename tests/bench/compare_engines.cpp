@@ -6,9 +6,9 @@
 #include "bench/runs.h"
 #include "bench/selection.h"
 #include "bench/write_table.h"
-#include "support/body_plans.h"
 #include "core/sample_statistics.h"
 #include "core/thread_time.h"
+#include "support/body_plans.h"
 #include "support/workload.h"
 
 #include <CLI/CLI.hpp>

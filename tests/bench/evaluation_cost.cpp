@@ -1,7 +1,7 @@
 #include "bench/evaluation_cost.h"
 
-#include "simulator/trial.h"
 #include "core/thread_time.h"
+#include "simulator/trial.h"
 
 #include <vector>
 

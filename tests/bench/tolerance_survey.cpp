@@ -1,9 +1,9 @@
 #include "bench/tolerance_survey.h"
 
 #include "bench/joint_angles.h"
+#include "core/sample_statistics.h"
 #include "core/threads/thread_pool.h"
 #include "support/body_plans.h"
-#include "core/sample_statistics.h"
 #include "support/workload.h"
 
 #include <array>

@@ -8,9 +8,9 @@
 #include "bench/svg_plot.h"
 #include "bench/tolerance_survey.h"
 #include "bench/write_table.h"
+#include "core/thread_time.h"
 #include "dynamics/planar_scene.h"
 #include "support/body_plans.h"
-#include "core/thread_time.h"
 
 #include <CLI/CLI.hpp>
 

@@ -10,6 +10,21 @@ from program import DONE, FAILED, ROOT, SMALL, ProgramTest
 # Scored by a simulator that moved it otherwise.
 OLDER = ROOT / "tests/persist/versions/older_simulator/walker.creature.json"
 
+# Files of version 1 number the sensors' channels.
+CHANNELS = ["joint", "contact-distal", "contact-left", "contact-proximal", "contact-right"]
+
+
+def as_written_now(value):
+    """A document of version 1 with its channels by name."""
+    if isinstance(value, list):
+        return [as_written_now(each) for each in value]
+    if not isinstance(value, dict):
+        return value
+    renewed = {key: as_written_now(each) for key, each in value.items()}
+    if isinstance(value.get("ch"), int):
+        renewed["ch"] = CHANNELS[value["ch"]]
+    return renewed
+
 
 class Rescore(ProgramTest):
     def older_creature(self, name="older.creature.json", change=lambda scored: None):
@@ -30,7 +45,7 @@ class Rescore(ProgramTest):
 
     def test_a_rescored_creature_is_the_same_one_with_the_score_of_this_simulator(self):
         path = self.older_creature()
-        before = json.loads(path.read_text())
+        before = as_written_now(json.loads(path.read_text())) | {"version": 2}
         told = self.run_well("rescore", path.name).stdout
         after = json.loads(path.read_text())
         scored = after["scored"]

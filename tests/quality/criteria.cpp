@@ -1,8 +1,8 @@
 #include "quality/criteria.h"
 
+#include "comparison/statistics.h"
 #include "quality/arm.h"
 #include "quality/rounded.h"
-#include "comparison/statistics.h"
 
 #include <algorithm>
 #include <functional>

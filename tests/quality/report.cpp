@@ -1,8 +1,8 @@
 #include "quality/report.h"
 
+#include "comparison/statistics.h"
 #include "quality/arm.h"
 #include "quality/rounded.h"
-#include "comparison/statistics.h"
 
 namespace cambrian::quality {
 namespace {

@@ -1,6 +1,7 @@
 #include "quality/run.h"
 
 #include "core/hash.h"
+#include "core/thread_time.h"
 #include "creature/phenotype.h"
 #include "evolution/backends/thread_pool_backend.h"
 #include "evolution/evolution.h"
@@ -9,7 +10,6 @@
 #include "persist/creature_file.h"
 #include "persist/settings_file.h"
 #include "quality/arm.h"
-#include "core/thread_time.h"
 
 #include <algorithm>
 #include <cmath>
