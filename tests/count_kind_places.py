@@ -25,17 +25,17 @@ SORTS = {
     "function": ("brain/functions/*.cpp",
                  r'\{\.id = "([^"]+)"|functions, "([^"]+)"|\{"([^"]+)", "'),
     "integrator": ("dynamics/**/integrators/*.cpp", r'"([a-z-]+)"'),
-    "joint": ("dynamics/**/*scene_kind.cpp", r'\{"([a-z]+)", "[A-Z][a-z]+", \d'),
+    "joint": ("dynamics/joints/*.cpp", r'\.id = "([^"]+)"'),
 }
 # Ids that are the words of other things as well (keys of files, other sorts' kinds): of these only
 # the registration and the channels are looked for.
 COMMON_WORDS = {"joint", "contact", "effector", "weight", "source", "function", "root", "sum",
                 "product", "if"}
-# Sorts that an enumeration repeats: kRotary is "rotary".
-ENUMERATED = {"joint", "breeding"}
+# Sorts that an enumeration repeats: kGrafting is "grafting".
+ENUMERATED = {"breeding"}
 COMMENT = re.compile(r"//.*")
 CHANNEL = re.compile(r'\{"([^"]+)", "[^"]+"(?:, \d+)?\}')
-REGISTRATION = re.compile(r"^(?:void|IntegratorKind) (\w+)\(", re.MULTILINE)
+REGISTRATION = re.compile(r"^(?:void|IntegratorKind|JointKind) (\w+)\(", re.MULTILINE)
 
 
 def kinds_of(src, sort):

@@ -2,6 +2,7 @@
 // from one parent until a switch point, then from the other. Edges keep the index they point to.
 
 #include "breeding/methods.h"
+#include "core/assert.h"
 
 #include <algorithm>
 #include <array>
@@ -20,6 +21,7 @@ std::vector<NodeGene> spliced_nodes(const Genome& first, const Genome& second,
     const Genome* other = &second;
     for (std::size_t i = 0; i < length; ++i) {
         if (std::binary_search(switches.begin(), switches.end(), i)) std::swap(source, other);
+        CAMBRIAN_TICK_ASSERT(source != other || &first == &second, "one of two parents");
         if (i >= source->nodes.size()) break;
         nodes.push_back(source->nodes[i]);
     }
@@ -40,6 +42,7 @@ Genome cross(const Genome& first, const Genome& second, const KindCatalog& catal
         }
     }
     child.brain = stream.chance(0.5) ? first.brain : second.brain;
+    CAMBRIAN_TICK_ASSERT(!child.nodes.empty(), "a child has a root");
     repair(child, catalog);
     return child;
 }
@@ -51,6 +54,9 @@ std::vector<std::size_t> draw_switch_points(std::size_t length, RandomStream& st
     stream.shuffle(std::span(places));
     places.resize(std::min(places.size(), count));
     std::sort(places.begin(), places.end());
+    CAMBRIAN_TICK_ASSERT(std::is_sorted(places.begin(), places.end()), "switch points in order");
+    CAMBRIAN_TICK_ASSERT(places.empty() || (places.front() > 0 && places.back() < length),
+                         "switch points between nodes");
     return places;
 }
 

@@ -1,5 +1,7 @@
 #include "breeding/gene_sites.h"
 
+#include "core/assert.h"
+
 namespace cambrian {
 namespace {
 
@@ -35,6 +37,8 @@ std::string NeuronSite::in_words() const {
 
 InputGene& InputSite::in(Genome& genome) const {
     if (effector) return genome.nodes[list.node].effector;
+    CAMBRIAN_TICK_ASSERT(neuron < list.in(genome).size(), "a neuron of the list");
+    CAMBRIAN_TICK_ASSERT(input < list.in(genome)[neuron].inputs.size(), "an input of it");
     return list.in(genome)[neuron].inputs[input];
 }
 

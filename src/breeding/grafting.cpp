@@ -4,6 +4,7 @@
 
 #include "breeding/gene_sites.h"
 #include "breeding/methods.h"
+#include "core/assert.h"
 #include "genome/genome_graph.h"
 #include "genome/random_gene.h"
 
@@ -33,8 +34,10 @@ Genome breed_grafting(const Genome& first, const Genome& second, const KindCatal
         child.nodes[0].edges.push_back(random_edge(0, {FounderSettings{}, catalog}, stream));
         sites = edge_sites(child);
     }
+    CAMBRIAN_TICK_ASSERT(!sites.empty(), "an edge leads to the organ");
     const EdgeSite site = stream.pick(sites);
     const std::size_t grafted = append_section(child, second, stream.below(second.nodes.size()));
+    CAMBRIAN_TICK_ASSERT(grafted < child.nodes.size(), "a node of the child");
     site.in(child).target = static_cast<std::uint8_t>(grafted);
     repair(child, catalog);
     return child;

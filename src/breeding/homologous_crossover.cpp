@@ -2,6 +2,7 @@
 // first into the order of the first's, by uid and, where no uid agrees, by position.
 
 #include "breeding/methods.h"
+#include "core/assert.h"
 
 #include <algorithm>
 #include <optional>
@@ -38,6 +39,8 @@ Genome reordered(const Genome& genome, const std::vector<std::size_t>& order) {
     std::vector<std::uint8_t> place(order.size());
     for (std::size_t i = 0; i < order.size(); ++i)
         place[order[i]] = static_cast<std::uint8_t>(i);
+    CAMBRIAN_TICK_ASSERT(order.size() == genome.nodes.size(), "every node has a place");
+    CAMBRIAN_TICK_ASSERT(order.front() == 0, "the root stays the root");
     Genome result = genome;
     for (std::size_t i = 0; i < order.size(); ++i) {
         result.nodes[i] = genome.nodes[order[i]];

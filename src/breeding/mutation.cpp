@@ -1,6 +1,7 @@
 #include "breeding/mutation.h"
 
 #include "breeding/mute_neurons.h"
+#include "core/assert.h"
 
 #include <algorithm>
 #include <cmath>
@@ -66,6 +67,7 @@ private:
 
     // An operator that cannot make a difference is not drawn again; another takes its place.
     void apply_next() {
+        CAMBRIAN_TICK_ASSERT(!pending_.empty(), "an operator waits");
         const std::size_t next = pending_.front();
         pending_.erase(pending_.begin());
         for (int i = 0; i < kTries; ++i) {
@@ -82,6 +84,8 @@ private:
         Genome mutated = genome_;
         if (!kind.apply(mutated, context_, stream_, record)) return false;
         repair(mutated, context_.catalog);
+        CAMBRIAN_TICK_ASSERT(validate(mutated, context_.catalog).empty(),
+                             "a mutation leaves a valid genome");
         const std::uint64_t hash = genome_hash(mutated);
         if (hash == hash_ || hash == first_hash_) return false;
         genome_ = std::move(mutated);
@@ -107,11 +111,13 @@ std::vector<MutationRecord> mutate(Genome& genome, const MutationSettings& setti
                                    const MutationRegistry& kinds, const MutationContext& context,
                                    RandomStream& stream, int extra) {
     CAMBRIAN_ASSERT(!genome.nodes.empty(), "only valid genomes are mutated");
+    CAMBRIAN_TICK_ASSERT(extra >= 0, "mutations are added");
     const int count = draw_mutation_count(settings, stream) + extra;
     auto records = Mutating(genome, settings, kinds, context, stream).run(count);
     if (settings.collect_mute_neurons) collect_mute_neurons(genome);
     const double hue = genome.hue + kHueStep * static_cast<double>(records.size());
     genome.hue = hue - std::floor(hue);
+    CAMBRIAN_TICK_ASSERT(genome.hue >= 0.0 && genome.hue <= 1.0, "a hue");
     return records;
 }
 

@@ -2,6 +2,7 @@
 // Independent chances a gene cannot give these three numbers, whatever their scale.
 
 #include "breeding/mutation.h"
+#include "core/assert.h"
 #include "math/elementary.h"
 
 #include <cmath>
@@ -47,6 +48,7 @@ int draw_mutation_count(const MutationSettings& settings, RandomStream& stream) 
     int count = 0;
     for (; draws > 0; --draws)
         count += settings.scheme == "gate" ? draw_gate(stream) : draw_count_first(stream);
+    CAMBRIAN_TICK_ASSERT(count >= 0, "a count is not negative");
     return count;
 }
 

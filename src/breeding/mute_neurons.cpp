@@ -1,6 +1,7 @@
 #include "breeding/mute_neurons.h"
 
 #include "breeding/gene_sites.h"
+#include "core/assert.h"
 
 #include <algorithm>
 #include <optional>
@@ -124,6 +125,8 @@ private:
         }
         for (const auto& [source, number] : changes)
             source->index = number;
+        CAMBRIAN_TICK_ASSERT(neuron < neurons(list).size() && !heard_[list][neuron],
+                             "a neuron that nobody hears");
         const auto place = static_cast<std::ptrdiff_t>(neuron);
         neurons(list).erase(neurons(list).begin() + place);
         heard_[list].erase(heard_[list].begin() + place);

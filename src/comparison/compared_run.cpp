@@ -5,7 +5,6 @@
 #include "core/sample_statistics.h"
 #include "core/thread_time.h"
 #include "creature/phenotype.h"
-#include "evolution/backends/thread_pool_backend.h"
 #include "evolution/evolution.h"
 #include "evolution/generation.h"
 #include "evolution/trials.h"
@@ -115,21 +114,21 @@ bool is_row_of(const ComparedRun& finished, const ComparedRun& planned) {
 }
 
 std::optional<FinishedRun> perform(const PlannedRun& run, const EvolutionKinds& kinds,
-                                   std::atomic<std::uint64_t>& done, const std::stop_token& stop) {
+                                   EvaluationBackend& backend, std::atomic<std::uint64_t>& done,
+                                   const std::stop_token& stop) {
     const double begun = thread_cpu_time();
-    const auto backend = make_thread_pool_backend(kinds, 1);
     EvaluationProgress progress;
     Evolution evolution(run.settings, kinds);
     ComparedRun row = planned_row(run, kinds);
     for (;;) {
-        if (!evolution.evaluate(*backend, progress, stop)) return std::nullopt;
+        if (!evolution.evaluate(backend, progress, stop)) return std::nullopt;
         const GenerationStatistics& latest = evolution.history().back();
         note_generation(row, latest);
         done += static_cast<std::uint64_t>(latest.evaluations);
         if (row.evaluations >= run.trials || stop.stop_requested()) break;
         evolution.breed();
     }
-    const IndividualPtr champion = evolution.confirmed_champion(*backend, progress, stop);
+    const IndividualPtr champion = evolution.confirmed_champion(backend, progress, stop);
     if (stop.stop_requested()) return std::nullopt;
     note_end(row, evolution, *champion, kinds);
     row.seconds = thread_cpu_time() - begun;

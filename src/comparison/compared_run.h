@@ -2,6 +2,7 @@
 
 // One evolution of a comparison: what it was, and what it came to after so many trials.
 
+#include "evolution/evaluation_backend.h"
 #include "evolution/evolution_kinds.h"
 #include "evolution/experiment_settings.h"
 #include "evolution/individual.h"
@@ -38,7 +39,7 @@ struct ComparedRun {
     std::string settings;      // digest of all of them
     std::string simulator;     // its version
     double score = 0.0;        // of the champion, as its settings judge it
-    double confirmed = 0.0;    // median of the champion's scores in ten worlds a hair different
+    double confirmed = 0.0;    // median of the champion's scores in ten slightly different worlds
     double finer = 0.0;        // of the champion, with fine steps of an accurate integrator
     double jump_height = 0.0;  // m, v^2 / (2 g) of the champion's speed at the take-off of its best
     int parts = 0;             // of the champion
@@ -49,7 +50,7 @@ struct ComparedRun {
     int audited = 0;                // trials found hopeless and finished all the same
     int survivors = 0;              // of those, that would have survived
     double time_saved = 0.0;        // share of the simulated time, mean of all generations
-    double seconds = 0.0;           // of one core
+    double seconds = 0.0;           // of one core, besides what was evaluated elsewhere
     std::vector<CurvePoint> curve;  // a point a generation
 
     friend bool operator==(const ComparedRun&, const ComparedRun&) = default;
@@ -64,9 +65,10 @@ struct FinishedRun {
 ComparedRun planned_row(const PlannedRun& run, const EvolutionKinds& kinds);
 bool is_row_of(const ComparedRun& finished, const ComparedRun& planned);
 
-// Evolves on the calling thread until so many trials are run. None if stopped. `done` grows by
-// every trial.
+// Evolves until so many trials are run. None if stopped, or if the back-end cannot go on. `done`
+// grows by every trial.
 std::optional<FinishedRun> perform(const PlannedRun& run, const EvolutionKinds& kinds,
-                                   std::atomic<std::uint64_t>& done, const std::stop_token& stop);
+                                   EvaluationBackend& backend, std::atomic<std::uint64_t>& done,
+                                   const std::stop_token& stop);
 
 }  // namespace cambrian

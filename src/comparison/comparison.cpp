@@ -62,27 +62,42 @@ Comparison::Comparison(std::filesystem::path folder, std::vector<PlannedRun> run
     }
 }
 
-Status Comparison::run(std::size_t threads, const std::function<void(const ComparedRun&)>& told,
+Result<std::optional<FinishedRun>> Comparison::perform_missing(
+    std::size_t index, std::unique_ptr<EvaluationBackend>& backend, const BackendMaking& make,
+    const std::stop_token& stop) {
+    if (!backend) {
+        auto made = make();
+        if (!made) return made.error();
+        backend = *std::move(made);
+    }
+    auto finished = perform(runs_[missing_[index]], *kinds_, *backend, done_, stop);
+    if (!finished && !stop.stop_requested()) return Error{backend->status().failure};
+    return finished;
+}
+
+Status Comparison::run(std::size_t at_a_time, const BackendMaking& make,
+                       const std::function<void(const ComparedRun&)>& told,
                        const std::stop_token& stop) {
     std::mutex mutex;
     Status kept;  // guarded by the mutex
     std::stop_source failed;
     const std::stop_callback pass_on(stop, [&failed] { failed.request_stop(); });
-    ThreadPool pool(threads);
+    ThreadPool pool(at_a_time);
+    std::vector<std::unique_ptr<EvaluationBackend>> backends(at_a_time);  // one a thread
     pool.parallel_for(
         missing_.size(),
-        [&](std::size_t index, std::size_t /*worker*/) {
-            const PlannedRun& run = runs_[missing_[index]];
-            const auto finished = perform(run, *kinds_, done_, failed.get_token());
-            if (!finished) return;
+        [&](std::size_t index, std::size_t thread) {
+            const auto finished =
+                perform_missing(index, backends[thread], make, failed.get_token());
+            if (finished && !*finished) return;
             const std::lock_guard<std::mutex> lock(mutex);
             if (!kept) return;
-            kept = keep(run, *finished);
+            kept = finished ? keep(runs_[missing_[index]], **finished) : finished.error();
             if (!kept) {
                 failed.request_stop();
                 return;
             }
-            told(finished->row);
+            told((*finished)->row);
         },
         failed.get_token());
     return kept;

@@ -17,7 +17,7 @@ std::uint64_t body_plan_hash(const Phenotype& phenotype) {
         const bool is_root = parts[i].parent < 0;
         std::sort(children[i].begin(), children[i].end());
         Hash64 hash;
-        hash.add(std::uint64_t{is_root ? 0U : 1U + parts[i].joint_kind});
+        hash.add(std::uint64_t{is_root ? 0U : 1U + static_cast<unsigned>(parts[i].motion)});
         hash.add(std::uint64_t{children[i].size()});
         for (const std::uint64_t child : children[i])
             hash.add(child);

@@ -1,20 +1,22 @@
 #include "creature/creature.h"
 
+#include "core/assert.h"
+
 #include <algorithm>
 
 namespace cambrian {
-namespace {
-
-constexpr std::size_t kJointEffector = 0;  // the first effector registered drives the joints
-
-}  // namespace
-
 Creature::Creature(const Phenotype& phenotype, const Kinds& kinds, const SceneSettings& settings)
     : phenotype_(&phenotype),
-      kinds_(&kinds),
       settings_(&settings),
       brain_(phenotype.network, kinds.functions),
-      effector_memory_(phenotype.effector_parts.size(), 0.0) {}
+      effector_memory_(phenotype.effector_parts.size(), 0.0) {
+    sensor_reads_.reserve(phenotype.sensors.size());
+    for (const WiredSensor& sensor : phenotype.sensors)
+        sensor_reads_.push_back(kinds.sensors[sensor.kind].read);
+    drives_.reserve(phenotype.effector_kinds.size());
+    for (const std::uint8_t kind : phenotype.effector_kinds)
+        drives_.push_back(kinds.effectors[kind].drive);
+}
 
 void Creature::reset() {
     brain_.reset();
@@ -25,10 +27,10 @@ void Creature::act(PhysicsScene& scene, double dt) {
     const std::span<double> readings = brain_.sensors();
     for (std::size_t i = 0; i < readings.size(); ++i) {
         const WiredSensor& sensor = phenotype_->sensors[i];
-        const SensorKind& kind = kinds_->sensors[sensor.kind];
         readings[i] =
-            sensor.scale * kind.read(scene, sensor.part, sensor.channel, sensor.handedness);
+            sensor.scale * sensor_reads_[i](scene, sensor.part, sensor.channel, sensor.handedness);
     }
+    CAMBRIAN_TICK_ASSERT(settings_->brain_steps > 0 && dt > 0.0, "a brain thinks");
     const int steps = settings_->brain_steps;
     for (int step = 0; step < steps; ++step)
         brain_.think(dt / steps);
@@ -36,11 +38,10 @@ void Creature::act(PhysicsScene& scene, double dt) {
         tick_ = dt;
         smoothing_share_ = smoothing_share(dt, settings_->target_smoothing);
     }
-    const EffectorKind& effector = kinds_->effectors[kJointEffector];
     for (std::size_t i = 0; i < effector_memory_.size(); ++i) {
         const std::size_t part = phenotype_->effector_parts[i];
-        effector.drive({phenotype_->plan.parts[part], part}, brain_.output(i), smoothing_share_,
-                       *settings_, effector_memory_[i], scene);
+        drives_[i]({phenotype_->plan.parts[part], part}, brain_.output(i), smoothing_share_,
+                   *settings_, effector_memory_[i], scene);
     }
 }
 

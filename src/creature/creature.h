@@ -39,12 +39,13 @@ public:
 
 private:
     const Phenotype* phenotype_;
-    const Kinds* kinds_;
     const SceneSettings* settings_;
     double tick_ = 0.0;             // s; the last one acted in
     double smoothing_share_ = 0.0;  // of that
     Brain brain_;
-    std::vector<double> effector_memory_;  // one an effector part
+    std::vector<SensorKind::Read> sensor_reads_;  // one a wired sensor
+    std::vector<EffectorKind::Drive> drives_;     // one an effector part
+    std::vector<double> effector_memory_;         // the same
 };
 
 }  // namespace cambrian

@@ -19,8 +19,10 @@ Kinds make_kinds(NeuronFunctionRegistry functions, SensorRegistry sensors,
     KindCatalog catalog;
     for (const NeuronFunctionKind& function : functions.all())
         catalog.functions.push_back(catalog_entry(function));
-    for (const JointEntry& joint : scene.joints)
-        catalog.joints.push_back({joint.id, joint.label, joint.degrees_of_freedom});
+    for (const JointKind& joint : scene.joints.all())
+        catalog.joints.push_back({joint.id, joint.label, joint.degrees_of_freedom(), joint.usual});
+    for (const EffectorKind& effector : effectors.all())
+        catalog.effectors.push_back({effector.id, effector.label});
     for (const SensorKind& sensor : sensors.all()) {
         for (const SensorChannel& channel : sensor.channels)
             catalog.channels.push_back({channel.id, channel.label});

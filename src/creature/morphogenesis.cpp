@@ -12,8 +12,6 @@
 namespace cambrian {
 namespace {
 
-constexpr double kMaxExtension = 0.9;  // of a sliding part's length, either way
-
 // What only growth needs to know of a part.
 struct Growing {
     double scale = 1.0;
@@ -131,6 +129,7 @@ private:
         bud.growing = growing_[parent];
         bud.growing.scale *= scale;
         ++bud.growing.occurrences[edge.target];
+        CAMBRIAN_TICK_ASSERT(edge.target < genome_.nodes.size(), "an edge leads to a node");
         bud.part.node = edge.target;
         bud.part.parent = static_cast<int>(parent);
         bud.part.depth = from.depth + 1;
@@ -175,30 +174,33 @@ private:
         bud.part.instance = instances_[bud.part.node]++;
         bud.body.parent = bud.part.parent;
         if (bud.part.parent >= 0) set_joint(bud.part, bud.body);
+        CAMBRIAN_TICK_ASSERT(bud.part.parent < static_cast<int>(phenotype_.parts.size()),
+                             "a parent stands before its children");
+        CAMBRIAN_TICK_ASSERT(bud.part.length > 0.0 && bud.part.width > 0.0, "a part has an area");
         neurons_ += gene(bud.part).neurons.size();
         phenotype_.parts.push_back(bud.part);
         phenotype_.plan.parts.push_back(bud.body);
         growing_.push_back(bud.growing);
     }
 
-    // Strength grows with the narrower section of the two parts: its square for a torque, which a
-    // thicker muscle also exerts on a longer lever, itself for a force.
     void set_joint(const BodyPart& part, PlannedPart& body) const {
         const NodeGene& node = gene(part);
-        body.joint_kind = node.joint;
+        const JointKind& joint = scene_kind_.joints[node.joint];
+        body.motion = joint.motion;
+        CAMBRIAN_TICK_ASSERT(joint.motion == JointMotion::kFixed || joint.shape != nullptr,
+                             "a joint that moves has a shape");
         body.motor_mode = motor_mode_;
-        if (scene_kind_.joints[node.joint].degrees_of_freedom == 0) return;
+        if (joint.motion == JointMotion::kFixed) return;
         const double parent_width = phenotype_.parts[static_cast<std::size_t>(part.parent)].width;
-        const double width = std::fmin(part.width, parent_width);
-        if (slides(body, scene_kind_)) {
-            body.limit_low = std::fmax(node.limit_low, -kMaxExtension) * part.length;
-            body.limit_high = std::fmin(node.limit_high, kMaxExtension) * part.length;
-            body.max_effort = scene_.muscle_strength * width;
-            return;
-        }
-        body.limit_low = part.handedness > 0 ? node.limit_low : -node.limit_high;
-        body.limit_high = part.handedness > 0 ? node.limit_high : -node.limit_low;
-        body.max_effort = scene_.muscle_strength * width * width;
+        joint.shape({.limit_low = node.limit_low,
+                     .limit_high = node.limit_high,
+                     .length = part.length,
+                     .width = std::fmin(part.width, parent_width),
+                     .handedness = part.handedness,
+                     .muscle_strength = scene_.muscle_strength},
+                    body);
+        CAMBRIAN_TICK_ASSERT(body.limit_low <= body.limit_high && body.max_effort >= 0.0,
+                             "stops in order and some strength");
     }
 
     const Genome& genome_;
@@ -218,10 +220,6 @@ private:
 void grow(const Genome& genome, const Kinds& kinds, const ExpressionSettings& settings,
           const SceneSettings& scene, Phenotype& phenotype) {
     Growth(genome, kinds, settings, scene, phenotype).run();
-}
-
-bool slides(const PlannedPart& part, const SceneKind& scene) {
-    return scene.joints[part.joint_kind].unit == "m";
 }
 
 }  // namespace cambrian

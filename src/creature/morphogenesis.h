@@ -10,8 +10,4 @@ namespace cambrian {
 void grow(const Genome& genome, const Kinds& kinds, const ExpressionSettings& settings,
           const SceneSettings& scene, Phenotype& phenotype);
 
-// Whether a part's joint slides along the part instead of turning: its genes count in lengths of
-// the part and are not mirrored.
-bool slides(const PlannedPart& part, const SceneKind& scene);
-
 }  // namespace cambrian

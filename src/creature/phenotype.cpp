@@ -1,8 +1,10 @@
 #include "creature/phenotype.h"
 
+#include "core/assert.h"
 #include "creature/morphogenesis.h"
 #include "creature/wiring.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace cambrian {
@@ -35,6 +37,10 @@ Phenotype express(const Genome& genome, const Kinds& kinds, const ExpressionSett
     CAMBRIAN_ASSERT(!genome.nodes.empty(), "a valid genome has a root");
     Phenotype phenotype;
     grow(genome, kinds, settings, scene, phenotype);
+    CAMBRIAN_TICK_ASSERT(phenotype.parts.size() == phenotype.plan.parts.size(), "a body a part");
+    CAMBRIAN_TICK_ASSERT(
+        phenotype.parts.size() <= static_cast<std::size_t>(std::max(settings.max_parts, 1)),
+        "parts have room");
     wire(genome, kinds, phenotype);
     return phenotype;
 }

@@ -54,6 +54,7 @@ struct Phenotype {
     // turned round on mirrored parts and, for sliding joints, from lengths of the part into m.
     Network network;
     std::vector<std::uint16_t> effector_parts;  // parts whose joint moves, in part order
+    std::vector<std::uint8_t> effector_kinds;   // index in the effector registry, one an effector
     std::uint32_t first_brain_neuron = 0;       // central neurons follow the parts' ones
 
     // Whether any joint can move, and whether any effector hears more than constants: without

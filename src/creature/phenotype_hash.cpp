@@ -21,7 +21,7 @@ void add_part(Hash64& hash, const PlannedPart& part) {
         hash.add(coefficient);
     hash.add(part.rest_angle);
     add_integer(hash, part.parent);
-    add_integer(hash, part.joint_kind);
+    add_integer(hash, static_cast<std::uint8_t>(part.motion));
     add_point(hash, part.anchor_in_parent);
     add_point(hash, part.anchor_in_child);
     for (const double number : {part.limit_low, part.limit_high, part.max_effort})
@@ -84,6 +84,12 @@ std::uint64_t phenotype_hash(const Phenotype& phenotype) {
     NetworkReader(phenotype.network, hash).read();
     for (const std::uint16_t part : phenotype.effector_parts)
         add_integer(hash, part);
+    // The first kind adds nothing: hashes are older than effectors of several kinds.
+    for (std::size_t i = 0; i < phenotype.effector_kinds.size(); ++i) {
+        if (phenotype.effector_kinds[i] == 0) continue;
+        add_integer(hash, static_cast<std::int64_t>(i));
+        add_integer(hash, phenotype.effector_kinds[i]);
+    }
     return hash.value();
 }
 

@@ -1,5 +1,6 @@
 #include "creature/placement.h"
 
+#include "core/assert.h"
 #include "math/angle.h"
 
 #include <algorithm>
@@ -64,6 +65,7 @@ PlannedPart place_root(double length, double width, double angle) {
 
 PlannedPart place_child(const PlannedPart& parent, int parent_handedness,
                         const Attachment& attachment, double length, double width) {
+    CAMBRIAN_TICK_ASSERT(parent_handedness == 1 || parent_handedness == -1, "a handedness");
     const Vec2 local(attachment.point.x(), parent_handedness * attachment.point.y());
     const Vec2 anchor = parent.rest_pose.position.head<2>() + rotated(local, parent.rest_angle);
     const double angle = parent.rest_angle + parent_handedness * attachment.angle;

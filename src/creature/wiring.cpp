@@ -1,5 +1,6 @@
 #include "creature/wiring.h"
 
+#include "core/assert.h"
 #include "creature/morphogenesis.h"
 
 #include <algorithm>
@@ -29,6 +30,9 @@ public:
         add_effectors();
         compile(network_, kinds_.functions);
         keep_heard_sensors();
+        CAMBRIAN_TICK_ASSERT(network_.outputs.size() == phenotype_.effector_parts.size(),
+                             "an output an effector");
+        CAMBRIAN_TICK_ASSERT(network_.sensor_count == phenotype_.sensors.size(), "a slot a sensor");
         phenotype_.has_live_control = hears_more_than_constants();
     }
 
@@ -67,18 +71,21 @@ private:
         for (std::size_t i = 0; i < neuron.inputs.size(); ++i) {
             added.inputs[i] = {resolve(neuron.inputs[i].source, reader), neuron.inputs[i].weight};
         }
+        CAMBRIAN_TICK_ASSERT(added.arity <= added.inputs.size(), "inputs have room");
         network_.neurons.push_back(added);
     }
 
     void add_effectors() {
         for (std::size_t i = 1; i < phenotype_.parts.size(); ++i) {
             const PlannedPart& body = phenotype_.plan.parts[i];
-            if (kinds_.scene.joints[body.joint_kind].degrees_of_freedom == 0) continue;
+            if (body.motion == JointMotion::kFixed) continue;
             const BodyPart& part = phenotype_.parts[i];
-            const double to_joint =
-                slides(body, kinds_.scene) ? part.length : static_cast<double>(part.handedness);
+            const double to_joint = body.motion == JointMotion::kSlide
+                                        ? part.length
+                                        : static_cast<double>(part.handedness);
             const InputGene& effector = gene(i).effector;
             phenotype_.effector_parts.push_back(static_cast<std::uint16_t>(i));
+            phenotype_.effector_kinds.push_back(gene(i).effector_kind);
             network_.outputs.push_back({resolve(effector.source, i), to_joint * effector.weight});
         }
     }
@@ -155,7 +162,7 @@ private:
             channel -= kinds_.sensors[sensor.kind++].channels.size();
         sensor.channel = static_cast<std::uint8_t>(channel);
         sensor.handedness = phenotype_.parts[part].handedness;
-        const bool sliding = part > 0 && slides(phenotype_.plan.parts[part], kinds_.scene);
+        const bool sliding = part > 0 && phenotype_.plan.parts[part].motion == JointMotion::kSlide;
         if (sliding && kinds_.sensors[sensor.kind].reads_joint) {
             sensor.handedness = 1;
             sensor.scale = 1.0 / phenotype_.parts[part].length;

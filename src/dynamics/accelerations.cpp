@@ -1,5 +1,6 @@
 #include "dynamics/accelerations.h"
 
+#include "core/assert.h"
 #include "dynamics/dense_evaluation.h"
 #include "dynamics/dense_response.h"
 #include "dynamics/drag.h"
@@ -10,6 +11,7 @@ namespace {
 
 void add_held_force(const HeldForce& held, const Kinematics& k, Loads& loads) {
     const int a = held.body_a;
+    CAMBRIAN_TICK_ASSERT(a >= 0 && held.body_b < kMaxBodies, "a force on a body");
     const double arm_x = k.cosine[a] * held.point_x - k.sine[a] * held.point_y;
     const double arm_y = k.sine[a] * held.point_x + k.cosine[a] * held.point_y;
     loads.force_x[a] += held.force_x;
@@ -57,6 +59,8 @@ void add_held_forces(const PlanarModel& model, const HeldForces& held, const Kin
 
 void compute_loads(const PlanarModel& model, const Forcing& forcing, const EvaluationPoint& point,
                    Frame& frame, MotionRate& rate) {
+    CAMBRIAN_TICK_ASSERT(point.tick_share >= 0.0 && point.tick_share <= 1.0 + 1e-9,
+                         "a moment of the tick");
     Loads& loads = frame.loads;
     MotorPower motors;
     if (point.implicit == nullptr)

@@ -1,5 +1,6 @@
 #include "dynamics/audit.h"
 
+#include "core/assert.h"
 #include "dynamics/part_places.h"
 
 #include <algorithm>
@@ -40,6 +41,7 @@ void note_speeds(const PlanarModel& model, const Kinematics& k, SceneAudit& audi
 }
 
 void note_depths(const ContactSet& contacts, double limit_overrun, SceneAudit& audit) {
+    CAMBRIAN_TICK_ASSERT(!(limit_overrun < 0.0), "an overrun is not negative");
     for (int c = 0; c < contacts.count; ++c)
         audit.max_penetration = std::max(audit.max_penetration, -contacts.items[c].gap);
     audit.max_limit_overrun = std::max(audit.max_limit_overrun, limit_overrun);
@@ -58,6 +60,7 @@ void close_books(const PlanarModel& model, const Medium& medium, SceneMoment& mo
     audit.energy_residual = energy - moment.energy_reference - explained;
     const double gravity =
         std::sqrt(medium.gravity_x * medium.gravity_x + medium.gravity_y * medium.gravity_y);
+    CAMBRIAN_TICK_ASSERT(!(audit.positive_work < 0.0), "what was given is not negative");
     audit.energy_scale = audit.gross_motor_work + model.total_mass * gravity * kScaleHeight;
 }
 

@@ -1,5 +1,7 @@
 #include "dynamics/box_contacts.h"
 
+#include "core/assert.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -77,6 +79,7 @@ void clip(double edge, const double (&tangential)[2], Vertex (&ends)[2]) {
         if (excess <= 0.0) continue;
         const int other = 1 - i;
         const double share = excess / std::fabs(tangential[i] - tangential[other]);
+        CAMBRIAN_TICK_ASSERT(!(share < 0.0 || share > 1.0 + 1e-9), "a cut within the face");
         ends[i].x += share * (whole[other].x - whole[i].x);
         ends[i].y += share * (whole[other].y - whole[i].y);
     }
@@ -85,6 +88,8 @@ void clip(double edge, const double (&tangential)[2], Vertex (&ends)[2]) {
 }  // namespace
 
 BoxManifold collide_boxes(const PlacedBox& first, const PlacedBox& second, double margin) {
+    CAMBRIAN_TICK_ASSERT(first.half_length > 0.0 && first.half_width > 0.0, "a box has an area");
+    CAMBRIAN_TICK_ASSERT(second.half_length > 0.0 && second.half_width > 0.0, "a box has an area");
     BoxManifold manifold;
     SeparatingAxis axis;
     if (!try_axes(first, second, true, margin, axis)) return manifold;
@@ -122,6 +127,7 @@ BoxManifold collide_boxes(const PlacedBox& first, const PlacedBox& second, doubl
     for (const int i : {deeper, 1 - deeper}) {
         const Vertex& end = ends[i];
         if (gaps[i] > margin) continue;
+        CAMBRIAN_TICK_ASSERT(manifold.count < 2, "two points a pair of boxes");
         manifold.corner[manifold.count] = end.corner;
         manifold.x[manifold.count] = end.x;
         manifold.y[manifold.count] = end.y;

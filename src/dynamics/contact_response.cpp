@@ -4,6 +4,7 @@
 // can: the problem is then solved again without restitution, and last without friction.
 
 #include "dynamics/contact_solver.h"
+#include "dynamics/invariants.h"
 #include "dynamics/loop_closure.h"
 
 #include <cmath>
@@ -14,7 +15,7 @@ namespace {
 constexpr double kStopBand = 1e-3;       // rad or m; joints this near a stop join the impact
 constexpr double kWorkTolerance = 1e-6;  // of the impulses' size times their closing speeds
 // Small, as an impact has no earlier impulse that could anchor its friction rows.
-constexpr double kFrictionSoftness = 1e-5;
+constexpr double kImpactFrictionSoftness = 1e-5;
 
 void set_impact_bias(const RowSystem& rows, double elasticity, double* bias) {
     for (int row = 0; row < rows.count; ++row) {
@@ -35,6 +36,7 @@ void find_stops(const PlanarModel& model, const Kinematics& kinematics, LimitSet
     limits.count = 0;
     for (int i = 0; i < model.body_count; ++i) {
         if (model.parent[i] < 0) continue;
+        CAMBRIAN_TICK_ASSERT(model.limit_low[i] <= model.limit_high[i], "stops in order");
         const double angle = kinematics.joint_position[i];
         const double low = angle - model.limit_low[i];
         const double high = model.limit_high[i] - angle;
@@ -56,13 +58,14 @@ double ContactSolver::impact_work() const {
 
 ImpactResult ContactSolver::strike(const PlanarModel& model, const ContactLaw& law,
                                    double elasticity, const Frame& frame, Motion& motion) {
+    CAMBRIAN_TICK_ASSERT(elasticity >= 0.0 && elasticity <= 1.0, "a coefficient of restitution");
     chosen_.count = 0;
     for (int c = 0; c < near_.count; ++c) {
         if (near_.items[c].gap < kContactBand) chosen_.add(near_.items[c]);
     }
     find_stops(model, frame.kinematics, limits_);
-    build_rows(model, {chosen_, limits_, law.friction > 0.0, kFrictionSoftness}, frame.kinematics,
-               frame, rows_);
+    build_rows(model, {chosen_, limits_, law.friction > 0.0, kImpactFrictionSoftness},
+               frame.kinematics, frame, rows_);
     ImpactResult result;
     const auto solve = [&](double kept) {
         for (int row = 0; row < rows_.count; ++row)
@@ -77,6 +80,9 @@ ImpactResult ContactSolver::strike(const PlanarModel& model, const ContactLaw& l
         solver_.iterate_from_zero(rows_, bias_, 0.0);
         result.work = impact_work();
     }
+    CAMBRIAN_TICK_ASSERT(do_only_push(rows_), "an impact does not pull");
+    CAMBRIAN_TICK_ASSERT(result.fell_back || are_in_cones(rows_, law.friction),
+                         "friction that is solved for stays in its cone");
     Loads loads;
     BodyResponse jump;
     clear_loads(model, loads);

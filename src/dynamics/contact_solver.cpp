@@ -1,6 +1,7 @@
 #include "dynamics/contact_solver.h"
 
 #include "dynamics/ground_contacts.h"
+#include "dynamics/invariants.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,15 +9,14 @@
 namespace cambrian {
 namespace {
 
-constexpr double kLimitBand = 1e-4;         // rad or m; nearer than this a stop gets a row
-constexpr double kPushShare = 0.1;          // of a penetration, undone in one nominal step
-constexpr double kPushSpeed = 0.5;          // m/s; cap of that
-constexpr double kLimitPushSpeed = 1.0;     // rad/s or m/s
-constexpr double kNominalStep = 1.0 / 120;  // s
-constexpr double kWorkAllowance = 1e-3;     // J per (kg m/s^2): M g (1 m) * this
-constexpr double kAnchorWeights = 10.0;     // weights of the body that friction holds without slip
-constexpr double kReferenceGravity = 9.81;  // m/s^2
-constexpr double kFrictionSoftness = 1e-2;  // anchored at the last step's forces
+constexpr double kLimitBand = 1e-4;            // rad or m; nearer than this a stop gets a row
+constexpr double kPushShare = 0.1;             // of a penetration, undone in one nominal step
+constexpr double kPushSpeed = 0.5;             // m/s; cap of that
+constexpr double kLimitPushSpeed = 1.0;        // rad/s or m/s
+constexpr double kNominalStep = 1.0 / 120;     // s
+constexpr double kMiddleWorkAllowance = 1e-3;  // J per (kg m/s^2): M g (1 m) * this
+constexpr double kAnchorWeights = 10.0;  // weights of the body that friction holds without slip
+constexpr double kMiddleFrictionSoftness = 1e-2;  // anchored at the last step's forces
 
 // How far above its demand r + W p >= 0 a row may stay: lands at gap 0 with rate 0 in two steps,
 // backs out of penetration with a force that stays bounded as h shrinks, and does not push what is
@@ -93,6 +93,7 @@ void ContactSolver::collect(const PlanarModel& model, const ContactLaw& law,
     place_parts(model, kinematics, places);
     if (law.has_ground) collect_ground_contacts(model, kinematics, places, near_);
     pair_list_.collect(model, kinematics, places, near_);
+    CAMBRIAN_TICK_ASSERT(near_.count >= 0 && near_.count <= kMaxContacts, "contacts have room");
 }
 
 bool ContactSolver::has_impact() const {
@@ -117,6 +118,7 @@ bool ContactSolver::covers(const Contact& contact) const {
 // Touching contacts, and slow ones that could touch within the step; fast ones are left to the
 // search for the time of impact.
 bool ContactSolver::choose(const PlanarModel& model, Frame& frame, double h) {
+    CAMBRIAN_TICK_ASSERT(h > 0.0, "a step takes time");
     chosen_.count = 0;
     for (int c = 0; c < near_.count; ++c) {
         const Contact& contact = near_.items[c];
@@ -127,6 +129,7 @@ bool ContactSolver::choose(const PlanarModel& model, Frame& frame, double h) {
         chosen_.add(contact);
     }
     choose_limits(model, frame, h);
+    CAMBRIAN_TICK_ASSERT(chosen_.count <= near_.count, "chosen contacts are near");
     return chosen_.count > 0 || limits_.count > 0;
 }
 
@@ -137,8 +140,8 @@ void ContactSolver::build(const PlanarModel& model, const ContactLaw& law, Frame
 
 void ContactSolver::build_between(const PlanarModel& model, const ContactLaw& law,
                                   const Kinematics& start, const Frame& middle) {
-    build_rows(model, {chosen_, limits_, law.friction > 0.0, kFrictionSoftness}, start, middle,
-               rows_);
+    build_rows(model, {chosen_, limits_, law.friction > 0.0, kMiddleFrictionSoftness}, start,
+               middle, rows_);
 }
 
 // Stops that could be reached within the step.
@@ -166,6 +169,7 @@ void ContactSolver::choose_limits(const PlanarModel& model, const Frame& frame, 
         const double angle = k.joint_position[i];
         if (low_room[i] < 0.0) limits_.add({i, 1.0, angle - model.limit_low[i]});
         if (high_room[i] < 0.0) limits_.add({i, -1.0, model.limit_high[i] - angle});
+        CAMBRIAN_TICK_ASSERT(limits_.count <= 2 * kMaxBodies, "stops have room");
     }
 }
 
@@ -173,6 +177,8 @@ void ContactSolver::choose_limits(const PlanarModel& model, const Frame& frame, 
 // towards none: what holds still keeps holding still, without creep. Only up to a few times the
 // weight: parts wedged against each other would keep any stress they once built up.
 void ContactSolver::pose_resting(const PlanarModel& model, double h, const WarmStart& warm) {
+    CAMBRIAN_TICK_ASSERT(h > 0.0, "a step takes time");
+    CAMBRIAN_TICK_ASSERT(warm.count <= kMaxContacts, "remembered forces have room");
     const double most = kAnchorWeights * model.total_mass * kReferenceGravity * h;
     WarmForces forces(warm);
     for (int r = 0; r < rows_.count; ++r) {
@@ -200,6 +206,9 @@ bool ContactSolver::hold(const PlanarModel& model, const ContactLaw& law, double
                          WarmStart& warm) {
     pose_resting(model, h, warm);
     const bool solved = solve_resting(model, law, h);
+    CAMBRIAN_TICK_ASSERT(do_only_push(rows_), "contacts and stops do not pull");
+    CAMBRIAN_TICK_ASSERT(!solved || are_in_cones(rows_, law.friction),
+                         "friction that is solved for stays in its cone");
     store_forces(model.body_count, h, warm);
     return solved;
 }
@@ -208,6 +217,7 @@ void ContactSolver::absorb(const PlanarModel& model, const ContactLaw& law,
                            const BodyResponse (&changes)[2], Loads (&loads)[2]) {
     RowChanges rows;
     rate_rows(model, rows_, changes, rows.rates);
+    CAMBRIAN_TICK_ASSERT(law.friction >= 0.0, "friction is not negative");
     solver_.absorb(rows_, law.friction, rows);
     for (int which = 0; which < 2; ++which)
         add_row_impulses(rows_, rows.impulses[which], 1.0, loads[which]);
@@ -221,7 +231,7 @@ void ContactSolver::let_go() {
 }
 
 bool ContactSolver::solve_resting(const PlanarModel& model, const ContactLaw& law, double h) {
-    const double allowance = kWorkAllowance * model.total_mass * kReferenceGravity;
+    const double allowance = kMiddleWorkAllowance * model.total_mass * kReferenceGravity;
     bool solved = solver_.solve(rows_, bias_, law.friction);
     if (resting_work(h) <= allowance) return solved;
     solver_.iterate_from_zero(rows_, bias_, law.friction);
@@ -267,6 +277,8 @@ void ContactSolver::store_forces(int body_count, double h, WarmStart& warm) {
             held_.limit_effort[row.body_a] += row.dir_x * force;
             continue;
         }
+        CAMBRIAN_TICK_ASSERT(row.source >= 0 && row.source < held_.contact_count,
+                             "a row of a contact");
         HeldForce& held = held_.contacts[row.source];
         held.force_x += row.dir_x * force;
         held.force_y += row.dir_y * force;
@@ -291,6 +303,8 @@ HeldWork ContactSolver::held_work(const PlanarModel& model, const Kinematics& be
     };
     for (int c = 0; c < held_.contact_count; ++c) {
         const HeldForce& held = held_.contacts[c];
+        CAMBRIAN_TICK_ASSERT(is_body(model, held.body_a) && is_body_or_ground(model, held.body_b),
+                             "a contact of bodies");
         if (held.force_x == 0.0 && held.force_y == 0.0) continue;
         double start_x = 0.0;
         double start_y = 0.0;
@@ -314,6 +328,7 @@ HeldWork ContactSolver::held_work(const PlanarModel& model, const Kinematics& be
     for (int i = 0; i < model.body_count; ++i) {
         const double effort = held_.limit_effort[i];
         if (effort == 0.0) continue;
+        CAMBRIAN_TICK_ASSERT(model.parent[i] >= 0, "stops belong to joints");
         const double done = effort * (end.joint_position[i] - begin.joint_position[i]);
         work.limit += done;
         work.positive += std::max(0.0, done);

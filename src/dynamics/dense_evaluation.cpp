@@ -5,12 +5,11 @@
 #include "dynamics/dense_response.h"
 #include "dynamics/drag.h"
 #include "dynamics/motor_lanes.h"
+#include "dynamics/motors.h"
 #include "math/elementary.h"
 
 namespace cambrian {
 namespace {
-
-enum class Motors { kExplicit, kImplicit };
 
 template <int kBlocks, Motors kMotors>
 class DenseEvaluation {

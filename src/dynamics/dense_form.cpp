@@ -1,5 +1,6 @@
 #include "dynamics/dense_form.h"
 
+#include "core/assert.h"
 #include "dynamics/planar_model.h"
 
 namespace cambrian {
@@ -13,7 +14,7 @@ using Arms = Arm[kMaxDenseBodies][kMaxDenseBodies];  // of an angle, to a body
 bool applies(const PlanarModel& model) {
     if (model.tree_count != 1 || model.body_count > kMaxDenseBodies) return false;
     for (int i = 1; i < model.body_count; ++i) {
-        if (model.joint[i] != JointType::kRotary) return false;
+        if (model.motion[i] != JointMotion::kTurn) return false;
     }
     return true;
 }
@@ -53,6 +54,7 @@ void derive_dense_form(const PlanarModel& model, DenseForm& form) {
     form = {};
     if (!applies(model)) return;
     form.blocks = round_up_to_lanes(model.body_count) / kLanes;
+    CAMBRIAN_TICK_ASSERT(form.blocks > 0 && form.blocks * kLanes <= kMaxDenseBodies, "few bodies");
     const int lines = form.blocks * kLanes;
     const int count = model.body_count;
     size_boxes(model, form);

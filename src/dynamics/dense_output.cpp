@@ -1,8 +1,12 @@
 #include "dynamics/dense_output.h"
 
+#include "core/assert.h"
+
 namespace cambrian {
 
 void interpolate_motion(int slots, const StepEnds& step, double share, Motion& motion) {
+    CAMBRIAN_TICK_ASSERT(share >= 0.0 && share <= 1.0, "a place within the step");
+    CAMBRIAN_TICK_ASSERT(step.length > 0.0, "a step takes time");
     const double h = step.length;
     const double t = share;
     const double t2 = t * t;

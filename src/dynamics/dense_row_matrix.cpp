@@ -4,6 +4,7 @@
 
 #include "dynamics/dense_row_matrix.h"
 
+#include "core/assert.h"
 #include "dynamics/dense_lanes.h"
 
 namespace cambrian {
@@ -95,6 +96,8 @@ private:
 }  // namespace
 
 void fill_dense_row_matrix(const PlanarModel& model, const Frame& frame, RowSystem& rows) {
+    CAMBRIAN_TICK_ASSERT(frame.is_inverted, "the inverse is there");
+    CAMBRIAN_TICK_ASSERT(model.body_count <= kMaxDenseBodies, "few bodies");
     if (model.dense.blocks == 1)
         DenseRows<1>(model, frame, rows).fill();
     else

@@ -1,5 +1,6 @@
 #include "dynamics/drag.h"
 
+#include "core/assert.h"
 #include "dynamics/box_drag.h"
 
 namespace cambrian {
@@ -7,6 +8,8 @@ namespace cambrian {
 double add_drag(const PlanarModel& model, const Medium& medium, const Kinematics& k, Loads& loads) {
     Lanes power = {};
     for (int first = 0; first < model.part_count; first += kLanes) {
+        CAMBRIAN_TICK_ASSERT(medium.drag_linear >= 0.0 && medium.drag_quadratic >= 0.0,
+                             "drag resists");
         const PartLanes parts = part_lanes(model, k, first);
         const BoxDrag drag = drag_boxes(
             medium, {part_axes(model, parts, first), part_velocities(model, k, parts, first),

@@ -1,5 +1,8 @@
 #include "dynamics/elimination.h"
 
+#include "core/assert.h"
+#include "dynamics/motors.h"
+
 namespace cambrian {
 namespace {
 
@@ -26,6 +29,8 @@ CAMBRIAN_INLINE Lanes rotary_effort(const PlanarModel& model, const Loads& loads
 CAMBRIAN_INLINE void load_bodies(const PlanarModel& model, const Kinematics& k, const Loads& loads,
                                  Carried* carried) {
     for (int first = 0; first < model.body_count; first += kLanes) {
+        CAMBRIAN_TICK_ASSERT(model.mass[first] > 0.0 && model.pivot_inertia[first] > 0.0,
+                             "a body has a mass");
         const Lanes mass = load_lanes(model.mass + first);
         const Lanes spin = load_lanes(k.spin + first);
         const Lanes s_x = load_lanes(k.s_x + first);
@@ -86,8 +91,6 @@ CAMBRIAN_INLINE void add_to_parent(const Lanes& x, const Lanes& y, const Lever& 
     parent.y += seen_y;
     parent.turn += lever.effort + (lever.x[2] * seen_x + lever.y[2] * seen_y);
 }
-
-enum class Motors { kExplicit, kImplicit };
 
 // Both return u and leave to the parent what the joint does not take: all less the outer product of
 // the joint's row with itself, over d. With the effort tau - g (alpha - alpha_p), g the damping,
@@ -177,6 +180,7 @@ CAMBRIAN_INLINE void follow_parent(const PlanarModel& model, const Kinematics& k
                                    BodyResponse& response) {
     const int p = model.parent[i];
     const double spin = response.spin[p];
+    CAMBRIAN_TICK_ASSERT(p >= 0 && p < i, "a parent stands before its children");
     double x = response.x[p] + spin * k.z_x[i];
     double y = response.y[p] + spin * k.z_y[i];
     if constexpr (kLoad == Load::kForce) {
@@ -184,7 +188,7 @@ CAMBRIAN_INLINE void follow_parent(const PlanarModel& model, const Kinematics& k
         y += k.gamma_y[i];
     }
     double rest = u[i] - factors.w_x[i] * x - factors.w_y[i] * y;
-    if (model.joint[i] == JointType::kLinear) {
+    if (model.motion[i] == JointMotion::kSlide) {
         rest -= factors.w_3[i] * spin;
         const double slide = rest * factors.inverse_d[i];
         response.x[i] = x + slide * k.axis_x[i];
@@ -246,9 +250,10 @@ CAMBRIAN_INLINE void solve(const PlanarModel& model, const Kinematics& kinematic
     for (int tree = model.tree_count - 1; tree >= 0; --tree) {
         const int root = model.tree_begin[tree];
         const int end = model.tree_begin[tree + 1];
+        CAMBRIAN_TICK_ASSERT(root < end && end <= model.body_count, "the bodies of a tree");
         for (int i = end - 1; i > root; --i) {
             Carried& parent = carried[model.parent[i]];
-            u[i] = model.joint[i] == JointType::kLinear
+            u[i] = model.motion[i] == JointMotion::kSlide
                        ? eliminate_linear<kMotors>(kinematics, loads.effort[i], i, carried[i],
                                                    levers[i], factors, parent)
                        : eliminate_rotary<kMotors>(i, carried[i], levers[i], factors, parent);
@@ -302,7 +307,8 @@ void solve_impulse(const PlanarModel& model, const Kinematics& k, const Factors&
         for (int i = end - 1; i > root; --i) {
             const int p = model.parent[i];
             const double effort = impulses.effort[i];
-            const bool linear = model.joint[i] == JointType::kLinear;
+            CAMBRIAN_TICK_ASSERT(p >= 0 && p < i, "a parent stands before its children");
+            const bool linear = model.motion[i] == JointMotion::kSlide;
             const Pair w = {factors.w_x[i], factors.w_y[i]};
             u[i] = effort + (linear ? dot(Pair{k.axis_x[i], k.axis_y[i]}, f[i]) : t[i]);
             const double share = u[i] * factors.inverse_d[i];

@@ -1,5 +1,7 @@
 #include "dynamics/ground_contacts.h"
 
+#include "core/assert.h"
+
 #include <cmath>
 
 namespace cambrian {
@@ -15,6 +17,7 @@ struct BoxArms {
 // From the lowest corner up, so that a mirror image has the same order.
 void add_corners(const PlanarModel& model, const Kinematics& k, int part, const BoxArms& arms,
                  std::uint8_t face, ContactSet& contacts) {
+    CAMBRIAN_TICK_ASSERT(model.part_body[part] < model.body_count, "a box of a body");
     const int b = model.part_body[part];
     const int lowest = (arms.along_y > 0.0 ? 0 : 1) + (arms.across_y > 0.0 ? 0 : 2);
     const int next = std::fabs(arms.along_y) < std::fabs(arms.across_y) ? 1 : 2;

@@ -1,5 +1,6 @@
 #include "dynamics/kinematics.h"
 
+#include "core/assert.h"
 #include "math/elementary.h"
 
 namespace cambrian {
@@ -8,8 +9,9 @@ namespace {
 // Bodies behind linear joints turn with their parents; their coordinates are lengths.
 CAMBRIAN_INLINE void turn_with_parents(const PlanarModel& model, Kinematics& k) {
     for (int i = 0; i < model.body_count; ++i) {
-        if (model.joint[i] != JointType::kLinear) continue;
+        if (model.motion[i] != JointMotion::kSlide) continue;
         const int p = model.parent[i];
+        CAMBRIAN_TICK_ASSERT(p >= 0 && p < i, "a parent stands before its children");
         k.angle[i] = k.angle[p] + model.rest_angle[i];
         k.spin[i] = k.spin[p];
     }
@@ -25,7 +27,7 @@ CAMBRIAN_INLINE void compute_angles(const PlanarModel& model, const Motion& moti
         k.angle[i] = 0.0;
         k.spin[i] = 0.0;
     }
-    if (model.has_linear) turn_with_parents(model, k);
+    if (model.has_slides) turn_with_parents(model, k);
     for (int i = 0; i < slots; i += kLanes) {
         for (int lane = i; lane < i + kLanes; ++lane) {
             const SineCosine turn = sine_cosine_reduced(k.angle[lane]);
@@ -66,6 +68,7 @@ CAMBRIAN_INLINE void turn_joints(const PlanarModel& model, Kinematics& k, int fi
 // gamma = -w_p^2 a + 2 w_p s' perp(axis).
 CAMBRIAN_INLINE void slide_joint(const PlanarModel& model, const Motion& motion, Kinematics& k,
                                  int i) {
+    CAMBRIAN_TICK_ASSERT(model.motion[i] == JointMotion::kSlide, "a joint that slides");
     const int p = model.parent[i];
     const double slide = motion.position[i];
     const double rate = motion.speed[i];
@@ -96,6 +99,8 @@ CAMBRIAN_INLINE void sum_from_roots(const PlanarModel& model, const double* cent
     const int slots = round_up_to_lanes(model.body_count);
     for (int t = 0; t < model.tree_count; ++t) {
         for (int i = model.tree_begin[t] + 1; i < model.tree_begin[t + 1]; ++i) {
+            CAMBRIAN_TICK_ASSERT(model.parent[i] >= 0 && model.parent[i] < i,
+                                 "a parent stands before its children");
             const int p = model.parent[i];
             x[i] += x[p];
             y[i] += y[p];
@@ -131,8 +136,8 @@ CAMBRIAN_INLINE void move_bodies(const PlanarModel& model, const Kinematics& k, 
         store_lanes(lever_x + i, spin * load_lanes(k.s_x + i));
         store_lanes(lever_y + i, spin * load_lanes(k.s_y + i));
     }
-    for (int i = 0; model.has_linear && i < model.body_count; ++i) {
-        if (model.joint[i] != JointType::kLinear) continue;
+    for (int i = 0; model.has_slides && i < model.body_count; ++i) {
+        if (model.motion[i] != JointMotion::kSlide) continue;
         velocity_x[i] += rates[i] * k.axis_x[i];
         velocity_y[i] += rates[i] * k.axis_y[i];
     }
@@ -145,9 +150,9 @@ void compute_joints(const PlanarModel& model, const Motion& motion, Kinematics& 
     compute_angles(model, motion, k);
     for (int first = 0; first < model.body_count; first += kLanes)
         turn_joints(model, k, first);
-    if (!model.has_linear) return;
+    if (!model.has_slides) return;
     for (int i = 0; i < model.body_count; ++i) {
-        if (model.joint[i] == JointType::kLinear) slide_joint(model, motion, k, i);
+        if (model.motion[i] == JointMotion::kSlide) slide_joint(model, motion, k, i);
     }
 }
 
@@ -166,8 +171,8 @@ void spread_spins(const PlanarModel& model, const PerCoordinate& rates, PerBody&
         store_lanes(spin + i, load_lanes(rates + i));
     for (int i = model.body_count; i < slots; ++i)
         spin[i] = 0.0;
-    for (int i = 0; model.has_linear && i < model.body_count; ++i) {
-        if (model.joint[i] == JointType::kLinear) spin[i] = spin[model.parent[i]];
+    for (int i = 0; model.has_slides && i < model.body_count; ++i) {
+        if (model.motion[i] == JointMotion::kSlide) spin[i] = spin[model.parent[i]];
     }
 }
 
@@ -201,6 +206,7 @@ double limit_overrun(const PlanarModel& model, const Kinematics& k) {
         overrun = greater(overrun, load_lanes(model.limit_low + i) - position);
         overrun = greater(overrun, position - load_lanes(model.limit_high + i));
     }
+    CAMBRIAN_TICK_ASSERT(!(largest_of(overrun) < 0.0), "an overrun is not negative");
     return largest_of(overrun);
 }
 
@@ -213,6 +219,7 @@ double kinetic_energy(const PlanarModel& model, const Kinematics& k) {
         energy += load_lanes(model.mass + i) * (velocity_x * velocity_x + velocity_y * velocity_y) +
                   load_lanes(model.inertia + i) * (spin * spin);
     }
+    CAMBRIAN_TICK_ASSERT(!(sum_of(energy) < 0.0), "a kinetic energy is not negative");
     return 0.5 * sum_of(energy);
 }
 

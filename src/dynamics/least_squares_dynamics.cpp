@@ -10,7 +10,7 @@ namespace {
 
 // Pivots below this share of the greatest mark redundant rows: what a pin says twice comes out of
 // rounding and of the small gaps as almost the same, not quite.
-constexpr double kRankThreshold = 1e-10;
+constexpr double kLeastSquaresRankThreshold = 1e-10;
 
 Vec2 velocity(const Kinematics& k, Eigen::Index body) {
     return {k.velocity_x[body], k.velocity_y[body]};
@@ -101,7 +101,7 @@ const Eigen::VectorXd& LeastSquaresDynamics::solve(const Kinematics& bodies, con
     Eigen::Index row = 0;
     for (int i = 0; i < model_.body_count; ++i) {
         if (model_.parent[i] < 0) continue;
-        if (model_.joint[i] == JointType::kLinear)
+        if (model_.motion[i] == JointMotion::kSlide)
             add_linear(bodies, row, i, loads.effort[i]);
         else
             add_rotary(bodies, row, i, loads.effort[i]);
@@ -119,7 +119,7 @@ const Eigen::VectorXd& LeastSquaresDynamics::solve(const Kinematics& bodies, con
           deviation_ / (time_constant_ * time_constant_));
     const Eigen::MatrixXd matrix = jacobian_ * inverse_mass_.asDiagonal() * jacobian_.transpose();
     Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition;
-    decomposition.setThreshold(kRankThreshold);
+    decomposition.setThreshold(kLeastSquaresRankThreshold);
     const Eigen::VectorXd lambda = decomposition.compute(matrix).solve(right);
     accelerations_ += inverse_mass_.cwiseProduct(jacobian_.transpose() * lambda);
     return accelerations_;

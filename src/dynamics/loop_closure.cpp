@@ -1,5 +1,6 @@
 #include "dynamics/loop_closure.h"
 
+#include "core/assert.h"
 #include "dynamics/pins.h"
 
 namespace cambrian {
@@ -19,6 +20,7 @@ LoopClosure::LoopClosure(const PlanarModel& model, const Kinematics& kinematics,
                          const Factors& factors)
     : model_(model), kinematics_(kinematics) {
     for (const BodyPin& pin : model.closing_pins) {
+        CAMBRIAN_TICK_ASSERT(pin.body_a != pin.body_b, "a pin joins two bodies");
         const PinArms arms = pin_arms(kinematics, pin);
         for (const Vec2& direction : {Vec2(1.0, 0.0), Vec2(0.0, 1.0)}) {
             Loads loads;
@@ -28,6 +30,7 @@ LoopClosure::LoopClosure(const PlanarModel& model, const Kinematics& kinematics,
             solve_impulse(model, kinematics, factors, loads, units_.emplace_back());
         }
     }
+    CAMBRIAN_TICK_ASSERT(units_.size() == 2 * model.closing_pins.size(), "two rows a pin");
     const auto rows = static_cast<Eigen::Index>(units_.size());
     Eigen::MatrixXd matrix(rows, rows);
     for (Eigen::Index row = 0; row < rows; ++row) {

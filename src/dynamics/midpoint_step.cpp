@@ -1,6 +1,7 @@
 #include "dynamics/midpoint_step.h"
 
 #include "dynamics/dense_response.h"
+#include "dynamics/invariants.h"
 #include "dynamics/paired_impulses.h"
 
 #include <cmath>
@@ -34,6 +35,18 @@ CAMBRIAN_INLINE double error_norm(const PlanarModel& model, const Motion& end,
     return std::sqrt(sum_of(sum) / (2.0 * coordinate_count(model)));
 }
 
+// Where a motion is after a time of constant accelerations.
+CAMBRIAN_INLINE void accelerate(const PlanarModel& model, const Motion& start, double time,
+                                const PerCoordinate& acceleration, Motion& end) {
+    for (int c = 0; c < coordinate_slots(model); c += kLanes) {
+        const Lanes change = time * load_lanes(acceleration + c);
+        const Lanes speed = load_lanes(start.speed + c);
+        store_lanes(end.speed + c, speed + change);
+        store_lanes(end.position + c,
+                    load_lanes(start.position + c) + time * (speed + 0.5 * change));
+    }
+}
+
 CAMBRIAN_INLINE void add_jumps(const PlanarModel& model, const PerCoordinate (&jumps)[2],
                                PerCoordinate (&errors)[2]) {
     for (int which = 0; which < 2; ++which) {
@@ -50,7 +63,8 @@ bool MidpointStep::attempt(const MotionSystem& system, const ContactLaw& law,
     const PlanarModel& model = system.model;
     const StepRequest& step = request.step;
     const double half = 0.5 * step.length;
-    predict_middle(model, request);
+    CAMBRIAN_TICK_ASSERT(step.length > 0.0 && step.tolerance > 0.0, "a step takes time");
+    accelerate(model, step.start, half, request.prediction, predicted_);
     const ImplicitStage stage{half, request.start.kinematics.joint_rate};
     system.evaluate(predicted_, step.time + half, FrameDetail::kEverything, middle_, middle_rate_,
                     &stage);
@@ -58,26 +72,14 @@ bool MidpointStep::attempt(const MotionSystem& system, const ContactLaw& law,
     contacts.build_between(model, law, request.start.kinematics, middle_);
     const bool solved = contacts.hold(model, law, step.length, warm);
     respond(model, contacts, step.length);
-    move(model, step, result.end);
+    accelerate(model, step.start, step.length, mean_rate_.acceleration, result.end);
     system.evaluate(result.end, step.time + step.length, FrameDetail::kEverything, frame,
                     result.end_rate);
     keep_works(model, request, frame, result);
     result.error = estimate_error(model, law, step, contacts, result);
     result.evaluations = 2;
+    CAMBRIAN_TICK_ASSERT(is_not_negative(result.error), "an error is not negative");
     return solved;
-}
-
-// q0 + h/2 (v0 + h/4 a), v0 + h/2 a, with the predicted accelerations a.
-void MidpointStep::predict_middle(const PlanarModel& model, const MidpointRequest& request) {
-    const StepRequest& step = request.step;
-    const double half = 0.5 * step.length;
-    for (int c = 0; c < coordinate_slots(model); c += kLanes) {
-        const Lanes change = half * load_lanes(request.prediction + c);
-        const Lanes speed = load_lanes(step.start.speed + c);
-        store_lanes(predicted_.speed + c, speed + change);
-        store_lanes(predicted_.position + c,
-                    load_lanes(step.start.position + c) + half * (speed + 0.5 * change));
-    }
 }
 
 void MidpointStep::respond(const PlanarModel& model, const ContactSolver& contacts, double h) {
@@ -96,17 +98,6 @@ void MidpointStep::respond(const PlanarModel& model, const ContactSolver& contac
     for (int c = 0; c < coordinate_slots(model); c += kLanes)
         store_lanes(mean_rate_.acceleration + c,
                     load_lanes(middle_rate_.acceleration + c) + load_lanes(held_.coordinate + c));
-}
-
-void MidpointStep::move(const PlanarModel& model, const StepRequest& step, Motion& end) const {
-    const double h = step.length;
-    for (int c = 0; c < coordinate_slots(model); c += kLanes) {
-        const Lanes change = h * load_lanes(mean_rate_.acceleration + c);
-        const Lanes speed = load_lanes(step.start.speed + c);
-        store_lanes(end.speed + c, speed + change);
-        store_lanes(end.position + c,
-                    load_lanes(step.start.position + c) + h * (speed + 0.5 * change));
-    }
 }
 
 // The motors' work is exact, for their efforts are constant; that of drag and pull by Simpson's

@@ -34,9 +34,7 @@ public:
     const MotionRate& mean_rate() const { return mean_rate_; }
 
 private:
-    void predict_middle(const PlanarModel& model, const MidpointRequest& request);
     void respond(const PlanarModel& model, const ContactSolver& contacts, double h);
-    void move(const PlanarModel& model, const StepRequest& step, Motion& end) const;
     void keep_works(const PlanarModel& model, const MidpointRequest& request, const Frame& frame,
                     StepResult& result);
     double estimate_error(const PlanarModel& model, const ContactLaw& law, const StepRequest& step,

@@ -2,6 +2,7 @@
 
 #include "dynamics/collision_filter.h"
 #include "dynamics/elimination.h"
+#include "dynamics/invariants.h"
 #include "dynamics/motors.h"
 #include "dynamics/pins.h"
 #include "math/elementary.h"
@@ -53,8 +54,7 @@ Status check_part(const BodyPlan& plan, std::size_t index) {
     if ((index == 0 && !is_root) || part.parent >= static_cast<int>(index))
         return part_error(index, "part 0 is a root, and parents stand before children");
     if (is_root) return {};
-    if (part.joint_kind > static_cast<std::uint8_t>(JointType::kLinear))
-        return part_error(index, "unknown joint kind " + std::to_string(part.joint_kind));
+    if (part.motion > JointMotion::kSlide) return part_error(index, "unknown motion of its joint");
     if (!(part.limit_low <= part.limit_high)) return part_error(index, "limits in wrong order");
     if (part.max_effort < 0.0) return part_error(index, "negative motor effort");
     return {};
@@ -122,12 +122,26 @@ public:
         derive_inertias(model_);
         if (Status status = place_pins(); !status) return status.error();
         set_motors();
+        CAMBRIAN_ASSERT(are_parents_before_children(model_), "a parent stands before its children");
+        CAMBRIAN_ASSERT(are_bodies_sound(), "bodies have masses, joints have stops in order");
+        CAMBRIAN_ASSERT(model_.tree_begin[model_.tree_count] == model_.body_count,
+                        "every body is in a tree");
         model_.colliding_pairs = find_colliding_pairs(model_, plan_);
         return std::move(model_);
     }
 
 private:
     const PlannedPart& part(int i) const { return plan_.parts[static_cast<std::size_t>(i)]; }
+
+    bool are_bodies_sound() const {
+        for (int b = 0; b < model_.body_count; ++b) {
+            const bool has_joint = model_.parent[b] >= 0;
+            if (!(model_.mass[b] > 0.0 && model_.inertia[b] > 0.0)) return false;
+            if (has_joint && model_.limit_low[b] > model_.limit_high[b]) return false;
+            if (has_joint && !(model_.effective_inertia[b] > 0.0)) return false;
+        }
+        return true;
+    }
 
     // Numbers the bodies, tree after tree.
     Status plant_trees() {
@@ -146,7 +160,7 @@ private:
     // A part that does not move against its parent joins its body; else it leads a new one, and
     // its rigid relatives and their subtrees follow.
     bool visit(int index, int parent_body) {
-        const bool welded = parent_body >= 0 && type_of(index) == JointType::kRigid;
+        const bool welded = parent_body >= 0 && part(index).motion == JointMotion::kFixed;
         int body = parent_body;
         if (!welded) {
             body = model_.body_count;
@@ -166,8 +180,6 @@ private:
         return true;
     }
 
-    JointType type_of(int index) const { return static_cast<JointType>(part(index).joint_kind); }
-
     double area_mass(int index) const {
         return 4.0 * model_.density * part(index).half_extents.x() * part(index).half_extents.y();
     }
@@ -175,6 +187,7 @@ private:
     void add_mass(int index) {
         const int b = model_.part_body[index];
         const double mass = area_mass(index);
+        CAMBRIAN_TICK_ASSERT(mass > 0.0, "a box has an area");
         model_.mass[b] += mass;
         model_.total_mass += mass;
         center_x_[b] += mass * part(index).rest_pose.position.x();
@@ -245,9 +258,11 @@ private:
         if (p < 0) return;
         const int index = leader_[b];
         const PlannedPart& child = part(index);
+        CAMBRIAN_TICK_ASSERT(child.parent >= 0 && child.parent < index,
+                             "a parent stands before its children");
         const Vec2 in_parent = part_point(child.parent, child.anchor_in_parent);
         const Vec2 in_child = part_point(index, child.anchor_in_child);
-        model_.joint[b] = type_of(index);
+        model_.motion[b] = child.motion;
         model_.joint_part[b] = index;
         model_.parent_anchor_x[b] = in_parent.x();
         model_.parent_anchor_y[b] = in_parent.y();
@@ -261,13 +276,13 @@ private:
         model_.limit_high[b] = child.limit_high;
         model_.max_effort[b] = child.max_effort;
         model_.motor_mode[b] = child.motor_mode;
-        const bool linear = model_.joint[b] == JointType::kLinear;
+        const bool linear = model_.motion[b] == JointMotion::kSlide;
         model_.slides[b] = linear ? 1.0 : 0.0;
         model_.pivot_x[b] = linear ? 0.0 : in_child.x();
         model_.pivot_y[b] = linear ? 0.0 : in_child.y();
         model_.reach_x[b] = in_parent.x() - model_.pivot_x[p];
         model_.reach_y[b] = in_parent.y() - model_.pivot_y[p];
-        model_.has_linear = model_.has_linear || linear;
+        model_.has_slides = model_.has_slides || linear;
     }
 
     void weigh_trees() {
@@ -325,7 +340,7 @@ private:
             loads.effort[b] = 1.0;
             solve_impulse(model_, kinematics, factors, loads, response);
             loads.effort[b] = 0.0;
-            const bool linear = model_.joint[b] == JointType::kLinear;
+            const bool linear = model_.motion[b] == JointMotion::kSlide;
             double jump = response.coordinate[b];
             if (!linear) jump -= response.spin[model_.parent[b]];
             model_.effective_inertia[b] = 1.0 / jump;

@@ -9,6 +9,7 @@
 
 #include "dynamics/motors.h"
 
+#include "core/assert.h"
 #include "dynamics/motor_lanes.h"
 
 namespace cambrian {
@@ -18,6 +19,8 @@ void set_motor_law(PlanarModel& model, int body, double rate_scale) {
     const MotorMode mode = model.motor_mode[body];
     const bool is_position = mode == MotorMode::kPosition;
     const bool is_torque = mode == MotorMode::kTorque;
+    CAMBRIAN_TICK_ASSERT(!(model.effective_inertia[body] <= 0.0), "an effort moves its joint");
+    CAMBRIAN_TICK_ASSERT(model.max_effort[body] >= 0.0, "a motor has some strength");
     law.tracking[body] = is_position ? 0.5 : 0.0;
     law.direct[body] = is_position ? 0.0 : 1.0;
     law.rate_scale[body] = is_torque ? 0.0 : rate_scale;
@@ -29,6 +32,7 @@ void set_motor_law(PlanarModel& model, int body, double rate_scale) {
 
 MotorPower compute_motor_efforts(const PlanarModel& model, const MotorDrive& drive,
                                  double tick_share, const Kinematics& kinematics, PerBody& effort) {
+    CAMBRIAN_TICK_ASSERT(tick_share >= 0.0 && tick_share <= 1.0 + 1e-9, "a moment of the tick");
     Lanes net = {};
     Lanes gross = {};
     for (int i = 0; i < model.body_count; i += kLanes) {
@@ -52,6 +56,7 @@ void compute_implicit_efforts(const PlanarModel& model, const MotorDrive& drive,
                                                         load_lanes(kinematics.joint_rate + i), i);
         store_lanes(effort + i, motors.effort);
         store_lanes(damping + i, motors.damping);
+        CAMBRIAN_TICK_ASSERT(!(-largest_of(-motors.damping) < 0.0), "a motor damps");
     }
 }
 

@@ -7,6 +7,9 @@
 
 namespace cambrian {
 
+// How an evaluation treats the motors: their efforts as given, or their damping in it as well.
+enum class Motors { kExplicit, kImplicit };
+
 struct MotorPower {
     double net = 0.0;    // W
     double gross = 0.0;  // W; sum of every joint's |power|

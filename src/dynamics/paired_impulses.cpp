@@ -34,7 +34,7 @@ public:
 
     CAMBRIAN_INLINE void pass_to_parent(int i) {
         const int p = model_.parent[i];
-        const bool linear = model_.joint[i] == JointType::kLinear;
+        const bool linear = model_.motion[i] == JointMotion::kSlide;
         const Pair& effort = effort_[i];
         const Pair& torque = torque_[i];
         u_[i] = effort + (linear ? dots(twice(k_.axis_x[i], k_.axis_y[i]), force_[i]) : torque);
@@ -66,7 +66,7 @@ public:
         const Pair& spin = spin_[p];
         const Lanes jump = jump_[p] + twice(k_.z_x[i], k_.z_y[i]) * for_each_axis(spin);
         const Pair rest = u_[i] - dots(twice(factors_.w_x[i], factors_.w_y[i]), jump);
-        if (model_.joint[i] == JointType::kLinear) {
+        if (model_.motion[i] == JointMotion::kSlide) {
             const Pair slide = (rest - factors_.w_3[i] * spin) * factors_.inverse_d[i];
             jump_[i] = jump + twice(k_.axis_x[i], k_.axis_y[i]) * for_each_axis(slide);
             spin_[i] = spin;

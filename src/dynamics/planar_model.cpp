@@ -1,9 +1,12 @@
 #include "dynamics/planar_model.h"
 
+#include "core/assert.h"
+
 namespace cambrian {
 
 void derive_inertias(PlanarModel& model) {
     for (int i = 0; i < model.body_count; ++i) {
+        CAMBRIAN_TICK_ASSERT(model.mass[i] > 0.0 && model.inertia[i] > 0.0, "a body has a mass");
         const double arm_square =
             model.pivot_x[i] * model.pivot_x[i] + model.pivot_y[i] * model.pivot_y[i];
         model.pivot_inertia[i] = model.inertia[i] + model.mass[i] * arm_square;
@@ -14,6 +17,7 @@ void derive_inertias(PlanarModel& model) {
 }
 
 void change_density(PlanarModel& model, double density) {
+    CAMBRIAN_TICK_ASSERT(density > 0.0 && model.density > 0.0, "a density is positive");
     const double ratio = density / model.density;
     model.density = density;
     model.total_mass *= ratio;

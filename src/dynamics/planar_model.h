@@ -26,9 +26,6 @@ using PerPart = double[kMaxParts];
 using PerCoordinate = double[kMaxCoordinates];
 using PerTree = double[kMaxTrees];
 
-// Also the order of the planar scene's joint kinds.
-enum class JointType : std::uint8_t { kRigid, kRotary, kLinear };
-
 struct PartPair {
     std::uint8_t first = 0;
     std::uint8_t second = 0;
@@ -53,6 +50,9 @@ struct MotorLaw {
     PerBody damping = {};     // share of the joint's rate held against the wanted one
 };
 
+inline constexpr double kReferenceGravity =
+    9.81;  // m/s^2, by which allowances of energy are scaled
+
 struct PlanarModel {
     int tree_count = 0;
     int body_count = 0;
@@ -70,8 +70,8 @@ struct PlanarModel {
     PerBody inverse_mass = {}, inverse_inertia = {};
 
     // The joint of a body to its parent; unused on roots.
-    JointType joint[kMaxBodies] = {};
-    bool has_linear = false;
+    JointMotion motion[kMaxBodies] = {};
+    bool has_slides = false;
     int parent[kMaxBodies] = {};               // -1 on roots
     int parent_slot[kMaxBodies] = {};          // as parent, but the own number of roots and spares
     std::uint32_t roots = 0;                   // bit of every root

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace cambrian {
@@ -164,20 +165,26 @@ bool PlanarScene::face_touched(std::size_t part, Face face) const {
     return ((moment_.touched[part] >> static_cast<unsigned>(face)) & 1U) != 0;
 }
 
+// Four corners at once.
 Bounds PlanarScene::bounds() const {
-    Bounds bounds;
     const Kinematics& k = moment_.frame().kinematics;
-    for (std::size_t part = 0; part < part_count(); ++part) {
-        const int b = body_of(part);
-        for (int corner = 0; corner < 4; ++corner) {
-            const double x = (corner & 1) != 0 ? 1.0 : -1.0;
-            const double y = (corner & 2) != 0 ? 1.0 : -1.0;
-            const Vec2 arm =
-                arm_of(part, x * model_.half_length[part], y * model_.half_width[part]);
-            bounds.add(Vec3(k.x[b] + arm.x(), k.y[b] + arm.y(), 0.0));
-        }
+    Lanes low_x = all_lanes(std::numeric_limits<double>::infinity());
+    Lanes low_y = low_x;
+    Lanes high_x = -low_x;
+    Lanes high_y = -low_y;
+    for (int part = 0; part < model_.part_count; ++part) {
+        const int b = model_.part_body[part];
+        const Lanes corner_x = load_lanes(model_.corner_x + 4 * part);
+        const Lanes corner_y = load_lanes(model_.corner_y + 4 * part);
+        const Lanes x = k.x[b] + (k.cosine[b] * corner_x - k.sine[b] * corner_y);
+        const Lanes y = k.y[b] + (k.sine[b] * corner_x + k.cosine[b] * corner_y);
+        low_x = lesser(x, low_x);
+        low_y = lesser(y, low_y);
+        high_x = greater(x, high_x);
+        high_y = greater(y, high_y);
     }
-    return bounds;
+    return {Vec3(-largest_of(-low_x), -largest_of(-low_y), 0.0),
+            Vec3(largest_of(high_x), largest_of(high_y), 0.0)};
 }
 
 void PlanarScene::set_target(std::size_t part, double target) {

@@ -4,8 +4,7 @@
 
 namespace cambrian {
 
-// Planar articulated-body physics: motion in x and y and about z. Joint kinds "rigid", "rotary"
-// (rad) and "linear" (m, along the child's length), in that order. A plan with closing pins needs
+// Planar articulated-body physics: motion in x and y and about z. A plan with closing pins needs
 // the integrator "least-squares", and is refused by all others.
 SceneKind planar_scene_kind();
 

@@ -1,4 +1,5 @@
 #include "dynamics/builtin_integrators.h"
+#include "dynamics/builtin_joints.h"
 #include "dynamics/planar_scene.h"
 #include "dynamics/scene_copies.h"
 
@@ -8,8 +9,7 @@ SceneKind planar_scene_kind() {
     SceneKind kind;
     kind.id = "planar";
     kind.label = "Planar articulated bodies";
-    kind.joints = {
-        {"rigid", "Rigid", 0, ""}, {"rotary", "Rotary", 1, "rad"}, {"linear", "Linear", 1, "m"}};
+    kind.joints = builtin_joints();
     kind.integrators = integrator_ids();
     kind.accurate_integrator = "dormand-prince";
     kind.make = scene_copies().front().make;

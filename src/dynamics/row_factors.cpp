@@ -1,5 +1,6 @@
 #include "dynamics/row_factors.h"
 
+#include "core/assert.h"
 #include "dynamics/block_count.h"
 
 #include <algorithm>
@@ -106,6 +107,7 @@ bool RowFactors::factorize(const PerEquation& least_pivots) {
 }
 
 void RowFactors::substitute(PerEquation& solution) const {
+    CAMBRIAN_TICK_ASSERT(lost_ == count_, "the factors are complete");
     clear(stride_, solution);
     for (int i = count_ - 1; i >= 0; --i) {
         const double* equation = line(i);
@@ -116,6 +118,7 @@ void RowFactors::substitute(PerEquation& solution) const {
 }
 
 void RowFactors::solve(const PerEquation (&sides)[2], PerEquation (&solutions)[2]) const {
+    CAMBRIAN_TICK_ASSERT(lost_ == count_, "the factors are complete");
     PerEquation forward[2];
     for (int s = 0; s < 2; ++s) {
         clear(stride_, forward[s]);

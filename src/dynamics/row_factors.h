@@ -3,6 +3,7 @@
 // LU factors of the equations of the rows that hold: Gaussian elimination without pivoting, on
 // lines of whole lanes.
 
+#include "core/assert.h"
 #include "dynamics/lanes.h"
 
 namespace cambrian {
@@ -17,6 +18,7 @@ public:
     // Room for the lines of so many equations. Each has its coefficients and, in column `count`,
     // its right-hand side; the columns up to the stride are to be finite.
     void resize(int count) {
+        CAMBRIAN_TICK_ASSERT(count >= 0 && count <= kMaxEquations, "equations have room");
         count_ = count;
         stride_ = round_up_to_lanes(count + 1);
     }

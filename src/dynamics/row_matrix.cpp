@@ -8,6 +8,7 @@
 #include "dynamics/row_matrix.h"
 
 #include "dynamics/dense_row_matrix.h"
+#include "dynamics/invariants.h"
 
 #include <algorithm>
 #include <bit>
@@ -73,7 +74,8 @@ CAMBRIAN_INLINE void put_wrench(const Kinematics& k, int body, const Wrench& wre
 CAMBRIAN_INLINE void put_effort(const PlanarModel& model, const Kinematics& k, int body,
                                 double effort, int lane, Impulses& impulses) {
     const int p = model.parent[body];
-    if (model.joint[body] != JointType::kLinear) {
+    CAMBRIAN_TICK_ASSERT(p >= 0, "an effort acts between two bodies");
+    if (model.motion[body] != JointMotion::kSlide) {
         impulses.t[body][lane] = effort;
         impulses.t[p][lane] = -effort;
         return;
@@ -118,10 +120,11 @@ CAMBRIAN_INLINE void eliminate(const PlanarModel& model, const Frame& frame, Imp
     for (BodySet left = inner; left != 0; left ^= BodySet{1} << last_of(left)) {
         const int i = last_of(left);
         const int p = model.parent[i];
+        CAMBRIAN_TICK_ASSERT(p >= 0 && p < i, "a parent stands before its children");
         const Lanes f_x = impulses.f_x[i];
         const Lanes f_y = impulses.f_y[i];
         const Lanes t = impulses.t[i];
-        const bool linear = kHasLinear && model.joint[i] == JointType::kLinear;
+        const bool linear = kHasLinear && model.motion[i] == JointMotion::kSlide;
         const Lanes u = linear ? k.axis_x[i] * f_x + k.axis_y[i] * f_y : t;
         const Lanes share = u * factors.inverse_d[i];
         const Lanes passed_x = f_x - factors.w_x[i] * share;
@@ -178,6 +181,7 @@ CAMBRIAN_INLINE double regularization(const PlanarModel& model, const RowSystem&
     if (rows[row].kind == RowKind::kLimit) return kRelativeSoftness * diagonal;
     const int a = rows[row].body_a;
     const int b = rows[row].body_b;
+    CAMBRIAN_TICK_ASSERT(is_body(model, a) && is_body_or_ground(model, b), "a contact of bodies");
     double free =
         model.inverse_mass[a] + rows[row].moment_a * rows[row].moment_a * model.inverse_inertia[a];
     if (b >= 0)
@@ -195,6 +199,7 @@ void fill_row_matrix(const PlanarModel& model, const Frame& frame, RowSystem& ro
         Arrivals& group = arrivals[first / kLanes];
         const int lanes = std::min(rows.count - first, kLanes);
         group.bodies = bodies_of(model, rows, first, first + lanes);
+        CAMBRIAN_TICK_ASSERT(group.bodies != 0, "a row acts on bodies");
         Impulses impulses;
         clear(group.bodies, impulses);
         for (int lane = 0; lane < lanes; ++lane)
@@ -212,7 +217,7 @@ void compute_row_matrix(const PlanarModel& model, const Frame& frame, double fri
     rows.stride = round_up_to_lanes(rows.count);
     if (frame.is_inverted)
         fill_dense_row_matrix(model, frame, rows);
-    else if (model.has_linear)
+    else if (model.has_slides)
         fill_row_matrix<true>(model, frame, rows);
     else
         fill_row_matrix<false>(model, frame, rows);

@@ -1,5 +1,6 @@
 #include "dynamics/row_solver.h"
 
+#include "core/assert.h"
 #include "dynamics/block_count.h"
 
 #include <algorithm>
@@ -38,6 +39,8 @@ CAMBRIAN_INLINE void add_column(const RowSystem& rows, int row, double impulse, 
 }  // namespace
 
 bool RowSolver::solve(RowSystem& rows, const double* bias, double friction) {
+    CAMBRIAN_TICK_ASSERT(rows.count >= 0 && rows.count <= kMaxRows, "rows have room");
+    CAMBRIAN_TICK_ASSERT(friction >= 0.0, "friction is not negative");
     find_rates(rows, bias);
     sweep(rows, friction, kGuessSweeps);
     guess_states(rows, bias, friction);
@@ -61,6 +64,7 @@ bool RowSolver::solve(RowSystem& rows, const double* bias, double friction) {
 }
 
 void RowSolver::iterate_from_zero(RowSystem& rows, const double* bias, double friction) {
+    CAMBRIAN_TICK_ASSERT(friction >= 0.0, "friction is not negative");
     for (int row = 0; row < rows.count; ++row)
         rows.impulse[row] = 0.0;
     find_rates(rows, bias);
@@ -79,6 +83,7 @@ void RowSolver::absorb(const RowSystem& rows, double friction, RowChanges& chang
         read_states(rows, changes.rates[0], friction);
         if (!factorize(rows, changes.rates[0], friction)) return;
     }
+    CAMBRIAN_TICK_ASSERT(factors_.count() <= rows.count, "equations of these rows");
     PerEquation sides[2];
     PerEquation solutions[2];
     for (int s = 0; s < 2; ++s) {
@@ -90,6 +95,7 @@ void RowSolver::absorb(const RowSystem& rows, double friction, RowChanges& chang
         double* impulses = changes.impulses[s];
         for (int i = 0; i < factors_.count(); ++i) {
             const int row = active_[i];
+            CAMBRIAN_TICK_ASSERT(row >= 0 && row < rows.count, "a row that holds");
             const int mate = rows[row].friction_of;
             impulses[row] += solutions[s][i];
             if (mate < 0) continue;
@@ -206,6 +212,8 @@ bool RowSolver::factorize(const RowSystem& rows, const double* bias, double fric
         if (state_[row] == State::kActive) active_[count++] = row;
         if (state_[row] >= State::kSlidePlus) sliding_[sliding_count_++] = row;
     }
+    CAMBRIAN_TICK_ASSERT(count <= kMaxEquations, "equations have room");
+    CAMBRIAN_TICK_ASSERT(count + sliding_count_ <= rows.count, "a row is in one state");
     factors_.resize(count);
     const int stride = factors_.stride();
     for (int j = count; j < stride; ++j)
@@ -221,6 +229,7 @@ bool RowSolver::factorize(const RowSystem& rows, const double* bias, double fric
     for (int j = 0; sliding_count_ > 0 && j < count; ++j) {
         const int mate = rows[active_[j]].friction_of;
         if (mate < 0 || state_[mate] < State::kSlidePlus) continue;
+        CAMBRIAN_TICK_ASSERT(rows[mate].kind == RowKind::kFriction, "what slides is friction");
         const double slide = state_[mate] == State::kSlidePlus ? friction : -friction;
         const double* couplings = rows.line(mate);
         for (int i = 0; i < count; ++i)
@@ -232,6 +241,8 @@ bool RowSolver::factorize(const RowSystem& rows, const double* bias, double fric
 // Rows that stick never lose a pivot. What slides on the contact whose pivot is lost sticks
 // instead, or everything if that is not the cause. False if nothing slid.
 bool RowSolver::stop_slides(const RowSystem& rows) {
+    CAMBRIAN_TICK_ASSERT(factors_.lost() >= 0 && factors_.lost() < factors_.count(),
+                         "a pivot of the equations");
     const int mate = rows[active_[factors_.lost()]].friction_of;
     if (mate >= 0 && state_[mate] >= State::kSlidePlus) {
         state_[mate] = State::kActive;
@@ -256,6 +267,7 @@ void RowSolver::scatter_solution(RowSystem& rows, const double* bias, double fri
     }
     for (int i = 0; i < sliding_count_; ++i) {
         const int row = sliding_[i];
+        CAMBRIAN_TICK_ASSERT(rows[row].kind == RowKind::kFriction, "what slides is friction");
         const double impulse = friction * load_[row];
         rows.impulse[row] = state_[row] == State::kSlidePlus ? impulse : -impulse;
     }
@@ -307,6 +319,7 @@ void RowSolver::match_frictions(const RowSystem& rows, const double* bias) {
     for (int row = 0; row < rows.count; ++row)
         is_loaded[row] = false;
     for (int row = 0; row < rows.count; ++row) {
+        CAMBRIAN_TICK_ASSERT(rows[row].friction_of < rows.count, "friction is a row");
         if (rows[row].friction_of >= 0 && state_[row] == State::kActive)
             is_loaded[rows[row].friction_of] = true;
     }

@@ -1,5 +1,6 @@
 #include "dynamics/rows.h"
 
+#include "dynamics/invariants.h"
 #include "dynamics/loop_closure.h"
 #include "dynamics/row_matrix.h"
 
@@ -27,7 +28,7 @@ CAMBRIAN_INLINE double row_rate(const PlanarModel& model, const Row& row,
     const int a = row.body_a;
     if (row.kind == RowKind::kLimit) {
         double rate = motion.coordinate[a];
-        if (model.joint[a] == JointType::kRotary) rate -= motion.spin[model.parent[a]];
+        if (model.motion[a] == JointMotion::kTurn) rate -= motion.spin[model.parent[a]];
         return row.dir_x * rate;
     }
     double rate = row.dir_x * motion.x[a] + row.dir_y * motion.y[a] + row.moment_a * motion.spin[a];
@@ -123,6 +124,7 @@ CAMBRIAN_INLINE void set_contact_row(const Contact& contact, const PlacedContact
 }
 
 Row& add_row(RowKind kind, int source, RowSystem& rows) {
+    CAMBRIAN_TICK_ASSERT(rows.count < kMaxRows, "rows have room");
     Row& row = rows[rows.count++];
     row.kind = kind;
     row.source = static_cast<std::int16_t>(source);
@@ -140,6 +142,7 @@ public:
 
     // The row of a contact's group.
     std::int16_t join(int source) {
+        CAMBRIAN_TICK_ASSERT(source >= 0 && source < contacts_.count, "a contact of the set");
         const Contact& contact = contacts_.items[source];
         std::int16_t& known = contact.part_b < 0 ? of_body_[contact.body_a] : of_pair_;
         if (contact.part_b >= 0 && friction_group(contact) != pair_) {
@@ -175,6 +178,9 @@ void add_limit_rows(const PlanarModel& model, const LimitSet& limits, const Kine
                     const BodyResponse& accelerations, RowSystem& rows) {
     for (int l = 0; l < limits.count; ++l) {
         const LimitCandidate& limit = limits.items[l];
+        CAMBRIAN_TICK_ASSERT(limit.sign == 1.0 || limit.sign == -1.0, "one of two stops");
+        CAMBRIAN_TICK_ASSERT(is_body(model, limit.body) && model.parent[limit.body] >= 0,
+                             "stops belong to joints");
         Row& row = add_row(RowKind::kLimit, l, rows);
         row.body_a = static_cast<std::int16_t>(limit.body);
         row.body_b = -1;
@@ -213,6 +219,7 @@ void hold_loops(const PlanarModel& model, const Frame& frame, RowSystem& rows) {
 
 void build_rows(const PlanarModel& model, const RowSources& sources, const Kinematics& collected,
                 const Frame& frame, RowSystem& rows) {
+    CAMBRIAN_TICK_ASSERT(sources.contacts.count <= kMaxContacts, "contacts have room");
     PlacedContact placed[kMaxContacts];
     for (int c = 0; c < sources.contacts.count; ++c)
         place_contact(sources.contacts.items[c], collected, frame, placed[c]);
@@ -221,6 +228,8 @@ void build_rows(const PlanarModel& model, const RowSources& sources, const Kinem
     for (int r = 0; r < rows.count; ++r) {
         Row& row = rows[r];
         set_contact_row(sources.contacts.items[row.source], placed[row.source], row);
+        CAMBRIAN_TICK_ASSERT(is_body(model, row.body_a) && is_body_or_ground(model, row.body_b),
+                             "a contact of bodies");
     }
     add_limit_rows(model, sources.limits, collected, frame.response, rows);
     compute_row_matrix(model, frame, sources.friction_softness, rows);
@@ -239,6 +248,7 @@ void add_row_impulses(const RowSystem& rows, const double* impulses, double scal
     for (int r = 0; r < rows.count; ++r) {
         if (impulses[r] == 0.0) continue;
         const Row& row = rows[r];
+        CAMBRIAN_TICK_ASSERT(r < kMaxRows, "a row of the system");
         const double impulse = scale * impulses[r];
         const int a = row.body_a;
         if (row.kind == RowKind::kLimit) {

@@ -1,5 +1,6 @@
 #include "dynamics/self_contacts.h"
 
+#include "core/assert.h"
 #include "dynamics/box_contacts.h"
 
 #include <algorithm>
@@ -42,6 +43,7 @@ void add_points(const PlanarModel& model, const Kinematics& k, const PartPlaces&
     c.normal_y = manifold.normal_y;
     c.face_a = touching_face(places, c.part_a, -c.normal_x, -c.normal_y);
     c.face_b = touching_face(places, c.part_b, c.normal_x, c.normal_y);
+    CAMBRIAN_TICK_ASSERT(c.body_a != c.body_b, "boxes of different bodies");
     for (int i = 0; i < manifold.count; ++i) {
         const int a = c.body_a;
         const int b = c.body_b;
@@ -106,6 +108,9 @@ void PairList::rebuild(const PlanarModel& model, const PartPlaces& places) {
         const PartPair pair = model.colliding_pairs[i];
         if (!circles_near(model, places, pair, kContactMargin + kSpare)) continue;
         const double reach = model.radius[pair.first] + model.radius[pair.second] + kContactMargin;
+        CAMBRIAN_TICK_ASSERT(count_ < kMaxPairs, "pairs have room");
+        CAMBRIAN_TICK_ASSERT(pair.first < pair.second && pair.second < model.part_count,
+                             "two boxes");
         pairs_[count_++] = {static_cast<int>(i), pair.first, pair.second, reach * reach};
     }
 }

@@ -2,6 +2,7 @@
 
 #include "dynamics/audit.h"
 #include "dynamics/dense_output.h"
+#include "dynamics/invariants.h"
 #include "dynamics/loop_closure.h"
 #include "dynamics/time_of_impact.h"
 #include "math/elementary.h"
@@ -20,16 +21,15 @@ constexpr double kPatientShare = 1.0 / 16;  // of the contact step
 constexpr int kPatience = 4;                // collapses in a row before a step without held forces
 constexpr double kBudgetTime =
     1.0;  // s; of evaluations that may be spent before time pays for them
-constexpr double kHalvingStep = 1.0 / 960;  // s; shorter ones are not halved
-constexpr double kMaxDeepening = 4e-3;      // m; of the deepest contact in one step
-constexpr double kMaxTickDeepening = 8e-3;  // m; in one tick
-constexpr double kMaxOverrun = 0.03;        // rad or m past a stop
-constexpr double kOverrunGrowth = 0.01;     // of that in one step
-constexpr double kWorkAllowance = 5e-4;     // J per (kg m/s^2)
-constexpr double kReferenceGravity = 9.81;  // m/s^2
-constexpr double kMinStep = 1e-6;           // s
-constexpr double kSliver = 1e-9;            // s; what may be left of a tick
-constexpr int kMaxImpacts = 8;              // a tick; later ones count as slow contacts
+constexpr double kHalvingStep = 1.0 / 960;   // s; shorter ones are not halved
+constexpr double kMaxDeepening = 4e-3;       // m; of the deepest contact in one step
+constexpr double kMaxTickDeepening = 8e-3;   // m; in one tick
+constexpr double kMaxOverrun = 0.03;         // rad or m past a stop
+constexpr double kOverrunGrowth = 0.01;      // of that in one step
+constexpr double kStepWorkAllowance = 5e-4;  // J per (kg m/s^2)
+constexpr double kMinStep = 1e-6;            // s
+constexpr double kSliver = 1e-9;             // s; what may be left of a tick
+constexpr int kMaxImpacts = 8;               // a tick; later ones count as slow contacts
 constexpr double kSafety = 0.9;
 constexpr double kShrinkMost = 0.2;
 constexpr double kGrowMost = 3.0;
@@ -61,10 +61,17 @@ StepControl::StepControl(const IntegratorKind& integrator, const SceneSettings& 
       max_evaluations_(settings.max_evaluations) {
     const double share = inverse_root(kUsualTolerance / tolerance_, MidpointStep::kErrorOrder);
     collapse_step_ = std::min(kCollapseShare * contact_step_, kCollapseStep * share);
+    CAMBRIAN_TICK_ASSERT(tolerance_ > 0.0 && contact_step_ > 0.0 && max_evaluations_ > 0.0,
+                         "settings that were checked");
+    CAMBRIAN_TICK_ASSERT(collapse_step_ > 0.0, "a step to give up at");
 }
 
 void StepControl::advance(const PlanarModel& model, const ContactLaw& law, Forcing& forcing,
                           double duration, SceneMoment& moment) {
+    CAMBRIAN_TICK_ASSERT(duration > 0.0, "a tick takes time");
+    CAMBRIAN_TICK_ASSERT(moment.status == SceneStatus::kRunning, "only sound scenes go on");
+    CAMBRIAN_TICK_ASSERT(is_finite(model, moment.motion), "a tick starts from a finite motion");
+    CAMBRIAN_TICK_ASSERT(are_parents_before_children(model), "a parent stands before its children");
     for (std::uint8_t& faces : moment.touched)
         faces = 0;
     moment.evaluation_debt = std::max(0.0, moment.evaluation_debt - max_evaluations_ * duration);
@@ -92,6 +99,7 @@ void StepControl::advance(const PlanarModel& model, const ContactLaw& law, Forci
 void StepControl::take_back(Tick& tick, const Motion& start, const SceneAudit& books) {
     SceneMoment& moment = tick.moment;
     const SceneAudit spent = std::exchange(moment.audit, books);
+    CAMBRIAN_TICK_ASSERT(is_finite(tick.model, start), "a tick can be taken back");
     copy_motion(tick.model, start, moment.motion);
     moment.frame_is_current = false;
     tick.time = 0.0;
@@ -106,6 +114,7 @@ void StepControl::take_back(Tick& tick, const Motion& start, const SceneAudit& b
 
 // One accepted step or one impact.
 SceneStatus StepControl::step(Tick& tick) {
+    CAMBRIAN_TICK_ASSERT(tick.time < tick.length, "something is left of the tick");
     make_current(tick);
     if (!tick.collected) contacts_.collect(tick.model, tick.law, tick.moment.frame().kinematics);
     if (tick.impacts < kMaxImpacts && contacts_.has_impact()) {
@@ -167,6 +176,7 @@ void StepControl::make_current(Tick& tick) {
 }
 
 void StepControl::count_evaluations(Tick& tick, int evaluations) {
+    CAMBRIAN_TICK_ASSERT(evaluations > 0, "a step costs evaluations");
     tick.moment.audit.evaluations += static_cast<std::uint64_t>(evaluations);
     tick.moment.evaluation_debt += evaluations;
 }
@@ -187,6 +197,7 @@ void StepControl::strike(Tick& tick, double elasticity) {
     moment.has_last_acceleration = false;
     tick.collected = false;
     const ContactSet& struck = contacts_.chosen();
+    CAMBRIAN_TICK_ASSERT(struck.count <= kMaxContacts, "contacts have room");
     for (int c = 0; c < struck.count; ++c) {
         const Contact& contact = struck.items[c];
         moment.touched[contact.part_a] |= static_cast<std::uint8_t>(1U << contact.face_a);
@@ -323,7 +334,7 @@ void StepControl::weigh_end(const Tick& tick) {
 bool StepControl::must_halve(const Tick& tick, double h) {
     weigh_end(tick);
     if (h <= kHalvingStep) return false;
-    const double allowance = kWorkAllowance * tick.model.total_mass * kReferenceGravity;
+    const double allowance = kStepWorkAllowance * tick.model.total_mass * kReferenceGravity;
     if (work_.positive > allowance) return true;
     return end_overrun_ > kMaxOverrun &&
            end_overrun_ >
@@ -400,6 +411,7 @@ void StepControl::remember_contacts(Tick& tick) {
         const Contact& contact = chosen.items[c];
         const double force = contacts_.held_normal(c);
         if (force <= 0.0) continue;
+        CAMBRIAN_TICK_ASSERT(moment.held_count < kMaxContacts, "held contacts have room");
         moment.held[moment.held_count++] = {contact.body_a,   contact.point_x,  contact.point_y,
                                             contact.normal_x, contact.normal_y, force};
     }

@@ -1,5 +1,7 @@
 #include "dynamics/time_of_impact.h"
 
+#include "core/assert.h"
+
 #include <cmath>
 
 namespace cambrian {
@@ -23,6 +25,7 @@ NewContact deepest_new_contact(const ContactSolver& contacts) {
         // The corner of a fast spinner goes in and is on its way out within one step.
         const bool deep = contact.gap < -kContactBand;
         if (!(fast || deep) || contact.gap >= deepest.gap) continue;
+        CAMBRIAN_TICK_ASSERT(!(contact.gap > kContactMargin), "a near contact");
         if (contacts.covers(contact)) continue;
         deepest = {true, contact.gap, contact.closing_speed};
     }
@@ -32,6 +35,7 @@ NewContact deepest_new_contact(const ContactSolver& contacts) {
 // Next guess: where the contact seen last would be in the middle of the band at its speed, kept
 // well inside the bracket.
 double next_share(double low, double high, double from, const NewContact& seen, double length) {
+    CAMBRIAN_TICK_ASSERT(low >= 0.0 && low <= high && high <= 1.0, "a bracket within the step");
     const double middle = 0.5 * (low + high);
     if (!seen.found || seen.closing_speed <= kRestingSpeed) return middle;
     const double guess = from + (seen.gap - kRestingGap) / (seen.closing_speed * length);
@@ -47,6 +51,7 @@ bool has_new_impact(const ContactSolver& contacts) {
 
 double find_impact(const PlanarModel& model, const ContactLaw& law, const StepEnds& step,
                    ContactSolver& contacts, Motion& motion, Kinematics& kinematics) {
+    CAMBRIAN_TICK_ASSERT(step.length > 0.0, "a step takes time");
     double low = 0.0;
     double high = 1.0;
     double share = next_share(low, high, 1.0, deepest_new_contact(contacts), step.length);

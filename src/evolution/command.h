@@ -11,6 +11,7 @@
 
 namespace cambrian {
 
+class EvaluationBackend;
 class ExperimentLog;
 struct SavedExperiment;
 
@@ -43,10 +44,15 @@ struct ContinueExperiment {
     std::shared_ptr<const SavedExperiment> saved;
     std::shared_ptr<ExperimentLog> log = nullptr;  // that it came from; null: not kept any more
 };
+// Evaluates elsewhere from now on, the rest of the generation in flight included; not null. What
+// evolves is the same.
+struct UseBackend {
+    std::shared_ptr<EvaluationBackend> backend;
+};
 
-using Command =
+using EngineCommand =
     std::variant<PauseEvolution, ResumeEvolution, StepGeneration, ChangeSettings, InjectGenome,
-                 AddNewcomers, RescorePopulation, StartExperiment, ContinueExperiment>;
-using EngineInbox = WorkerInbox<Command, 256>;
+                 AddNewcomers, RescorePopulation, StartExperiment, ContinueExperiment, UseBackend>;
+using EngineInbox = WorkerInbox<EngineCommand, 256>;
 
 }  // namespace cambrian

@@ -1,8 +1,8 @@
 #pragma once
 
-// Merit instead of luck: whoever would survive is tried again in a few worlds a hair different
-// (probe.h), and the median of all scores counts. Only survivors are tried again, and those who
-// take the places of the ones whose score fell, until everybody who would survive has been.
+// Confirmation tells merit from luck. Survivors are evaluated again in a few slightly different
+// worlds (probe.h), and the median of all scores counts. Creatures that take the places of those
+// whose score fell are evaluated again too, until every survivor has been.
 
 #include "evolution/evaluation_backend.h"
 #include "evolution/individual.h"

@@ -11,7 +11,7 @@ constexpr int kUntilPaused = -1;
 }  // namespace
 
 EvolutionEngine::EvolutionEngine(SettingsPtr settings, const EvolutionKinds& kinds,
-                                 std::unique_ptr<EvaluationBackend> backend,
+                                 std::shared_ptr<EvaluationBackend> backend,
                                  std::shared_ptr<ExperimentLog> log)
     : kinds_(kinds), backend_(std::move(backend)) {
     apply(StartExperiment{std::move(settings), {}, std::move(log)});
@@ -24,7 +24,7 @@ EvolutionEngine::~EvolutionEngine() {
     thread_.join();
 }
 
-bool EvolutionEngine::send(Command command) {
+bool EvolutionEngine::send(EngineCommand command) {
     // Commands act between trials: whatever is running is interrupted, and goes on afterwards.
     return inbox_.send(std::move(command));
 }
@@ -35,7 +35,7 @@ const std::shared_ptr<const EvolutionSnapshot>& EvolutionEngine::latest() {
 
 void EvolutionEngine::run(const std::stop_token& stop) {
     while (!stop.stop_requested()) {
-        const bool commanded = inbox_.drain([this](Command command) {
+        const bool commanded = inbox_.drain([this](EngineCommand command) {
             std::visit([this](auto& each) { apply(std::move(each)); }, command);
         });
         if (commanded) publish();
@@ -54,7 +54,14 @@ void EvolutionEngine::run(const std::stop_token& stop) {
 }
 
 void EvolutionEngine::run_generation(const std::stop_token& interrupted) {
-    if (!evolution_->evaluate(*backend_, progress_, interrupted)) return;
+    const Stopwatch watch;
+    const bool evaluated = evolution_->evaluate(*backend_, progress_, interrupted);
+    evaluating_ += watch.seconds();
+    if (!evaluated && !interrupted.stop_requested()) {
+        stop_with(backend_->status().failure);
+        publish();
+    }
+    if (!evaluated) return;
     if (const Status kept = keep_generation(); !kept) {
         stop_with(kept.error().message);
         publish();
@@ -72,6 +79,8 @@ void EvolutionEngine::run_generation(const std::stop_token& interrupted) {
 void EvolutionEngine::show_generation() {
     shown_.population = evolution_->population();
     shown_.history = evolution_->history();
+    shown_.wall_times.resize(shown_.history.size(), 0.0);
+    shown_.wall_times.back() = std::exchange(evaluating_, 0.0);
     shown_.champions.push_back({evolution_->generation(), evolution_->population().front(),
                                 evolution_->shared_settings()});
 }
@@ -164,6 +173,11 @@ void EvolutionEngine::apply(ContinueExperiment command) {
     if (!saved.latest) return;
     shown_.population = saved.latest->population;
     shown_.history = saved.latest->history;
+    shown_.wall_times.resize(shown_.history.size(), 0.0);
+}
+
+void EvolutionEngine::apply(UseBackend command) {
+    backend_ = std::move(command.backend);
 }
 
 // Another experiment takes the place of the one before.
@@ -175,6 +189,7 @@ void EvolutionEngine::start_showing(std::shared_ptr<ExperimentLog> log) {
     shown_ = {};
     shown_.experiment = experiment;
     generations_to_run_ = 0;
+    evaluating_ = 0.0;
     progress_.done = 0;
     progress_.total = 0;
 }

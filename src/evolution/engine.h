@@ -3,6 +3,7 @@
 // The thread that evolves. Commands in, snapshots out; shares nothing mutable with its user but the
 // progress counters. send() and latest() belong to one thread, the user's.
 
+#include "core/stopwatch.h"
 #include "core/threads/snapshot_channel.h"
 #include "evolution/command.h"
 #include "evolution/evaluation_backend.h"
@@ -24,14 +25,14 @@ public:
     // Begins paused at generation 0 of the settings, which must pass check_settings. Without a log
     // nothing is kept.
     EvolutionEngine(SettingsPtr settings, const EvolutionKinds& kinds,
-                    std::unique_ptr<EvaluationBackend> backend,
+                    std::shared_ptr<EvaluationBackend> backend,
                     std::shared_ptr<ExperimentLog> log = nullptr);
     ~EvolutionEngine();  // stops within one trial
     EvolutionEngine(const EvolutionEngine&) = delete;
     EvolutionEngine& operator=(const EvolutionEngine&) = delete;
 
     // False if the inbox is full; try again next frame.
-    bool send(Command command);
+    bool send(EngineCommand command);
     // Newest snapshot; never null.
     const std::shared_ptr<const EvolutionSnapshot>& latest();
     const EvaluationProgress& progress() const { return progress_; }
@@ -54,18 +55,20 @@ private:
     void apply(RescorePopulation command);
     void apply(StartExperiment command);
     void apply(ContinueExperiment command);
+    void apply(UseBackend command);
     void publish();
 
     const EvolutionKinds& kinds_;
-    std::unique_ptr<EvaluationBackend> backend_;
     EngineInbox inbox_;
     SnapshotChannel<EvolutionSnapshot> snapshots_;
     EvaluationProgress progress_;
 
     // Engine thread only.
+    std::shared_ptr<EvaluationBackend> backend_;
     std::optional<Evolution> evolution_;
     EvolutionSnapshot shown_;
     int generations_to_run_ = 0;  // -1: until paused
+    double evaluating_ = 0.0;     // s, of the generation in flight
 
     std::shared_ptr<ExperimentLog> log_;
     std::optional<StartExperiment> unkept_start_;  // until the log has taken it

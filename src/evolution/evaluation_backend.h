@@ -1,5 +1,6 @@
 #pragma once
 
+#include "evolution/backend_status.h"
 #include "evolution/evaluation.h"
 
 #include <atomic>
@@ -21,11 +22,14 @@ class EvaluationBackend {
 public:
     virtual ~EvaluationBackend() = default;
     // results[i] answers requests[i]; those already there are kept and not run again. False if
-    // stopped before the batch was complete; the call may then be repeated to finish it.
+    // stopped before the batch was complete; the call may then be repeated to finish it. Without a
+    // stop request it is false only if status().failure says why.
     virtual bool evaluate(std::span<const EvaluationRequest> requests,
                           std::span<std::optional<EvaluationResult>> results,
                           const ExperimentSettings& settings, EvaluationProgress& progress,
                           std::stop_token stop) = 0;
+    // Who evaluates. Any thread may ask at any time and never waits for an evaluation.
+    virtual BackendStatus status() const { return {}; }
 };
 
 }  // namespace cambrian

@@ -41,8 +41,8 @@ public:
     // may be repeated.
     bool evaluate(EvaluationBackend& backend, EvaluationProgress& progress, std::stop_token stop);
 
-    // After evaluate(): the best of the survivors, once they have been tried in ten more worlds a
-    // hair different; the best as it is if the settings ask for no confirmation, or if stopped.
+    // After evaluate(): the best of the survivors, once they have been tried in ten more slightly
+    // different worlds; the best as it is if the settings ask for no confirmation, or if stopped.
     IndividualPtr confirmed_champion(EvaluationBackend& backend, EvaluationProgress& progress,
                                      std::stop_token stop) const;
 

@@ -36,7 +36,7 @@ struct SelectionSettings {
     double novelty_threshold = 1.0;  // at first, in standard deviations
     double line_share = 0.2;  // of the survivors, that one founder's line may have; 1 for no limit
     int plan_copies = 2;      // survivors of one body plan; 0 for no limit
-    int confirmations = 2;    // further worlds in which whoever would survive is tried again
+    int confirmations = 2;    // further worlds in which survivors are evaluated again
     double confirm_jitter = 0.01;  // share of gravity, friction and drag by which they differ
 
     friend bool operator==(const SelectionSettings&, const SelectionSettings&) = default;

@@ -8,22 +8,22 @@ namespace {
 
 using Flags = std::map<std::string, bool>;
 
-template <class Entries>
+template <class Entries, class Standard>
 void add_switches(std::vector<SettingField>& fields, std::string table, const Entries& entries,
-                  const std::string& help, Flags FounderSettings::*flags,
-                  bool (*usual)(std::string_view id)) {
+                  const std::string& help, Flags FounderSettings::*flags, Standard standard_of) {
     TableBuilder builder(fields, std::move(table));
     for (const auto& entry : entries) {
         const std::string id(entry.id);
         builder.flag(
             id, std::string(entry.label), help,
-            [ flags, id, standard = usual(id) ](Settings & s) -> auto& {
+            [ flags, id, standard = standard_of(entry) ](Settings & s) -> auto& {
                 return (s.founders.*flags).try_emplace(id, standard).first->second;
             });
     }
 }
 
-bool always(std::string_view /*id*/) {
+template <class Entry>
+bool always(const Entry& /*entry*/) {
     return true;
 }
 
@@ -77,16 +77,16 @@ void add_body_kinds(std::vector<SettingField>& fields, const EvolutionKinds& kin
     const KindCatalog& catalog = kinds.creature.catalog;
     add_switches(fields, "body.joints", catalog.joints,
                  "Whether random creatures and mutations may use this joint.",
-                 &FounderSettings::joints, usual_joint);
+                 &FounderSettings::joints, [](const JointChoice& joint) { return joint.usual; });
     add_switches(fields, "body.functions", catalog.functions,
                  "Whether random creatures and mutations may use this neuron.",
-                 &FounderSettings::functions, always);
+                 &FounderSettings::functions, always<FunctionEntry>);
     add_switches(fields, "body.sensors", catalog.channels,
                  "Whether random creatures and mutations may connect to this sensor.",
-                 &FounderSettings::channels, always);
+                 &FounderSettings::channels, always<ChannelEntry>);
     add_switches(fields, "body.references", source_rules(),
                  "Whether random creatures and mutations may connect to this.",
-                 &FounderSettings::references, always);
+                 &FounderSettings::references, always<SourceRule>);
 }
 
 Status check_body_kinds(const Settings& settings, const EvolutionKinds& kinds) {

@@ -1,6 +1,6 @@
 #pragma once
 
-// A world a hair different from the settings', in which a creature is tried again to tell merit
+// A world slightly different from the settings', in which a creature is tried again to tell merit
 // from luck.
 
 #include "evolution/experiment_settings.h"

@@ -29,6 +29,7 @@ struct EvolutionSnapshot {
     SettingsPtr settings;                   // in force for that generation
     std::vector<IndividualPtr> population;  // newest finished generation, best first; empty before
     std::vector<GenerationStatistics> history;
+    std::vector<double> wall_times;           // s, of evaluating each of these; 0 where unknown
     std::vector<JudgedIndividual> champions;  // the best of each finished generation
     std::vector<JournalEntry> journal;
 };

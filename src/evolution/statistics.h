@@ -24,7 +24,7 @@ struct GenerationStatistics {
     std::uint32_t generation = 0;
     int size = 0;
     int evaluations = 0;       // distinct trials run for it, those that confirm included
-    int confirmations = 0;     // of those, trials in worlds a hair different, to confirm scores
+    int confirmations = 0;     // of those, trials in slightly different worlds, to confirm scores
     double best = 0.0;         // fitness
     double best_lowest = 0.0;  // the best creature's scores in all worlds that it was tried in
     double best_highest = 0.0;

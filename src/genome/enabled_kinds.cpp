@@ -7,18 +7,23 @@
 namespace cambrian {
 namespace {
 
-bool always(std::string_view /*id*/) {
+template <class Entry>
+bool always(const Entry& /*entry*/) {
     return true;
 }
 
-// Indices of the entries whose flag is set; of those without one, the usual.
-template <class Entries>
+bool usual(const JointChoice& joint) {
+    return joint.usual;
+}
+
+// Indices of the entries whose flag is set; of those without one, the standard ones.
+template <class Entries, class Standard>
 std::vector<std::uint8_t> enabled(const Entries& entries, const std::map<std::string, bool>& flags,
-                                  bool (*usual)(std::string_view id)) {
+                                  Standard standard) {
     std::vector<std::uint8_t> indices;
     for (std::size_t i = 0; i < entries.size(); ++i) {
         const auto flag = flags.find(std::string(entries[i].id));
-        if (flag == flags.end() ? usual(entries[i].id) : flag->second)
+        if (flag == flags.end() ? standard(entries[i]) : flag->second)
             indices.push_back(static_cast<std::uint8_t>(i));
     }
     return indices;
@@ -26,33 +31,30 @@ std::vector<std::uint8_t> enabled(const Entries& entries, const std::map<std::st
 
 }  // namespace
 
-bool usual_joint(std::string_view id) {
-    return id == "rigid" || id == "rotary";
-}
-
 std::vector<std::uint8_t> enabled_functions(const FounderSettings& settings,
                                             const KindCatalog& catalog) {
-    auto chosen = enabled(catalog.functions, settings.functions, always);
-    return chosen.empty() ? enabled(catalog.functions, {}, always) : chosen;
+    auto chosen = enabled(catalog.functions, settings.functions, always<FunctionEntry>);
+    return chosen.empty() ? enabled(catalog.functions, {}, always<FunctionEntry>) : chosen;
 }
 
 std::vector<std::uint8_t> enabled_joints(const FounderSettings& settings,
                                          const KindCatalog& catalog) {
-    auto chosen = enabled(catalog.joints, settings.joints, usual_joint);
-    if (chosen.empty()) chosen = enabled(catalog.joints, {}, usual_joint);
-    return chosen.empty() ? enabled(catalog.joints, {}, always) : chosen;
+    auto chosen = enabled(catalog.joints, settings.joints, usual);
+    if (chosen.empty()) chosen = enabled(catalog.joints, {}, usual);
+    return chosen.empty() ? enabled(catalog.joints, {}, always<JointChoice>) : chosen;
 }
 
 std::vector<std::uint8_t> enabled_channels(const FounderSettings& settings,
                                            const KindCatalog& catalog) {
-    return enabled(catalog.channels, settings.channels, always);
+    return enabled(catalog.channels, settings.channels, always<ChannelEntry>);
 }
 
 std::vector<SourceKind> enabled_references(SourceScope scope, const FounderSettings& settings,
                                            const KindCatalog& catalog) {
     const bool has_sensors = !enabled_channels(settings, catalog).empty();
     std::vector<SourceKind> kinds;
-    for (const std::uint8_t index : enabled(source_rules(), settings.references, always)) {
+    for (const std::uint8_t index :
+         enabled(source_rules(), settings.references, always<SourceRule>)) {
         const auto kind = SourceKind(index);
         const bool readable = has_sensors || source_rule(kind).reads != SourceReads::kSensor;
         if (readable && is_allowed(kind, scope)) kinds.push_back(kind);

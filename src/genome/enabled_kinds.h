@@ -8,13 +8,9 @@
 #include "genome/source_rules.h"
 
 #include <cstdint>
-#include <string_view>
 #include <vector>
 
 namespace cambrian {
-
-// Whether a joint may be used unless the settings say otherwise: "rigid" and "rotary" ones.
-bool usual_joint(std::string_view id);
 
 // Catalog indices in catalog order. Functions and joints are never none: settings that leave
 // nothing count as saying nothing (all joints, if the catalog has none of the usual).

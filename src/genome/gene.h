@@ -92,7 +92,8 @@ struct NodeGene {
     int recursion_limit = 1;  // 1 to 6
     bool symmetric = false;   // several edges from one parent become mirror pairs
     MirrorAxis mirror_axis = MirrorAxis::kAlong;
-    InputGene effector;  // drives this part's joint
+    std::uint8_t effector_kind = 0;  // index into KindCatalog::effectors
+    InputGene effector;              // what it hears; it drives this part's joint
     std::vector<NeuronGene> neurons;
     std::vector<EdgeGene> edges;
     std::uint32_t uid = 0;  // stable through copying; display and alignment only

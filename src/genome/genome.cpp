@@ -47,6 +47,7 @@ void add_node(Hash64& hash, const NodeGene& node) {
     hash.add_byte(static_cast<std::uint8_t>(node.recursion_limit));
     hash.add_byte(node.symmetric ? 1 : 0);
     hash.add_byte(static_cast<std::uint8_t>(node.mirror_axis));
+    if (node.effector_kind != 0) hash.add_byte(node.effector_kind);
     add_input(hash, node.effector);
     add_neurons(hash, node.neurons);
     hash.add(std::uint64_t{node.edges.size()});
@@ -60,8 +61,8 @@ bool operator==(const NodeGene& a, const NodeGene& b) {
     return a.length == b.length && a.width == b.width && a.joint == b.joint &&
            a.limit_low == b.limit_low && a.limit_high == b.limit_high &&
            a.recursion_limit == b.recursion_limit && a.symmetric == b.symmetric &&
-           a.mirror_axis == b.mirror_axis && a.effector == b.effector && a.neurons == b.neurons &&
-           a.edges == b.edges;
+           a.mirror_axis == b.mirror_axis && a.effector_kind == b.effector_kind &&
+           a.effector == b.effector && a.neurons == b.neurons && a.edges == b.edges;
 }
 
 bool operator==(const Genome& a, const Genome& b) {

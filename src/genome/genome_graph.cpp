@@ -19,6 +19,7 @@ std::vector<std::size_t> breadth_first(const Genome& genome, std::size_t start) 
             order.push_back(edge.target);
         }
     }
+    CAMBRIAN_TICK_ASSERT(order.size() <= genome.nodes.size(), "a node is reached once");
     return order;
 }
 
@@ -29,6 +30,7 @@ void keep_nodes(Genome& genome, const std::vector<std::size_t>& kept) {
     std::vector<NodeGene> nodes;
     nodes.reserve(kept.size());
     for (const std::size_t old : kept) {
+        CAMBRIAN_TICK_ASSERT(old < genome.nodes.size(), "a node of the genome");
         NodeGene node = std::move(genome.nodes[old]);
         std::erase_if(node.edges, [&](const EdgeGene& edge) { return !new_index[edge.target]; });
         for (EdgeGene& edge : node.edges)
@@ -39,6 +41,7 @@ void keep_nodes(Genome& genome, const std::vector<std::size_t>& kept) {
 }
 
 Reachability reachability(const Genome& genome) {
+    CAMBRIAN_TICK_ASSERT(genome.nodes.size() <= gene_range::kMaxNodes, "nodes have room");
     Reachability reaches{};
     for (std::size_t start = 0; start < genome.nodes.size(); ++start) {
         for (const std::size_t node : breadth_first(genome, start))

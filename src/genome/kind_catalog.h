@@ -29,6 +29,7 @@ struct JointChoice {
     std::string id;
     std::string label;
     int degrees_of_freedom = 0;
+    bool usual = true;  // whether it is used unless settings say otherwise
 };
 
 struct ChannelEntry {
@@ -36,9 +37,15 @@ struct ChannelEntry {
     std::string label;
 };
 
+struct EffectorEntry {
+    std::string id;  // "joint", ...
+    std::string label;
+};
+
 struct KindCatalog {
     std::vector<FunctionEntry> functions;
     std::vector<JointChoice> joints;
+    std::vector<EffectorEntry> effectors;
     std::vector<ChannelEntry> channels;  // absolute channel numbers
 };
 

@@ -1,5 +1,6 @@
 #include "genome/random_gene.h"
 
+#include "core/assert.h"
 #include "genome/enabled_kinds.h"
 #include "genome/gene_fields.h"
 
@@ -64,6 +65,7 @@ InputGene random_input(SourceScope scope, const GenePool& pool, RandomStream& st
 
 InputGene random_function_input(std::size_t function, std::size_t input, SourceScope scope,
                                 const GenePool& pool, RandomStream& stream) {
+    CAMBRIAN_TICK_ASSERT(function < pool.catalog.functions.size(), "a function of the catalog");
     const auto& hints = pool.catalog.functions[function].founder_inputs;
     if (input < hints.size() && may_draw(SourceKind::kConstant, scope, pool) &&
         stream.chance(hints[input].probability)) {
@@ -75,6 +77,7 @@ InputGene random_function_input(std::size_t function, std::size_t input, SourceS
 NeuronGene random_neuron(SourceScope scope, const GenePool& pool, RandomStream& stream) {
     const auto functions = enabled_functions(pool.settings, pool.catalog);
     NeuronGene neuron;
+    CAMBRIAN_TICK_ASSERT(!functions.empty(), "some function is enabled");
     neuron.function = stream.pick(functions);
     const auto arity = static_cast<std::size_t>(pool.catalog.functions[neuron.function].arity);
     for (std::size_t i = 0; i < arity; ++i)
@@ -91,12 +94,18 @@ SourceRef random_effector_source(const NodeGene& node, double local_neuron_share
     return random_source(SourceScope::kPart, pool, stream);
 }
 
+std::uint8_t random_effector_kind(const KindCatalog& catalog, RandomStream& stream) {
+    if (catalog.effectors.size() < 2) return 0;
+    return static_cast<std::uint8_t>(stream.below(catalog.effectors.size()));
+}
+
 std::uint8_t random_joint(const GenePool& pool, RandomStream& stream) {
     std::vector<std::uint8_t> moving;
     std::vector<std::uint8_t> rigid;
     for (const std::uint8_t joint : enabled_joints(pool.settings, pool.catalog)) {
         (pool.catalog.joints[joint].degrees_of_freedom > 0 ? moving : rigid).push_back(joint);
     }
+    CAMBRIAN_TICK_ASSERT(!rigid.empty() || !moving.empty(), "some joint is enabled");
     const bool moves = stream.chance(pool.settings.rotary_share);
     if (rigid.empty() || (moves && !moving.empty())) return stream.pick(moving);
     return stream.pick(rigid);
@@ -114,6 +123,7 @@ NodeGene random_node(const GenePool& pool, RandomStream& stream) {
     const int neurons = stream.between(0, std::max(settings.max_node_neurons, 0));
     for (int i = 0; i < neurons; ++i)
         node.neurons.push_back(random_neuron(SourceScope::kPart, pool, stream));
+    node.effector_kind = random_effector_kind(pool.catalog, stream);
     draw_fields(node.effector, input_fields(), settings, stream);
     node.effector.source = random_effector_source(node, kFounderEffectorShare, pool, stream);
     node.uid = static_cast<std::uint32_t>(stream.bits() >> 32);
@@ -122,6 +132,7 @@ NodeGene random_node(const GenePool& pool, RandomStream& stream) {
 
 EdgeGene random_edge(std::size_t target, const GenePool& pool, RandomStream& stream) {
     EdgeGene edge;
+    CAMBRIAN_TICK_ASSERT(target <= 2 * gene_range::kMaxNodes, "a node an edge can name");
     edge.target = static_cast<std::uint8_t>(target);
     draw_fields(edge, edge_fields(), pool.settings, stream);
     edge.reflect = stream.chance(kReflectShare);

@@ -32,6 +32,8 @@ SourceRef random_effector_source(const NodeGene& node, double local_neuron_share
                                  const GenePool& pool, RandomStream& stream);
 
 std::uint8_t random_joint(const GenePool& pool, RandomStream& stream);
+// Index of an effector; draws nothing where there is only one.
+std::uint8_t random_effector_kind(const KindCatalog& catalog, RandomStream& stream);
 // Without edges, with a new uid.
 NodeGene random_node(const GenePool& pool, RandomStream& stream);
 EdgeGene random_edge(std::size_t target, const GenePool& pool, RandomStream& stream);

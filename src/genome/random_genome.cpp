@@ -1,5 +1,6 @@
 #include "genome/random_genome.h"
 
+#include "core/assert.h"
 #include "genome/gene_fields.h"
 #include "genome/random_gene.h"
 
@@ -23,6 +24,7 @@ NodeGene& random_parent(Genome& genome, std::size_t child, RandomStream& stream)
     for (std::size_t i = 0; i < child; ++i) {
         if (has_room(genome.nodes[i])) candidates.push_back(i);
     }
+    CAMBRIAN_TICK_ASSERT(!candidates.empty(), "fewer nodes than edges fit");
     return genome.nodes[stream.pick(candidates)];
 }
 
@@ -54,6 +56,7 @@ Genome draw_genome(const GenePool& pool, RandomStream& stream) {
         genome.*field.value = field.rule.draw(pool.settings, stream);
     connect(genome, pool, stream);
     genome.hue = stream.uniform();
+    CAMBRIAN_TICK_ASSERT(!genome.nodes.empty(), "a genome has a root");
     repair(genome, pool.catalog);
     return genome;
 }

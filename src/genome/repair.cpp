@@ -1,3 +1,4 @@
+#include "core/assert.h"
 #include "genome/gene_fields.h"
 #include "genome/genome.h"
 #include "genome/genome_graph.h"
@@ -32,6 +33,7 @@ void repair_input(InputGene& input, SourceScope scope) {
 void repair_neuron(NeuronGene& neuron, SourceScope scope, const KindCatalog& catalog) {
     if (neuron.function >= catalog.functions.size()) neuron.function = 0;
     const auto arity = static_cast<std::size_t>(catalog.functions[neuron.function].arity);
+    CAMBRIAN_TICK_ASSERT(arity >= 1 && arity <= gene_range::kMaxArity, "a function has inputs");
     neuron.inputs.resize(arity, InputGene{.source = {}, .weight = 0.0});
     for (InputGene& input : neuron.inputs)
         repair_input(input, scope);
@@ -57,6 +59,7 @@ void repair_node(NodeGene& node, std::size_t node_count, const KindCatalog& cata
             std::min(NodeGene{}.joint, static_cast<std::uint8_t>(catalog.joints.size() - 1));
     }
     if (node.mirror_axis > MirrorAxis::kAcross) node.mirror_axis = MirrorAxis::kAlong;
+    if (node.effector_kind >= catalog.effectors.size()) node.effector_kind = 0;
     repair_input(node.effector, SourceScope::kPart);
     repair_neurons(node.neurons, gene_range::kMaxNodeNeurons, SourceScope::kPart, catalog);
     trim(node.edges, gene_range::kMaxEdges);
@@ -68,6 +71,7 @@ void repair_node(NodeGene& node, std::size_t node_count, const KindCatalog& cata
 // canonical order leaves every other node reachable.
 void restore_canonical_order(Genome& genome) {
     std::vector<std::size_t> order = breadth_first(genome, 0);
+    CAMBRIAN_TICK_ASSERT(!order.empty() && order.front() == 0, "the root stays the root");
     trim(order, gene_range::kMaxNodes);
     keep_nodes(genome, order);
 }
@@ -87,6 +91,7 @@ void repair(Genome& genome, const KindCatalog& catalog) {
     if (genome.hue >= 1.0) genome.hue = 0.0;
     if (genome.name.size() > kMaxName) genome.name.resize(kMaxName);
     restore_canonical_order(genome);
+    CAMBRIAN_TICK_ASSERT(validate(genome, catalog).empty(), "repair leaves a valid genome");
 }
 
 }  // namespace cambrian

@@ -96,6 +96,8 @@ private:
                          std::to_string(gene_range::kMaxRecursion) + "]");
         }
         if (node.mirror_axis > MirrorAxis::kAcross) complain(place + "/mirrorAxis", "is unknown");
+        if (node.effector_kind >= catalog_.effectors.size())
+            complain(place + "/effector/kind", "is not a known effector");
         check_input(place + "/effector", node.effector, SourceScope::kPart);
         check_size(place + "/neurons", node.neurons.size(), 0, gene_range::kMaxNodeNeurons);
         check_neurons(place + "/neurons", node.neurons, SourceScope::kPart);

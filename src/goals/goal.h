@@ -29,7 +29,7 @@ struct GoalKind {
     std::string unit;   // of the score: "BL/s"
     std::string help;   // one sentence for people
     // Worlds in which scores are confirmed unless settings say otherwise; 0 where a trial that is
-    // repeated a hair differently comes to the same.
+    // repeated slightly differently comes to the same.
     int default_confirmations = 0;
     // The environment the goal makes sense in.
     Environment (*default_environment)() = nullptr;

@@ -9,7 +9,7 @@
 namespace cambrian {
 namespace {
 
-const PngLimits kLimits{.text_bytes = JsonLimits{}.bytes};
+const PngLimits kCardLimits{.text_bytes = JsonLimits{}.bytes};
 
 constexpr std::size_t kLongestSignature = 8;  // bytes; of a file that is no picture
 
@@ -41,7 +41,7 @@ Result<bool> is_card(const std::filesystem::path& path) {
 
 Result<std::string> card_document(std::string_view bytes, std::string_view source) {
     if (bytes.size() > kMaxCardBytes) return refusal(source, "a picture of over 16 MB");
-    Result<std::vector<std::string>> texts = png_texts(bytes, kCardKeyword, kLimits);
+    Result<std::vector<std::string>> texts = png_texts(bytes, kCardKeyword, kCardLimits);
     if (!texts) return refusal(source, "the picture cannot be read: " + texts.error().message);
     if (texts->empty()) return refusal(source, "a picture without a creature inside");
     if (texts->size() > 1)

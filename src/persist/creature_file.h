@@ -21,7 +21,7 @@
 
 namespace cambrian {
 
-// The scores of a creature in the trial's world and in others a hair different.
+// The scores of a creature in the trial's world and in slightly different ones.
 struct ConfirmedScore {
     double median = 0.0;
     double lowest = 0.0;

@@ -29,6 +29,8 @@ KindNames names_of(const KindCatalog& catalog) {
     }
     for (const JointChoice& joint : catalog.joints)
         names.joints.push_back(joint.id);
+    for (const EffectorEntry& effector : catalog.effectors)
+        names.effectors.push_back(effector.id);
     for (const ChannelEntry& channel : catalog.channels)
         names.channels.names.push_back(channel.id);
     names.channels.numbered.assign(kChannelsOfVersion1.begin(), kChannelsOfVersion1.end());

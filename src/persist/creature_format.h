@@ -49,6 +49,7 @@ inline const std::vector<std::string> kVerdicts = names_to(AuditVerdict::kInvali
 struct KindNames {
     std::vector<std::string> functions;
     std::vector<std::string> joints;
+    std::vector<std::string> effectors;
     std::vector<int> arities;  // one a function
     NumberedNames channels;
 };
@@ -135,6 +136,7 @@ void describe_node(Archive& archive, Node& node, std::size_t node_count, const K
     archive.choice("mirrorAxis", node.mirror_axis, kMirrorAxes, "axis");
     archive.object("effector", Layout::kCompact, [&](Archive& inner) {
         inner.type("effector");
+        inner.optional_choice("kind", node.effector_kind, names.effectors, "effector");
         describe_input(inner, node.effector, SourceScope::kPart, "source", "weight", names);
     });
     archive.list("neurons", node.neurons, 0, gene_range::kMaxNodeNeurons, Layout::kLines,

@@ -56,6 +56,7 @@ constexpr std::array kMeanings = {
     Meaning{"from", "Where the value comes from."},
     Meaning{"weight", "Multiplies the value; of a constant, the value itself."},
     Meaning{"w", "Multiplies the value; of a constant, the value itself."},
+    Meaning{"effector.kind", "How the joint is driven."},
     Meaning{"kind", "What is read."},
     Meaning{"k", "Index of the neuron, modulo how many there are."},
     Meaning{

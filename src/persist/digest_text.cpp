@@ -6,14 +6,14 @@ namespace cambrian {
 namespace {
 
 constexpr std::string_view kPrefix = "fnv1a64:";
-constexpr std::size_t kDigits = 16;
+constexpr std::size_t kDigestDigits = 16;
 constexpr std::string_view kHexDigits = "0123456789abcdef";
 
 }  // namespace
 
 std::string hex_text(std::uint64_t number) {
-    std::string text(kDigits, '0');
-    for (std::size_t i = kDigits; i-- > 0; number >>= 4)
+    std::string text(kDigestDigits, '0');
+    for (std::size_t i = kDigestDigits; i-- > 0; number >>= 4)
         text[i] = kHexDigits[number & 15];
     return text;
 }
@@ -22,7 +22,7 @@ std::optional<std::uint64_t> parse_hex(std::string_view text) {
     std::uint64_t number = 0;
     const char* const end = text.data() + text.size();
     const auto [stop, failure] = std::from_chars(text.data(), end, number, 16);
-    if (failure != std::errc() || stop != end || text.size() > kDigits) return std::nullopt;
+    if (failure != std::errc() || stop != end || text.size() > kDigestDigits) return std::nullopt;
     return number;
 }
 

@@ -64,6 +64,12 @@ public:
         if (found) value = static_cast<Choice>(*found);
         return found.has_value();
     }
+    // A choice that is the first of the names unless the key is there.
+    template <class Choice>
+    void optional_choice(const char* key, Choice& value, std::span<const std::string> names,
+                         const char* what) {
+        if (has(key)) choice(key, value, names, what);
+    }
     // The index of one of the names, which are those of `what`, or of a number's name; a number of
     // none keeps out of the range of names.
     template <class Integer>

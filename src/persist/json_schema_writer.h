@@ -83,6 +83,12 @@ public:
         put(key, one_of(names));
         return true;
     }
+    template <class Choice>
+    void optional_choice(const char* key, const Choice& value, std::span<const std::string> names,
+                         const char* what) {
+        has(key);
+        choice(key, value, names, what);
+    }
     template <class Integer>
     void named_or_numbered(const char* key, Integer /*value*/, const NumberedNames& names,
                            const char* /*what*/) {

@@ -60,6 +60,12 @@ public:
         item(key, quoted_text(names[static_cast<std::size_t>(value)]));
         return true;
     }
+    // Only if it is not the first of the names.
+    template <class Choice>
+    void optional_choice(const char* key, Choice value, std::span<const std::string> names,
+                         const char* what) {
+        if (static_cast<std::size_t>(value) != 0) choice(key, value, names, what);
+    }
     template <class Integer>
     void named_or_numbered(const char* key, Integer value, const NumberedNames& names,
                            const char* /*what*/) {

@@ -9,7 +9,7 @@ namespace cambrian {
 namespace {
 
 constexpr std::size_t kWords = 4;
-constexpr JsonLimits kLimits{.bytes = 100'000};
+constexpr JsonLimits kMutationLimits{.bytes = 100'000};
 
 bool is_record(const JsonValue& value) {
     return value.kind == JsonValue::Kind::kList && value.values.size() == kWords &&
@@ -32,7 +32,7 @@ std::optional<std::string> mutations_text(std::span<const MutationRecord> mutati
 
 Result<std::vector<MutationRecord>> parse_mutations(std::string_view text) {
     ErrorList errors;
-    const auto list = parse_json(text, kLimits, errors);
+    const auto list = parse_json(text, kMutationLimits, errors);
     if (!list) return errors.as_error("mutations");
     if (list->kind != JsonValue::Kind::kList ||
         !std::all_of(list->values.begin(), list->values.end(), is_record))

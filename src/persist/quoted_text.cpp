@@ -3,7 +3,7 @@
 namespace cambrian {
 namespace {
 
-constexpr const char* kDigits = "0123456789abcdef";
+constexpr const char* kQuotedDigits = "0123456789abcdef";
 
 // The length of the UTF-8 character at the beginning, 0 if there is none.
 std::size_t utf8_length(std::string_view text) {
@@ -28,8 +28,8 @@ void append_ascii(std::string& result, char letter) {
         result += letter;
     } else if (code < 0x20 || code == 0x7f) {
         result += "\\u00";
-        result += kDigits[code >> 4];
-        result += kDigits[code & 15];
+        result += kQuotedDigits[code >> 4];
+        result += kQuotedDigits[code & 15];
     } else {
         result += letter;
     }

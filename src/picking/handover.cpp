@@ -12,14 +12,14 @@ std::vector<GenomePtr> genomes_of(std::span<const IndividualPtr> creatures) {
     return genomes;
 }
 
-std::vector<Command> injection_of(std::span<const IndividualPtr> picks) {
-    std::vector<Command> commands;
+std::vector<EngineCommand> injection_of(std::span<const IndividualPtr> picks) {
+    std::vector<EngineCommand> commands;
     for (GenomePtr& genome : genomes_of(picks))
         commands.emplace_back(InjectGenome{std::move(genome)});
     return commands;
 }
 
-Command founding_of(std::span<const IndividualPtr> picks, SettingsPtr settings) {
+EngineCommand founding_of(std::span<const IndividualPtr> picks, SettingsPtr settings) {
     return StartExperiment{std::move(settings), genomes_of(picks)};
 }
 

@@ -14,9 +14,9 @@ std::vector<GenomePtr> genomes_of(std::span<const IndividualPtr> creatures);
 
 // Commands that put the picks into the next generation of a running experiment, in place of its
 // worst.
-std::vector<Command> injection_of(std::span<const IndividualPtr> picks);
+std::vector<EngineCommand> injection_of(std::span<const IndividualPtr> picks);
 
 // The command that begins a new experiment with the picks as founders.
-Command founding_of(std::span<const IndividualPtr> picks, SettingsPtr settings);
+EngineCommand founding_of(std::span<const IndividualPtr> picks, SettingsPtr settings);
 
 }  // namespace cambrian

@@ -12,7 +12,7 @@
 namespace cambrian {
 namespace {
 
-constexpr double kMargin = 44.0;         // of a card of the usual size
+constexpr double kCardMargin = 44.0;     // of a card of the usual size
 constexpr double kPortraitShare = 0.76;  // of the large picture filled by the creature
 constexpr double kStripShare = 0.82;
 constexpr int kStripPoses = 5;
@@ -64,12 +64,13 @@ void add_heading(Easel& easel, const CardSpace& at, const Subject& subject,
     const Ink score{Typeface::kStrong, 46.0 * unit, palette.accent};
     const Ink goal{Typeface::kRegular, 26.0 * unit, palette.muted};
     const double score_width = easel.lettering().width(subject.fitness, score.typeface, score.size);
-    const double width = unit * (kCardWidth - 2.0 * kMargin) - score_width - 28.0 * unit;
-    easel.add_text(at.x(kMargin), at.y(782), subject.name, name, Align::kLeft, width);
-    easel.add_text(at.x(kCardWidth - kMargin), at.y(782), subject.fitness, score, Align::kRight);
-    easel.add_text(at.x(kCardWidth - kMargin), at.y(822), subject.goal, goal, Align::kRight);
+    const double width = unit * (kCardWidth - 2.0 * kCardMargin) - score_width - 28.0 * unit;
+    easel.add_text(at.x(kCardMargin), at.y(782), subject.name, name, Align::kLeft, width);
+    easel.add_text(at.x(kCardWidth - kCardMargin), at.y(782), subject.fitness, score,
+                   Align::kRight);
+    easel.add_text(at.x(kCardWidth - kCardMargin), at.y(822), subject.goal, goal, Align::kRight);
     // The colour of its lineage.
-    easel.add_box(at.area({kMargin, 806, 72, 8}), 4.0 * unit,
+    easel.add_box(at.area({kCardMargin, 806, 72, 8}), 4.0 * unit,
                   color_of_hue(subject.hue, 0.70, 0.12));
 }
 
@@ -77,8 +78,8 @@ void add_facts(Easel& easel, const CardSpace& at, const Subject& subject, const 
     const std::vector<Fact> facts = facts_of(subject);
     const Ink value{Typeface::kStrong, 34.0 * at.unit, palette.text};
     const Ink label{Typeface::kRegular, 21.0 * at.unit, palette.muted};
-    const double column = (kCardWidth - 2.0 * kMargin) / static_cast<double>(facts.size());
-    double x = kMargin;
+    const double column = (kCardWidth - 2.0 * kCardMargin) / static_cast<double>(facts.size());
+    double x = kCardMargin;
     for (const Fact& fact : facts) {
         easel.add_text(at.x(x), at.y(896), fact.value, value);
         easel.add_text(at.x(x), at.y(926), fact.label, label);
@@ -89,12 +90,12 @@ void add_facts(Easel& easel, const CardSpace& at, const Subject& subject, const 
 void add_strip(Easel& easel, const CardSpace& at, const Subject& subject, const Palette& palette) {
     constexpr double gap = 12.0;
     constexpr double height = 190.0;
-    const double width = (kCardWidth - 2.0 * kMargin + gap) / kStripPoses - gap;
+    const double width = (kCardWidth - 2.0 * kCardMargin + gap) / kStripPoses - gap;
     MomentStyle style{.palette = palette, .label_size = 13.0 * at.unit, .trail = 30};
     style.pixels_per_metre =
         scale_to_fit(subject.motion(), at.area({0, 0, width, height}), kStripShare);
     const Ink ink{Typeface::kRegular, 20.0 * at.unit, palette.muted};
-    double x = kMargin;
+    double x = kCardMargin;
     for (const double time : even_times(subject.motion(), kStripPoses)) {
         const Area cell = at.area({x, 962, width, height});
         const Moment moment = moment_of(subject.motion(), time);
@@ -109,8 +110,8 @@ void add_strip(Easel& easel, const CardSpace& at, const Subject& subject, const 
 void add_foot(Easel& easel, const CardSpace& at, const Palette& palette) {
     const Ink strong{Typeface::kStrong, 21.0 * at.unit, palette.muted};
     const Ink small{Typeface::kRegular, 21.0 * at.unit, palette.muted};
-    easel.add_text(at.x(kMargin), at.y(1242), "Cambrian", strong);
-    easel.add_text(at.x(kCardWidth - kMargin), at.y(1242),
+    easel.add_text(at.x(kCardMargin), at.y(1242), "Cambrian", strong);
+    easel.add_text(at.x(kCardWidth - kCardMargin), at.y(1242),
                    "The creature is inside: open this picture to see it move", small,
                    Align::kRight);
 }
@@ -120,7 +121,7 @@ void add_foot(Easel& easel, const CardSpace& at, const Palette& palette) {
 void draw_card(Easel& easel, const Subject& subject, const Palette& palette) {
     const CardSpace at(easel);
     easel.clear(palette.window);
-    const Area portrait = at.area({kMargin, kMargin, kCardWidth - 2.0 * kMargin, 650});
+    const Area portrait = at.area({kCardMargin, kCardMargin, kCardWidth - 2.0 * kCardMargin, 650});
     MomentStyle style{.palette = palette, .label_size = 18.0 * at.unit};
     style.pixels_per_metre = scale_to_fit(subject.motion(), portrait, kPortraitShare);
     add_moment(easel, portrait, subject,

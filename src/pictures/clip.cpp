@@ -8,11 +8,11 @@
 namespace cambrian {
 namespace {
 
-constexpr double kWidth = 1280.0;  // pixels, of a clip laid out as it is
-constexpr double kHeight = 720.0;
-constexpr double kLeastUnit = 0.6;   // smaller words could not be read
-constexpr double kBodyShare = 0.42;  // of the picture filled by the creature
-constexpr std::size_t kTrail = 90;   // dots
+constexpr double kClipWidth = 1280.0;  // pixels, of a clip laid out as it is
+constexpr double kClipHeight = 720.0;
+constexpr double kLeastUnit = 0.6;       // smaller words could not be read
+constexpr double kClipBodyShare = 0.42;  // of the picture filled by the creature
+constexpr std::size_t kTrail = 90;       // dots
 
 }  // namespace
 
@@ -28,11 +28,11 @@ double clip_time(const ClipTiming& timing, std::uint64_t frame) {
 void draw_clip_frame(Easel& easel, const Subject& subject, const Palette& palette,
                      const Moment& moment) {
     const double unit =
-        std::max(kLeastUnit, std::min(easel.width() / kWidth, easel.height() / kHeight));
+        std::max(kLeastUnit, std::min(easel.width() / kClipWidth, easel.height() / kClipHeight));
     const Area whole = {0, 0, static_cast<double>(easel.width()),
                         static_cast<double>(easel.height())};
     MomentStyle style{.palette = palette, .label_size = 16.0 * unit, .trail = kTrail};
-    style.pixels_per_metre = scale_to_fit(subject.motion(), whole, kBodyShare);
+    style.pixels_per_metre = scale_to_fit(subject.motion(), whole, kClipBodyShare);
     easel.clear(palette.sky);
     add_moment(easel, whole, subject, moment, style);
     const Ink title{Typeface::kStrong, 28.0 * unit, palette.text};

@@ -10,10 +10,10 @@ namespace cambrian {
 namespace {
 
 // Laid out for a picture of this height and scaled to the one asked for.
-constexpr double kHeight = 900.0;  // pixels
-constexpr double kMargin = 40.0;
-constexpr double kHeader = 150.0;  // title and what is below it
-constexpr double kLeft = 120.0;    // of the axis
+constexpr double kCurvesHeight = 900.0;  // pixels
+constexpr double kCurvesMargin = 40.0;
+constexpr double kCurvesHeader = 150.0;  // title and what is below it
+constexpr double kLeft = 120.0;          // of the axis
 constexpr double kBottom = 96.0;
 constexpr double kLegend = 40.0;       // a line of it
 constexpr std::size_t kOneColumn = 4;  // curves whose names are in one column
@@ -53,14 +53,14 @@ public:
         : easel_(easel),
           curves_(curves),
           palette_(palette),
-          unit_(easel.height() / kHeight),
+          unit_(easel.height() / kCurvesHeight),
           width_(greatest(curves, &BandedCurve::x)),
           height_(greatest(curves, &BandedCurve::upper)) {
         columns_ = curves.size() > kOneColumn ? kColumns : 1;
         const std::size_t rows = (curves.size() + columns_ - 1) / columns_;
         const double legend = kLegend * unit_ * static_cast<double>(rows);
-        const double top = kHeader * unit_;
-        area_ = {kLeft * unit_, top, easel.width() - (kLeft + kMargin) * unit_,
+        const double top = kCurvesHeader * unit_;
+        area_ = {kLeft * unit_, top, easel.width() - (kLeft + kCurvesMargin) * unit_,
                  easel.height() - top - kBottom * unit_ - legend};
     }
 
@@ -81,7 +81,7 @@ private:
     }
 
     void add_words(const CurvesLabels& labels) {
-        const double left = kMargin * unit_;
+        const double left = kCurvesMargin * unit_;
         easel_.add_text(left, 62.0 * unit_, labels.title,
                         {Typeface::kStrong, 38.0 * unit_, palette_.text}, Align::kLeft,
                         easel_.width() - 2.0 * left);

@@ -10,14 +10,14 @@ namespace cambrian {
 namespace {
 
 // Everything is laid out for a sheet of this size and scaled to the one asked for.
-constexpr double kWidth = 1600.0;  // pixels
-constexpr double kHeight = 900.0;
-constexpr double kMargin = 36.0;
-constexpr double kHeader = 104.0;
+constexpr double kSheetWidth = 1600.0;  // pixels
+constexpr double kSheetHeight = 900.0;
+constexpr double kSheetMargin = 36.0;
+constexpr double kSheetHeader = 104.0;
 constexpr double kGap = 14.0;
 constexpr double kCaption = 30.0;     // under each pose
 constexpr double kBestAspect = 1.35;  // width over height of a pose
-constexpr double kBodyShare = 0.7;    // of a pose filled by the creature
+constexpr double kPoseShare = 0.7;    // of a pose filled by the creature
 
 struct Grid {
     int columns = 1;
@@ -44,7 +44,7 @@ Grid choose_grid(int poses, const Area& room, double gap, double caption) {
 }
 
 void add_header(Easel& easel, const Subject& subject, const Palette& palette, double unit) {
-    const double left = kMargin * unit;
+    const double left = kSheetMargin * unit;
     const double right = easel.width() - left;
     const Ink title{Typeface::kStrong, 38.0 * unit, palette.text};
     const Ink score{Typeface::kStrong, 38.0 * unit, palette.accent};
@@ -60,19 +60,19 @@ void add_header(Easel& easel, const Subject& subject, const Palette& palette, do
 }  // namespace
 
 void draw_sheet(Easel& easel, const Subject& subject, const Palette& palette, int poses) {
-    const double unit = std::min(easel.width() / kWidth, easel.height() / kHeight);
+    const double unit = std::min(easel.width() / kSheetWidth, easel.height() / kSheetHeight);
     easel.clear(palette.window);
     add_header(easel, subject, palette, unit);
-    const Area room = {kMargin * unit, (kHeader + kGap) * unit,
-                       easel.width() - 2.0 * kMargin * unit,
-                       easel.height() - (kHeader + 2.0 * kGap) * unit};
+    const Area room = {kSheetMargin * unit, (kSheetHeader + kGap) * unit,
+                       easel.width() - 2.0 * kSheetMargin * unit,
+                       easel.height() - (kSheetHeader + 2.0 * kGap) * unit};
     const double gap = kGap * unit;
     const double caption = kCaption * unit;
     const Grid grid = choose_grid(poses, room, gap, caption);
     const double width = (room.width + gap) / grid.columns - gap;
     const double height = (room.height + gap) / grid.rows - gap - caption;
     MomentStyle style{.palette = palette, .label_size = 15.0 * unit};
-    style.pixels_per_metre = scale_to_fit(subject.motion(), {0, 0, width, height}, kBodyShare);
+    style.pixels_per_metre = scale_to_fit(subject.motion(), {0, 0, width, height}, kPoseShare);
     const Ink ink{Typeface::kRegular, 19.0 * unit, palette.muted};
     int index = 0;
     for (const double time : even_times(subject.motion(), poses)) {

@@ -11,9 +11,29 @@ Face mirrored(Face face) {
     return face;
 }
 
-double read_contact(const BodyView& body, std::size_t part, std::size_t channel, int handedness) {
+Face face_of(std::size_t channel, int handedness) {
     const auto face = static_cast<Face>(channel);
-    return body.face_touched(part, handedness < 0 ? mirrored(face) : face) ? 1.0 : -1.0;
+    return handedness < 0 ? mirrored(face) : face;
+}
+
+double read_contact(const BodyView& body, std::size_t part, std::size_t channel, int handedness) {
+    return body.face_touched(part, face_of(channel, handedness)) ? 1.0 : -1.0;
+}
+
+// A little inside the middle of the face.
+Vec3 contact_spot(std::size_t channel, int handedness) {
+    constexpr double kShare = 0.8;
+    switch (face_of(channel, handedness)) {
+        case Face::kDistal:
+            return {kShare, 0.0, 0.0};
+        case Face::kLeft:
+            return {0.0, kShare, 0.0};
+        case Face::kProximal:
+            return {-kShare, 0.0, 0.0};
+        case Face::kRight:
+            break;
+    }
+    return {0.0, -kShare, 0.0};
 }
 
 }  // namespace
@@ -25,7 +45,8 @@ void add_contact_sensor(SensorRegistry& sensors) {
                               {"contact-left", "Contact, left"},
                               {"contact-proximal", "Contact, near end"},
                               {"contact-right", "Contact, right"}},
-                 .read = read_contact});
+                 .read = read_contact,
+                 .spot = contact_spot});
 }
 
 }  // namespace cambrian

@@ -22,13 +22,18 @@ struct SensorKind {
     using Read = double (*)(const BodyView& body, std::size_t part, std::size_t channel,
                             int handedness);
 
+    // Where on a part a lamp shows the reading of one of the kind's channels: a point in the part's
+    // frame, as shares of its half extents.
+    using Spot = Vec3 (*)(std::size_t channel, int handedness);
+
     std::string id;
     std::string label;
     std::vector<SensorChannel> channels;
     Read read = nullptr;
     // The reading is the joint's coordinate: genes want it in lengths of the part where the joint
     // slides (creature/README.md 7), and sliding has no handedness.
-    bool reads_joint = false;
+    bool reads_joint = false;  // then it is drawn along the joint's motion
+    Spot spot = nullptr;       // without one, the lamp is in the middle of the part
 };
 
 using SensorRegistry = Registry<SensorKind>;

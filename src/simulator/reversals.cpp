@@ -1,6 +1,6 @@
 #include "simulator/reversals.h"
 
-#include <cmath>
+#include <algorithm>
 
 namespace cambrian {
 namespace {
@@ -10,8 +10,8 @@ constexpr double kSmallestSwing = 0.05;  // rad
 }  // namespace
 
 void ReversalCounter::watch(double coordinate) {
-    low_ = std::fmin(low_, coordinate);
-    high_ = std::fmax(high_, coordinate);
+    low_ = std::min(low_, coordinate);
+    high_ = std::max(high_, coordinate);
     const bool up = direction_ <= 0 && coordinate - low_ > kSmallestSwing;
     const bool down = direction_ >= 0 && high_ - coordinate > kSmallestSwing;
     if (!up && !down) return;

@@ -6,9 +6,10 @@
 namespace cambrian {
 namespace {
 
-constexpr float kGap = 2.0F;
+constexpr float kPanelGap = 2.0F;
 constexpr float kBarHeight = 54.0F;
 constexpr float kTransportHeight = 58.0F;
+constexpr float kFootHeight = 28.0F;
 
 struct SizeLimits {
     float least;
@@ -51,8 +52,15 @@ float drag_strip(const char* name, const Rect& strip, bool sideways) {
 
 }  // namespace
 
-Layout divide_window(float width, float height, const ViewState& view, float scale) {
-    const float gap = std::round(kGap * scale);
+Layout divide_window(float width, float height, const ViewState& view, float scale,
+                     bool with_foot) {
+    const float gap = std::round(kPanelGap * scale);
+    if (with_foot) {
+        const float foot = std::round(kFootHeight * scale);
+        Layout layout = divide_window(width, height - foot - gap, view, scale);
+        layout.foot = {0, height - foot, width, foot};
+        return layout;
+    }
     const float left = panel_size(view.panels.left, view.panels.left_width, 0.25F * width,
                                   {270 * scale, 350 * scale, 0.4F * width}, scale);
     const float right = panel_size(view.panels.right, view.panels.right_width, 0.225F * width,
@@ -112,7 +120,7 @@ bool drag_gaps(const Layout& layout, ViewState& view) {
 void draw_gaps(const Layout& layout) {
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
     const ImU32 color = paint(colors().window);
-    const float gap = std::round(kGap * ui().scale);
+    const float gap = std::round(kPanelGap * ui().scale);
     const Rect& bar = layout.bar;
     const auto fill = [&](float x, float y, float width, float height) {
         if (width > 0.0F && height > 0.0F)
@@ -124,6 +132,7 @@ void draw_gaps(const Layout& layout) {
     fill(middle.x - gap, middle.y, gap, middle_height);
     fill(middle.x + middle.width, middle.y, gap, middle_height);
     fill(0, layout.timeline.y - gap, bar.width, layout.timeline.height > 0.0F ? gap : 0.0F);
+    fill(0, layout.foot.y - gap, layout.foot.width, gap);
     fill(layout.population.x - gap, layout.population.y, gap, layout.population.height);
 }
 

@@ -15,10 +15,12 @@ struct Layout {
     Rect inspector;   // right
     Rect timeline;    // bottom left
     Rect population;  // bottom right
+    Rect foot;        // one line along the bottom, if it is wanted
 };
 
 // Hidden panels get no width. Sizes shrink with small windows so that the viewport keeps room.
-Layout divide_window(float width, float height, const ViewState& view, float scale);
+Layout divide_window(float width, float height, const ViewState& view, float scale,
+                     bool with_foot = false);
 
 // The viewport and its transport fill the window; nothing else has a place.
 Layout viewer_layout(float width, float height, float scale);

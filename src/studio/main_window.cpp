@@ -19,6 +19,8 @@ const Rect& area_of(const Layout& layout, PanelArea area) {
             return layout.timeline;
         case PanelArea::kBottomRight:
             return layout.population;
+        case PanelArea::kUnderAll:
+            return layout.foot;
         case PanelArea::kCenter:
         case PanelArea::kCard:
             break;
@@ -81,8 +83,9 @@ MainWindow::MainWindow(std::span<const PanelKind> kinds, Renderer* renderer) : k
 void MainWindow::draw(const FrameContext& frame, Requests& out) {
     const ImVec2 size = ImGui::GetIO().DisplaySize;
     const bool alone = frame.window.viewer_only;
-    const Layout layout = alone ? viewer_layout(size.x, size.y, ui().scale)
-                                : divide_window(size.x, size.y, frame.view, ui().scale);
+    const Layout layout =
+        alone ? viewer_layout(size.x, size.y, ui().scale)
+              : divide_window(size.x, size.y, frame.view, ui().scale, frame.machines_told());
     if (!alone) draw_gaps(layout);
     draw_areas(frame, layout, out);
     ViewState view = frame.view;

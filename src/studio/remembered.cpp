@@ -70,6 +70,17 @@ void read_line(const std::string& name, const std::string& value, ViewState& vie
         view.speed = speed;
 }
 
+struct ClusterLine {
+    const char* name;
+    std::string ClusterLogin::*place;
+};
+constexpr std::array kClusterLines = {
+    ClusterLine{"server", &ClusterLogin::servers},
+    ClusterLine{"cluster-name", &ClusterLogin::name},
+    ClusterLine{"credentials", &ClusterLogin::credentials},
+    ClusterLine{"ca", &ClusterLogin::authority},
+};
+
 }  // namespace
 
 std::string write_view(const ViewState& view) {
@@ -102,6 +113,29 @@ ViewState parse_view(std::string_view text) {
     return view;
 }
 
+std::string write_cluster(const ClusterMemory& cluster) {
+    std::string text = std::string("joined = ") + (cluster.joined ? "yes" : "no") + "\n";
+    for (const ClusterLine& line : kClusterLines)
+        text += std::string(line.name) + " = " + cluster.login.*line.place + "\n";
+    return text;
+}
+
+ClusterMemory parse_cluster(std::string_view text) {
+    ClusterMemory cluster;
+    std::istringstream lines{std::string(text)};
+    for (std::string line; std::getline(lines, line);) {
+        const std::size_t equals = line.find(" = ");
+        if (equals == std::string::npos) continue;
+        const std::string name = line.substr(0, equals);
+        const std::string value = line.substr(equals + 3);
+        if (name == "joined") cluster.joined = value == "yes";
+        for (const ClusterLine& known : kClusterLines) {
+            if (name == known.name) cluster.login.*known.place = value;
+        }
+    }
+    return cluster;
+}
+
 Remembered recall(const std::filesystem::path& folder, const EvolutionKinds& kinds) {
     Remembered remembered;
     if (folder.empty()) return remembered;
@@ -111,6 +145,8 @@ Remembered recall(const std::filesystem::path& folder, const EvolutionKinds& kin
         remembered.settings = std::move(*settings);
     if (auto path = read_file(folder / "experiment.path", kMostBytes))
         remembered.experiment = std::move(*path);
+    if (const auto cluster = read_file(folder / "cluster.conf", kMostBytes))
+        remembered.cluster = parse_cluster(*cluster);
     return remembered;
 }
 
@@ -122,6 +158,9 @@ Status remember(const std::filesystem::path& folder, const Remembered& remembere
     if (Status status = write_file(folder / "view.conf", write_view(remembered.view)); !status)
         return status;
     if (Status status = write_file(folder / "experiment.path", remembered.experiment); !status)
+        return status;
+    if (Status status = write_file(folder / "cluster.conf", write_cluster(remembered.cluster));
+        !status)
         return status;
     return save_settings(folder / "experiment.toml", remembered.settings, kinds);
 }

@@ -7,6 +7,7 @@
 #include "evolution/evolution_kinds.h"
 #include "evolution/experiment_settings.h"
 #include "studio/look/view_state.h"
+#include "studio/machines/cluster_memory.h"
 
 #include <filesystem>
 #include <string>
@@ -18,6 +19,7 @@ struct Remembered {
     ViewState view;
     ExperimentSettings settings;
     std::string experiment;  // file of the one that is open; empty: the folder's own
+    ClusterMemory cluster;
 
     friend bool operator==(const Remembered&, const Remembered&) = default;
 };
@@ -34,5 +36,8 @@ std::filesystem::path own_experiment(const std::filesystem::path& folder);
 // The arrangement as text, "name = value" a line. Lines that are not understood are passed over.
 std::string write_view(const ViewState& view);
 ViewState parse_view(std::string_view text);
+// The cluster, in the same way; values may contain spaces.
+std::string write_cluster(const ClusterMemory& cluster);
+ClusterMemory parse_cluster(std::string_view text);
 
 }  // namespace cambrian

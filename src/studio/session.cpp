@@ -22,22 +22,27 @@ struct Session::Router {
     void operator()(const PickingRequest& request) const { self.picking_.carry_out(request); }
     void operator()(const FilesRequest& request) const { self.files_.carry_out(request); }
     void operator()(const GuideRequest& request) const { self.guide_.carry_out(request); }
+    void operator()(const MachinesRequest& request) const { self.machines_.carry_out(request); }
     void operator()(const WindowRequest& request) const { self.window_.carry_out(request); }
 };
 
-Session::Session(const Remembered& remembered, const EvolutionKinds& kinds, std::size_t workers,
-                 const std::filesystem::path& status_log)
+Session::Session(const Remembered& remembered, const EvolutionKinds& kinds,
+                 const MachineOptions& machines, const std::filesystem::path& status_log)
     : view_(remembered.view),
       feedback_(status_log),
       services_{kinds, worker_, feedback_},
       window_(feedback_, view_),
       guide_(services_, view_),
       viewer_(services_, view_),
-      experiment_(services_, view_, viewer_, remembered.settings, workers),
+      machines_(services_, experiment_, machines),
+      experiment_(services_, view_, viewer_, remembered.settings, machines_.own_cores()),
       generations_(services_, view_, viewer_, experiment_),
-      picking_(services_, view_, viewer_, experiment_, workers),
+      picking_(services_, view_, viewer_, experiment_, machines.workers),
       files_(services_, view_, {viewer_, experiment_, generations_, picking_}),
-      memory_({view_, experiment_.open().editor().draft(), remembered.experiment}) {}
+      memory_(
+          {view_, experiment_.open().editor().draft(), remembered.experiment, remembered.cluster}) {
+    machines_.begin(remembered.cluster);
+}
 
 void Session::remember_in(const std::filesystem::path& folder) {
     memory_.use(folder);
@@ -52,7 +57,8 @@ void Session::reopen_last() {
 void Session::keep_memory() {
     const OpenExperiment& experiment = std::as_const(experiment_).open();
     memory_.keep({view_, experiment.editor().draft(),
-                  files_.reopening() ? memory_.experiment() : experiment.file().string()},
+                  files_.reopening() ? memory_.experiment() : experiment.file().string(),
+                  machines_.memory()},
                  services_);
 }
 
@@ -68,6 +74,7 @@ void Session::update(double now, double elapsed) {
     experiment_.poll();
     generations_.log_finished();
     experiment_.follow_status();
+    machines_.update(now);
     if (!picking_.on()) generations_.follow_newest();
     const Stopwatch spent;
     picking_.update(elapsed);
@@ -95,7 +102,8 @@ FrameContext Session::frame_context() const {
             .files = files_.facts(),
             .guide = guide_.facts(),
             .window = window_.facts(),
-            .picking = picking_.facts()};
+            .picking = picking_.facts(),
+            .machines = &machines_.facts()};
 }
 
 bool Session::animating() const {

@@ -6,6 +6,7 @@
 #include "studio/files/files_controller.h"
 #include "studio/frame/frame_context.h"
 #include "studio/help/guide_controller.h"
+#include "studio/machines/machines_controller.h"
 #include "studio/memory.h"
 #include "studio/window_controller.h"
 
@@ -16,8 +17,8 @@ namespace cambrian {
 class Session {
 public:
     // kinds must outlive it.
-    Session(const Remembered& remembered, const EvolutionKinds& kinds, std::size_t workers,
-            const std::filesystem::path& status_log);
+    Session(const Remembered& remembered, const EvolutionKinds& kinds,
+            const MachineOptions& machines, const std::filesystem::path& status_log);
 
     // Keeps arrangement, settings and experiment in a folder from now on, whenever they change.
     void remember_in(const std::filesystem::path& folder);
@@ -41,6 +42,7 @@ public:
     WindowController& window() { return window_; }
     GuideController& guide() { return guide_; }
     FilesController& files() { return files_; }
+    MachinesController& machines() { return machines_; }
     Feedback& feedback() { return feedback_; }
 
 private:
@@ -53,6 +55,7 @@ private:
     WindowController window_;
     GuideController guide_;
     ViewerController viewer_;
+    MachinesController machines_;
     ExperimentController experiment_;
     GenerationsController generations_;
     PickingController picking_;

@@ -85,6 +85,8 @@ void close_what_is_open(const FrameContext& frame, Requests& out) {
         out.ask(ToggleSamples{});
     } else if (frame.files.browser.open) {
         out.ask(CloseFilePanel{});
+    } else if (frame.machines != nullptr && frame.machines->card_open) {
+        out.ask(ToggleMachines{});
     } else if (frame.guide.help_shown) {
         out.ask(ToggleHelp{});
     } else if (frame.picking != nullptr && frame.picking->single &&
@@ -136,19 +138,19 @@ constexpr std::array kShortcuts = {
     Shortcut{{GLFW_KEY_SLASH}, "/", "Find a setting", simply<FindSetting>},
     Shortcut{{GLFW_KEY_F, true}, "Ctrl+F", "The same", simply<FindSetting>},
     Shortcut{{GLFW_KEY_L, true}, "Ctrl+L", "Light theme, or dark again", switch_theme, true},
+    Shortcut{{GLFW_KEY_M, true},
+             "Ctrl+M",
+             "Work on several machines, and who works",
+             simply<ToggleMachines>},
     Shortcut{{GLFW_KEY_F12}, "F12", "Keep a picture of the window", simply<SaveScreenshot>, true},
     Shortcut{{GLFW_KEY_F1}, "F1", "Help", simply<ToggleHelp>},
     Shortcut{{GLFW_KEY_ESCAPE}, "Esc", "Close what is open", close_what_is_open, true},
     Shortcut{{GLFW_KEY_Q, true}, "Ctrl+Q", "Quit", simply<QuitStudio>, true},
 };
 
-template <class Command>
+template <class Asked>
 void ask_desk(const FrameContext&, Requests& out) {
-    out.ask(AskPicking{Command{}});
-}
-
-bool grid_shown(const FrameContext& frame) {
-    return frame.picking != nullptr && !frame.picking->single;
+    out.ask(AskPicking{Asked{}});
 }
 
 // The cells of the grid shown; 0 before there is one.
@@ -283,7 +285,7 @@ std::string keys_text() {
 void press_shortcut(const KeyPress& press, bool typing, const FrameContext& frame, Requests& out) {
     if (typing && !press.control && press.key != GLFW_KEY_ESCAPE) return;
     const bool covered = frame.files.browser.open || frame.guide.help_shown;
-    if (grid_shown(frame) && !covered && press_in_grid(press, frame, out)) return;
+    if (frame.grid_shown() && !covered && press_in_grid(press, frame, out)) return;
     if (frame.window.viewer_only && press_in(kViewerShortcuts, press, frame, out)) return;
     static_cast<void>(press_in(kShortcuts, press, frame, out));
 }

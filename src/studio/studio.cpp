@@ -32,9 +32,7 @@ public:
         : options_(options),
           window_(window),
           renderer_(renderer),
-          session_(remembered(options, kinds), kinds,
-                   options.workers > 0 ? options.workers : ThreadPool::default_workers(),
-                   options.status_log),
+          session_(remembered(options, kinds), kinds, machines(options), options.status_log),
           host_(window, options.scale > 0.0 ? static_cast<float>(options.scale) : window.scale(),
                 session_.view().theme),
           main_window_(builtin_panels(), &renderer),
@@ -72,6 +70,12 @@ private:
         Remembered remembered = recall(options.state_dir, kinds);
         if (options.theme) remembered.view.theme = *options.theme;
         return remembered;
+    }
+
+    static MachineOptions machines(const StudioOptions& options) {
+        MachineOptions machines = options.machines;
+        if (machines.workers == 0) machines.workers = ThreadPool::default_workers();
+        return machines;
     }
 
     void open_first_files() {

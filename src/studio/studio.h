@@ -7,6 +7,7 @@
 #include "evolution/evolution_kinds.h"
 #include "pictures/canvas/palette.h"
 #include "studio/host/window.h"
+#include "studio/machines/machine_options.h"
 
 #include <cstddef>
 #include <filesystem>
@@ -27,8 +28,8 @@ struct StudioOptions {
     bool evolve = false;                    // begins evolving at once
     int width = 1280;                       // of the window, in units of 1/96 inch
     int height = 800;
-    double scale = 0.0;               // of everything drawn; 0 is the display's
-    std::size_t workers = 0;          // threads that evaluate; 0 is one a core
+    double scale = 0.0;  // of everything drawn; 0 is the display's
+    MachineOptions machines;
     std::filesystem::path state_dir;  // what is remembered between runs; empty remembers nothing
 };
 

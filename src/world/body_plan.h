@@ -13,6 +13,10 @@
 
 namespace cambrian {
 
+// The motion a joint allows its part against the parent, its motion subspace in the plane: none, a
+// turn about the anchor, or a slide along the part's length.
+enum class JointMotion : std::uint8_t { kFixed, kTurn, kSlide };
+
 // What a brain's signal sets: the position a joint moves to, its rate, or its torque or force.
 enum class MotorMode : std::uint8_t { kPosition, kVelocity, kTorque };
 inline constexpr std::array<std::string_view, 3> kMotorModeIds = {"position", "velocity",
@@ -31,7 +35,7 @@ struct PlannedPart {
     double rest_angle = 0.0;           // rad; planar angle of rest_pose, unwrapped
     int parent = -1;                   // index of an earlier part; -1 on the root
     // The joint to the parent; unused on the root.
-    std::uint8_t joint_kind = 0;           // index into SceneKind::joints
+    JointMotion motion = JointMotion::kFixed;
     Vec3 anchor_in_parent = Vec3::Zero();  // m, in the parent's frame
     Vec3 anchor_in_child = Vec3::Zero();   // m, in this part's frame
     double limit_low = 0.0;                // rad or m, relative to rest; <= 0

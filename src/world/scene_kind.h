@@ -5,6 +5,7 @@
 #include "core/result.h"
 #include "world/body_plan.h"
 #include "world/environment.h"
+#include "world/joint_kind.h"
 #include "world/physics_scene.h"
 #include "world/scene_settings.h"
 
@@ -15,17 +16,10 @@
 
 namespace cambrian {
 
-struct JointEntry {
-    std::string id;  // written to files: "rigid", "rotary", "linear"
-    std::string label;
-    int degrees_of_freedom = 0;
-    std::string unit;  // of its coordinate: "rad" or "m"
-};
-
 struct SceneKind {
     std::string id;
     std::string label;
-    std::vector<JointEntry> joints;        // a plan's joint_kind indexes this
+    JointRegistry joints;
     std::vector<std::string> integrators;  // ids SceneSettings::integrator may name
     std::string accurate_integrator;       // the one of them for results that must be certain
     // Fails, with a reason, for bodies physics refuses (too many parts, degenerate sizes).

@@ -16,7 +16,7 @@ PlannedPart random_rectangle(RandomStream& stream) {
     PlannedPart part;
     part.half_extents.x() = stream.uniform(0.10, 0.35);
     part.half_extents.y() = stream.uniform(0.03, 0.10);
-    part.joint_kind = kRotaryJoint;
+    part.motion = kRotaryJoint;
     return part;
 }
 
@@ -96,7 +96,7 @@ BenchCreature passive_chain(std::size_t bodies, std::size_t ticks) {
     for (std::size_t i = 0; i < bodies; ++i) {
         PlannedPart part;
         part.half_extents = Vec3(half_length, half_width, 0.0);
-        part.joint_kind = kRotaryJoint;
+        part.motion = kRotaryJoint;
         part.motor_mode = MotorMode::kTorque;
         part.limit_low = -free_range;
         part.limit_high = free_range;

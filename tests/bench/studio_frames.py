@@ -15,10 +15,13 @@ import tempfile
 import time
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "tests/cli"))
+from nats_server import NatsServer  # noqa: E402: its folder is named above
 WIDTH, HEIGHT = 1920, 1080
 PATIENCE = 60  # s; for the window to come, to answer and to go
 LONG_FRAME = 33.0  # ms
 INPUT_EVERY = 3.0  # s
+F1 = 290  # as GLFW numbers keys
 
 # name: (most that is well, unit)
 AIMS = {
@@ -68,10 +71,29 @@ class Display:
         self.server.wait(PATIENCE)
 
 
+class Cluster:
+    """A server and workers of one core each, on this machine."""
+
+    def __init__(self, folder, options):
+        self.server = NatsServer(folder / "server")
+        self.workers = [
+            subprocess.Popen([options.program, "worker", self.server.url, "--threads", "1",
+                              "--name", f"worker {i}"], stdin=subprocess.DEVNULL,
+                             stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+            for i in range(options.workers)]
+
+    def close(self):
+        for worker in self.workers:
+            worker.terminate()
+        for worker in self.workers:
+            worker.wait(PATIENCE)
+        self.server.stop()
+
+
 class Studio:
     """The program, evolving from its start, with its logs in a folder."""
 
-    def __init__(self, display, folder, options, settings):
+    def __init__(self, display, folder, options, settings, cluster=None):
         self.display = display
         self.frame_log = folder / "frames.csv"
         self.status_log = folder / "status.log"
@@ -83,6 +105,8 @@ class Studio:
                    "--status-log", self.status_log]
         if options.threads:
             command += ["--threads", options.threads]
+        if cluster:
+            command += ["--cluster", cluster.server.url]
         self.launched = time.monotonic()
         self.process = subprocess.Popen(list(map(str, command)), env=display.environment)
         self.wait_for("started")
@@ -162,7 +186,7 @@ class Toggle:
         """For each press seen: the frames begun from the one that read it to the one that showed
         it, both counted."""
         begun = self.studio.frames()
-        presses = self.studio.events("pressed")
+        presses = [event for event in self.studio.events("pressed") if event["key"] == F1]
         return [sum(frame["began_s"] <= seen and frame["frame"] >= presses[press - 1]["frame"]
                     for frame in begun)
                 for press, seen in self.seen]
@@ -173,9 +197,14 @@ def quantile(values, share):
     return ordered[round(share * (len(ordered) - 1))]
 
 
-def measure_frames(display, folder, options):
-    """A while of evolving, the help card coming and going."""
-    studio = Studio(display, folder, options, EVOLVING.format(size=options.size))
+def measure_frames(display, folder, options, cluster):
+    """A while of evolving, the help card coming and going; with a cluster, the table of machines
+    behind it."""
+    studio = Studio(display, folder, options, EVOLVING.format(size=options.size), cluster)
+    if cluster:
+        while studio.events("machines")[-1]["machines"] <= options.workers:
+            studio.wait_for("machines", count=len(studio.events("machines")) + 1)
+        display.tool("key", "ctrl+m")
     end = studio.launched + options.seconds
     time.sleep(5.0)
     toggle = Toggle(studio)
@@ -236,6 +265,8 @@ def main():
     parser.add_argument("--seconds", type=float, default=60.0, help="how long frames are timed")
     parser.add_argument("--size", type=int, default=300, help="creatures in the population")
     parser.add_argument("--threads", type=int, help="that evaluate; one a core unless given")
+    parser.add_argument("--workers", type=int, default=0,
+                        help="evaluate with so many workers on this machine too, through a server")
     parser.add_argument("--generations", type=int, default=0,
                         help="read the memory after so many quick ones too; 0 does not")
     options = parser.parse_args()
@@ -245,7 +276,12 @@ def main():
         try:
             print(f"load before              {os.getloadavg()[0]:.1f} on {os.cpu_count()} cores")
             warm_up(display, folder, options)
-            figures = measure_frames(display, folder, options)
+            cluster = Cluster(folder, options) if options.workers else None
+            try:
+                figures = measure_frames(display, folder, options, cluster)
+            finally:
+                if cluster:
+                    cluster.close()
             if options.generations:
                 figures |= measure_memory(display, folder, options)
         finally:

@@ -5,7 +5,7 @@ import unittest
 from program import BAD_INPUT, DONE, FAILED, ROOT, ProgramTest
 
 SUBCOMMANDS = ["studio", "view", "evolve", "simulate", "render", "verify", "rescore",
-               "settings"]
+               "settings", "worker", "cluster"]
 
 
 class CommandLine(ProgramTest):

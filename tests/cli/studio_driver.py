@@ -174,14 +174,18 @@ class StudioTest(ProgramTest):
             self.display.tool("mousemove", step, y, "sleep", 0.1)
         self.display.tool("mouseup", 1)
 
+    def type_over(self, text):
+        """In place of what the text field with the keyboard holds."""
+        # Held for a moment, as by a hand, so that a frame sees both keys down.
+        self.display.tool("keydown", "ctrl", "keydown", "a", "sleep", 0.2, "keyup", "a", "keyup",
+                          "ctrl", "type", "--delay", "30", text)
+
     def save_as(self, keys, name):
         """Through the file panel that these keys open; the path that was written."""
         after = len(self.events())
         self.display.tool("key", keys)
         time.sleep(1.0)
-        # Held for a moment, as by a hand, so that a frame sees both keys down.
-        self.display.tool("keydown", "ctrl", "keydown", "a", "sleep", 0.2, "keyup", "a", "keyup",
-                          "ctrl", "type", "--delay", "30", str(self.folder / name))
+        self.type_over(str(self.folder / name))
         self.display.tool("key", "Return")
         return pathlib.Path(self.wait_for("saved", after=after)[0]["path"])
 

@@ -2,8 +2,10 @@
 
 #include "comparison/plan.h"
 #include "comparison/run_table.h"
+#include "evolution/backends/thread_pool_backend.h"
 #include "persist/creature_file.h"
 #include "support/catch.h"
+#include "support/fake_backend.h"
 #include "support/kinds.h"
 #include "support/temporary_directory.h"
 
@@ -28,6 +30,10 @@ std::vector<PlannedRun> small_plan(int trials = 30) {
     return *runs;
 }
 
+Result<std::unique_ptr<EvaluationBackend>> own_core() {
+    return make_thread_pool_backend(kinds(), 1);
+}
+
 // All but the time that it took.
 ComparedRun timeless(ComparedRun run) {
     run.seconds = 0.0;
@@ -39,7 +45,7 @@ std::vector<ComparedRun> rows_of(const std::filesystem::path& folder, std::size_
     const auto comparison = Comparison::open(folder, small_plan(), kinds());
     REQUIRE(comparison);
     REQUIRE((*comparison)
-                ->run(threads,
+                ->run(threads, own_core,
                       [told](const ComparedRun&) {
                           if (told != nullptr) ++*told;
                       },
@@ -107,11 +113,34 @@ TEST_CASE("a comparison that is stopped keeps what has finished", "[comparison]"
     std::stop_source stop;
     REQUIRE((*comparison)
                 ->run(
-                    1, [&stop](const ComparedRun&) { stop.request_stop(); }, stop.get_token()));
+                    1, own_core, [&stop](const ComparedRun&) { stop.request_stop(); },
+                    stop.get_token()));
     CHECK((*comparison)->finished().size() == 1);
     const auto table = load_run_table(folder / "runs.csv");
     REQUIRE(table);
     CHECK(table->size() == 1);
+}
+
+TEST_CASE("a back-end that cannot be made or go on ends the comparison with its reason",
+          "[comparison]") {
+    const auto failure_with = [](const BackendMaking& make) {
+        const TemporaryDirectory folder;
+        const auto comparison = Comparison::open(folder.path(), small_plan(), kinds());
+        REQUIRE(comparison);
+        const Status ran = (*comparison)->run(2, make, [](const ComparedRun&) {}, {});
+        REQUIRE_FALSE(ran);
+        CHECK((*comparison)->finished().empty());
+        return ran.error().message;
+    };
+    CHECK(failure_with([]() -> Result<std::unique_ptr<EvaluationBackend>> {
+              return Error{"no host has the name lab"};
+          }) == "no host has the name lab");
+    CHECK(failure_with([]() -> Result<std::unique_ptr<EvaluationBackend>> {
+              auto backend = std::make_unique<FakeBackend>();
+              backend->failure = "two workers with other bits";
+              backend->most_a_call = 0;
+              return std::unique_ptr<EvaluationBackend>(std::move(backend));
+          }) == "two workers with other bits");
 }
 
 TEST_CASE("a folder whose table is another file is left alone", "[comparison]") {

@@ -82,7 +82,7 @@ Genome carried(const Genome& genome, bool reflect) {
 }
 
 bool turns(const PlannedPart& part) {
-    return kinds().scene.joints[part.joint_kind].unit == "rad";
+    return part.motion == JointMotion::kTurn;
 }
 
 void check_mirrored(const Phenotype& body, const Phenotype& mirrored) {

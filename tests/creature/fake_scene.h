@@ -1,5 +1,6 @@
 #pragma once
 
+#include "dynamics/builtin_joints.h"
 #include "world/physics_scene.h"
 #include "world/scene_kind.h"
 
@@ -56,8 +57,7 @@ private:
 inline SceneKind fake_scene_kind() {
     SceneKind kind;
     kind.id = "fake";
-    kind.joints = {
-        {"rigid", "Rigid", 0, ""}, {"rotary", "Rotary", 1, "rad"}, {"linear", "Linear", 1, "m"}};
+    kind.joints = builtin_joints();
     return kind;
 }
 

@@ -5,6 +5,7 @@
 #include "dynamics/dense_evaluation.h"
 #include "dynamics/dense_response.h"
 #include "dynamics/model_building.h"
+#include "dynamics/random_motion.h"
 #include "dynamics/rows.h"
 #include "support/catch.h"
 
@@ -42,19 +43,10 @@ double difference(const double* first, const double* second, int count) {
 PlanarModel creature(RandomStream& random, bool welds) {
     BodyPlan plan = random_tree(random, random.between(1, kMaxDenseBodies), 0.0, 20.0, 0.0);
     for (std::size_t part = 3; welds && part < plan.parts.size(); part += 4)
-        plan.parts[part].joint_kind = kRigidJoint;
+        plan.parts[part].motion = kRigidJoint;
     const auto model = build_planar_model(plan, 1.3);
     REQUIRE(model);
     return *model;
-}
-
-Motion random_motion(RandomStream& random, const PlanarModel& model) {
-    Motion motion = rest_motion(model);
-    for (int c = 0; c < coordinate_count(model); ++c) {
-        motion.position[c] += 0.5 * random.gauss();
-        motion.speed[c] = 3.0 * random.gauss();
-    }
-    return motion;
 }
 
 Forcing random_forcing(RandomStream& random, const PlanarModel& model) {

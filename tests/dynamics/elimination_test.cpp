@@ -105,9 +105,9 @@ Eigen::MatrixXd damping_matrix(const PlanarModel& model, const PerBody& damping)
     for (int i = 1; i < model.body_count; ++i) {
         Eigen::VectorXd joint = Eigen::VectorXd::Zero(count);
         joint(i) = 1.0;
-        if (model.joint[i] == JointType::kRotary) {
+        if (model.motion[i] == JointMotion::kTurn) {
             int turning = model.parent[i];  // which coordinate turns the parent
-            while (model.joint[turning] == JointType::kLinear)
+            while (model.motion[turning] == JointMotion::kSlide)
                 turning = model.parent[turning];
             joint(turning) = -1.0;
         }

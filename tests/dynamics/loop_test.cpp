@@ -3,6 +3,7 @@
 #include "dynamics/least_squares_dynamics.h"
 #include "dynamics/loop_closure.h"
 #include "dynamics/pins.h"
+#include "dynamics/refused_plan.h"
 #include "dynamics/rig.h"
 #include "support/catch.h"
 
@@ -11,6 +12,7 @@
 #include <string>
 
 using namespace cambrian;
+using test::refused;
 
 namespace {
 
@@ -22,7 +24,7 @@ const Vec3 kDistal(kHalfLength, 0.0, 0.0);
 
 // Rods end to end, each turned against the one before; joints at the ends' centres.
 BodyPlan rods(const std::vector<double>& turns, double angle, double limit, double height,
-              std::uint8_t joint = kRotaryJoint) {
+              JointMotion joint = kRotaryJoint) {
     BodyPlan plan = one_box(kHalfLength, kHalfWidth, 0.0, height, angle);
     int last = 0;
     for (const double turn : turns) {
@@ -71,11 +73,6 @@ double gap_of(const PlanarModel& model, const Kinematics& k) {
 
 double gap_of(const Rig& rig) {
     return gap_of(rig.model, rig.moment.frame().kinematics);
-}
-
-bool refused(const BodyPlan& plan, const std::string& reason) {
-    const auto model = build_planar_model(plan, 1.0);
-    return !model && model.error().message.find(reason) != std::string::npos;
 }
 
 BodyPlan pinned_badly(const ClosingPin& pin) {
@@ -325,7 +322,7 @@ TEST_CASE("closing pins that hold nothing are refused by number", "[dynamics][lo
     CHECK(refused(pinned_badly({3, 0, kDistal, Vec3(1e300, 1e300, 0.0)}),
                   "closing pin 1: its points are over"));
     BodyPlan welded = rhombus(0.6);
-    welded.parts[1].joint_kind = kRigidJoint;
+    welded.parts[1].motion = kRigidJoint;
     welded.closing_pins.push_back({0, 1, kDistal, -kDistal});
     CHECK(refused(welded, "closing pin 1: both its parts"));
     BodyPlan many = rhombus(0.6);

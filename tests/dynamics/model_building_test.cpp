@@ -1,19 +1,16 @@
 #include "dynamics/model_building.h"
 
 #include "dynamics/bodies.h"
+#include "dynamics/refused_plan.h"
 #include "support/catch.h"
 
 #include <limits>
 #include <string>
 
 using namespace cambrian;
+using test::refused;
 
 namespace {
-
-bool refused(const BodyPlan& plan, const std::string& reason) {
-    const auto model = build_planar_model(plan, 1.0);
-    return !model && model.error().message.find(reason) != std::string::npos;
-}
 
 bool may_collide(const PlanarModel& model, int a, int b) {
     for (const PartPair& pair : model.colliding_pairs) {
@@ -56,7 +53,7 @@ TEST_CASE("the model stands where the plan says", "[dynamics][model]") {
     for (int round = 0; round < 50; ++round) {
         BodyPlan plan = random_tree(random, 10, 0.3, 1.0, 1.0);
         for (std::size_t i = 1; i < plan.parts.size(); i += 3)
-            plan.parts[i].joint_kind = kRigidJoint;
+            plan.parts[i].motion = kRigidJoint;
         const auto scene = make_scene(plan, empty_space());
         for (std::size_t i = 0; i < plan.parts.size(); ++i) {
             const Pose pose = scene->part_pose(i);
@@ -76,7 +73,7 @@ TEST_CASE("jointed, overlapping and welded boxes never collide", "[dynamics][mod
     CHECK(may_collide(*model, 0, 2));   // one apart
     CHECK(may_collide(*model, 0, 3));
     CHECK(!may_collide(*model, 1, 4));  // lie over each other
-    plan.parts[3].joint_kind = kRigidJoint;
+    plan.parts[3].motion = kRigidJoint;
     const auto welded = build_planar_model(plan, 1.0);
     CHECK(!may_collide(*welded, 1, 3));  // now one body with part 2
 }

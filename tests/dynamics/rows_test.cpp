@@ -2,6 +2,7 @@
 
 #include "dynamics/bodies.h"
 #include "dynamics/model_building.h"
+#include "dynamics/random_motion.h"
 #include "support/catch.h"
 
 #include <cmath>
@@ -40,11 +41,7 @@ struct Moment {
 };
 
 Moment random_moment(RandomStream& random, const PlanarModel& model) {
-    Motion motion = rest_motion(model);
-    for (int c = 0; c < coordinate_count(model); ++c) {
-        motion.position[c] += 0.5 * random.gauss();
-        motion.speed[c] = 3.0 * random.gauss();
-    }
+    const Motion motion = random_motion(random, model);
     Moment moment;
     evaluate_accelerations(model, {}, motion, {0.0, FrameDetail::kEverything}, moment.frame,
                            moment.rate);

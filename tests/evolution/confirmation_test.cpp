@@ -1,4 +1,4 @@
-// Merit instead of luck: survivors are tried again in worlds a hair different.
+// Survivors are evaluated again in slightly different worlds, which tells merit from luck.
 #include "evolution/confirmation.h"
 
 #include "evolution/backends/thread_pool_backend.h"
@@ -14,6 +14,7 @@
 #include <set>
 
 using namespace cambrian;
+using test::evolved;
 using test::FakeBackend;
 using test::kinds;
 
@@ -33,17 +34,6 @@ double luck_lost(double fitness, const Probe&) {
 
 bool tried_again(const Individual& one) {
     return !one.result.scores.empty();
-}
-
-// After a number of generations.
-Evolution evolved(const SettingsPtr& settings, EvaluationBackend& backend, int generations) {
-    Evolution evolution(settings, kinds());
-    EvaluationProgress progress;
-    for (int i = 0; i < generations; ++i) {
-        if (i > 0) evolution.breed();
-        REQUIRE(evolution.evaluate(backend, progress, {}));
-    }
-    return evolution;
 }
 
 }  // namespace

@@ -4,8 +4,12 @@
 #include "support/fake_backend.h"
 #include "support/kinds.h"
 
+#include <algorithm>
 #include <chrono>
+#include <memory>
+#include <semaphore>
 #include <thread>
+#include <vector>
 
 using namespace cambrian;
 using test::FakeBackend;
@@ -34,6 +38,22 @@ std::shared_ptr<const EvolutionSnapshot> wait_for(EvolutionEngine& engine, Condi
 bool finished(const EvolutionSnapshot& snapshot, std::size_t generations) {
     return snapshot.history.size() >= generations;
 }
+
+// Where a back-end in the middle of its work meets the test that sends another; either gives up
+// after a minute.
+class HandOver {
+public:
+    void wait_for_another() {
+        reached_.release();
+        (void)go_on_.try_acquire_for(std::chrono::minutes(1));
+    }
+    bool reached() { return reached_.try_acquire_for(std::chrono::minutes(1)); }
+    void go_on() { go_on_.release(); }
+
+private:
+    std::binary_semaphore reached_{0};
+    std::binary_semaphore go_on_{0};
+};
 
 }  // namespace
 
@@ -86,6 +106,65 @@ TEST_CASE("commands during a run do not change what evolves", "[evolution][engin
     CHECK(champion_after(6, false) == champion_after(6, true));
 }
 
+TEST_CASE("another back-end takes over in mid-generation without a change of what evolves",
+          "[evolution][engine][backend][threads]") {
+    static constexpr std::size_t kGenerations = 6;
+    static constexpr int kJudgedByEach = 5;
+    const auto champions_of = [](std::size_t changes) {
+        // Every back-end but the last judges a few creatures and waits until another one is sent.
+        std::vector<std::unique_ptr<HandOver>> hand_overs;
+        std::vector<std::shared_ptr<FakeBackend>> backends;
+        for (std::size_t i = 0; i <= changes; ++i) {
+            backends.push_back(std::make_shared<FakeBackend>());
+            if (i == changes) break;
+            HandOver& hand_over = *hand_overs.emplace_back(std::make_unique<HandOver>());
+            backends.back()->fitness = [&hand_over, judged = 0](const Genome& genome) mutable {
+                if (++judged == kJudgedByEach) hand_over.wait_for_another();
+                return test::total_length(genome);
+            };
+        }
+        EvolutionEngine engine(settings_of(30), kinds(), backends.front());
+        REQUIRE(engine.send(ResumeEvolution{}));
+        for (std::size_t i = 0; i < changes; ++i) {
+            REQUIRE(hand_overs[i]->reached());
+            REQUIRE(engine.send(UseBackend{backends[i + 1]}));
+            hand_overs[i]->go_on();
+        }
+        const auto snapshot =
+            wait_for(engine, [](const EvolutionSnapshot& s) { return finished(s, kGenerations); });
+        for (std::size_t i = 0; i < changes; ++i)
+            CHECK(backends[i]->evaluations == kJudgedByEach);
+        std::vector<std::uint64_t> champions;
+        for (std::size_t i = 0; i < kGenerations; ++i)
+            champions.push_back(snapshot->champions[i].individual->genome_hash);
+        return champions;
+    };
+    CHECK(champions_of(0) == champions_of(20));
+}
+
+TEST_CASE("a generation's wall time leaves out pauses", "[evolution][engine][threads]") {
+    auto backend = std::make_shared<FakeBackend>();
+    backend->fitness = [](const Genome& genome) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        return test::total_length(genome);
+    };
+    EvolutionEngine engine(settings_of(20), kinds(), backend);
+    REQUIRE(engine.send(StepGeneration{}));
+    wait_for(engine, [](const EvolutionSnapshot& s) {
+        return finished(s, 1) && s.status == EngineStatus::kPaused;
+    });
+    const auto paused = std::chrono::steady_clock::now();
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    REQUIRE(engine.send(StepGeneration{}));
+    const auto snapshot =
+        wait_for(engine, [](const EvolutionSnapshot& s) { return finished(s, 2); });
+    const std::chrono::duration<double> since = std::chrono::steady_clock::now() - paused;
+    REQUIRE(snapshot->wall_times.size() == 2);
+    CHECK(snapshot->wall_times.front() >= 0.02);
+    CHECK(snapshot->wall_times.back() > 0.0);
+    CHECK(snapshot->wall_times.back() <= since.count() - 0.3);
+}
+
 TEST_CASE("changed settings are in the journal and in force", "[evolution][engine][threads]") {
     EvolutionEngine engine(settings_of(20), kinds(), std::make_unique<FakeBackend>());
     auto changed = std::make_shared<ExperimentSettings>(*settings_of(20));
@@ -109,6 +188,21 @@ TEST_CASE("a back-end that throws pauses the run with a message", "[evolution][e
     const auto snapshot = wait_for(
         engine, [](const EvolutionSnapshot& s) { return s.status == EngineStatus::kFailed; });
     CHECK(snapshot->failure == "out of luck");
+}
+
+TEST_CASE("a back-end that cannot go on pauses the run with its reason",
+          "[evolution][engine][backend][threads]") {
+    auto backend = std::make_shared<FakeBackend>();
+    backend->failure = "two workers with other bits";
+    backend->most_a_call = 0;
+    EvolutionEngine engine(settings_of(20), kinds(), backend);
+    REQUIRE(engine.send(ResumeEvolution{}));
+    const auto snapshot = wait_for(
+        engine, [](const EvolutionSnapshot& s) { return s.status == EngineStatus::kFailed; });
+    CHECK(snapshot->failure == "two workers with other bits");
+    REQUIRE(engine.send(UseBackend{std::make_shared<FakeBackend>()}));
+    REQUIRE(engine.send(ResumeEvolution{}));
+    wait_for(engine, [](const EvolutionSnapshot& s) { return finished(s, 2); });
 }
 
 TEST_CASE("an engine stops in the middle of a generation", "[evolution][engine][threads]") {

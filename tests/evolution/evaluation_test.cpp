@@ -11,17 +11,13 @@ using test::kinds;
 
 namespace {
 
-const KindCatalog& catalog() {
-    return test::kinds().creature.catalog;
-}
-
 EvaluationResult judge(const GenomePtr& genome, const ExperimentSettings& settings) {
     return evaluate({.genome = genome}, settings, kinds());
 }
 
 // Two legs in the same place.
 GenomePtr crossed_legs() {
-    CreatureBuilder builder(catalog());
+    CreatureBuilder builder(test::kind_catalog());
     const auto body = builder.part(0.8, 0.2);
     const auto one = builder.part(0.5, 0.1);
     const auto other = builder.part(0.5, 0.1);
@@ -37,24 +33,24 @@ TEST_CASE("overlapping bodies are rejected only if overlap is", "[evolution][eva
     ExperimentSettings settings;
     settings.world.trial.duration = 1.0;
     CHECK(judge(crossed_legs(), settings).outcome == Outcome::kCompleted);
-    CHECK(judge(test::crawler(catalog()), settings).outcome == Outcome::kCompleted);
+    CHECK(judge(test::crawler(test::kind_catalog()), settings).outcome == Outcome::kCompleted);
     settings.expression.strict_overlap = true;
     const EvaluationResult rejected = judge(crossed_legs(), settings);
     CHECK(rejected.outcome == Outcome::kRejected);
     CHECK(rejected.fitness == 0.0);
     CHECK(rejected.reason.find("overlap") != std::string::npos);
-    CHECK(judge(test::crawler(catalog()), settings).outcome == Outcome::kCompleted);
+    CHECK(judge(test::crawler(test::kind_catalog()), settings).outcome == Outcome::kCompleted);
 }
 
 TEST_CASE("a brain that sets positions, speeds or torques moves a body in different ways",
           "[evolution][evaluation]") {
     ExperimentSettings settings;
     settings.world.trial.duration = 2.0;
-    const EvaluationResult positions = judge(test::crawler(catalog()), settings);
+    const EvaluationResult positions = judge(test::crawler(test::kind_catalog()), settings);
     settings.world.scene.motor_mode = "velocity";
-    const EvaluationResult speeds = judge(test::crawler(catalog()), settings);
+    const EvaluationResult speeds = judge(test::crawler(test::kind_catalog()), settings);
     settings.world.scene.motor_mode = "torque";
-    const EvaluationResult torques = judge(test::crawler(catalog()), settings);
+    const EvaluationResult torques = judge(test::crawler(test::kind_catalog()), settings);
     CHECK(speeds.outcome == Outcome::kCompleted);
     CHECK(torques.outcome == Outcome::kCompleted);
     CHECK(speeds.digest != positions.digest);
@@ -65,9 +61,9 @@ TEST_CASE("a brain that sets positions, speeds or torques moves a body in differ
 TEST_CASE("thinking twice a tick hardly changes a slow wave", "[evolution][evaluation]") {
     ExperimentSettings settings;
     settings.world.trial.duration = 2.0;
-    const EvaluationResult once = judge(test::crawler(catalog()), settings);
+    const EvaluationResult once = judge(test::crawler(test::kind_catalog()), settings);
     settings.world.scene.brain_steps = 2;
-    const EvaluationResult twice = judge(test::crawler(catalog()), settings);
+    const EvaluationResult twice = judge(test::crawler(test::kind_catalog()), settings);
     CHECK(twice.outcome == Outcome::kCompleted);
     CHECK(twice.behavior.joint_frequency == Approx(once.behavior.joint_frequency).margin(0.5));
     CHECK(twice.body_length == Approx(once.body_length).epsilon(0.1));
@@ -75,7 +71,8 @@ TEST_CASE("thinking twice a tick hardly changes a slow wave", "[evolution][evalu
 
 TEST_CASE("behavior is measured: height, ground contact, joints and their frequency",
           "[evolution][evaluation]") {
-    const EvaluationResult result = judge(test::crawler(catalog()), ExperimentSettings{});
+    const EvaluationResult result =
+        judge(test::crawler(test::kind_catalog()), ExperimentSettings{});
     CHECK(result.behavior.movable_joints == 2);
     CHECK(result.behavior.settled_height > 0.1);
     CHECK(result.behavior.settled_height < result.body_length);

@@ -20,10 +20,6 @@ using test::kinds;
 
 namespace {
 
-const KindCatalog& catalog() {
-    return kinds().creature.catalog;
-}
-
 bool is_finite(const EvaluationResult& result) {
     const SceneAudit& audit = result.audit;
     const double numbers[] = {result.fitness,        result.body_length,      result.mass,
@@ -53,7 +49,7 @@ EvaluationResult judged(const GenomePtr& genome, const ExperimentSettings& setti
 }
 
 GenomePtr random_creature(RandomStream& random, const FounderSettings& founders) {
-    return std::make_shared<const Genome>(random_genome(founders, catalog(), random));
+    return std::make_shared<const Genome>(random_genome(founders, test::kind_catalog(), random));
 }
 
 // Of the world and the physics; what is only about breeding cannot hurt a trial.
@@ -95,7 +91,7 @@ TEST_CASE("every setting of the physics at either end of its range gives a verdi
                 const double longest = 60.0;  // s; longer trials are no harder, only longer
                 put(field, settings, field.key == "duration" ? std::min(value, longest) : value);
                 INFO(field.key << " = " << value << ", creature " << creature);
-                judged(creature == 0 ? test::crawler(catalog())
+                judged(creature == 0 ? test::crawler(test::kind_catalog())
                                      : random_creature(random, settings.founders),
                        settings);
             }
@@ -134,7 +130,7 @@ TEST_CASE("motion too stiff to compute is given up with a reason", "[evolution][
     ExperimentSettings settings;
     settings.world.environment.viscosity_linear = 1e4;
     settings.world.environment.density = 1e-3;
-    const EvaluationResult result = judged(test::crawler(catalog()), settings);
+    const EvaluationResult result = judged(test::crawler(test::kind_catalog()), settings);
     CHECK(result.outcome == Outcome::kOverBudget);
     CHECK(result.verdict == AuditVerdict::kInvalid);
     CHECK(result.fitness == 0.0);
@@ -145,9 +141,9 @@ TEST_CASE("a small work limit gives up what a larger one computes", "[evolution]
     ExperimentSettings settings;
     settings.world.scene.tolerance = 1e-8;
     settings.world.trial.duration = 3.0;
-    CHECK(judged(test::crawler(catalog()), settings).outcome == Outcome::kCompleted);
+    CHECK(judged(test::crawler(test::kind_catalog()), settings).outcome == Outcome::kCompleted);
     settings.world.scene.max_evaluations = 1e3;
-    CHECK(judged(test::crawler(catalog()), settings).outcome == Outcome::kOverBudget);
+    CHECK(judged(test::crawler(test::kind_catalog()), settings).outcome == Outcome::kOverBudget);
 }
 
 TEST_CASE("a trial of 10000 s can be stopped, one of ordinary length is finished",
@@ -155,7 +151,7 @@ TEST_CASE("a trial of 10000 s can be stopped, one of ordinary length is finished
     std::stop_source stop;
     stop.request_stop();
     ExperimentSettings settings;
-    const GenomePtr genome = test::crawler(catalog());
+    const GenomePtr genome = test::crawler(test::kind_catalog());
     CHECK(evaluate({.genome = genome}, settings, kinds(), stop.get_token()).outcome ==
           Outcome::kCompleted);
     settings.world.trial.duration = 1e4;
@@ -167,7 +163,8 @@ TEST_CASE("a trial of 10000 s can be stopped, one of ordinary length is finished
 TEST_CASE("what is interrupted is no result of its generation", "[evolution][extremes][threads]") {
     auto settings = std::make_shared<ExperimentSettings>();
     settings->world.trial.duration = 1e4;
-    const std::vector<EvaluationRequest> requests(3, {.genome = test::crawler(catalog())});
+    const std::vector<EvaluationRequest> requests(3,
+                                                  {.genome = test::crawler(test::kind_catalog())});
     std::vector<std::optional<EvaluationResult>> results(requests.size());
     const auto backend = make_thread_pool_backend(kinds(), 2);
     EvaluationProgress progress;

@@ -32,14 +32,8 @@ Evolution evolved(int size, int generations) {
     settings->population.size = size;
     settings->founders.max_nodes = 2;
     settings->founders.max_node_neurons = 1;
-    Evolution evolution(settings, test::kinds());
     test::FakeBackend backend;
-    EvaluationProgress progress;
-    for (int i = 0; i < generations; ++i) {
-        if (i > 0) evolution.breed();
-        REQUIRE(evolution.evaluate(backend, progress, {}));
-    }
-    return evolution;
+    return test::evolved(settings, backend, generations);
 }
 
 }  // namespace

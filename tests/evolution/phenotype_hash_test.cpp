@@ -43,7 +43,7 @@ TEST_CASE("the phenotype's hash is over all that a trial depends on", "[creature
         [](Phenotype& p) { p.plan.parts.back().rest_pose.orientation.z() += 1e-9; },
         [](Phenotype& p) { p.plan.parts.back().rest_angle += 1e-9; },
         [](Phenotype& p) { p.plan.parts.back().parent = -1; },
-        [](Phenotype& p) { ++p.plan.parts.back().joint_kind; },
+        [](Phenotype& p) { p.plan.parts.back().motion = JointMotion::kSlide; },
         [](Phenotype& p) { p.plan.parts.back().anchor_in_parent.x() += 1e-9; },
         [](Phenotype& p) { p.plan.parts.back().anchor_in_child.x() += 1e-9; },
         [](Phenotype& p) { p.plan.parts.back().limit_low -= 1e-9; },

@@ -19,8 +19,8 @@ std::vector<IndividualPtr> descending(std::size_t count) {
     return test::individuals(fitness);
 }
 
-SelectionResult select(const std::vector<IndividualPtr>& ranked, const ExperimentSettings& settings,
-                       std::uint64_t seed = 3) {
+SelectionResult truncate(const std::vector<IndividualPtr>& ranked,
+                         const ExperimentSettings& settings, std::uint64_t seed = 3) {
     RandomStream stream(seed);
     SelectionMemory memory;
     return builtin_selections().find("truncation")->select(ranked, settings, memory, stream);
@@ -56,7 +56,7 @@ TEST_CASE("universal sampling gives everyone floor or ceiling of its share", "[e
 
 TEST_CASE("truncation keeps the best fifth and fills the rest with offspring", "[evolution]") {
     const auto ranked = descending(100);
-    const SelectionResult result = select(ranked, of_size(100));
+    const SelectionResult result = truncate(ranked, of_size(100));
     CHECK(result.survivors.size() == 20);
     CHECK(result.survivors.front() == 0);
     CHECK(result.survivors.back() == 19);
@@ -65,14 +65,14 @@ TEST_CASE("truncation keeps the best fifth and fills the rest with offspring", "
 }
 
 TEST_CASE("the best survivor breeds six times as often as the worst", "[evolution]") {
-    const SelectionResult result = select(descending(100), of_size(100));
+    const SelectionResult result = truncate(descending(100), of_size(100));
     CHECK(result.partner_weights[0] == Approx(6.0 * result.partner_weights[19]));
     CHECK(result.partner_weights[20] == 0.0);
 }
 
 TEST_CASE("equal fitness breeds equally", "[evolution]") {
     const auto ranked = test::individuals(std::vector<double>(50, 0.0));
-    const SelectionResult result = select(ranked, of_size(50));
+    const SelectionResult result = truncate(ranked, of_size(50));
     std::set<std::size_t> parents(result.first_parents.begin(), result.first_parents.end());
     CHECK(parents.size() == 10);
 }
@@ -87,7 +87,7 @@ TEST_CASE("at most max_clones of one phenotype survive", "[evolution]") {
     ExperimentSettings settings = of_size(50);
     for (const int most : {1, 2, 5}) {
         settings.population.max_clones = most;
-        const SelectionResult result = select(ranked, settings);
+        const SelectionResult result = truncate(ranked, settings);
         CHECK(result.survivors.size() == 10);
         CHECK(std::count_if(result.survivors.begin(), result.survivors.end(), [&](std::size_t i) {
                   return ranked[i]->result.phenotype == 0;
@@ -96,7 +96,7 @@ TEST_CASE("at most max_clones of one phenotype survive", "[evolution]") {
 }
 
 TEST_CASE("a population of two still has a survivor and an offspring", "[evolution]") {
-    const SelectionResult result = select(descending(2), of_size(2));
+    const SelectionResult result = truncate(descending(2), of_size(2));
     CHECK(result.survivors.size() == 1);
     CHECK(result.first_parents.size() == 1);
 }
@@ -104,9 +104,9 @@ TEST_CASE("a population of two still has a survivor and an offspring", "[evoluti
 TEST_CASE("newcomers take offspring places", "[evolution]") {
     ExperimentSettings settings = of_size(100);
     settings.population.immigrants = 30;
-    CHECK(select(descending(100), settings).first_parents.size() == 50);
+    CHECK(truncate(descending(100), settings).first_parents.size() == 50);
     settings.population.immigrants = 1000;
-    CHECK(select(descending(100), settings).first_parents.empty());
+    CHECK(truncate(descending(100), settings).first_parents.empty());
 }
 
 TEST_CASE("the order of merit is total and puts invalid creatures last", "[evolution]") {

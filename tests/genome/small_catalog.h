@@ -13,7 +13,9 @@ inline KindCatalog small_catalog() {
         {"abs", "Absolute", 1, {}},
         {"oscillate-wave", "Wave", 2, {{0.8, 0.3, 2.0}, {0.8, -0.5, 0.5}}},
     };
-    catalog.joints = {{"rigid", "Rigid", 0}, {"rotary", "Rotary", 1}, {"linear", "Linear", 1}};
+    catalog.joints = {
+        {"rigid", "Rigid", 0}, {"rotary", "Rotary", 1}, {"linear", "Linear", 1, false}};
+    catalog.effectors = {{"joint", "Joint"}};
     catalog.channels = {{"joint", "Joint"},
                         {"contact-distal", "Distal"},
                         {"contact-left", "Left"},

@@ -10,14 +10,14 @@ namespace cambrian::golden {
 namespace {
 
 constexpr std::uint32_t kGenerations = 20;
-constexpr double kDuration = 3.0;  // s
+constexpr double kTrialOfRun = 3.0;  // s
 
 // Those of run.toml, under which the program itself is run (tests/cli/same_bits_test.py).
 SettingsPtr settings() {
     auto made = std::make_shared<ExperimentSettings>();
     made->seed = 31;
     made->population.size = 20;
-    made->world.trial.duration = kDuration;
+    made->world.trial.duration = kTrialOfRun;
     made->founders = all_joints();
     return made;
 }

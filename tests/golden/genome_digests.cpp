@@ -28,7 +28,7 @@ void add_part(Hash64& hash, const PlannedPart& part) {
     for (const double number : {part.rest_angle, part.limit_low, part.limit_high, part.max_effort})
         hash.add(number);
     hash.add(static_cast<std::uint64_t>(part.parent));
-    hash.add_byte(part.joint_kind);
+    hash.add_byte(static_cast<std::uint8_t>(part.motion));
 }
 
 void add_network(Hash64& hash, const Network& network) {

@@ -21,7 +21,7 @@ std::string changed(std::string_view from, std::string_view to) {
     return text.replace(place, from.size(), to);
 }
 
-std::string message_of(const std::string& text) {
+std::string message_of_creature(const std::string& text) {
     const auto loaded = parse_creature(text, "some.creature.json", kinds());
     return loaded ? "no error" : loaded.error().message;
 }
@@ -35,72 +35,77 @@ std::vector<std::string> warnings_of(const std::string& text) {
 }  // namespace
 
 TEST_CASE("E01: text that is no JSON is located by line and column", "[persist][creature_error]") {
-    CHECK(message_of("") == "some.creature.json: E01 the file is empty");
-    CHECK_THAT(message_of(changed("\"version\": 2,", "\"version\": 2")),
+    CHECK(message_of_creature("") == "some.creature.json: E01 the file is empty");
+    CHECK_THAT(message_of_creature(changed("\"version\": 2,", "\"version\": 2")),
                Catch::Contains("E01 line 4, column ") && Catch::Contains("expected '}'"));
-    CHECK_THAT(message_of(changed("two-link", "two\xff-link")), Catch::Contains("E01 line 4"));
-    CHECK_THAT(message_of("# TOML\n[run]\n"), Catch::Contains("E01 line 1, column 1"));
-    CHECK_THAT(message_of(sample_text() + "}"), Catch::Contains("E01 line"));
-    CHECK_THAT(message_of("[]"), Catch::Contains("expected an object, found a list"));
+    CHECK_THAT(message_of_creature(changed("two-link", "two\xff-link")),
+               Catch::Contains("E01 line 4"));
+    CHECK_THAT(message_of_creature("# TOML\n[run]\n"), Catch::Contains("E01 line 1, column 1"));
+    CHECK_THAT(message_of_creature(sample_text() + "}"), Catch::Contains("E01 line"));
+    CHECK_THAT(message_of_creature("[]"), Catch::Contains("expected an object, found a list"));
 }
 
 TEST_CASE("E02: a file too large or too deep is refused", "[persist][creature_error]") {
-    CHECK(message_of(std::string(9'100'000, ' ')) ==
+    CHECK(message_of_creature(std::string(9'100'000, ' ')) ==
           "some.creature.json: E02 file too large: 9.1 MB, limit 4.0 MB");
-    CHECK_THAT(message_of(std::string(1000, '[')),
+    CHECK_THAT(message_of_creature(std::string(1000, '[')),
                Catch::Contains("E02 nested deeper than 32 levels"));
     std::string many = "[0";
     for (int i = 0; i < 200'000; ++i)
         many += ",0";
-    CHECK_THAT(message_of(many + "]"), Catch::Contains("E02") && Catch::Contains("100000 values"));
+    CHECK_THAT(message_of_creature(many + "]"),
+               Catch::Contains("E02") && Catch::Contains("100000 values"));
 }
 
 TEST_CASE("E03: a file of another kind is named", "[persist][creature_error]") {
-    CHECK(message_of(changed("cambrian-creature", "cambrian-settings")) ==
+    CHECK(message_of_creature(changed("cambrian-creature", "cambrian-settings")) ==
           "some.creature.json: E03 /format: this is a \"cambrian-settings\", expected "
           "\"cambrian-creature\"");
-    CHECK(message_of("{}") ==
+    CHECK(message_of_creature("{}") ==
           "some.creature.json: E03 /format: missing, expected \"cambrian-creature\"");
 }
 
 TEST_CASE("E04: a version from the future or none at all is refused", "[persist][creature_error]") {
-    CHECK(message_of(changed("\"version\": 2", "\"version\": 3")) ==
+    CHECK(message_of_creature(changed("\"version\": 2", "\"version\": 3")) ==
           "some.creature.json: E04 /version: 3 is newer than this program (2)");
-    CHECK_THAT(message_of(changed("\"version\": 2", "\"version\": 0")), Catch::Contains("E04"));
-    CHECK_THAT(message_of(changed("\"version\": 2", "\"version\": -1.5")), Catch::Contains("E04"));
-    CHECK_THAT(message_of(changed("\"version\": 2", "\"version\": \"1\"")),
+    CHECK_THAT(message_of_creature(changed("\"version\": 2", "\"version\": 0")),
+               Catch::Contains("E04"));
+    CHECK_THAT(message_of_creature(changed("\"version\": 2", "\"version\": -1.5")),
+               Catch::Contains("E04"));
+    CHECK_THAT(message_of_creature(changed("\"version\": 2", "\"version\": \"1\"")),
                Catch::Contains("/version"));
 }
 
 TEST_CASE("E05: a missing key is pointed at", "[persist][creature_error]") {
-    CHECK(message_of(changed("\"width\": 0.2,", "")) ==
+    CHECK(message_of_creature(changed("\"width\": 0.2,", "")) ==
           "some.creature.json: E05 /nodes/0/width: missing");
-    CHECK_THAT(
-        message_of(changed("\"kind\": \"localNeuron\", \"k\": 0", "\"kind\": \"localNeuron\"")),
-        Catch::Contains("E05 /nodes/1/effector/source/k: missing"));
+    CHECK_THAT(message_of_creature(
+                   changed("\"kind\": \"localNeuron\", \"k\": 0", "\"kind\": \"localNeuron\"")),
+               Catch::Contains("E05 /nodes/1/effector/source/k: missing"));
 }
 
 TEST_CASE("E06: a value of the wrong type is shown", "[persist][creature_error]") {
-    CHECK(message_of(changed("\"length\": 0.5", "\"length\": \"long\"")) ==
+    CHECK(message_of_creature(changed("\"length\": 0.5", "\"length\": \"long\"")) ==
           "some.creature.json: E06 /nodes/0/length: expected a number, found \"long\"");
-    CHECK_THAT(message_of(changed("\"symmetric\": false", "\"symmetric\": 0")),
+    CHECK_THAT(message_of_creature(changed("\"symmetric\": false", "\"symmetric\": 0")),
                Catch::Contains("E06 /nodes/0/symmetric: expected true or false, found a number"));
-    CHECK_THAT(message_of(changed("\"recursionLimit\": 1", "\"recursionLimit\": 1.5")),
+    CHECK_THAT(message_of_creature(changed("\"recursionLimit\": 1", "\"recursionLimit\": 1.5")),
                Catch::Contains("E06 /nodes/0/recursionLimit: expected a whole number, found 1.5"));
-    CHECK_THAT(message_of(changed("\"limits\": [-1.0, 1.0]", "\"limits\": [-1.0]")),
+    CHECK_THAT(message_of_creature(changed("\"limits\": [-1.0, 1.0]", "\"limits\": [-1.0]")),
                Catch::Contains("E06 /nodes/0/limits"));
 }
 
 TEST_CASE("E07: a number outside its range names the range", "[persist][creature_error]") {
-    CHECK(message_of(changed("[-1.0, 1.0]", "[0.4, 1.0]")) ==
+    CHECK(message_of_creature(changed("[-1.0, 1.0]", "[0.4, 1.0]")) ==
           "some.creature.json: E07 /nodes/0/limits/0: 0.4 is outside [-2.6, -0.05]");
-    CHECK_THAT(message_of(changed("\"pos\": 0.125", "\"pos\": 1")),
+    CHECK_THAT(message_of_creature(changed("\"pos\": 0.125", "\"pos\": 1")),
                Catch::Contains("E07 /nodes/0/edges/0/pos: 1 is outside [0, 1)"));
-    CHECK_THAT(message_of(changed("\"length\": 0.5", "\"length\": 1e999")),
+    CHECK_THAT(message_of_creature(changed("\"length\": 0.5", "\"length\": 1e999")),
                Catch::Contains("E07 /nodes/0/length: 1e999 is not a finite number"));
-    CHECK_THAT(message_of(changed("\"gravity\": 9.81", "\"gravity\": -1")),
+    CHECK_THAT(message_of_creature(changed("\"gravity\": 9.81", "\"gravity\": -1")),
                Catch::Contains("E07 /scored/environment/gravity: -1 is outside [0, 1000] m/s^2"));
-    CHECK_THAT(message_of(changed("\"length\": 0.5", "\"length\": NaN")), Catch::Contains("E01"));
+    CHECK_THAT(message_of_creature(changed("\"length\": 0.5", "\"length\": NaN")),
+               Catch::Contains("E01"));
 }
 
 TEST_CASE("E07: a creature whose trials ask for hours of computing is refused",
@@ -109,7 +114,7 @@ TEST_CASE("E07: a creature whose trials ask for hours of computing is refused",
     document.scored = ScoredRecord{};
     document.scored->goal = "walking";
     document.scored->world.trial.duration = 3000.0;
-    const auto load = [&] { return message_of(write_creature(document, kinds())); };
+    const auto load = [&] { return message_of_creature(write_creature(document, kinds())); };
     CHECK(load() == "no error");
     document.scored->world.trial.trials = 4;
     CHECK(load() ==
@@ -122,55 +127,59 @@ TEST_CASE("E07: a creature whose trials ask for hours of computing is refused",
 }
 
 TEST_CASE("E08: an unknown name brings the nearest known one", "[persist][creature_error]") {
-    CHECK(message_of(changed("oscillate-wave", "oscilate-wave")) ==
+    CHECK(message_of_creature(changed("oscillate-wave", "oscilate-wave")) ==
           "some.creature.json: E08 /nodes/1/neurons/0/fn: unknown function \"oscilate-wave\"; did "
           "you mean \"oscillate-wave\"?");
-    CHECK_THAT(message_of(changed("\"across\"", "\"acros\"")),
+    CHECK_THAT(message_of_creature(changed("\"across\"", "\"acros\"")),
                Catch::Contains("E08 /nodes/1/mirrorAxis: unknown axis \"acros\""));
-    CHECK_THAT(message_of(changed("\"contact-left\"", "\"contact-lef\"")),
+    CHECK_THAT(message_of_creature(changed("\"contact-left\"", "\"contact-lef\"")),
                Catch::Contains("unknown sensor channel \"contact-lef\"; did you mean "
                                "\"contact-left\"?"));
-    CHECK_THAT(message_of(changed("\"contact-left\"", "256")),
+    CHECK_THAT(message_of_creature(changed("\"contact-left\"", "256")),
                Catch::Contains("E07 /brain/0/in/0/from/ch: 256 is outside [0, 255]"));
-    CHECK_THAT(message_of(changed("\"behavior\": \"walking\"", "\"behavior\": \"walkin\"")),
-               Catch::Contains("E08 /scored/goal/behavior"));
+    CHECK_THAT(
+        message_of_creature(changed("\"behavior\": \"walking\"", "\"behavior\": \"walkin\"")),
+        Catch::Contains("E08 /scored/goal/behavior"));
 }
 
 TEST_CASE("E09: a target beyond the nodes counts them", "[persist][creature_error]") {
-    CHECK(message_of(changed("\"target\": 1", "\"target\": 7")) ==
+    CHECK(message_of_creature(changed("\"target\": 1", "\"target\": 7")) ==
           "some.creature.json: E09 /nodes/0/edges/0/target: 7, but there are 2 nodes");
-    CHECK_THAT(message_of(changed("\"target\": 1", "\"target\": -1")), Catch::Contains("E09"));
-    CHECK_THAT(message_of(changed("\"target\": 1", "\"target\": 1e18")), Catch::Contains("E09"));
+    CHECK_THAT(message_of_creature(changed("\"target\": 1", "\"target\": -1")),
+               Catch::Contains("E09"));
+    CHECK_THAT(message_of_creature(changed("\"target\": 1", "\"target\": 1e18")),
+               Catch::Contains("E09"));
 }
 
 TEST_CASE("E10: a list too long or too short says its limit", "[persist][creature_error]") {
     std::string nodes = "{";
     for (int i = 0; i < 40; ++i)
         nodes += "}, {";
-    CHECK_THAT(message_of(changed("\"nodes\": [", "\"nodes\": [" + nodes + "},")),
+    CHECK_THAT(message_of_creature(changed("\"nodes\": [", "\"nodes\": [" + nodes + "},")),
                Catch::Contains("E10 /nodes: 43 entries, limit 16"));
-    CHECK_THAT(message_of(changed("two-link crawler", std::string(65, 'x'))),
+    CHECK_THAT(message_of_creature(changed("two-link crawler", std::string(65, 'x'))),
                Catch::Contains("E10 /name: 65 bytes, limit 64"));
-    CHECK_THAT(message_of("{\"format\": \"cambrian-creature\", \"version\": 1, \"nodes\": [], "
-                          "\"brain\": []}"),
-               Catch::Contains("E10 /nodes: 0 entries, at least 1"));
+    CHECK_THAT(
+        message_of_creature("{\"format\": \"cambrian-creature\", \"version\": 1, \"nodes\": [], "
+                            "\"brain\": []}"),
+        Catch::Contains("E10 /nodes: 0 entries, at least 1"));
 }
 
 TEST_CASE("E11: a neuron with too few inputs says what it needs", "[persist][creature_error]") {
-    CHECK(message_of(changed("\"fn\": \"abs\"", "\"fn\": \"if\"")) ==
+    CHECK(message_of_creature(changed("\"fn\": \"abs\"", "\"fn\": \"if\"")) ==
           "some.creature.json: E11 /brain/0/in: function \"if\" needs 3 inputs, found 1");
 }
 
 TEST_CASE("E12: a source in the wrong place says where it belongs", "[persist][creature_error]") {
-    CHECK(
-        message_of(changed("\"kind\": \"partSensor\", \"n\": 1, \"i\": 1, \"ch\": \"contact-left\"",
-                           "\"kind\": \"parentNeuron\", \"k\": 0")) ==
-        "some.creature.json: E12 /brain/0/in/0/from/kind: \"parentNeuron\" is only for part "
-        "neurons");
+    CHECK(message_of_creature(
+              changed("\"kind\": \"partSensor\", \"n\": 1, \"i\": 1, \"ch\": \"contact-left\"",
+                      "\"kind\": \"parentNeuron\", \"k\": 0")) ==
+          "some.creature.json: E12 /brain/0/in/0/from/kind: \"parentNeuron\" is only for part "
+          "neurons");
 }
 
 TEST_CASE("E13: a key that appears twice is named", "[persist][creature_error]") {
-    CHECK(message_of(changed("\"length\": 0.5,", "\"length\": 0.5, \"length\": 0.6,")) ==
+    CHECK(message_of_creature(changed("\"length\": 0.5,", "\"length\": 0.5, \"length\": 0.6,")) ==
           "some.creature.json: E13 /nodes/0: key \"length\" appears twice");
 }
 
@@ -178,7 +187,7 @@ TEST_CASE("several errors come together, the first with the file's name",
           "[persist][creature_error]") {
     std::string text = changed("\"length\": 0.5", "\"length\": 9");
     text.replace(text.find("\"target\": 1"), 11, "\"target\": 5");
-    CHECK(message_of(text) ==
+    CHECK(message_of_creature(text) ==
           "some.creature.json: E07 /nodes/0/length: 9 is outside [0.08, 1.6]\n"
           "  E09 /nodes/0/edges/0/target: 5, but there are 2 nodes");
 }
@@ -187,9 +196,9 @@ TEST_CASE("after twenty errors no more are listed", "[persist][creature_error]")
     std::string nodes = "[{}";
     for (int i = 0; i < 10; ++i)
         nodes += ", {}";
-    const std::string message =
-        message_of("{\"format\": \"cambrian-creature\", \"version\": 1, \"nodes\": " + nodes +
-                   "], \"brain\": []}");
+    const std::string message = message_of_creature(
+        "{\"format\": \"cambrian-creature\", \"version\": 1, \"nodes\": " + nodes +
+        "], \"brain\": []}");
     CHECK(std::count(message.begin(), message.end(), '\n') == 20);
     CHECK_THAT(message, Catch::EndsWith("no more errors are looked for after 20"));
 }

@@ -3,6 +3,7 @@
 
 #include "evolution/setting_field.h"
 #include "persist/settings_file.h"
+#include "persist/settings_message.h"
 #include "support/catch.h"
 #include "support/kinds.h"
 #include "support/temporary_directory.h"
@@ -14,11 +15,6 @@ using namespace cambrian;
 using namespace cambrian::test;
 
 namespace {
-
-std::string message_of(std::string_view text) {
-    const auto loaded = parse_settings(text, "run.toml", kinds());
-    return loaded ? "no error" : loaded.error().message;
-}
 
 std::string with_value(const SettingField& field, const std::string& value) {
     return "[" + field.table + "]\n" + field.key + " = " + value + "\n";

@@ -2,6 +2,7 @@
 
 #include "core/random.h"
 #include "evolution/setting_field.h"
+#include "persist/settings_message.h"
 #include "support/catch.h"
 #include "support/kinds.h"
 #include "support/temporary_directory.h"
@@ -13,11 +14,6 @@ using namespace cambrian;
 using namespace cambrian::test;
 
 namespace {
-
-std::string message_of(std::string_view text) {
-    const auto loaded = parse_settings(text, "run.toml", kinds());
-    return loaded ? "no error" : loaded.error().message;
-}
 
 // A value of the field's type within its range.
 void randomize(const SettingField& field, ExperimentSettings& settings, RandomStream& stream) {

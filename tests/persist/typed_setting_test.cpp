@@ -8,7 +8,7 @@ using namespace cambrian::test;
 
 namespace {
 
-std::string message_of(const std::string& assignment) {
+std::string message_of_typed(const std::string& assignment) {
     const auto settings = with_typed({}, {assignment}, kinds());
     return settings ? "no error" : settings.error().message;
 }
@@ -44,9 +44,10 @@ TEST_CASE("a later text replaces what an earlier one says, and nothing else", "[
 }
 
 TEST_CASE("what is typed wrongly is told", "[persist]") {
-    CHECK(message_of("gravty=3") == "\"gravty=3\": unknown setting; did you mean \"gravity\"?");
-    CHECK(message_of("gravity") ==
+    CHECK(message_of_typed("gravty=3") ==
+          "\"gravty=3\": unknown setting; did you mean \"gravity\"?");
+    CHECK(message_of_typed("gravity") ==
           "\"gravity\": expected a setting and its value, as selection.method=rank");
-    CHECK(message_of("selection.method=luck").find("luck") != std::string::npos);
-    CHECK(message_of("population.size=-1").find("-1 is outside") != std::string::npos);
+    CHECK(message_of_typed("selection.method=luck").find("luck") != std::string::npos);
+    CHECK(message_of_typed("population.size=-1").find("-1 is outside") != std::string::npos);
 }

@@ -72,7 +72,7 @@ TEST_CASE("picks go back into an automatic population", "[picking][handover]") {
     EvaluationProgress progress;
     REQUIRE(evolution.evaluate(backend, progress, {}));
     const auto picks = test::strangers(3, 77);
-    for (Command& command : injection_of(picks))
+    for (EngineCommand& command : injection_of(picks))
         evolution.inject(std::get<InjectGenome>(command).genome);
     evolution.breed();
     for (const IndividualPtr& pick : picks) {
@@ -84,7 +84,7 @@ TEST_CASE("picks go back into an automatic population", "[picking][handover]") {
 TEST_CASE("picks found a new experiment", "[picking][handover]") {
     auto settings = std::make_shared<ExperimentSettings>();
     const auto picks = test::strangers(2, 77);
-    const Command command = founding_of(picks, settings);
+    const EngineCommand command = founding_of(picks, settings);
     const auto& start = std::get<StartExperiment>(command);
     CHECK(start.settings == settings);
     const Evolution evolution(start.settings, kinds(), start.founders);

@@ -9,16 +9,12 @@ using test::CreatureBuilder;
 
 namespace {
 
-const Kinds& kinds() {
-    return test::kinds().creature;
-}
-
 TrialRecord run(const GenomePtr& genome, bool stop_at_rest) {
     TrialWorld world;
     world.trial.stop_at_rest = stop_at_rest;
     const auto phenotype = std::make_shared<const Phenotype>(
-        express(*genome, kinds(), ExpressionSettings{}, world.scene));
-    auto record = run_trial(phenotype, kinds(), world);
+        express(*genome, test::creature_kinds(), ExpressionSettings{}, world.scene));
+    auto record = run_trial(phenotype, test::creature_kinds(), world);
     REQUIRE(record);
     REQUIRE(record->outcome == Outcome::kCompleted);
     return *record;
@@ -26,7 +22,7 @@ TrialRecord run(const GenomePtr& genome, bool stop_at_rest) {
 
 // A body with an arm that hears one neuron.
 GenomePtr listener(const std::string& function, const std::vector<double>& inputs, double weight) {
-    CreatureBuilder builder(kinds().catalog);
+    CreatureBuilder builder(test::creature_kinds().catalog);
     const auto body = builder.part(0.6, 0.2);
     const auto arm = builder.part(0.3, 0.1);
     builder.attach(body, arm, 0.1);
@@ -51,8 +47,8 @@ void check_same_motion(const TrialRecord& a, const TrialRecord& b) {
 
 TEST_CASE("what lies still is recorded to the end and computed for a few seconds only",
           "[simulator][rest]") {
-    const TrialRecord full = run(test::dreamer(kinds().catalog), false);
-    const TrialRecord stopped = run(test::dreamer(kinds().catalog), true);
+    const TrialRecord full = run(test::dreamer(test::creature_kinds().catalog), false);
+    const TrialRecord stopped = run(test::dreamer(test::creature_kinds().catalog), true);
     CHECK(full.computed_time == Approx(15.0));
     CHECK(stopped.computed_time >= 2.0);
     CHECK(stopped.computed_time < 5.0);
@@ -73,7 +69,8 @@ TEST_CASE("one move and then rest gives the motion of the complete trial", "[sim
 
 TEST_CASE("a brain that has not made up its mind keeps the trial going", "[simulator][rest]") {
     // A clock of 40 s whose alarm comes after 9 s of stillness, and a charge that builds up slowly.
-    CHECK(run(test::falling_tower(kinds().catalog, 9.0), true).computed_time == Approx(15.0));
+    CHECK(run(test::falling_tower(test::creature_kinds().catalog, 9.0), true).computed_time ==
+          Approx(15.0));
     CHECK(run(listener("oscillate-saw", {1e-5, 0.0}, 0.0), true).computed_time == Approx(15.0));
     CHECK(run(listener("integrate", {0.01}, 0.0), true).computed_time == Approx(15.0));
 }

@@ -8,17 +8,13 @@ using namespace cambrian;
 
 namespace {
 
-const Kinds& kinds() {
-    return test::kinds().creature;
-}
-
 std::shared_ptr<const Phenotype> grown(const GenomePtr& genome, const TrialWorld& world = {}) {
     return std::make_shared<const Phenotype>(
-        express(*genome, kinds(), ExpressionSettings{}, world.scene));
+        express(*genome, test::creature_kinds(), ExpressionSettings{}, world.scene));
 }
 
 TrialRecord run(const GenomePtr& genome, const TrialWorld& world = {}) {
-    auto record = run_trial(grown(genome), kinds(), world);
+    auto record = run_trial(grown(genome), test::creature_kinds(), world);
     REQUIRE(record);
     return *record;
 }
@@ -26,7 +22,7 @@ TrialRecord run(const GenomePtr& genome, const TrialWorld& world = {}) {
 }  // namespace
 
 TEST_CASE("a trial samples every tenth of a second from the start to the end", "[simulator]") {
-    const TrialRecord record = run(test::crawler(kinds().catalog));
+    const TrialRecord record = run(test::crawler(test::creature_kinds().catalog));
     REQUIRE(record.outcome == Outcome::kCompleted);
     REQUIRE(record.samples.size() == 151);
     CHECK(record.samples.front().time == 0.0);
@@ -35,7 +31,8 @@ TEST_CASE("a trial samples every tenth of a second from the start to the end", "
 }
 
 TEST_CASE("a creature starts 2 cm above the ground over x = 0", "[simulator]") {
-    auto trial = Trial::start(grown(test::crawler(kinds().catalog)), kinds(), {});
+    auto trial = Trial::start(grown(test::crawler(test::creature_kinds().catalog)),
+                              test::creature_kinds(), {});
     REQUIRE(trial);
     const PhysicsScene& scene = (*trial)->scene();
     CHECK(scene.bounds().low.y() == Approx(0.02));
@@ -44,7 +41,7 @@ TEST_CASE("a creature starts 2 cm above the ground over x = 0", "[simulator]") {
 }
 
 TEST_CASE("the clock starts only once the creature has settled", "[simulator]") {
-    const TrialRecord record = run(test::crawler(kinds().catalog));
+    const TrialRecord record = run(test::crawler(test::creature_kinds().catalog));
     CHECK(record.settle_time >= 0.4);
     CHECK(record.settle_time <= 3.0);
     CHECK(record.samples.front().bounds.low.y() == Approx(0.0).margin(2e-3));
@@ -54,7 +51,7 @@ TEST_CASE("without ground a trial starts at once", "[simulator]") {
     TrialWorld space;
     space.environment.has_ground = false;
     space.environment.gravity = 0.0;
-    const TrialRecord record = run(test::crawler(kinds().catalog), space);
+    const TrialRecord record = run(test::crawler(test::creature_kinds().catalog), space);
     CHECK(record.settle_time == 0.0);
     CHECK(record.samples.front().center_of_mass.norm() < 1e-12);
     // No outside force: the centre of mass stays where it is.
@@ -62,7 +59,7 @@ TEST_CASE("without ground a trial starts at once", "[simulator]") {
 }
 
 TEST_CASE("the same trial gives the same digest, another world another", "[simulator]") {
-    const GenomePtr genome = test::crawler(kinds().catalog);
+    const GenomePtr genome = test::crawler(test::creature_kinds().catalog);
     TrialWorld moon;
     moon.environment.gravity = 1.62;
     CHECK(run(genome).digest == run(genome).digest);
@@ -70,7 +67,8 @@ TEST_CASE("the same trial gives the same digest, another world another", "[simul
 }
 
 TEST_CASE("playing on after the end leaves the record as it was", "[simulator]") {
-    auto trial = Trial::start(grown(test::crawler(kinds().catalog)), kinds(), {});
+    auto trial = Trial::start(grown(test::crawler(test::creature_kinds().catalog)),
+                              test::creature_kinds(), {});
     REQUIRE(trial);
     while ((*trial)->tick()) {
     }
@@ -85,7 +83,7 @@ TEST_CASE("playing on after the end leaves the record as it was", "[simulator]")
 TEST_CASE("a trial of no duration is completed at once", "[simulator]") {
     TrialWorld world;
     world.trial.duration = 0.0;
-    const TrialRecord record = run(test::crawler(kinds().catalog), world);
+    const TrialRecord record = run(test::crawler(test::creature_kinds().catalog), world);
     CHECK(record.outcome == Outcome::kCompleted);
     CHECK(record.samples.size() == 1);
 }
@@ -93,7 +91,7 @@ TEST_CASE("a trial of no duration is completed at once", "[simulator]") {
 TEST_CASE("the speed guard stops a creature that is too fast", "[simulator]") {
     TrialWorld strict;
     strict.trial.max_part_speed = 0.3;
-    const TrialRecord record = run(test::crawler(kinds().catalog), strict);
+    const TrialRecord record = run(test::crawler(test::creature_kinds().catalog), strict);
     CHECK(record.outcome == Outcome::kCheated);
     CHECK(record.reason.find("faster") != std::string::npos);
 }
@@ -103,8 +101,8 @@ TEST_CASE("limp creatures settle lower than those that hold their pose, and move
     TrialWorld limp;
     limp.trial.limp_settle = true;
     limp.environment.friction = 0.5;  // more of it keeps the flat body from drawing its ends in
-    const auto held = run(test::crawler(kinds().catalog));
-    const auto settled = run(test::crawler(kinds().catalog), limp);
+    const auto held = run(test::crawler(test::creature_kinds().catalog));
+    const auto settled = run(test::crawler(test::creature_kinds().catalog), limp);
     REQUIRE(settled.outcome == Outcome::kCompleted);
     CHECK(settled.settle_time > 0.4);
     const double high = held.samples.front().center_of_mass.y();
@@ -117,7 +115,7 @@ TEST_CASE("limp creatures settle lower than those that hold their pose, and move
 TEST_CASE("without a settling phase limp settling changes nothing", "[simulator]") {
     TrialWorld world;
     world.trial.settle_limit = 0.0;
-    const auto usual = run(test::crawler(kinds().catalog), world);
+    const auto usual = run(test::crawler(test::creature_kinds().catalog), world);
     world.trial.limp_settle = true;
-    CHECK(run(test::crawler(kinds().catalog), world).digest == usual.digest);
+    CHECK(run(test::crawler(test::creature_kinds().catalog), world).digest == usual.digest);
 }

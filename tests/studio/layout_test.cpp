@@ -1,5 +1,6 @@
 #include "studio/layout.h"
 
+#include "studio/rect_checks.h"
 #include "support/catch.h"
 #include "support/null_imgui.h"
 
@@ -8,10 +9,6 @@
 namespace cambrian {
 namespace {
 
-bool inside(const Rect& rect, float width, float height) {
-    return rect.x >= 0 && rect.y >= 0 && rect.x + rect.width <= width &&
-           rect.y + rect.height <= height;
-}
 bool overlap(const Rect& a, const Rect& b) {
     return a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height &&
            b.y < a.y + a.height;
@@ -27,11 +24,23 @@ TEST_CASE("panels fill the window without overlapping at every usual size", "[st
     for (const Size size : {Size{1280, 720, 1}, Size{1920, 1080, 1}, Size{3840, 2160, 2}}) {
         const auto all = places(divide_window(size.width, size.height, {}, size.scale));
         for (std::size_t i = 0; i < all.size(); ++i) {
-            CHECK(inside(all[i], size.width, size.height));
+            CHECK(test::inside(all[i], size.width, size.height));
             for (std::size_t j = 0; j < i; ++j)
                 CHECK_FALSE(overlap(all[i], all[j]));
         }
     }
+}
+
+TEST_CASE("a line along the bottom takes its height from the panels above", "[studio][layout]") {
+    const Layout layout = divide_window(1280, 720, {}, 1, true);
+    CHECK(layout.foot.height == 28);
+    CHECK(layout.foot.width == 1280);
+    CHECK(layout.foot.y + layout.foot.height == 720);
+    for (const Rect& place : places(layout)) {
+        CHECK(test::inside(place, 1280, 720));
+        CHECK_FALSE(overlap(place, layout.foot));
+    }
+    CHECK(divide_window(1280, 720, {}, 1).foot.height == 0);
 }
 
 TEST_CASE("the viewport keeps most of the room at 1280 by 720", "[studio][layout]") {

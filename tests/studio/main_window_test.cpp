@@ -1,6 +1,7 @@
 #include "studio/main_window.h"
 
 #include "studio/panels/builtin_panels.h"
+#include "studio/rect_checks.h"
 #include "studio_fixture.h"
 #include "support/null_imgui.h"
 
@@ -35,11 +36,6 @@ struct WindowRun {
     }
 };
 
-bool inside(const Rect& rect, float width, float height) {
-    return rect.x >= 0 && rect.y >= 0 && rect.x + rect.width <= width &&
-           rect.y + rect.height <= height;
-}
-
 TEST_CASE("the main controls stand inside a window of 1280 by 720", "[studio][main_window]") {
     WindowRun run;
     run.studio.finish_generation(1.0);
@@ -48,7 +44,7 @@ TEST_CASE("the main controls stand inside a window of 1280 by 720", "[studio][ma
          {"File", "Evolve", "Step one generation", "goal.behavior", "Restart", "Play", "16×",
           "Newest", "Follow", "Fit", "Brain", "timeline", "tile 0"}) {
         INFO(name);
-        CHECK(inside(run.gui.place(name), 1280, 720));
+        CHECK(test::inside(run.gui.place(name), 1280, 720));
     }
     CHECK(run.out.all().empty());
 }
@@ -60,7 +56,7 @@ TEST_CASE("the timeline's and the population's controls stand in a small window 
     run.draw();
     for (const char* name : {"timeline quantity", "Export", "tile order", "Starred"}) {
         INFO(name);
-        CHECK(inside(run.gui.place(name), 1280, 720));
+        CHECK(test::inside(run.gui.place(name), 1280, 720));
     }
     const Rect& quantity = run.gui.place("timeline quantity");
     CHECK(quantity.x + quantity.width < run.gui.place("Export").x);
@@ -133,7 +129,7 @@ TEST_CASE("in selection by hand the controls stand inside a window of 1280 by 72
           "Assist",    "Inject picks", "New run", "Grid from the creature on show",
           "grid 1",    "shelf"}) {
         INFO(name);
-        CHECK(inside(run.gui.place(name), 1280, 720));
+        CHECK(test::inside(run.gui.place(name), 1280, 720));
     }
     CHECK(run.out.all().empty());
 }

@@ -29,6 +29,20 @@ TEST_CASE("the arrangement and the settings come back as they were left", "[stud
     CHECK(found.settings.seed == 99);
 }
 
+TEST_CASE("the cluster comes back as it was left, spaces in paths included",
+          "[studio][remembered]") {
+    const TemporaryDirectory folder;
+    Remembered left;
+    left.cluster.joined = true;
+    left.cluster.login = {"tls://a,tls://b", "lab two", "/home/an a/my = creds", "ca.pem"};
+    REQUIRE(remember(folder.path(), left, test::kinds()));
+    CHECK(recall(folder.path(), test::kinds()).cluster == left.cluster);
+    left.cluster = {};
+    REQUIRE(remember(folder.path(), left, test::kinds()));
+    CHECK(recall(folder.path(), test::kinds()).cluster == ClusterMemory{});
+    CHECK(parse_cluster("joined\n= yes\nserver =\n\xff = 1\n") == ClusterMemory{});
+}
+
 TEST_CASE("nothing kept, or nonsense, gives a studio as at first", "[studio][remembered]") {
     const TemporaryDirectory folder;
     CHECK(recall(folder.path(), test::kinds()) == Remembered{});

@@ -25,7 +25,9 @@ inline ExperimentSettings small_experiment() {
 
 class SessionRun {
 public:
-    SessionRun() : session({{}, small_experiment(), {}}, kinds(), 2, folder.path() / "log") {}
+    explicit SessionRun(MachineOptions machines = {.workers = 2}, ClusterMemory cluster = {})
+        : session({{}, small_experiment(), {}, std::move(cluster)}, kinds(), machines,
+                  folder.path() / "log") {}
 
     template <class Action>
     void ask(Action action) {

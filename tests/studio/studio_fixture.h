@@ -88,7 +88,8 @@ public:
                 .generations = {.stars = stars_},
                 .viewer = {.playback = playback_},
                 .files = {.browser = files_},
-                .picking = picking_view_ ? &*picking_view_ : nullptr};
+                .picking = picking_view_ ? &*picking_view_ : nullptr,
+                .machines = &machines_};
     }
 
     PickingSnapshot& picking() { return picking_; }
@@ -96,6 +97,7 @@ public:
     SettingsEditor& editor() { return editor_; }
     Playback& playback() { return playback_; }
     FileBrowser& files() { return files_; }
+    MachinesView& machines() { return machines_; }
     Stars& stars() { return stars_; }
     ViewState& view() { return view_; }
 
@@ -114,6 +116,7 @@ private:
     std::size_t focus_ = 0;
     bool single_ = false;
     std::optional<PickingView> picking_view_;
+    MachinesView machines_;
 };
 
 // The request itself if it is of this kind, else null.

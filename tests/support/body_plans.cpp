@@ -25,10 +25,10 @@ void join(const BodyPlan& plan, PlannedPart& child, int parent, const Vec3& anch
         transform(base.rest_pose, anchor) - child.rest_pose.orientation * child.anchor_in_child;
 }
 
-PlannedPart& attach(BodyPlan& plan, int parent, const Vec3& anchor, double angle,
-                    std::uint8_t joint, double half_length, double half_width) {
+PlannedPart& attach(BodyPlan& plan, int parent, const Vec3& anchor, double angle, JointMotion joint,
+                    double half_length, double half_width) {
     PlannedPart part;
-    part.joint_kind = joint;
+    part.motion = joint;
     part.half_extents = Vec3(half_length, half_width, half_width);
     part.limit_low = -1.0;
     part.limit_high = 1.0;

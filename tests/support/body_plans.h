@@ -8,9 +8,9 @@
 namespace cambrian {
 
 inline constexpr double kTestTick = 1.0 / 60;  // s
-inline constexpr std::uint8_t kRigidJoint = 0;
-inline constexpr std::uint8_t kRotaryJoint = 1;
-inline constexpr std::uint8_t kLinearJoint = 2;
+inline constexpr JointMotion kRigidJoint = JointMotion::kFixed;
+inline constexpr JointMotion kRotaryJoint = JointMotion::kTurn;
+inline constexpr JointMotion kLinearJoint = JointMotion::kSlide;
 
 // One box at rest with its centre at (x, y).
 BodyPlan one_box(double half_length, double half_width, double x, double y, double angle = 0.0);
@@ -20,8 +20,8 @@ BodyPlan one_box(double half_length, double half_width, double x, double y, doub
 void join(const BodyPlan& plan, PlannedPart& child, int parent, const Vec3& anchor, double angle);
 
 // Adds a part joined so, with limits of +-1 rad.
-PlannedPart& attach(BodyPlan& plan, int parent, const Vec3& anchor, double angle,
-                    std::uint8_t joint, double half_length = 0.2, double half_width = 0.05);
+PlannedPart& attach(BodyPlan& plan, int parent, const Vec3& anchor, double angle, JointMotion joint,
+                    double half_length = 0.2, double half_width = 0.05);
 
 // Boxes of 0.4 m x 0.1 m end to end along x, joined by rotary joints of +-limit rad.
 BodyPlan chain(int parts, double limit, double x = 0.0, double y = 0.0);

@@ -1,6 +1,6 @@
 #pragma once
 
-// Creatures made by hand that only look like doing what is asked, a builder for each trick.
+// Hand-made creatures that earned scores without the deed; each builder makes one trick.
 
 #include "support/creatures.h"
 
@@ -55,15 +55,7 @@ inline GenomePtr slow_sinker(const KindCatalog& catalog) {
 
 // The fish with its tail held to one side: it swims in circles.
 inline GenomePtr circler(const KindCatalog& catalog) {
-    CreatureBuilder builder(catalog);
-    const auto body = builder.part(0.6, 0.16);
-    const auto tail = builder.part(0.35, 0.1);
-    const auto fin = builder.part(0.3, 0.08);
-    builder.attach(body, tail, 0.125, 0.7);
-    builder.attach(tail, fin, 0.125, 0.7);
-    builder.swing(tail, 1.0, 0.0, 0.7);
-    builder.swing(fin, 1.0, -0.25, 0.9);
-    return builder.build();
+    return fish(catalog, 0.7);
 }
 
 // A body that shivers with two wings far faster than joints can be expected to go.

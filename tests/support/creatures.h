@@ -167,13 +167,13 @@ inline GenomePtr flapper(const KindCatalog& catalog, double frequency, double am
 }
 
 // A body with a tail of two links that beat one after the other.
-inline GenomePtr fish(const KindCatalog& catalog) {
+inline GenomePtr fish(const KindCatalog& catalog, double bend = 0.0) {
     CreatureBuilder builder(catalog);
     const auto body = builder.part(0.6, 0.16);
     const auto tail = builder.part(0.35, 0.1);
     const auto fin = builder.part(0.3, 0.08);
-    builder.attach(body, tail, 0.125);
-    builder.attach(tail, fin, 0.125);
+    builder.attach(body, tail, 0.125, bend);
+    builder.attach(tail, fin, 0.125, bend);
     builder.swing(tail, 1.0, 0.0, 0.7);
     builder.swing(fin, 1.0, -0.25, 0.9);
     return builder.build();

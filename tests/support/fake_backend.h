@@ -4,9 +4,12 @@
 // made to stop after a number of evaluations.
 
 #include "evolution/evaluation_backend.h"
+#include "evolution/evolution.h"
+#include "support/catch.h"
 #include "support/kinds.h"
 
 #include <functional>
+#include <string>
 
 namespace cambrian::test {
 
@@ -20,12 +23,13 @@ inline double total_length(const Genome& genome) {
 class FakeBackend final : public EvaluationBackend {
 public:
     std::function<double(const Genome&)> fitness = total_length;
-    // What becomes of it in a world a hair different.
+    // The fitness in a slightly different world.
     std::function<double(double fitness, const Probe&)> in_probe = [](double plain, const Probe&) {
         return plain;
     };
     int stop_after = -1;   // evaluations of the next call; -1 never
     int most_a_call = -1;  // evaluations of every call; -1 for all
+    std::string failure;   // why it cannot go on; told, no more
     int evaluations = 0;
 
     bool evaluate(std::span<const EvaluationRequest> requests,
@@ -49,6 +53,22 @@ public:
         }
         return true;
     }
+    BackendStatus status() const override {
+        BackendStatus status;
+        status.failure = failure;
+        return status;
+    }
 };
+
+// An evolution whose last generation of so many is evaluated.
+inline Evolution evolved(const SettingsPtr& settings, EvaluationBackend& backend, int generations) {
+    Evolution evolution(settings, kinds());
+    EvaluationProgress progress;
+    for (int i = 0; i < generations; ++i) {
+        if (i > 0) evolution.breed();
+        REQUIRE(evolution.evaluate(backend, progress, {}));
+    }
+    return evolution;
+}
 
 }  // namespace cambrian::test

@@ -11,4 +11,13 @@ inline const EvolutionKinds& kinds() {
     return all;
 }
 
+// What grows and moves a creature.
+inline const Kinds& creature_kinds() {
+    return kinds().creature;
+}
+
+inline const KindCatalog& kind_catalog() {
+    return kinds().creature.catalog;
+}
+
 }  // namespace cambrian::test

@@ -3,7 +3,7 @@
 namespace cambrian {
 namespace {
 
-std::string quoted(std::string_view text) {
+std::string quoted_for_fish(std::string_view text) {
     std::string result = "'";
     for (const char letter : text) {
         if (letter == '\'' || letter == '\\') result += '\\';
@@ -28,7 +28,7 @@ std::string values_of(const std::string& value) {
 
 std::string line(const std::string& program, const std::string& condition,
                  const CommandOption& option) {
-    std::string text = "complete -c " + program + " -n " + quoted(condition);
+    std::string text = "complete -c " + program + " -n " + quoted_for_fish(condition);
     for (const std::string& name : option.names) {
         if (option.positional) break;
         text += name.starts_with("--") ? " -l " + name.substr(2) : " -s " + name.substr(1);
@@ -36,8 +36,8 @@ std::string line(const std::string& program, const std::string& condition,
     if (!option.positional && !option.value.empty()) text += " -x";
     const std::string values = values_of(option.value);
     if (option.positional && values.empty()) return "";
-    if (!values.empty()) text += " -a " + quoted(values);
-    return text + (option.positional ? "" : " -d " + quoted(option.help)) + "\n";
+    if (!values.empty()) text += " -a " + quoted_for_fish(values);
+    return text + (option.positional ? "" : " -d " + quoted_for_fish(option.help)) + "\n";
 }
 
 }  // namespace
@@ -48,7 +48,7 @@ std::string fish_completion(const Command& program) {
         text += line(program.name, "__fish_use_subcommand", option);
     for (const Command& command : program.subcommands) {
         text += "complete -c " + program.name + " -n '__fish_use_subcommand' -a " + command.name +
-                " -d " + quoted(command.summary) + "\n";
+                " -d " + quoted_for_fish(command.summary) + "\n";
         for (const CommandOption& option : command.options)
             text += line(program.name, "__fish_seen_subcommand_from " + command.name, option);
     }

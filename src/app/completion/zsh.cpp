@@ -5,7 +5,7 @@ namespace {
 
 // Text within single quotes inside an argument of _arguments, where colons and brackets mean
 // something.
-std::string quoted(std::string_view text) {
+std::string quoted_for_zsh(std::string_view text) {
     std::string result;
     for (const char letter : text) {
         if (letter == '\'') {
@@ -34,7 +34,7 @@ std::string action(const std::string& value) {
 }
 
 std::string argument(const CommandOption& option) {
-    const std::string message = quoted(option.help) + ":" + action(option.value);
+    const std::string message = quoted_for_zsh(option.help) + ":" + action(option.value);
     if (option.positional) {
         const std::string place = option.several ? "*" : option.required ? "1" : "::";
         return "'" + (place == "::" ? "1::" : place + ":") + message + "'";
@@ -47,8 +47,9 @@ std::string argument(const CommandOption& option) {
     }
     if (option.names.size() > 1) names = "{" + names + "}";
     std::string text = option.several ? "'*'" : "'(" + excluded + ")'";
-    text += names + "'[" + quoted(option.help) + "]";
-    if (!option.value.empty()) text += ":" + quoted(option.value) + ":" + action(option.value);
+    text += names + "'[" + quoted_for_zsh(option.help) + "]";
+    if (!option.value.empty())
+        text += ":" + quoted_for_zsh(option.value) + ":" + action(option.value);
     return text + "'";
 }
 
@@ -65,7 +66,7 @@ std::string zsh_completion(const Command& program) {
     std::string names;
     std::string cases;
     for (const Command& command : program.subcommands) {
-        names += "        '" + command.name + ":" + quoted(command.summary) + "'\n";
+        names += "        '" + command.name + ":" + quoted_for_zsh(command.summary) + "'\n";
         cases += "            " + command.name + ")\n                _arguments" +
                  arguments(command, "                    ") + " ;;\n";
     }

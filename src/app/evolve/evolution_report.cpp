@@ -18,7 +18,7 @@ std::string fixed(double number) {
     return text;
 }
 
-std::string padded(std::string text, std::size_t width) {
+std::string right_aligned(std::string text, std::size_t width) {
     if (text.size() < width) text.insert(0, width - text.size(), ' ');
     return text;
 }
@@ -66,36 +66,39 @@ std::string json_of_births(const GenerationStatistics& statistics) {
     return json_object(lines);
 }
 
-std::string json_of(const GenerationStatistics& statistics, const std::string& unit) {
-    return json_object(
-        {{"generation", std::to_string(statistics.generation)},
-         {"size", std::to_string(statistics.size)},
-         {"evaluations", std::to_string(statistics.evaluations)},
-         {"confirmations", std::to_string(statistics.confirmations)},
-         {"best", real_text(statistics.best)},
-         {"best_lowest", real_text(statistics.best_lowest)},
-         {"best_highest", real_text(statistics.best_highest)},
-         {"upper", real_text(statistics.upper)},
-         {"median", real_text(statistics.median)},
-         {"lower", real_text(statistics.lower)},
-         {"mean", real_text(statistics.mean)},
-         {"invalid_share", real_text(statistics.invalid_share)},
-         {"mean_parts", real_text(statistics.mean_parts)},
-         {"mean_neurons", real_text(statistics.mean_neurons)},
-         {"distinct_genomes", std::to_string(statistics.distinct_genomes)},
-         {"lines", std::to_string(statistics.lines)},
-         {"plans", std::to_string(statistics.plans)},
-         {"births_by_line", json_of_births(statistics)},
-         {"rejected", std::to_string(statistics.rejected)},
-         {"reused", std::to_string(statistics.reused)},
-         {"rested", std::to_string(statistics.rested)},
-         {"given_up", std::to_string(statistics.given_up)},
-         {"giving_up_distrusted", json_truth(statistics.giving_up_distrusted)},
-         {"time_saved", real_text(statistics.time_saved)},
-         {"filled_cells", std::to_string(statistics.filled_cells)},
-         {"quality", real_text(statistics.quality)},
-         {"generations_without_progress", std::to_string(statistics.generations_without_progress)},
-         {"unit", quoted_text(unit)}});
+std::string json_of(const GenerationStatistics& statistics, const std::string& unit,
+                    const std::string& cluster) {
+    JsonMembers members = {
+        {"generation", std::to_string(statistics.generation)},
+        {"size", std::to_string(statistics.size)},
+        {"evaluations", std::to_string(statistics.evaluations)},
+        {"confirmations", std::to_string(statistics.confirmations)},
+        {"best", real_text(statistics.best)},
+        {"best_lowest", real_text(statistics.best_lowest)},
+        {"best_highest", real_text(statistics.best_highest)},
+        {"upper", real_text(statistics.upper)},
+        {"median", real_text(statistics.median)},
+        {"lower", real_text(statistics.lower)},
+        {"mean", real_text(statistics.mean)},
+        {"invalid_share", real_text(statistics.invalid_share)},
+        {"mean_parts", real_text(statistics.mean_parts)},
+        {"mean_neurons", real_text(statistics.mean_neurons)},
+        {"distinct_genomes", std::to_string(statistics.distinct_genomes)},
+        {"lines", std::to_string(statistics.lines)},
+        {"plans", std::to_string(statistics.plans)},
+        {"births_by_line", json_of_births(statistics)},
+        {"rejected", std::to_string(statistics.rejected)},
+        {"reused", std::to_string(statistics.reused)},
+        {"rested", std::to_string(statistics.rested)},
+        {"given_up", std::to_string(statistics.given_up)},
+        {"giving_up_distrusted", json_truth(statistics.giving_up_distrusted)},
+        {"time_saved", real_text(statistics.time_saved)},
+        {"filled_cells", std::to_string(statistics.filled_cells)},
+        {"quality", real_text(statistics.quality)},
+        {"generations_without_progress", std::to_string(statistics.generations_without_progress)},
+        {"unit", quoted_text(unit)}};
+    if (!cluster.empty()) members.push_back({"cluster", cluster});
+    return json_object(members);
 }
 
 std::string json_of(const BarAudit& audit) {
@@ -135,12 +138,12 @@ std::string origin_in_words(const Individual& individual) {
 }
 
 std::string generation_line(const GenerationStatistics& statistics, const std::string& unit,
-                            bool json) {
-    if (json) return json_of(statistics, unit);
+                            bool json, const std::string& cluster) {
+    if (json) return json_of(statistics, unit, cluster);
     const std::string number = std::to_string(statistics.generation);
-    return "generation " + padded(number, 4) + "   best " + padded(fixed(statistics.best), 8) +
-           " " + unit + "   median " + padded(fixed(statistics.median), 8) + " " + unit +
-           remarks(statistics);
+    return "generation " + right_aligned(number, 4) + "   best " +
+           right_aligned(fixed(statistics.best), 8) + " " + unit + "   median " +
+           right_aligned(fixed(statistics.median), 8) + " " + unit + remarks(statistics);
 }
 
 std::string final_line(const Evolution& evolution, const std::string& unit,

@@ -8,9 +8,10 @@
 
 namespace cambrian {
 
-// One line about a generation, for a person or (json) as a JSON object.
+// One line about a generation, for a person or (json) as a JSON object. cluster: an object of who
+// took part, kept under that key; empty for none.
 std::string generation_line(const GenerationStatistics& statistics, const std::string& unit,
-                            bool json);
+                            bool json, const std::string& cluster = "");
 
 // Where a creature comes from: when and how it was bred, and every mutation from what to what.
 std::string origin_in_words(const Individual& individual);

@@ -1,11 +1,13 @@
 #include "app/evolve/evolution_run.h"
 
+#include "app/cluster/cluster_watch.h"
 #include "app/evolve/evolution_report.h"
 #include "app/evolve/run_outputs.h"
 #include "app/process/interruption.h"
 #include "app/process/messages.h"
 #include "app/process/progress_bar.h"
 #include "app/trial/score_notice.h"
+#include "cluster/join_cluster.h"
 #include "core/threads/thread_pool.h"
 #include "evolution/backends/thread_pool_backend.h"
 #include "evolution/evolution.h"
@@ -165,16 +167,43 @@ struct Harvest {
     Status told;  // on standard output
 };
 
+// The lines about generations, with who took part in each if there is a cluster.
+class GenerationReport {
+public:
+    // All outlive the report.
+    GenerationReport(const EvaluationBackend& backend, const std::string& unit, bool json)
+        : backend_(backend), unit_(unit), json_(json) {}
+
+    std::string line(const GenerationStatistics& statistics) {
+        const BackendStatus status = backend_.status();
+        std::string cluster;
+        if (status.link != ClusterLink::kNone) cluster = cluster_json(status, before_);
+        before_ = status.counts;
+        return generation_line(statistics, unit_, json_, cluster);
+    }
+
+private:
+    const EvaluationBackend& backend_;
+    const std::string& unit_;
+    const bool json_;
+    BackendCounts before_;
+};
+
 // Evaluates, keeps and breeds until the run is over.
 Harvest evolve(Course& course, EvaluationBackend& backend, const std::string& unit, bool json) {
     Harvest harvest;
     const Interruption interruption;
     EvaluationProgress progress;
     Evolution& evolution = course.evolution;
-    ProgressBar bar(progress, static_cast<std::uint32_t>(course.limits.generations));
+    ProgressBar bar(progress, static_cast<std::uint32_t>(course.limits.generations),
+                    [&backend] { return cluster_remark(backend.status()); });
+    const ClusterWatch watch(backend, [&bar](std::string_view words) { bar.say_above(words); });
+    GenerationReport report(backend, unit, json);
     for (;;) {
         if (!evolution.evaluate(backend, progress, interruption.token())) {
-            harvest.stopped_by = "interruption";
+            const bool asked = interruption.requested();
+            harvest.stopped_by = asked ? "interruption" : "failure";
+            if (!asked) harvest.kept = Error{backend.status().failure};
             return harvest;
         }
         if (course.file) harvest.kept = course.file->record(evolution);
@@ -184,8 +213,7 @@ Harvest evolve(Course& course, EvaluationBackend& backend, const std::string& un
         }
         harvest.champion = evolution.population().front();
         harvest.settings = evolution.shared_settings();
-        harvest.told =
-            bar.finish_generation(generation_line(evolution.history().back(), unit, json));
+        harvest.told = bar.finish_generation(report.line(evolution.history().back()));
         if (!harvest.told) {
             harvest.stopped_by = "failure";
             return harvest;
@@ -233,14 +261,39 @@ struct RunEnd {
     bool interrupted = false;
 };
 
+// The cluster that is asked for, found usable; none if none is asked for.
+Result<std::optional<ClusterAddress>> cluster_of(const EvolutionRun& run) {
+    if (run.cluster.servers.empty()) return std::optional<ClusterAddress>();
+    Result<ClusterAddress> address = cluster_address(run.cluster);
+    if (!address) return address.error();
+    if (Status usable = check_cluster(*address); !usable) return usable.error();
+    if (const std::string warning = plain_text_warning(*address); !warning.empty()) say(warning);
+    return std::optional(*std::move(address));
+}
+
+Result<std::unique_ptr<EvaluationBackend>> backend_of(const EvolutionRun& run,
+                                                      const std::optional<ClusterAddress>& cluster,
+                                                      const RunOutputs& outputs,
+                                                      const EvolutionKinds& kinds) {
+    const std::size_t threads = run.threads.value_or(ThreadPool::default_workers());
+    if (!cluster) return make_thread_pool_backend(kinds, threads);
+    return join_cluster(kinds, *cluster,
+                        {.threads = threads,
+                         .priority = ThreadPriority::kNormal,
+                         .experiment = outputs.experiment});
+}
+
 // With the first of the seeds, if there are any.
 RunEnd run_once(const EvolutionRun& run, const EvolutionKinds& kinds) {
+    // Before anything is written.
+    const auto cluster = cluster_of(run);
+    if (!cluster) return {fail(cluster.error())};
     Result<Course> course = course_of(run, kinds);
     if (!course) return {fail(course.error())};
-    const auto backend =
-        make_thread_pool_backend(kinds, run.threads.value_or(ThreadPool::default_workers()));
+    const auto backend = backend_of(run, *cluster, course->outputs, kinds);
+    if (!backend) return {fail(backend.error())};
     const std::string unit = kinds.goals.find(course->limits.goal)->unit;
-    const Harvest harvest = evolve(*course, *backend, unit, run.json);
+    const Harvest harvest = evolve(*course, **backend, unit, run.json);
     ExitStatus status = ExitStatus::kFailed;
     if (harvest.champion) {
         status = report(*course, harvest, unit, run.json, kinds);
@@ -268,6 +321,7 @@ Status check_place_of_several(const EvolutionRun& run) {
 CommandFiles files_of(const EvolutionRun& run) {
     CommandFiles files;
     files.reads(run.settings_file).reads(run.resume).reads_each(run.founders);
+    files.reads(run.cluster.credentials).reads(run.cluster.authority);
     return is_experiment_name(run.out) ? files.keeps(run.out) : files.writes(run.out);
 }
 

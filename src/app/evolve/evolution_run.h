@@ -6,6 +6,7 @@
 
 #include "app/command_line/command_files.h"
 #include "app/process/exit_status.h"
+#include "cluster/cluster_address.h"
 #include "evolution/evolution_kinds.h"
 #include "evolution/experiment_settings.h"
 
@@ -25,6 +26,7 @@ struct EvolutionRun {
     std::vector<std::uint64_t> seeds;    // a run with each, instead of the file's
     std::vector<std::string> sets;       // typed_setting(), over the file's
     std::optional<std::size_t> threads;  // one a core if absent; never changes a result
+    ClusterLogin cluster;                // without servers: this machine alone
     std::string out;                     // see run_outputs(); empty to resume: no more files
     bool json = false;                   // a JSON object a line instead of words
 };

@@ -10,7 +10,7 @@ namespace {
 // The one thing a signal handler may write.
 volatile std::sig_atomic_t interrupted = 0;
 
-constexpr auto kPause = std::chrono::milliseconds(50);
+constexpr auto kInterruptionPause = std::chrono::milliseconds(50);
 
 void note_interruption(int /*signal*/) {
     interrupted = 1;
@@ -30,7 +30,7 @@ Interruption::Interruption() {
         std::condition_variable_any woken;
         std::unique_lock lock(mutex);
         while (!stop.stop_requested() && !requested())
-            woken.wait_for(lock, stop, kPause, [] { return false; });
+            woken.wait_for(lock, stop, kInterruptionPause, [] { return false; });
         if (requested()) source_.request_stop();
     });
 }

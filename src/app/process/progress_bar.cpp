@@ -6,8 +6,12 @@
 
 namespace cambrian {
 
-ProgressBar::ProgressBar(const EvaluationProgress& progress, std::uint32_t generations)
-    : progress_(progress), generations_(generations), line_([this] { return text(); }) {}
+ProgressBar::ProgressBar(const EvaluationProgress& progress, std::uint32_t generations,
+                         std::function<std::string()> remark)
+    : progress_(progress),
+      generations_(generations),
+      remark_(std::move(remark)),
+      line_([this] { return text(); }) {}
 
 Status ProgressBar::finish_generation(std::string_view line) {
     Status printed;
@@ -19,7 +23,16 @@ Status ProgressBar::finish_generation(std::string_view line) {
     return printed;
 }
 
+void ProgressBar::say_above(std::string_view message) {
+    line_.interrupt([message] { say(message); });
+}
+
 std::string ProgressBar::text() const {
+    const std::string remark = remark_ ? remark_() : "";
+    return numbers() + (remark.empty() ? "" : "  " + remark);
+}
+
+std::string ProgressBar::numbers() const {
     const double total = std::max(1.0, static_cast<double>(progress_.total.load()));
     const double done = std::min(total, static_cast<double>(progress_.done.load()));
     const bool complete = finished_ >= generations_;

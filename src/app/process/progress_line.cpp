@@ -11,7 +11,7 @@ namespace cambrian {
 namespace {
 
 constexpr std::size_t kCells = 24;
-constexpr auto kPause = std::chrono::milliseconds(100);
+constexpr auto kLinePause = std::chrono::milliseconds(100);
 constexpr double kTooEarlyToTell = 0.5;  // s
 
 std::string clock_text(double seconds) {
@@ -63,7 +63,7 @@ void ProgressLine::draw_until(const std::stop_token& stop) {
     std::unique_lock lock(terminal_);
     while (!stop.stop_requested()) {
         draw();
-        woken.wait_for(lock, stop, kPause, [] { return false; });
+        woken.wait_for(lock, stop, kLinePause, [] { return false; });
     }
 }
 

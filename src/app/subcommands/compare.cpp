@@ -1,3 +1,4 @@
+#include "app/cluster/cluster_options.h"
 #include "app/command_line/number_checks.h"
 #include "app/command_line/option_types.h"
 #include "app/command_line/seed_list.h"
@@ -6,6 +7,7 @@
 #include "app/process/messages.h"
 #include "app/process/progress_line.h"
 #include "app/subcommands/subcommands.h"
+#include "cluster/join_cluster.h"
 #include "comparison/comparison.h"
 #include "comparison/plan.h"
 #include "comparison/report.h"
@@ -13,6 +15,7 @@
 #include "core/stopwatch.h"
 #include "core/text/pretty_text.h"
 #include "core/threads/thread_pool.h"
+#include "evolution/backends/thread_pool_backend.h"
 #include "persist/typed_setting.h"
 
 #include <CLI/CLI.hpp>
@@ -35,6 +38,7 @@ struct CompareOptions {
     int trials = 4000;
     bool random_search = false;
     std::optional<std::size_t> threads;
+    ClusterLogin cluster;  // without servers: this machine alone
 };
 
 Result<std::vector<NamedSettings>> named_settings(const std::vector<std::string>& files) {
@@ -97,6 +101,21 @@ Result<std::vector<PlannedRun>> runs_of(const CompareOptions& options,
                         kinds);
 }
 
+// On one core of this machine, and on the cluster's if one is asked for.
+Result<BackendMaking> backend_making(const ClusterLogin& cluster, const EvolutionKinds& kinds) {
+    if (cluster.servers.empty()) {
+        return BackendMaking([&kinds]() -> Result<std::unique_ptr<EvaluationBackend>> {
+            return make_thread_pool_backend(kinds, 1);
+        });
+    }
+    const Result<ClusterAddress> address = cluster_address(cluster);
+    if (!address) return address.error();
+    if (const Status usable = check_cluster(*address); !usable) return usable.error();
+    if (const std::string warning = plain_text_warning(*address); !warning.empty()) say(warning);
+    return BackendMaking(
+        [&kinds, address = *address] { return join_cluster(kinds, address, {.experiment = {}}); });
+}
+
 std::string run_line(const ComparedRun& run) {
     return run.world + ", " + run.arm + ", seed " + std::to_string(run.seed) + ": " +
            format("%.3g", run.confirmed) + " (" + format("%.3g", run.score) + " before) after " +
@@ -132,6 +151,7 @@ public:
         take_whole(*app.add_option("-t,--threads", options_.threads,
                                    "Runs at a time; one a core unless given"),
                    1, 1024);
+        add_cluster_choice(app, options_.cluster);
         app.add_option("-o,--out", options_.out,
                        "Folder of runs.csv, report.md, curves and champions; runs that it has "
                        "already are not run again")
@@ -144,6 +164,7 @@ public:
             for (const std::string& input : *inputs)
                 files.reads(input);
         }
+        files.reads(options_.cluster.credentials).reads(options_.cluster.authority);
         return files;
     }
     ExitStatus run(const EvolutionKinds& kinds) override {
@@ -151,10 +172,12 @@ public:
             return fail({"what to compare: settings files, or --world FILE"});
         auto runs = runs_of(options_, kinds);
         if (!runs) return fail(runs.error());
+        const auto making = backend_making(options_.cluster, kinds);
+        if (!making) return fail(making.error());
         const auto comparison = Comparison::open(options_.out, *std::move(runs), kinds);
         if (!comparison) return fail(comparison.error());
         const Interruption interruption;
-        if (const Status ran = run_all(**comparison, interruption); !ran)
+        if (const Status ran = run_all(**comparison, *making, interruption); !ran)
             return fail(ran.error(), ExitStatus::kFailed);
         const ExitStatus told = tell((*comparison)->finished());
         if (!interruption.requested()) return told;
@@ -163,7 +186,8 @@ public:
     }
 
 private:
-    Status run_all(Comparison& comparison, const Interruption& interruption) const {
+    Status run_all(Comparison& comparison, const BackendMaking& making,
+                   const Interruption& interruption) const {
         if (comparison.missing() == 0) return {};
         say(std::to_string(comparison.missing()) + " runs to do");
         const Stopwatch watch;
@@ -172,7 +196,7 @@ private:
             return bar_text(share) + time_left_text(share, watch.seconds());
         });
         return comparison.run(
-            options_.threads.value_or(ThreadPool::default_workers()),
+            options_.threads.value_or(ThreadPool::default_workers()), making,
             [&](const ComparedRun& run) { line.interrupt([&] { say(run_line(run)); }); },
             interruption.token());
     }

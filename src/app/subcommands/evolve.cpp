@@ -1,3 +1,4 @@
+#include "app/cluster/cluster_options.h"
 #include "app/command_line/number_checks.h"
 #include "app/command_line/option_types.h"
 #include "app/command_line/seed_list.h"
@@ -45,6 +46,7 @@ public:
                        "Go on with an experiment file, to the generations given")
             ->type_name(option_type::kExperiment)
             ->excludes(settings, seed, seeds, sets, founders);
+        add_cluster_choice(app, run_.cluster);
         app.add_flag("--json", run_.json, "Report as JSON, one object a line");
     }
     CommandFiles files() const override { return files_of(run_); }

@@ -1,11 +1,14 @@
 #include "studio/studio.h"
 
+#include "app/cluster/cluster_options.h"
 #include "app/command_line/number_checks.h"
 #include "app/command_line/option_types.h"
 #include "app/command_line/window_options.h"
 #include "app/evolve/without_window.h"
 #include "app/process/assets_folder.h"
 #include "app/subcommands/subcommands.h"
+#include "cluster/join_cluster.h"
+#include "studio/remembered.h"
 
 #include <CLI/CLI.hpp>
 
@@ -24,6 +27,22 @@ std::filesystem::path usual_state_dir() {
     return std::filesystem::path(home) / ".local/state/cambrian";
 }
 
+// What is left in the cluster of the same folder's studio is deleted; a genome that ends a process
+// is written to that folder.
+ClusterJoining joining(const EvolutionKinds& kinds, const std::filesystem::path& state_dir) {
+    const std::filesystem::path experiment =
+        state_dir.empty() ? std::filesystem::path() : own_experiment(state_dir);
+    return [&kinds, experiment](const ClusterAddress& address,
+                                std::size_t threads) -> Result<std::shared_ptr<EvaluationBackend>> {
+        auto backend = join_cluster(kinds, address,
+                                    {.threads = threads,
+                                     .priority = ThreadPriority::kBackground,
+                                     .experiment = experiment});
+        if (!backend) return backend.error();
+        return std::shared_ptr<EvaluationBackend>(*std::move(backend));
+    };
+}
+
 class StudioSubcommand final : public Subcommand {
 public:
     StudioSubcommand() {
@@ -37,9 +56,10 @@ public:
         app.add_option("file", options_.open_file, "Creature file, card or settings file to open")
             ->type_name(option_type::kAnyOfOurs);
         app.add_flag("--evolve", options_.evolve, "Begin to evolve at once");
-        take_whole(*app.add_option("-t,--threads", options_.workers,
+        take_whole(*app.add_option("-t,--threads", options_.machines.workers,
                                    "Threads that evaluate; one a core unless given"),
                    1, 1024);
+        add_cluster_choice(app, cluster_);
         add_window_options(app, options_);
         app.add_option("--state-dir", options_.state_dir,
                        "Folder of what is remembered from one start to the next; \"\" for nothing")
@@ -49,14 +69,19 @@ public:
     CommandFiles files() const override {
         return window_files(options_)
             .reads(options_.open_file)
+            .reads(cluster_.credentials)
+            .reads(cluster_.authority)
             .reads(without_window_.settings_file());
     }
     ExitStatus run(const EvolutionKinds& kinds) override {
+        if (!cluster_.servers.empty()) options_.machines.cluster = cluster_;
+        options_.machines.join = joining(kinds, options_.state_dir);
         const Status shown = run_studio(options_, kinds);
         return shown ? ExitStatus::kDone : without_window_.run(shown.error(), kinds);
     }
 
 private:
+    ClusterLogin cluster_;
     StudioOptions options_;
     WithoutWindow without_window_;
 };

@@ -4,6 +4,7 @@
 
 namespace cambrian {
 
+SubcommandKind cluster_subcommand();
 SubcommandKind compare_subcommand();
 SubcommandKind completion_subcommand();
 SubcommandKind evolve_subcommand();
@@ -17,5 +18,6 @@ SubcommandKind simulate_subcommand();
 SubcommandKind studio_subcommand();
 SubcommandKind verify_subcommand();
 SubcommandKind view_subcommand();
+SubcommandKind worker_subcommand();
 
 }  // namespace cambrian

@@ -13,7 +13,7 @@ class ViewSubcommand final : public Subcommand {
 public:
     ViewSubcommand() {
         options_.viewer = true;
-        options_.workers = 1;
+        options_.machines.workers = 1;
         options_.width = 960;
         options_.height = 640;
     }

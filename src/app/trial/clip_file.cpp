@@ -87,6 +87,7 @@ private:
 int spawn(const std::vector<std::string>& arguments, int input, int errors, int& process) {
     std::vector<std::string> kept = arguments;
     std::vector<char*> pointers;
+    pointers.reserve(kept.size() + 1);
     for (std::string& argument : kept)
         pointers.push_back(argument.data());
     pointers.push_back(nullptr);

@@ -9,7 +9,7 @@
 namespace cambrian {
 namespace {
 
-constexpr std::size_t kPiece = 64 * 1024;  // bytes written at a time
+constexpr std::size_t kPiece = 65536;  // bytes written at a time
 
 std::string heading(const Trial& trial) {
     std::string line = "time,mass_x,mass_y";

@@ -1,5 +1,6 @@
 #include "breeding/gene_sites.h"
 #include "breeding/mutations/operators.h"
+#include "core/assert.h"
 #include "genome/enabled_kinds.h"
 #include "genome/words.h"
 
@@ -30,6 +31,7 @@ bool add_node(Genome& genome, const MutationContext& context, RandomStream& stre
     const auto parents = nodes_with_room(genome);
     if (genome.nodes.size() >= gene_range::kMaxNodes || parents.empty()) return false;
     const std::size_t parent = stream.pick(parents);
+    CAMBRIAN_TICK_ASSERT(parent < genome.nodes.size(), "a node of the genome");
     const std::size_t index = genome.nodes.size();
     genome.nodes.push_back(new_node(genome, context, stream, record));
     std::vector<EdgeGene>& edges = genome.nodes[parent].edges;

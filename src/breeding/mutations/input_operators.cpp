@@ -49,6 +49,7 @@ bool mutate_effector(Genome& genome, const MutationContext& context, RandomStrea
         const SourceRef source =
             random_effector_source(node, kLocalEffectorShare, pool_of(context), stream);
         replace_source(node.effector, source, context.catalog, record);
+        node.effector_kind = random_effector_kind(context.catalog, stream);
     }
     return true;
 }

@@ -1,5 +1,6 @@
 #include "breeding/gene_sites.h"
 #include "breeding/mutations/operators.h"
+#include "core/assert.h"
 #include "genome/enabled_kinds.h"
 
 namespace cambrian {
@@ -30,6 +31,7 @@ private:
     SourceRef moved(const SourceRef& source) const {
         if (source.kind != own_neuron_kind(scope_)) return source;
         if (names_removed(source)) return substitute_;
+        CAMBRIAN_TICK_ASSERT(count_ > 0 && removed_ < count_, "one of the neurons");
         const std::size_t index = source.index % count_;
         return own_neuron(scope_, index > removed_ ? index - 1 : index);
     }

@@ -4,6 +4,7 @@
 // stage of the next step. A Tableau has kStages, the kNodes c, the kRows of a (the last one holds
 // the propagated weights b) and the kErrors b - b^.
 
+#include "core/assert.h"
 #include "dynamics/integrator.h"
 
 #include <array>
@@ -24,6 +25,8 @@ public:
     }
 
     CAMBRIAN_INLINE void attempt() {
+        CAMBRIAN_TICK_ASSERT(request_.length > 0.0 && request_.tolerance > 0.0,
+                             "a step takes time");
         run_stages(std::make_index_sequence<kLast>());
         constexpr auto all_stages = std::make_index_sequence<kStages>();
         const Lanes work = Sum<kLast>(request_.length, powers_)
@@ -31,6 +34,7 @@ public:
         store_lanes(result_.end.work, work);
         result_.error = error(all_stages);
         result_.evaluations = kLast;
+        CAMBRIAN_TICK_ASSERT(!(result_.error < 0.0), "an error is not negative");
     }
 
 private:

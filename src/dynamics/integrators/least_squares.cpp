@@ -86,7 +86,7 @@ void join(const PlanarModel& model, Kinematics& k, Motion& motion) {
         motion.position[i] = k.angle[i];
         motion.speed[i] = k.spin[i];
         const int p = model.parent_slot[i];
-        const bool linear = model.joint[i] == JointType::kLinear;
+        const bool linear = model.motion[i] == JointMotion::kSlide;
         if (linear) measure_slide(model, k, i, motion);
         k.joint_position[i] =
             linear ? motion.position[i] : k.angle[i] - k.angle[p] - model.rest_angle[i];

@@ -1,13 +1,20 @@
 #include "evolution/backends/thread_pool_backend.h"
 
+#include "core/recent_sum.h"
+#include "core/stopwatch.h"
 #include "core/threads/thread_pool.h"
 #include "evolution/longest_first.h"
 #include "evolution/trials.h"
 
+#include <atomic>
+#include <mutex>
+#include <utility>
 #include <vector>
 
 namespace cambrian {
 namespace {
+
+constexpr int kRateSeconds = 5;  // that a rate is the mean of
 
 class ThreadPoolBackend final : public EvaluationBackend {
 public:
@@ -25,6 +32,7 @@ public:
         put_longest_first(open, requests);
         progress.done = static_cast<std::uint32_t>(requests.size() - open.size());
         progress.total = static_cast<std::uint32_t>(requests.size());
+        const Busy busy(evaluating_);
         return pool_.parallel_for(
             open.size(),
             [&](std::size_t index, std::size_t) {
@@ -32,14 +40,50 @@ public:
                     evaluate_in_trials(requests[open[index]], settings, kinds_, stop);
                 if (result.outcome == Outcome::kInterrupted) return;
                 results[open[index]] = std::move(result);
+                count_creature();
                 progress.done.fetch_add(1, std::memory_order_relaxed);
             },
             stop);
     }
 
+    BackendStatus status() const override {
+        WorkerStatus own;
+        own.name = "this machine";
+        own.cores = static_cast<std::uint32_t>(pool_.workers());
+        own.state = evaluating_ ? WorkerState::kWorking : WorkerState::kIdle;
+        const std::lock_guard lock(creatures_mutex_);
+        const double now = clock_.seconds();
+        own.creatures_per_second = creatures_.rate(now, kRateSeconds);
+        own.share = creatures_.sum(now) > 0.0 ? 1.0 : 0.0;
+        BackendStatus status;
+        status.workers.push_back(std::move(own));
+        return status;
+    }
+
 private:
+    // For as long as a batch runs.
+    class Busy {
+    public:
+        explicit Busy(std::atomic<bool>& flag) : flag_(flag) { flag_ = true; }
+        ~Busy() { flag_ = false; }
+        Busy(const Busy&) = delete;
+        Busy& operator=(const Busy&) = delete;
+
+    private:
+        std::atomic<bool>& flag_;
+    };
+
+    void count_creature() {
+        const std::lock_guard lock(creatures_mutex_);
+        creatures_.add(1.0, clock_.seconds());
+    }
+
     const EvolutionKinds& kinds_;
     ThreadPool pool_;
+    std::atomic<bool> evaluating_ = false;
+    const Stopwatch clock_;
+    mutable std::mutex creatures_mutex_;
+    RecentSum creatures_;  // evaluated; guarded by creatures_mutex_
 };
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "pictures/scene/moment.h"
 
+#include "core/text/counted.h"
 #include "core/text/pretty_text.h"
 #include "pictures/scene/follow_camera.h"
 #include "pictures/scene/scene_builder.h"
@@ -52,10 +53,6 @@ void add_ground_labels(Easel& easel, const Area& area, const Camera& camera,
                             base < viewport.height - 0.3 * style.label_size;
         if (inside) easel.add_text(area.x + at.x(), area.y + base, label, ink, Align::kMiddle);
     }
-}
-
-std::string counted(std::size_t count, const char* what) {
-    return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
 }
 
 }  // namespace

@@ -72,11 +72,11 @@ struct ExperimentController::Handler {
 
 ExperimentController::ExperimentController(const Services& services, ViewState& view,
                                            ViewerController& viewer, ExperimentSettings settings,
-                                           std::size_t workers)
+                                           std::shared_ptr<EvaluationBackend> backend)
     : services_(services),
       view_(view),
       viewer_(viewer),
-      experiment_(std::move(settings), services.kinds, workers) {}
+      experiment_(std::move(settings), services.kinds, std::move(backend)) {}
 
 void ExperimentController::carry_out(const ExperimentRequest& request) {
     std::visit(Handler{*this}, request);

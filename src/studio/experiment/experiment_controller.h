@@ -14,7 +14,7 @@ class ExperimentController {
 public:
     // Everything that `services` names, `view` and `viewer` must outlive it.
     ExperimentController(const Services& services, ViewState& view, ViewerController& viewer,
-                         ExperimentSettings settings, std::size_t workers);
+                         ExperimentSettings settings, std::shared_ptr<EvaluationBackend> backend);
 
     // Once a frame, in this order: reads what the engine did, and says whether it runs or failed.
     void poll() { experiment_.poll(); }

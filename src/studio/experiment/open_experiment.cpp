@@ -1,6 +1,5 @@
 #include "studio/experiment/open_experiment.h"
 
-#include "evolution/backends/thread_pool_backend.h"
 #include "picking/handover.h"
 
 #include <utility>
@@ -20,13 +19,13 @@ ExperimentSettings completed(ExperimentSettings settings, const std::vector<Sett
 }
 
 OpenExperiment::OpenExperiment(ExperimentSettings settings, const EvolutionKinds& kinds,
-                               std::size_t workers)
+                               std::shared_ptr<EvaluationBackend> backend)
     : kinds_(kinds),
       fields_(setting_fields(kinds)),
       editor_(completed(std::move(settings), fields_)),
       kept_(std::make_shared<KeptExperiment>(std::filesystem::path(), kinds)),
       engine_(std::make_shared<const ExperimentSettings>(editor_.draft()), kinds,
-              make_thread_pool_backend(kinds, workers, ThreadPriority::kBackground), kept_),
+              std::move(backend), kept_),
       snapshot_(engine_.latest()) {}
 
 void OpenExperiment::poll() {
@@ -36,7 +35,7 @@ void OpenExperiment::poll() {
     measure();
 }
 
-void OpenExperiment::send(Command command) {
+void OpenExperiment::send(EngineCommand command) {
     unsent_.push_back(std::move(command));
     while (!unsent_.empty() && engine_.send(unsent_.front()))
         unsent_.pop_front();

@@ -19,8 +19,9 @@ namespace cambrian {
 
 class OpenExperiment {
 public:
-    // Settings must pass check_settings. Uses `workers` threads to evaluate.
-    OpenExperiment(ExperimentSettings settings, const EvolutionKinds& kinds, std::size_t workers);
+    // Settings must pass check_settings.
+    OpenExperiment(ExperimentSettings settings, const EvolutionKinds& kinds,
+                   std::shared_ptr<EvaluationBackend> backend);
 
     // From now on new runs are kept in this file (KeptExperiment); before, nowhere for long.
     void autosave_in(const std::filesystem::path& file);
@@ -46,7 +47,7 @@ public:
     bool fresh() const;
 
     // The engine carries out a command as soon as its inbox has room.
-    void send(Command command);
+    void send(EngineCommand command);
     // The engine gets what was edited: all of it while fresh, live fields otherwise.
     Status commit();
     // A new generation 0 with the draft, from these creatures or random ones.
@@ -65,7 +66,7 @@ private:
     std::filesystem::path file_;
     std::shared_ptr<KeptExperiment> kept_;
     EvolutionEngine engine_;
-    std::deque<Command> unsent_;  // the engine's inbox was full
+    std::deque<EngineCommand> unsent_;  // the engine's inbox was full
     std::shared_ptr<const EvolutionSnapshot> snapshot_;
     ProgressView progress_;
     // For the rate: what was done when, within the present generation.

@@ -9,7 +9,6 @@ namespace cambrian {
 namespace {
 
 using Settings = ExperimentSettings;
-using Kinds = EvolutionKinds;
 
 // Keeps the density of bodies, which is not the world's.
 void change_world(Settings& settings, Environment world) {
@@ -34,7 +33,7 @@ void go_in_fluid(Settings& settings, double linear, double quadratic) {
 }
 
 // The default weights, those of the operators on the body or the brain divided.
-void weigh_mutations(Settings& settings, const Kinds& kinds, double body_divisor,
+void weigh_mutations(Settings& settings, const EvolutionKinds& kinds, double body_divisor,
                      double brain_divisor) {
     for (const MutationKind& kind : kinds.mutations.all()) {
         const bool is_body = kind.subject == MutationSubject::kBody;
@@ -80,37 +79,39 @@ constexpr std::string_view kBody = "body";
 // Mutations: breeding/README.md 4; trials: simulator/README.md 1.
 constexpr std::array kPresets = {
     SettingPreset{kEnvironment, "Earth", "Solid ground under full weight.",
-                  [](Settings& s, const Kinds&) { go_on_land(s, kEarthGravity, 0.8); }},
+                  [](Settings& s, const EvolutionKinds&) { go_on_land(s, kEarthGravity, 0.8); }},
     SettingPreset{kEnvironment, "Moon", "A sixth of the weight.",
-                  [](Settings& s, const Kinds&) { go_on_land(s, kMoonGravity, 0.8); }},
+                  [](Settings& s, const EvolutionKinds&) { go_on_land(s, kMoonGravity, 0.8); }},
     SettingPreset{kEnvironment, "Ice", "Full weight with hardly any grip.",
-                  [](Settings& s, const Kinds&) { go_on_land(s, kEarthGravity, 0.05); }},
+                  [](Settings& s, const EvolutionKinds&) { go_on_land(s, kEarthGravity, 0.05); }},
     SettingPreset{kEnvironment, "Water",
                   "Weightless; drag grows with the square of the speed, as for swimmers.",
-                  [](Settings& s, const Kinds&) { go_in_fluid(s, 0.2, 1.0); }},
+                  [](Settings& s, const EvolutionKinds&) { go_in_fluid(s, 0.2, 1.0); }},
     SettingPreset{kEnvironment, "Treacle", "Weightless; drag grows with the speed, nothing glides.",
-                  [](Settings& s, const Kinds&) { go_in_fluid(s, 8.0, 0.0); }},
+                  [](Settings& s, const EvolutionKinds&) { go_in_fluid(s, 8.0, 0.0); }},
     SettingPreset{kEnvironment, "Zero-g tank", "Weightless in a thin medium.",
-                  [](Settings& s, const Kinds&) { go_in_fluid(s, 0.2, 0.1); }},
-    SettingPreset{kMutation, "Body and brain", "The default weights of all kinds of mutations.",
-                  [](Settings& s, const Kinds& kinds) { weigh_mutations(s, kinds, 1.0, 1.0); }},
-    SettingPreset{kMutation, "Tune the brain",
-                  "Bodies change a fifth as often, so that control is refined.",
-                  [](Settings& s, const Kinds& kinds) { weigh_mutations(s, kinds, 5.0, 1.0); }},
-    SettingPreset{kMutation, "Reshape", "Brains change a third as often: new bodies come first.",
-                  [](Settings& s, const Kinds& kinds) { weigh_mutations(s, kinds, 1.0, 3.0); }},
+                  [](Settings& s, const EvolutionKinds&) { go_in_fluid(s, 0.2, 0.1); }},
+    SettingPreset{
+        kMutation, "Body and brain", "The default weights of all kinds of mutations.",
+        [](Settings& s, const EvolutionKinds& kinds) { weigh_mutations(s, kinds, 1.0, 1.0); }},
+    SettingPreset{
+        kMutation, "Tune the brain", "Bodies change a fifth as often, so that control is refined.",
+        [](Settings& s, const EvolutionKinds& kinds) { weigh_mutations(s, kinds, 5.0, 1.0); }},
+    SettingPreset{
+        kMutation, "Reshape", "Brains change a third as often: new bodies come first.",
+        [](Settings& s, const EvolutionKinds& kinds) { weigh_mutations(s, kinds, 1.0, 3.0); }},
     SettingPreset{kTrial, "One trial", "In the world as it is.",
-                  [](Settings& s, const Kinds&) { try_creatures(s, 1, 0.0, 0.0); }},
+                  [](Settings& s, const EvolutionKinds&) { try_creatures(s, 1, 0.0, 0.0); }},
     SettingPreset{kTrial, "Robust",
                   "The mean of three trials, two of them with up to 15 % more or less friction and "
                   "a start tilted by up to 2 degrees.",
-                  [](Settings& s, const Kinds&) { try_creatures(s, 3, 0.15, 2.0); }},
+                  [](Settings& s, const EvolutionKinds&) { try_creatures(s, 3, 0.15, 2.0); }},
     SettingPreset{kBody, "Usual founders", "Random creatures of parts of all sizes.",
-                  [](Settings& s, const Kinds&) { size_founders(s, {}); }},
+                  [](Settings& s, const EvolutionKinds&) { size_founders(s, {}); }},
     SettingPreset{kBody, "Big founders",
                   "Random creatures of long and thick parts, which are strong: to begin with for "
                   "jumping.",
-                  [](Settings& s, const Kinds&) { size_founders(s, big_founders()); }},
+                  [](Settings& s, const EvolutionKinds&) { size_founders(s, big_founders()); }},
 };
 
 }  // namespace

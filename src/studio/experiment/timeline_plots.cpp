@@ -5,14 +5,14 @@
 namespace cambrian {
 namespace {
 
-using Row = GenerationStatistics;
+using Statistics = GenerationStatistics;
 
 template <auto Field>
-double field(const Row& row) {
+double field(const Statistics& row) {
     return static_cast<double>(row.*Field);
 }
 
-double invalid_percent(const Row& row) {
+double invalid_percent(const Statistics& row) {
     return 100.0 * row.invalid_share;
 }
 
@@ -24,21 +24,21 @@ std::span<const TimelinePlot> timeline_plots() {
          "fitness",
          "Fitness",
          "The best creature of each generation, the median, and the band from 10 to 90 %.",
-         {{"best", field<&Row::best>}, {"median", field<&Row::median>}},
-         field<&Row::lower>,
-         field<&Row::upper>},
+         {{"best", field<&Statistics::best>}, {"median", field<&Statistics::median>}},
+         field<&Statistics::lower>,
+         field<&Statistics::upper>},
         {TimelineQuantity::kDiversity,
          "diversity",
          "Diversity",
          "Genomes that differ, and cells of the map of body kinds with a creature in them.",
-         {{"distinct genomes", field<&Row::distinct_genomes>},
-          {"filled cells", field<&Row::filled_cells>}}},
+         {{"distinct genomes", field<&Statistics::distinct_genomes>},
+          {"filled cells", field<&Statistics::filled_cells>}}},
         {TimelineQuantity::kKinds,
          "kinds",
          "Kinds",
          "Founders that the survivors of each generation descend from, by mothers, and body plans "
          "that they have.",
-         {{"founder lines", field<&Row::lines>}, {"body plans", field<&Row::plans>}}},
+         {{"founder lines", field<&Statistics::lines>}, {"body plans", field<&Statistics::plans>}}},
         {TimelineQuantity::kLines,
          "lines",
          "Births by line",
@@ -52,18 +52,18 @@ std::span<const TimelinePlot> timeline_plots() {
          "parts",
          "Parts",
          "Parts of a body, on average over the generation.",
-         {{"parts, mean", field<&Row::mean_parts>}}},
+         {{"parts, mean", field<&Statistics::mean_parts>}}},
         {TimelineQuantity::kNeurons,
          "neurons",
          "Neurons",
          "Live neurons of a brain, on average over the generation.",
-         {{"neurons, mean", field<&Row::mean_neurons>}}},
+         {{"neurons, mean", field<&Statistics::mean_neurons>}}},
         {TimelineQuantity::kTrials,
          "trials",
          "Trials",
          "Trials that were run for each generation, those that confirm scores among them, and "
          "scores known from an equal genome.",
-         {{"run", field<&Row::evaluations>}, {"known already", field<&Row::reused>}}},
+         {{"run", field<&Statistics::evaluations>}, {"known already", field<&Statistics::reused>}}},
         {TimelineQuantity::kInvalid,
          "invalid",
          "Invalid",

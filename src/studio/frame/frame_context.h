@@ -2,7 +2,10 @@
 
 // What a panel may see this frame, by subject; all const.
 
+#include "goals/goal.h"
 #include "studio/frame/requests.h"
+
+#include <string>
 
 namespace cambrian {
 
@@ -15,8 +18,14 @@ struct FrameContext {
     FilesView files;
     GuideView guide = {};
     WindowView window = {};
-    const PickingView* picking = nullptr;  // null in automatic evolution
+    const PickingView* picking = nullptr;    // null in automatic evolution
+    const MachinesView* machines = nullptr;  // null where nothing is evaluated
 
+    bool grid_shown() const { return picking != nullptr && !picking->single; }
+    bool machines_told() const { return machines != nullptr && cluster_wanted(*machines); }
+    std::string unit_of_goal() const {
+        return goal_unit(experiment.snapshot.settings->goal, kinds.goals);
+    }
     bool can_undo() const {
         return experiment.editor.can_undo() ||
                (viewer.genes != nullptr && viewer.genes->can_undo());

@@ -27,6 +27,7 @@ enum class PanelArea : unsigned char {
     kRight,
     kBottomLeft,
     kBottomRight,
+    kUnderAll,
     kCard
 };
 

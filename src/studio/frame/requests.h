@@ -9,6 +9,7 @@
 #include "studio/frame/window_contract.h"
 #include "studio/hand_picking/picking_contract.h"
 #include "studio/help/guide_contract.h"
+#include "studio/machines/machines_contract.h"
 #include "studio/viewer/viewer_contract.h"
 
 #include <utility>
@@ -17,8 +18,9 @@
 
 namespace cambrian {
 
-using StudioRequest = std::variant<ViewerRequest, ExperimentRequest, GenerationsRequest,
-                                   PickingRequest, FilesRequest, GuideRequest, WindowRequest>;
+using StudioRequest =
+    std::variant<ViewerRequest, ExperimentRequest, GenerationsRequest, PickingRequest, FilesRequest,
+                 GuideRequest, MachinesRequest, WindowRequest>;
 
 class Requests {
 public:
@@ -28,6 +30,7 @@ public:
     void ask(PickingRequest request) { all_.emplace_back(std::move(request)); }
     void ask(FilesRequest request) { all_.emplace_back(std::move(request)); }
     void ask(GuideRequest request) { all_.emplace_back(std::move(request)); }
+    void ask(MachinesRequest request) { all_.emplace_back(std::move(request)); }
     void ask(WindowRequest request) { all_.emplace_back(std::move(request)); }
 
     const std::vector<StudioRequest>& all() const { return all_; }

@@ -1,5 +1,7 @@
 #include "studio/hand_picking/grid_motion.h"
 
+#include "studio/playback/playback.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -8,7 +10,6 @@ namespace cambrian {
 namespace {
 
 constexpr int kTicksAJob = 60;
-constexpr double kLongestGap = 0.1;  // s; after a longer pause of the window, play on from here
 
 }  // namespace
 

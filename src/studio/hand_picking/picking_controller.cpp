@@ -30,7 +30,7 @@ struct PickingController::Handler {
             feedback.tell(NoticeKind::kDone,
                           "A new run begins with the picks. Press Evolve to go on.");
         } else {
-            for (Command& command : injection_of(picks))
+            for (EngineCommand& command : injection_of(picks))
                 experiment.send(std::move(command));
             feedback.log().write("injected", {{"count", static_cast<double>(picks.size())}});
             feedback.tell(

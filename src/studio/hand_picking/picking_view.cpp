@@ -1,5 +1,6 @@
 #include "studio/hand_picking/picking_view.h"
 
+#include "core/text/counted.h"
 #include "core/text/pretty_text.h"
 
 #include <algorithm>
@@ -10,10 +11,6 @@ namespace {
 constexpr std::size_t kMostChanges = 6;  // lines
 
 }  // namespace
-
-std::string counted(std::size_t count, const std::string& what) {
-    return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
-}
 
 int grid_columns(int cells) {
     int columns = 1;

@@ -37,8 +37,6 @@ int grid_columns(int cells);
 // Place of a cell among the picks, from 1; 0 if it is not picked.
 int pick_number(const PickingSnapshot& snapshot, std::size_t cell);
 
-// "1 pick", "3 picks".
-std::string counted(std::size_t count, const std::string& what);
 // How far picking is and what to do next, in one short line.
 std::string picking_words(const PickingSnapshot& snapshot);
 // "bred from 3 picks", "chosen from the population".

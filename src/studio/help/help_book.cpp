@@ -9,7 +9,7 @@
 namespace cambrian {
 namespace {
 
-constexpr std::size_t kMostBytes = 1'000'000;
+constexpr std::size_t kMostPageBytes = 1'000'000;
 
 constexpr const char* kFirstSteps = R"(# First steps
 
@@ -56,11 +56,13 @@ Cambrian stands under the licence in its file `LICENSE`.
 | nlohmann/json | creature files | MIT |
 | toml++ | settings files | MIT |
 | CLI11 | the command line | BSD, 3 clauses |
+| libnats | several machines, where built with it | Apache 2.0 |
 | Inter | the typeface, where installed | SIL Open Font License 1.1 |
 
 Their sources: `github.com/ocornut/imgui`, `glfw.org`, `github.com/Dav1dde/glad`,
 `github.com/nothings/stb`, `eigen.tuxfamily.org`, `github.com/nlohmann/json`,
-`github.com/marzer/tomlplusplus`, `github.com/CLIUtils/CLI11`, `rsms.me/inter`.
+`github.com/marzer/tomlplusplus`, `github.com/CLIUtils/CLI11`,
+`github.com/nats-io/nats.c`, `rsms.me/inter`.
 )";
 
 std::vector<HelpPage> read_folder(const std::filesystem::path& folder) {
@@ -70,7 +72,7 @@ std::vector<HelpPage> read_folder(const std::filesystem::path& folder) {
     for (; !error && entry != std::filesystem::directory_iterator(); entry.increment(error)) {
         if (entry->path().extension() != ".md") continue;
         // What does not begin with a title is a part of another page.
-        const auto text = read_file(entry->path(), kMostBytes);
+        const auto text = read_file(entry->path(), kMostPageBytes);
         if (text && text->starts_with("# "))
             pages.push_back(help_page(entry->path().stem().string(), *text));
     }

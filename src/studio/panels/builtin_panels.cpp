@@ -1,8 +1,10 @@
 #include "studio/panels/builtin_panels.h"
 
 #include "studio/panels/bar/evolve_bar.h"
+#include "studio/panels/bar/machines_line.h"
 #include "studio/panels/cards/file_panel.h"
 #include "studio/panels/cards/help_panel.h"
+#include "studio/panels/cards/machines_panel.h"
 #include "studio/panels/cards/notice_strip.h"
 #include "studio/panels/cards/samples_panel.h"
 #include "studio/panels/cards/tour_card.h"
@@ -55,10 +57,10 @@ bool picking(const FrameContext& frame) {
     return frame.picking != nullptr;
 }
 bool grid_shown(const FrameContext& frame) {
-    return frame.picking != nullptr && !frame.picking->single;
+    return frame.grid_shown();
 }
 bool creature_shown(const FrameContext& frame) {
-    return !grid_shown(frame);
+    return !frame.grid_shown();
 }
 bool files_open(const FrameContext& frame) {
     return frame.files.browser.open;
@@ -68,6 +70,12 @@ bool help_open(const FrameContext& frame) {
 }
 bool samples_open(const FrameContext& frame) {
     return frame.files.samples != nullptr && frame.files.samples->open;
+}
+bool machines_told(const FrameContext& frame) {
+    return frame.machines_told();
+}
+bool machines_open(const FrameContext& frame) {
+    return frame.machines != nullptr && frame.machines->card_open;
 }
 bool touring(const FrameContext& frame) {
     return frame.guide.tour_step >= 0;
@@ -92,9 +100,11 @@ const std::array kPanels = {
     PanelKind{"shelf place",   {kBottomRight},                            picking,        make<ShelfPanel>},
     PanelKind{"timeline",      {kBottomLeft, -1, -1, Place::kTimeline},   evolving,       make<TimelinePanel>},
     PanelKind{"population",    {kBottomRight, -1, -1, Place::kPopulation}, evolving,      make<PopulationPanel>},
+    PanelKind{"machines line", {kUnderAll, 14, 4},                        machines_told,  make<MachinesLine>},
     PanelKind{"files",         {kCard, 20, 18, {}, 10, centered<620, 560>}, files_open,   make<FilePanel>},
     PanelKind{"help",          {kCard, 20, 18, {}, 10, centered<860, 640>}, help_open,    make<HelpPanel>},
     PanelKind{"samples",       {kCard, 20, 18, {}, 10, centered<780, 560>}, samples_open, make<SamplesPanel>},
+    PanelKind{"machines",      {kCard, 20, 18, {}, 10, centered<860, 600>}, machines_open, make<MachinesPanel>},
     PanelKind{"tour",          {kCard, 20, 18, {}, 10, tour_place},       touring,        make<TourCard>},
     PanelKind{"notice",        {kCard, 18, 10, {}, 4, notice_place},      notice_told,    make<NoticeStrip>},
 };

@@ -3,7 +3,7 @@
 namespace cambrian {
 namespace {
 
-constexpr double kInterval = 0.1 - 1e-6;  // s
+constexpr double kSampleInterval = 0.1 - 1e-6;  // s
 
 }  // namespace
 
@@ -21,7 +21,7 @@ EnergySample energy_sample(double time, const SceneAudit& audit) {
 void EnergyTrace::add(double time, const SceneAudit& audit) {
     while (!samples_.empty() && samples_.back().time > time)
         samples_.pop_back();
-    if (!samples_.empty() && time < samples_.back().time + kInterval) return;
+    if (!samples_.empty() && time < samples_.back().time + kSampleInterval) return;
     samples_.push_back(energy_sample(time, audit));
 }
 

@@ -7,11 +7,7 @@
 #include <utility>
 
 namespace cambrian {
-namespace {
-
-constexpr double kLongestGap = 0.1;  // s; after a longer pause of the window, play on from here
-
-}  // namespace
+namespace {}  // namespace
 
 Status Playback::show(Exhibit exhibit) {
     if (Status status = creature_.show(std::move(exhibit)); !status) return status;

@@ -9,6 +9,9 @@
 
 namespace cambrian {
 
+inline constexpr double kLongestGap =
+    0.1;  // s; after a longer pause of the window, play goes on from here
+
 class Playback {
 public:
     struct Pace {

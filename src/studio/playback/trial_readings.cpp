@@ -8,7 +8,7 @@ namespace cambrian {
 namespace {
 
 constexpr std::uint64_t kTicksADot = 4;   // of the trail
-constexpr std::size_t kTrailLength = 90;  // dots
+constexpr std::size_t kTraceLength = 90;  // dots
 
 }  // namespace
 
@@ -30,7 +30,7 @@ void TrialReadings::go_back(std::uint64_t tick) {
 }
 
 std::span<const Vec2> TrialReadings::trail() const {
-    return std::span(dots_).last(std::min(kTrailLength, dots_.size()));
+    return std::span(dots_).last(std::min(kTraceLength, dots_.size()));
 }
 
 }  // namespace cambrian

@@ -10,8 +10,8 @@
 namespace cambrian {
 namespace {
 
-constexpr float kSlack = 0.15F;         // of a line's height that may be lost without harm
-constexpr float kOverlapShare = 0.25F;  // of a letter's box covered by another's
+constexpr float kHarmlessShare = 0.15F;  // of a line's height that may be lost without harm
+constexpr float kOverlapShare = 0.25F;   // of a letter's box covered by another's
 
 using TexturePlace = std::tuple<float, float, float, float>;
 using Letters = std::map<TexturePlace, unsigned>;
@@ -97,7 +97,7 @@ bool scrolls_down(const ImGuiWindow* window) {
 
 bool is_cut(const Line& line, bool scrolled) {
     const ImRect& clip = line.clip;
-    const float slack = kSlack * line.all.GetHeight();
+    const float slack = kHarmlessShare * line.all.GetHeight();
     const bool beside = line.all.Min.x < clip.Min.x - slack || line.all.Max.x > clip.Max.x + slack;
     const bool above_or_below =
         line.all.Min.y < clip.Min.y - slack || line.all.Max.y > clip.Max.y + slack;

@@ -8,15 +8,15 @@
 namespace cambrian {
 namespace {
 
-using Row = std::vector<std::size_t>;
+using Rank = std::vector<std::size_t>;
 
-std::vector<Row> gather_rows(const std::vector<std::size_t>& rows) {
-    std::vector<Row> gathered;
+std::vector<Rank> gather_rows(const std::vector<std::size_t>& rows) {
+    std::vector<Rank> gathered;
     for (std::size_t node = 0; node < rows.size(); ++node) {
         if (gathered.size() <= rows[node]) gathered.resize(rows[node] + 1);
         gathered[rows[node]].push_back(node);
     }
-    std::erase_if(gathered, [](const Row& row) { return row.empty(); });
+    std::erase_if(gathered, [](const Rank& row) { return row.empty(); });
     return gathered;
 }
 
@@ -33,9 +33,9 @@ float pull_of(std::size_t node, const std::vector<GraphEdge>& edges,
     return count > 0.0F ? sum / count : 0.5F;
 }
 
-std::vector<Row> broken_rows(const std::vector<Row>& rows, std::size_t most) {
-    std::vector<Row> broken;
-    for (const Row& row : rows) {
+std::vector<Rank> broken_rows(const std::vector<Rank>& rows, std::size_t most) {
+    std::vector<Rank> broken;
+    for (const Rank& row : rows) {
         const std::size_t pieces = (row.size() + most - 1) / most;
         for (std::size_t piece = 0; piece < pieces; ++piece) {
             broken.emplace_back();
@@ -65,10 +65,10 @@ std::vector<GraphPoint> place_in_rows(const std::vector<std::size_t>& rows,
                                       const std::vector<GraphEdge>& edges, std::size_t most) {
     std::vector<GraphPoint> points(rows.size());
     std::vector<bool> placed(rows.size(), false);
-    const std::vector<Row> lines = broken_rows(gather_rows(rows), std::max<std::size_t>(most, 1));
+    const std::vector<Rank> lines = broken_rows(gather_rows(rows), std::max<std::size_t>(most, 1));
     const auto line_count = static_cast<float>(lines.size());
     for (std::size_t line = 0; line < lines.size(); ++line) {
-        Row row = lines[line];
+        Rank row = lines[line];
         std::vector<float> pulls(rows.size(), 0.0F);
         for (const std::size_t node : row)
             pulls[node] = pull_of(node, edges, points, placed);

@@ -23,10 +23,6 @@ float draw_reading(const ImVec2& at, const std::string& value, const std::string
     return std::fmax(width(fonts.strong, strong, value), width(fonts.small, small, name));
 }
 
-std::string unit_of_goal(const FrameContext& frame) {
-    return goal_unit(frame.experiment.snapshot.settings->goal, frame.kinds.goals);
-}
-
 std::string done_words(const FrameContext& frame) {
     const ProgressView& progress = frame.experiment.progress;
     if (progress.total > 0)
@@ -38,7 +34,7 @@ std::string done_words(const FrameContext& frame) {
 
 std::string best_text(const FrameContext& frame) {
     if (frame.experiment.snapshot.history.empty()) return "–";
-    return measured(frame.experiment.snapshot.history.back().best, unit_of_goal(frame));
+    return measured(frame.experiment.snapshot.history.back().best, frame.unit_of_goal());
 }
 
 }  // namespace

@@ -10,14 +10,15 @@
 namespace cambrian {
 namespace {
 
-constexpr float kTileWidth = 172.0F;
-constexpr float kTileHeight = 138.0F;
-constexpr float kGap = 10.0F;
+constexpr float kSampleWidth = 172.0F;
+constexpr float kSampleHeight = 138.0F;
+constexpr float kSampleGap = 10.0F;
 
 bool draw_tile(const Sample& sample, bool aimed) {
     const std::string name = "sample " + sample.title;
     ImGui::PushID(sample.path.c_str());
-    const bool pressed = ImGui::InvisibleButton(name.c_str(), {px(kTileWidth), px(kTileHeight)});
+    const bool pressed =
+        ImGui::InvisibleButton(name.c_str(), {px(kSampleWidth), px(kSampleHeight)});
     ImGui::PopID();
     note_place(name);
     const ImVec2 low = ImGui::GetItemRectMin();
@@ -26,12 +27,12 @@ bool draw_tile(const Sample& sample, bool aimed) {
     const bool hovered = ImGui::IsItemHovered();
     list.AddRectFilled(low, high, paint(hovered ? colors().hovered : colors().raised), px(8));
     if (aimed) list.AddRect(low, high, paint(colors().accent), px(8), 0, px(2));
-    draw_creature_tile(list, {low.x + px(14), low.y + px(12), px(kTileWidth - 28), px(76)},
+    draw_creature_tile(list, {low.x + px(14), low.y + px(12), px(kSampleWidth - 28), px(76)},
                        *sample.phenotype, sample.hue);
     list.AddText(ui().fonts.strong, px(15), {low.x + px(12), high.y - px(45)}, paint(colors().text),
-                 fit_text(sample.title, px(kTileWidth - 28)).c_str());
+                 fit_text(sample.title, px(kSampleWidth - 28)).c_str());
     list.AddText(ui().fonts.small, px(13), {low.x + px(12), high.y - px(25)}, paint(colors().muted),
-                 fit_text(sample.account, px(kTileWidth - 24)).c_str());
+                 fit_text(sample.account, px(kSampleWidth - 24)).c_str());
     tooltip(sample.title + ": " + sample.account +
             "\nPuts it on show in the world it was scored in.");
     return pressed;
@@ -50,16 +51,16 @@ void SamplesPanel::move_by_keys(std::size_t count, int columns) {
 }
 
 void SamplesPanel::draw_tiles(const SampleShelf& shelf, Requests& out) {
-    const float step = px(kTileWidth + kGap);
+    const float step = px(kSampleWidth + kSampleGap);
     const int columns =
-        std::max(1, static_cast<int>((ImGui::GetContentRegionAvail().x + px(kGap)) / step));
+        std::max(1, static_cast<int>((ImGui::GetContentRegionAvail().x + px(kSampleGap)) / step));
     const auto whole = static_cast<std::size_t>(
         std::count_if(shelf.samples.begin(), shelf.samples.end(),
                       [](const Sample& each) { return each.phenotype != nullptr; }));
     move_by_keys(whole, columns);
     const bool entered = panel_key(ImGuiKey_Enter);
     for (std::size_t i = 0; i < whole; ++i) {
-        if (static_cast<int>(i) % columns != 0) ImGui::SameLine(0, px(kGap));
+        if (static_cast<int>(i) % columns != 0) ImGui::SameLine(0, px(kSampleGap));
         const bool aimed = i == aimed_;
         if (!draw_tile(shelf.samples[i], aimed) && !(aimed && entered)) continue;
         out.ask(LoadFile{shelf.samples[i].path});
@@ -87,7 +88,7 @@ void SamplesPanel::draw(const FrameContext& frame, Requests& out) {
         out.ask(ToggleSamples{});
     muted_text("Creatures that were evolved before, each in the world it was scored in.");
     ImGui::BeginChild("samples", {0, 0}, false, ImGuiWindowFlags_NoBackground);
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(px(kGap), px(kGap)));
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(px(kSampleGap), px(kSampleGap)));
     if (frame.files.samples != nullptr) {
         if (frame.files.samples->read && frame.files.samples->samples.empty())
             muted_text("The folder of samples is empty or missing.");

@@ -13,10 +13,10 @@ namespace {
 
 constexpr float kWidth = 340.0F;
 constexpr float kHeight = 176.0F;
-constexpr float kGap = 12.0F;
+constexpr float kTourGap = 12.0F;
 
 Rect shifted_inside(Rect card, const Rect& window) {
-    const float edge = px(kGap);
+    const float edge = px(kTourGap);
     card.x = std::clamp(card.x, window.x + edge, window.x + window.width - card.width - edge);
     card.y = std::clamp(card.y, window.y + edge, window.y + window.height - card.height - edge);
     return {std::round(card.x), std::round(card.y), card.width, card.height};
@@ -36,7 +36,7 @@ void outline_subject(const Rect& subject) {
 Rect tour_card_place(const Rect& subject, const Rect& window) {
     const float w = px(kWidth);
     const float h = px(kHeight);
-    const float gap = px(kGap);
+    const float gap = px(kTourGap);
     const ImVec2 low = subject.low();
     const ImVec2 high = subject.high();
     std::array sides = {Rect{high.x + gap, low.y, w, h}, Rect{low.x - gap - w, low.y, w, h},

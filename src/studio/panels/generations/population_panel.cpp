@@ -12,12 +12,12 @@
 namespace cambrian {
 namespace {
 
-constexpr float kTileWidth = 74.0F;
-constexpr float kTileHeight = 78.0F;
-constexpr float kTileGap = 6.0F;
+constexpr float kCreatureWidth = 74.0F;
+constexpr float kCreatureHeight = 78.0F;
+constexpr float kCreatureGap = 6.0F;
 constexpr float kStarRoom = 22.0F;      // square in the tile's corner
 constexpr std::size_t kNotedTiles = 4;  // whose places are noted
-constexpr int kGrownAFrame = 24;
+constexpr int kMostGrown = 24;
 
 bool on_show(const FrameContext& frame, const Individual& individual) {
     return !frame.viewer.playback.empty() &&
@@ -64,34 +64,33 @@ void draw_order(const FrameContext& frame, Requests& out) {
     ImGui::EndCombo();
 }
 
+// A button that switches one flag of the view.
+void draw_toggle(const char* label, bool ViewState::*flag, ButtonStyle style,
+                 const FrameContext& frame, Requests& out) {
+    ViewState view = frame.view;
+    bool& on = view.*flag;
+    style.look = on ? ButtonLook::kSelected : ButtonLook::kGhost;
+    style.height = ImGui::GetFrameHeight();
+    if (!push_button(label, style)) return;
+    on = !on;
+    out.ask(ChangeView{view});
+}
+
 void draw_filter(const FrameContext& frame, Requests& out) {
-    const bool on = frame.view.starred_only;
-    const float height = ImGui::GetFrameHeight();
-    if (push_button("Starred",
-                    {.look = on ? ButtonLook::kSelected : ButtonLook::kGhost,
-                     .icon = Icon::kStar,
-                     .height = height,
-                     .tooltip = "Only creatures with a star, of all generations. A click on a "
-                                "tile's corner or K gives a star or takes it away."})) {
-        ViewState view = frame.view;
-        view.starred_only = !on;
-        out.ask(ChangeView{view});
-    }
+    draw_toggle("Starred", &ViewState::starred_only,
+                {.icon = Icon::kStar,
+                 .tooltip = "Only creatures with a star, of all generations. A click on a "
+                            "tile's corner or K gives a star or takes it away."},
+                frame, out);
     ImGui::SameLine();
-    const bool one_a_plan = frame.view.one_a_plan;
-    if (push_button("One a plan",
-                    {.look = one_a_plan ? ButtonLook::kSelected : ButtonLook::kGhost,
-                     .height = height,
-                     .tooltip = "Only the best of each body plan: of creatures whose parts and "
-                                "joints form the same tree, whatever their sizes."})) {
-        ViewState view = frame.view;
-        view.one_a_plan = !one_a_plan;
-        out.ask(ChangeView{view});
-    }
-    if (!on || !frame.generations.stars.can_restore()) return;
+    draw_toggle("One a plan", &ViewState::one_a_plan,
+                {.tooltip = "Only the best of each body plan: of creatures whose parts and "
+                            "joints form the same tree, whatever their sizes."},
+                frame, out);
+    if (!frame.view.starred_only || !frame.generations.stars.can_restore()) return;
     ImGui::SameLine();
     if (push_button("Give back", {.look = ButtonLook::kGhost,
-                                  .height = height,
+                                  .height = ImGui::GetFrameHeight(),
                                   .tooltip = "The star that was taken away last"}))
         out.ask(RestoreStar{});
 }
@@ -171,21 +170,22 @@ void PopulationPanel::draw(const FrameContext& frame, Requests& out) {
                        : "The creatures of the newest finished generation stand here, best first.");
         return;
     }
-    bodies_.begin_frame(kGrownAFrame);
+    bodies_.begin_frame(kMostGrown);
     ImGui::BeginChild("tiles", {0, 0}, false, ImGuiWindowFlags_NoBackground);
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(px(kTileGap), px(kTileGap)));
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(px(kCreatureGap), px(kCreatureGap)));
     draw_tiles(frame, out);
     ImGui::PopStyleVar();
     ImGui::EndChild();
 }
 
 void PopulationPanel::draw_tiles(const FrameContext& frame, Requests& out) {
-    const float room = ImGui::GetContentRegionAvail().x + px(kTileGap);
-    const auto columns = static_cast<std::size_t>(std::max(1.0F, room / px(kTileWidth + kTileGap)));
+    const float room = ImGui::GetContentRegionAvail().x + px(kCreatureGap);
+    const auto columns =
+        static_cast<std::size_t>(std::max(1.0F, room / px(kCreatureWidth + kCreatureGap)));
     follow_keys(columns, frame, out);
     const std::size_t rows = (tiles_.size() + columns - 1) / columns;
     ImGuiListClipper clipper;
-    clipper.Begin(static_cast<int>(rows), px(kTileHeight + kTileGap));
+    clipper.Begin(static_cast<int>(rows), px(kCreatureHeight + kCreatureGap));
     while (clipper.Step()) {
         const std::size_t first = static_cast<std::size_t>(clipper.DisplayStart) * columns;
         const std::size_t end = static_cast<std::size_t>(clipper.DisplayEnd) * columns;
@@ -199,9 +199,10 @@ void PopulationPanel::draw_tiles(const FrameContext& frame, Requests& out) {
 void PopulationPanel::draw_tile(std::size_t index, const FrameContext& frame, Requests& out) {
     const Tile& tile = tiles_[index];
     const std::string name = format("tile %zu", index);
-    const bool pressed = ImGui::InvisibleButton(name.c_str(), {px(kTileWidth), px(kTileHeight)});
+    const bool pressed =
+        ImGui::InvisibleButton(name.c_str(), {px(kCreatureWidth), px(kCreatureHeight)});
     const ImVec2 low = ImGui::GetItemRectMin();
-    const Rect area = {low.x, low.y, px(kTileWidth), px(kTileHeight)};
+    const Rect area = {low.x, low.y, px(kCreatureWidth), px(kCreatureHeight)};
     const Rect star = star_of(area);
     if (index < kNotedTiles) {
         note_place(name);
@@ -264,8 +265,8 @@ void PopulationPanel::follow_keys(std::size_t columns, const FrameContext& frame
     const std::ptrdiff_t wanted = shown == tiles_.end() ? 0 : shown - tiles_.begin() + steps;
     if (wanted < 0 || wanted > last) return;
     out.ask(ShowIndividual{tiles_[static_cast<std::size_t>(wanted)].creature});
-    const float top = static_cast<float>(wanted / row) * px(kTileHeight + kTileGap);
-    const float lowest = top + px(kTileHeight) - ImGui::GetWindowHeight();
+    const float top = static_cast<float>(wanted / row) * px(kCreatureHeight + kCreatureGap);
+    const float lowest = top + px(kCreatureHeight) - ImGui::GetWindowHeight();
     ImGui::SetScrollY(std::clamp(ImGui::GetScrollY(), std::min(lowest, top), top));
 }
 

@@ -75,8 +75,7 @@ void TimelineChart::forget() {
     bands_.clear();
 }
 
-// The order of the bands follows from all generations, so that they are laid anew when one is
-// added.
+// The order of the bands depends on every generation, so all bands are computed when one is added.
 void TimelineChart::stack(const EvolutionSnapshot& snapshot) {
     const std::vector<std::uint64_t> lines = most_fertile(snapshot.history);
     bands_.assign(kNamedLines + 1, {});

@@ -16,14 +16,10 @@ constexpr const char* kManyKinds = "map-elites";
 constexpr float kMarkReach = 5.0F;  // from a mark, within which its words are shown
 constexpr int kLongStride = 10;     // generations, with Shift
 
-std::string unit_of_goal(const FrameContext& frame) {
-    return goal_unit(frame.experiment.snapshot.settings->goal, frame.kinds.goals);
-}
-
 void draw_quantities(const FrameContext& frame, Requests& out) {
     const TimelinePlot& chosen = timeline_plot(frame.view.quantity);
     const bool open =
-        begin_choice("##quantity", timeline_title(chosen, unit_of_goal(frame)), px(128));
+        begin_choice("##quantity", timeline_title(chosen, frame.unit_of_goal()), px(128));
     note_place("timeline quantity");
     if (!open) return tooltip("What is plotted (Up, Down). " + std::string(chosen.what));
     for (const TimelinePlot& plot : timeline_plots()) {
@@ -153,6 +149,12 @@ std::string reading(const GenerationStatistics& stats, const std::string& unit) 
     return text + percent(stats.time_saved) + " of the time saved";
 }
 
+// How long this machine and others took to evaluate a row of the history; empty if unknown.
+std::string wall_time_words(const EvolutionSnapshot& snapshot, std::size_t row) {
+    if (row >= snapshot.wall_times.size() || snapshot.wall_times[row] <= 0.0) return "";
+    return "\nEvaluated in " + with_unit(snapshot.wall_times[row], "s");
+}
+
 // The row whose champion is on show, or -1.
 int shown_row(const FrameContext& frame) {
     if (frame.viewer.playback.empty()) return -1;
@@ -233,7 +235,8 @@ void TimelinePanel::follow_mouse(const PlotScale& scale, const FrameContext& fra
     if (held && shown_row(frame) != static_cast<int>(row))
         out.ask(ShowChampion{history[row].generation});
     if (held || !hovered) return;
-    std::string text = reading(history[row], unit_of_goal(frame));
+    std::string text = reading(history[row], frame.unit_of_goal()) +
+                       wall_time_words(frame.experiment.snapshot, row);
     const std::string change = change_near(frame, scale, pixel);
     if (!change.empty()) text += "\n\n" + change;
     tooltip(text + "\n\nClick or drag to watch champions; Left and Right step through them.");

@@ -10,10 +10,10 @@
 namespace cambrian {
 namespace {
 
-constexpr float kRowHeight = 76.0F;
+constexpr float kAncestorHeight = 76.0F;
 constexpr float kRowGap = 5.0F;
 constexpr float kPictureWidth = 70.0F;
-constexpr int kGrownAFrame = 6;
+constexpr int kAncestorsGrown = 6;
 
 std::string breeding_words(const Individual& individual) {
     std::string words = capitalized(individual.method);
@@ -123,12 +123,12 @@ void AncestryTab::follow(const Exhibit& shown) {
 
 void AncestryTab::draw(const FrameContext& frame, Requests& out) {
     follow(frame.viewer.playback.exhibit());
-    bodies_.begin_frame(kGrownAFrame);
+    bodies_.begin_frame(kAncestorsGrown);
     muted_text(length_words(line_.size() - 1));
     ImGui::BeginChild("line", {0, 0}, false, ImGuiWindowFlags_NoBackground);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(px(8), px(kRowGap)));
     ImGuiListClipper clipper;
-    clipper.Begin(static_cast<int>(line_.size()), px(kRowHeight + kRowGap));
+    clipper.Begin(static_cast<int>(line_.size()), px(kAncestorHeight + kRowGap));
     while (clipper.Step()) {
         for (int row = clipper.DisplayStart; row < clipper.DisplayEnd; ++row)
             draw_step(static_cast<std::size_t>(row), frame, out);
@@ -143,7 +143,7 @@ void AncestryTab::draw_step(std::size_t index, const FrameContext& frame, Reques
     const Individual& individual = *step.individual;
     const std::string name = format("ancestor %zu", index);
     const float width = ImGui::GetContentRegionAvail().x;
-    if (ImGui::InvisibleButton(name.c_str(), {width, px(kRowHeight)})) {
+    if (ImGui::InvisibleButton(name.c_str(), {width, px(kAncestorHeight)})) {
         out.ask(ShowExhibit{index == 0 ? head_
                                        : std::make_shared<const Exhibit>(ancestor_exhibit(
                                              *head_, line_, index, frame.experiment.snapshot))});
@@ -167,7 +167,7 @@ void AncestryTab::draw_body(std::size_t index, const FrameContext& frame, const 
     const Phenotype* phenotype = bodies_.find(
         genome, frame.kinds.creature, head_->settings().expression, head_->settings().world.scene);
     if (phenotype == nullptr) return;
-    const Rect area = {at.x + px(8), at.y + px(8), px(kPictureWidth - 8), px(kRowHeight - 16)};
+    const Rect area = {at.x + px(8), at.y + px(8), px(kPictureWidth - 8), px(kAncestorHeight - 16)};
     draw_creature_tile(*ImGui::GetWindowDrawList(), area, *phenotype, genome->hue);
 }
 

@@ -11,13 +11,13 @@
 namespace cambrian {
 namespace {
 
-constexpr std::size_t kMostInRow = 7;
-constexpr float kRowHeight = 46.0F;
+constexpr std::size_t kNodesInRow = 7;
+constexpr float kBrainRowHeight = 46.0F;
 constexpr float kTraceHeight = 13.0F;
 constexpr float kTraceWidth = 32.0F;
-constexpr float kFootHeight = 132.0F;  // history and force of the chosen node
-constexpr double kForceRange = 2.0;    // of the slider; more can be typed
-constexpr double kFullColor = 2.0;     // signals are mostly within +-2
+constexpr float kHistoryHeight = 132.0F;  // history and force of the chosen node
+constexpr double kForceRange = 2.0;       // of the slider; more can be typed
+constexpr double kFullColor = 2.0;        // signals are mostly within +-2
 
 // Orange for positive, blue for negative, grey for none.
 Color value_color(double value) {
@@ -88,7 +88,7 @@ void draw_trace(ImDrawList& list, const Rect& area, const std::vector<double>& v
 
 void BrainTab::rebuild(const FrameContext& frame) {
     phenotype_ = frame.viewer.playback.creature().shared_phenotype();
-    graph_ = brain_graph(*phenotype_, frame.kinds.creature, kMostInRow);
+    graph_ = brain_graph(*phenotype_, frame.kinds.creature, kNodesInRow);
     if (chosen_ >= graph_.nodes.size()) chosen_ = 0;
 }
 
@@ -100,13 +100,13 @@ ImVec2 BrainTab::point_of(const Rect& area, std::size_t node) const {
 void BrainTab::draw(const FrameContext& frame, Requests& out) {
     if (phenotype_ != frame.viewer.playback.creature().shared_phenotype()) rebuild(frame);
     muted_text("Sensors on top, joints at the bottom. Orange is positive, blue negative.");
-    const float room = ImGui::GetContentRegionAvail().y - px(kFootHeight);
-    ImGui::BeginChild("network", {0, std::max(px(2 * kRowHeight), room)}, false,
+    const float room = ImGui::GetContentRegionAvail().y - px(kHistoryHeight);
+    ImGui::BeginChild("network", {0, std::max(px(2 * kBrainRowHeight), room)}, false,
                       ImGuiWindowFlags_NoBackground);
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const ImVec2 inside = ImGui::GetContentRegionAvail();
     const float height =
-        std::max(inside.y - px(4), static_cast<float>(graph_.row_count) * px(kRowHeight));
+        std::max(inside.y - px(4), static_cast<float>(graph_.row_count) * px(kBrainRowHeight));
     const Rect area = {at.x, at.y, inside.x, height};
     draw_links(area);
     draw_nodes(area, frame, out);

@@ -14,7 +14,7 @@
 namespace cambrian {
 namespace {
 
-constexpr float kLabelShare = 0.46F;
+constexpr float kGeneLabelShare = 0.46F;
 
 // A gene's unit as shown, and how many of it make one of the gene's own.
 struct ShownUnit {
@@ -144,7 +144,7 @@ private:
     void begin_row(const std::string& place, const std::string& label) {
         ImGui::PushID(place.c_str());
         const float full = ImGui::GetContentRegionAvail().x;
-        const float label_width = std::floor(kLabelShare * full);
+        const float label_width = std::floor(kGeneLabelShare * full);
         const ImVec2 at = ImGui::GetCursorScreenPos();
         const float height = ImGui::GetFrameHeight();
         ImGui::Dummy({label_width, height});
@@ -174,17 +174,19 @@ private:
     float width_ = 0.0F;  // of controls
 };
 
-std::vector<std::string> joint_labels(const Kinds& kinds) {
+template <class Entry>
+std::vector<std::string> labels_of(const std::vector<Entry>& entries) {
     std::vector<std::string> labels;
-    for (const JointChoice& joint : kinds.catalog.joints)
-        labels.push_back(joint.label);
+    for (const Entry& entry : entries)
+        labels.push_back(entry.label);
     return labels;
 }
 
 void draw_part(GeneRows& rows, NodeGene& node, std::size_t index, const Kinds& kinds) {
     const std::string owner = "part " + std::to_string(index) + " ";
-    const bool slides = kinds.scene.joints[node.joint].unit == "m";
-    if (index > 0) rows.choice(owner + "joint", "Joint", node.joint, joint_labels(kinds));
+    const bool slides = kinds.scene.joints[node.joint].motion == JointMotion::kSlide;
+    if (index > 0)
+        rows.choice(owner + "joint", "Joint", node.joint, labels_of(kinds.catalog.joints));
     for (const GeneField<NodeGene>& field : node_fields()) {
         const bool of_joint = std::string_view(field.rule.unit) == "rad";
         if (index > 0 || !of_joint) rows.field(owner, node, field, slides);
@@ -197,6 +199,9 @@ void draw_part(GeneRows& rows, NodeGene& node, std::size_t index, const Kinds& k
     rows.choice(owner + "mirror axis", "Mirror axis", node.mirror_axis, axes);
     if (index > 0) {
         GeneRows::heading("What drives its joint");
+        if (kinds.effectors.size() > 1)
+            rows.choice(owner + "effector kind", "How", node.effector_kind,
+                        labels_of(kinds.catalog.effectors));
         rows.input(owner + "effector", node.effector);
     }
 }

@@ -13,10 +13,10 @@
 namespace cambrian {
 namespace {
 
-constexpr float kRowHeight = 72.0F;
+constexpr float kGeneRowHeight = 72.0F;
 constexpr float kLeastRowHeight = 54.0F;
 constexpr float kGraphShare = 0.45F;  // of the tab, at most
-constexpr std::size_t kMostInRow = 4;
+constexpr std::size_t kGenesInRow = 4;
 
 ImVec2 half_size(const NodeGene& node) {
     constexpr float units_a_metre = 60.0F;
@@ -96,7 +96,7 @@ void GenotypeTab::rebuild(const GenomePtr& genome) {
         for (const EdgeGene& edge : genome->nodes[i].edges)
             edges.push_back({i, edge.target});
     }
-    points_ = place_in_rows(steps_from_root(*genome), edges, kMostInRow);
+    points_ = place_in_rows(steps_from_root(*genome), edges, kGenesInRow);
     std::vector<float> levels;
     for (const GraphPoint& point : points_)
         levels.push_back(point.y);
@@ -116,8 +116,8 @@ void GenotypeTab::draw(const FrameContext& frame, Requests& out) {
         "What grows from what. Loops repeat; orange mirrors; blue grows at the end of a chain.");
     const auto rows = static_cast<float>(row_count_);
     const float most = kGraphShare * ImGui::GetContentRegionAvail().y;
-    const float wanted = std::clamp(most, rows * px(kLeastRowHeight), rows * px(kRowHeight));
-    ImGui::BeginChild("graph", {0, std::max(px(kRowHeight), std::min(wanted, most))}, false,
+    const float wanted = std::clamp(most, rows * px(kLeastRowHeight), rows * px(kGeneRowHeight));
+    ImGui::BeginChild("graph", {0, std::max(px(kGeneRowHeight), std::min(wanted, most))}, false,
                       ImGuiWindowFlags_NoBackground);
     const ImVec2 at = ImGui::GetCursorScreenPos();
     area_ = {at.x, at.y, ImGui::GetContentRegionAvail().x - px(10), wanted};

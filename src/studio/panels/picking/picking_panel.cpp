@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::array kGenerations = {5, 10, 25, 50};
 
-void section(const char* title) {
+void picking_section(const char* title) {
     ImGui::Dummy({0, px(2)});
     caption(title);
 }
@@ -24,7 +24,7 @@ bool wide_button(const char* label, const char* hint, bool enabled, float width 
 }
 
 void draw_size(GridSettings& grid) {
-    section("Creatures in the grid");
+    picking_section("Creatures in the grid");
     std::vector<std::string> labels;
     std::vector<std::string> hints;
     int chosen = -1;
@@ -40,7 +40,7 @@ void draw_size(GridSettings& grid) {
 }
 
 void draw_boldness(GridSettings& grid) {
-    section("Strength of mutation");
+    picking_section("Strength of mutation");
     const int pressed =
         segmented("boldness", {"Gentle", "Bold", "Wild"}, static_cast<int>(grid.boldness),
                   {"Most children show exactly one change.", "One mutation more in every child.",
@@ -49,7 +49,7 @@ void draw_boldness(GridSettings& grid) {
 }
 
 void draw_dial(GridSettings& grid) {
-    section("Who chooses the children");
+    picking_section("Who chooses the children");
     auto percent = static_cast<int>(100.0 * grid.fitness_weight + 0.5);
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
     const char* pattern = percent == 0     ? "all me"
@@ -87,7 +87,7 @@ void draw_generations(const PickingView& picking, Requests& out) {
 }
 
 void draw_assistance(const PickingView& picking, Requests& out) {
-    section("Generations of evolution from the picks");
+    picking_section("Generations of evolution from the picks");
     if (picking.snapshot.status == PickingStatus::kEvolving) return draw_evolving(picking, out);
     draw_generations(picking, out);
     ImGui::SameLine();
@@ -100,7 +100,7 @@ void draw_assistance(const PickingView& picking, Requests& out) {
 }
 
 void draw_way_back(const PickingView& picking, Requests& out) {
-    section("Back to automatic evolution");
+    picking_section("Back to automatic evolution");
     const bool any = !picking.snapshot.picks.empty();
     const float half = 0.5F * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x);
     if (wide_button("Inject picks",

@@ -7,14 +7,14 @@
 namespace cambrian {
 namespace {
 
-constexpr float kNarrow = 560.0F;  // a strip in which the buttons are closer
+constexpr float kNarrowStrip = 560.0F;  // a strip in which the buttons are closer
 
-bool is_narrow() {
-    return ImGui::GetWindowWidth() < px(kNarrow);
+bool is_narrow_strip() {
+    return ImGui::GetWindowWidth() < px(kNarrowStrip);
 }
 
 float width_of(const char* label) {
-    return ImGui::CalcTextSize(label).x + px(is_narrow() ? 14 : 24);
+    return ImGui::CalcTextSize(label).x + px(is_narrow_strip() ? 14 : 24);
 }
 
 bool ghost(const char* label, const char* hint, bool enabled = true, bool chosen = false) {
@@ -26,7 +26,7 @@ bool ghost(const char* label, const char* hint, bool enabled = true, bool chosen
 
 // One step through the grids: in words where there is room, a chevron elsewhere.
 bool step(const char* label, Icon icon, const char* hint, bool enabled) {
-    if (!is_narrow()) return ghost(label, hint, enabled);
+    if (!is_narrow_strip()) return ghost(label, hint, enabled);
     return push_button(label, {.look = ButtonLook::kGhost,
                                .icon = icon,
                                .label_shown = false,
@@ -85,7 +85,7 @@ void PickingStrip::draw(const FrameContext& frame, Requests& out) {
                              .width = px(34),
                              .tooltip = "Hold the creatures still, or let them move (P)"}))
         out.ask(TogglePlayback{});
-    const float gap = px(is_narrow() ? 4 : 12);
+    const float gap = px(is_narrow_strip() ? 4 : 12);
     ImGui::SameLine(0, gap);
     draw_walk(picking, out);
     ImGui::SameLine(0, gap);

@@ -1,5 +1,6 @@
 #include "studio/panels/picking/picking_tree_panel.h"
 
+#include "core/text/counted.h"
 #include "core/text/pretty_text.h"
 #include "studio/frame/help_mark.h"
 #include "studio/widgets/creature_tile.h"
@@ -14,7 +15,7 @@ namespace {
 constexpr float kTileSize = 48.0F;
 constexpr float kColumnStep = 66.0F;
 constexpr float kRowStep = 58.0F;
-constexpr int kGrownAFrame = 8;
+constexpr int kTreeGrown = 8;
 
 std::string grid_words(const GridNode& grid) {
     std::string words = format("Grid %u", grid.number + 1);
@@ -59,7 +60,7 @@ void PickingTreePanel::draw(const FrameContext& frame, Requests& out) {
                                    (log.branches == 1 ? " branch" : " branches");
         ImGui::TextUnformatted(counts.c_str());
     }
-    bodies_.begin_frame(kGrownAFrame);
+    bodies_.begin_frame(kTreeGrown);
     ImGui::BeginChild("map", {0, 0}, false,
                       ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_HorizontalScrollbar);
     if (!tree.empty()) draw_map(frame, out);

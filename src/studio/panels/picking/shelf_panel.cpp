@@ -10,26 +10,26 @@
 namespace cambrian {
 namespace {
 
-constexpr float kTileWidth = 74.0F;
-constexpr float kTileHeight = 66.0F;
-constexpr float kTileGap = 6.0F;
-constexpr int kGrownAFrame = 8;
+constexpr float kShelfWidth = 74.0F;
+constexpr float kShelfHeight = 66.0F;
+constexpr float kShelfGap = 6.0F;
+constexpr int kShelfGrown = 8;
 
 }  // namespace
 
 void ShelfPanel::draw(const FrameContext& frame, Requests& out) {
     place_title("Shelf", "hand_picking", out);
     const auto& shelf = frame.picking->snapshot.shelf;
-    bodies_.begin_frame(kGrownAFrame);
+    bodies_.begin_frame(kShelfGrown);
     const ImVec2 room = ImGui::GetContentRegionAvail();
     ImGui::BeginChild("shelf", room, false, ImGuiWindowFlags_NoBackground);
     if (shelf.empty()) {
         ImGui::Dummy({0, px(6)});
         muted_text("Drag a creature here, or press K, to keep it whatever becomes of the grid.");
     }
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(px(kTileGap), px(kTileGap)));
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(px(kShelfGap), px(kShelfGap)));
     const int columns =
-        std::max(1, static_cast<int>((room.x + px(kTileGap)) / px(kTileWidth + kTileGap)));
+        std::max(1, static_cast<int>((room.x + px(kShelfGap)) / px(kShelfWidth + kShelfGap)));
     for (std::size_t place = 0; place < shelf.size(); ++place) {
         if (static_cast<int>(place) % columns != 0) ImGui::SameLine();
         draw_tile(place, frame, out);
@@ -44,7 +44,7 @@ void ShelfPanel::draw_tile(std::size_t place, const FrameContext& frame, Request
     const PickingSnapshot& snapshot = frame.picking->snapshot;
     const JudgedIndividual& pinned = snapshot.shelf[place];
     const std::string name = "pin " + std::to_string(place + 1);
-    const ImVec2 size = {px(kTileWidth), px(kTileHeight)};
+    const ImVec2 size = {px(kShelfWidth), px(kShelfHeight)};
     const bool pressed = ImGui::InvisibleButton(name.c_str(), size);
     note_place(name);
     drag_pin(place);

@@ -41,30 +41,9 @@ JointPlace place_of(const OverlayScene& over, std::size_t index) {
     place.radius = std::max(14.0 * over.pixel, 0.6 * part.half_extents.x());
     place.angle = planar_angle(pose);
     place.coordinate = over.scene.joint_coordinate(index);
-    place.slides = over.kinds.scene.joints[part.joint_kind].unit == "m";
+    place.slides = part.motion == JointMotion::kSlide;
     place.rest = place.slides ? place.angle : place.angle - place.coordinate;
     return place;
-}
-
-Face seen_by(const WiredSensor& sensor) {
-    const auto face = static_cast<Face>(sensor.channel);
-    if (sensor.handedness > 0) return face;
-    if (face == Face::kLeft) return Face::kRight;
-    return face == Face::kRight ? Face::kLeft : face;
-}
-
-Vec2 face_middle(const Vec3& half, Face face) {
-    switch (face) {
-        case Face::kDistal:
-            return {half.x(), 0.0};
-        case Face::kLeft:
-            return {0.0, half.y()};
-        case Face::kProximal:
-            return {-half.x(), 0.0};
-        case Face::kRight:
-            break;
-    }
-    return {0.0, -half.y()};
 }
 
 void add_joint_reading(SceneFrame& frame, const OverlayScene& over, const JointPlace& joint) {
@@ -79,14 +58,18 @@ void add_joint_reading(SceneFrame& frame, const OverlayScene& over, const JointP
     frame.add_circle(joint.pivot, 1.2 * width, color);
 }
 
-void add_face_reading(SceneFrame& frame, const OverlayScene& over, const WiredSensor& sensor,
-                      bool lit) {
-    const Vec3& half = over.look.phenotype.plan.parts[sensor.part].half_extents;
-    const Vec2 inside = 0.8 * face_middle(half, seen_by(sensor));
-    const Vec2 at = planar(transform(over.look.poses[sensor.part], {inside.x(), inside.y(), 0.0}));
+// A lamp, the brighter the nearer the reading is to +1; dark at -1.
+void add_lamp(SceneFrame& frame, const OverlayScene& over, const WiredSensor& sensor) {
+    const SensorKind& kind = over.kinds.sensors[sensor.kind];
+    const Vec3 share = kind.spot ? kind.spot(sensor.channel, sensor.handedness) : Vec3::Zero();
+    const Vec3 inside =
+        share.cwiseProduct(over.look.phenotype.plan.parts[sensor.part].half_extents);
+    const Vec2 at = planar(transform(over.look.poses[sensor.part], inside));
+    const double reading = kind.read(over.scene, sensor.part, sensor.channel, sensor.handedness);
+    const auto light = static_cast<float>(std::clamp(0.5 + 0.5 * reading, 0.0, 1.0));
     const double radius = 4.0 * over.pixel;
     frame.add_circle(at, radius, color_of(0x0B0E12, 0.8F));
-    frame.add_circle(at, 0.7 * radius, lit ? over.palette.plot_best : over.palette.faint);
+    frame.add_circle(at, 0.7 * radius, mix(over.palette.faint, over.palette.plot_best, light));
 }
 
 }  // namespace
@@ -143,13 +126,10 @@ void add_joint_torques(SceneFrame& frame, const OverlayScene& over) {
 
 void add_sensor_readings(SceneFrame& frame, const OverlayScene& over) {
     for (const WiredSensor& sensor : over.look.phenotype.sensors) {
-        const SensorKind& kind = over.kinds.sensors[sensor.kind];
-        if (kind.reads_joint) {
+        if (over.kinds.sensors[sensor.kind].reads_joint) {
             add_joint_reading(frame, over, place_of(over, sensor.part));
-        } else if (kind.channels.size() == kFaceCount) {
-            const bool lit =
-                kind.read(over.scene, sensor.part, sensor.channel, sensor.handedness) > 0.0;
-            add_face_reading(frame, over, sensor, lit);
+        } else {
+            add_lamp(frame, over, sensor);
         }
     }
 }

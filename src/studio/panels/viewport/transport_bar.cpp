@@ -11,10 +11,10 @@
 namespace cambrian {
 namespace {
 
-constexpr float kNarrow = 640.0F;  // a bar in which the speeds do not all fit
+constexpr float kNarrowBar = 640.0F;  // a bar in which the speeds do not all fit
 
-bool is_narrow() {
-    return ImGui::GetWindowWidth() < px(kNarrow);
+bool is_narrow_bar() {
+    return ImGui::GetWindowWidth() < px(kNarrowBar);
 }
 
 bool icon_button(const char* name, Icon icon, const char* hint, bool chosen = false) {
@@ -92,7 +92,7 @@ void draw_speeds(const FrameContext& frame, Requests& out) {
         if (kPlaybackSpeeds[i] == frame.view.speed) chosen = static_cast<int>(i);
     }
     const int pressed =
-        is_narrow() ? choose_speed(labels, chosen) : segmented("speed", labels, chosen);
+        is_narrow_bar() ? choose_speed(labels, chosen) : segmented("speed", labels, chosen);
     if (pressed < 0) return;
     ViewState view = frame.view;
     view.speed = kPlaybackSpeeds[static_cast<std::size_t>(pressed)];
@@ -101,7 +101,7 @@ void draw_speeds(const FrameContext& frame, Requests& out) {
 
 // To the right; a viewer, in which nothing evolves, has only the room for what follows.
 void draw_newest(const FrameContext& frame, Requests& out) {
-    const float width = px(is_narrow() ? 66 : 78);
+    const float width = px(is_narrow_bar() ? 66 : 78);
     const float after = px(34) * 2 + px(4) * 4;
     const float right = ImGui::GetWindowContentRegionMax().x;
     if (frame.window.viewer_only) return ImGui::SameLine(right - after + px(12));
@@ -131,7 +131,7 @@ void TransportBar::draw(const FrameContext& frame, Requests& out) {
         out.ask(TogglePlayback{});
     ImGui::SameLine();
     if (icon_button("One tick", Icon::kStep, "One tick of 1/60 s (.)")) out.ask(StepPlayback{});
-    ImGui::SameLine(0, px(is_narrow() ? 8 : 16));
+    ImGui::SameLine(0, px(is_narrow_bar() ? 8 : 16));
     draw_speeds(frame, out);
     draw_newest(frame, out);
     if (icon_button("Follow", Icon::kFollow, "Follow the creature (F)", frame.view.follow)) {

@@ -1,0 +1,41 @@
+#include "app/cluster/cluster_options.h"
+
+#include "app/command_line/option_types.h"
+
+#include <CLI/CLI.hpp>
+
+namespace cambrian {
+namespace {
+
+constexpr const char* kAddress =
+    "The cluster's server, as nats://HOST or tls://HOST; several with commas between are one";
+constexpr const char* kAddressType = "URL";
+
+std::vector<CLI::Option*> add_login(CLI::App& app, ClusterLogin& login) {
+    return {
+        app.add_option("--credentials", login.credentials,
+                       "File that says who you are: user and password, or *.creds")
+            ->type_name(option_type::kFile),
+        app.add_option("--ca", login.authority,
+                       "Certificate authority of tls:// (PEM), if it is not the system's")
+            ->type_name(option_type::kFile),
+        app.add_option("--cluster-name", login.name, "Which of the server's clusters (cambrian)")
+            ->type_name("NAME")};
+}
+
+}  // namespace
+
+void add_cluster_address(CLI::App& app, ClusterLogin& login) {
+    app.add_option("server", login.servers, kAddress)->type_name(kAddressType);
+    add_login(app, login);
+}
+
+void add_cluster_choice(CLI::App& app, ClusterLogin& login) {
+    auto* cluster = app.add_option("--cluster", login.servers,
+                                   std::string("Work on several machines. ") + kAddress)
+                        ->type_name(kAddressType);
+    for (CLI::Option* option : add_login(app, login))
+        option->needs(cluster);
+}
+
+}  // namespace cambrian

@@ -1,0 +1,131 @@
+#include "app/cluster/cluster_options.h"
+#include "app/process/json_text.h"
+#include "app/process/messages.h"
+#include "app/subcommands/subcommands.h"
+#include "cluster/cluster_connection.h"
+#include "cluster/hello_text.h"
+#include "core/text/counted.h"
+#include "core/text/number_text.h"
+#include "persist/digest_text.h"
+#include "persist/quoted_text.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <map>
+
+namespace cambrian {
+namespace {
+
+constexpr std::chrono::milliseconds kListening{3000};  // everybody says hello every 2 s
+
+// The last word of everybody, coordinators first, then by name.
+std::vector<Hello> last_words(const std::vector<std::string>& texts) {
+    std::map<std::uint64_t, Hello> by_id;
+    for (const std::string& text : texts) {
+        if (Result<Hello> hello = parse_hello(text)) by_id[hello->id] = *std::move(hello);
+    }
+    std::vector<Hello> all;
+    for (auto& [id, hello] : by_id) {
+        if (!hello.leaving) all.push_back(std::move(hello));
+    }
+    std::stable_sort(all.begin(), all.end(), [](const Hello& one, const Hello& other) {
+        if (one.role != other.role) return one.role == Hello::Role::kCoordinator;
+        return one.name < other.name;
+    });
+    return all;
+}
+
+const char* role_word(const Hello& hello) {
+    return hello.role == Hello::Role::kCoordinator ? "coordinator" : "worker";
+}
+
+std::string state_words(const Hello& hello) {
+    if (!hello.refused.empty()) return "refused: " + hello.refused;
+    if (hello.role == Hello::Role::kCoordinator) return "evolves";
+    return hello.busy > 0 ? "working" : "idle";
+}
+
+std::string json_of(const Hello& hello) {
+    return json_object({{"role", quoted_text(role_word(hello))},
+                        {"id", quoted_text(hex_text(hello.id))},
+                        {"name", quoted_text(hello.name)},
+                        {"cores", std::to_string(hello.cores)},
+                        {"busy", std::to_string(hello.busy)},
+                        {"simulator", quoted_text(hello.simulator)},
+                        {"proof", quoted_text(digest_text(hello.proof))},
+                        {"units_per_second", real_text(hello.units_per_second)},
+                        {"creatures_per_second", real_text(hello.creatures_per_second)},
+                        {"work_per_second", real_text(hello.work_per_second)},
+                        {"refused", quoted_text(hello.refused)}});
+}
+
+std::string left_aligned(std::string text, std::size_t width) {
+    text.resize(std::max(width, text.size()), ' ');
+    return text;
+}
+
+std::string row_of(const Hello& hello) {
+    return left_aligned(hello.name, 24) + "  " + left_aligned(role_word(hello), 11) + "  " +
+           left_aligned(std::to_string(hello.cores), 5) + "  " +
+           left_aligned(short_text(std::round(hello.creatures_per_second)), 11) + "  " +
+           state_words(hello);
+}
+
+std::string table_of(const std::vector<Hello>& hellos) {
+    std::size_t cores = 0;
+    double creatures = 0.0;
+    std::string text = "name                      role         cores  creatures/s  state";
+    for (const Hello& hello : hellos) {
+        text += "\n" + row_of(hello);
+        cores += static_cast<std::size_t>(std::max(hello.cores, 0));
+        creatures += hello.creatures_per_second;
+    }
+    if (hellos.empty()) return "nobody is on this cluster";
+    return text + "\n" + counted(hellos.size(), "machine") + ", " + counted(cores, "core") + ", " +
+           short_text(std::round(creatures)) + " creatures/s";
+}
+
+class ClusterSubcommand final : public Subcommand {
+public:
+    void add_options(CLI::App& app) override {
+        add_cluster_address(app, login_);
+        app.add_flag("--json", json_, "As JSON, one object a line");
+    }
+    CommandFiles files() const override {
+        CommandFiles files;
+        return files.reads(login_.credentials).reads(login_.authority);
+    }
+    ExitStatus run(const EvolutionKinds& kinds) override;
+
+private:
+    ClusterLogin login_;
+    bool json_ = false;
+};
+
+ExitStatus ClusterSubcommand::run(const EvolutionKinds& /*kinds*/) {
+    const Result<ClusterAddress> address = cluster_address(login_);
+    if (!address) return fail(address.error());
+    const auto texts = listen_to_cluster(*address, kListening);
+    if (!texts) return fail(texts.error());
+    const std::vector<Hello> hellos = last_words(*texts);
+    if (!json_) return print_result_line(table_of(hellos));
+    std::string lines;
+    for (const Hello& hello : hellos)
+        lines += json_of(hello) + "\n";
+    return print_result(lines);
+}
+
+}  // namespace
+
+SubcommandKind cluster_subcommand() {
+    return {.id = "cluster",
+            .summary = "Show which machines work on a cluster, and how fast.",
+            .example = "cambrian cluster nats://lab-server",
+            .make = []() -> std::unique_ptr<Subcommand> {
+                return std::make_unique<ClusterSubcommand>();
+            }};
+}
+
+}  // namespace cambrian

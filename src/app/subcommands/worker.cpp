@@ -1,0 +1,89 @@
+#include "cluster/worker.h"
+
+#include "app/cluster/cluster_options.h"
+#include "app/command_line/number_checks.h"
+#include "app/process/interruption.h"
+#include "app/process/messages.h"
+#include "app/subcommands/subcommands.h"
+#include "cluster/cluster_connection.h"
+#include "cluster/join_cluster.h"
+#include "cluster/text_for_people.h"
+#include "cluster/unit_child.h"
+#include "core/threads/thread_pool.h"
+
+#include <CLI/CLI.hpp>
+
+#include <cstdio>
+#include <iostream>
+#include <iterator>
+#include <optional>
+
+namespace cambrian {
+namespace {
+
+class WorkerSubcommand final : public Subcommand {
+public:
+    void add_options(CLI::App& app) override {
+        add_cluster_address(app, login_);
+        take_whole(*app.add_option("-t,--threads", threads_,
+                                   "Cores to use, at low priority; all unless given"),
+                   1, 1024);
+        app.add_option("--name", name_, "How people see this machine; its host name unless given")
+            ->type_name("TEXT");
+        app.add_flag("--unit", unit_,
+                     "Compute one unit from standard input and end; what `cambrian evolve` does "
+                     "with work that seems to end workers");
+    }
+    CommandFiles files() const override {
+        CommandFiles files;
+        return files.reads(login_.credentials).reads(login_.authority);
+    }
+    ExitStatus run(const EvolutionKinds& kinds) override {
+        return unit_ ? compute_unit(kinds) : work(kinds);
+    }
+
+private:
+    static ExitStatus compute_unit(const EvolutionKinds& kinds);
+    ExitStatus work(const EvolutionKinds& kinds);
+
+    ClusterLogin login_;
+    std::optional<std::size_t> threads_;
+    std::string name_;
+    bool unit_ = false;
+};
+
+ExitStatus WorkerSubcommand::compute_unit(const EvolutionKinds& kinds) {
+    const std::string question{std::istreambuf_iterator<char>(std::cin), {}};
+    const Result<std::string> answer = answer_question(question, kinds);
+    if (!answer) return fail(answer.error());
+    return print_result(*answer);
+}
+
+ExitStatus WorkerSubcommand::work(const EvolutionKinds& kinds) {
+    const Result<ClusterAddress> address = cluster_address(login_);
+    if (!address) return fail(address.error());
+    const auto queue = connect_worker(*address);
+    if (!queue) return fail(queue.error());
+    if (const std::string warning = plain_text_warning(*address); !warning.empty()) say(warning);
+    const Interruption interruption;
+    WorkerOptions options;
+    options.id = random_id();
+    options.threads = threads_.value_or(ThreadPool::default_workers());
+    options.name = name_.empty() ? machine_name() : text_for_people(name_, kLongestName);
+    options.say = [](std::string_view words) { say(words); };
+    const Status worked = work_for_cluster(kinds, **queue, options, interruption.token());
+    return worked ? ExitStatus::kDone : fail(worked.error(), ExitStatus::kFailed);
+}
+
+}  // namespace
+
+SubcommandKind worker_subcommand() {
+    return {.id = "worker",
+            .summary = "Lend this machine's cores to runs on other machines, until Ctrl+C.",
+            .example = "cambrian worker nats://lab-server",
+            .make = []() -> std::unique_ptr<Subcommand> {
+                return std::make_unique<WorkerSubcommand>();
+            }};
+}
+
+}  // namespace cambrian

@@ -1,0 +1,70 @@
+#include "cluster/join_cluster.h"
+
+#include "cluster/cluster_backend.h"
+#include "cluster/cluster_connection.h"
+#include "cluster/text_for_people.h"
+#include "cluster/unit_process.h"
+#include "core/hash.h"
+#include "persist/digest_text.h"
+
+#include <array>
+#include <random>
+#include <system_error>
+#include <unistd.h>
+
+namespace cambrian {
+namespace {
+
+// The same for a run and for what resumes it on the same machine.
+std::string experiment_id(const std::filesystem::path& experiment) {
+    if (experiment.empty()) return "";
+    std::error_code unknown;
+    Hash64 hash;
+    hash.add(std::string_view(machine_name()));
+    hash.add(std::string_view(std::filesystem::weakly_canonical(experiment, unknown).string()));
+    return hex_text(hash.value());
+}
+
+}  // namespace
+
+std::string machine_name() {
+    std::array<char, 256> name{};
+    if (::gethostname(name.data(), name.size() - 1) != 0 || name[0] == '\0') return "unnamed";
+    return text_for_people(name.data(), kLongestName);
+}
+
+std::uint64_t random_id() {
+    std::random_device chance;
+    return (std::uint64_t{chance()} << 32U) | chance();
+}
+
+Result<std::unique_ptr<EvaluationBackend>> join_cluster(const EvolutionKinds& kinds,
+                                                        const ClusterAddress& address,
+                                                        const ClusterUse& use) {
+    auto queue = connect_coordinator(address, experiment_id(use.experiment));
+    if (!queue) return queue.error();
+    ClusterOptions options;
+    options.threads = use.threads;
+    options.priority = use.priority;
+    options.name = machine_name();
+    options.server = address.servers.front();
+    options.cluster = address.name;
+    options.run = random_id();
+    options.secret = random_id();
+    options.child = run_unit_process;
+    options.crash_folder = use.experiment.parent_path();
+    return make_cluster_backend(kinds, *std::move(queue), std::move(options));
+}
+
+Status check_cluster(const ClusterAddress& address) {
+    const auto queue = connect_coordinator(address, "");
+    return queue ? Status() : Status(queue.error());
+}
+
+std::string plain_text_warning(const ClusterAddress& address) {
+    if (address.encrypted || address.on_this_machine) return "";
+    return "genomes and results travel to " + address.servers.front() +
+           " readable and unsigned; tls:// protects them";
+}
+
+}  // namespace cambrian

@@ -1,0 +1,57 @@
+#pragma once
+
+// How much there was of something in the last minute, counted in seconds of wall time: for
+// display, never for decisions that change a result.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+namespace cambrian {
+
+class RecentSum {
+public:
+    static constexpr int kSeconds = 60;
+
+    // now: s of any clock that never goes back, at least 0 and the same in all calls.
+    void add(double amount, double now) {
+        Bucket& bucket = buckets_[place(second(now))];
+        if (bucket.second != second(now)) bucket = {second(now), 0.0};
+        bucket.amount += amount;
+        first_ = std::min(first_, now);
+    }
+
+    // Sum of the last `seconds` (1 to kSeconds), the present one included.
+    double sum(double now, int seconds = kSeconds) const {
+        double total = 0.0;
+        for (const Bucket& bucket : buckets_) {
+            if (bucket.second > second(now) - seconds && bucket.second <= second(now))
+                total += bucket.amount;
+        }
+        return total;
+    }
+
+    // A second, over the last `seconds` or since the first was counted, if that is less.
+    double rate(double now, int seconds) const {
+        const double whole = static_cast<double>(seconds - 1) + (now - std::floor(now));
+        return sum(now, seconds) / std::clamp(now - first_, 1.0, std::max(1.0, whole));
+    }
+
+private:
+    struct Bucket {
+        std::int64_t second = -kSeconds;  // before any that is asked for
+        double amount = 0.0;
+    };
+
+    static std::int64_t second(double now) { return static_cast<std::int64_t>(std::floor(now)); }
+    static std::size_t place(std::int64_t second) {
+        return static_cast<std::size_t>(second % kSeconds);
+    }
+
+    std::array<Bucket, kSeconds> buckets_;
+    double first_ = 1e300;  // s; later than any
+};
+
+}  // namespace cambrian

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace cambrian {
+
+// A number of things in words: "1 core", "3 cores". For nouns whose plural ends in s.
+inline std::string counted(std::size_t count, std::string_view noun) {
+    std::string words = std::to_string(count) + " " + std::string(noun);
+    if (count != 1) words += "s";
+    return words;
+}
+
+}  // namespace cambrian

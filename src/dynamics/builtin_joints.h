@@ -1,0 +1,18 @@
+#pragma once
+
+// The joints planar scenes offer. A joint is known to the equations by its motion only; what a kind
+// adds is how genes become limits and strength.
+
+#include "world/joint_kind.h"
+
+namespace cambrian {
+
+// A new joint is one file in joints/ and one line in the registry's list.
+JointKind rigid_joint();
+JointKind rotary_joint();
+JointKind linear_joint();
+
+// Digests of genes count joints in this order: new kinds go to the end.
+JointRegistry builtin_joints();
+
+}  // namespace cambrian

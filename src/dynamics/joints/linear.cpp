@@ -1,0 +1,29 @@
+// Slides its part along the part's length. Its genes count in lengths of the part, and a mirror
+// does not change them. Strength grows with the narrower section of the two parts.
+
+#include "dynamics/builtin_joints.h"
+
+#include <cmath>
+
+namespace cambrian {
+namespace {
+
+constexpr double kMaxExtension = 0.9;  // of the part's length, either way
+
+void shape_linear(const JointGenes& genes, PlannedPart& part) {
+    part.limit_low = std::fmax(genes.limit_low, -kMaxExtension) * genes.length;
+    part.limit_high = std::fmin(genes.limit_high, kMaxExtension) * genes.length;
+    part.max_effort = genes.muscle_strength * genes.width;
+}
+
+}  // namespace
+
+JointKind linear_joint() {
+    return {.id = "linear",
+            .label = "Linear",
+            .motion = JointMotion::kSlide,
+            .usual = false,
+            .shape = shape_linear};
+}
+
+}  // namespace cambrian

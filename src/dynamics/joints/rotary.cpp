@@ -1,0 +1,22 @@
+// Turns its part about the anchor. Strength grows with the square of the narrower section of the
+// two parts, for a thicker muscle also pulls on a longer lever.
+
+#include "dynamics/builtin_joints.h"
+
+namespace cambrian {
+namespace {
+
+void shape_rotary(const JointGenes& genes, PlannedPart& part) {
+    const bool mirrored = genes.handedness < 0;
+    part.limit_low = mirrored ? -genes.limit_high : genes.limit_low;
+    part.limit_high = mirrored ? -genes.limit_low : genes.limit_high;
+    part.max_effort = genes.muscle_strength * genes.width * genes.width;
+}
+
+}  // namespace
+
+JointKind rotary_joint() {
+    return {.id = "rotary", .label = "Rotary", .motion = JointMotion::kTurn, .shape = shape_rotary};
+}
+
+}  // namespace cambrian

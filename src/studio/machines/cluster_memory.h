@@ -1,0 +1,15 @@
+#pragma once
+
+#include "cluster/cluster_address.h"
+
+namespace cambrian {
+
+// What is remembered of a cluster between runs of the program.
+struct ClusterMemory {
+    ClusterLogin login;  // the last one, used or not
+    bool joined = false;
+
+    friend bool operator==(const ClusterMemory&, const ClusterMemory&) = default;
+};
+
+}  // namespace cambrian

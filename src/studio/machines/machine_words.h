@@ -1,0 +1,23 @@
+#pragma once
+
+// Machines and clusters in words.
+
+#include "evolution/backend_status.h"
+#include "studio/machines/machines_contract.h"
+
+#include <string>
+
+namespace cambrian {
+
+// "working", "idle", "away 12 s", "refused: other bits".
+std::string state_words(const WorkerStatus& worker);
+// "14 machines · 112 cores · 9 800 creatures/s".
+std::string totals_words(const BackendStatus& status);
+// "This run can use about 40 cores"; empty while unknown.
+std::string useful_cores_words(const BackendStatus& status);
+// Everything the line under the panels tells; trouble first.
+std::string machines_words(const MachinesView& machines);
+// Whether those words tell of something a person may have to mend.
+bool troubled(const MachinesView& machines);
+
+}  // namespace cambrian

@@ -1,0 +1,274 @@
+// How well a cluster of many cores is used, tried on one machine: the coordinator and the server
+// are real, the cores of the workers sleep for as long as an evaluation takes and then answer with
+// what was computed before. Prints the share of the cores' time that the evaluations of a
+// generation fill, as a Markdown table.
+#include "app/builtin_kinds.h"
+#include "cluster/cluster_backend.h"
+#include "cluster/cluster_connection.h"
+#include "cluster/hello_text.h"
+#include "cluster/join_cluster.h"
+#include "cluster/proof_set.h"
+#include "cluster/result_text.h"
+#include "cluster/unit_text.h"
+#include "core/stopwatch.h"
+#include "core/thread_time.h"
+#include "evolution/evolution.h"
+#include "evolution/trials.h"
+#include "genome/genome.h"
+#include "persist/digest_text.h"
+#include "persist/settings_file.h"
+#include "simulator/simulator_version.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <condition_variable>
+#include <cstdio>
+#include <deque>
+#include <map>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+using namespace cambrian;
+
+namespace {
+
+constexpr int kCoresOfMachine = 8;
+constexpr double kHelloEvery = 2.0;  // s
+
+// An evaluation that was made once.
+struct Answer {
+    EvaluationResult result;
+    double seconds = 0.0;  // of a core
+};
+using Question = std::pair<std::uint64_t, std::uint64_t>;  // genome and seed
+using Answers = std::map<Question, Answer>;                // of one batch
+
+Question question_of(const EvaluationRequest& request) {
+    return {genome_hash(*request.genome), request.trial_seed};
+}
+
+// Evaluates on this thread, and remembers the largest batch with its answers.
+class Rehearsal final : public EvaluationBackend {
+public:
+    explicit Rehearsal(const EvolutionKinds& kinds) : kinds_(kinds) {}
+
+    bool evaluate(std::span<const EvaluationRequest> requests,
+                  std::span<std::optional<EvaluationResult>> results,
+                  const ExperimentSettings& settings, EvaluationProgress& /*progress*/,
+                  std::stop_token stop) override {
+        const bool largest = requests.size() >= batch.size();
+        if (largest) batch.assign(requests.begin(), requests.end());
+        if (largest) answers.clear();
+        for (std::size_t i = 0; i < requests.size(); ++i) {
+            ThreadTimer timer;
+            results[i] = evaluate_in_trials(requests[i], settings, kinds_, stop);
+            if (largest) answers[question_of(requests[i])] = {*results[i], timer.lap()};
+        }
+        return true;
+    }
+
+    std::vector<EvaluationRequest> batch;
+    Answers answers;
+
+private:
+    const EvolutionKinds& kinds_;
+};
+
+// A worker whose cores sleep.
+class SleepingMachine {
+public:
+    SleepingMachine(const EvolutionKinds& kinds, std::unique_ptr<WorkerQueue> queue,
+                    const Answers& answers, int cores, std::uint64_t proof)
+        : kinds_(kinds), queue_(std::move(queue)), answers_(answers), cores_(cores), proof_(proof) {
+        for (int core = 0; core < cores; ++core)
+            threads_.emplace_back([this](const std::stop_token& stop) { serve(stop); });
+        threads_.emplace_back([this](const std::stop_token& stop) { fetch(stop); });
+    }
+
+private:
+    void fetch(const std::stop_token& stop) {
+        double next_hello = 0.0;
+        while (!stop.stop_requested()) {
+            static_cast<void>(queue_->poll());
+            if (clock_.seconds() >= next_hello) {
+                next_hello = clock_.seconds() + kHelloEvery;
+                say_hello();
+            }
+            const std::size_t wanted = room();
+            if (wanted == 0) {
+                std::this_thread::sleep_for(std::chrono::milliseconds(1));
+                continue;
+            }
+            std::vector<Delivery> fetched = queue_->fetch(wanted, std::chrono::milliseconds(250));
+            const std::lock_guard lock(mutex_);
+            in_hand_ += fetched.size();
+            std::move(fetched.begin(), fetched.end(), std::back_inserter(waiting_));
+            changed_.notify_all();
+        }
+    }
+    std::size_t room() {
+        const std::lock_guard lock(mutex_);
+        return 2 * static_cast<std::size_t>(cores_) - in_hand_;
+    }
+    void say_hello() {
+        Hello hello;
+        hello.id = id_;
+        hello.name = "sleeping";
+        hello.cores = cores_;
+        hello.simulator = kSimulatorVersion;
+        hello.proof = proof_;
+        queue_->say_hello(hex_text(id_), hello_text(hello));
+    }
+    void serve(const std::stop_token& stop) {
+        UnitReader reader(kinds_);
+        for (;;) {
+            std::unique_lock lock(mutex_);
+            if (!changed_.wait(lock, stop, [this] { return !waiting_.empty(); })) return;
+            const Delivery delivery = std::move(waiting_.front());
+            waiting_.pop_front();
+            lock.unlock();
+            answer(delivery, reader);
+            lock.lock();
+            --in_hand_;
+        }
+    }
+    void answer(const Delivery& delivery, UnitReader& reader) {
+        const Result<Unit> unit = reader.read(delivery.unit.body);
+        if (!unit) return queue_->discard(delivery.ticket);
+        UnitResult all{.worker = id_, .deliveries = delivery.times, .seconds = 0.0, .results = {}};
+        for (const EvaluationRequest& request : unit->requests) {
+            const Answer& answer = answers_.at(question_of(request));
+            all.seconds += answer.seconds;
+            all.results.push_back({request.slot, genome_hash(*request.genome), answer.result});
+        }
+        std::this_thread::sleep_for(std::chrono::duration<double>(all.seconds));
+        while (!queue_->publish_result({delivery.unit.id, write_unit_result(all)}))
+            std::this_thread::sleep_for(std::chrono::milliseconds(10));
+        queue_->acknowledge(delivery.ticket);
+    }
+
+    const EvolutionKinds& kinds_;
+    const std::unique_ptr<WorkerQueue> queue_;
+    const Answers& answers_;
+    const int cores_;
+    const std::uint64_t proof_;
+    const std::uint64_t id_ = random_id();
+    const Stopwatch clock_;
+    std::mutex mutex_;
+    std::condition_variable_any changed_;
+    std::deque<Delivery> waiting_;
+    std::size_t in_hand_ = 0;
+    std::vector<std::jthread> threads_;  // last: use everything above
+};
+
+struct Bench {
+    std::string server;
+    std::string settings;
+    int population = 300;
+    int generations = 10;
+    std::vector<int> cores = {16, 64, 256};
+};
+
+// A later generation of a run, in which the work of each creature can be guessed from its parents'.
+Rehearsal rehearse(const ExperimentSettings& settings, const EvolutionKinds& kinds) {
+    Rehearsal rehearsal(kinds);
+    Evolution evolution(std::make_shared<const ExperimentSettings>(settings), kinds);
+    EvaluationProgress progress;
+    for (int generation = 0; generation < 2; ++generation) {
+        rehearsal.batch.clear();
+        evolution.evaluate(rehearsal, progress, {});
+        evolution.breed();
+    }
+    return rehearsal;
+}
+
+double core_seconds(const Rehearsal& rehearsal) {
+    double sum = 0.0;
+    for (const EvaluationRequest& request : rehearsal.batch)
+        sum += rehearsal.answers.at(question_of(request)).seconds;
+    return sum;
+}
+
+bool wait_for(const EvaluationBackend& backend, int cores) {
+    for (int tries = 0; tries < 600; ++tries) {
+        if (static_cast<int>(totals(backend.status()).cores) >= cores) return true;
+        std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    }
+    return false;
+}
+
+// A row of the table. cores: in all, one of them the coordinator's own.
+Status measure(const Bench& bench, int cores, const ExperimentSettings& settings,
+               const Rehearsal& rehearsal, const EvolutionKinds& kinds) {
+    const Result<ClusterAddress> address = cluster_address({.servers = bench.server});
+    if (!address) return address.error();
+    auto coordinator = connect_coordinator(*address, "");
+    if (!coordinator) return coordinator.error();
+    ClusterOptions options;
+    options.run = random_id();
+    options.secret = random_id();
+    const auto backend = make_cluster_backend(kinds, *std::move(coordinator), std::move(options));
+    const std::uint64_t proof = proof_of(proof_trials(kinds));
+    std::vector<std::unique_ptr<SleepingMachine>> machines;
+    for (int left = cores - 1; left > 0; left -= kCoresOfMachine) {
+        auto queue = connect_worker(*address);
+        if (!queue) return queue.error();
+        machines.push_back(std::make_unique<SleepingMachine>(
+            kinds, *std::move(queue), rehearsal.answers, std::min(left, kCoresOfMachine), proof));
+    }
+    if (!wait_for(*backend, cores)) return Error{"the workers did not appear"};
+    std::vector<double> times;
+    for (int generation = 0; generation < bench.generations; ++generation) {
+        std::vector<std::optional<EvaluationResult>> results(rehearsal.batch.size());
+        EvaluationProgress progress;
+        const Stopwatch watch;
+        if (!backend->evaluate(rehearsal.batch, results, settings, progress, {}))
+            return Error{backend->status().failure};
+        times.push_back(watch.seconds());
+    }
+    std::sort(times.begin(), times.end());
+    const double median = times[times.size() / 2];
+    const double ideal = core_seconds(rehearsal) / cores;
+    std::printf("| %zu x %.1f ms | %d | %.0f | %.0f | %.0f | %.0f %% |\n", rehearsal.batch.size(),
+                1e3 * core_seconds(rehearsal) / static_cast<double>(rehearsal.batch.size()), cores,
+                1e3 * ideal, 1e3 * median, 1e3 * times.back(), 100.0 * ideal / median);
+    std::fflush(stdout);
+    return {};
+}
+
+int run(const Bench& bench) {
+    const EvolutionKinds kinds = builtin_kinds();
+    Result<ExperimentSettings> settings = load_settings(bench.settings, kinds);
+    if (!settings) {
+        std::fprintf(stderr, "%s\n", settings.error().message.c_str());
+        return 2;
+    }
+    settings->population.size = bench.population;
+    const Rehearsal rehearsal = rehearse(*settings, kinds);
+    std::printf(
+        "| creatures | cores | ideal ms | median ms | worst ms | efficiency |\n"
+        "|---|---|---|---|---|---|\n");
+    for (const int cores : bench.cores) {
+        if (const Status done = measure(bench, cores, *settings, rehearsal, kinds); !done) {
+            std::fprintf(stderr, "%s\n", done.error().message.c_str());
+            return 1;
+        }
+    }
+    return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    Bench bench;
+    CLI::App app("How well a cluster of many cores is used; its workers sleep");
+    app.add_option("server", bench.server, "nats://127.0.0.1:4222, with JetStream")->required();
+    app.add_option("settings", bench.settings, "Settings file (*.toml)")->required();
+    app.add_option("--population", bench.population, "Creatures")->check(CLI::Range(10, 20'000));
+    app.add_option("--generations", bench.generations, "Measured")->check(CLI::Range(1, 1000));
+    app.add_option("--cores", bench.cores, "In all")->check(CLI::Range(2, 4096));
+    CLI11_PARSE(app, argc, argv);
+    return run(bench);
+}

@@ -1,0 +1,144 @@
+"""A cluster of real processes on this machine: a server, workers, and runs that use them."""
+
+import json
+import os
+import pathlib
+import signal
+import subprocess
+import time
+
+from experiment_tables import digests
+from nats_server import PLAIN, NatsServer
+from program import CAMBRIAN, ProgramTest
+
+# Long enough that workers take part: some seconds on a core.
+SETTINGS = """
+[run]
+generations = 12
+[population]
+size = 60
+[trial]
+duration = 12
+"""
+
+
+class ClusterTest(ProgramTest):
+    """Each test has a server of its own; everything ends with the test."""
+
+    def setUp(self):
+        super().setUp()
+        self.processes = []
+        self.addCleanup(self.end_processes)
+
+    def start_server(self, configuration=PLAIN, **options):
+        server = NatsServer(self.folder / "server", configuration, **options)
+        self.addCleanup(server.kill)
+        return server
+
+    def end_processes(self):
+        for process in self.processes:
+            if process.poll() is None:
+                process.kill()
+            process.wait(30)
+            for stream in (process.stdout, process.stderr):
+                if stream:
+                    stream.close()
+
+    def start(self, *arguments, **options):
+        """A process of the program; its messages go to a file."""
+        environment = dict(os.environ, **options.pop("env", {}))
+        options.setdefault("stdout", subprocess.PIPE)
+        number = len(self.processes)
+        log = self.folder / f"process{number}.log"
+        with open(log, "wb") as messages:
+            process = subprocess.Popen(
+                [CAMBRIAN, *map(str, arguments)], cwd=self.folder, env=environment,
+                stdin=subprocess.DEVNULL, stderr=messages, encoding="utf-8", **options)
+        process.log = log
+        self.processes.append(process)
+        return process
+
+    def start_worker(self, url, name="worker", *options, **more):
+        return self.start("worker", url, "--threads", 1, "--name", name, *options, **more)
+
+    def wait_for_workers(self, url, count, *options):
+        """Until so many say hello."""
+        end = time.monotonic() + 30
+        while time.monotonic() < end:
+            lines = self.run_well("cluster", url, "--json", *options).stdout.splitlines()
+            workers = [each for each in map(json.loads, lines) if each["role"] == "worker"]
+            if len(workers) >= count:
+                return workers
+        self.fail(f"{count} workers did not appear")
+
+    def wait_for_message(self, process, text, seconds=30):
+        end = time.monotonic() + seconds
+        while time.monotonic() < end:
+            if text in process.log.read_text():
+                return
+            time.sleep(0.02)
+        self.fail(f"'{text}' was not said: {process.log.read_text()}")
+
+    def wait_for_results(self, server, count=1, seconds=60):
+        """Until workers have sent so many results from now on."""
+        client = server.client()
+        client.subscribe("cambrian.result.>")
+        end = time.monotonic() + seconds
+        while count > 0 and time.monotonic() < end:
+            count -= len(client.flush()[1])
+            time.sleep(0.02)
+        client.close()
+        self.assertLessEqual(count, 0, "no worker sent a result")
+
+    def interrupt(self, process, seconds=30):
+        process.send_signal(signal.SIGINT)
+        return process.wait(seconds)
+
+    # -- runs
+
+    def evolve(self, name, *options, settings=SETTINGS, **more):
+        """Starts a run; its experiment file is <name>.cambrian."""
+        self.write("settings.toml", settings)
+        return self.start("evolve", "settings.toml", "--out", f"{name}.cambrian", "--threads", 1,
+                          "--json", *options, **more)
+
+    def finish(self, run, seconds=240):
+        """The generations' lines of a run that ends well."""
+        text, _ = run.communicate(timeout=seconds)
+        self.assertEqual(run.returncode, 0, run.log.read_text())
+        return [json.loads(line) for line in text.splitlines()][:-1]
+
+    def local_digests(self, settings=SETTINGS):
+        """What every run must come to, whoever computes it."""
+        self.finish(self.evolve("local", settings=settings))
+        return digests(self.folder / "local.cambrian")
+
+    def end_and_compare(self, run, name, settings):
+        """Ends a run that would go on for long; what it has finished is what one machine gets."""
+        end = time.monotonic() + 60
+        while len(digests(self.folder / f"{name}.cambrian")) < 2 and time.monotonic() < end:
+            time.sleep(0.1)
+        self.interrupt(run)
+        found = digests(self.folder / f"{name}.cambrian")
+        self.assertGreaterEqual(len(found), 2, run.log.read_text())
+        self.finish(self.evolve("local", "--generations", len(found), settings=settings))
+        self.assert_same_run(digests(self.folder / "local.cambrian"), name)
+
+    def assert_same_run(self, expected, name):
+        self.assertEqual(digests(self.folder / f"{name}.cambrian"), expected)
+
+    @staticmethod
+    def sums(generations):
+        """The counts of the cluster, over all generations."""
+        total = {}
+        for generation in generations:
+            for key, value in generation["cluster"].items():
+                if not isinstance(value, bool):
+                    total[key] = total.get(key, 0) + value
+        return total
+
+    def resident_memory(self, process):
+        """In bytes."""
+        status = pathlib.Path(f"/proc/{process.pid}/status").read_text()
+        return next(int(line.split()[1]) * 1024 for line in status.splitlines()
+                    if line.startswith("VmRSS"))

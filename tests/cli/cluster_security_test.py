@@ -1,0 +1,211 @@
+"""Who may what on a cluster's server, with the configuration that is installed; and encryption."""
+
+import re
+import subprocess
+import unittest
+
+from cluster_program import ClusterTest
+from nats_server import HOST
+from program import ROOT
+
+SAMPLE = ROOT / "assets/nats.conf"
+
+WORKER = ("worker", "worker-password")
+COORDINATOR = ("coordinator", "coordinator-password")
+RUN = "%016x" % 5
+
+# What the roles may not do, each tried below.
+FORBIDDEN_TO_WORKERS = [
+    ("publish", f"cambrian.work.{RUN}.1.1"),               # hand out work
+    ("publish", f"cambrian.stop.{RUN}"),                   # end a run
+    ("publish", f"cambrian.hello.coordinator.{RUN}"),      # refuse other workers
+    ("publish", "$KV.cambrian-settings.x"),                # change settings
+    ("publish", "$JS.API.STREAM.CREATE.other"),            # add streams
+    ("publish", "$JS.API.STREAM.DELETE.cambrian-WORK"),
+    ("publish", "$JS.API.STREAM.PURGE.cambrian-WORK"),
+    ("publish", "$JS.API.STREAM.PURGE.cambrian-RESULT"),
+    ("publish", "$JS.API.STREAM.MSG.GET.cambrian-RESULT"),
+    ("publish", "$JS.API.CONSUMER.CREATE.cambrian-RESULT"),
+    ("publish", "$JS.API.CONSUMER.DELETE.cambrian-WORK.workers"),
+    ("publish", "_INBOX.cambrian.coordinator.x"),          # answer for the server
+    ("publish", "elsewhere"),
+    ("subscribe", "_INBOX.>"),                             # read what others are answered
+    ("subscribe", "_INBOX.cambrian.coordinator.>"),
+    ("subscribe", "cambrian.work.>"),
+    ("subscribe", "cambrian.result.>"),
+    ("subscribe", ">"),
+]
+FORBIDDEN_TO_COORDINATORS = [
+    ("publish", f"cambrian.result.{RUN}.1.1"),             # pretend to be a worker
+    ("publish", f"cambrian.hello.worker.{RUN}"),
+    ("publish", "$JS.ACK.cambrian-WORK.workers.1.1.1.1.1"),
+    ("publish", "$JS.API.STREAM.DELETE.cambrian-WORK"),
+    ("publish", "$JS.API.STREAM.CREATE.other"),
+    ("publish", "$JS.API.STREAM.UPDATE.cambrian-WORK"),
+    ("publish", "$JS.API.STREAM.PURGE.other"),
+    ("publish", "$JS.API.CONSUMER.MSG.NEXT.cambrian-WORK.workers"),
+    ("subscribe", "_INBOX.cambrian.worker.>"),
+    ("subscribe", "cambrian.result.>"),
+    ("subscribe", ">"),
+]
+
+
+def sample_permissions():
+    """The sample configuration, but for what the tests' server says itself."""
+    text = SAMPLE.read_text()
+    text = re.sub(r"^(host|port):.*$", "", text, flags=re.MULTILINE)
+    return re.sub(r"^jetstream \{.*?^\}$", "", text, flags=re.MULTILINE | re.DOTALL)
+
+
+class SecurityTest(ClusterTest):
+    def credentials(self, name, who):
+        self.write(name, f'user = "{who[0]}"\npassword = "{who[1]}"\n')
+        return "--credentials", name
+
+
+class Roles(SecurityTest):
+    def test_the_sample_configuration_is_one(self):
+        server = self.start_server(sample_permissions())
+        self.assertIsNone(server.process.poll())
+        self.assertIn("store_dir", SAMPLE.read_text())
+
+    def test_a_run_and_its_workers_need_no_more_than_their_roles(self):
+        expected = self.local_digests()
+        server = self.start_server(sample_permissions())
+        worker = self.credentials("worker.credentials", WORKER)
+        coordinator = self.credentials("me.credentials", COORDINATOR)
+        workers = [self.start_worker(server.url, "worker", *worker) for _ in range(2)]
+        for name in ("first", "second"):
+            run = self.evolve(name, "--cluster", server.url, *coordinator)
+            generations = self.finish(run)
+            self.assert_same_run(expected, name)
+            self.assertNotIn("permit", run.log.read_text())
+        self.assertGreater(self.sums(generations)["units"], 12)
+        self.assertEqual(len(self.wait_for_workers(server.url, 2, *coordinator)), 2)
+        for process in workers:
+            self.assertEqual(self.interrupt(process), 0)
+            self.assertNotIn("permit", process.log.read_text())
+
+    def assert_forbidden(self, server, who, actions):
+        for action, subject in actions:
+            with self.subTest(role=who[0], action=action, subject=subject):
+                client = server.client(user=who[0], password=who[1])
+                if action == "publish":
+                    client.publish(subject, b"{}")
+                else:
+                    client.subscribe(subject)
+                errors, _ = client.flush()
+                self.assertRegex(" ".join(errors), "Permissions Violation")
+                client.close()
+
+    def test_each_role_is_kept_from_everything_else(self):
+        server = self.start_server(sample_permissions())
+        coordinator = self.credentials("me.credentials", COORDINATOR)
+        self.finish(self.evolve("first", "--cluster", server.url, *coordinator))  # makes streams
+        self.assert_forbidden(server, WORKER, FORBIDDEN_TO_WORKERS)
+        self.assert_forbidden(server, COORDINATOR, FORBIDDEN_TO_COORDINATORS)
+
+    def test_the_wrong_credentials_are_one_message(self):
+        server = self.start_server(sample_permissions())
+        self.write("settings.toml", "[run]\ngenerations = 1\n")
+        wrong = self.credentials("wrong.credentials", ("worker", "guess"))
+        for command in (["worker", server.url], ["cluster", server.url],
+                        ["evolve", "settings.toml", "--cluster", server.url]):
+            result = self.run_program(*command, *wrong)
+            self.assert_refused(result, "does not accept the credentials of wrong.credentials")
+            self.assertEqual(result.stderr.count("\n"), 1)
+            self.assert_refused(self.run_program(*command), "--credentials FILE")
+
+    def test_the_credentials_of_the_other_role_are_one_message(self):
+        server = self.start_server(sample_permissions())
+        self.write("settings.toml", "[run]\ngenerations = 1\n")
+        worker = self.credentials("worker.credentials", WORKER)
+        coordinator = self.credentials("me.credentials", COORDINATOR)
+        result = self.run_program("evolve", "settings.toml", "--cluster", server.url, *worker)
+        self.assert_refused(result, "does not permit", "cambrian-WORK")
+        result = self.run_program("cluster", server.url, *worker)
+        self.assert_refused(result, "does not permit", "cambrian.hello.>")
+        result = self.run_program("worker", server.url, *coordinator)
+        self.assert_refused(result, "does not permit")
+
+
+class Encryption(SecurityTest):
+    """Certificates are made by openssl, for the name localhost unless said otherwise."""
+
+    def make_authority(self):
+        self.openssl("req", "-x509", "-newkey", "rsa:2048", "-nodes", "-keyout", "ca.key", "-out",
+                     "ca.pem", "-subj", "/CN=lab", "-days", "30")
+
+    def openssl(self, *arguments):
+        done = subprocess.run(["openssl", *arguments], cwd=self.folder, capture_output=True,
+                              check=False)
+        self.assertEqual(done.returncode, 0, done.stderr)
+
+    def make_certificate(self, host="localhost", until="20990101000000Z"):
+        self.write("index.txt", "")
+        self.write("serial", "1000\n")
+        self.write("ca.cnf", "[ca]\ndefault_ca=here\n[here]\ndatabase=index.txt\nserial=serial\n"
+                             "new_certs_dir=.\ncertificate=ca.pem\nprivate_key=ca.key\n"
+                             "default_md=sha256\npolicy=any\n[any]\ncommonName=supplied\n"
+                             f"[names]\nsubjectAltName=DNS:{host}\n")
+        self.openssl("req", "-newkey", "rsa:2048", "-nodes", "-keyout", "server.key", "-out",
+                     "server.csr", "-subj", f"/CN={host}")
+        self.openssl("ca", "-batch", "-config", "ca.cnf", "-in", "server.csr", "-out",
+                     "server.pem", "-startdate", "20200101000000Z", "-enddate", until,
+                     "-extensions", "names", "-notext")
+
+    def start_encrypted(self, **certificate):
+        self.make_authority()
+        self.make_certificate(**certificate)
+        tls = (f'tls {{ cert_file: "{self.folder}/server.pem", '
+               f'key_file: "{self.folder}/server.key" }}\n')
+        return self.start_server(tls + sample_permissions())
+
+    def assert_nobody_connects(self, url, *parts, options=()):
+        self.write("settings.toml", "[run]\ngenerations = 1\n")
+        for command in (["worker", url], ["cluster", url],
+                        ["evolve", "settings.toml", "--cluster", url]):
+            result = self.run_program(*command, *options)
+            self.assert_refused(result, *parts)
+            self.assertEqual(result.stderr.count("\n"), 1, result.stderr)
+
+    def test_a_run_over_an_encrypted_connection_is_the_same_run(self):
+        expected = self.local_digests()
+        server = self.start_encrypted()
+        worker = self.credentials("worker.credentials", WORKER)
+        coordinator = self.credentials("me.credentials", COORDINATOR)
+        self.start_worker(server.tls_url, "worker", "--ca", "ca.pem", *worker)
+        for name in ("first", "second"):
+            generations = self.finish(self.evolve(name, "--cluster", server.tls_url, "--ca",
+                                                  "ca.pem", *coordinator))
+            self.assert_same_run(expected, name)
+        self.assertGreater(self.sums(generations)["units"], 0)
+
+    def test_a_certificate_of_an_unknown_authority_is_not_trusted(self):
+        server = self.start_encrypted()
+        self.assert_nobody_connects(server.tls_url, "cannot trust the server", "--ca FILE")
+
+    def test_a_certificate_of_another_host_is_not_trusted(self):
+        server = self.start_encrypted(host="other.lab")
+        self.assert_nobody_connects(server.tls_url, "cannot trust the server", "mismatch",
+                                    options=["--ca", "ca.pem"])
+
+    def test_a_certificate_that_has_expired_is_not_trusted(self):
+        server = self.start_encrypted(until="20210101000000Z")
+        self.assert_nobody_connects(server.tls_url, "cannot trust the server", "expired",
+                                    options=["--ca", "ca.pem"])
+
+    def test_a_server_without_encryption_is_not_taken_for_one_with(self):
+        server = self.start_server()
+        self.make_authority()
+        self.assert_nobody_connects(server.tls_url, "has no encryption",
+                                    options=["--ca", "ca.pem"])
+
+    def test_an_authority_that_is_no_certificate(self):
+        self.write("ca.pem", "hello\n")
+        self.assert_nobody_connects(f"tls://{HOST}:4222", "--ca ca.pem",
+                                    options=["--ca", "ca.pem"])
+
+
+if __name__ == "__main__":
+    unittest.main()

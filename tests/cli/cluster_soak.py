@@ -1,0 +1,99 @@
+"""A cluster for as long as one likes: one coordinator with one run all the time and another run after
+run, one worker that stays, others that come and go, a server that is killed in the first quarter.
+Fails if the least memory of the server, the long run or the worker grows by more than 5 % from the
+second quarter of the time to the last (the least, since a collector of garbage takes more for a
+while), if a run's digests are not those of a run on one machine, or if anything is left in the
+streams.
+
+    CAMBRIAN=build/release/bin/cambrian python3 -B tests/cli/cluster_soak.py --minutes 30
+"""
+
+import argparse
+import os
+import random
+import subprocess
+import sys
+import time
+import unittest
+
+from cluster_program import ClusterTest
+from experiment_tables import digests
+
+# About a minute on a core that is shared.
+SETTINGS = """
+[run]
+generations = 60
+[population]
+size = 40
+[trial]
+duration = 60
+"""
+MINUTES = 30.0
+PAUSE = 5.0  # s between looks at the processes
+GROWTH = 1.05
+
+
+class Soak(ClusterTest):
+    def test_memory_stays_flat_and_streams_are_left_empty(self):
+        os.nice(19)
+        chance = random.Random(1)
+        expected = self.local_digests(SETTINGS)
+        server = self.start_server()
+        steady = self.start_worker(server.url, "steady")
+        endless = SETTINGS.replace("generations = 60", "generations = 1000000")
+        # Nobody reads its lines: a pipe would be full after some generations.
+        long = self.evolve("long", "--cluster", server.url, settings=endless,
+                           stdout=subprocess.DEVNULL)
+        run, passing, samples, finished = None, [], [], 0
+        begun = time.monotonic()
+        end = begun + 60 * MINUTES
+        outages = [begun + 60 * MINUTES * share for share in (0.08, 0.16)]
+        while time.monotonic() < end:
+            if run and run.poll() is not None:
+                self.finish(run)
+                self.assertEqual(digests(self.folder / "short.cambrian"), expected)
+                run, finished = None, finished + 1
+            if not run:
+                (self.folder / "short.cambrian").unlink(missing_ok=True)
+                run = self.evolve("short", "--cluster", server.url, settings=SETTINGS)
+            if chance.random() < 0.2 and len(passing) < 2:
+                passing.append(self.start_worker(server.url, "passing"))
+            elif chance.random() < 0.2 and passing:
+                passing.pop(0).kill()
+            if outages and time.monotonic() > outages[0]:
+                server.kill()
+                time.sleep(5)
+                server.start()
+                outages.pop(0)
+            time.sleep(PAUSE)
+            for each in (long, steady):
+                self.assertIsNone(each.poll(), f"ended by itself: {each.log.read_text()}")
+            samples.append([self.resident_memory(each) for each in (server.process, long, steady)])
+        for each in (run, long):
+            self.interrupt(each)
+        self.report(samples, finished, time.monotonic() - begun)
+        self.assertEqual(digests(self.folder / "long.cambrian")[:len(expected)], expected)
+        time.sleep(1)
+        client = server.client()
+        self.assertEqual(client.messages_in("cambrian-WORK"), 0)
+        self.assertEqual(client.messages_in("cambrian-RESULT"), 0)
+        client.close()
+        quarter = len(samples) // 4
+        for which, name in enumerate(("the server", "the long run", "the worker")):
+            early = min(sample[which] for sample in samples[quarter:2 * quarter])
+            late = min(sample[which] for sample in samples[-quarter:])
+            self.assertLess(late, early * GROWTH, name)
+
+    @staticmethod
+    def report(samples, finished, seconds):
+        print(f"{seconds / 60:.1f} min, {finished} short runs; MB of server, long run, worker:")
+        for at in range(0, len(samples), max(1, len(samples) // 12)):
+            print("  ", " ".join(f"{value / 1e6:7.1f}" for value in samples[at]))
+
+
+if __name__ == "__main__":
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--minutes", type=float, default=MINUTES)
+    asked, rest = parser.parse_known_args()
+    MINUTES = asked.minutes
+    unittest.main(argv=[sys.argv[0], *rest])

@@ -1,0 +1,329 @@
+// Who has what, sizes, trust and presence, with a clock that the test says.
+
+#include "cluster/answers.h"
+#include "cluster/batch.h"
+#include "cluster/hello_text.h"
+#include "cluster/proof_set.h"
+#include "cluster/trust.h"
+#include "cluster/unit_ledger.h"
+#include "cluster/unit_sizing.h"
+#include "cluster/worker_roll.h"
+#include "support/catch.h"
+#include "support/kinds.h"
+
+#include <numeric>
+#include <set>
+
+using namespace cambrian;
+using test::kinds;
+using List = std::vector<std::size_t>;
+
+TEST_CASE("units shrink as less is left", "[cluster]") {
+    CHECK(unit_seconds(1'000.0, {.own = 1, .remote = 7}) == 2.0);
+    CHECK(unit_seconds(16.0, {.own = 1, .remote = 7}) == 0.5);
+    CHECK(unit_seconds(0.032, {.own = 1, .remote = 7}) == 0.005);
+    // A batch of 6 ms on two cores: half of it stays at home.
+    CHECK(unit_seconds(0.006, {.own = 1, .remote = 1}) == Approx(0.003));
+    double left = 80.0;
+    int units = 0;
+    for (double last = 1e9; left > 1e-9; ++units) {
+        const double unit = std::min(left, unit_seconds(left, {.own = 8, .remote = 8}));
+        CHECK(unit <= last);
+        last = unit;
+        left -= unit;
+    }
+    CHECK(units < 1'000);
+}
+
+TEST_CASE("costs are learnt, and unknown ones are the median", "[cluster]") {
+    CostModel model;
+    for (int i = 0; i < 1'000; ++i)
+        model.learn(2, 2'000, 1.0);
+    std::vector<EvaluationRequest> requests(4);
+    requests[0].expected_work = 1'000;
+    requests[1].expected_work = 4'000;
+    requests[2].expected_work = 2'000;
+    const std::vector<double> seconds = model.seconds_of(requests);
+    CHECK(seconds[0] == Approx(0.5).epsilon(1e-3));
+    CHECK(seconds[1] == Approx(2.0).epsilon(1e-3));
+    CHECK(seconds[3] == Approx(1.0).epsilon(1e-3));
+    model.learn(1, 0, 1.0);
+    model.learn(1, 5, 0.0);
+    CHECK(model.seconds_of(requests) == seconds);
+    // A creature that was rejected at once says little of those that are not.
+    for (int i = 0; i < 100; ++i) {
+        model.learn(1, 1'000, 0.5);
+        model.learn(1, 1, 0.01);
+    }
+    CHECK(model.seconds_of(requests)[0] == Approx(0.5).epsilon(0.05));
+}
+
+TEST_CASE("the ledger hands out long creatures to others and short ones at home", "[cluster]") {
+    UnitLedger ledger({8.0, 4.0, 2.0, 1.0, 1.0});
+    CHECK(ledger.open_seconds() == 16.0);
+    CHECK(ledger.take_for_unit(5.0, 10) == List{0});
+    CHECK(ledger.take_for_unit(5.0, 10) == List{1, 2});
+    CHECK(ledger.take_for_home() == 4U);
+    CHECK(ledger.take_for_unit(100.0, 10) == List{3});
+    CHECK(ledger.open_seconds() == 0.0);
+    CHECK_FALSE(ledger.take_for_home());
+    CHECK(ledger.take_for_unit(1.0, 10).empty());
+}
+
+TEST_CASE("late units come home in parts, the last creatures first", "[cluster]") {
+    UnitLedger ledger(std::vector<double>(6, 1.0));
+    ledger.publish(0, ledger.take_for_unit(4.0, 10), 1.0, 10.0);
+    ledger.publish(1, ledger.take_for_unit(2.0, 10), 2.0, 5.0);
+    CHECK(ledger.next_due() == 5.0);
+    CHECK_FALSE(ledger.take_late(4.9, 2));
+    auto late = ledger.take_late(20.0, 2);
+    REQUIRE(late);
+    CHECK(late->unit == 1);
+    CHECK(late->published == 2.0);
+    CHECK(late->first);
+    CHECK(late->creatures == List{5});
+    late = ledger.take_late(20.0, 2);
+    CHECK_FALSE(late->first);
+    CHECK(late->creatures == List{4});
+    CHECK(ledger.take_late(20.0, 2)->creatures == List{3, 2});
+    ledger.answered(1);
+    CHECK(ledger.take_late(20.0, 2)->creatures == List{0});
+    CHECK_FALSE(ledger.take_late(20.0, 2));
+    CHECK_FALSE(ledger.next_due());
+}
+
+TEST_CASE("creatures of units that come to nothing are open again, once", "[cluster]") {
+    UnitLedger ledger(std::vector<double>(4, 1.0));
+    ledger.publish(0, ledger.take_for_unit(3.0, 10), 0.5, 1.0);
+    CHECK(ledger.outstanding_seconds() == 3.0);
+    ledger.answered(1);
+    ledger.reopen(ledger.close(0));
+    ledger.reopen({0});
+    CHECK(ledger.outstanding() == 0);
+    CHECK(ledger.open_seconds() == 3.0);
+    CHECK(ledger.take_for_unit(100.0, 10) == List{0, 2, 3});
+    CHECK(ledger.close(0).empty());
+    CHECK(ledger.close(99).empty());
+    ledger.unanswered(1);
+    CHECK(ledger.take_for_home() == 1U);
+    ledger.publish(7, {0}, 2.0, 1e9);
+    ledger.expect_no_more(7);
+    CHECK(ledger.take_late(1.0, 1)->creatures == List{0});
+}
+
+namespace {
+
+EvaluationResult with_fitness(double fitness) {
+    EvaluationResult result;
+    result.fitness = fitness;
+    return result;
+}
+
+}  // namespace
+
+TEST_CASE("the first answer counts and later ones are compared with it", "[cluster]") {
+    Answers answers(2);
+    CHECK(answers.claim(0, 1, with_fitness(1.0), false).first);
+    CHECK(answers.settled(0));
+    CHECK_FALSE(answers.claim(0, 2, with_fitness(1.0), false).first);
+    CHECK(answers.settled(0));
+    // Another answer: the own cores decide.
+    CHECK_FALSE(answers.claim(0, 3, with_fitness(1.5), false).first);
+    CHECK_FALSE(answers.settled(0));
+    CHECK(answers.next_check() == 0U);
+    CHECK_FALSE(answers.next_check());
+    const auto comparisons = answers.compute(0, with_fitness(1.5));
+    REQUIRE(comparisons.size() == 3);
+    CHECK_FALSE(comparisons[0].equal);
+    CHECK_FALSE(comparisons[1].equal);
+    CHECK(comparisons[2].equal);
+    CHECK(answers.result(0)->fitness == 1.5);
+    // What comes still later is compared with the truth.
+    const auto late = answers.claim(0, 4, with_fitness(1.0), false);
+    REQUIRE(late.comparison);
+    CHECK_FALSE(late.comparison->equal);
+    CHECK(answers.settled() == 1);
+    CHECK_FALSE(answers.all_settled());
+}
+
+TEST_CASE("what only a refused worker says is taken back", "[cluster]") {
+    Answers answers(4);
+    answers.claim(0, 1, with_fitness(1.0), false);
+    answers.claim(1, 1, with_fitness(1.0), false);
+    answers.claim(1, 2, with_fitness(1.0), false);
+    answers.claim(2, 1, with_fitness(1.0), true);
+    answers.claim(3, 1, with_fitness(1.0), false);
+    answers.compute(3, with_fitness(1.0));
+    CHECK(answers.drop_worker(1) == List{0, 2});
+    CHECK_FALSE(answers.settled(0));
+    CHECK(answers.settled(1));
+    CHECK(answers.settled(3));
+    CHECK_FALSE(answers.next_check());
+}
+
+TEST_CASE("the best creature is computed at home before it counts", "[cluster]") {
+    Answers answers(3);
+    answers.compute(0, with_fitness(1.0));
+    answers.claim(1, 1, with_fitness(3.0), false);
+    EvaluationResult failed = with_fitness(9.0);
+    failed.outcome = Outcome::kDiverged;
+    answers.claim(2, 1, failed, false);
+    CHECK(answers.all_settled());
+    CHECK(answers.check_leader());
+    CHECK_FALSE(answers.all_settled());
+    CHECK(answers.next_check() == 1U);
+    answers.compute(1, with_fitness(3.0));
+    CHECK(answers.all_settled());
+    CHECK_FALSE(answers.check_leader());
+}
+
+TEST_CASE("new workers are checked much, proven ones a little", "[cluster]") {
+    Trust trust(42);
+    int first = 0;
+    int later = 0;
+    constexpr std::uint32_t kResults = 100'000;
+    for (std::uint32_t slot = 0; slot < kResults; ++slot) {
+        const bool checked = trust.draw_check(7, 1, slot, 0.01);
+        if (slot < 16) first += checked ? 1 : 0;
+        if (slot >= 10'000) later += checked ? 1 : 0;
+    }
+    CHECK(first == 16);
+    CHECK(later > 700);
+    CHECK(later < 1'100);
+    // Another secret checks others.
+    Trust same(42);
+    Trust other(43);
+    std::set<std::uint32_t> of_same;
+    std::set<std::uint32_t> of_other;
+    for (std::uint32_t slot = 0; slot < 1'000; ++slot) {
+        if (same.draw_check(7, 1, slot, 0.01)) of_same.insert(slot);
+        if (other.draw_check(7, 1, slot, 0.01)) of_other.insert(slot);
+    }
+    CHECK(of_same != of_other);
+    trust.refuse(7, "why");
+    trust.refuse(7, "again");
+    CHECK(trust.refused(7));
+    CHECK_FALSE(trust.refused(8));
+    CHECK(trust.refusals() == std::vector<Refusal>{{7, "why"}});
+}
+
+namespace {
+
+Hello hello_of(std::uint64_t id, int cores) {
+    Hello hello;
+    hello.id = id;
+    hello.name = "machine " + std::to_string(id);
+    hello.cores = cores;
+    hello.simulator = "1.2";
+    hello.proof = 5;
+    return hello;
+}
+
+}  // namespace
+
+TEST_CASE("only workers that are heard and compute the same bits count", "[cluster]") {
+    Trust trust(1);
+    WorkerRoll roll({"1.2", 5}, "here", 2);
+    roll.hear(hello_of(1, 8), 100.0);
+    roll.hear(hello_of(2, 4), 103.0);
+    Hello newer = hello_of(3, 16);
+    newer.simulator = "1.3";
+    roll.hear(newer, 103.0);
+    Hello odd = hello_of(4, 16);
+    odd.proof = 6;
+    roll.hear(odd, 103.0);
+    CHECK(roll.cores(104.0, trust) == 12);
+    CHECK(roll.cores(106.5, trust) == 4);
+    // A late unit makes those who have been silent since doubtful until they are heard.
+    roll.hear(hello_of(1, 8), 106.6);
+    roll.doubt_silent(106.5);
+    CHECK(roll.cores(106.7, trust) == 8);
+    roll.worked(2, 10, 1'000, 106.8);
+    CHECK(roll.cores(106.8, trust) == 12);
+    trust.refuse(2, "a result differed");
+    CHECK(roll.cores(106.8, trust) == 8);
+    Hello bye = hello_of(1, 8);
+    bye.leaving = true;
+    roll.worked_at_home(5, 1'000, 106.9);
+    const auto rows = roll.rows(107.0, trust, {.own_busy = true, .reachable = true});
+    REQUIRE(rows.size() == 5);
+    CHECK(rows[0].name == "here");
+    CHECK(rows[0].state == WorkerState::kWorking);
+    CHECK(rows[0].share == 0.5);
+    CHECK(rows[1].state == WorkerState::kIdle);
+    CHECK(rows[2].refusal == "a result differed");
+    CHECK(rows[2].share == 0.5);
+    CHECK(rows[3].refusal == "simulator 1.3, this run is of 1.2");
+    CHECK(rows[4].refusal == "other bits in the proof set");
+    CHECK(roll.rows(107.0, trust, {.own_busy = false, .reachable = false})[1].state ==
+          WorkerState::kAway);
+    CHECK(roll.rows(113.0, trust, {.own_busy = false, .reachable = true})[1].state ==
+          WorkerState::kAway);
+    roll.hear(bye, 107.0);
+    CHECK(roll.cores(107.0, trust) == 0);
+    CHECK(roll.rows(107.0, trust, {}).size() == 4);
+}
+
+TEST_CASE("presence keeps its fields, and is cut to what may be shown", "[cluster]") {
+    Hello hello = hello_of(9, 3);
+    hello.role = Hello::Role::kCoordinator;
+    hello.busy = 2;
+    hello.units_per_second = 0.1;
+    hello.refusals = {{4, "other bits"}};
+    hello.trials = {{"walking, x", 17}};
+    const Result<Hello> read = parse_hello(hello_text(hello));
+    REQUIRE(read);
+    CHECK(*read == hello);
+    hello.name = std::string(39, 'a') + "\xc3\xa9\x1b[31m";
+    hello.refused = std::string(1'000, 'r');
+    for (std::uint64_t i = 0; i < 50; ++i)
+        hello.refusals.push_back({i, std::string(1'000, 'x')});
+    const ProofTrial trial{.name = std::string(40, 'n'), .digest = 1};
+    hello.trials.resize(10, trial);
+    const std::string text = hello_text(hello);
+    CHECK(text.size() <= 4'000);
+    const Result<Hello> cut = parse_hello(text);
+    REQUIRE(cut);
+    CHECK(cut->name == std::string(39, 'a'));
+    CHECK(cut->refusals.size() == 10);
+    CHECK_FALSE(parse_hello(""));
+    CHECK_FALSE(parse_hello(std::string(4'001, ' ')));
+}
+
+TEST_CASE("the proof set moves creatures towards every goal", "[cluster]") {
+    const std::vector<ProofTrial> trials = proof_trials(kinds());
+    CHECK(trials.size() == 2 * kinds().goals.size());
+    CHECK(trials == proof_trials(kinds()));
+    std::set<std::uint64_t> digests;
+    for (const ProofTrial& trial : trials)
+        digests.insert(trial.digest);
+    CHECK(digests.size() == trials.size());
+    std::vector<ProofTrial> other = trials;
+    other[1].digest ^= 1U;
+    CHECK(proof_of(other) != proof_of(trials));
+    CHECK(differing_trials(trials, other) == trials[1].name);
+    CHECK(differing_trials(trials, trials).empty());
+}
+
+TEST_CASE("answers to another batch are told apart", "[cluster]") {
+    Batch::Memory memory{.costs = {}, .trust = Trust(1), .counts = {}, .other_bits = {}};
+    auto genome = std::make_shared<Genome>();
+    genome->nodes.resize(1);
+    std::vector<EvaluationRequest> requests(3);
+    for (EvaluationRequest& request : requests)
+        request.genome = genome;
+    Batch batch(requests, 1, memory);
+    const Cores cores{.own = 1, .remote = 3};
+    const auto plan = batch.next_unit(0.0, cores);
+    REQUIRE(plan);
+    const auto answer = [&](std::uint32_t slot, std::uint64_t hash) {
+        UnitResult unit;
+        unit.worker = 1;
+        unit.results.push_back({slot, hash, with_fitness(1.0)});
+        return batch.take_result(plan->number, unit, cores);
+    };
+    CHECK_FALSE(answer(3, genome_hash(*genome)));
+    CHECK_FALSE(answer(0, genome_hash(*genome) ^ 1U));
+    CHECK(batch.settled() == 0);
+    CHECK(answer(0, genome_hash(*genome)));
+}

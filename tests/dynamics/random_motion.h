@@ -1,0 +1,19 @@
+#pragma once
+
+#include "core/random.h"
+#include "dynamics/motion.h"
+#include "dynamics/planar_model.h"
+
+namespace cambrian {
+
+// A creature in the middle of a movement: bent anyhow, with speeds of some m/s and rad/s.
+inline Motion random_motion(RandomStream& random, const PlanarModel& model) {
+    Motion motion = rest_motion(model);
+    for (int c = 0; c < coordinate_count(model); ++c) {
+        motion.position[c] += 0.5 * random.gauss();
+        motion.speed[c] = 3.0 * random.gauss();
+    }
+    return motion;
+}
+
+}  // namespace cambrian

@@ -1,0 +1,16 @@
+#pragma once
+
+// Whether a body plan is refused for a reason.
+
+#include "dynamics/model_building.h"
+
+#include <string>
+
+namespace cambrian::test {
+
+inline bool refused(const BodyPlan& plan, const std::string& reason) {
+    const auto model = build_planar_model(plan, 1.0);
+    return !model && model.error().message.find(reason) != std::string::npos;
+}
+
+}  // namespace cambrian::test

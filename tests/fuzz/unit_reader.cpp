@@ -1,0 +1,52 @@
+// Units of a cluster: requests that can be evaluated, or a message. Bytes that follow the line are
+// tried as they are and deflated, since hardly any change of deflated bytes gets past the first
+// check. What a process of its own is asked holds a unit too.
+
+#include "cluster/unit_child.h"
+#include "cluster/unit_text.h"
+#include "fuzz/fuzz_target.h"
+#include "persist/deflated_text.h"
+#include "support/kinds.h"
+
+#include <string>
+
+using namespace cambrian;
+using namespace cambrian::test;
+
+namespace {
+
+void read_and_write_again(std::string_view body) {
+    const auto outline = parse_unit_outline(body);
+    const auto unit = UnitReader(kinds()).read(body);
+    if (!unit) {
+        promise(unit.error().message.starts_with("cambrian-unit: "), "a refusal names the format");
+        return;
+    }
+    promise(outline.has_value(), "a unit that can be read has an outline");
+    promise(outline->terms == unit->terms, "the outline says what the unit says");
+    promise(!unit->requests.empty() && unit->requests.size() <= kMostUnitCreatures,
+            "a unit has some creatures");
+    UnitWriter writer(kinds());
+    const std::string text = writer.write(unit->terms, unit->requests);
+    const auto again = UnitReader(kinds()).read(text);
+    promise(again.has_value(), "what is written can be read");
+    promise(writer.write(again->terms, again->requests) == text,
+            "writing again gives the same bytes");
+}
+
+}  // namespace
+
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    const std::string_view bytes = text_of(data, size);
+    read_and_write_again(bytes);
+    const std::size_t line = bytes.find('\n');
+    if (line != std::string_view::npos) {
+        Deflater deflater;
+        std::string body(bytes.substr(0, line + 1));
+        read_and_write_again(body.append(deflater.deflate(bytes.substr(line + 1))));
+    }
+    if (bytes.starts_with("{ \"format\": \"cambrian-question\""))
+        promise(!answer_question(bytes.substr(0, bytes.size() / 2), kinds()),
+                "half a question has no answer");
+    return 0;
+}

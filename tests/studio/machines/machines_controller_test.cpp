@@ -1,0 +1,178 @@
+#include "studio/machines/machines_controller.h"
+
+#include "machines/scripted_cluster.h"
+#include "session_run.h"
+
+#include <future>
+
+namespace cambrian {
+namespace {
+
+using test::connected;
+using test::ScriptedCluster;
+using test::SessionRun;
+
+const ClusterLogin kLab = {"nats://lab-server", "cambrian", "", ""};
+
+// Always joins the same cluster; says how it was asked.
+struct Lab {
+    std::shared_ptr<ScriptedCluster> cluster = std::make_shared<ScriptedCluster>();
+    std::shared_ptr<std::vector<std::string>> asked = std::make_shared<std::vector<std::string>>();
+
+    MachineOptions options() const {
+        return {.workers = 2,
+                .join = [cluster = cluster, asked = asked](
+                            const ClusterAddress& address,
+                            std::size_t) -> Result<std::shared_ptr<EvaluationBackend>> {
+                    asked->push_back(address.servers.front());
+                    return std::shared_ptr<EvaluationBackend>(cluster);
+                }};
+    }
+};
+
+const MachinesView& machines_of(const SessionRun& run) {
+    return *run.session.frame_context().machines;
+}
+
+std::vector<std::uint64_t> champions_of(const SessionRun& run) {
+    std::vector<std::uint64_t> digests;
+    for (const JudgedIndividual& champion :
+         run.session.frame_context().experiment.snapshot.champions)
+        digests.push_back(champion.individual->result.digest);
+    return digests;
+}
+
+TEST_CASE("a cluster is joined and left during a run without a change of its champions",
+          "[studio][machines][threads]") {
+    SessionRun alone;
+    finish_generations(alone, 6);
+
+    const Lab lab;
+    SessionRun run(lab.options());
+    finish_generations(run, 2);
+    CHECK(lab.cluster->batches == 0);
+    run.ask(JoinCluster{kLab});
+    CHECK(machines_of(run).joining);
+    REQUIRE(run.frames_until([&] { return machines_of(run).joined; }));
+    CHECK_FALSE(machines_of(run).joining);
+    finish_generations(run, 4);
+    const int evaluated = lab.cluster->batches;
+    CHECK(evaluated >= 2);
+    run.ask(LeaveCluster{});
+    CHECK_FALSE(machines_of(run).joined);
+    finish_generations(run, 6);
+    CHECK(lab.cluster->batches == evaluated);
+    CHECK(champions_of(run) == champions_of(alone));
+    CHECK(*lab.asked == std::vector<std::string>{"nats://lab-server:4222"});
+}
+
+TEST_CASE("why a cluster cannot be joined is told, and the run goes on alone",
+          "[studio][machines][threads]") {
+    SessionRun run(MachineOptions{.workers = 2,
+                                  .join = [](const ClusterAddress& address, std::size_t)
+                                      -> Result<std::shared_ptr<EvaluationBackend>> {
+                                      return Error{address.servers.front() + " cannot be reached"};
+                                  }});
+    run.ask(JoinCluster{kLab});
+    REQUIRE(run.frames_until([&] { return !machines_of(run).joining; }));
+    CHECK_FALSE(machines_of(run).joined);
+    CHECK(machines_of(run).problem == "nats://lab-server:4222 cannot be reached");
+    REQUIRE(run.frames_until([&] { return run.session.feedback().notice() != nullptr; }));
+    CHECK(run.session.feedback().notice()->text.find("nats://lab-server:4222 cannot be reached") !=
+          std::string::npos);
+    finish_generations(run, 1);
+    run.ask(LeaveCluster{});
+    CHECK(machines_of(run).problem.empty());
+}
+
+TEST_CASE("an address that is none is told before anybody is reached",
+          "[studio][machines][threads]") {
+    for (const char* servers : {"http://lab", "nats://me:secret@lab", "tls://a,nats://b"}) {
+        const Lab lab;
+        SessionRun run(lab.options());
+        run.ask(JoinCluster{{servers, "", "", ""}});
+        REQUIRE(run.frames_until([&] { return !machines_of(run).joining; }));
+        CHECK_FALSE(machines_of(run).joined);
+        CHECK(machines_of(run).problem == cluster_address({servers, "", "", ""}).error().message);
+        CHECK(lab.asked->empty());
+    }
+}
+
+TEST_CASE("that others can read along is told on joining", "[studio][machines][threads]") {
+    const std::pair<const char*, bool> cases[] = {
+        {"nats://lab-server", true}, {"tls://lab-server", false}, {"nats://localhost", false}};
+    for (const auto& [servers, readable] : cases) {
+        const Lab lab;
+        SessionRun run(lab.options());
+        run.ask(JoinCluster{{servers, "", "", ""}});
+        REQUIRE(run.frames_until([&] { return machines_of(run).joined; }));
+        run.session.update(21.0, 0.001);
+        const Notice* notice = run.session.feedback().notice();
+        CHECK((notice != nullptr && notice->text.find("readable") != std::string::npos) ==
+              readable);
+    }
+}
+
+TEST_CASE("an attempt that ends after the person changed their mind counts no more",
+          "[studio][machines][threads]") {
+    std::promise<void> answered;
+    const auto cluster = std::make_shared<ScriptedCluster>();
+    SessionRun run(MachineOptions{
+        .workers = 2,
+        .join = [&, answer = answered.get_future().share()](const ClusterAddress&, std::size_t)
+            -> Result<std::shared_ptr<EvaluationBackend>> {
+            answer.wait();
+            return std::shared_ptr<EvaluationBackend>(cluster);
+        }});
+    run.ask(JoinCluster{kLab});
+    run.ask(LeaveCluster{});
+    answered.set_value();
+    finish_generations(run, 1);
+    CHECK_FALSE(machines_of(run).joined);
+    CHECK(cluster->batches == 0);
+    CHECK(run.log().find("cluster joined") == std::string::npos);
+}
+
+TEST_CASE("the remembered cluster is joined again if it was joined at the end",
+          "[studio][machines][threads]") {
+    for (const bool joined : {true, false}) {
+        const Lab lab;
+        SessionRun run(lab.options(), {kLab, joined});
+        run.frames_until([&] { return machines_of(run).joined || !joined; });
+        CHECK(machines_of(run).joined == joined);
+        CHECK(machines_of(run).login == kLab);
+        CHECK(run.session.machines().memory() == ClusterMemory{kLab, joined});
+    }
+    const Lab lab;
+    MachineOptions options = lab.options();
+    options.cluster = ClusterLogin{"nats://other", "second", "", ""};
+    SessionRun run(options, {kLab, true});
+    REQUIRE(run.frames_until([&] { return machines_of(run).joined; }));
+    CHECK(*lab.asked == std::vector<std::string>{"nats://other:4222"});
+}
+
+TEST_CASE("a cluster that goes away and comes back is told of both times",
+          "[studio][machines][threads]") {
+    const Lab lab;
+    lab.cluster->say(connected(3));
+    SessionRun run(lab.options());
+    run.ask(JoinCluster{kLab});
+    const auto link = [&] { return machines_of(run).status.link; };
+    REQUIRE(run.frames_until([&] { return link() == ClusterLink::kConnected; }));
+    CHECK(totals(machines_of(run).status).cores == 24);
+    BackendStatus away = connected(1);
+    away.link = ClusterLink::kAway;
+    lab.cluster->say(away);
+    REQUIRE(run.frames_until([&] { return link() == ClusterLink::kAway; }));
+    REQUIRE(run.frames_until([&] { return run.session.feedback().notice() != nullptr; }));
+    CHECK(run.session.feedback().notice()->text.find("working alone") != std::string::npos);
+    lab.cluster->say(connected(3));
+    REQUIRE(run.frames_until([&] {
+        const Notice* notice = run.session.feedback().notice();
+        return notice != nullptr && notice->text == "The cluster is back.";
+    }));
+    CHECK(run.log().find("\"link\":\"away\"") != std::string::npos);
+}
+
+}  // namespace
+}  // namespace cambrian
