@@ -1,6 +1,6 @@
 #pragma once
 
-#include "evolution/evolution_kinds.h"
+#include "evolution/kinds/evolution_kinds.h"
 
 namespace cambrian {
 

@@ -5,8 +5,8 @@
 #include "breeding/gene_sites.h"
 #include "breeding/methods.h"
 #include "core/assert.h"
+#include "genome/founders/random_gene.h"
 #include "genome/genome_graph.h"
-#include "genome/random_gene.h"
 
 namespace cambrian {
 namespace {

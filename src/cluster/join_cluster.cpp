@@ -1,11 +1,11 @@
 #include "cluster/join_cluster.h"
 
-#include "cluster/cluster_backend.h"
-#include "cluster/cluster_connection.h"
-#include "cluster/text_for_people.h"
-#include "cluster/unit_process.h"
+#include "cluster/connection/cluster_connection.h"
+#include "cluster/coordinator/cluster_backend.h"
+#include "cluster/messages/text_for_people.h"
+#include "cluster/units/unit_process.h"
 #include "core/hash.h"
-#include "persist/digest_text.h"
+#include "persist/text/digest_text.h"
 
 #include <array>
 #include <random>

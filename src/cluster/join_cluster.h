@@ -2,11 +2,11 @@
 
 // From an address to a back-end: what a program that evolves needs of this layer.
 
-#include "cluster/cluster_address.h"
+#include "cluster/connection/cluster_address.h"
 #include "core/result.h"
 #include "core/threads/thread_priority.h"
-#include "evolution/evaluation_backend.h"
-#include "evolution/evolution_kinds.h"
+#include "evolution/evaluation/evaluation_backend.h"
+#include "evolution/kinds/evolution_kinds.h"
 
 #include <cstddef>
 #include <filesystem>

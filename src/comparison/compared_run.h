@@ -2,10 +2,10 @@
 
 // One evolution of a comparison: what it was, and what it came to after so many trials.
 
-#include "evolution/evaluation_backend.h"
-#include "evolution/evolution_kinds.h"
-#include "evolution/experiment_settings.h"
-#include "evolution/individual.h"
+#include "evolution/evaluation/evaluation_backend.h"
+#include "evolution/individual/individual.h"
+#include "evolution/kinds/evolution_kinds.h"
+#include "evolution/settings/experiment_settings.h"
 
 #include <atomic>
 #include <cstdint>

@@ -3,7 +3,7 @@
 #include "comparison/run_table.h"
 #include "core/files/file_io.h"
 #include "core/threads/thread_pool.h"
-#include "persist/creature_file.h"
+#include "persist/creature/creature_file.h"
 
 #include <algorithm>
 #include <mutex>

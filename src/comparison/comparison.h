@@ -4,7 +4,7 @@
 
 #include "comparison/compared_run.h"
 #include "core/result.h"
-#include "evolution/evaluation_backend.h"
+#include "evolution/evaluation/evaluation_backend.h"
 
 #include <atomic>
 #include <cstdint>

@@ -4,7 +4,7 @@
 
 #include "comparison/compared_run.h"
 #include "core/result.h"
-#include "persist/settings_file.h"
+#include "persist/settings/settings_file.h"
 
 #include <cstdint>
 #include <string>

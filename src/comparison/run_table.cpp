@@ -2,7 +2,7 @@
 
 #include "core/files/file_io.h"
 #include "core/text/number_text.h"
-#include "persist/columns.h"
+#include "persist/sqlite/columns.h"
 
 #include <array>
 #include <charconv>

@@ -1,10 +1,10 @@
 #include "dynamics/model_building.h"
 
-#include "dynamics/collision_filter.h"
-#include "dynamics/elimination.h"
-#include "dynamics/invariants.h"
-#include "dynamics/motors.h"
-#include "dynamics/pins.h"
+#include "dynamics/articulated/elimination.h"
+#include "dynamics/constraints/invariants.h"
+#include "dynamics/forces/motors.h"
+#include "dynamics/model/collision_filter.h"
+#include "dynamics/model/pins.h"
 #include "math/elementary.h"
 
 #include <cmath>

@@ -4,7 +4,7 @@
 // joint inertia and the list of boxes that may collide (physics.md 3).
 
 #include "core/result.h"
-#include "dynamics/planar_model.h"
+#include "dynamics/model/planar_model.h"
 
 namespace cambrian {
 

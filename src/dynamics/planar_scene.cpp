@@ -1,10 +1,10 @@
 #include "core/assert.h"
 #include "core/text/nearest_name.h"
-#include "dynamics/audit.h"
-#include "dynamics/builtin_integrators.h"
+#include "dynamics/integrators/builtin_integrators.h"
 #include "dynamics/model_building.h"
 #include "dynamics/scene_copies.h"
-#include "dynamics/step_control.h"
+#include "dynamics/stepping/audit.h"
+#include "dynamics/stepping/step_control.h"
 #include "math/angle.h"
 
 #include <algorithm>

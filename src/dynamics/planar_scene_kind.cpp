@@ -1,5 +1,5 @@
-#include "dynamics/builtin_integrators.h"
-#include "dynamics/builtin_joints.h"
+#include "dynamics/integrators/builtin_integrators.h"
+#include "dynamics/joints/builtin_joints.h"
 #include "dynamics/planar_scene.h"
 #include "dynamics/scene_copies.h"
 

@@ -1,9 +1,9 @@
 #include "evolution/evolution.h"
 
 #include "breeding/mutation.h"
+#include "evolution/evaluation/trials.h"
 #include "evolution/generation.h"
-#include "evolution/map_axis.h"
-#include "evolution/trials.h"
+#include "evolution/individual/map_axis.h"
 
 #include <algorithm>
 #include <cmath>

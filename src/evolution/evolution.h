@@ -3,10 +3,10 @@
 // The loop itself, without threads of its own: a population, evaluated and bred generation by
 // generation. The command line drives one directly, the studio through the engine thread.
 
-#include "evolution/confirmation.h"
-#include "evolution/evaluation_backend.h"
-#include "evolution/evolution_kinds.h"
-#include "evolution/statistics.h"
+#include "evolution/evaluation/confirmation.h"
+#include "evolution/evaluation/evaluation_backend.h"
+#include "evolution/individual/statistics.h"
+#include "evolution/kinds/evolution_kinds.h"
 
 #include <cstdint>
 #include <map>

@@ -1,8 +1,8 @@
 #include "evolution/generation.h"
 
 #include "breeding/mutation.h"
-#include "evolution/quotas.h"
-#include "genome/random_genome.h"
+#include "evolution/selections/quotas.h"
+#include "genome/founders/random_genome.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "evolution/evolution_kinds.h"
-#include "evolution/individual.h"
+#include "evolution/individual/individual.h"
+#include "evolution/kinds/evolution_kinds.h"
 
 #include <cstdint>
 #include <span>

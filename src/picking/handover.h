@@ -2,8 +2,8 @@
 
 // From selection by hand back to automatic evolution.
 
-#include "evolution/command.h"
-#include "evolution/individual.h"
+#include "evolution/engine/command.h"
+#include "evolution/individual/individual.h"
 
 #include <span>
 #include <vector>

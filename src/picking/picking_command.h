@@ -3,8 +3,8 @@
 // What a person may ask for while picking. Plain values. One that makes no sense is refused: it
 // changes nothing but the snapshot's message.
 
-#include "evolution/experiment_settings.h"
-#include "evolution/individual.h"
+#include "evolution/individual/individual.h"
+#include "evolution/settings/experiment_settings.h"
 #include "picking/grid/grid_settings.h"
 #include "picking/picking_snapshot.h"
 

@@ -5,7 +5,7 @@
 
 #include "core/threads/snapshot_channel.h"
 #include "core/threads/worker_inbox.h"
-#include "evolution/evaluation_backend.h"
+#include "evolution/evaluation/evaluation_backend.h"
 #include "picking/picking_session.h"
 
 #include <memory>

@@ -4,8 +4,8 @@
 // same commands with the same work between them give the same grids, whoever evaluates; and grids
 // depend only on picks, settings and their number, not on what was bred ahead in vain.
 
-#include "evolution/evaluation_backend.h"
-#include "evolution/evolution_kinds.h"
+#include "evolution/evaluation/evaluation_backend.h"
+#include "evolution/kinds/evolution_kinds.h"
 #include "picking/assistance.h"
 #include "picking/grid/grid_making.h"
 #include "picking/picking_command.h"

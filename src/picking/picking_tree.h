@@ -4,8 +4,8 @@
 // lost or overwritten. A value; copies share the grids.
 
 #include "core/result.h"
-#include "evolution/experiment_settings.h"
-#include "evolution/judged_individual.h"
+#include "evolution/individual/judged_individual.h"
+#include "evolution/settings/experiment_settings.h"
 #include "picking/grid/grid_settings.h"
 
 #include <cstddef>

@@ -1,6 +1,6 @@
 #include "render/picture_stamp.h"
 
-#include "render/gl.h"
+#include "render/opengl/gl.h"
 
 #include <cstdint>
 #include <string_view>

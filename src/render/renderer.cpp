@@ -4,7 +4,7 @@
 
 #include "render/renderer.h"
 
-#include "render/gl.h"
+#include "render/opengl/gl.h"
 
 #include <cmath>
 #include <utility>

@@ -4,10 +4,10 @@
 // multisampling is needed and the software renderer stays fast.
 
 #include "render/camera.h"
+#include "render/opengl/shader.h"
+#include "render/opengl/vertex_buffer.h"
 #include "render/pixel_rect.h"
 #include "render/scene_frame.h"
-#include "render/shader.h"
-#include "render/vertex_buffer.h"
 
 #include <memory>
 #include <span>

@@ -2,7 +2,7 @@
 
 #include "core/files/file_io.h"
 #include "core/text/pretty_text.h"
-#include "persist/settings_file.h"
+#include "persist/settings/settings_file.h"
 #include "studio/experiment/timeline_plots.h"
 #include "studio/look/overlays.h"
 #include "studio/panels/generations/tile_list.h"

@@ -4,8 +4,8 @@
 // edited and which experiment was open.
 
 #include "core/result.h"
-#include "evolution/evolution_kinds.h"
-#include "evolution/experiment_settings.h"
+#include "evolution/kinds/evolution_kinds.h"
+#include "evolution/settings/experiment_settings.h"
 #include "studio/look/view_state.h"
 #include "studio/machines/cluster_memory.h"
 

@@ -4,7 +4,7 @@
 // like.
 
 #include "core/result.h"
-#include "evolution/evolution_kinds.h"
+#include "evolution/kinds/evolution_kinds.h"
 #include "pictures/canvas/palette.h"
 #include "studio/host/window.h"
 #include "studio/machines/machine_options.h"

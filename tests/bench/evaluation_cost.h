@@ -3,8 +3,8 @@
 // Where the time of one evaluation goes. The trial is run twice: as evolution does, and as bare
 // physics that gets the same motor targets; the difference is control and bookkeeping.
 
-#include "evolution/evolution_kinds.h"
-#include "evolution/experiment_settings.h"
+#include "evolution/kinds/evolution_kinds.h"
+#include "evolution/settings/experiment_settings.h"
 
 namespace cambrian::bench {
 

@@ -5,10 +5,10 @@
 #include "bench/write_table.h"
 #include "core/stopwatch.h"
 #include "core/threads/thread_pool.h"
+#include "evolution/evaluation/longest_first.h"
+#include "evolution/evaluation/trials.h"
 #include "evolution/evolution.h"
-#include "evolution/longest_first.h"
-#include "evolution/trials.h"
-#include "persist/settings_file.h"
+#include "persist/settings/settings_file.h"
 
 #include <CLI/CLI.hpp>
 

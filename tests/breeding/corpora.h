@@ -5,7 +5,7 @@
 #include "brain/neuron_function.h"
 #include "breeding/breeding_kind.h"
 #include "breeding/mutation.h"
-#include "genome/random_genome.h"
+#include "genome/founders/random_genome.h"
 #include "genome/small_catalog.h"
 
 #include <vector>

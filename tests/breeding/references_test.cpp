@@ -2,7 +2,7 @@
 
 #include "breeding/corpora.h"
 #include "breeding/gene_sites.h"
-#include "genome/enabled_kinds.h"
+#include "genome/founders/enabled_kinds.h"
 #include "support/catch.h"
 
 #include <algorithm>

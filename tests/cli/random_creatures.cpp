@@ -1,9 +1,9 @@
 // Prints the files of so many random creatures as one JSON list: founders, and genomes repaired
 // from garbage, which are at the ends of their ranges.
 
+#include "genome/founders/random_genome.h"
 #include "genome/random_garbage.h"
-#include "genome/random_genome.h"
-#include "persist/creature_file.h"
+#include "persist/creature/creature_file.h"
 #include "support/kinds.h"
 
 #include <cstdio>

@@ -1,4 +1,4 @@
-#include "cluster/cluster_address.h"
+#include "cluster/connection/cluster_address.h"
 
 #include <catch2/catch.hpp>
 

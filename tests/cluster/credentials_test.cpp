@@ -1,4 +1,4 @@
-#include "cluster/credentials.h"
+#include "cluster/connection/credentials.h"
 
 #include "support/temporary_directory.h"
 

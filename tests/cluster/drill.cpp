@@ -3,7 +3,7 @@
 #include "core/random.h"
 #include "evolution/backends/thread_pool_backend.h"
 #include "evolution/evolution.h"
-#include "evolution/population_digest.h"
+#include "evolution/individual/population_digest.h"
 #include "support/kinds.h"
 
 #include <map>

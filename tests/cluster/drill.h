@@ -3,10 +3,10 @@
 // A run over a cluster whose server is in memory and whose workers are threads, any of which can be
 // made to vanish. Its digests are compared with those of the same run on one thread of one machine.
 
-#include "cluster/cluster_backend.h"
+#include "cluster/coordinator/cluster_backend.h"
 #include "cluster/memory_work_queue.h"
-#include "cluster/worker.h"
-#include "evolution/experiment_settings.h"
+#include "cluster/worker/worker.h"
+#include "evolution/settings/experiment_settings.h"
 
 #include <atomic>
 #include <cstdint>

@@ -1,13 +1,13 @@
 // Who has what, sizes, trust and presence, with a clock that the test says.
 
-#include "cluster/answers.h"
-#include "cluster/batch.h"
-#include "cluster/hello_text.h"
-#include "cluster/proof_set.h"
-#include "cluster/trust.h"
-#include "cluster/unit_ledger.h"
-#include "cluster/unit_sizing.h"
-#include "cluster/worker_roll.h"
+#include "cluster/coordinator/answers.h"
+#include "cluster/coordinator/batch.h"
+#include "cluster/coordinator/trust.h"
+#include "cluster/coordinator/unit_ledger.h"
+#include "cluster/coordinator/unit_sizing.h"
+#include "cluster/coordinator/worker_roll.h"
+#include "cluster/messages/hello_text.h"
+#include "cluster/messages/proof_set.h"
 #include "support/catch.h"
 #include "support/kinds.h"
 

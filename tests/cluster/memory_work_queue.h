@@ -3,7 +3,7 @@
 // A message queue in this process, which loses, delays, repeats and reorders messages on command,
 // as decided by a seed. Times are short: what takes a server ten seconds takes it a fifth of one.
 
-#include "cluster/work_queue.h"
+#include "cluster/messages/work_queue.h"
 
 #include <chrono>
 #include <cstdint>

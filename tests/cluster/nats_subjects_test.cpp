@@ -1,4 +1,4 @@
-#include "cluster/nats_subjects.h"
+#include "cluster/nats/nats_subjects.h"
 
 #include <catch2/catch.hpp>
 

@@ -1,6 +1,6 @@
-#include "cluster/result_text.h"
+#include "cluster/messages/result_text.h"
 
-#include "cluster/exact_real.h"
+#include "cluster/messages/exact_real.h"
 #include "core/random.h"
 #include "support/catch.h"
 

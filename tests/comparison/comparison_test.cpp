@@ -3,7 +3,7 @@
 #include "comparison/plan.h"
 #include "comparison/run_table.h"
 #include "evolution/backends/thread_pool_backend.h"
-#include "persist/creature_file.h"
+#include "persist/creature/creature_file.h"
 #include "support/catch.h"
 #include "support/fake_backend.h"
 #include "support/kinds.h"

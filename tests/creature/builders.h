@@ -2,7 +2,7 @@
 
 #include "creature/fake_scene.h"
 #include "creature/phenotype.h"
-#include "genome/random_genome.h"
+#include "genome/founders/random_genome.h"
 
 namespace cambrian {
 

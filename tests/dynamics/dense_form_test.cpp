@@ -1,12 +1,12 @@
-#include "dynamics/dense_form.h"
+#include "dynamics/model/dense_form.h"
 
-#include "dynamics/accelerations.h"
 #include "dynamics/bodies.h"
-#include "dynamics/dense_evaluation.h"
-#include "dynamics/dense_response.h"
+#include "dynamics/constraints/rows.h"
+#include "dynamics/evaluation/accelerations.h"
+#include "dynamics/evaluation/dense_evaluation.h"
+#include "dynamics/evaluation/dense_response.h"
 #include "dynamics/model_building.h"
 #include "dynamics/random_motion.h"
-#include "dynamics/rows.h"
 #include "support/catch.h"
 
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "dynamics/drag.h"
+#include "dynamics/forces/drag.h"
 
 #include "dynamics/rig.h"
 #include "support/catch.h"

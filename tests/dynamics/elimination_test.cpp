@@ -1,9 +1,9 @@
-#include "dynamics/elimination.h"
+#include "dynamics/articulated/elimination.h"
 
+#include "dynamics/articulated/least_squares_dynamics.h"
+#include "dynamics/articulated/paired_impulses.h"
 #include "dynamics/bodies.h"
-#include "dynamics/least_squares_dynamics.h"
 #include "dynamics/model_building.h"
-#include "dynamics/paired_impulses.h"
 #include "support/catch.h"
 
 #include <cmath>

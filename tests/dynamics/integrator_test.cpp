@@ -1,5 +1,5 @@
-#include "dynamics/dense_output.h"
 #include "dynamics/rig.h"
+#include "dynamics/stepping/dense_output.h"
 #include "support/catch.h"
 
 #include <cmath>

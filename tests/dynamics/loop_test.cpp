@@ -1,8 +1,8 @@
 // Closed loops, which only the reference integrator holds.
 
-#include "dynamics/least_squares_dynamics.h"
-#include "dynamics/loop_closure.h"
-#include "dynamics/pins.h"
+#include "dynamics/articulated/least_squares_dynamics.h"
+#include "dynamics/articulated/loop_closure.h"
+#include "dynamics/model/pins.h"
 #include "dynamics/refused_plan.h"
 #include "dynamics/rig.h"
 #include "support/catch.h"

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/random.h"
-#include "dynamics/motion.h"
-#include "dynamics/planar_model.h"
+#include "dynamics/model/motion.h"
+#include "dynamics/model/planar_model.h"
 
 namespace cambrian {
 

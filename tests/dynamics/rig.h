@@ -2,10 +2,10 @@
 
 // Physics without the scene around it, so that tests can choose speeds.
 
-#include "dynamics/audit.h"
 #include "dynamics/bodies.h"
-#include "dynamics/builtin_integrators.h"
+#include "dynamics/integrators/builtin_integrators.h"
 #include "dynamics/model_building.h"
+#include "dynamics/stepping/audit.h"
 
 namespace cambrian {
 

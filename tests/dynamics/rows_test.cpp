@@ -1,4 +1,4 @@
-#include "dynamics/rows.h"
+#include "dynamics/constraints/rows.h"
 
 #include "dynamics/bodies.h"
 #include "dynamics/model_building.h"

@@ -1,4 +1,4 @@
-#include "dynamics/box_contacts.h"
+#include "dynamics/contact/box_contacts.h"
 #include "dynamics/rig.h"
 #include "support/catch.h"
 

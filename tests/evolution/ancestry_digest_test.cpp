@@ -1,4 +1,4 @@
-#include "evolution/ancestry_digest.h"
+#include "evolution/individual/ancestry_digest.h"
 
 #include "support/catch.h"
 

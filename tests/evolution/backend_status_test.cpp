@@ -1,4 +1,4 @@
-#include "evolution/backend_status.h"
+#include "evolution/evaluation/backend_status.h"
 
 #include "evolution/backends/thread_pool_backend.h"
 #include "evolution/evolution.h"

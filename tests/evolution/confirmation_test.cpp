@@ -1,10 +1,10 @@
 // Survivors are evaluated again in slightly different worlds, which tells merit from luck.
-#include "evolution/confirmation.h"
+#include "evolution/evaluation/confirmation.h"
 
 #include "evolution/backends/thread_pool_backend.h"
+#include "evolution/evaluation/trials.h"
 #include "evolution/evolution.h"
-#include "evolution/population_digest.h"
-#include "evolution/trials.h"
+#include "evolution/individual/population_digest.h"
 #include "support/catch.h"
 #include "support/creatures.h"
 #include "support/fake_backend.h"

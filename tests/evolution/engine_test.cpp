@@ -1,4 +1,4 @@
-#include "evolution/engine.h"
+#include "evolution/engine/engine.h"
 
 #include "support/catch.h"
 #include "support/fake_backend.h"

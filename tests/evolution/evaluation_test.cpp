@@ -1,5 +1,5 @@
 // What settings make of one and the same creature.
-#include "evolution/evaluation.h"
+#include "evolution/evaluation/evaluation.h"
 
 #include "support/catch.h"
 #include "support/creatures.h"

@@ -1,7 +1,7 @@
 #include "evolution/evolution.h"
 
-#include "evolution/setting_field.h"
-#include "genome/random_genome.h"
+#include "evolution/fields/setting_field.h"
+#include "genome/founders/random_genome.h"
 #include "support/catch.h"
 #include "support/fake_backend.h"
 #include "support/kinds.h"

@@ -2,9 +2,9 @@
 
 #include "core/random.h"
 #include "evolution/backends/thread_pool_backend.h"
-#include "evolution/evaluation.h"
-#include "evolution/setting_field.h"
-#include "genome/random_genome.h"
+#include "evolution/evaluation/evaluation.h"
+#include "evolution/fields/setting_field.h"
+#include "genome/founders/random_genome.h"
 #include "support/catch.h"
 #include "support/creatures.h"
 #include "support/kinds.h"

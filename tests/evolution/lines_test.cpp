@@ -1,5 +1,5 @@
 // Founder lines and body plans: who belongs to which, and how many of each survive.
-#include "evolution/evaluation.h"
+#include "evolution/evaluation/evaluation.h"
 #include "evolution/evolution.h"
 #include "evolution/generation.h"
 #include "evolution/selections/survival.h"

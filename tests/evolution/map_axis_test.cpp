@@ -1,4 +1,4 @@
-#include "evolution/map_axis.h"
+#include "evolution/individual/map_axis.h"
 
 #include "support/catch.h"
 #include "support/individuals.h"

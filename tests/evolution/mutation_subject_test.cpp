@@ -1,7 +1,7 @@
 // Operators change what they are listed under, the body or the brain.
 
-#include "evolution/individual.h"
-#include "genome/random_genome.h"
+#include "evolution/individual/individual.h"
+#include "genome/founders/random_genome.h"
 #include "support/catch.h"
 #include "support/kinds.h"
 

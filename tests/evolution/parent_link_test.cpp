@@ -1,4 +1,4 @@
-#include "evolution/parent_link.h"
+#include "evolution/individual/parent_link.h"
 
 #include "evolution/evolution.h"
 #include "support/catch.h"

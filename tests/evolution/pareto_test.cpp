@@ -1,4 +1,4 @@
-#include "evolution/pareto.h"
+#include "evolution/selections/pareto.h"
 
 #include "core/random.h"
 #include "support/catch.h"

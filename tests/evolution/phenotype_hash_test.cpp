@@ -1,8 +1,8 @@
 #include "creature/phenotype_hash.h"
 
 #include "breeding/mutation.h"
-#include "evolution/evaluation.h"
-#include "genome/random_genome.h"
+#include "evolution/evaluation/evaluation.h"
+#include "genome/founders/random_genome.h"
 #include "support/catch.h"
 #include "support/kinds.h"
 

@@ -1,4 +1,4 @@
-#include "evolution/quotas.h"
+#include "evolution/selections/quotas.h"
 
 #include "core/random.h"
 #include "support/catch.h"

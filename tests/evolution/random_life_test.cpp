@@ -2,7 +2,7 @@
 // CAMBRIAN_RANDOM_GENOMES=100000 in the environment sets the number, as for a release.
 #include "breeding/mutation.h"
 #include "core/threads/thread_pool.h"
-#include "genome/random_genome.h"
+#include "genome/founders/random_genome.h"
 #include "simulator/trial.h"
 #include "support/catch.h"
 #include "support/kinds.h"

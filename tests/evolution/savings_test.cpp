@@ -1,8 +1,8 @@
 // What is not computed must not change who survives (evolution/README.md 4).
 #include "evolution/backends/thread_pool_backend.h"
+#include "evolution/evaluation/longest_first.h"
+#include "evolution/evaluation/trials.h"
 #include "evolution/evolution.h"
-#include "evolution/longest_first.h"
-#include "evolution/trials.h"
 #include "support/catch.h"
 #include "support/creatures.h"
 #include "support/kinds.h"

@@ -1,6 +1,6 @@
 // The schemes of evolution/README.md 2, each by what sets it apart.
-#include "evolution/map_axis.h"
-#include "evolution/selection.h"
+#include "evolution/individual/map_axis.h"
+#include "evolution/selections/selection.h"
 #include "support/catch.h"
 #include "support/individuals.h"
 #include "support/kinds.h"

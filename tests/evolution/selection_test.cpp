@@ -1,4 +1,4 @@
-#include "evolution/selection.h"
+#include "evolution/selections/selection.h"
 
 #include "support/catch.h"
 #include "support/individuals.h"

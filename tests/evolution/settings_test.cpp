@@ -1,4 +1,4 @@
-#include "evolution/setting_field.h"
+#include "evolution/fields/setting_field.h"
 #include "genome/source_rules.h"
 #include "support/catch.h"
 #include "support/kinds.h"

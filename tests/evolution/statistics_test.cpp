@@ -1,4 +1,4 @@
-#include "evolution/statistics.h"
+#include "evolution/individual/statistics.h"
 
 #include "support/catch.h"
 #include "support/individuals.h"

@@ -1,4 +1,4 @@
-#include "evolution/stopping.h"
+#include "evolution/engine/stopping.h"
 
 #include "support/catch.h"
 

@@ -1,5 +1,5 @@
 // Several trials with jitter, simulator/README.md 1.
-#include "evolution/trials.h"
+#include "evolution/evaluation/trials.h"
 
 #include "support/catch.h"
 #include "support/creatures.h"

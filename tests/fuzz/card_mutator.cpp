@@ -2,7 +2,7 @@
 // set right again, and inside the compressed text of a chunk that has one. Otherwise hardly any
 // change would come further than to the first checksum.
 
-#include "persist/deflated_text.h"
+#include "persist/text/deflated_text.h"
 
 #include <algorithm>
 #include <array>

@@ -2,8 +2,8 @@
 // it is, and is then read as a creature file.
 
 #include "fuzz/fuzz_target.h"
-#include "persist/creature_card.h"
-#include "persist/creature_file.h"
+#include "persist/creature/creature_card.h"
+#include "persist/creature/creature_file.h"
 #include "support/kinds.h"
 
 using namespace cambrian;

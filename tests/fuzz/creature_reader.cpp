@@ -2,7 +2,7 @@
 // can be grown, and moves for a tenth of a second within the work it is allowed.
 
 #include "fuzz/fuzz_target.h"
-#include "persist/creature_file.h"
+#include "persist/creature/creature_file.h"
 #include "simulator/trial.h"
 #include "support/kinds.h"
 

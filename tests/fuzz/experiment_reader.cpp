@@ -4,16 +4,16 @@
 // of the tables of a sound experiment, one that begins with P replaces bytes of its pages, and any
 // other is a file of its own.
 
-#include "persist/experiment_reader.h"
+#include "persist/experiment/experiment_reader.h"
 
-#include "evolution/population_digest.h"
-#include "evolution/setting_field.h"
+#include "evolution/fields/setting_field.h"
+#include "evolution/individual/population_digest.h"
 #include "fuzz/byte_source.h"
 #include "fuzz/experiment_sample.h"
 #include "fuzz/fuzz_target.h"
 #include "fuzz/table_edits.h"
-#include "persist/experiment_file.h"
-#include "persist/individual_reader.h"
+#include "persist/experiment/experiment_file.h"
+#include "persist/records/individual_reader.h"
 #include "support/kinds.h"
 #include "support/temporary_directory.h"
 

@@ -4,9 +4,9 @@
 #include "evolution/evolution.h"
 #include "fuzz/fuzz_target.h"
 #include "genome/genome.h"
-#include "persist/database.h"
-#include "persist/experiment_file.h"
-#include "persist/settings_file.h"
+#include "persist/experiment/experiment_file.h"
+#include "persist/settings/settings_file.h"
+#include "persist/sqlite/database.h"
 #include "support/kinds.h"
 #include "support/temporary_directory.h"
 

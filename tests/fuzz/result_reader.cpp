@@ -1,9 +1,9 @@
 // Results of a cluster's units and what its members say of themselves: values, or a message.
 
-#include "cluster/hello_text.h"
-#include "cluster/result_text.h"
-#include "cluster/unit_text.h"
-#include "cluster/work_queue.h"
+#include "cluster/messages/hello_text.h"
+#include "cluster/messages/result_text.h"
+#include "cluster/messages/unit_text.h"
+#include "cluster/messages/work_queue.h"
 #include "fuzz/fuzz_target.h"
 
 using namespace cambrian;

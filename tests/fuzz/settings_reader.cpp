@@ -1,9 +1,9 @@
 // Settings files: settings that pass their check, or a message; what is loaded is written and read
 // again as it was.
 
-#include "evolution/setting_field.h"
+#include "evolution/fields/setting_field.h"
 #include "fuzz/fuzz_target.h"
-#include "persist/settings_file.h"
+#include "persist/settings/settings_file.h"
 #include "support/kinds.h"
 
 using namespace cambrian;

@@ -2,7 +2,7 @@
 
 #include "fuzz/fuzz_target.h"
 #include "genome/genome.h"
-#include "persist/creature_file.h"
+#include "persist/creature/creature_file.h"
 #include "support/kinds.h"
 
 #include <utility>

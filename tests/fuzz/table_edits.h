@@ -4,8 +4,8 @@
 // with all that says how long they are and whose.
 
 #include "fuzz/byte_source.h"
-#include "persist/database.h"
-#include "persist/deflated_text.h"
+#include "persist/sqlite/database.h"
+#include "persist/text/deflated_text.h"
 
 #include <optional>
 #include <string>

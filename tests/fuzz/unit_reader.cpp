@@ -2,10 +2,10 @@
 // tried as they are and deflated, since hardly any change of deflated bytes gets past the first
 // check. What a process of its own is asked holds a unit too.
 
-#include "cluster/unit_child.h"
-#include "cluster/unit_text.h"
+#include "cluster/messages/unit_text.h"
+#include "cluster/units/unit_child.h"
 #include "fuzz/fuzz_target.h"
-#include "persist/deflated_text.h"
+#include "persist/text/deflated_text.h"
 #include "support/kinds.h"
 
 #include <string>

@@ -1,5 +1,5 @@
+#include "genome/founders/random_genome.h"
 #include "genome/genome.h"
-#include "genome/random_genome.h"
 #include "genome/small_catalog.h"
 #include "support/catch.h"
 

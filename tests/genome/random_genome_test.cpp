@@ -1,6 +1,6 @@
-#include "genome/random_genome.h"
+#include "genome/founders/random_genome.h"
 
-#include "genome/enabled_kinds.h"
+#include "genome/founders/enabled_kinds.h"
 #include "genome/small_catalog.h"
 #include "genome/source_rules.h"
 #include "support/catch.h"

@@ -2,9 +2,9 @@
 // that goal; and each must truly play the trick that it is named after.
 #include "support/cheaters.h"
 
-#include "evolution/evaluation.h"
-#include "evolution/trials.h"
-#include "persist/creature_file.h"
+#include "evolution/evaluation/evaluation.h"
+#include "evolution/evaluation/trials.h"
+#include "persist/creature/creature_file.h"
 #include "simulator/trial.h"
 #include "support/catch.h"
 #include "support/kinds.h"

@@ -1,5 +1,5 @@
 // The ladders of goals/README.md 1 to 3: what only looks like it must not pay, what does it must.
-#include "evolution/evaluation.h"
+#include "evolution/evaluation/evaluation.h"
 #include "support/catch.h"
 #include "support/creatures.h"
 #include "support/kinds.h"

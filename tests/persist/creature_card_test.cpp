@@ -1,7 +1,7 @@
-#include "persist/creature_card.h"
+#include "persist/creature/creature_card.h"
 
 #include "core/files/file_io.h"
-#include "persist/png_file.h"
+#include "persist/creature/png_file.h"
 #include "persist/sample_creature.h"
 #include "support/catch.h"
 #include "support/temporary_directory.h"

@@ -2,7 +2,7 @@
 // must come of it.
 
 #include "core/files/file_io.h"
-#include "persist/creature_file.h"
+#include "persist/creature/creature_file.h"
 #include "support/catch.h"
 #include "support/kinds.h"
 

@@ -1,10 +1,10 @@
 // Whatever the bytes are, the loader gives a valid genome or a message.
 
 #include "core/random.h"
-#include "evolution/setting_field.h"
-#include "genome/random_genome.h"
+#include "evolution/fields/setting_field.h"
+#include "genome/founders/random_genome.h"
 #include "persist/sample_creature.h"
-#include "persist/settings_file.h"
+#include "persist/settings/settings_file.h"
 #include "support/catch.h"
 
 using namespace cambrian;

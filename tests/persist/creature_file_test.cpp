@@ -1,8 +1,8 @@
-#include "persist/creature_file.h"
+#include "persist/creature/creature_file.h"
 
 #include "core/random.h"
-#include "evolution/evaluation.h"
-#include "genome/random_genome.h"
+#include "evolution/evaluation/evaluation.h"
+#include "genome/founders/random_genome.h"
 #include "persist/sample_creature.h"
 #include "support/catch.h"
 #include "support/creatures.h"

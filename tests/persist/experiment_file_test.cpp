@@ -1,11 +1,11 @@
-#include "persist/experiment_file.h"
+#include "persist/experiment/experiment_file.h"
 
-#include "evolution/ancestry_digest.h"
-#include "evolution/population_digest.h"
-#include "persist/creature_file.h"
-#include "persist/experiment_parts.h"
-#include "persist/experiment_schema.h"
-#include "persist/settings_file.h"
+#include "evolution/individual/ancestry_digest.h"
+#include "evolution/individual/population_digest.h"
+#include "persist/creature/creature_file.h"
+#include "persist/experiment/experiment_parts.h"
+#include "persist/records/experiment_schema.h"
+#include "persist/settings/settings_file.h"
 #include "persist/steered_run.h"
 #include "support/temporary_directory.h"
 

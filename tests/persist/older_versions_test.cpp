@@ -1,11 +1,11 @@
 // Files kept from each version of the formats: tests/persist/versions/VERSION/.
 
 #include "core/files/file_io.h"
-#include "persist/creature_file.h"
-#include "persist/experiment_file.h"
-#include "persist/experiment_schema.h"
-#include "persist/rescoring.h"
-#include "persist/settings_file.h"
+#include "persist/creature/creature_file.h"
+#include "persist/creature/rescoring.h"
+#include "persist/experiment/experiment_file.h"
+#include "persist/records/experiment_schema.h"
+#include "persist/settings/settings_file.h"
 #include "persist/steered_run.h"
 #include "simulator/simulator_version.h"
 #include "support/temporary_directory.h"

@@ -1,4 +1,4 @@
-#include "persist/png_file.h"
+#include "persist/creature/png_file.h"
 
 #include "support/catch.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "persist/creature_file.h"
+#include "persist/creature/creature_file.h"
 #include "support/kinds.h"
 
 #include <string>

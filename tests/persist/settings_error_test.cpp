@@ -1,8 +1,8 @@
 // What can be wrong with a settings file: each message names the file, the line, the key, what was
 // expected and, where there is one, the nearest known name.
 
-#include "evolution/setting_field.h"
-#include "persist/settings_file.h"
+#include "evolution/fields/setting_field.h"
+#include "persist/settings/settings_file.h"
 #include "persist/settings_message.h"
 #include "support/catch.h"
 #include "support/kinds.h"

@@ -1,7 +1,7 @@
-#include "persist/settings_file.h"
+#include "persist/settings/settings_file.h"
 
 #include "core/random.h"
-#include "evolution/setting_field.h"
+#include "evolution/fields/setting_field.h"
 #include "persist/settings_message.h"
 #include "support/catch.h"
 #include "support/kinds.h"

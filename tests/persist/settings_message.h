@@ -2,7 +2,7 @@
 
 // What the reader of settings says of a text.
 
-#include "persist/settings_file.h"
+#include "persist/settings/settings_file.h"
 #include "support/kinds.h"
 
 #include <string>

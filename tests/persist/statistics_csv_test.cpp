@@ -1,4 +1,4 @@
-#include "persist/statistics_csv.h"
+#include "persist/records/statistics_csv.h"
 
 #include "support/catch.h"
 

@@ -3,8 +3,8 @@
 // A small evolution that is steered on its way, kept in a log.
 
 #include "evolution/backends/thread_pool_backend.h"
+#include "evolution/engine/experiment_log.h"
 #include "evolution/evolution.h"
-#include "evolution/experiment_log.h"
 #include "support/catch.h"
 #include "support/creatures.h"
 #include "support/kinds.h"

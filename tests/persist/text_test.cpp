@@ -1,6 +1,6 @@
-#include "persist/digest_text.h"
-#include "persist/error_list.h"
-#include "persist/quoted_text.h"
+#include "persist/text/digest_text.h"
+#include "persist/text/error_list.h"
+#include "persist/text/quoted_text.h"
 #include "support/catch.h"
 
 using namespace cambrian;

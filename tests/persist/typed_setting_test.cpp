@@ -1,4 +1,4 @@
-#include "persist/typed_setting.h"
+#include "persist/settings/typed_setting.h"
 
 #include "support/catch.h"
 #include "support/kinds.h"

@@ -3,7 +3,7 @@
 // Evaluation without physics: bodies are grown and measured at rest; nothing moves.
 
 #include "creature/phenotype_hash.h"
-#include "evolution/evaluation_backend.h"
+#include "evolution/evaluation/evaluation_backend.h"
 #include "support/kinds.h"
 
 #include <functional>

@@ -5,7 +5,7 @@
 #include "pictures/curves_picture.h"
 #include "pictures/scene/moment.h"
 #include "pictures/sheet.h"
-#include "render/offscreen_context.h"
+#include "render/opengl/offscreen_context.h"
 #include "support/creatures.h"
 #include "support/kinds.h"
 

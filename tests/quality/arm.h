@@ -2,7 +2,7 @@
 
 // Ways of searching that the benchmark compares; each changes the usual settings in one respect.
 
-#include "evolution/experiment_settings.h"
+#include "evolution/settings/experiment_settings.h"
 
 #include <span>
 #include <string_view>

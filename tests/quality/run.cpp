@@ -5,10 +5,10 @@
 #include "creature/phenotype.h"
 #include "evolution/backends/thread_pool_backend.h"
 #include "evolution/evolution.h"
-#include "evolution/map_axis.h"
+#include "evolution/individual/map_axis.h"
 #include "goals/sampling.h"
-#include "persist/creature_file.h"
-#include "persist/settings_file.h"
+#include "persist/creature/creature_file.h"
+#include "persist/settings/settings_file.h"
 #include "quality/arm.h"
 
 #include <algorithm>

@@ -2,8 +2,8 @@
 
 // One evolution of the quality benchmark (quality/README.md): what it was and what it came to.
 
-#include "evolution/evolution_kinds.h"
-#include "evolution/experiment_settings.h"
+#include "evolution/kinds/evolution_kinds.h"
+#include "evolution/settings/experiment_settings.h"
 
 #include <cstdint>
 #include <filesystem>

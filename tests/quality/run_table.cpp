@@ -2,7 +2,7 @@
 
 #include "core/files/file_io.h"
 #include "core/text/number_text.h"
-#include "persist/digest_text.h"
+#include "persist/text/digest_text.h"
 
 #include <charconv>
 #include <sstream>

@@ -1,4 +1,4 @@
-#include "genome/random_genome.h"
+#include "genome/founders/random_genome.h"
 #include "simulator/trial.h"
 #include "support/allocation_count.h"
 #include "support/catch.h"

@@ -5,8 +5,8 @@
 //   CAMBRIAN_STRESS_FRAMES=40000 CAMBRIAN_STRESS_SEED=2 build/tsan/bin/studio_tests '[stress]'
 
 #include "core/random.h"
-#include "persist/creature_file.h"
-#include "persist/settings_file.h"
+#include "persist/creature/creature_file.h"
+#include "persist/settings/settings_file.h"
 #include "session_run.h"
 
 #include <algorithm>

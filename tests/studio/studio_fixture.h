@@ -2,8 +2,8 @@
 
 // What panels see, put together without an engine: settings, an empty history, a creature.
 
+#include "evolution/engine/snapshot.h"
 #include "evolution/generation.h"
-#include "evolution/snapshot.h"
 #include "studio/frame/frame_context.h"
 #include "studio/frame/requests.h"
 #include "support/creatures.h"

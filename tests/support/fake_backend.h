@@ -3,7 +3,7 @@
 // An evaluation back-end without physics: fitness is a formula of the genome, and the work can be
 // made to stop after a number of evaluations.
 
-#include "evolution/evaluation_backend.h"
+#include "evolution/evaluation/evaluation_backend.h"
 #include "evolution/evolution.h"
 #include "support/catch.h"
 #include "support/kinds.h"

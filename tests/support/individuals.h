@@ -1,6 +1,6 @@
 #pragma once
 
-#include "evolution/individual.h"
+#include "evolution/individual/individual.h"
 
 #include <memory>
 #include <vector>

@@ -2,7 +2,7 @@
 
 // How a command says which cluster it means.
 
-#include "cluster/cluster_address.h"
+#include "cluster/connection/cluster_address.h"
 
 namespace CLI {  // NOLINT(readability-identifier-naming): the library's name
 class App;

@@ -2,7 +2,7 @@
 
 // What a run without a window says of the machines that work for it.
 
-#include "evolution/evaluation_backend.h"
+#include "evolution/evaluation/evaluation_backend.h"
 
 #include <functional>
 #include <string>

@@ -5,7 +5,7 @@
 #include "app/command_line/command_files.h"
 #include "app/process/exit_status.h"
 #include "core/registry.h"
-#include "evolution/evolution_kinds.h"
+#include "evolution/kinds/evolution_kinds.h"
 
 #include <memory>
 #include <string>

@@ -5,7 +5,7 @@
 #include "comparison/report.h"
 #include "core/files/file_io.h"
 #include "core/text/pretty_text.h"
-#include "persist/png_file.h"
+#include "persist/creature/png_file.h"
 #include "pictures/curves_picture.h"
 
 #include <utility>

@@ -2,8 +2,8 @@
 
 #include "app/process/json_text.h"
 #include "core/text/number_text.h"
-#include "persist/digest_text.h"
-#include "persist/quoted_text.h"
+#include "persist/text/digest_text.h"
+#include "persist/text/quoted_text.h"
 
 #include <algorithm>
 #include <cstdio>

@@ -10,15 +10,15 @@
 #include "cluster/join_cluster.h"
 #include "core/threads/thread_pool.h"
 #include "evolution/backends/thread_pool_backend.h"
+#include "evolution/engine/stopping.h"
 #include "evolution/evolution.h"
-#include "evolution/setting_field.h"
-#include "evolution/stopping.h"
-#include "persist/creature_file.h"
-#include "persist/experiment_file.h"
-#include "persist/experiment_parts.h"
-#include "persist/rescoring.h"
-#include "persist/settings_file.h"
-#include "persist/typed_setting.h"
+#include "evolution/fields/setting_field.h"
+#include "persist/creature/creature_file.h"
+#include "persist/creature/rescoring.h"
+#include "persist/experiment/experiment_file.h"
+#include "persist/experiment/experiment_parts.h"
+#include "persist/settings/settings_file.h"
+#include "persist/settings/typed_setting.h"
 
 #include <algorithm>
 #include <memory>

@@ -6,9 +6,9 @@
 
 #include "app/command_line/command_files.h"
 #include "app/process/exit_status.h"
-#include "cluster/cluster_address.h"
-#include "evolution/evolution_kinds.h"
-#include "evolution/experiment_settings.h"
+#include "cluster/connection/cluster_address.h"
+#include "evolution/kinds/evolution_kinds.h"
+#include "evolution/settings/experiment_settings.h"
 
 #include <cstddef>
 #include <filesystem>

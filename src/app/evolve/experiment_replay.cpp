@@ -1,6 +1,6 @@
 #include "app/evolve/experiment_replay.h"
 
-#include "evolution/population_digest.h"
+#include "evolution/individual/population_digest.h"
 
 namespace cambrian {
 

@@ -2,8 +2,8 @@
 
 // Computes an experiment again from its beginning, with every command at its time.
 
-#include "evolution/evaluation_backend.h"
-#include "evolution/experiment_log.h"
+#include "evolution/engine/experiment_log.h"
+#include "evolution/evaluation/evaluation_backend.h"
 #include "simulator/trial_watch.h"
 
 #include <cstdint>

@@ -2,8 +2,8 @@
 
 // An experiment whose scores come from another version of the simulator.
 
-#include "evolution/evaluation_backend.h"
-#include "persist/experiment_file.h"
+#include "evolution/evaluation/evaluation_backend.h"
+#include "persist/experiment/experiment_file.h"
 
 #include <filesystem>
 #include <optional>

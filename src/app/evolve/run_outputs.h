@@ -4,7 +4,7 @@
 
 #include "app/command_line/command_files.h"
 #include "core/result.h"
-#include "evolution/experiment_settings.h"
+#include "evolution/settings/experiment_settings.h"
 
 #include <filesystem>
 #include <string>

@@ -2,7 +2,7 @@
 
 #include "app/process/exit_status.h"
 #include "core/result.h"
-#include "evolution/evolution_kinds.h"
+#include "evolution/kinds/evolution_kinds.h"
 
 #include <string>
 

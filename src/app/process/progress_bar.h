@@ -4,7 +4,7 @@
 
 #include "app/process/progress_line.h"
 #include "core/result.h"
-#include "evolution/evaluation_backend.h"
+#include "evolution/evaluation/evaluation_backend.h"
 
 #include <cstdint>
 #include <functional>

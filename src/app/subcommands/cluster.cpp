@@ -2,12 +2,12 @@
 #include "app/process/json_text.h"
 #include "app/process/messages.h"
 #include "app/subcommands/subcommands.h"
-#include "cluster/cluster_connection.h"
-#include "cluster/hello_text.h"
+#include "cluster/connection/cluster_connection.h"
+#include "cluster/messages/hello_text.h"
 #include "core/text/counted.h"
 #include "core/text/number_text.h"
-#include "persist/digest_text.h"
-#include "persist/quoted_text.h"
+#include "persist/text/digest_text.h"
+#include "persist/text/quoted_text.h"
 
 #include <CLI/CLI.hpp>
 

@@ -16,7 +16,7 @@
 #include "core/text/pretty_text.h"
 #include "core/threads/thread_pool.h"
 #include "evolution/backends/thread_pool_backend.h"
-#include "persist/typed_setting.h"
+#include "persist/settings/typed_setting.h"
 
 #include <CLI/CLI.hpp>
 

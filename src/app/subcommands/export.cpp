@@ -5,10 +5,10 @@
 #include "app/process/messages.h"
 #include "app/subcommands/subcommands.h"
 #include "core/files/file_io.h"
-#include "persist/creature_file.h"
-#include "persist/experiment_parts.h"
-#include "persist/settings_file.h"
-#include "persist/statistics_csv.h"
+#include "persist/creature/creature_file.h"
+#include "persist/experiment/experiment_parts.h"
+#include "persist/records/statistics_csv.h"
+#include "persist/settings/settings_file.h"
 
 #include <CLI/CLI.hpp>
 

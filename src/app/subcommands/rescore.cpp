@@ -7,8 +7,8 @@
 #include "core/text/number_text.h"
 #include "core/threads/thread_pool.h"
 #include "evolution/backends/thread_pool_backend.h"
-#include "persist/creature_card.h"
-#include "persist/rescoring.h"
+#include "persist/creature/creature_card.h"
+#include "persist/creature/rescoring.h"
 
 #include <CLI/CLI.hpp>
 

@@ -1,6 +1,6 @@
 #include "app/process/messages.h"
 #include "app/subcommands/subcommands.h"
-#include "persist/creature_schema.h"
+#include "persist/creature/creature_schema.h"
 
 #include <CLI/CLI.hpp>
 

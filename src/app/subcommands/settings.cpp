@@ -3,8 +3,8 @@
 #include "app/process/messages.h"
 #include "app/subcommands/subcommands.h"
 #include "core/files/file_io.h"
-#include "persist/quoted_text.h"
-#include "persist/settings_file.h"
+#include "persist/settings/settings_file.h"
+#include "persist/text/quoted_text.h"
 
 #include <CLI/CLI.hpp>
 

@@ -10,11 +10,11 @@
 #include "app/trial/trial_report.h"
 #include "core/files/output_stream.h"
 #include "core/text/number_text.h"
-#include "evolution/evaluation.h"
-#include "evolution/setting_field.h"
-#include "evolution/trials.h"
-#include "persist/creature_file.h"
-#include "persist/typed_setting.h"
+#include "evolution/evaluation/evaluation.h"
+#include "evolution/evaluation/trials.h"
+#include "evolution/fields/setting_field.h"
+#include "persist/creature/creature_file.h"
+#include "persist/settings/typed_setting.h"
 
 #include <CLI/CLI.hpp>
 

@@ -8,11 +8,11 @@
 #include "core/text/number_text.h"
 #include "core/threads/thread_pool.h"
 #include "evolution/backends/thread_pool_backend.h"
-#include "evolution/evaluation.h"
-#include "persist/creature_file.h"
-#include "persist/digest_text.h"
-#include "persist/experiment_file.h"
-#include "persist/rescoring.h"
+#include "evolution/evaluation/evaluation.h"
+#include "persist/creature/creature_file.h"
+#include "persist/creature/rescoring.h"
+#include "persist/experiment/experiment_file.h"
+#include "persist/text/digest_text.h"
 
 #include <CLI/CLI.hpp>
 

@@ -2,7 +2,7 @@
 #include "app/command_line/window_options.h"
 #include "app/process/messages.h"
 #include "app/subcommands/subcommands.h"
-#include "persist/creature_file.h"
+#include "persist/creature/creature_file.h"
 
 #include <CLI/CLI.hpp>
 

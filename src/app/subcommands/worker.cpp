@@ -1,14 +1,14 @@
-#include "cluster/worker.h"
+#include "cluster/worker/worker.h"
 
 #include "app/cluster/cluster_options.h"
 #include "app/command_line/number_checks.h"
 #include "app/process/interruption.h"
 #include "app/process/messages.h"
 #include "app/subcommands/subcommands.h"
-#include "cluster/cluster_connection.h"
+#include "cluster/connection/cluster_connection.h"
 #include "cluster/join_cluster.h"
-#include "cluster/text_for_people.h"
-#include "cluster/unit_child.h"
+#include "cluster/messages/text_for_people.h"
+#include "cluster/units/unit_child.h"
 #include "core/threads/thread_pool.h"
 
 #include <CLI/CLI.hpp>

@@ -1,6 +1,6 @@
 #include "app/trial/creature_world.h"
 
-#include "persist/settings_file.h"
+#include "persist/settings/settings_file.h"
 
 namespace cambrian {
 

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "core/result.h"
-#include "evolution/evolution_kinds.h"
-#include "evolution/experiment_settings.h"
-#include "persist/creature_file.h"
+#include "evolution/kinds/evolution_kinds.h"
+#include "evolution/settings/experiment_settings.h"
+#include "persist/creature/creature_file.h"
 
 #include <string>
 

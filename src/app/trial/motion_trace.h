@@ -6,7 +6,7 @@
 
 #include "core/files/output_stream.h"
 #include "core/result.h"
-#include "evolution/experiment_settings.h"
+#include "evolution/settings/experiment_settings.h"
 #include "genome/genome.h"
 #include "simulator/trial_watch.h"
 

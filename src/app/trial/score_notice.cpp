@@ -1,7 +1,7 @@
 #include "app/trial/score_notice.h"
 
 #include "app/process/messages.h"
-#include "persist/rescoring.h"
+#include "persist/creature/rescoring.h"
 
 namespace cambrian {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "evolution/experiment_log.h"
-#include "persist/creature_file.h"
+#include "evolution/engine/experiment_log.h"
+#include "persist/creature/creature_file.h"
 
 #include <string>
 

@@ -2,7 +2,7 @@
 
 // What one trial came to: the score, how far it can be believed, what it cost.
 
-#include "evolution/individual.h"
+#include "evolution/individual/individual.h"
 
 #include <string>
 

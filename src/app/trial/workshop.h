@@ -2,7 +2,7 @@
 
 #include "core/result.h"
 #include "pictures/canvas/easel.h"
-#include "render/offscreen_context.h"
+#include "render/opengl/offscreen_context.h"
 
 #include <memory>
 #include <optional>

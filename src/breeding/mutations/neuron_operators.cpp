@@ -1,6 +1,6 @@
 #include "breeding/gene_sites.h"
 #include "breeding/mutations/operators.h"
-#include "genome/enabled_kinds.h"
+#include "genome/founders/enabled_kinds.h"
 
 namespace cambrian {
 namespace {

@@ -1,5 +1,5 @@
 #include "breeding/mutations/operators.h"
-#include "genome/enabled_kinds.h"
+#include "genome/founders/enabled_kinds.h"
 #include "genome/gene_fields.h"
 #include "genome/words.h"
 #include "math/reflect.h"

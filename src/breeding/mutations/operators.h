@@ -3,7 +3,7 @@
 // The mutation operators of breeding/README.md 3, by the genes they change.
 
 #include "breeding/mutation_kind.h"
-#include "genome/random_gene.h"
+#include "genome/founders/random_gene.h"
 
 namespace cambrian {
 

@@ -1,7 +1,7 @@
 #include "breeding/gene_sites.h"
 #include "breeding/mutations/operators.h"
 #include "core/assert.h"
-#include "genome/enabled_kinds.h"
+#include "genome/founders/enabled_kinds.h"
 
 namespace cambrian {
 namespace {

@@ -1,6 +1,6 @@
 // P. Bogacki, L. F. Shampine, A 3(2) pair of Runge-Kutta formulas, Appl. Math. Lett. 2 (1989).
 
-#include "dynamics/builtin_integrators.h"
+#include "dynamics/integrators/builtin_integrators.h"
 #include "dynamics/integrators/embedded_runge_kutta.h"
 
 namespace cambrian {

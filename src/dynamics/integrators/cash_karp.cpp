@@ -2,7 +2,7 @@
 // rapidly varying right-hand sides, ACM Trans. Math. Softw. 16 (1990): 5(4) with six stages, and a
 // seventh at the step's end, which the next step and the dense output need.
 
-#include "dynamics/builtin_integrators.h"
+#include "dynamics/integrators/builtin_integrators.h"
 #include "dynamics/integrators/embedded_runge_kutta.h"
 
 namespace cambrian {

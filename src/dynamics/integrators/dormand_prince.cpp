@@ -1,7 +1,7 @@
 // J. R. Dormand, P. J. Prince, A family of embedded Runge-Kutta formulae, J. Comput. Appl. Math. 6
 // (1980): 5(4) with seven stages.
 
-#include "dynamics/builtin_integrators.h"
+#include "dynamics/integrators/builtin_integrators.h"
 #include "dynamics/integrators/embedded_runge_kutta.h"
 
 namespace cambrian {

@@ -5,7 +5,7 @@
 // the propagated weights b) and the kErrors b - b^.
 
 #include "core/assert.h"
-#include "dynamics/integrator.h"
+#include "dynamics/stepping/integrator.h"
 
 #include <array>
 #include <cmath>

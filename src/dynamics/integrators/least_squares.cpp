@@ -2,9 +2,9 @@
 // Runge-Kutta method moves them under constraint forces found by dense least squares, and at the
 // step's end what little the joints came apart is projected away, loops included.
 
-#include "dynamics/builtin_integrators.h"
-#include "dynamics/least_squares_dynamics.h"
-#include "dynamics/loop_closure.h"
+#include "dynamics/articulated/least_squares_dynamics.h"
+#include "dynamics/articulated/loop_closure.h"
+#include "dynamics/integrators/builtin_integrators.h"
 
 namespace cambrian {
 namespace {

@@ -1,7 +1,7 @@
 // Semi-implicit (symplectic) Euler with a fixed step: v1 = v0 + h a0, q1 = q0 + h v1. First order
 // and without error control; a control for comparison and debugging, not for evolution.
 
-#include "dynamics/builtin_integrators.h"
+#include "dynamics/integrators/builtin_integrators.h"
 
 namespace cambrian {
 namespace {

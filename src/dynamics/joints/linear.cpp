@@ -1,7 +1,7 @@
 // Slides its part along the part's length. Its genes count in lengths of the part, and a mirror
 // does not change them. Strength grows with the narrower section of the two parts.
 
-#include "dynamics/builtin_joints.h"
+#include "dynamics/joints/builtin_joints.h"
 
 #include <cmath>
 

@@ -1,6 +1,6 @@
 // Holds its part to the parent; both are one body.
 
-#include "dynamics/builtin_joints.h"
+#include "dynamics/joints/builtin_joints.h"
 
 namespace cambrian {
 

@@ -1,7 +1,7 @@
 // Turns its part about the anchor. Strength grows with the square of the narrower section of the
 // two parts, for a thicker muscle also pulls on a longer lever.
 
-#include "dynamics/builtin_joints.h"
+#include "dynamics/joints/builtin_joints.h"
 
 namespace cambrian {
 namespace {

@@ -3,8 +3,8 @@
 #include "core/recent_sum.h"
 #include "core/stopwatch.h"
 #include "core/threads/thread_pool.h"
-#include "evolution/longest_first.h"
-#include "evolution/trials.h"
+#include "evolution/evaluation/longest_first.h"
+#include "evolution/evaluation/trials.h"
 
 #include <atomic>
 #include <mutex>

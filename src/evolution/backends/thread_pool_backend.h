@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/threads/thread_priority.h"
-#include "evolution/evaluation_backend.h"
+#include "evolution/evaluation/evaluation_backend.h"
 
 #include <cstddef>
 #include <memory>

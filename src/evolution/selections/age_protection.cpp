@@ -2,7 +2,7 @@
 // is the time since its line of descent last changed its body. Parents, as many children and at
 // least one newcomer compete for their places by non-dominated sorting on (younger, fitter), so
 // that a new body has time for its control to adapt to it.
-#include "evolution/pareto.h"
+#include "evolution/selections/pareto.h"
 #include "evolution/selections/survival.h"
 
 #include <algorithm>

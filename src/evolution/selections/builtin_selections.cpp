@@ -1,4 +1,4 @@
-#include "evolution/selection.h"
+#include "evolution/selections/selection.h"
 
 namespace cambrian {
 

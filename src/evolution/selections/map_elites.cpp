@@ -1,7 +1,7 @@
 // MAP-Elites (Mouret & Clune 2015), evolution/README.md 2: the fittest of every cell of a map
 // survives and breeds a population of children in proportion to 0.1 + f / f_best. The survivors are
 // the archive. A child takes a cell if it is empty or the child strictly fitter.
-#include "evolution/map_axis.h"
+#include "evolution/individual/map_axis.h"
 #include "evolution/selections/survival.h"
 
 #include <algorithm>

@@ -7,7 +7,7 @@
 //
 // Offspring more novel than a threshold join the archive; the threshold grows by 20 % after a
 // generation with more than four and falls by 5 % after ten generations with none.
-#include "evolution/pareto.h"
+#include "evolution/selections/pareto.h"
 #include "evolution/selections/survival.h"
 #include "math/distance.h"
 #include "math/elementary.h"

@@ -2,7 +2,7 @@
 
 // What selection methods have in common: who stays, and how many places that leaves.
 
-#include "evolution/selection.h"
+#include "evolution/selections/selection.h"
 
 #include <cstddef>
 #include <span>

@@ -3,9 +3,9 @@
 // From picks to candidates for the next grid (picking/README.md 1). Pure: the same picks, settings
 // and number of the grid give the same candidates.
 
-#include "evolution/evolution_kinds.h"
-#include "evolution/experiment_settings.h"
-#include "evolution/individual.h"
+#include "evolution/individual/individual.h"
+#include "evolution/kinds/evolution_kinds.h"
+#include "evolution/settings/experiment_settings.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -3,7 +3,7 @@
 // Which candidates are shown: no dead ones, and as different from one another as can be
 // (picking/README.md 1).
 
-#include "evolution/individual.h"
+#include "evolution/individual/individual.h"
 
 #include <array>
 #include <cstddef>

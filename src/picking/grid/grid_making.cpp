@@ -1,6 +1,6 @@
 #include "picking/grid/grid_making.h"
 
-#include "evolution/trials.h"
+#include "evolution/evaluation/trials.h"
 
 #include <algorithm>
 #include <array>

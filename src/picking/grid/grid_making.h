@@ -3,8 +3,8 @@
 // Makes one grid: breeds candidates, has them evaluated, chooses. May be interrupted at any time
 // and goes on where it was; what comes out depends on the order alone.
 
-#include "evolution/evaluation_backend.h"
-#include "evolution/evolution_kinds.h"
+#include "evolution/evaluation/evaluation_backend.h"
+#include "evolution/kinds/evolution_kinds.h"
 #include "picking/grid/grid_breeding.h"
 #include "picking/grid/grid_choice.h"
 

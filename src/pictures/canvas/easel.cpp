@@ -1,7 +1,7 @@
 #include "pictures/canvas/easel.h"
 
-#include "render/gl.h"
-#include "render/pixels.h"
+#include "render/opengl/gl.h"
+#include "render/opengl/pixels.h"
 
 #include <algorithm>
 #include <array>

@@ -7,7 +7,7 @@
 #include "core/result.h"
 #include "pictures/canvas/lettering.h"
 #include "pictures/canvas/palette.h"
-#include "render/framebuffer.h"
+#include "render/opengl/framebuffer.h"
 #include "render/renderer.h"
 
 #include <functional>

@@ -2,7 +2,7 @@
 
 // Whom a picture shows and what is written beside it.
 
-#include "persist/creature_file.h"
+#include "persist/creature/creature_file.h"
 #include "pictures/motion/recorded_motion.h"
 
 #include <cstdint>

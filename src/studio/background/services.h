@@ -2,7 +2,7 @@
 
 // What every controller of the studio uses.
 
-#include "evolution/evolution_kinds.h"
+#include "evolution/kinds/evolution_kinds.h"
 #include "studio/background/background_worker.h"
 #include "studio/background/feedback.h"
 

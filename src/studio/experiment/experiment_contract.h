@@ -2,9 +2,9 @@
 
 // What panels see of the open experiment and what they may request of it.
 
-#include "evolution/command.h"
-#include "evolution/setting_field.h"
-#include "evolution/snapshot.h"
+#include "evolution/engine/command.h"
+#include "evolution/engine/snapshot.h"
+#include "evolution/fields/setting_field.h"
 #include "studio/experiment/progress_view.h"
 #include "studio/experiment/settings_editor.h"
 

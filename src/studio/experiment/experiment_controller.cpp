@@ -1,7 +1,7 @@
 #include "studio/experiment/experiment_controller.h"
 
 #include "core/random.h"
-#include "genome/random_genome.h"
+#include "genome/founders/random_genome.h"
 #include "picking/handover.h"
 
 #include <system_error>

@@ -2,7 +2,7 @@
 
 // What panels see of starred creatures and what they may request of past and present generations.
 
-#include "evolution/snapshot.h"
+#include "evolution/engine/snapshot.h"
 #include "studio/viewer/stars.h"
 
 #include <cstdint>

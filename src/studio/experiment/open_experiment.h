@@ -3,8 +3,8 @@
 // The experiment being worked on: the engine and the settings as edited.
 
 #include "core/stopwatch.h"
-#include "evolution/engine.h"
-#include "persist/kept_experiment.h"
+#include "evolution/engine/engine.h"
+#include "persist/experiment/kept_experiment.h"
 #include "studio/experiment/progress_view.h"
 #include "studio/experiment/settings_editor.h"
 

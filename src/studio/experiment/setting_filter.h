@@ -1,6 +1,6 @@
 #pragma once
 
-#include "evolution/setting_field.h"
+#include "evolution/fields/setting_field.h"
 
 #include <string>
 #include <string_view>

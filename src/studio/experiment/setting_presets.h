@@ -1,8 +1,8 @@
 #pragma once
 
-#include "evolution/evolution_kinds.h"
-#include "evolution/experiment_settings.h"
-#include "evolution/setting_field.h"
+#include "evolution/fields/setting_field.h"
+#include "evolution/kinds/evolution_kinds.h"
+#include "evolution/settings/experiment_settings.h"
 
 #include <span>
 #include <string_view>

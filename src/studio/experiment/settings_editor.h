@@ -3,7 +3,7 @@
 // The settings as edited by hand, with undo and redo as values. The engine has its own,
 // which follow between generations.
 
-#include "evolution/setting_field.h"
+#include "evolution/fields/setting_field.h"
 
 #include <optional>
 #include <string>

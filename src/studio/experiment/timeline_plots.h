@@ -2,7 +2,7 @@
 
 // What the timeline can plot, each quantity as one or two curves over the generations.
 
-#include "evolution/statistics.h"
+#include "evolution/individual/statistics.h"
 #include "studio/look/view_state.h"
 
 #include <span>

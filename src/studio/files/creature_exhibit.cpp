@@ -1,7 +1,7 @@
 #include "studio/files/creature_exhibit.h"
 
 #include "core/text/pretty_text.h"
-#include "persist/digest_text.h"
+#include "persist/text/digest_text.h"
 
 #include <algorithm>
 #include <utility>

@@ -2,7 +2,7 @@
 
 // Between a creature's file and the creature on display.
 
-#include "persist/creature_file.h"
+#include "persist/creature/creature_file.h"
 #include "studio/playback/exhibit.h"
 
 #include <filesystem>

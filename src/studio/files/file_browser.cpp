@@ -1,6 +1,6 @@
 #include "studio/files/file_browser.h"
 
-#include "persist/creature_card.h"
+#include "persist/creature/creature_card.h"
 
 #include <algorithm>
 #include <string_view>

@@ -1,10 +1,10 @@
 #include "studio/files/file_desk.h"
 
 #include "core/files/file_io.h"
-#include "persist/creature_card.h"
-#include "persist/png_file.h"
-#include "persist/settings_file.h"
-#include "persist/statistics_csv.h"
+#include "persist/creature/creature_card.h"
+#include "persist/creature/png_file.h"
+#include "persist/records/statistics_csv.h"
+#include "persist/settings/settings_file.h"
 
 #include <utility>
 

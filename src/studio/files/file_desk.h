@@ -4,9 +4,9 @@
 // came of them is collected as events.
 
 #include "core/image.h"
-#include "evolution/statistics.h"
-#include "persist/creature_file.h"
-#include "persist/kept_experiment.h"
+#include "evolution/individual/statistics.h"
+#include "persist/creature/creature_file.h"
+#include "persist/experiment/kept_experiment.h"
 #include "pictures/motion/subject.h"
 #include "studio/background/background_worker.h"
 #include "studio/files/file_browser.h"

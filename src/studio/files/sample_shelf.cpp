@@ -1,7 +1,7 @@
 #include "studio/files/sample_shelf.h"
 
 #include "core/text/pretty_text.h"
-#include "persist/creature_file.h"
+#include "persist/creature/creature_file.h"
 
 #include <algorithm>
 #include <system_error>

@@ -3,7 +3,7 @@
 // The creatures that come with the program, to open with one click.
 
 #include "creature/phenotype.h"
-#include "evolution/evolution_kinds.h"
+#include "evolution/kinds/evolution_kinds.h"
 
 #include <filesystem>
 #include <memory>

@@ -3,7 +3,7 @@
 // How the creatures of a grid move: the trial of each, computed in the background ahead of being
 // shown, so that no frame waits for it; shown all by one clock, again and again.
 
-#include "evolution/individual.h"
+#include "evolution/individual/individual.h"
 #include "pictures/motion/recorded_motion.h"
 #include "simulator/trial.h"
 #include "studio/background/background_worker.h"

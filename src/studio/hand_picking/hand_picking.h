@@ -3,9 +3,9 @@
 // Selection by hand as a mode of the studio: the desk that breeds and keeps the tree of grids while
 // the program runs, the grid in motion, and which of it the person has before them.
 
-#include "evolution/evolution_kinds.h"
-#include "evolution/snapshot.h"
-#include "persist/picking_record.h"
+#include "evolution/engine/snapshot.h"
+#include "evolution/kinds/evolution_kinds.h"
+#include "persist/records/picking_record.h"
 #include "picking/picking_desk.h"
 #include "studio/background/status_log.h"
 #include "studio/hand_picking/picking_view.h"

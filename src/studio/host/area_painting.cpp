@@ -1,6 +1,6 @@
 #include "studio/host/area_painting.h"
 
-#include "render/gl.h"
+#include "render/opengl/gl.h"
 
 #include <algorithm>
 #include <backends/imgui_impl_opengl3.h>

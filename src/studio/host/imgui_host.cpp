@@ -1,7 +1,7 @@
 #include "studio/host/imgui_host.h"
 
-#include "render/framebuffer.h"
-#include "render/gl.h"
+#include "render/opengl/framebuffer.h"
+#include "render/opengl/gl.h"
 #include "studio/host/area_painting.h"
 #include "studio/host/window.h"
 

@@ -3,8 +3,8 @@
 // Dear ImGui's context, its back-ends, fonts and style.
 
 #include "core/result.h"
+#include "render/opengl/pixels.h"
 #include "render/picture_stamp.h"
-#include "render/pixels.h"
 #include "studio/host/changed_areas.h"
 #include "studio/look/ui_context.h"
 

@@ -1,6 +1,6 @@
 #include "studio/host/window.h"
 
-#include "render/gl.h"
+#include "render/opengl/gl.h"
 
 #include <GLFW/glfw3.h>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "cluster/cluster_address.h"
+#include "cluster/connection/cluster_address.h"
 
 namespace cambrian {
 

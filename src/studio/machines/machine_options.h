@@ -1,8 +1,8 @@
 #pragma once
 
-#include "cluster/cluster_address.h"
+#include "cluster/connection/cluster_address.h"
 #include "core/result.h"
-#include "evolution/evaluation_backend.h"
+#include "evolution/evaluation/evaluation_backend.h"
 
 #include <cstddef>
 #include <functional>

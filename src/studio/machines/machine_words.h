@@ -2,7 +2,7 @@
 
 // Machines and clusters in words.
 
-#include "evolution/backend_status.h"
+#include "evolution/evaluation/backend_status.h"
 #include "studio/machines/machines_contract.h"
 
 #include <string>

@@ -2,8 +2,8 @@
 
 // What panels see of the machines that evaluate and what they may request of them.
 
-#include "cluster/cluster_address.h"
-#include "evolution/backend_status.h"
+#include "cluster/connection/cluster_address.h"
+#include "evolution/evaluation/backend_status.h"
 
 #include <string>
 #include <variant>

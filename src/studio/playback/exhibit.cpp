@@ -1,7 +1,7 @@
 #include "studio/playback/exhibit.h"
 
-#include "evolution/ancestry_digest.h"
-#include "persist/digest_text.h"
+#include "evolution/individual/ancestry_digest.h"
+#include "persist/text/digest_text.h"
 
 #include <utility>
 

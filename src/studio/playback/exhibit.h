@@ -1,7 +1,7 @@
 #pragma once
 
 #include "creature/phenotype.h"
-#include "evolution/judged_individual.h"
+#include "evolution/individual/judged_individual.h"
 #include "goals/goal.h"
 #include "simulator/tick_checks.h"
 #include "simulator/trial.h"

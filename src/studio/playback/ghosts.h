@@ -3,7 +3,7 @@
 // Champions of other generations on the ground of the creature shown, to compare with it: each a
 // trial of its own, whose test begins at the same moment.
 
-#include "evolution/snapshot.h"
+#include "evolution/engine/snapshot.h"
 #include "studio/look/view_state.h"
 #include "studio/playback/playback.h"
 

@@ -2,8 +2,8 @@
 
 // Where a creature comes from, in words.
 
-#include "evolution/evolution_kinds.h"
-#include "evolution/individual.h"
+#include "evolution/individual/individual.h"
+#include "evolution/kinds/evolution_kinds.h"
 
 #include <span>
 #include <string>

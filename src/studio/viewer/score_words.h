@@ -2,7 +2,7 @@
 
 // Scores in words.
 
-#include "evolution/individual.h"
+#include "evolution/individual/individual.h"
 
 #include <string>
 

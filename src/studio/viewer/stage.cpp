@@ -1,6 +1,6 @@
 #include "studio/viewer/stage.h"
 
-#include "evolution/trials.h"
+#include "evolution/evaluation/trials.h"
 
 #include <functional>
 #include <stop_token>

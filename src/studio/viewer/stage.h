@@ -3,7 +3,7 @@
 // What is shown and how it scores: the playback, and the same trial run once more in the
 // background for its score.
 
-#include "evolution/evolution_kinds.h"
+#include "evolution/kinds/evolution_kinds.h"
 #include "studio/background/background_worker.h"
 #include "studio/playback/playback.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "evolution/snapshot.h"
+#include "evolution/engine/snapshot.h"
 
 #include <cstdint>
 #include <vector>

@@ -1,7 +1,7 @@
 #include "studio/files/files_controller.h"
 
-#include "evolution/trials.h"
-#include "persist/statistics_csv.h"
+#include "evolution/evaluation/trials.h"
+#include "persist/records/statistics_csv.h"
 #include "session_run.h"
 #include "studio_fixture.h"
 

@@ -1,5 +1,5 @@
 #include "core/files/file_io.h"
-#include "persist/creature_file.h"
+#include "persist/creature/creature_file.h"
 #include "studio/files/sample_shelf.h"
 #include "studio/panels/cards/samples_panel.h"
 #include "studio_fixture.h"

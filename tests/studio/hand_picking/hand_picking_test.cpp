@@ -1,4 +1,4 @@
-#include "persist/creature_file.h"
+#include "persist/creature/creature_file.h"
 #include "session_run.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "studio/panels/cards/file_panel.h"
 
-#include "persist/creature_card.h"
+#include "persist/creature/creature_card.h"
 #include "studio/files/file_desk.h"
 #include "studio/widgets/widgets.h"
 

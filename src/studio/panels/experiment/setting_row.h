@@ -2,7 +2,7 @@
 
 // One setting as a row: name, control with unit, tooltip, mark when changed, right-click to reset.
 
-#include "evolution/setting_field.h"
+#include "evolution/fields/setting_field.h"
 #include "studio/look/ui_context.h"
 #include "studio/widgets/value_slider.h"
 

@@ -2,7 +2,7 @@
 
 // Which creatures the population shows and in which order.
 
-#include "evolution/snapshot.h"
+#include "evolution/engine/snapshot.h"
 #include "studio/look/view_state.h"
 #include "studio/viewer/stars.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "evolution/snapshot.h"
+#include "evolution/engine/snapshot.h"
 #include "studio/experiment/timeline_plots.h"
 #include "studio/widgets/plot.h"
 

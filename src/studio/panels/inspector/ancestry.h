@@ -2,7 +2,7 @@
 
 // The line of descent of a creature shown.
 
-#include "evolution/snapshot.h"
+#include "evolution/engine/snapshot.h"
 #include "studio/playback/exhibit.h"
 
 #include <optional>

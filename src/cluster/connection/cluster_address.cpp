@@ -1,0 +1,145 @@
+#include "cluster/connection/cluster_address.h"
+
+#include <algorithm>
+#include <charconv>
+#include <optional>
+#include <string_view>
+
+namespace cambrian {
+namespace {
+
+constexpr std::string_view kPlain = "nats://";
+constexpr std::string_view kEncrypted = "tls://";
+constexpr int kStandardPort = 4222;
+constexpr std::size_t kMostServers = 32;
+constexpr std::size_t kLongestClusterName = 40;
+constexpr std::size_t kLongestHost = 253;  // RFC 1035 2.3.4
+
+struct Server {
+    bool encrypted = false;
+    std::string host;  // an IPv6 address in its brackets
+    int port = kStandardPort;
+    std::string cluster;  // empty if none is named
+};
+
+// Without what could be a password.
+Error not_a_server(std::string_view text) {
+    return Error{"'" + std::string(text) +
+                 "' is no server: expected nats://HOST, nats://HOST:PORT or tls://HOST"};
+}
+
+std::optional<int> port_of(std::string_view text) {
+    int port = 0;
+    const auto parsed = std::from_chars(text.data(), text.data() + text.size(), port);
+    if (parsed.ec != std::errc() || parsed.ptr != text.data() + text.size()) return std::nullopt;
+    if (port < 1 || port > 65535) return std::nullopt;
+    return port;
+}
+
+bool is_host(std::string_view host) {
+    if (host.empty() || host.size() > kLongestHost) return false;
+    if (host.front() == '[') {
+        return host.size() > 2 && host.back() == ']' &&
+               host.substr(1, host.size() - 2).find_first_not_of("0123456789abcdefABCDEF:.%") ==
+                   std::string_view::npos;
+    }
+    return std::all_of(host.begin(), host.end(), [](char letter) {
+        return (letter >= '0' && letter <= '9') || (letter >= 'a' && letter <= 'z') ||
+               (letter >= 'A' && letter <= 'Z') || letter == '.' || letter == '-' || letter == '_';
+    });
+}
+
+// 127.0.0.0/8 in numbers, not a name that begins so.
+bool is_loopback_number(std::string_view host) {
+    return host.starts_with("127.") &&
+           host.find_first_not_of("0123456789.") == std::string_view::npos;
+}
+
+bool is_loopback(std::string_view host) {
+    return host == "localhost" || host == "[::1]" || is_loopback_number(host);
+}
+
+Result<Server> server_of(std::string_view text) {
+    if (text.find('@') != std::string_view::npos) {
+        return Error{
+            "a server's address must not hold a user or a password, which others can see "
+            "in the list of processes; put them in a file and name it by --credentials"};
+    }
+    Server server;
+    server.encrypted = text.starts_with(kEncrypted);
+    if (!server.encrypted && !text.starts_with(kPlain)) return not_a_server(text);
+    std::string_view rest = text.substr(server.encrypted ? kEncrypted.size() : kPlain.size());
+    if (const auto slash = rest.find('/'); slash != std::string_view::npos) {
+        server.cluster = rest.substr(slash + 1);
+        rest = rest.substr(0, slash);
+    }
+    const auto colon = rest.find(':', rest.starts_with('[') ? rest.find(']') : 0);
+    if (colon != std::string_view::npos) {
+        const auto port = port_of(rest.substr(colon + 1));
+        if (!port) return not_a_server(text);
+        server.port = *port;
+        rest = rest.substr(0, colon);
+    }
+    if (!is_host(rest)) return not_a_server(text);
+    server.host = rest;
+    return server;
+}
+
+std::vector<std::string_view> parts_of(std::string_view text) {
+    std::vector<std::string_view> parts;
+    for (std::size_t begin = 0; begin <= text.size();) {
+        const std::size_t end = std::min(text.find(',', begin), text.size());
+        parts.push_back(text.substr(begin, end - begin));
+        begin = end + 1;
+    }
+    return parts;
+}
+
+Status check_name(const std::string& name) {
+    const bool plain = std::all_of(name.begin(), name.end(), [](char letter) {
+        return (letter >= '0' && letter <= '9') || (letter >= 'a' && letter <= 'z') ||
+               (letter >= 'A' && letter <= 'Z') || letter == '-' || letter == '_';
+    });
+    if (plain && !name.empty() && name.size() <= kLongestClusterName) return {};
+    return Error{"a cluster's name has 1 to " + std::to_string(kLongestClusterName) +
+                 " letters, digits, '-' or '_', found '" + name + "'"};
+}
+
+// Takes a name unless another one was taken before.
+Status take_name(const std::string& name, std::string& taken) {
+    if (name.empty() || name == taken) return {};
+    if (!taken.empty())
+        return Error{"two different names of the cluster, '" + taken + "' and '" + name + "'"};
+    taken = name;
+    return {};
+}
+
+}  // namespace
+
+Result<ClusterAddress> cluster_address(const ClusterLogin& login) {
+    ClusterAddress address;
+    address.credentials = login.credentials;
+    address.authority = login.authority;
+    address.name = login.name;
+    address.on_this_machine = true;
+    for (const std::string_view text : parts_of(login.servers)) {
+        const Result<Server> server = server_of(text);
+        if (!server) return server.error();
+        if (!address.servers.empty() && server->encrypted != address.encrypted)
+            return Error{"nats:// and tls:// together: either all servers are encrypted or none"};
+        if (Status named = take_name(server->cluster, address.name); !named) return named.error();
+        address.encrypted = server->encrypted;
+        address.on_this_machine = address.on_this_machine && is_loopback(server->host);
+        address.servers.push_back((server->encrypted ? "tls://" : "nats://") + server->host + ":" +
+                                  std::to_string(server->port));
+    }
+    if (address.servers.size() > kMostServers)
+        return Error{"more than " + std::to_string(kMostServers) + " servers"};
+    if (address.name.empty()) address.name = kStandardClusterName;
+    if (Status named = check_name(address.name); !named) return named.error();
+    if (!address.authority.empty() && !address.encrypted)
+        return Error{"a certificate authority is of use to tls:// only, not to nats://"};
+    return address;
+}
+
+}  // namespace cambrian

@@ -1,0 +1,148 @@
+#include "cluster/coordinator/batch.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace cambrian {
+namespace {
+
+constexpr std::size_t kUnitsAhead = 3;     // units without an answer a remote core
+constexpr std::size_t kMostPlanned = 500;  // creatures of a unit, for its result's size
+constexpr double kLeastChecked = 0.01;     // share of a worker's results
+constexpr double kCheckingShare = 0.25;    // at most, of the own cores' time
+constexpr double kLateFactor = 2.0;        // times the expected time
+constexpr double kLateGrace = 0.25;        // s, besides
+
+double checked_share(const Cores& cores) {
+    const double own = static_cast<double>(cores.own) / static_cast<double>(cores.all());
+    return std::min(kLeastChecked, kCheckingShare * own);
+}
+
+std::vector<EvaluationRequest> numbered(std::vector<EvaluationRequest> requests) {
+    std::uint32_t place = 0;
+    for (EvaluationRequest& request : requests)
+        request.slot = place++;
+    return requests;
+}
+
+}  // namespace
+
+Batch::Batch(std::vector<EvaluationRequest> requests, std::uint32_t generation, Memory& memory)
+    : requests_(numbered(std::move(requests))),
+      generation_(generation),
+      memory_(memory),
+      ledger_(memory.costs.seconds_of(requests_)),
+      answers_(requests_.size()),
+      most_creatures_(kMostPlanned) {}
+
+std::optional<Batch::HomeTask> Batch::next_home_task(double now, const Cores& cores) {
+    if (const auto check = answers_.next_check()) return HomeTask{{*check}, std::nullopt};
+    if (const auto open = ledger_.take_for_home()) return HomeTask{{*open}, std::nullopt};
+    // With nobody left to wait for, everything is late.
+    const double moment = cores.remote == 0 ? std::max(now, ledger_.next_due().value_or(now)) : now;
+    auto late = ledger_.take_late(moment, cores.own);
+    if (!late) return std::nullopt;
+    if (late->first) ++memory_.counts.overdue_at_home;
+    return HomeTask{std::move(late->creatures), late->published};
+}
+
+void Batch::finish_at_home(std::size_t creature, EvaluationResult result, double seconds) {
+    memory_.costs.learn(1, result.work, seconds);
+    core_seconds_ += seconds;
+    if (result.outcome == Outcome::kCompleted) best_ = std::max(best_, result.fitness);
+    const std::vector<Comparison> comparisons = answers_.compute(creature, std::move(result));
+    ledger_.answered(creature);
+    for (const Comparison& comparison : comparisons)
+        compare(comparison);
+}
+
+void Batch::compare(const Comparison& comparison) {
+    ++memory_.counts.checked;
+    if (comparison.equal)
+        memory_.trust.pass(comparison.worker);
+    else
+        refuse(comparison.worker);
+}
+
+void Batch::refuse(std::uint64_t worker) {
+    if (memory_.trust.refused(worker)) return;
+    memory_.trust.refuse(worker, "a result differed from that of the coordinator");
+    memory_.other_bits.push_back(worker);
+    for (const std::size_t creature : answers_.drop_worker(worker))
+        ledger_.unanswered(creature);
+}
+
+std::optional<Batch::UnitPlan> Batch::next_unit(double now, const Cores& cores) {
+    if (cores.remote == 0 || ledger_.outstanding() >= kUnitsAhead * cores.remote)
+        return std::nullopt;
+    UnitPlan plan;
+    const double seconds = unit_seconds(ledger_.open_seconds(), cores);
+    plan.creatures = ledger_.take_for_unit(seconds, most_creatures_);
+    if (plan.creatures.empty()) return std::nullopt;
+    plan.number = next_number_++;
+    plan.seconds = ledger_.seconds_of(plan.creatures);
+    const double before = ledger_.outstanding_seconds() / static_cast<double>(cores.remote);
+    ledger_.publish(plan.number, plan.creatures, now,
+                    now + kLateFactor * (before + plan.seconds) + kLateGrace);
+    ++memory_.counts.units;
+    return plan;
+}
+
+void Batch::not_published(std::uint32_t unit) {
+    const std::vector<std::size_t> creatures = ledger_.close(unit);
+    if (creatures.empty()) return;
+    --memory_.counts.units;
+    ledger_.reopen(creatures);
+}
+
+void Batch::too_large(const UnitPlan& plan) {
+    not_published(plan.number);
+    most_creatures_ = plan.creatures.size() / 2;
+}
+
+bool Batch::is_answer(const UnitResult& result) const {
+    return std::all_of(result.results.begin(), result.results.end(), [&](const SlotResult& each) {
+        return each.slot < requests_.size() && each.result.outcome != Outcome::kInterrupted &&
+               genome_hash(*requests_[each.slot].genome) == each.genome_hash;
+    });
+}
+
+bool Batch::take_result(std::uint32_t unit, const UnitResult& result, const Cores& cores) {
+    if (!is_answer(result)) return false;
+    if (result.deliveries > 1) ++memory_.counts.redelivered;
+    if (memory_.trust.refused(result.worker)) {
+        ++memory_.counts.refused;
+        ledger_.reopen(ledger_.close(unit));
+        return true;
+    }
+    core_seconds_ += result.seconds;
+    std::uint64_t work = 0;
+    for (const SlotResult& each : result.results) {
+        work += each.result.work;
+        take_claim(result, each, checked_share(cores));
+    }
+    memory_.costs.learn(result.results.size(), work, result.seconds);
+    // A part of a unit leaves the rest of it to whoever gets it next.
+    const auto creatures = ledger_.close(unit);
+    std::vector<std::size_t> left;
+    for (const std::size_t creature : creatures) {
+        if (!answers_.claimed(creature)) left.push_back(creature);
+    }
+    ledger_.reopen(left);
+    return true;
+}
+
+void Batch::take_claim(const UnitResult& unit, const SlotResult& each, double least) {
+    // The worker may have been refused by an earlier result of the same unit.
+    if (memory_.trust.refused(unit.worker)) return;
+    const bool drawn = memory_.trust.draw_check(unit.worker, generation_, each.slot, least);
+    const bool leads = each.result.outcome == Outcome::kCompleted && each.result.fitness > best_;
+    if (leads) best_ = each.result.fitness;
+    const auto claimed = answers_.claim(each.slot, unit.worker, each.result, drawn || leads);
+    ledger_.answered(each.slot);
+    if (claimed.first) return;
+    ++memory_.counts.duplicates;
+    if (claimed.comparison) compare(*claimed.comparison);
+}
+
+}  // namespace cambrian

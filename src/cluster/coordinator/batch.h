@@ -1,0 +1,88 @@
+#pragma once
+
+// One call of EvaluationBackend::evaluate over a cluster: what is handed out, what was answered,
+// and what is certain (cluster/README.md 1). Not safe for several threads; time is given by the
+// caller, in seconds.
+
+#include "cluster/coordinator/answers.h"
+#include "cluster/coordinator/trust.h"
+#include "cluster/coordinator/unit_ledger.h"
+#include "cluster/coordinator/unit_sizing.h"
+#include "cluster/messages/result_text.h"
+#include "evolution/evaluation/backend_status.h"
+#include "evolution/evaluation/evaluation.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace cambrian {
+
+class Batch {
+public:
+    // What outlives a batch.
+    struct Memory {
+        CostModel costs;
+        Trust trust;
+        BackendCounts counts;
+        std::vector<std::uint64_t> other_bits;  // workers refused since a result differed
+    };
+    // The requests in the order of handing out; their slots become their places in it.
+    Batch(std::vector<EvaluationRequest> requests, std::uint32_t generation, Memory& memory);
+
+    const std::vector<EvaluationRequest>& requests() const { return requests_; }
+    std::uint32_t generation() const { return generation_; }
+
+    struct HomeTask {
+        std::vector<std::size_t> creatures;
+        // When the late unit was published that they are part of: it may have ended its worker.
+        std::optional<double> late_since;
+    };
+    // What an own core does next; nothing while it can only wait.
+    std::optional<HomeTask> next_home_task(double now, const Cores& cores);
+    std::optional<double> next_due() const { return ledger_.next_due(); }
+    void finish_at_home(std::size_t creature, EvaluationResult result, double seconds);
+
+    struct UnitPlan {
+        std::uint32_t number = 0;
+        std::vector<std::size_t> creatures;
+        double seconds = 0.0;  // expected, of one core
+    };
+    // The next unit to publish, counted as published; none if enough is on its way.
+    std::optional<UnitPlan> next_unit(double now, const Cores& cores);
+    void not_published(std::uint32_t unit);
+    // No unit is to have as many creatures again.
+    void too_large(const UnitPlan& plan);
+    // Nobody will answer it.
+    void not_deliverable(std::uint32_t unit) { ledger_.expect_no_more(unit); }
+    bool anything_outstanding() const { return ledger_.outstanding() > 0; }
+
+    // False if it is no answer to this batch.
+    bool take_result(std::uint32_t unit, const UnitResult& result, const Cores& cores);
+
+    std::size_t settled() const { return answers_.settled(); }
+    // Whether every creature has a result that counts, and the best is certain.
+    bool complete() { return answers_.all_settled() && !answers_.check_leader(); }
+    const EvaluationResult* result(std::size_t creature) const { return answers_.result(creature); }
+    double core_seconds() const { return core_seconds_; }  // that its results took
+
+private:
+    bool is_answer(const UnitResult& result) const;
+    void take_claim(const UnitResult& unit, const SlotResult& each, double least);
+    void compare(const Comparison& comparison);
+    void refuse(std::uint64_t worker);
+
+    std::vector<EvaluationRequest> requests_;
+    std::uint32_t generation_;
+    Memory& memory_;
+    UnitLedger ledger_;
+    Answers answers_;
+    std::uint32_t next_number_ = 0;
+    std::size_t most_creatures_;
+    double best_ = 0.0;  // fitness of any result so far
+    double core_seconds_ = 0.0;
+};
+
+}  // namespace cambrian

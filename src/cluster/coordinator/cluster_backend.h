@@ -1,0 +1,42 @@
+#pragma once
+
+// Evaluation on other machines: what a coordinator evaluates with. Its own cores always work; units
+// go to workers as long as the queue is connected and somebody answers.
+
+#include "cluster/messages/work_queue.h"
+#include "cluster/units/unit_child.h"
+#include "core/threads/thread_priority.h"
+#include "evolution/evaluation/evaluation_backend.h"
+#include "evolution/kinds/evolution_kinds.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+
+namespace cambrian {
+
+struct ClusterOptions {
+    std::size_t threads = 1;  // own cores that evaluate, at least 1
+    ThreadPriority priority = ThreadPriority::kNormal;
+    std::string name;          // of this machine, for people
+    std::string server;        // for BackendStatus
+    std::string cluster;       // likewise
+    std::uint64_t run = 0;     // unlike that of any other run; decides no result
+    std::uint64_t secret = 0;  // decides which results are computed again to check them
+    // Runs a unit in a process of its own; see unit_child.h. Without it a unit that seems to end
+    // its workers is computed in this process.
+    ChildProcess child;
+    // Where the genome that ends a process is written; empty for the working folder.
+    std::filesystem::path crash_folder;
+};
+
+// Computes the proof set first, which takes 0.2 s. The queue need not be connected. evaluate()
+// returns false without a stop request only if the run cannot go on (two workers whose bits differ,
+// a genome that ends the process); status().failure then says why.
+std::unique_ptr<EvaluationBackend> make_cluster_backend(const EvolutionKinds& kinds,
+                                                        std::unique_ptr<CoordinatorQueue> queue,
+                                                        ClusterOptions options);
+
+}  // namespace cambrian

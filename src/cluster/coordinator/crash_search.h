@@ -1,0 +1,49 @@
+#pragma once
+
+// Evaluates creatures in processes of their own. If one of these crashes, finds by halving which
+// creature does it, and writes its genome to a file.
+
+#include "cluster/messages/result_text.h"
+#include "cluster/units/unit_child.h"
+#include "evolution/evaluation/evaluation.h"
+#include "evolution/kinds/evolution_kinds.h"
+
+#include <filesystem>
+#include <span>
+#include <stop_token>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace cambrian {
+
+struct Apart {
+    std::vector<SlotResult> results;
+    std::string trouble;  // for people, if no process could be started or understood
+    std::string failure;  // for people, if a creature ends every process that evaluates it
+};
+
+class CrashSearch {
+public:
+    CrashSearch(const EvolutionKinds& kinds, const ChildProcess& child, const std::string& settings,
+                const std::filesystem::path& folder)
+        : kinds_(kinds), child_(child), settings_(settings), folder_(folder) {}
+
+    // At least one request. Results are missing only after a stop request, with trouble or after a
+    // failure.
+    Apart compute(std::span<const EvaluationRequest> requests, const std::stop_token& stop) const;
+
+private:
+    void compute_part(std::span<const EvaluationRequest> requests, const std::stop_token& stop,
+                      Apart& apart) const;
+    static void take_answer(std::string_view output, std::span<const EvaluationRequest> requests,
+                            Apart& apart);
+    std::string describe(const EvaluationRequest& request, const std::string& cause) const;
+
+    const EvolutionKinds& kinds_;
+    const ChildProcess& child_;
+    const std::string& settings_;  // text
+    const std::filesystem::path& folder_;
+};
+
+}  // namespace cambrian

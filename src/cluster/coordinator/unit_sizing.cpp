@@ -1,0 +1,54 @@
+#include "cluster/coordinator/unit_sizing.h"
+
+#include <algorithm>
+
+namespace cambrian {
+namespace {
+
+constexpr double kMemory = 200.0;  // creatures over which what was learnt fades
+constexpr double kLeastSeconds = 0.005;
+constexpr double kMostSeconds = 2.0;
+constexpr double kRounds = 4.0;  // units that every core would get if all were as long as the next
+
+double median_work(std::span<const EvaluationRequest> requests, double fallback) {
+    std::vector<double> known;
+    for (const EvaluationRequest& request : requests) {
+        if (request.expected_work > 0) known.push_back(static_cast<double>(request.expected_work));
+    }
+    if (known.empty()) return fallback;
+    const auto middle = known.begin() + static_cast<std::ptrdiff_t>(known.size() / 2);
+    std::nth_element(known.begin(), middle, known.end());
+    return *middle;
+}
+
+}  // namespace
+
+std::vector<double> CostModel::seconds_of(std::span<const EvaluationRequest> requests) const {
+    const double unknown = median_work(requests, work_ / creatures_);
+    std::vector<double> seconds;
+    seconds.reserve(requests.size());
+    for (const EvaluationRequest& request : requests) {
+        const double work =
+            request.expected_work > 0 ? static_cast<double>(request.expected_work) : unknown;
+        seconds.push_back(work * seconds_ / work_);
+    }
+    return seconds;
+}
+
+void CostModel::learn(std::size_t creatures, std::uint64_t work, double seconds) {
+    if (creatures == 0 || work == 0 || !(seconds > 0.0)) return;
+    const auto count = static_cast<double>(creatures);
+    const double kept = 1.0 / (1.0 + count / kMemory);
+    creatures_ = kept * creatures_ + count;
+    work_ = kept * work_ + static_cast<double>(work);
+    seconds_ = kept * seconds_ + seconds;
+}
+
+double unit_seconds(double remaining, const Cores& cores) {
+    const double share = remaining / static_cast<double>(cores.all());
+    const double guided = std::clamp(share / kRounds, kLeastSeconds, kMostSeconds);
+    // A short batch is shared all the same.
+    return std::min(guided, share * static_cast<double>(cores.remote));
+}
+
+}  // namespace cambrian

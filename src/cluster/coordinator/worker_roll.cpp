@@ -1,0 +1,115 @@
+#include "cluster/coordinator/worker_roll.h"
+
+#include "cluster/coordinator/trust.h"
+#include "persist/text/digest_text.h"
+
+#include <algorithm>
+#include <tuple>
+#include <utility>
+
+namespace cambrian {
+namespace {
+
+constexpr double kAway = 6.0;         // s of silence after which no one counts on a worker
+constexpr double kForgotten = 300.0;  // s of silence after which it is not listed any more
+constexpr std::size_t kMostMembers = 4'096;
+
+}  // namespace
+
+WorkerRoll::WorkerRoll(Build build, std::string own_name, std::size_t own_cores)
+    : build_(std::move(build)), own_name_(std::move(own_name)), own_cores_(own_cores) {}
+
+void WorkerRoll::hear(const Hello& hello, double now) {
+    if (hello.role != Hello::Role::kWorker) return;
+    forget_silent(now);
+    if (hello.leaving) {
+        members_.erase(hello.id);
+        return;
+    }
+    if (members_.size() >= kMostMembers && !members_.contains(hello.id)) return;
+    Member& member = members_[hello.id];
+    member.hello = hello;
+    member.heard = now;
+    member.doubted = false;
+}
+
+void WorkerRoll::forget_silent(double now) {
+    std::erase_if(members_,
+                  [&](const auto& entry) { return now - entry.second.heard > kForgotten; });
+}
+
+void WorkerRoll::worked(std::uint64_t worker, std::uint64_t creatures, std::uint64_t work,
+                        double now) {
+    const auto found = members_.find(worker);
+    if (found == members_.end()) return;
+    Member& member = found->second;
+    member.recent.add(now, creatures, work);
+    member.heard = now;
+    member.doubted = false;
+}
+
+void WorkerRoll::doubt_silent(double since) {
+    for (auto& [id, member] : members_) {
+        if (member.heard < since) member.doubted = true;
+    }
+}
+
+void WorkerRoll::worked_at_home(std::uint64_t creatures, std::uint64_t work, double now) {
+    own_.add(now, creatures, work);
+}
+
+std::string WorkerRoll::refusal(const Member& member, const Trust& trust) const {
+    const Hello& hello = member.hello;
+    if (trust.refused(hello.id)) return trust.refusal(hello.id);
+    if (hello.simulator != build_.simulator)
+        return "simulator " + hello.simulator + ", this run is of " + build_.simulator;
+    if (hello.proof != build_.proof) return "other bits in the proof set";
+    return {};
+}
+
+std::size_t WorkerRoll::cores(double now, const Trust& trust) const {
+    std::size_t sum = 0;
+    for (const auto& [id, member] : members_) {
+        if (now - member.heard <= kAway && !member.doubted && refusal(member, trust).empty())
+            sum += static_cast<std::size_t>(member.hello.cores);
+    }
+    return sum;
+}
+
+std::vector<WorkerStatus> WorkerRoll::rows(double now, const Trust& trust, const View& view) const {
+    std::vector<WorkerStatus> rows;
+    double whole = own_.work.sum(now);
+    for (const auto& [id, member] : members_)
+        whole += member.recent.work.sum(now);
+    const auto share = [&](const RecentWork& recent) {
+        return whole > 0.0 ? recent.work.sum(now) / whole : 0.0;
+    };
+    for (const auto& [id, member] : members_) {
+        WorkerStatus row;
+        row.id = hex_text(id);
+        row.name = member.hello.name;
+        row.cores = static_cast<std::uint32_t>(member.hello.cores);
+        row.silent_seconds = now - member.heard;
+        row.refusal = refusal(member, trust);
+        row.state = member.hello.busy > 0 ? WorkerState::kWorking : WorkerState::kIdle;
+        if (!view.reachable || row.silent_seconds > kAway) row.state = WorkerState::kAway;
+        if (!row.refusal.empty()) row.state = WorkerState::kRefused;
+        row.creatures_per_second = member.recent.creatures_per_second(now);
+        row.share = share(member.recent);
+        row.checks_passed = trust.checks_passed(id);
+        rows.push_back(std::move(row));
+    }
+    std::sort(rows.begin(), rows.end(), [](const WorkerStatus& a, const WorkerStatus& b) {
+        return std::tie(a.name, a.id) < std::tie(b.name, b.id);
+    });
+    WorkerStatus own;
+    own.name = own_name_;
+    own.cores = static_cast<std::uint32_t>(own_cores_);
+    own.state = view.own_busy ? WorkerState::kWorking : WorkerState::kIdle;
+    own.creatures_per_second = own_.creatures_per_second(now);
+    own.share = share(own_);
+    rows.insert(rows.begin(), std::move(own));
+    return rows;
+}
+
+}  // namespace cambrian

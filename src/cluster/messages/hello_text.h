@@ -1,0 +1,49 @@
+#pragma once
+
+// Presence: what workers and coordinators say of themselves every kHelloEvery, as JSON.
+
+#include "cluster/messages/proof_set.h"
+#include "core/result.h"
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace cambrian {
+
+inline constexpr double kHelloEvery = 2.0;  // s
+
+struct Refusal {
+    std::uint64_t worker = 0;  // id
+    std::string reason;        // for people
+
+    friend bool operator==(const Refusal&, const Refusal&) = default;
+};
+
+struct Hello {
+    enum class Role : std::uint8_t { kWorker, kCoordinator };
+
+    Role role = Role::kWorker;
+    std::uint64_t id = 0;  // of the worker, or of the run
+    std::string name;      // for people; at most 40 bytes, no control characters
+    int cores = 0;
+    std::string simulator;  // version
+    std::uint64_t proof = 0;
+    int busy = 0;                   // cores that compute at the moment
+    bool leaving = false;           // says goodbye
+    double units_per_second = 0.0;  // of the last 10 s
+    double creatures_per_second = 0.0;
+    double work_per_second = 0.0;    // evaluations of accelerations
+    std::string refused;             // why it works for nobody at the moment; empty if it does
+    std::vector<Refusal> refusals;   // of a coordinator, at most 10
+    std::vector<ProofTrial> trials;  // of a coordinator, the digests behind its proof
+
+    friend bool operator==(const Hello&, const Hello&) = default;
+};
+
+// Longer names and reasons are cut.
+std::string hello_text(const Hello& hello);
+Result<Hello> parse_hello(std::string_view text);
+
+}  // namespace cambrian

@@ -1,0 +1,42 @@
+#include "cluster/messages/judging_settings.h"
+
+#include "core/hash.h"
+#include "persist/settings/settings_file.h"
+
+namespace cambrian {
+namespace {
+
+constexpr const char* kSource = "settings of a run";
+
+ExperimentSettings judging_part(const ExperimentSettings& settings) {
+    ExperimentSettings part;
+    part.goal = settings.goal;
+    part.world = settings.world;
+    part.expression = settings.expression;
+    part.selection.confirm_jitter = settings.selection.confirm_jitter;  // of probes' worlds
+    return part;
+}
+
+}  // namespace
+
+std::uint64_t settings_key(std::string_view text) {
+    Hash64 hash;
+    hash.add(text);
+    return hash.value();
+}
+
+Result<JudgingSettings> judging_settings(const ExperimentSettings& settings,
+                                         const EvolutionKinds& kinds) {
+    const ExperimentSettings part = judging_part(settings);
+    JudgingSettings judging;
+    judging.text = write_settings(part, kinds);
+    judging.key = settings_key(judging.text);
+    const Result<ExperimentSettings> read = parse_settings(judging.text, kSource, kinds);
+    if (!read) return read.error();
+    if (!same_judgement(*read, part) ||
+        read->selection.confirm_jitter != part.selection.confirm_jitter)
+        return Error{std::string(kSource) + ": no settings file can hold them"};
+    return judging;
+}
+
+}  // namespace cambrian

@@ -1,0 +1,31 @@
+#include "cluster/messages/message_text.h"
+
+namespace cambrian {
+namespace {
+
+constexpr std::size_t kLongestFormat = 32;
+constexpr double kMostVersion = 1e6;
+
+}  // namespace
+
+int read_version(JsonReader& reader, std::string_view format, ErrorList& errors) {
+    std::string found;
+    int version = 0;
+    reader.text("format", found, kLongestFormat);
+    if (errors.empty() && found != format)
+        errors.error("E03", "/format",
+                     "this is a " + in_quotes(found) + ", expected " + in_quotes(format));
+    if (errors.empty()) reader.integer("version", version, 1.0, kMostVersion);
+    return version;
+}
+
+bool read_kind(JsonReader& reader, const MessageKind& kind, ErrorList& errors) {
+    const int version = read_version(reader, kind.format, errors);
+    if (errors.empty() && version != kind.version)
+        errors.error(
+            "E04", "/version",
+            "expected " + std::to_string(kind.version) + ", found " + std::to_string(version));
+    return errors.empty();
+}
+
+}  // namespace cambrian

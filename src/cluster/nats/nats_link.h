@@ -1,0 +1,79 @@
+#pragma once
+
+// Keeps a connection to a cluster: connects, prepares what the connection is for, and does so again
+// after each loss, on a thread of its own.
+
+#include "cluster/connection/cluster_address.h"
+#include "cluster/connection/complaints.h"
+#include "cluster/nats/nats_session.h"
+
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace cambrian {
+
+using NatsSessionPtr = std::shared_ptr<NatsSession>;
+
+class NatsLink {
+public:
+    // Makes streams and subscriptions on a connection that was just made (again).
+    using Prepare = std::function<std::optional<LinkFailure>(const NatsSessionPtr&)>;
+    using Job = std::function<void(NatsSession&)>;
+
+    NatsLink(ClusterAddress address, std::string inbox, Prepare prepare);
+    ~NatsLink();
+    NatsLink(const NatsLink&) = delete;
+    NatsLink& operator=(const NatsLink&) = delete;
+
+    // The first attempt, on the calling thread. Fails for what waiting does not mend; a server that
+    // cannot be reached yet is complained of and tried again.
+    Status open();
+
+    // The prepared connection; null while there is none.
+    NatsSessionPtr ready() const;
+    // Prepares again after the pause: what the connection is for is gone from the server, or is
+    // something else from now on.
+    void renew(std::chrono::milliseconds pause);
+    // Done by the link's thread as soon as the connection is ready; forgotten if too many wait.
+    void later(Job job);
+    // For people, each once.
+    void complain(const std::string& words);
+    std::vector<std::string> take_complaints();
+    // Until the state changes, at most so long.
+    void wait(std::chrono::milliseconds longest) const;
+
+private:
+    std::optional<LinkFailure> attempt();
+    void keep(const std::stop_token& stop);
+    std::chrono::milliseconds pause_after(const LinkFailure& failure);
+    void do_jobs(NatsSession& session);
+    bool is_ready_locked() const;
+    bool is_too_early() const;
+
+    const ClusterAddress address_;
+    const std::string inbox_;
+    const Prepare prepare_;
+    mutable std::mutex mutex_;
+    mutable std::condition_variable_any changed_;
+    NatsSessionPtr session_;  // connected once
+    bool prepared_ = false;
+    bool renewed_ = false;      // to be prepared again at once
+    std::uint64_t losses_ = 0;  // of the session when it was prepared
+    std::chrono::steady_clock::time_point not_before_{};
+    std::deque<Job> jobs_;
+    Complaints complaints_;
+    int failures_ = 0;     // attempts since the last good one; the link's thread's
+    std::jthread thread_;  // last: uses everything above
+};
+
+}  // namespace cambrian

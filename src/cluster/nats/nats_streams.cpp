@@ -1,0 +1,191 @@
+#include "cluster/nats/nats_streams.h"
+
+#include <cstring>
+#include <string>
+#include <vector>
+
+namespace cambrian {
+namespace {
+
+constexpr std::int64_t kSecond = 1'000'000'000;  // ns
+constexpr std::int64_t kMegabyte = 1'000'000;    // bytes
+constexpr std::int64_t kStreamBytes = 256 * kMegabyte;
+constexpr std::int64_t kBucketBytes = 64 * kMegabyte;
+constexpr std::int64_t kLongestKept = 3600 * kSecond;
+constexpr std::int64_t kSettingsKept = 30 * 24 * 3600 * kSecond;
+constexpr std::int64_t kDuplicateWindow = 120 * kSecond;
+constexpr std::int64_t kWorkWait = 10 * kSecond;
+constexpr std::int64_t kMostDeliveries = 5;
+constexpr std::int64_t kMostUnacknowledged = 20'000;
+constexpr std::int64_t kMostWaiting = 4096;
+
+using Failure = std::optional<LinkFailure>;
+
+// Collects in words where two settings differ.
+class Differences {
+public:
+    void compare(const char* name, const std::string& found, const std::string& expected) {
+        if (found == expected) return;
+        text_ += (text_.empty() ? "" : "; ") + std::string(name) + " " + found + " (expected " +
+                 expected + ")";
+    }
+    void compare(const char* name, std::int64_t found, std::int64_t expected) {
+        compare(name, std::to_string(found), std::to_string(expected));
+    }
+    void compare_seconds(const char* name, std::int64_t found, std::int64_t expected) {
+        compare(name, std::to_string(found / kSecond) + " s",
+                std::to_string(expected / kSecond) + " s");
+    }
+    // A failure if there is one.
+    Failure found_in(const std::string& what) const {
+        if (text_.empty()) return std::nullopt;
+        return LinkFailure{"the server has " + what + " with other settings: " + text_ +
+                               "; delete it there or choose another --cluster-name",
+                           true};
+    }
+
+private:
+    std::string text_;
+};
+
+const char* retention_word(jsRetentionPolicy retention) {
+    return retention == js_WorkQueuePolicy  ? "work queue"
+           : retention == js_InterestPolicy ? "interest"
+                                            : "limits";
+}
+
+std::string subjects_text(const jsStreamConfig& config) {
+    std::string text;
+    for (int i = 0; i < config.SubjectsLen; ++i)
+        text.append(text.empty() ? "" : " ").append(config.Subjects[i]);
+    return text;
+}
+
+Failure compare_streams(const jsStreamConfig& found, const jsStreamConfig& expected) {
+    Differences differences;
+    differences.compare("subjects", subjects_text(found), subjects_text(expected));
+    differences.compare("retention", retention_word(found.Retention),
+                        retention_word(expected.Retention));
+    differences.compare("storage", found.Storage == js_MemoryStorage ? "in memory" : "in files",
+                        expected.Storage == js_MemoryStorage ? "in memory" : "in files");
+    differences.compare("discard", found.Discard == js_DiscardNew ? "new" : "old",
+                        expected.Discard == js_DiscardNew ? "new" : "old");
+    differences.compare("bytes", found.MaxBytes, expected.MaxBytes);
+    differences.compare_seconds("age", found.MaxAge, expected.MaxAge);
+    differences.compare_seconds("duplicate window", found.Duplicates, expected.Duplicates);
+    return differences.found_in("a stream " + std::string(expected.Name));
+}
+
+Failure make_stream(NatsSession& session, jsStreamConfig& config) {
+    jsStreamInfo* received = nullptr;
+    jsErrCode code = jsErrCode(0);
+    natsStatus status =
+        js_GetStreamInfo(&received, session.jetstream(), config.Name, nullptr, &code);
+    const NatsHandle<jsStreamInfo> info(received);
+    if (status == NATS_OK) return compare_streams(*info->Config, config);
+    if (status != NATS_NOT_FOUND)
+        return request_failure(session, status, code, std::string("stream ") + config.Name);
+    status = js_AddStream(nullptr, session.jetstream(), &config, nullptr, &code);
+    if (status == NATS_OK) return std::nullopt;
+    return request_failure(session, status, code, std::string("stream ") + config.Name);
+}
+
+Failure make_stream_of(NatsSession& session, const std::string& name, const std::string& subjects,
+                       jsRetentionPolicy retention, jsDiscardPolicy discard) {
+    const char* subject = subjects.c_str();
+    jsStreamConfig config;
+    jsStreamConfig_Init(&config);
+    config.Name = name.c_str();
+    config.Subjects = &subject;
+    config.SubjectsLen = 1;
+    config.Storage = js_FileStorage;
+    config.MaxBytes = kStreamBytes;
+    config.MaxAge = kLongestKept;
+    config.Duplicates = kDuplicateWindow;
+    config.Retention = retention;
+    config.Discard = discard;
+    return make_stream(session, config);
+}
+
+Failure make_consumer(NatsSession& session, const NatsSubjects& subjects) {
+    const std::string stream = subjects.work_stream();
+    const std::string all = subjects.all_work();
+    jsConsumerInfo* received = nullptr;
+    jsErrCode code = jsErrCode(0);
+    natsStatus status = js_GetConsumerInfo(&received, session.jetstream(), stream.c_str(),
+                                           NatsSubjects::kConsumer, nullptr, &code);
+    const NatsHandle<jsConsumerInfo> info(received);
+    if (status == NATS_OK) {
+        Differences differences;
+        differences.compare_seconds("acknowledgement after", info->Config->AckWait, kWorkWait);
+        differences.compare("deliveries", info->Config->MaxDeliver, kMostDeliveries);
+        differences.compare("unacknowledged", info->Config->MaxAckPending, kMostUnacknowledged);
+        differences.compare("waiting", info->Config->MaxWaiting, kMostWaiting);
+        return differences.found_in("a consumer " + std::string(NatsSubjects::kConsumer) + " of " +
+                                    stream);
+    }
+    if (status == NATS_NOT_FOUND) {
+        jsConsumerConfig config;
+        jsConsumerConfig_Init(&config);
+        config.Durable = NatsSubjects::kConsumer;
+        config.FilterSubject = all.c_str();
+        config.AckPolicy = js_AckExplicit;
+        config.AckWait = kWorkWait;
+        config.MaxDeliver = kMostDeliveries;
+        config.MaxAckPending = kMostUnacknowledged;
+        config.MaxWaiting = kMostWaiting;
+        status =
+            js_AddConsumer(nullptr, session.jetstream(), stream.c_str(), &config, nullptr, &code);
+        if (status == NATS_OK) return std::nullopt;
+    }
+    return request_failure(session, status, code, "the consumer of " + stream);
+}
+
+Failure make_bucket(NatsSession& session, const NatsSubjects& subjects) {
+    const std::string name = subjects.bucket();
+    kvStore* found = nullptr;
+    natsStatus status = js_KeyValue(&found, session.jetstream(), name.c_str());
+    NatsHandle<kvStore> bucket(found);
+    if (status == NATS_NOT_FOUND) {
+        kvConfig config;
+        kvConfig_Init(&config);
+        config.Bucket = name.c_str();
+        config.History = 1;
+        config.TTL = kSettingsKept;
+        config.MaxBytes = kBucketBytes;
+        config.MaxValueSize = static_cast<std::int32_t>(kMostSettingsBytes);
+        config.StorageType = js_FileStorage;
+        status = js_CreateKeyValue(&found, session.jetstream(), &config);
+        if (status == NATS_OK) bucket.reset(found);
+    }
+    if (status == NATS_OK) return std::nullopt;
+    return request_failure(session, status, jsErrCode(0), "bucket " + name);
+}
+
+}  // namespace
+
+LinkFailure request_failure(NatsSession& session, natsStatus status, jsErrCode code,
+                            const std::string& what) {
+    const std::string refusal = session.take_refusal();
+    if (!refusal.empty()) return {refusal, true};
+    if (status == NATS_NO_RESPONDERS || code == JSNotEnabledErr ||
+        code == JSNotEnabledForAccountErr)
+        return {"the server has no JetStream: start it with -js or the sample configuration", true};
+    const bool lost = status == NATS_TIMEOUT || status == NATS_CONNECTION_DISCONNECTED ||
+                      status == NATS_CONNECTION_CLOSED;
+    return {"the server did not give " + what + ": " + last_nats_error(), !lost};
+}
+
+std::optional<LinkFailure> make_streams(NatsSession& session, const NatsSubjects& subjects) {
+    // A stream of work that is full takes no more; results give way to later ones.
+    if (auto failure = make_stream_of(session, subjects.work_stream(), subjects.all_work(),
+                                      js_WorkQueuePolicy, js_DiscardNew))
+        return failure;
+    if (auto failure = make_consumer(session, subjects)) return failure;
+    if (auto failure = make_stream_of(session, subjects.result_stream(), subjects.all_results(),
+                                      js_LimitsPolicy, js_DiscardOld))
+        return failure;
+    return make_bucket(session, subjects);
+}
+
+}  // namespace cambrian

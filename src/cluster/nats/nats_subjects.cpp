@@ -1,0 +1,77 @@
+#include "cluster/nats/nats_subjects.h"
+
+#include "persist/text/digest_text.h"
+
+#include <charconv>
+
+namespace cambrian {
+namespace {
+
+constexpr std::size_t kHexDigits = 16;
+
+std::optional<std::uint32_t> whole_number(std::string_view text) {
+    std::uint32_t number = 0;
+    const auto parsed = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (parsed.ec != std::errc() || parsed.ptr != text.data() + text.size()) return std::nullopt;
+    return number;
+}
+
+std::optional<std::uint64_t> id_of(std::string_view text) {
+    return text.size() == kHexDigits ? parse_hex(text) : std::nullopt;
+}
+
+// What is before the next dot; the rest remains.
+std::string_view token(std::string_view& text) {
+    const std::size_t end = std::min(text.find('.'), text.size());
+    const std::string_view first = text.substr(0, end);
+    text.remove_prefix(std::min(end + 1, text.size()));
+    return first;
+}
+
+std::string generation_name(std::uint64_t run, std::uint32_t generation) {
+    return hex_text(run) + "." + std::to_string(generation);
+}
+
+}  // namespace
+
+std::string NatsSubjects::unit_name(const UnitId& unit) {
+    return generation_name(unit.run, unit.generation) + "." + std::to_string(unit.unit);
+}
+
+std::string NatsSubjects::work_of(std::uint64_t run) const {
+    return cluster_ + ".work." + hex_text(run) + ".>";
+}
+
+std::string NatsSubjects::results_of(std::uint64_t run) const {
+    return cluster_ + ".result." + hex_text(run) + ".>";
+}
+
+std::string NatsSubjects::work_of(std::uint64_t run, std::uint32_t generation) const {
+    return cluster_ + ".work." + generation_name(run, generation) + ".>";
+}
+
+std::string NatsSubjects::results_of(std::uint64_t run, std::uint32_t generation) const {
+    return cluster_ + ".result." + generation_name(run, generation) + ".>";
+}
+
+std::optional<UnitId> NatsSubjects::unit_of(std::string_view subject) const {
+    if (token(subject) != cluster_) return std::nullopt;
+    const std::string_view kind = token(subject);
+    if (kind != "work" && kind != "result") return std::nullopt;
+    const auto run = id_of(token(subject));
+    const auto generation = whole_number(token(subject));
+    const auto unit = whole_number(subject);
+    if (!run || !generation || !unit) return std::nullopt;
+    return UnitId{*run, *generation, *unit};
+}
+
+std::string NatsSubjects::stop(std::uint64_t run) const {
+    return cluster_ + ".stop." + hex_text(run);
+}
+
+std::optional<std::uint64_t> NatsSubjects::stopped_run(std::string_view subject) const {
+    if (token(subject) != cluster_ || token(subject) != "stop") return std::nullopt;
+    return id_of(subject);
+}
+
+}  // namespace cambrian

@@ -1,0 +1,63 @@
+#pragma once
+
+// The names of a cluster's streams and subjects, and what a subject says of a message.
+
+#include "cluster/messages/work_queue.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace cambrian {
+
+class NatsSubjects {
+public:
+    explicit NatsSubjects(std::string cluster) : cluster_(std::move(cluster)) {}
+
+    std::string work_stream() const { return cluster_ + "-WORK"; }
+    std::string result_stream() const { return cluster_ + "-RESULT"; }
+    std::string bucket() const { return cluster_ + "-settings"; }
+    static constexpr const char* kConsumer = "workers";  // of the stream of work
+
+    std::string all_work() const { return cluster_ + ".work.>"; }
+    std::string all_results() const { return cluster_ + ".result.>"; }
+    std::string work(const UnitId& unit) const { return cluster_ + ".work." + unit_name(unit); }
+    std::string result(const UnitId& unit) const { return cluster_ + ".result." + unit_name(unit); }
+    std::string work_of(std::uint64_t run) const;
+    std::string results_of(std::uint64_t run) const;
+    std::string work_of(std::uint64_t run, std::uint32_t generation) const;
+    std::string results_of(std::uint64_t run, std::uint32_t generation) const;
+    // The unit of a subject of work or of a result; none if it is no such subject.
+    std::optional<UnitId> unit_of(std::string_view subject) const;
+
+    // Presence. Workers hear coordinators only: a thousand workers would else hear each other.
+    std::string all_hellos() const { return cluster_ + ".hello.>"; }
+    std::string coordinator_hellos() const { return cluster_ + ".hello.coordinator.*"; }
+    std::string coordinator_hello(std::string_view sender) const {
+        return cluster_ + ".hello.coordinator." + std::string(sender);
+    }
+    std::string worker_hello(std::string_view sender) const {
+        return cluster_ + ".hello.worker." + std::string(sender);
+    }
+
+    std::string all_stops() const { return cluster_ + ".stop.*"; }
+    std::string stop(std::uint64_t run) const;
+    std::optional<std::uint64_t> stopped_run(std::string_view subject) const;
+
+    // Where answers to a role's requests go; only that role may listen there.
+    std::string worker_inbox() const { return "_INBOX." + cluster_ + ".worker"; }
+    std::string coordinator_inbox() const { return "_INBOX." + cluster_ + ".coordinator"; }
+
+    // Sent by the server when a unit was delivered as often as it does.
+    std::string undeliverable() const {
+        return "$JS.EVENT.ADVISORY.CONSUMER.MAX_DELIVERIES." + work_stream() + "." + kConsumer;
+    }
+
+private:
+    static std::string unit_name(const UnitId& unit);
+
+    std::string cluster_;
+};
+
+}  // namespace cambrian

@@ -1,0 +1,40 @@
+#pragma once
+
+// Messages of a subject, taken one by one by the thread that asks.
+
+#include "cluster/nats/nats_handles.h"
+#include "cluster/nats/nats_session.h"
+
+#include <chrono>
+#include <memory>
+#include <string>
+#include <string_view>
+
+namespace cambrian {
+
+class NatsSubscription {
+public:
+    // Keeps at most so many messages that nobody has taken, and drops later ones.
+    static std::shared_ptr<NatsSubscription> plain(const std::shared_ptr<NatsSession>& session,
+                                                   const std::string& subject, int most_messages);
+    // Of one made with JetStream's calls.
+    NatsSubscription(std::shared_ptr<NatsSession> session, natsSubscription* subscription)
+        : session_(std::move(session)), subscription_(subscription) {}
+    ~NatsSubscription() { natsSubscription_Unsubscribe(subscription_.get()); }
+    NatsSubscription(const NatsSubscription&) = delete;
+    NatsSubscription& operator=(const NatsSubscription&) = delete;
+
+    natsSubscription* get() const { return subscription_.get(); }
+    bool valid() const { return natsSubscription_IsValid(subscription_.get()); }
+    // Null if there is none in time.
+    NatsHandle<natsMsg> next(std::chrono::milliseconds longest) const;
+
+private:
+    std::shared_ptr<NatsSession> session_;  // outlives the subscription
+    NatsHandle<natsSubscription> subscription_;
+};
+
+std::string_view body_of(const natsMsg& message);
+std::string_view subject_of(const natsMsg& message);
+
+}  // namespace cambrian

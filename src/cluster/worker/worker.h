@@ -1,0 +1,34 @@
+#pragma once
+
+// A worker: computes units of any coordinator until it is asked to stop.
+
+#include "cluster/messages/work_queue.h"
+#include "core/result.h"
+#include "core/threads/thread_priority.h"
+#include "evolution/kinds/evolution_kinds.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <stop_token>
+#include <string>
+#include <string_view>
+
+namespace cambrian {
+
+struct WorkerOptions {
+    std::uint64_t id = 0;     // unlike that of any other worker
+    std::size_t threads = 1;  // cores to use, at least 1
+    ThreadPriority priority = ThreadPriority::kBackground;
+    std::string name;  // shown to people
+    // One line for people: connected, lost the connection, which run it refuses and why. Any
+    // thread.
+    std::function<void(std::string_view)> say;
+};
+
+// Returns when stopped, after giving back what it has not begun. Fails if a coordinator found its
+// bits to differ: the message says which of the proof set's trials, or that a result differed.
+Status work_for_cluster(const EvolutionKinds& kinds, WorkerQueue& queue,
+                        const WorkerOptions& options, const std::stop_token& stop);
+
+}  // namespace cambrian

@@ -1,0 +1,337 @@
+#include "dynamics/articulated/elimination.h"
+
+#include "core/assert.h"
+#include "dynamics/model/forcing.h"
+
+namespace cambrian {
+namespace {
+
+// Inertia and load a body carries for its subtree, about its pivot: the symmetric matrix
+// [[A, h], [h', j]] and the load (f, t), by columns of (x, y, turn, -load); lane 2 of x and y is
+// not kept, for h is in turn.
+struct Carried {
+    Lanes x, y, turn;
+};
+
+// How a row of the parent's acceleration and of the load follows from a child's: (0, 0, z, gamma);
+// and the effort of a rotary joint on the child, in the load's lane.
+struct Lever {
+    Lanes x, y, effort;
+};
+
+// Effort of rotary joints, which turns the child and its parent.
+CAMBRIAN_INLINE Lanes rotary_effort(const PlanarModel& model, const Loads& loads, int first) {
+    return (1.0 - load_lanes(model.slides + first)) * load_lanes(loads.effort + first);
+}
+
+// Own inertia and load: h = m s, f less the pull of the centre towards the pivot, t about the
+// pivot, with the effort of the body's own joint.
+CAMBRIAN_INLINE void load_bodies(const PlanarModel& model, const Kinematics& k, const Loads& loads,
+                                 Carried* carried) {
+    for (int first = 0; first < model.body_count; first += kLanes) {
+        CAMBRIAN_TICK_ASSERT(model.mass[first] > 0.0 && model.pivot_inertia[first] > 0.0,
+                             "a body has a mass");
+        const Lanes mass = load_lanes(model.mass + first);
+        const Lanes spin = load_lanes(k.spin + first);
+        const Lanes s_x = load_lanes(k.s_x + first);
+        const Lanes s_y = load_lanes(k.s_y + first);
+        const Lanes force_x = load_lanes(loads.force_x + first);
+        const Lanes force_y = load_lanes(loads.force_y + first);
+        const Lanes h_x = mass * s_x;
+        const Lanes h_y = mass * s_y;
+        const Lanes torque = load_lanes(loads.torque + first) + (s_x * force_x + s_y * force_y) +
+                             rotary_effort(model, loads, first);
+        const Lanes square = spin * spin;
+        Lanes x[kLanes] = {mass, Lanes{}, Lanes{}, -(force_x + square * h_y)};
+        Lanes y[kLanes] = {Lanes{}, mass, Lanes{}, -(force_y - square * h_x)};
+        Lanes turn[kLanes] = {h_x, h_y, load_lanes(model.pivot_inertia + first), -torque};
+        transpose(x[0], x[1], x[2], x[3]);
+        transpose(y[0], y[1], y[2], y[3]);
+        transpose(turn[0], turn[1], turn[2], turn[3]);
+        for (int lane = 0; lane < kLanes; ++lane)
+            carried[first + lane] = {x[lane], y[lane], turn[lane]};
+    }
+}
+
+CAMBRIAN_INLINE void place_levers(const PlanarModel& model, const Kinematics& k, const Loads& loads,
+                                  Lever* levers) {
+    for (int first = 0; first < model.body_count; first += kLanes) {
+        Lanes x[kLanes] = {{}, {}, load_lanes(k.z_x + first), load_lanes(k.gamma_x + first)};
+        Lanes y[kLanes] = {{}, {}, load_lanes(k.z_y + first), load_lanes(k.gamma_y + first)};
+        Lanes effort[kLanes] = {{}, {}, {}, rotary_effort(model, loads, first)};
+        transpose(x[0], x[1], x[2], x[3]);
+        transpose(y[0], y[1], y[2], y[3]);
+        transpose(effort[0], effort[1], effort[2], effort[3]);
+        for (int lane = 0; lane < kLanes; ++lane)
+            levers[first + lane] = {x[lane], y[lane], effort[lane]};
+    }
+}
+
+// A column as the parent sees it: its turn and load feel the pivot's acceleration.
+CAMBRIAN_INLINE Lanes as_parent_sees(const Lanes& column, const Lever& lever) {
+    return column + column[0] * lever.x + column[1] * lever.y;
+}
+
+// A column with 0 for its turn.
+CAMBRIAN_INLINE Lanes without_turn(const Lanes& column) {
+    LaneBits bits;
+    std::memcpy(&bits, &column, sizeof(bits));
+    bits &= LaneBits{-1, -1, 0, -1};
+    Lanes result;
+    std::memcpy(&result, &bits, sizeof(result));
+    return result;
+}
+
+// The first two columns, and the third but for what it has of its own.
+CAMBRIAN_INLINE void add_to_parent(const Lanes& x, const Lanes& y, const Lever& lever,
+                                   Carried& parent) {
+    const Lanes seen_x = as_parent_sees(x, lever);
+    const Lanes seen_y = as_parent_sees(y, lever);
+    parent.x += seen_x;
+    parent.y += seen_y;
+    parent.turn += lever.effort + (lever.x[2] * seen_x + lever.y[2] * seen_y);
+}
+
+// Both return u and leave to the parent what the joint does not take: all less the outer product of
+// the joint's row with itself, over d. With the effort tau - g (alpha - alpha_p), g the damping,
+// the row of a rotary joint is that of its body's turn, d = j + g, and the share g/d of it is left.
+template <Motors kMotors>
+CAMBRIAN_INLINE double eliminate_rotary(int i, const Carried& c, const Lever& lever,
+                                        Factors& factors, Carried& parent) {
+    const Lanes row = c.turn;
+    const double damping = kMotors == Motors::kImplicit ? factors.damping[i] : 0.0;
+    const double inverse_d = 1.0 / (kMotors == Motors::kImplicit ? row[2] + damping : row[2]);
+    const Lanes scaled = row * inverse_d;
+    Lanes x = without_turn(c.x - scaled * row[0]);
+    Lanes y = without_turn(c.y - scaled * row[1]);
+    if constexpr (kMotors == Motors::kImplicit) {
+        const Lanes left = damping * scaled;
+        x[2] = left[0];
+        y[2] = left[1];
+        parent.turn += as_parent_sees(left, lever);
+    }
+    add_to_parent(x, y, lever, parent);
+    factors.w_x[i] = row[0];
+    factors.w_y[i] = row[1];
+    factors.inverse_d[i] = inverse_d;
+    return -row[3];
+}
+
+// With n the joint's axis the row is n A, n h and the load n f + F, and d = n A n + g.
+template <Motors kMotors>
+CAMBRIAN_INLINE double eliminate_linear(const Kinematics& k, double effort, int i, const Carried& c,
+                                        const Lever& lever, Factors& factors, Carried& parent) {
+    const double n_x = k.axis_x[i];
+    const double n_y = k.axis_y[i];
+    Lanes x = c.x;
+    Lanes y = c.y;
+    x[2] = c.turn[0];
+    y[2] = c.turn[1];
+    Lanes row = n_x * x + n_y * y;
+    row[3] -= effort;
+    const double along = n_x * row[0] + n_y * row[1];
+    const double inverse_d =
+        1.0 / (kMotors == Motors::kImplicit ? along + factors.damping[i] : along);
+    const Lanes scaled = row * inverse_d;
+    x -= scaled * row[0];
+    y -= scaled * row[1];
+    const Lanes turn = c.turn - scaled * row[2];
+    add_to_parent(x, y, lever, parent);
+    parent.turn += as_parent_sees(turn, lever);
+    factors.w_x[i] = row[0];
+    factors.w_y[i] = row[1];
+    factors.w_3[i] = row[2];
+    factors.inverse_d[i] = inverse_d;
+    return -row[3];
+}
+
+// By cofactors.
+CAMBRIAN_INLINE RootInverse invert_root(const Carried& c) {
+    const double xx = c.x[0];
+    const double xy = c.x[1];
+    const double yy = c.y[1];
+    const double xt = c.turn[0];
+    const double yt = c.turn[1];
+    const double tt = c.turn[2];
+    const double cofactor_xx = yy * tt - yt * yt;
+    const double cofactor_xy = xt * yt - xy * tt;
+    const double cofactor_xt = xy * yt - yy * xt;
+    const double inverse = 1.0 / (xx * cofactor_xx + xy * cofactor_xy + xt * cofactor_xt);
+    return {cofactor_xx * inverse, cofactor_xy * inverse,         (xx * tt - xt * xt) * inverse,
+            cofactor_xt * inverse, (xy * xt - xx * yt) * inverse, (xx * yy - xy * xy) * inverse};
+}
+
+// Accelerations or velocity jumps of the pivots; x and y are the response's, which hold the pivots'
+// until move_to_centers.
+CAMBRIAN_INLINE void solve_root(const RootInverse& inverse, int root, const Pair& f, double t,
+                                BodyResponse& response) {
+    response.x[root] = inverse.xx * f[0] + inverse.xy * f[1] + inverse.xt * t;
+    response.y[root] = inverse.xy * f[0] + inverse.yy * f[1] + inverse.yt * t;
+    response.spin[root] = inverse.xt * f[0] + inverse.yt * f[1] + inverse.tt * t;
+    response.coordinate[root] = response.spin[root];
+}
+
+enum class Load { kForce, kImpulse };
+
+// Body i's response from its parent's; gamma is 0 for impulses.
+template <Load kLoad, Motors kMotors>
+CAMBRIAN_INLINE void follow_parent(const PlanarModel& model, const Kinematics& k,
+                                   const Factors& factors, const double* u, int i,
+                                   BodyResponse& response) {
+    const int p = model.parent[i];
+    const double spin = response.spin[p];
+    CAMBRIAN_TICK_ASSERT(p >= 0 && p < i, "a parent stands before its children");
+    double x = response.x[p] + spin * k.z_x[i];
+    double y = response.y[p] + spin * k.z_y[i];
+    if constexpr (kLoad == Load::kForce) {
+        x += k.gamma_x[i];
+        y += k.gamma_y[i];
+    }
+    double rest = u[i] - factors.w_x[i] * x - factors.w_y[i] * y;
+    if (model.motion[i] == JointMotion::kSlide) {
+        rest -= factors.w_3[i] * spin;
+        const double slide = rest * factors.inverse_d[i];
+        response.x[i] = x + slide * k.axis_x[i];
+        response.y[i] = y + slide * k.axis_y[i];
+        response.spin[i] = spin;
+        response.coordinate[i] = slide;
+        return;
+    }
+    if constexpr (kMotors == Motors::kImplicit) rest += factors.damping[i] * spin;
+    const double turn = rest * factors.inverse_d[i];
+    response.x[i] = x;
+    response.y[i] = y;
+    response.spin[i] = turn;
+    response.coordinate[i] = turn;
+}
+
+// a = a_pivot + alpha s, and - w^2 perp(s) under forces.
+template <Load kLoad>
+CAMBRIAN_INLINE void move_to_centers(const PlanarModel& model, const Kinematics& k,
+                                     BodyResponse& response) {
+    for (int i = 0; i < model.body_count; i += kLanes) {
+        const Lanes s_x = load_lanes(k.s_x + i);
+        const Lanes s_y = load_lanes(k.s_y + i);
+        const Lanes turn = load_lanes(response.spin + i);
+        Lanes x = load_lanes(response.x + i) + turn * s_x;
+        Lanes y = load_lanes(response.y + i) + turn * s_y;
+        if constexpr (kLoad == Load::kForce) {
+            const Lanes spin = load_lanes(k.spin + i);
+            x -= spin * spin * s_y;
+            y += spin * spin * s_x;
+        }
+        store_lanes(response.x + i, x);
+        store_lanes(response.y + i, y);
+    }
+}
+
+// Centres of mass feel the explicit forces only.
+CAMBRIAN_INLINE void move_centers(const PlanarModel& model, const Loads& loads,
+                                  BodyResponse& response) {
+    const int slots = round_up_to_lanes(model.body_count);
+    for (int t = 0; t < model.tree_count; ++t) {
+        const double* members = model.membership[t];
+        const double share = 1.0 / model.tree_mass[t];
+        response.coordinate[center_of(model, t)] =
+            share * lane_product(members, loads.force_x, slots);
+        response.coordinate[center_of(model, t) + 1] =
+            share * lane_product(members, loads.force_y, slots);
+    }
+}
+
+template <Motors kMotors>
+CAMBRIAN_INLINE void solve(const PlanarModel& model, const Kinematics& kinematics,
+                           const Loads& loads, Factors& factors, BodyResponse& response) {
+    Carried carried[kMaxBodies];
+    Lever levers[kMaxBodies];
+    PerBody u;
+    load_bodies(model, kinematics, loads, carried);
+    place_levers(model, kinematics, loads, levers);
+    for (int tree = model.tree_count - 1; tree >= 0; --tree) {
+        const int root = model.tree_begin[tree];
+        const int end = model.tree_begin[tree + 1];
+        CAMBRIAN_TICK_ASSERT(root < end && end <= model.body_count, "the bodies of a tree");
+        for (int i = end - 1; i > root; --i) {
+            Carried& parent = carried[model.parent[i]];
+            u[i] = model.motion[i] == JointMotion::kSlide
+                       ? eliminate_linear<kMotors>(kinematics, loads.effort[i], i, carried[i],
+                                                   levers[i], factors, parent)
+                       : eliminate_rotary<kMotors>(i, carried[i], levers[i], factors, parent);
+        }
+        factors.root[tree] = invert_root(carried[root]);
+        const Carried& all = carried[root];
+        solve_root(factors.root[tree], root, Pair{-all.x[3], -all.y[3]}, -all.turn[3], response);
+        for (int i = root + 1; i < end; ++i)
+            follow_parent<Load::kForce, kMotors>(model, kinematics, factors, u, i, response);
+    }
+    move_to_centers<Load::kForce>(model, kinematics, response);
+    move_centers(model, loads, response);
+}
+
+}  // namespace
+
+void solve_accelerations(const PlanarModel& model, const Kinematics& kinematics, const Loads& loads,
+                         Factors& factors, BodyResponse& response) {
+    for (int i = 0; i < model.body_count; i += kLanes)
+        store_lanes(factors.damping + i, Lanes{});
+    solve<Motors::kExplicit>(model, kinematics, loads, factors, response);
+}
+
+void solve_damped_accelerations(const PlanarModel& model, const Kinematics& kinematics,
+                                const Loads& loads, const PerBody& damping, Factors& factors,
+                                BodyResponse& response) {
+    for (int i = 0; i < model.body_count; i += kLanes)
+        store_lanes(factors.damping + i, load_lanes(damping + i));
+    solve<Motors::kImplicit>(model, kinematics, loads, factors, response);
+}
+
+void factorize(const PlanarModel& model, const Kinematics& kinematics, Factors& factors) {
+    Loads none;
+    BodyResponse unused;
+    clear_loads(model, none);
+    solve_accelerations(model, kinematics, none, factors, unused);
+}
+
+void solve_impulse(const PlanarModel& model, const Kinematics& k, const Factors& factors,
+                   const Loads& impulses, BodyResponse& response) {
+    Pair f[kMaxBodies];
+    PerBody t;
+    PerBody u;
+    for (int i = 0; i < model.body_count; ++i) {
+        f[i] = Pair{impulses.force_x[i], impulses.force_y[i]};
+        t[i] = impulses.torque[i] + dot(Pair{k.s_x[i], k.s_y[i]}, f[i]);
+    }
+    for (int tree = model.tree_count - 1; tree >= 0; --tree) {
+        const int root = model.tree_begin[tree];
+        const int end = model.tree_begin[tree + 1];
+        for (int i = end - 1; i > root; --i) {
+            const int p = model.parent[i];
+            const double effort = impulses.effort[i];
+            CAMBRIAN_TICK_ASSERT(p >= 0 && p < i, "a parent stands before its children");
+            const bool linear = model.motion[i] == JointMotion::kSlide;
+            const Pair w = {factors.w_x[i], factors.w_y[i]};
+            u[i] = effort + (linear ? dot(Pair{k.axis_x[i], k.axis_y[i]}, f[i]) : t[i]);
+            const double share = u[i] * factors.inverse_d[i];
+            const Pair passed = f[i] - w * both(share);
+            f[p] += passed;
+            t[p] += dot(Pair{k.z_x[i], k.z_y[i]}, passed) +
+                    (linear ? t[i] - factors.w_3[i] * share : factors.damping[i] * share - effort);
+        }
+        solve_root(factors.root[tree], root, f[root], t[root], response);
+        for (int i = root + 1; i < end; ++i)
+            follow_parent<Load::kImpulse, Motors::kImplicit>(model, k, factors, u, i, response);
+    }
+    move_to_centers<Load::kImpulse>(model, k, response);
+    move_centers(model, impulses, response);
+}
+
+void clear_loads(const PlanarModel& model, Loads& loads) {
+    for (int i = 0; i < model.body_count; i += kLanes) {
+        store_lanes(loads.force_x + i, Lanes{});
+        store_lanes(loads.force_y + i, Lanes{});
+        store_lanes(loads.torque + i, Lanes{});
+        store_lanes(loads.effort + i, Lanes{});
+    }
+}
+
+}  // namespace cambrian

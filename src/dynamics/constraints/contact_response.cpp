@@ -1,0 +1,96 @@
+// Simultaneous impact of everything that touches, with restitution and friction (physics.md 7.4):
+//     u+ = u- + W p,   normal rows that close fast: u+ >= -e u-,   all others: u+ >= 0.
+// The energy change is exactly p (u- + u+) / 2; friction can make it positive, which no surface
+// can: the problem is then solved again without restitution, and last without friction.
+
+#include "dynamics/articulated/loop_closure.h"
+#include "dynamics/constraints/contact_solver.h"
+#include "dynamics/constraints/invariants.h"
+
+#include <cmath>
+
+namespace cambrian {
+namespace {
+
+constexpr double kStopBand = 1e-3;       // rad or m; joints this near a stop join the impact
+constexpr double kWorkTolerance = 1e-6;  // of the impulses' size times their closing speeds
+// Small, as an impact has no earlier impulse that could anchor its friction rows.
+constexpr double kImpactFrictionSoftness = 1e-5;
+
+void set_impact_bias(const RowSystem& rows, double elasticity, double* bias) {
+    for (int row = 0; row < rows.count; ++row) {
+        const double rate = rows[row].rate;
+        const bool bounces = rows[row].kind == RowKind::kNormal && rate < -kRestingSpeed;
+        bias[row] = bounces ? (1.0 + elasticity) * rate : rate;
+    }
+}
+
+double impact_scale(const RowSystem& rows) {
+    double scale = 0.0;
+    for (int row = 0; row < rows.count; ++row)
+        scale += std::fabs(rows.impulse[row] * rows[row].rate);
+    return scale;
+}
+
+void find_stops(const PlanarModel& model, const Kinematics& kinematics, LimitSet& limits) {
+    limits.count = 0;
+    for (int i = 0; i < model.body_count; ++i) {
+        if (model.parent[i] < 0) continue;
+        CAMBRIAN_TICK_ASSERT(model.limit_low[i] <= model.limit_high[i], "stops in order");
+        const double angle = kinematics.joint_position[i];
+        const double low = angle - model.limit_low[i];
+        const double high = model.limit_high[i] - angle;
+        if (low < kStopBand) limits.add({i, 1.0, low});
+        if (high < kStopBand) limits.add({i, -1.0, high});
+    }
+}
+
+}  // namespace
+
+double ContactSolver::impact_work() const {
+    double work = 0.0;
+    for (int row = 0; row < rows_.count; ++row) {
+        if (rows_.impulse[row] == 0.0) continue;
+        work += rows_.impulse[row] * (rows_[row].rate + 0.5 * impulse_effect(rows_, row));
+    }
+    return work;
+}
+
+ImpactResult ContactSolver::strike(const PlanarModel& model, const ContactLaw& law,
+                                   double elasticity, const Frame& frame, Motion& motion) {
+    CAMBRIAN_TICK_ASSERT(elasticity >= 0.0 && elasticity <= 1.0, "a coefficient of restitution");
+    chosen_.count = 0;
+    for (int c = 0; c < near_.count; ++c) {
+        if (near_.items[c].gap < kContactBand) chosen_.add(near_.items[c]);
+    }
+    find_stops(model, frame.kinematics, limits_);
+    build_rows(model, {chosen_, limits_, law.friction > 0.0, kImpactFrictionSoftness},
+               frame.kinematics, frame, rows_);
+    ImpactResult result;
+    const auto solve = [&](double kept) {
+        for (int row = 0; row < rows_.count; ++row)
+            rows_.impulse[row] = 0.0;
+        set_impact_bias(rows_, kept, bias_);
+        if (!solver_.solve(rows_, bias_, law.friction)) result.fell_back = true;
+        result.work = impact_work();
+        return result.work <= kWorkTolerance * impact_scale(rows_);
+    };
+    if (!solve(elasticity) && !solve(0.0)) {
+        result.fell_back = true;
+        solver_.iterate_from_zero(rows_, bias_, 0.0);
+        result.work = impact_work();
+    }
+    CAMBRIAN_TICK_ASSERT(do_only_push(rows_), "an impact does not pull");
+    CAMBRIAN_TICK_ASSERT(result.fell_back || are_in_cones(rows_, law.friction),
+                         "friction that is solved for stays in its cone");
+    Loads loads;
+    BodyResponse jump;
+    clear_loads(model, loads);
+    add_row_impulses(rows_, rows_.impulse, 1.0, loads);
+    solve_closed_impulse(model, frame.kinematics, frame.factors, loads, jump);
+    for (int c = 0; c < coordinate_count(model); ++c)
+        motion.speed[c] += jump.coordinate[c];
+    return result;
+}
+
+}  // namespace cambrian

@@ -1,0 +1,339 @@
+#include "dynamics/constraints/contact_solver.h"
+
+#include "dynamics/constraints/invariants.h"
+#include "dynamics/contact/ground_contacts.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cambrian {
+namespace {
+
+constexpr double kLimitBand = 1e-4;            // rad or m; nearer than this a stop gets a row
+constexpr double kPushShare = 0.1;             // of a penetration, undone in one nominal step
+constexpr double kPushSpeed = 0.5;             // m/s; cap of that
+constexpr double kLimitPushSpeed = 1.0;        // rad/s or m/s
+constexpr double kNominalStep = 1.0 / 120;     // s
+constexpr double kMiddleWorkAllowance = 1e-3;  // J per (kg m/s^2): M g (1 m) * this
+constexpr double kAnchorWeights = 10.0;  // weights of the body that friction holds without slip
+constexpr double kMiddleFrictionSoftness = 1e-2;  // anchored at the last step's forces
+
+// How far above its demand r + W p >= 0 a row may stay: lands at gap 0 with rate 0 in two steps,
+// backs out of penetration with a force that stays bounded as h shrinks, and does not push what is
+// leaving faster: that may come back, if over the step it gets out as far.
+double row_slack(double gap, double rate, double h, double push_speed) {
+    if (gap < 0.0) {
+        const double push = std::min(push_speed, -kPushShare * gap / kNominalStep);
+        const double back = push * std::min(1.0, h / kNominalStep);
+        return std::max(-back, rate - 2.0 * back);
+    }
+    if (rate <= 0.0) return std::max(0.0, gap / h + 0.5 * rate);
+    return std::max(0.0, 2.0 * gap / h + rate);
+}
+
+// Whether a slow contact could reach the band within a step of length h.
+bool may_touch(const Contact& contact, const BodyResponse& free, double h) {
+    if (contact.closing_speed > kRestingSpeed) return false;
+    const int a = contact.body_a;
+    double acceleration = contact.normal_x * (free.x[a] - free.spin[a] * contact.arm_ay) +
+                          contact.normal_y * (free.y[a] + free.spin[a] * contact.arm_ax);
+    if (contact.body_b >= 0) {
+        const int b = contact.body_b;
+        acceleration -= contact.normal_x * (free.x[b] - free.spin[b] * contact.arm_by) +
+                        contact.normal_y * (free.y[b] + free.spin[b] * contact.arm_bx);
+    }
+    const double reach = kContactBand + 1.5 * h * std::max(0.0, contact.closing_speed) +
+                         h * h * std::max(0.0, -acceleration);
+    return contact.gap < reach;
+}
+
+// Looks contacts up in the last step's forces. They are asked for in the order of collection, in
+// which the forces are too.
+class WarmForces {
+public:
+    explicit WarmForces(const WarmStart& warm) : warm_(warm) {}
+
+    double normal(int id) {
+        const int rank = pass_to(id);
+        for (int w = next_; is_of(rank, w); ++w) {
+            if (warm_.id[w] == id) return warm_.normal[w];
+        }
+        return 0.0;
+    }
+    double pair_friction(int id) {
+        const int rank = pass_to(id);
+        double sum = 0.0;
+        for (int w = next_; is_of(rank, w); ++w)
+            sum += warm_.friction[w];
+        return sum;
+    }
+
+private:
+    bool is_of(int rank, int w) const {
+        return w < warm_.count && collection_rank(warm_.id[w]) == rank;
+    }
+    int pass_to(int id) {
+        const int rank = collection_rank(id);
+        while (next_ < warm_.count && collection_rank(warm_.id[next_]) < rank)
+            ++next_;
+        return rank;
+    }
+
+    const WarmStart& warm_;
+    int next_ = 0;
+};
+
+}  // namespace
+
+void ContactSolver::collect(const PlanarModel& model, const ContactLaw& law,
+                            const Kinematics& kinematics) {
+    near_.count = 0;
+    if (!law.has_ground && model.colliding_pairs.empty()) return;
+    PartPlaces places;
+    place_parts(model, kinematics, places);
+    if (law.has_ground) collect_ground_contacts(model, kinematics, places, near_);
+    pair_list_.collect(model, kinematics, places, near_);
+    CAMBRIAN_TICK_ASSERT(near_.count >= 0 && near_.count <= kMaxContacts, "contacts have room");
+}
+
+bool ContactSolver::has_impact() const {
+    for (int c = 0; c < near_.count; ++c) {
+        const Contact& contact = near_.items[c];
+        if (contact.gap < kContactBand && contact.closing_speed > kRestingSpeed) return true;
+    }
+    return false;
+}
+
+// One point of two boxes answers for another only once they overlap: their corners may take turns
+// then, but a corner that is still to come must be found.
+bool ContactSolver::covers(const Contact& contact) const {
+    for (int c = 0; c < chosen_.count; ++c) {
+        const Contact& chosen = chosen_.items[c];
+        if (chosen.id == contact.id) return true;
+        if (chosen.gap < 0.0 && same_pair(chosen, contact)) return true;
+    }
+    return false;
+}
+
+// Touching contacts, and slow ones that could touch within the step; fast ones are left to the
+// search for the time of impact.
+bool ContactSolver::choose(const PlanarModel& model, Frame& frame, double h) {
+    CAMBRIAN_TICK_ASSERT(h > 0.0, "a step takes time");
+    chosen_.count = 0;
+    for (int c = 0; c < near_.count; ++c) {
+        const Contact& contact = near_.items[c];
+        if (contact.gap >= kContactBand) {
+            find_centers(model, frame);
+            if (!may_touch(contact, frame.response, h)) continue;
+        }
+        chosen_.add(contact);
+    }
+    choose_limits(model, frame, h);
+    CAMBRIAN_TICK_ASSERT(chosen_.count <= near_.count, "chosen contacts are near");
+    return chosen_.count > 0 || limits_.count > 0;
+}
+
+void ContactSolver::build(const PlanarModel& model, const ContactLaw& law, Frame& start) {
+    complete_frame(model, start);
+    build_between(model, law, start.kinematics, start);
+}
+
+void ContactSolver::build_between(const PlanarModel& model, const ContactLaw& law,
+                                  const Kinematics& start, const Frame& middle) {
+    build_rows(model, {chosen_, limits_, law.friction > 0.0, kMiddleFrictionSoftness}, start,
+               middle, rows_);
+}
+
+// Stops that could be reached within the step.
+void ContactSolver::choose_limits(const PlanarModel& model, const Frame& frame, double h) {
+    limits_.count = 0;
+    const Kinematics& k = frame.kinematics;
+    PerBody low_room;
+    PerBody high_room;
+    for (int i = 0; i < model.body_count; i += kLanes) {
+        const Lanes angle = load_lanes(k.joint_position + i);
+        const Lanes rate = load_lanes(k.joint_rate + i);
+        const Lanes turning = all_lanes(1.0) - load_lanes(model.slides + i);
+        const Lanes acceleration = load_lanes(frame.response.coordinate + i) -
+                                   turning * gather(frame.response.spin, model.parent_slot + i);
+        const Lanes low_reach = kLimitBand + 1.5 * h * greater(-rate, Lanes{}) +
+                                h * h * greater(-acceleration, Lanes{});
+        const Lanes high_reach =
+            kLimitBand + 1.5 * h * greater(rate, Lanes{}) + h * h * greater(acceleration, Lanes{});
+        store_lanes(low_room + i, angle - load_lanes(model.limit_low + i) - low_reach);
+        store_lanes(high_room + i, load_lanes(model.limit_high + i) - angle - high_reach);
+    }
+    for (int i = 0; i < model.body_count; ++i) {
+        if (low_room[i] >= 0.0 && high_room[i] >= 0.0) continue;
+        if (model.parent[i] < 0) continue;
+        const double angle = k.joint_position[i];
+        if (low_room[i] < 0.0) limits_.add({i, 1.0, angle - model.limit_low[i]});
+        if (high_room[i] < 0.0) limits_.add({i, -1.0, model.limit_high[i] - angle});
+        CAMBRIAN_TICK_ASSERT(limits_.count <= 2 * kMaxBodies, "stops have room");
+    }
+}
+
+// First guesses and demands. The softness of friction rows pulls towards the last step's force, not
+// towards none: what holds still keeps holding still, without creep. Only up to a few times the
+// weight: parts wedged against each other would keep any stress they once built up.
+void ContactSolver::pose_resting(const PlanarModel& model, double h, const WarmStart& warm) {
+    CAMBRIAN_TICK_ASSERT(h > 0.0, "a step takes time");
+    CAMBRIAN_TICK_ASSERT(warm.count <= kMaxContacts, "remembered forces have room");
+    const double most = kAnchorWeights * model.total_mass * kReferenceGravity * h;
+    WarmForces forces(warm);
+    for (int r = 0; r < rows_.count; ++r) {
+        const Row& row = rows_[r];
+        double force = 0.0;
+        double bias = row.rate + h * row.acceleration;
+        if (row.kind == RowKind::kNormal) {
+            const Contact& contact = chosen_.items[row.source];
+            force = forces.normal(contact.id);
+            bias += row_slack(contact.gap - kRestingGap, row.rate, h, kPushSpeed);
+        } else if (row.kind == RowKind::kFriction) {
+            force = row.body_b < 0 ? warm.ground_friction[row.body_a]
+                                   : forces.pair_friction(chosen_.items[row.source].id);
+            bias -= row.regularization * std::clamp(h * force, -most, most);
+        } else {
+            force = std::max(0.0, row.dir_x * warm.limit[row.body_a]);
+            bias += row_slack(limits_.items[row.source].gap, row.rate, h, kLimitPushSpeed);
+        }
+        rows_.impulse[r] = h * force;
+        bias_[r] = bias;
+    }
+}
+
+bool ContactSolver::hold(const PlanarModel& model, const ContactLaw& law, double h,
+                         WarmStart& warm) {
+    pose_resting(model, h, warm);
+    const bool solved = solve_resting(model, law, h);
+    CAMBRIAN_TICK_ASSERT(do_only_push(rows_), "contacts and stops do not pull");
+    CAMBRIAN_TICK_ASSERT(!solved || are_in_cones(rows_, law.friction),
+                         "friction that is solved for stays in its cone");
+    store_forces(model.body_count, h, warm);
+    return solved;
+}
+
+void ContactSolver::absorb(const PlanarModel& model, const ContactLaw& law,
+                           const BodyResponse (&changes)[2], Loads (&loads)[2]) {
+    RowChanges rows;
+    rate_rows(model, rows_, changes, rows.rates);
+    CAMBRIAN_TICK_ASSERT(law.friction >= 0.0, "friction is not negative");
+    solver_.absorb(rows_, law.friction, rows);
+    for (int which = 0; which < 2; ++which)
+        add_row_impulses(rows_, rows.impulses[which], 1.0, loads[which]);
+}
+
+void ContactSolver::let_go() {
+    held_.contact_count = 0;
+    held_.limits_active = false;
+    for (int c = 0; c < chosen_.count; ++c)
+        normal_force_[c] = 0.0;
+}
+
+bool ContactSolver::solve_resting(const PlanarModel& model, const ContactLaw& law, double h) {
+    const double allowance = kMiddleWorkAllowance * model.total_mass * kReferenceGravity;
+    bool solved = solver_.solve(rows_, bias_, law.friction);
+    if (resting_work(h) <= allowance) return solved;
+    solver_.iterate_from_zero(rows_, bias_, law.friction);
+    if (resting_work(h) > allowance) solver_.iterate_from_zero(rows_, bias_, 0.0);
+    return false;
+}
+
+// Work the impulses would do over a step of constant forces.
+double ContactSolver::resting_work(double h) const {
+    double work = 0.0;
+    for (int row = 0; row < rows_.count; ++row) {
+        if (rows_.impulse[row] == 0.0) continue;
+        work +=
+            rows_.impulse[row] *
+            (rows_[row].rate + 0.5 * (h * rows_[row].acceleration + impulse_effect(rows_, row)));
+    }
+    return work;
+}
+
+void ContactSolver::store_forces(int body_count, double h, WarmStart& warm) {
+    warm.count = chosen_.count;
+    held_.contact_count = chosen_.count;
+    held_.limits_active = limits_.count > 0;
+    for (int c = 0; c < chosen_.count; ++c) {
+        const Contact& contact = chosen_.items[c];
+        warm.id[c] = contact.id;
+        warm.normal[c] = 0.0;
+        warm.friction[c] = 0.0;
+        held_.contacts[c] = {
+            contact.body_a, contact.body_b, contact.point_x, contact.point_y, 0.0, 0.0};
+    }
+    for (int i = 0; i < body_count; i += kLanes) {
+        store_lanes(warm.ground_friction + i, Lanes{});
+        store_lanes(warm.limit + i, Lanes{});
+        store_lanes(held_.limit_effort + i, Lanes{});
+    }
+    for (int r = 0; r < rows_.count; ++r) {
+        if (rows_.impulse[r] == 0.0) continue;
+        const Row& row = rows_[r];
+        const double force = rows_.impulse[r] / h;
+        if (row.kind == RowKind::kLimit) {
+            warm.limit[row.body_a] += row.dir_x * force;
+            held_.limit_effort[row.body_a] += row.dir_x * force;
+            continue;
+        }
+        CAMBRIAN_TICK_ASSERT(row.source >= 0 && row.source < held_.contact_count,
+                             "a row of a contact");
+        HeldForce& held = held_.contacts[row.source];
+        held.force_x += row.dir_x * force;
+        held.force_y += row.dir_y * force;
+        if (row.kind == RowKind::kNormal)
+            warm.normal[row.source] = force;
+        else if (row.body_b < 0)
+            warm.ground_friction[row.body_a] = force;
+        else
+            warm.friction[row.source] = force;
+    }
+    for (int c = 0; c < chosen_.count; ++c)
+        normal_force_[c] = warm.normal[c];
+}
+
+HeldWork ContactSolver::held_work(const PlanarModel& model, const Kinematics& begin,
+                                  const Kinematics& end) const {
+    HeldWork work;
+    const auto world = [](const Kinematics& k, const HeldForce& held, double& x, double& y) {
+        const int a = held.body_a;
+        x = k.x[a] + k.cosine[a] * held.point_x - k.sine[a] * held.point_y;
+        y = k.y[a] + k.sine[a] * held.point_x + k.cosine[a] * held.point_y;
+    };
+    for (int c = 0; c < held_.contact_count; ++c) {
+        const HeldForce& held = held_.contacts[c];
+        CAMBRIAN_TICK_ASSERT(is_body(model, held.body_a) && is_body_or_ground(model, held.body_b),
+                             "a contact of bodies");
+        if (held.force_x == 0.0 && held.force_y == 0.0) continue;
+        double start_x = 0.0;
+        double start_y = 0.0;
+        double end_x = 0.0;
+        double end_y = 0.0;
+        world(begin, held, start_x, start_y);
+        world(end, held, end_x, end_y);
+        double done = held.force_x * (end_x - start_x) + held.force_y * (end_y - start_y);
+        const int b = held.body_b;
+        if (b >= 0) {
+            const double turn = end.angle[b] - begin.angle[b];
+            const double arm_x = 0.5 * (start_x - begin.x[b] + end_x - end.x[b]);
+            const double arm_y = 0.5 * (start_y - begin.y[b] + end_y - end.y[b]);
+            done -= held.force_x * (end.x[b] - begin.x[b] - turn * arm_y) +
+                    held.force_y * (end.y[b] - begin.y[b] + turn * arm_x);
+        }
+        work.contact += done;
+        work.positive += std::max(0.0, done);
+    }
+    if (!held_.limits_active) return work;
+    for (int i = 0; i < model.body_count; ++i) {
+        const double effort = held_.limit_effort[i];
+        if (effort == 0.0) continue;
+        CAMBRIAN_TICK_ASSERT(model.parent[i] >= 0, "stops belong to joints");
+        const double done = effort * (end.joint_position[i] - begin.joint_position[i]);
+        work.limit += done;
+        work.positive += std::max(0.0, done);
+    }
+    return work;
+}
+
+}  // namespace cambrian

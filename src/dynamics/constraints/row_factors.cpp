@@ -1,0 +1,139 @@
+#include "dynamics/constraints/row_factors.h"
+
+#include "core/assert.h"
+#include "dynamics/model/block_count.h"
+
+#include <algorithm>
+
+namespace cambrian {
+namespace {
+
+template <int kFixed>
+constexpr std::size_t kRoom = kFixed > 0 ? kFixed : kMaxEquations / kLanes + 1;  // blocks
+
+template <int kFixed>
+struct Lines {
+    int count;
+    int blocks_at_run_time;
+    double* first;
+
+    CAMBRIAN_INLINE int blocks() const { return block_count<kFixed>(blocks_at_run_time); }
+    CAMBRIAN_INLINE int stride() const { return blocks() * kLanes; }
+    CAMBRIAN_INLINE double* operator[](int equation) const {
+        return first + std::ptrdiff_t{equation} * stride();
+    }
+};
+
+// Takes a pivot's column out of the lines below, whose blocks before the first are done with.
+template <int kFixed>
+CAMBRIAN_INLINE bool eliminate_column(const Lines<kFixed>& lines, int pivot, double least,
+                                      int first_block) {
+    double* pivot_line = lines[pivot];
+    if (!(pivot_line[pivot] > least)) return false;
+    const double inverse = 1.0 / pivot_line[pivot];
+    Lanes pivots[kRoom<kFixed>];
+    for (int b = first_block; b < lines.blocks(); ++b)
+        pivots[b] = load_lanes(pivot_line + b * kLanes);
+    double* end = lines[lines.count];
+    for (double* line = lines[pivot + 1]; line != end; line += lines.stride()) {
+        const double factor = -inverse * line[pivot];
+        for (int b = first_block; b < lines.blocks(); ++b)
+            store_lanes(line + b * kLanes, load_lanes(line + b * kLanes) + factor * pivots[b]);
+        line[pivot] = factor;
+    }
+    pivot_line[pivot] = inverse;
+    return true;
+}
+
+// All columns of the blocks from kBlock on.
+template <int kBlock, int kFixed>
+CAMBRIAN_INLINE int eliminate_from(const Lines<kFixed>& lines, const double* least) {
+    if constexpr (kBlock < kFixed) {
+        constexpr int kLast = (kBlock + 1) * kLanes - 1;
+        for (int pivot = kBlock * kLanes; pivot < std::min(lines.count, kLast); ++pivot) {
+            if (!eliminate_column(lines, pivot, least[pivot], kBlock)) return pivot;
+        }
+        if (lines.count <= kLast) return lines.count;
+        if (!eliminate_column(lines, kLast, least[kLast], kBlock + 1)) return kLast;
+        return eliminate_from<kBlock + 1>(lines, least);
+    }
+    return lines.count;
+}
+
+// The equation whose pivot is lost, or the count.
+template <int kFixed>
+[[gnu::noinline]] int eliminate(const Lines<kFixed>& lines, const double* least) {
+    if constexpr (kFixed > 0) {
+        return eliminate_from<0>(lines, least);
+    } else {
+        for (int pivot = 0; pivot < lines.count; ++pivot) {
+            if (!eliminate_column(lines, pivot, least[pivot], (pivot + 1) / kLanes)) return pivot;
+        }
+        return lines.count;
+    }
+}
+
+// Both sums.
+CAMBRIAN_INLINE Pair sums_of(const Lanes& a, const Lanes& b) {
+    const Lanes sums =
+        __builtin_shufflevector(a, b, 0, 4, 2, 6) + __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    return __builtin_shufflevector(sums, sums, 0, 1) + __builtin_shufflevector(sums, sums, 2, 3);
+}
+
+// Products of a line, between two blocks, with both vectors.
+CAMBRIAN_INLINE Pair products(const double* line, int first_block, int end_block,
+                              const PerEquation (&vectors)[2]) {
+    Lanes sums[2] = {};
+    for (int b = first_block; b < end_block; ++b) {
+        const Lanes block = load_lanes(line + b * kLanes);
+        sums[0] += block * load_lanes(vectors[0] + b * kLanes);
+        sums[1] += block * load_lanes(vectors[1] + b * kLanes);
+    }
+    return sums_of(sums[0], sums[1]);
+}
+
+void clear(int slots, double* vector) {
+    for (int i = 0; i < slots; i += kLanes)
+        store_lanes(vector + i, Lanes{});
+}
+
+}  // namespace
+
+bool RowFactors::factorize(const PerEquation& least_pivots) {
+    lost_ = with_fixed_blocks(stride_ / kLanes, [&](auto fixed) {
+        return eliminate<fixed()>(Lines<fixed()>{count_, stride_ / kLanes, lines_}, least_pivots);
+    });
+    return lost_ == count_;
+}
+
+void RowFactors::substitute(PerEquation& solution) const {
+    CAMBRIAN_TICK_ASSERT(lost_ == count_, "the factors are complete");
+    clear(stride_, solution);
+    for (int i = count_ - 1; i >= 0; --i) {
+        const double* equation = line(i);
+        const int first = i / kLanes * kLanes;
+        const double known = lane_product(equation + first, solution + first, stride_ - first);
+        solution[i] = (equation[count_] - known) * equation[i];
+    }
+}
+
+void RowFactors::solve(const PerEquation (&sides)[2], PerEquation (&solutions)[2]) const {
+    CAMBRIAN_TICK_ASSERT(lost_ == count_, "the factors are complete");
+    PerEquation forward[2];
+    for (int s = 0; s < 2; ++s) {
+        clear(stride_, forward[s]);
+        clear(stride_, solutions[s]);
+    }
+    for (int i = 0; i < count_; ++i) {
+        const Pair known = products(line(i), 0, i / kLanes + 1, forward);
+        for (int s = 0; s < 2; ++s)
+            forward[s][i] = sides[s][i] + known[s];
+    }
+    for (int i = count_ - 1; i >= 0; --i) {
+        const Pair known = products(line(i), i / kLanes, stride_ / kLanes, solutions);
+        for (int s = 0; s < 2; ++s)
+            solutions[s][i] = (forward[s][i] - known[s]) * line(i)[i];
+    }
+}
+
+}  // namespace cambrian

@@ -1,0 +1,232 @@
+// With every row's unit impulse eliminated from its bodies to the roots, u_i what arrives at joint
+// i and f what arrives at the root,
+//     W_rs = sum over joints of u_ri u_si / d_i  +  f_r Phi f_s,
+// Phi the inverse of the root's inertia: the squares that elimination completes (R. Featherstone,
+// Rigid Body Dynamics Algorithms, 2008, chapter 8: the factors of the joint-space inertia). Only
+// bodies between a row's own and their roots take part.
+
+#include "dynamics/constraints/row_matrix.h"
+
+#include "dynamics/constraints/dense_row_matrix.h"
+#include "dynamics/constraints/invariants.h"
+
+#include <algorithm>
+#include <bit>
+
+namespace cambrian {
+namespace {
+
+using BodySet = std::uint32_t;  // one bit a body
+
+constexpr int kMaxGroups = kMaxRows / kLanes;
+constexpr double kRelativeSoftness = 1e-7;
+constexpr double kFreeShare = 0.02;
+
+CAMBRIAN_INLINE int last_of(BodySet set) {
+    return 31 - std::countl_zero(set);
+}
+
+// What four rows' unit impulses leave at the joints and roots on their way, and its share in the
+// rate of whatever else leaves something there.
+struct Arrivals {
+    BodySet bodies;  // on the way of any of the four
+    Lanes joint[kMaxBodies], joint_share[kMaxBodies];
+    Lanes root[3 * kMaxTrees], root_share[3 * kMaxTrees];
+};
+
+// About the bodies' pivots.
+struct Impulses {
+    Lanes f_x[kMaxBodies], f_y[kMaxBodies], t[kMaxBodies];
+};
+
+CAMBRIAN_INLINE BodySet bodies_of(const PlanarModel& model, const RowSystem& rows, int first,
+                                  int end) {
+    BodySet bodies = 0;
+    for (int row = first; row < end; ++row) {
+        bodies |= model.root_path[rows[row].body_a];
+        if (rows[row].body_b >= 0) bodies |= model.root_path[rows[row].body_b];
+    }
+    return bodies;
+}
+
+CAMBRIAN_INLINE void clear(BodySet bodies, Impulses& impulses) {
+    for (; bodies != 0; bodies &= bodies - 1) {
+        const int i = std::countr_zero(bodies);
+        impulses.f_x[i] = Lanes{};
+        impulses.f_y[i] = Lanes{};
+        impulses.t[i] = Lanes{};
+    }
+}
+
+struct Wrench {
+    double x, y, moment;
+};
+
+// A wrench about the body's centre, taken to its pivot.
+CAMBRIAN_INLINE void put_wrench(const Kinematics& k, int body, const Wrench& wrench, int lane,
+                                Impulses& impulses) {
+    impulses.f_x[body][lane] = wrench.x;
+    impulses.f_y[body][lane] = wrench.y;
+    impulses.t[body][lane] = wrench.moment + k.s_x[body] * wrench.x + k.s_y[body] * wrench.y;
+}
+
+// The effort of a joint as wrenches on its two bodies at the child's pivot.
+CAMBRIAN_INLINE void put_effort(const PlanarModel& model, const Kinematics& k, int body,
+                                double effort, int lane, Impulses& impulses) {
+    const int p = model.parent[body];
+    CAMBRIAN_TICK_ASSERT(p >= 0, "an effort acts between two bodies");
+    if (model.motion[body] != JointMotion::kSlide) {
+        impulses.t[body][lane] = effort;
+        impulses.t[p][lane] = -effort;
+        return;
+    }
+    const double x = effort * k.axis_x[body];
+    const double y = effort * k.axis_y[body];
+    impulses.f_x[body][lane] = x;
+    impulses.f_y[body][lane] = y;
+    impulses.f_x[p][lane] = -x;
+    impulses.f_y[p][lane] = -y;
+    impulses.t[p][lane] = -(k.z_x[body] * x + k.z_y[body] * y);
+}
+
+CAMBRIAN_INLINE void put_unit_impulse(const PlanarModel& model, const Kinematics& k, const Row& row,
+                                      int lane, Impulses& impulses) {
+    if (row.kind == RowKind::kLimit) {
+        put_effort(model, k, row.body_a, row.dir_x, lane, impulses);
+        return;
+    }
+    put_wrench(k, row.body_a, {row.dir_x, row.dir_y, row.moment_a}, lane, impulses);
+    if (row.body_b < 0) return;
+    put_wrench(k, row.body_b, {-row.dir_x, -row.dir_y, -row.moment_b}, lane, impulses);
+}
+
+CAMBRIAN_INLINE void arrive_at_root(const RootInverse& inverse, const Lanes& x, const Lanes& y,
+                                    const Lanes& t, int channel, Arrivals& arrivals) {
+    arrivals.root[channel] = x;
+    arrivals.root[channel + 1] = y;
+    arrivals.root[channel + 2] = t;
+    arrivals.root_share[channel] = inverse.xx * x + inverse.xy * y + inverse.xt * t;
+    arrivals.root_share[channel + 1] = inverse.xy * x + inverse.yy * y + inverse.yt * t;
+    arrivals.root_share[channel + 2] = inverse.xt * x + inverse.yt * y + inverse.tt * t;
+}
+
+// As solve_impulse's way up, for four impulses.
+template <bool kHasLinear>
+CAMBRIAN_INLINE void eliminate(const PlanarModel& model, const Frame& frame, Impulses& impulses,
+                               Arrivals& arrivals) {
+    const Kinematics& k = frame.kinematics;
+    const Factors& factors = frame.factors;
+    const BodySet inner = arrivals.bodies & ~model.roots;
+    for (BodySet left = inner; left != 0; left ^= BodySet{1} << last_of(left)) {
+        const int i = last_of(left);
+        const int p = model.parent[i];
+        CAMBRIAN_TICK_ASSERT(p >= 0 && p < i, "a parent stands before its children");
+        const Lanes f_x = impulses.f_x[i];
+        const Lanes f_y = impulses.f_y[i];
+        const Lanes t = impulses.t[i];
+        const bool linear = kHasLinear && model.motion[i] == JointMotion::kSlide;
+        const Lanes u = linear ? k.axis_x[i] * f_x + k.axis_y[i] * f_y : t;
+        const Lanes share = u * factors.inverse_d[i];
+        const Lanes passed_x = f_x - factors.w_x[i] * share;
+        const Lanes passed_y = f_y - factors.w_y[i] * share;
+        const Lanes left_over =
+            linear ? t - factors.w_3[i] * share : Lanes(factors.damping[i] * share);
+        impulses.f_x[p] += passed_x;
+        impulses.f_y[p] += passed_y;
+        impulses.t[p] += k.z_x[i] * passed_x + k.z_y[i] * passed_y + left_over;
+        arrivals.joint[i] = u;
+        arrivals.joint_share[i] = share;
+    }
+    for (int tree = 0; tree < model.tree_count; ++tree) {
+        const int root = model.tree_begin[tree];
+        const bool reached = ((arrivals.bodies >> root) & 1U) != 0;
+        const Lanes none = {};
+        arrive_at_root(factors.root[tree], reached ? impulses.f_x[root] : none,
+                       reached ? impulses.f_y[root] : none, reached ? impulses.t[root] : none,
+                       3 * tree, arrivals);
+    }
+}
+
+// Adds what one channel has in common to a block of 4 x 4 rows.
+CAMBRIAN_INLINE void add_product(const Lanes& share, const Lanes& value, Lanes (&block)[kLanes]) {
+    for (int i = 0; i < kLanes; ++i)
+        block[i] += share[i] * value;
+}
+
+// Rows from `first` on, columns from `second` on, and the same mirrored.
+CAMBRIAN_INLINE void fill_block(const PlanarModel& model, const Arrivals& row,
+                                const Arrivals& column, int first, int second, RowSystem& rows) {
+    Lanes block[kLanes] = {};
+    const BodySet common = row.bodies & column.bodies & ~model.roots;
+    for (BodySet left = common; left != 0; left &= left - 1) {
+        const int i = std::countr_zero(left);
+        add_product(row.joint_share[i], column.joint[i], block);
+    }
+    for (int channel = 0; channel < 3 * model.tree_count; ++channel)
+        add_product(row.root_share[channel], column.root[channel], block);
+    for (int i = 0; i < kLanes; ++i)
+        store_lanes(rows.line(first + i) + second, block[i]);
+    if (first == second) return;
+    transpose(block[0], block[1], block[2], block[3]);
+    for (int i = 0; i < kLanes; ++i)
+        store_lanes(rows.line(second + i) + first, block[i]);
+}
+
+// A contact on a body that the mechanism hardly lets move would answer a millimetre with a huge
+// impulse; the diagonal is kept above 2 % of that of the bodies set free. Friction rows are softer:
+// two parts that stick and a joint between them would leave their forces undetermined.
+CAMBRIAN_INLINE double regularization(const PlanarModel& model, const RowSystem& rows, int row,
+                                      double friction_softness) {
+    const double diagonal = rows.coupling(row, row);
+    if (rows[row].kind == RowKind::kLimit) return kRelativeSoftness * diagonal;
+    const int a = rows[row].body_a;
+    const int b = rows[row].body_b;
+    CAMBRIAN_TICK_ASSERT(is_body(model, a) && is_body_or_ground(model, b), "a contact of bodies");
+    double free =
+        model.inverse_mass[a] + rows[row].moment_a * rows[row].moment_a * model.inverse_inertia[a];
+    if (b >= 0)
+        free += model.inverse_mass[b] +
+                rows[row].moment_b * rows[row].moment_b * model.inverse_inertia[b];
+    const bool rubs = rows[row].kind == RowKind::kFriction;
+    const double softness = rubs ? friction_softness : kRelativeSoftness;
+    return std::max(softness * free, kFreeShare * free - diagonal);
+}
+
+template <bool kHasLinear>
+void fill_row_matrix(const PlanarModel& model, const Frame& frame, RowSystem& rows) {
+    Arrivals arrivals[kMaxGroups];
+    for (int first = 0; first < rows.count; first += kLanes) {
+        Arrivals& group = arrivals[first / kLanes];
+        const int lanes = std::min(rows.count - first, kLanes);
+        group.bodies = bodies_of(model, rows, first, first + lanes);
+        CAMBRIAN_TICK_ASSERT(group.bodies != 0, "a row acts on bodies");
+        Impulses impulses;
+        clear(group.bodies, impulses);
+        for (int lane = 0; lane < lanes; ++lane)
+            put_unit_impulse(model, frame.kinematics, rows[first + lane], lane, impulses);
+        eliminate<kHasLinear>(model, frame, impulses, group);
+        for (int column = 0; column <= first; column += kLanes)
+            fill_block(model, group, arrivals[column / kLanes], first, column, rows);
+    }
+}
+
+}  // namespace
+
+void compute_row_matrix(const PlanarModel& model, const Frame& frame, double friction_softness,
+                        RowSystem& rows) {
+    rows.stride = round_up_to_lanes(rows.count);
+    if (frame.is_inverted)
+        fill_dense_row_matrix(model, frame, rows);
+    else if (model.has_slides)
+        fill_row_matrix<true>(model, frame, rows);
+    else
+        fill_row_matrix<false>(model, frame, rows);
+    for (int row = 0; row < rows.count; ++row) {
+        rows[row].regularization = regularization(model, rows, row, friction_softness);
+        rows.line(row)[row] += rows[row].regularization;
+    }
+    for (int pad = rows.count; pad < rows.stride; ++pad)
+        rows.impulse[pad] = 0.0;
+}
+
+}  // namespace cambrian

@@ -1,0 +1,269 @@
+#include "dynamics/constraints/rows.h"
+
+#include "dynamics/articulated/loop_closure.h"
+#include "dynamics/constraints/invariants.h"
+#include "dynamics/constraints/row_matrix.h"
+
+#include <algorithm>
+
+namespace cambrian {
+namespace {
+
+constexpr double kHeldShare = 0.02;  // of a row's coupling without loops, the least that is left
+
+struct Planar {
+    double x, y;  // m/s or m/s^2
+};
+
+// A contact where its bodies have gone, and how its two points move against each other.
+struct PlacedContact {
+    double normal_x, normal_y;  // unit
+    double arm_ax, arm_ay, arm_bx, arm_by;
+    double sliding;       // m/s, of a's point against b's, where the contact was collected
+    Planar acceleration;  // the same without contact, along directions that turn with body b
+};
+
+CAMBRIAN_INLINE double row_rate(const PlanarModel& model, const Row& row,
+                                const BodyResponse& motion) {
+    const int a = row.body_a;
+    if (row.kind == RowKind::kLimit) {
+        double rate = motion.coordinate[a];
+        if (model.motion[a] == JointMotion::kTurn) rate -= motion.spin[model.parent[a]];
+        return row.dir_x * rate;
+    }
+    double rate = row.dir_x * motion.x[a] + row.dir_y * motion.y[a] + row.moment_a * motion.spin[a];
+    const int b = row.body_b;
+    if (b >= 0)
+        rate -= row.dir_x * motion.x[b] + row.dir_y * motion.y[b] + row.moment_b * motion.spin[b];
+    return rate;
+}
+
+// Where its material point of body a has gone, its normal turned with body b.
+CAMBRIAN_INLINE void move_contact(const Contact& contact, const Kinematics& from,
+                                  const Kinematics& to, PlacedContact& placed) {
+    const int a = contact.body_a;
+    const int b = contact.body_b;
+    placed.arm_ax = to.cosine[a] * contact.point_x - to.sine[a] * contact.point_y;
+    placed.arm_ay = to.sine[a] * contact.point_x + to.cosine[a] * contact.point_y;
+    if (b < 0) return;
+    placed.arm_bx = to.x[a] + placed.arm_ax - to.x[b];
+    placed.arm_by = to.y[a] + placed.arm_ay - to.y[b];
+    const double cosine = to.cosine[b] * from.cosine[b] + to.sine[b] * from.sine[b];
+    const double sine = to.sine[b] * from.cosine[b] - to.cosine[b] * from.sine[b];
+    placed.normal_x = cosine * contact.normal_x - sine * contact.normal_y;
+    placed.normal_y = sine * contact.normal_x + cosine * contact.normal_y;
+}
+
+CAMBRIAN_INLINE Planar point_velocity(const Kinematics& k, int body, double arm_x, double arm_y) {
+    return {k.velocity_x[body] - k.spin[body] * arm_y, k.velocity_y[body] + k.spin[body] * arm_x};
+}
+
+CAMBRIAN_INLINE Planar point_acceleration(const Frame& frame, int body, double arm_x,
+                                          double arm_y) {
+    const double spin = frame.kinematics.spin[body];
+    const double turn = frame.response.spin[body];
+    return {frame.response.x[body] - turn * arm_y - spin * spin * arm_x,
+            frame.response.y[body] + turn * arm_x - spin * spin * arm_y};
+}
+
+CAMBRIAN_INLINE Planar difference(const Planar& a, const Planar& b) {
+    return {a.x - b.x, a.y - b.y};
+}
+
+// J a + J' v of both directions: the points' accelerations, and the turning of the directions with
+// body b while a slides along it.
+CAMBRIAN_INLINE Planar relative_acceleration(const Contact& contact, const PlacedContact& placed,
+                                             const Frame& frame) {
+    const int a = contact.body_a;
+    const int b = contact.body_b;
+    const Planar of_a = point_acceleration(frame, a, placed.arm_ax, placed.arm_ay);
+    if (b < 0) return of_a;
+    const Planar of_b = point_acceleration(frame, b, placed.arm_bx, placed.arm_by);
+    const Planar sliding =
+        difference(point_velocity(frame.kinematics, a, placed.arm_ax, placed.arm_ay),
+                   point_velocity(frame.kinematics, b, placed.arm_bx, placed.arm_by));
+    const double turn = 2.0 * frame.kinematics.spin[b];
+    return {of_a.x - of_b.x + turn * sliding.y, of_a.y - of_b.y - turn * sliding.x};
+}
+
+// Along the normal turned to the left.
+CAMBRIAN_INLINE double sliding_speed(const Contact& contact, const Kinematics& k) {
+    Planar velocity = point_velocity(k, contact.body_a, contact.arm_ax, contact.arm_ay);
+    if (contact.body_b >= 0)
+        velocity =
+            difference(velocity, point_velocity(k, contact.body_b, contact.arm_bx, contact.arm_by));
+    return contact.normal_x * velocity.y - contact.normal_y * velocity.x;
+}
+
+CAMBRIAN_INLINE void place_contact(const Contact& contact, const Kinematics& collected,
+                                   const Frame& frame, PlacedContact& placed) {
+    placed.normal_x = contact.normal_x;
+    placed.normal_y = contact.normal_y;
+    placed.arm_ax = contact.arm_ax;
+    placed.arm_ay = contact.arm_ay;
+    placed.arm_bx = contact.arm_bx;
+    placed.arm_by = contact.arm_by;
+    placed.sliding = sliding_speed(contact, collected);
+    if (&collected != &frame.kinematics) move_contact(contact, collected, frame.kinematics, placed);
+    placed.acceleration = relative_acceleration(contact, placed, frame);
+}
+
+CAMBRIAN_INLINE void set_contact_row(const Contact& contact, const PlacedContact& placed,
+                                     Row& row) {
+    const bool normal = row.kind == RowKind::kNormal;
+    const double x = normal ? placed.normal_x : -placed.normal_y;
+    const double y = normal ? placed.normal_y : placed.normal_x;
+    row.body_a = static_cast<std::int16_t>(contact.body_a);
+    row.body_b = static_cast<std::int16_t>(contact.body_b);
+    row.dir_x = x;
+    row.dir_y = y;
+    row.moment_a = placed.arm_ax * y - placed.arm_ay * x;
+    row.moment_b = placed.arm_bx * y - placed.arm_by * x;
+    row.rate = normal ? -contact.closing_speed : placed.sliding;
+    row.acceleration = x * placed.acceleration.x + y * placed.acceleration.y;
+}
+
+Row& add_row(RowKind kind, int source, RowSystem& rows) {
+    CAMBRIAN_TICK_ASSERT(rows.count < kMaxRows, "rows have room");
+    Row& row = rows[rows.count++];
+    row.kind = kind;
+    row.source = static_cast<std::int16_t>(source);
+    row.friction_of = -1;
+    return row;
+}
+
+// The friction rows of the contacts so far, each of which acts at its group's nearest contact.
+class FrictionRows {
+public:
+    FrictionRows(const ContactSet& contacts, RowSystem& rows) : contacts_(contacts), rows_(rows) {
+        for (std::int16_t& row : of_body_)
+            row = -1;
+    }
+
+    // The row of a contact's group.
+    std::int16_t join(int source) {
+        CAMBRIAN_TICK_ASSERT(source >= 0 && source < contacts_.count, "a contact of the set");
+        const Contact& contact = contacts_.items[source];
+        std::int16_t& known = contact.part_b < 0 ? of_body_[contact.body_a] : of_pair_;
+        if (contact.part_b >= 0 && friction_group(contact) != pair_) {
+            pair_ = friction_group(contact);
+            known = -1;
+        }
+        if (known < 0) {
+            known = static_cast<std::int16_t>(rows_.count);
+            add_row(RowKind::kFriction, source, rows_);
+        } else if (contact.gap < contacts_.items[rows_[known].source].gap) {
+            rows_[known].source = static_cast<std::int16_t>(source);
+        }
+        return known;
+    }
+
+private:
+    const ContactSet& contacts_;
+    RowSystem& rows_;
+    std::int16_t of_body_[kMaxBodies];  // on the ground; -1: none
+    std::int16_t of_pair_ = -1;         // of the pair seen last, whose contacts follow each other
+    int pair_ = -1;
+};
+
+void list_contact_rows(const RowSources& sources, RowSystem& rows) {
+    FrictionRows frictions(sources.contacts, rows);
+    for (int c = 0; c < sources.contacts.count; ++c) {
+        Row& row = add_row(RowKind::kNormal, c, rows);
+        if (sources.with_friction) row.friction_of = frictions.join(c);
+    }
+}
+
+void add_limit_rows(const PlanarModel& model, const LimitSet& limits, const Kinematics& collected,
+                    const BodyResponse& accelerations, RowSystem& rows) {
+    for (int l = 0; l < limits.count; ++l) {
+        const LimitCandidate& limit = limits.items[l];
+        CAMBRIAN_TICK_ASSERT(limit.sign == 1.0 || limit.sign == -1.0, "one of two stops");
+        CAMBRIAN_TICK_ASSERT(is_body(model, limit.body) && model.parent[limit.body] >= 0,
+                             "stops belong to joints");
+        Row& row = add_row(RowKind::kLimit, l, rows);
+        row.body_a = static_cast<std::int16_t>(limit.body);
+        row.body_b = -1;
+        row.dir_x = limit.sign;
+        row.dir_y = 0.0;
+        row.moment_a = 0.0;
+        row.moment_b = 0.0;
+        row.rate = limit.sign * collected.joint_rate[limit.body];
+        row.acceleration = row_rate(model, row, accelerations);
+    }
+}
+
+// Takes from the matrix what the closing pins hold back: B A+ B', B the rates of the rows by unit
+// impulses in the pins. As in the matrix itself, a row that the mechanism hardly lets move is made
+// softer.
+void hold_loops(const PlanarModel& model, const Frame& frame, RowSystem& rows) {
+    const LoopClosure loops(model, frame.kinematics, frame.factors);
+    const std::vector<BodyResponse>& units = loops.unit_responses();
+    Eigen::MatrixXd effect(rows.count, static_cast<Eigen::Index>(units.size()));
+    for (int row = 0; row < rows.count; ++row) {
+        for (std::size_t pin = 0; pin < units.size(); ++pin)
+            effect(row, static_cast<Eigen::Index>(pin)) = row_rate(model, rows[row], units[pin]);
+    }
+    const Eigen::MatrixXd held = effect * loops.impulses(effect.transpose());
+    for (int row = 0; row < rows.count; ++row) {
+        const double open = rows.coupling(row, row);
+        for (int column = 0; column < rows.count; ++column)
+            rows.line(row)[column] -= held(row, column);
+        const double softness = std::max(0.0, kHeldShare * open - rows.coupling(row, row));
+        rows[row].regularization += softness;
+        rows.line(row)[row] += softness;
+    }
+}
+
+}  // namespace
+
+void build_rows(const PlanarModel& model, const RowSources& sources, const Kinematics& collected,
+                const Frame& frame, RowSystem& rows) {
+    CAMBRIAN_TICK_ASSERT(sources.contacts.count <= kMaxContacts, "contacts have room");
+    PlacedContact placed[kMaxContacts];
+    for (int c = 0; c < sources.contacts.count; ++c)
+        place_contact(sources.contacts.items[c], collected, frame, placed[c]);
+    rows.count = 0;
+    list_contact_rows(sources, rows);
+    for (int r = 0; r < rows.count; ++r) {
+        Row& row = rows[r];
+        set_contact_row(sources.contacts.items[row.source], placed[row.source], row);
+        CAMBRIAN_TICK_ASSERT(is_body(model, row.body_a) && is_body_or_ground(model, row.body_b),
+                             "a contact of bodies");
+    }
+    add_limit_rows(model, sources.limits, collected, frame.response, rows);
+    compute_row_matrix(model, frame, sources.friction_softness, rows);
+    if (!model.closing_pins.empty()) hold_loops(model, frame, rows);
+}
+
+void rate_rows(const PlanarModel& model, const RowSystem& rows, const BodyResponse (&motions)[2],
+               double (&rates)[2][kMaxRows]) {
+    for (int row = 0; row < rows.count; ++row) {
+        for (int which = 0; which < 2; ++which)
+            rates[which][row] = row_rate(model, rows[row], motions[which]);
+    }
+}
+
+void add_row_impulses(const RowSystem& rows, const double* impulses, double scale, Loads& loads) {
+    for (int r = 0; r < rows.count; ++r) {
+        if (impulses[r] == 0.0) continue;
+        const Row& row = rows[r];
+        CAMBRIAN_TICK_ASSERT(r < kMaxRows, "a row of the system");
+        const double impulse = scale * impulses[r];
+        const int a = row.body_a;
+        if (row.kind == RowKind::kLimit) {
+            loads.effort[a] += row.dir_x * impulse;
+            continue;
+        }
+        loads.force_x[a] += row.dir_x * impulse;
+        loads.force_y[a] += row.dir_y * impulse;
+        loads.torque[a] += row.moment_a * impulse;
+        const int b = row.body_b;
+        if (b < 0) continue;
+        loads.force_x[b] -= row.dir_x * impulse;
+        loads.force_y[b] -= row.dir_y * impulse;
+        loads.torque[b] -= row.moment_b * impulse;
+    }
+}
+
+}  // namespace cambrian

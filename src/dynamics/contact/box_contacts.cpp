@@ -1,0 +1,140 @@
+#include "dynamics/contact/box_contacts.h"
+
+#include "core/assert.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cambrian {
+namespace {
+
+// Another axis must be this much better to be preferred, so that parallel faces do not take turns.
+constexpr double kAxisPreference = 1e-4;  // m
+
+struct SeparatingAxis {
+    double gap = -1e9;  // m, between the boxes' projections
+    bool of_first = true;
+    bool along_length = true;
+};
+
+// Gaps between the projections on both axes of one box.
+struct AxisGaps {
+    double length, width;  // m
+};
+
+inline AxisGaps axis_gaps(const PlacedBox& own, const PlacedBox& other) {
+    const double along = std::fabs(own.axis_x * other.axis_x + own.axis_y * other.axis_y);
+    const double across = std::fabs(own.axis_x * other.axis_y - own.axis_y * other.axis_x);
+    const double x = other.x - own.x;
+    const double y = other.y - own.y;
+    return {std::fabs(own.axis_x * x + own.axis_y * y) - own.half_length -
+                along * other.half_length - across * other.half_width,
+            std::fabs(own.axis_x * y - own.axis_y * x) - own.half_width -
+                across * other.half_length - along * other.half_width};
+}
+
+// Tries both axes of one box; false if one of them separates by more than the margin.
+bool try_axes(const PlacedBox& own, const PlacedBox& other, bool of_first, double margin,
+              SeparatingAxis& best) {
+    const AxisGaps gaps = axis_gaps(own, other);
+    if (gaps.length > margin || gaps.width > margin) return false;
+    if (gaps.length > best.gap + kAxisPreference) best = {gaps.length, of_first, true};
+    if (gaps.width > best.gap + kAxisPreference) best = {gaps.width, of_first, false};
+    return true;
+}
+
+struct Vertex {
+    double x, y;
+    int corner;
+};
+
+Vertex vertex_of(const PlacedBox& box, int corner) {
+    const double along = (corner & 1) != 0 ? box.half_length : -box.half_length;
+    const double across = (corner & 2) != 0 ? box.half_width : -box.half_width;
+    return {box.x + box.axis_x * along - box.axis_y * across,
+            box.y + box.axis_y * along + box.axis_x * across, corner};
+}
+
+// Ends of the face that looks most against the normal.
+void incident_face(const PlacedBox& box, double normal_x, double normal_y, Vertex (&ends)[2]) {
+    const double along = normal_x * box.axis_x + normal_y * box.axis_y;
+    const double across = normal_y * box.axis_x - normal_x * box.axis_y;
+    if (std::fabs(along) > std::fabs(across)) {
+        const int side = along < 0.0 ? 1 : 0;
+        ends[0] = vertex_of(box, side);
+        ends[1] = vertex_of(box, side + 2);
+    } else {
+        const int side = across < 0.0 ? 2 : 0;
+        ends[0] = vertex_of(box, side);
+        ends[1] = vertex_of(box, side + 1);
+    }
+}
+
+// Cuts the ends of the face off where they pass a tangential coordinate of `edge` on either side.
+// Each is cut by itself, so that a mirror image is cut the same.
+void clip(double edge, const double (&tangential)[2], Vertex (&ends)[2]) {
+    const Vertex whole[2] = {ends[0], ends[1]};
+    for (int i = 0; i < 2; ++i) {
+        const double excess = std::fabs(tangential[i]) - edge;
+        if (excess <= 0.0) continue;
+        const int other = 1 - i;
+        const double share = excess / std::fabs(tangential[i] - tangential[other]);
+        CAMBRIAN_TICK_ASSERT(!(share < 0.0 || share > 1.0 + 1e-9), "a cut within the face");
+        ends[i].x += share * (whole[other].x - whole[i].x);
+        ends[i].y += share * (whole[other].y - whole[i].y);
+    }
+}
+
+}  // namespace
+
+BoxManifold collide_boxes(const PlacedBox& first, const PlacedBox& second, double margin) {
+    CAMBRIAN_TICK_ASSERT(first.half_length > 0.0 && first.half_width > 0.0, "a box has an area");
+    CAMBRIAN_TICK_ASSERT(second.half_length > 0.0 && second.half_width > 0.0, "a box has an area");
+    BoxManifold manifold;
+    SeparatingAxis axis;
+    if (!try_axes(first, second, true, margin, axis)) return manifold;
+    if (!try_axes(second, first, false, margin, axis)) return manifold;
+    manifold.first_is_incident = !axis.of_first;
+    const PlacedBox& reference = axis.of_first ? first : second;
+    const PlacedBox& incident = axis.of_first ? second : first;
+    double normal_x = axis.along_length ? reference.axis_x : -reference.axis_y;
+    double normal_y = axis.along_length ? reference.axis_y : reference.axis_x;
+    const double x = incident.x - reference.x;
+    const double y = incident.y - reference.y;
+    if (normal_x * x + normal_y * y < 0.0) {
+        normal_x = -normal_x;
+        normal_y = -normal_y;
+    }
+    manifold.normal_x = normal_x;
+    manifold.normal_y = normal_y;
+    const double face = axis.along_length ? reference.half_length : reference.half_width;
+    const double edge = axis.along_length ? reference.half_width : reference.half_length;
+    Vertex ends[2];
+    incident_face(incident, normal_x, normal_y, ends);
+    double tangential[2];
+    for (int i = 0; i < 2; ++i)
+        tangential[i] = normal_x * (ends[i].y - reference.y) - normal_y * (ends[i].x - reference.x);
+    if (std::min(tangential[0], tangential[1]) > edge ||
+        std::max(tangential[0], tangential[1]) < -edge)
+        return manifold;
+    clip(edge, tangential, ends);
+    double gaps[2];
+    for (int i = 0; i < 2; ++i)
+        gaps[i] =
+            normal_x * (ends[i].x - reference.x) + normal_y * (ends[i].y - reference.y) - face;
+    // The deeper point first, so that a mirror image has the same order.
+    const int deeper = gaps[1] < gaps[0] ? 1 : 0;
+    for (const int i : {deeper, 1 - deeper}) {
+        const Vertex& end = ends[i];
+        if (gaps[i] > margin) continue;
+        CAMBRIAN_TICK_ASSERT(manifold.count < 2, "two points a pair of boxes");
+        manifold.corner[manifold.count] = end.corner;
+        manifold.x[manifold.count] = end.x;
+        manifold.y[manifold.count] = end.y;
+        manifold.gap[manifold.count] = gaps[i];
+        ++manifold.count;
+    }
+    return manifold;
+}
+
+}  // namespace cambrian

@@ -1,0 +1,71 @@
+#pragma once
+
+// Touching or nearly touching points of boxes, with the ground or each other.
+
+#include "dynamics/model/forcing.h"
+
+#include <cstdint>
+
+namespace cambrian {
+
+inline constexpr double kContactBand = 1e-3;    // m; nearer than this is touching
+inline constexpr double kRestingGap = 0.5e-3;   // m; where resting contacts settle
+inline constexpr double kRestingSpeed = 0.3;    // m/s; slower closing does not bounce
+inline constexpr double kContactMargin = 0.02;  // m; farther points are not looked at
+inline constexpr int kGroundContactIds = 4 * kMaxParts;
+inline constexpr int kIdsPerPair = 8;
+
+struct Contact {
+    int id = 0;  // the same for the same feature from step to step
+    int body_a = 0, body_b = -1;
+    int part_a = 0, part_b = -1;            // -1: the ground
+    std::uint8_t face_a = 0, face_b = 0;    // Face that touches
+    double point_x = 0.0, point_y = 0.0;    // m, material point in body a's frame
+    double normal_x = 0.0, normal_y = 1.0;  // unit, from b to a
+    double arm_ax = 0.0, arm_ay = 0.0;      // m, world, from a's centre of mass to the point
+    double arm_bx = 0.0, arm_by = 0.0;      // m, world, from b's
+    double gap = 0.0;                       // m; negative is penetration
+    double closing_speed = 0.0;             // m/s, along the normal, positive when approaching
+};
+
+// Number of the flat face a contact belongs to: all of one body's on the ground, or both of a pair
+// of boxes. Their friction acts along one line.
+inline int friction_group(const Contact& contact) {
+    if (contact.part_b < 0) return contact.body_a;
+    return kMaxBodies + (contact.id - kGroundContactIds) / kIdsPerPair;
+}
+
+// Whether two contacts are of the same pair: a corner and the ground, or two boxes.
+inline bool same_pair(const Contact& first, const Contact& second) {
+    if (first.part_b < 0 || second.part_b < 0) return first.id == second.id;
+    return friction_group(first) == friction_group(second);
+}
+
+// Contacts are collected in the order of this number: the ground's by part, then the pairs of
+// boxes.
+inline int collection_rank(int id) {
+    if (id < kGroundContactIds) return id / 4;
+    return kMaxParts + (id - kGroundContactIds) / kIdsPerPair;
+}
+
+struct ContactSet {
+    int count = 0;
+    Contact items[kMaxContacts];
+
+    // Where to write a contact with this gap, behind the others: when full, the farthest one
+    // leaves. Null if there is no farther one.
+    Contact* make_room(double gap) {
+        return count < kMaxContacts ? &items[count++] : drop_farthest(gap);
+    }
+    void add(const Contact& contact) {
+        if (Contact* place = make_room(contact.gap)) *place = contact;
+    }
+
+private:
+    Contact* drop_farthest(double gap);
+};
+
+// Of the four faces of a box, the one that looks most along a direction given in the box's frame.
+Face face_toward(double x, double y);
+
+}  // namespace cambrian

@@ -1,0 +1,146 @@
+#include "dynamics/evaluation/accelerations.h"
+
+#include "core/assert.h"
+#include "dynamics/articulated/loop_closure.h"
+#include "dynamics/evaluation/dense_evaluation.h"
+#include "dynamics/evaluation/dense_response.h"
+#include "dynamics/forces/drag.h"
+
+namespace cambrian {
+namespace {
+
+void add_held_force(const HeldForce& held, const Kinematics& k, Loads& loads) {
+    const int a = held.body_a;
+    CAMBRIAN_TICK_ASSERT(a >= 0 && held.body_b < kMaxBodies, "a force on a body");
+    const double arm_x = k.cosine[a] * held.point_x - k.sine[a] * held.point_y;
+    const double arm_y = k.sine[a] * held.point_x + k.cosine[a] * held.point_y;
+    loads.force_x[a] += held.force_x;
+    loads.force_y[a] += held.force_y;
+    loads.torque[a] += arm_x * held.force_y - arm_y * held.force_x;
+    const int b = held.body_b;
+    if (b < 0) return;
+    const double back_x = k.x[a] + arm_x - k.x[b];
+    const double back_y = k.y[a] + arm_y - k.y[b];
+    loads.force_x[b] -= held.force_x;
+    loads.force_y[b] -= held.force_y;
+    loads.torque[b] -= back_x * held.force_y - back_y * held.force_x;
+}
+
+double pull_power(const HeldForce& pull, const Kinematics& k) {
+    const int a = pull.body_a;
+    const double arm_x = k.cosine[a] * pull.point_x - k.sine[a] * pull.point_y;
+    const double arm_y = k.sine[a] * pull.point_x + k.cosine[a] * pull.point_y;
+    return pull.force_x * (k.velocity_x[a] - k.spin[a] * arm_y) +
+           pull.force_y * (k.velocity_y[a] + k.spin[a] * arm_x);
+}
+
+CAMBRIAN_INLINE bool is_dragged(const Medium& medium) {
+    return medium.drag_linear > 0.0 || medium.drag_quadratic > 0.0;
+}
+
+CAMBRIAN_INLINE bool holds_pairs(const Forcing& forcing) {
+    if (forcing.held == nullptr) return false;
+    for (int c = 0; c < forcing.held->contact_count; ++c) {
+        if (forcing.held->contacts[c].body_b >= 0) return true;
+    }
+    return false;
+}
+
+}  // namespace
+
+void add_held_forces(const PlanarModel& model, const HeldForces& held, const Kinematics& k,
+                     Loads& loads) {
+    for (int c = 0; c < held.contact_count; ++c)
+        add_held_force(held.contacts[c], k, loads);
+    if (!held.limits_active) return;
+    for (int i = 1; i < model.body_count; ++i)
+        loads.effort[i] += held.limit_effort[i];
+}
+
+void compute_loads(const PlanarModel& model, const Forcing& forcing, const EvaluationPoint& point,
+                   Frame& frame, MotionRate& rate) {
+    CAMBRIAN_TICK_ASSERT(point.tick_share >= 0.0 && point.tick_share <= 1.0 + 1e-9,
+                         "a moment of the tick");
+    Loads& loads = frame.loads;
+    MotorPower motors;
+    if (point.implicit == nullptr)
+        motors = compute_motor_efforts(model, forcing.drive, point.tick_share, frame.kinematics,
+                                       frame.motor_effort);
+    else
+        compute_implicit_efforts(model, forcing.drive, point.tick_share, *point.implicit,
+                                 frame.kinematics, frame.motor_effort, frame.motor_damping);
+    rate.power[kMotorWork] = motors.net;
+    rate.power[kGrossMotorWork] = motors.gross;
+    const Medium& medium = forcing.medium;
+    for (int i = 0; i < model.body_count; i += kLanes) {
+        const Lanes mass = load_lanes(model.mass + i);
+        store_lanes(loads.force_x + i, mass * medium.gravity_x);
+        store_lanes(loads.force_y + i, mass * medium.gravity_y);
+        store_lanes(loads.torque + i, Lanes{});
+        store_lanes(loads.effort + i, load_lanes(frame.motor_effort + i));
+    }
+    rate.power[kDragWork] =
+        is_dragged(medium) ? add_drag(model, medium, frame.kinematics, loads) : 0.0;
+    rate.power[kPullWork] = 0.0;
+    if (forcing.pulled) {
+        add_held_force(forcing.pull, frame.kinematics, loads);
+        rate.power[kPullWork] = pull_power(forcing.pull, frame.kinematics);
+    }
+    if (forcing.held != nullptr) add_held_forces(model, *forcing.held, frame.kinematics, loads);
+}
+
+namespace {
+
+// A function of its own, so that the choice between the two costs little.
+[[gnu::noinline]] void evaluate_tree(const PlanarModel& model, const Forcing& forcing,
+                                     const Motion& motion, const EvaluationPoint& point,
+                                     Frame& frame, MotionRate& rate) {
+    frame.has_centers = true;
+    frame.has_joint_geometry = true;
+    frame.is_factored = true;
+    frame.is_inverted = false;
+    const bool all = point.detail == FrameDetail::kEverything;
+    compute_joints(model, motion, frame.kinematics);
+    if (all || forcing.pulled || is_dragged(forcing.medium))
+        compute_velocities(model, motion, frame.kinematics);
+    if (all || holds_pairs(forcing)) compute_places(model, motion, frame.kinematics);
+    compute_loads(model, forcing, point, frame, rate);
+    if (point.implicit == nullptr)
+        solve_accelerations(model, frame.kinematics, frame.loads, frame.factors, frame.response);
+    else
+        solve_damped_accelerations(model, frame.kinematics, frame.loads, frame.motor_damping,
+                                   frame.factors, frame.response);
+    if (!model.closing_pins.empty())
+        close_accelerations(model, frame.kinematics, frame.factors, frame.response);
+    const int count = coordinate_count(model);
+    for (int c = 0; c < count; c += kLanes)
+        store_lanes(rate.acceleration + c, load_lanes(frame.response.coordinate + c));
+}
+
+}  // namespace
+
+void evaluate_accelerations(const PlanarModel& model, const Forcing& forcing, const Motion& motion,
+                            const EvaluationPoint& point, Frame& frame, MotionRate& rate) {
+    if (is_dense(model, forcing)) {
+        evaluate_dense(model, forcing, motion, point, frame, rate);
+    } else {
+        evaluate_tree(model, forcing, motion, point, frame, rate);
+    }
+}
+
+void find_centers(const PlanarModel& model, Frame& frame) {
+    if (frame.has_centers) return;
+    frame.has_centers = true;
+    accelerate_dense_centers(model, frame.kinematics, frame.response);
+}
+
+void complete_frame(const PlanarModel& model, Frame& frame) {
+    find_centers(model, frame);
+    if (frame.is_factored) return;
+    frame.is_factored = true;
+    if (!frame.has_joint_geometry) compute_joint_geometry(model, frame.kinematics);
+    frame.has_joint_geometry = true;
+    factorize(model, frame.kinematics, frame.factors);
+}
+
+}  // namespace cambrian

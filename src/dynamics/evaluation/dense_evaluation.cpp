@@ -1,0 +1,311 @@
+#include "dynamics/evaluation/dense_evaluation.h"
+
+#include "dynamics/evaluation/dense_response.h"
+#include "dynamics/forces/box_drag.h"
+#include "dynamics/forces/drag.h"
+#include "dynamics/forces/motor_lanes.h"
+#include "dynamics/forces/motors.h"
+#include "dynamics/model/dense_lanes.h"
+#include "math/elementary.h"
+
+namespace cambrian {
+namespace {
+
+template <int kBlocks, Motors kMotors>
+class DenseEvaluation {
+public:
+    CAMBRIAN_INLINE DenseEvaluation(const PlanarModel& model, const Forcing& forcing,
+                                    const Motion& motion, Frame& frame, MotionRate& rate)
+        : model_(model),
+          form_(model.dense),
+          forcing_(forcing),
+          motion_(motion),
+          frame_(frame),
+          rate_(rate),
+          bodies_(model.body_count) {}
+
+    CAMBRIAN_INLINE void run(const EvaluationPoint& point) {
+        const bool all = point.detail == FrameDetail::kEverything;
+        turn_bodies();
+        drive_joints(point);
+        const Medium& medium = forcing_.medium;
+        const bool is_dragged = medium.drag_linear > 0.0 || medium.drag_quadratic > 0.0;
+        if (all || is_dragged) move_bodies();
+        rate_.power[kDragWork] = is_dragged ? drag_bodies() : 0.0;
+        rate_.power[kPullWork] = 0.0;
+        couple_angles();
+        if constexpr (kMotors == Motors::kImplicit)
+            invert();
+        else
+            eliminate();
+        move_center();
+        if (all) keep_response();
+        frame_.has_centers = false;
+        frame_.has_joint_geometry = false;
+        frame_.is_factored = false;
+        frame_.is_inverted = kMotors == Motors::kImplicit;
+    }
+
+private:
+    static constexpr int kLines = kBlocks * kLanes;
+    static constexpr std::size_t kSlots = kLines;
+
+    // Spare bodies do not move.
+    CAMBRIAN_INLINE void turn_bodies() {
+        Kinematics& k = frame_.kinematics;
+        for (int i = 0; i < kLines; i += kLanes) {
+            const Lanes member = load_lanes(model_.membership[0] + i);
+            store_lanes(k.angle + i, member * load_lanes(motion_.position + i));
+            store_lanes(k.spin + i, member * load_lanes(motion_.speed + i));
+        }
+        for (int i = 0; i < kLines; i += kLanes) {
+            for (int lane = i; lane < i + kLanes; ++lane) {
+                const SineCosine turn = sine_cosine_reduced(k.angle[lane]);
+                k.sine[lane] = turn.sine;
+                k.cosine[lane] = turn.cosine;
+            }
+        }
+        sine_.load(k.sine);
+        cosine_.load(k.cosine);
+    }
+
+    // Efforts of motors act on a body and back on its parent.
+    CAMBRIAN_INLINE void drive_joints(const EvaluationPoint& point) {
+        Kinematics& k = frame_.kinematics;
+        double torque[kSlots];
+        Lanes net = {};
+        Lanes gross = {};
+        for (int i = 0; i < kLines; i += kLanes) {
+            const int* parents = model_.parent_slot + i;
+            const Lanes position = load_lanes(k.angle + i) - gather(k.angle, parents) -
+                                   load_lanes(model_.rest_angle + i);
+            const Lanes rate = load_lanes(k.spin + i) - gather(k.spin, parents);
+            store_lanes(k.joint_position + i, position);
+            store_lanes(k.joint_rate + i, rate);
+            Lanes effort;
+            if constexpr (kMotors == Motors::kImplicit) {
+                const ImplicitEfforts motors = implicit_efforts(
+                    model_, forcing_.drive, point.tick_share, *point.implicit, position, rate, i);
+                effort = motors.effort;
+                store_lanes(frame_.motor_damping + i, motors.damping);
+            } else {
+                effort = motor_efforts(model_, forcing_.drive, point.tick_share, position, rate, i);
+                const Lanes power = effort * rate;
+                net += power;
+                gross += magnitude(power);
+            }
+            store_lanes(frame_.motor_effort + i, effort);
+            store_lanes(torque + i, effort);
+        }
+        rate_.power[kMotorWork] = sum_of(net);
+        rate_.power[kGrossMotorWork] = sum_of(gross);
+        for (int i = 1; i < bodies_; ++i)
+            torque[model_.parent[i]] -= frame_.motor_effort[i];
+        torque_.load(torque);
+    }
+
+    // Places and velocities of the centres.
+    CAMBRIAN_INLINE void move_bodies() {
+        Kinematics& k = frame_.kinematics;
+        BodyLanes<kBlocks> x;
+        BodyLanes<kBlocks> y;
+        BodyLanes<kBlocks> velocity_x;
+        BodyLanes<kBlocks> velocity_y;
+        for (int b = 0; b < kBlocks; ++b) {
+            x[b] = all_lanes(motion_.position[bodies_]);
+            y[b] = all_lanes(motion_.position[bodies_ + 1]);
+            velocity_x[b] = all_lanes(motion_.speed[bodies_]);
+            velocity_y[b] = all_lanes(motion_.speed[bodies_ + 1]);
+        }
+        for (int angle = 0; angle < bodies_; ++angle) {
+            const Lanes cosine = all_lanes(k.cosine[angle]);
+            const Lanes sine = all_lanes(k.sine[angle]);
+            const Lanes spin = all_lanes(k.spin[angle]);
+            for (int b = 0; b < kBlocks; ++b) {
+                const Lanes d_x = load_lanes(form_.arm_x + angle * kLines + b * kLanes);
+                const Lanes d_y = load_lanes(form_.arm_y + angle * kLines + b * kLanes);
+                const Lanes arm_x = cosine * d_x - sine * d_y;
+                const Lanes arm_y = sine * d_x + cosine * d_y;
+                x[b] += arm_x;
+                y[b] += arm_y;
+                velocity_x[b] -= spin * arm_y;
+                velocity_y[b] += spin * arm_x;
+            }
+        }
+        for (int b = 0; b < kBlocks; ++b) {
+            const Lanes member = load_lanes(model_.membership[0] + b * kLanes);
+            store_lanes(k.x + b * kLanes, member * x[b]);
+            store_lanes(k.y + b * kLanes, member * y[b]);
+            store_lanes(k.velocity_x + b * kLanes, member * velocity_x[b]);
+            store_lanes(k.velocity_y + b * kLanes, member * velocity_y[b]);
+        }
+    }
+
+    // Forces and torques of the medium on the bodies; returns their power.
+    CAMBRIAN_INLINE double drag_single_boxes(Loads& loads) {
+        const Kinematics& k = frame_.kinematics;
+        Lanes power = {};
+        for (int i = 0; i < kLines; i += kLanes) {
+            const BoxDrag drag = drag_boxes(
+                forcing_.medium, {{load_lanes(k.cosine + i), load_lanes(k.sine + i)},
+                                  {load_lanes(k.velocity_x + i), load_lanes(k.velocity_y + i)},
+                                  load_lanes(k.spin + i),
+                                  load_lanes(form_.half_length + i),
+                                  load_lanes(form_.half_width + i)});
+            store_lanes(loads.force_x + i, drag.force_x);
+            store_lanes(loads.force_y + i, drag.force_y);
+            torque_[i / kLanes] += drag.moment;
+            power += drag.power;
+        }
+        return sum_of(power);
+    }
+    CAMBRIAN_INLINE double drag_welded_boxes(Loads& loads) {
+        clear_loads(model_, loads);
+        const double power = add_drag(model_, forcing_.medium, frame_.kinematics, loads);
+        for (int b = 0; b < kBlocks; ++b)
+            torque_[b] += load_lanes(loads.torque + b * kLanes);
+        return power;
+    }
+
+    // An angle feels a force on a body by the arm between them.
+    CAMBRIAN_INLINE double drag_bodies() {
+        Loads& loads = frame_.loads;
+        const double power =
+            form_.single_boxes ? drag_single_boxes(loads) : drag_welded_boxes(loads);
+        Levers<kBlocks> levers(form_, frame_.kinematics);
+        for (int body = 0; body < bodies_; ++body) {
+            drag_x_ += loads.force_x[body];
+            drag_y_ += loads.force_y[body];
+            levers.add_force(body, loads.force_x[body], loads.force_y[body]);
+        }
+        for (int b = 0; b < kBlocks; ++b)
+            torque_[b] += levers.torque(b);
+        return power;
+    }
+
+    // The mass matrix, and what comes with the speeds.
+    CAMBRIAN_INLINE void couple_angles() {
+        const Kinematics& k = frame_.kinematics;
+        const int columns = kBlocks == 1 ? kLanes : bodies_;
+        for (int j = 0; j < columns; ++j) {
+            const Lanes cosine = all_lanes(k.cosine[j]);
+            const Lanes sine = all_lanes(k.sine[j]);
+            const Lanes square = all_lanes(k.spin[j] * k.spin[j]);
+            for (int b = 0; b < kBlocks; ++b) {
+                const Lanes a = load_lanes(form_.inertia_cosine + j * kLines + b * kLanes);
+                const Lanes s = load_lanes(form_.inertia_sine + j * kLines + b * kLanes);
+                const Lanes along = a * cosine_[b] + s * sine_[b];
+                const Lanes across = a * sine_[b] - s * cosine_[b];
+                column_[j][b] = along * cosine + across * sine;
+                torque_[b] += (along * sine - across * cosine) * square;
+            }
+        }
+    }
+
+    // Gauss-Jordan elimination; the matrix is positive definite.
+    CAMBRIAN_INLINE void eliminate() {
+        const int columns = kBlocks == 1 ? kLanes : bodies_;
+        double inverse_pivot[kSlots] = {};
+        for (int k = 0; k < columns; ++k) {
+            const double inverse = 1.0 / column_[k].at(k);
+            inverse_pivot[k] = inverse;
+            BodyLanes<kBlocks> factor;
+            for (int b = 0; b < kBlocks; ++b)
+                factor[b] = column_[k][b] * inverse;
+            factor[k / kLanes][k % kLanes] = 0.0;
+            for (int j = k + 1; j < columns; ++j) {
+                const Lanes pivot_row = all_lanes(column_[j].at(k));
+                for (int b = 0; b < kBlocks; ++b)
+                    column_[j][b] -= factor[b] * pivot_row;
+            }
+            const Lanes pivot_row = all_lanes(torque_.at(k));
+            for (int b = 0; b < kBlocks; ++b)
+                torque_[b] -= factor[b] * pivot_row;
+        }
+        for (int b = 0; b < kBlocks; ++b)
+            torque_[b] *= load_lanes(inverse_pivot + b * kLanes);
+        keep_turn(torque_);
+    }
+
+    // The same in place, with motors that are implicit, for loads that are still to come.
+    CAMBRIAN_INLINE void invert() {
+        for (int i = 1; i < bodies_; ++i) {
+            const int p = model_.parent[i];
+            const double damping = frame_.motor_damping[i];
+            column_[i].add_at(i, damping);
+            column_[p].add_at(p, damping);
+            column_[i].add_at(p, -damping);
+            column_[p].add_at(i, -damping);
+        }
+        const int columns = kBlocks == 1 ? kLanes : bodies_;
+        for (int k = 0; k < columns; ++k) {
+            const double inverse = 1.0 / column_[k].at(k);
+            const BodyLanes<kBlocks> pivot_column = column_[k];
+            for (int j = 0; j < columns; ++j) {
+                if (j == k) continue;
+                const double scaled = column_[j].at(k) * inverse;
+                for (int b = 0; b < kBlocks; ++b)
+                    column_[j][b] -= pivot_column[b] * scaled;
+                column_[j][k / kLanes][k % kLanes] = scaled;
+            }
+            for (int b = 0; b < kBlocks; ++b)
+                column_[k][b] *= -inverse;
+            column_[k][k / kLanes][k % kLanes] = inverse;
+        }
+        for (int k = 0; k < columns; ++k)
+            column_[k].store(frame_.inverse + k * kLines);
+        keep_turn(times_inverse(frame_.inverse, bodies_, torque_));
+    }
+
+    CAMBRIAN_INLINE void keep_turn(const BodyLanes<kBlocks>& turn) {
+        turn.store(rate_.acceleration);
+        turn.store(frame_.response.spin);
+    }
+
+    CAMBRIAN_INLINE void move_center() {
+        const double share = 1.0 / model_.total_mass;
+        store_lanes(rate_.acceleration + kLines, Lanes{});
+        rate_.acceleration[bodies_] = forcing_.medium.gravity_x + share * drag_x_;
+        rate_.acceleration[bodies_ + 1] = forcing_.medium.gravity_y + share * drag_y_;
+    }
+
+    CAMBRIAN_INLINE void keep_response() {
+        for (int c = 0; c < bodies_ + 2; c += kLanes)
+            store_lanes(frame_.response.coordinate + c, load_lanes(rate_.acceleration + c));
+    }
+
+    const PlanarModel& model_;
+    const DenseForm& form_;
+    const Forcing& forcing_;
+    const Motion& motion_;
+    Frame& frame_;
+    MotionRate& rate_;
+    const int bodies_;
+    BodyLanes<kBlocks> sine_, cosine_, torque_;
+    BodyLanes<kBlocks> column_[kSlots];
+    double drag_x_ = 0.0, drag_y_ = 0.0;
+};
+
+// Functions of their own: together in one the compiler would unroll neither.
+template <int kBlocks, Motors kMotors>
+[[gnu::noinline]] void evaluate(const PlanarModel& model, const Forcing& forcing,
+                                const Motion& motion, const EvaluationPoint& point, Frame& frame,
+                                MotionRate& rate) {
+    DenseEvaluation<kBlocks, kMotors>(model, forcing, motion, frame, rate).run(point);
+}
+
+}  // namespace
+
+void evaluate_dense(const PlanarModel& model, const Forcing& forcing, const Motion& motion,
+                    const EvaluationPoint& point, Frame& frame, MotionRate& rate) {
+    static_assert(kMaxDenseBlocks == 2);
+    const bool small = model.dense.blocks == 1;
+    if (point.implicit == nullptr)
+        (small ? evaluate<1, Motors::kExplicit>
+               : evaluate<2, Motors::kExplicit>)(model, forcing, motion, point, frame, rate);
+    else
+        (small ? evaluate<1, Motors::kImplicit>
+               : evaluate<2, Motors::kImplicit>)(model, forcing, motion, point, frame, rate);
+}
+
+}  // namespace cambrian

@@ -1,0 +1,142 @@
+#include "dynamics/evaluation/dense_response.h"
+
+#include "dynamics/model/dense_lanes.h"
+
+namespace cambrian {
+namespace {
+
+// Sum over all angles of their rates times the arms a quarter turn on, and less their squared spins
+// times the arms.
+template <int kBlocks, bool kSpins>
+CAMBRIAN_INLINE BodyVectors<kBlocks> sum_arms(const PlanarModel& model, const Kinematics& k,
+                                              const double* rates, double x, double y) {
+    constexpr int kLines = kBlocks * kLanes;
+    const DenseForm& form = model.dense;
+    BodyVectors<kBlocks> sum;
+    sum.x.fill(x);
+    sum.y.fill(y);
+    for (int angle = 0; angle < model.body_count; ++angle) {
+        const double cosine = k.cosine[angle];
+        const double sine = k.sine[angle];
+        const double square = kSpins ? k.spin[angle] * k.spin[angle] : 0.0;
+        // (rate i - square) R, as a rotation that stretches.
+        const double along = -square * cosine - rates[angle] * sine;
+        const double across = rates[angle] * cosine - square * sine;
+        for (int b = 0; b < kBlocks; ++b) {
+            const Lanes d_x = load_lanes(form.arm_x + angle * kLines + b * kLanes);
+            const Lanes d_y = load_lanes(form.arm_y + angle * kLines + b * kLanes);
+            sum.x[b] += along * d_x - across * d_y;
+            sum.y[b] += across * d_x + along * d_y;
+        }
+    }
+    return sum;
+}
+
+template <int kBlocks>
+CAMBRIAN_INLINE void accelerate_centers(const PlanarModel& model, const Kinematics& k,
+                                        BodyResponse& response) {
+    const double* center = response.coordinate + model.body_count;
+    const auto sum = sum_arms<kBlocks, true>(model, k, response.coordinate, center[0], center[1]);
+    sum.x.store_members(model, response.x);
+    sum.y.store_members(model, response.y);
+}
+
+template <int kBlocks>
+CAMBRIAN_INLINE void spread(const PlanarModel& model, const Kinematics& k,
+                            const PerCoordinate& rates, PerBody& spin, PerBody& velocity_x,
+                            PerBody& velocity_y) {
+    const double* center = rates + model.body_count;
+    const auto sum = sum_arms<kBlocks, false>(model, k, rates, center[0], center[1]);
+    sum.x.store_members(model, velocity_x);
+    sum.y.store_members(model, velocity_y);
+    BodyLanes<kBlocks> turn;
+    turn.load(rates);
+    turn.store_members(model, spin);
+}
+
+CAMBRIAN_INLINE void add_efforts(const PlanarModel& model, const PerBody& efforts, double* torque) {
+    for (int i = 1; i < model.body_count; ++i) {
+        torque[i] += efforts[i];
+        torque[model.parent[i]] -= efforts[i];
+    }
+}
+
+template <int kBlocks>
+CAMBRIAN_INLINE void store_jump(const PlanarModel& model, const BodyLanes<kBlocks>& turn, double x,
+                                double y, PerCoordinate& jump) {
+    turn.store(jump);
+    store_lanes(jump + kBlocks * kLanes, Lanes{});
+    jump[model.body_count] = x;
+    jump[model.body_count + 1] = y;
+}
+
+template <int kBlocks>
+CAMBRIAN_INLINE void solve_impulse_blocks(const PlanarModel& model, const Frame& frame,
+                                          const Loads& impulses, PerCoordinate& jump) {
+    Levers<kBlocks> levers(model.dense, frame.kinematics);
+    double sum_x = 0.0;
+    double sum_y = 0.0;
+    for (int body = 0; body < model.body_count; ++body) {
+        sum_x += impulses.force_x[body];
+        sum_y += impulses.force_y[body];
+        levers.add_force(body, impulses.force_x[body], impulses.force_y[body]);
+    }
+    double own[std::size_t{kBlocks} * kLanes] = {};
+    for (int i = 0; i < model.body_count; ++i)
+        own[i] = impulses.torque[i];
+    add_efforts(model, impulses.effort, own);
+    BodyLanes<kBlocks> torque;
+    torque.load(own);
+    for (int b = 0; b < kBlocks; ++b)
+        torque[b] += levers.torque(b);
+    const double share = 1.0 / model.total_mass;
+    store_jump(model, times_inverse(frame.inverse, model.body_count, torque), share * sum_x,
+               share * sum_y, jump);
+}
+
+template <int kBlocks>
+CAMBRIAN_INLINE void solve_efforts_blocks(const PlanarModel& model, const Frame& frame,
+                                          const PerBody& efforts, PerCoordinate& jump) {
+    double own[std::size_t{kBlocks} * kLanes] = {};
+    add_efforts(model, efforts, own);
+    BodyLanes<kBlocks> torque;
+    torque.load(own);
+    store_jump(model, times_inverse(frame.inverse, model.body_count, torque), 0.0, 0.0, jump);
+}
+
+}  // namespace
+
+void accelerate_dense_centers(const PlanarModel& model, const Kinematics& k,
+                              BodyResponse& response) {
+    if (model.dense.blocks == 1)
+        accelerate_centers<1>(model, k, response);
+    else
+        accelerate_centers<2>(model, k, response);
+}
+
+void spread_dense_rates(const PlanarModel& model, const Kinematics& place,
+                        const PerCoordinate& rates, PerBody& spin, PerBody& velocity_x,
+                        PerBody& velocity_y) {
+    if (model.dense.blocks == 1)
+        spread<1>(model, place, rates, spin, velocity_x, velocity_y);
+    else
+        spread<2>(model, place, rates, spin, velocity_x, velocity_y);
+}
+
+void solve_dense_impulse(const PlanarModel& model, const Frame& frame, const Loads& impulses,
+                         PerCoordinate& jump) {
+    if (model.dense.blocks == 1)
+        solve_impulse_blocks<1>(model, frame, impulses, jump);
+    else
+        solve_impulse_blocks<2>(model, frame, impulses, jump);
+}
+
+void solve_dense_efforts(const PlanarModel& model, const Frame& frame, const PerBody& efforts,
+                         PerCoordinate& jump) {
+    if (model.dense.blocks == 1)
+        solve_efforts_blocks<1>(model, frame, efforts, jump);
+    else
+        solve_efforts_blocks<2>(model, frame, efforts, jump);
+}
+
+}  // namespace cambrian

@@ -1,0 +1,31 @@
+#include "dynamics/forces/drag.h"
+
+#include "core/assert.h"
+#include "dynamics/forces/box_drag.h"
+
+namespace cambrian {
+
+double add_drag(const PlanarModel& model, const Medium& medium, const Kinematics& k, Loads& loads) {
+    Lanes power = {};
+    for (int first = 0; first < model.part_count; first += kLanes) {
+        CAMBRIAN_TICK_ASSERT(medium.drag_linear >= 0.0 && medium.drag_quadratic >= 0.0,
+                             "drag resists");
+        const PartLanes parts = part_lanes(model, k, first);
+        const BoxDrag drag = drag_boxes(
+            medium, {part_axes(model, parts, first), part_velocities(model, k, parts, first),
+                     gather(k.spin, model.part_body + first), load_lanes(model.half_length + first),
+                     load_lanes(model.half_width + first)});
+        const Lanes torque = drag.moment + parts.arm.x * drag.force_y - parts.arm.y * drag.force_x;
+        power += drag.power;
+        const int end = first + kLanes < model.part_count ? kLanes : model.part_count - first;
+        for (int lane = 0; lane < end; ++lane) {
+            const int b = model.part_body[first + lane];
+            loads.force_x[b] += drag.force_x[lane];
+            loads.force_y[b] += drag.force_y[lane];
+            loads.torque[b] += torque[lane];
+        }
+    }
+    return sum_of(power);
+}
+
+}  // namespace cambrian

@@ -1,0 +1,52 @@
+#pragma once
+
+// Everything besides the state that the accelerations depend on: the medium, the motors' targets
+// over the current tick, and the forces held constant during a step or tick.
+
+#include "dynamics/model/planar_model.h"
+
+namespace cambrian {
+
+inline constexpr int kMaxContacts = 48;
+
+struct Medium {
+    double gravity_x = 0.0, gravity_y = 0.0;         // m/s^2
+    double drag_linear = 0.0, drag_quadratic = 0.0;  // of Environment
+};
+
+// How an evaluation treats the motors: their efforts as given, or their damping in it as well.
+enum class Motors { kExplicit, kImplicit };
+
+// The motor law's constants and every joint's target, ramped linearly over a tick.
+struct MotorDrive {
+    double frequency = 0.0;        // rad/s
+    double speed_limit = 0.0;      // rad/s
+    PerBody start = {}, end = {};  // target at the tick's start and end
+};
+
+// A world force on a material point of body a; body b, if there is one, is pushed back at the same
+// world point.
+struct HeldForce {
+    int body_a = 0;
+    int body_b = -1;                      // -1 is the ground
+    double point_x = 0.0, point_y = 0.0;  // m, in body a's frame
+    double force_x = 0.0, force_y = 0.0;  // N
+};
+
+// What contacts and stops exert, constant during a step.
+struct HeldForces {
+    int contact_count = 0;
+    HeldForce contacts[kMaxContacts];
+    bool limits_active = false;
+    PerBody limit_effort = {};  // N m or N
+};
+
+struct Forcing {
+    Medium medium;
+    MotorDrive drive;
+    const HeldForces* held = nullptr;  // null: free of contact
+    bool pulled = false;
+    HeldForce pull;
+};
+
+}  // namespace cambrian

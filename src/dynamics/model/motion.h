@@ -1,0 +1,55 @@
+#pragma once
+
+// The state of articulated bodies and its rate of change, as the integrators see them
+// (physics.md 2): coordinates (s_0 ... s_{n-1}, Cx and Cy of every tree) with s_i the ABSOLUTE
+// angle of a root or of a body behind a rotary joint, or the length of a linear one, and C the
+// centre of mass of a tree. Joints cannot come apart in these coordinates. Slots beyond the count,
+// up to whole lanes, are 0.
+
+#include "dynamics/model/planar_model.h"
+
+namespace cambrian {
+
+// Works integrated along with the motion, J.
+enum Work : int { kMotorWork, kGrossMotorWork, kDragWork, kPullWork, kWorkCount };
+
+struct Motion {
+    PerCoordinate position;   // m or rad
+    PerCoordinate speed;      // m/s or rad/s
+    double work[kWorkCount];  // J
+};
+
+struct MotionRate {
+    PerCoordinate acceleration;  // m/s^2 or rad/s^2
+    double power[kWorkCount];    // W
+};
+
+inline int coordinate_count(const PlanarModel& model) {
+    return model.body_count + 2 * model.tree_count;
+}
+// The same, up to whole lanes.
+inline int coordinate_slots(const PlanarModel& model) {
+    return round_up_to_lanes(coordinate_count(model));
+}
+// Index of Cx of a tree; Cy follows. The coordinate of a body is its own number.
+inline int center_of(const PlanarModel& model, int tree) {
+    return model.body_count + 2 * tree;
+}
+
+inline void copy_motion(const PlanarModel& model, const Motion& from, Motion& to) {
+    for (int c = 0; c < coordinate_slots(model); c += kLanes) {
+        store_lanes(to.position + c, load_lanes(from.position + c));
+        store_lanes(to.speed + c, load_lanes(from.speed + c));
+    }
+    std::memcpy(to.work, from.work, sizeof(to.work));
+}
+inline void copy_rate(const PlanarModel& model, const MotionRate& from, MotionRate& to) {
+    for (int c = 0; c < coordinate_slots(model); c += kLanes)
+        store_lanes(to.acceleration + c, load_lanes(from.acceleration + c));
+    std::memcpy(to.power, from.power, sizeof(to.power));
+}
+
+// At rest in the plan's rest pose.
+Motion rest_motion(const PlanarModel& model);
+
+}  // namespace cambrian

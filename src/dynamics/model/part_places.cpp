@@ -1,0 +1,37 @@
+#include "dynamics/model/part_places.h"
+
+namespace cambrian {
+
+namespace {
+
+// Where every body is one box, the box is where the body is.
+CAMBRIAN_INLINE void place_single_boxes(const PlanarModel& model, const Kinematics& k,
+                                        PartPlaces& places) {
+    for (int first = 0; first < model.part_count; first += kLanes) {
+        const int* bodies = model.part_body + first;
+        store_lanes(places.x + first, gather(k.x, bodies));
+        store_lanes(places.y + first, gather(k.y, bodies));
+        store_lanes(places.axis_x + first, gather(k.cosine, bodies));
+        store_lanes(places.axis_y + first, gather(k.sine, bodies));
+    }
+}
+
+}  // namespace
+
+void place_parts(const PlanarModel& model, const Kinematics& k, PartPlaces& places) {
+    if (model.part_count == model.body_count) return place_single_boxes(model, k, places);
+    for (int first = 0; first < model.part_count; first += kLanes) {
+        const int* bodies = model.part_body + first;
+        const PartLanes parts = part_lanes(model, k, first);
+        const LanePair& offset = parts.offset;
+        const LanePair axis = part_axes(model, parts, first);
+        store_lanes(places.x + first,
+                    gather(k.x, bodies) + parts.cosine * offset.x - parts.sine * offset.y);
+        store_lanes(places.y + first,
+                    gather(k.y, bodies) + parts.sine * offset.x + parts.cosine * offset.y);
+        store_lanes(places.axis_x + first, axis.x);
+        store_lanes(places.axis_y + first, axis.y);
+    }
+}
+
+}  // namespace cambrian

@@ -1,0 +1,35 @@
+#include "dynamics/model/planar_model.h"
+
+#include "core/assert.h"
+
+namespace cambrian {
+
+void derive_inertias(PlanarModel& model) {
+    for (int i = 0; i < model.body_count; ++i) {
+        CAMBRIAN_TICK_ASSERT(model.mass[i] > 0.0 && model.inertia[i] > 0.0, "a body has a mass");
+        const double arm_square =
+            model.pivot_x[i] * model.pivot_x[i] + model.pivot_y[i] * model.pivot_y[i];
+        model.pivot_inertia[i] = model.inertia[i] + model.mass[i] * arm_square;
+        model.inverse_mass[i] = 1.0 / model.mass[i];
+        model.inverse_inertia[i] = 1.0 / model.inertia[i];
+    }
+    derive_dense_form(model, model.dense);
+}
+
+void change_density(PlanarModel& model, double density) {
+    CAMBRIAN_TICK_ASSERT(density > 0.0 && model.density > 0.0, "a density is positive");
+    const double ratio = density / model.density;
+    model.density = density;
+    model.total_mass *= ratio;
+    for (double& mass : model.tree_mass)
+        mass *= ratio;
+    for (int i = 0; i < model.body_count; ++i) {
+        model.mass[i] *= ratio;
+        model.inertia[i] *= ratio;
+        model.effective_inertia[i] *= ratio;
+        model.motor.stiffness[i] *= ratio;
+    }
+    derive_inertias(model);
+}
+
+}  // namespace cambrian

@@ -1,0 +1,22 @@
+#pragma once
+
+// The motion inside an accepted step, from the states and rates at its ends: quintic Hermite
+// polynomials for positions, cubic ones for speeds, and for works the quadratic power that has the
+// right values at both ends and the right integral.
+
+#include "dynamics/model/motion.h"
+
+namespace cambrian {
+
+struct StepEnds {
+    const Motion& start;
+    const MotionRate& start_rate;
+    const Motion& end;
+    const MotionRate& end_rate;
+    double length = 0.0;  // s
+};
+
+// slots: coordinates to fill. share: of the step, 0 to 1.
+void interpolate_motion(int slots, const StepEnds& step, double share, Motion& motion);
+
+}  // namespace cambrian

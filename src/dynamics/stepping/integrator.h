@@ -1,0 +1,56 @@
+#pragma once
+
+// The seam of integration methods: one attempt at a step, with an estimate of its error. Who
+// accepts and resizes steps is StepControl.
+
+#include "dynamics/evaluation/accelerations.h"
+
+#include <string>
+
+namespace cambrian {
+
+// The motion's differential equation during one tick.
+struct MotionSystem {
+    const PlanarModel& model;
+    const Forcing& forcing;
+    double tick_length = 0.0;  // s
+
+    // time: s since the tick's start. implicit: as in EvaluationPoint.
+    void evaluate(const Motion& motion, double time, FrameDetail detail, Frame& frame,
+                  MotionRate& rate, const ImplicitStage* implicit = nullptr) const {
+        evaluate_accelerations(model, forcing, motion, {time / tick_length, detail, implicit},
+                               frame, rate);
+    }
+};
+
+struct StepRequest {
+    const Motion& start;
+    const MotionRate& start_rate;
+    double time = 0.0;       // s since the tick's start
+    double length = 0.0;     // s
+    double tolerance = 0.0;  // of SceneSettings
+};
+
+// Errors up to this share of the allowed one shorten no step of order 5 or less.
+inline constexpr double kCalmError = 0.59;
+
+struct StepResult {
+    Motion end = {};
+    MotionRate end_rate = {};  // at the end, under the same forcing
+    double error = 0.0;        // of the step, in tolerances; at most 1 is acceptable
+    int evaluations = 0;
+};
+
+struct IntegratorKind {
+    std::string id;
+    // One attempt; frame is left at the step's end, with everything.
+    void (*attempt)(const MotionSystem& system, const StepRequest& request, Frame& frame,
+                    StepResult& result) = nullptr;
+    int error_order = 1;       // of the error in the step's length
+    double max_step = 0.0;     // s
+    bool holds_loops = false;  // whether closing pins stay closed
+    // Whether steps under contact forces are midpoint steps (midpoint_step.h) instead.
+    bool rows_at_middle = false;
+};
+
+}  // namespace cambrian

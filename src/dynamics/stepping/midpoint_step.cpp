@@ -1,0 +1,227 @@
+#include "dynamics/stepping/midpoint_step.h"
+
+#include "dynamics/articulated/paired_impulses.h"
+#include "dynamics/constraints/invariants.h"
+#include "dynamics/evaluation/dense_response.h"
+
+#include <cmath>
+
+namespace cambrian {
+namespace {
+
+constexpr double kPerPosition = 10.0;  // 1 / (0.1 m or rad)
+// An embedded pair goes on with its better formula, whose error is a fraction of the estimate; the
+// midpoint rule goes on with what the estimate is the error of.
+constexpr double kCaution = 1.6;
+
+// Accelerations of the joints' coordinates, four at once.
+CAMBRIAN_INLINE Lanes joint_accelerations(const PlanarModel& model, const double* coordinate,
+                                          const double* spin, int first) {
+    const Lanes turning = all_lanes(1.0) - load_lanes(model.slides + first);
+    return load_lanes(coordinate + first) - turning * gather(spin, model.parent_slot + first);
+}
+
+// RMS over all coordinates of the errors of position / (0.1 m or rad) and of speed / (1 + |speed|).
+CAMBRIAN_INLINE double error_norm(const PlanarModel& model, const Motion& end,
+                                  const PerCoordinate& position_error,
+                                  const PerCoordinate& speed_error) {
+    Lanes sum = {};
+    for (int c = 0; c < coordinate_slots(model); c += kLanes) {
+        const Lanes position = kPerPosition * load_lanes(position_error + c);
+        const Lanes size = 1.0 + magnitude(load_lanes(end.speed + c));
+        const Lanes speed = load_lanes(speed_error + c) / size;
+        sum += position * position + speed * speed;
+    }
+    return std::sqrt(sum_of(sum) / (2.0 * coordinate_count(model)));
+}
+
+// Where a motion is after a time of constant accelerations.
+CAMBRIAN_INLINE void accelerate(const PlanarModel& model, const Motion& start, double time,
+                                const PerCoordinate& acceleration, Motion& end) {
+    for (int c = 0; c < coordinate_slots(model); c += kLanes) {
+        const Lanes change = time * load_lanes(acceleration + c);
+        const Lanes speed = load_lanes(start.speed + c);
+        store_lanes(end.speed + c, speed + change);
+        store_lanes(end.position + c,
+                    load_lanes(start.position + c) + time * (speed + 0.5 * change));
+    }
+}
+
+CAMBRIAN_INLINE void add_jumps(const PlanarModel& model, const PerCoordinate (&jumps)[2],
+                               PerCoordinate (&errors)[2]) {
+    for (int which = 0; which < 2; ++which) {
+        for (int c = 0; c < coordinate_count(model); ++c)
+            errors[which][c] += jumps[which][c];
+    }
+}
+
+}  // namespace
+
+bool MidpointStep::attempt(const MotionSystem& system, const ContactLaw& law,
+                           const MidpointRequest& request, ContactSolver& contacts, WarmStart& warm,
+                           Frame& frame, StepResult& result) {
+    const PlanarModel& model = system.model;
+    const StepRequest& step = request.step;
+    const double half = 0.5 * step.length;
+    CAMBRIAN_TICK_ASSERT(step.length > 0.0 && step.tolerance > 0.0, "a step takes time");
+    accelerate(model, step.start, half, request.prediction, predicted_);
+    const ImplicitStage stage{half, request.start.kinematics.joint_rate};
+    system.evaluate(predicted_, step.time + half, FrameDetail::kEverything, middle_, middle_rate_,
+                    &stage);
+    if (contacts.chosen().count > 0) find_centers(model, middle_);
+    contacts.build_between(model, law, request.start.kinematics, middle_);
+    const bool solved = contacts.hold(model, law, step.length, warm);
+    respond(model, contacts, step.length);
+    accelerate(model, step.start, step.length, mean_rate_.acceleration, result.end);
+    system.evaluate(result.end, step.time + step.length, FrameDetail::kEverything, frame,
+                    result.end_rate);
+    keep_works(model, request, frame, result);
+    result.error = estimate_error(model, law, step, contacts, result);
+    result.evaluations = 2;
+    CAMBRIAN_TICK_ASSERT(is_not_negative(result.error), "an error is not negative");
+    return solved;
+}
+
+void MidpointStep::respond(const PlanarModel& model, const ContactSolver& contacts, double h) {
+    Loads loads;
+    clear_loads(model, loads);
+    contacts.add_held(h, loads);
+    if (middle_.is_inverted) {
+        solve_dense_impulse(model, middle_, loads, held_.coordinate);
+        for (int i = 0; i < model.body_count; i += kLanes)
+            store_lanes(held_.spin + i, load_lanes(held_.coordinate + i));
+    } else {
+        solve_impulse(model, middle_.kinematics, middle_.factors, loads, held_);
+        for (int c = coordinate_count(model); c < coordinate_slots(model); ++c)
+            held_.coordinate[c] = 0.0;
+    }
+    for (int c = 0; c < coordinate_slots(model); c += kLanes)
+        store_lanes(mean_rate_.acceleration + c,
+                    load_lanes(middle_rate_.acceleration + c) + load_lanes(held_.coordinate + c));
+}
+
+// The motors' work is exact, for their efforts are constant; that of drag and pull by Simpson's
+// rule.
+void MidpointStep::keep_works(const PlanarModel& model, const MidpointRequest& request,
+                              const Frame& frame, StepResult& result) {
+    const StepRequest& step = request.step;
+    PerBody spin;
+    for (int i = 0; i < model.body_count; i += kLanes)
+        store_lanes(spin + i, load_lanes(middle_.response.spin + i) + load_lanes(held_.spin + i));
+    Lanes net = {};
+    Lanes gross = {};
+    for (int i = 0; i < model.body_count; i += kLanes) {
+        const Lanes effort = load_lanes(middle_.motor_effort + i) -
+                             load_lanes(middle_.motor_damping + i) *
+                                 joint_accelerations(model, mean_rate_.acceleration, spin, i);
+        const Lanes work = effort * (load_lanes(frame.kinematics.joint_position + i) -
+                                     load_lanes(request.start.kinematics.joint_position + i));
+        net += work;
+        gross += magnitude(work);
+    }
+    double* work = result.end.work;
+    const double* before = step.start.work;
+    work[kMotorWork] = before[kMotorWork] + sum_of(net);
+    work[kGrossMotorWork] = before[kGrossMotorWork] + sum_of(gross);
+    for (const Work w : {kDragWork, kPullWork})
+        work[w] = before[w] + step.length / 6.0 *
+                                  (step.start_rate.power[w] + 4.0 * middle_rate_.power[w] +
+                                   result.end_rate.power[w]);
+    for (int w = 0; w < kWorkCount; ++w)
+        mean_rate_.power[w] = (work[w] - before[w]) / step.length;
+}
+
+// How far the rule is from Simpson's for speeds and from Hermite's for positions: h/6 (a0 - 2 am +
+// a1) and h^2/12 (a1 - a0). The accelerations at both ends are free of contact, and so must the
+// middle one be taken; what contact forces would add at the ends is then projected away, for they
+// take up whatever change the rows that hold do not let happen. Motors that are implicit damp the
+// error as they damp the motion. What is small without the projection is not projected.
+double MidpointStep::estimate_error(const PlanarModel& model, const ContactLaw& law,
+                                    const StepRequest& step, ContactSolver& contacts,
+                                    const StepResult& result) const {
+    const double h = step.length;
+    PerCoordinate errors[2];   // of speeds and positions
+    PerCoordinate changes[2];  // what the motors damp
+    for (int c = 0; c < coordinate_slots(model); c += kLanes) {
+        const Lanes start = load_lanes(step.start_rate.acceleration + c);
+        const Lanes end = load_lanes(result.end_rate.acceleration + c);
+        const Lanes middle = load_lanes(middle_rate_.acceleration + c);
+        store_lanes(errors[0] + c, (h / 6.0) * (start + end - 2.0 * middle));
+        store_lanes(changes[0] + c,
+                    (h / 6.0) * (start + end - 2.0 * load_lanes(mean_rate_.acceleration + c)));
+        const Lanes position = (h * h / 12.0) * (end - start);
+        store_lanes(errors[1] + c, position);
+        store_lanes(changes[1] + c, position);
+    }
+    take_damping(model, changes, errors);
+    const double scale = kCaution / step.tolerance;
+    const double whole = scale * error_norm(model, result.end, errors[1], errors[0]);
+    if (whole <= kCalmError) return whole;
+    take_absorbed(model, law, contacts, errors);
+    return scale * error_norm(model, result.end, errors[1], errors[0]);
+}
+
+// Takes from the errors the response to what implicit motors give less under changes of speeds.
+void MidpointStep::take_damping(const PlanarModel& model, const PerCoordinate (&changes)[2],
+                                PerCoordinate (&errors)[2]) const {
+    if (middle_.is_inverted) {
+        PerCoordinate jumps[2];
+        for (int which = 0; which < 2; ++which) {
+            PerBody efforts;
+            damp(model, changes[which], changes[which], efforts);
+            solve_dense_efforts(model, middle_, efforts, jumps[which]);
+        }
+        return add_jumps(model, jumps, errors);
+    }
+    Loads loads[2];
+    for (int which = 0; which < 2; ++which) {
+        PerBody spin;
+        spread_spins(model, changes[which], spin);
+        clear_loads(model, loads[which]);
+        damp(model, changes[which], spin, loads[which].effort);
+    }
+    add_responses(model, loads, errors);
+}
+
+// Efforts of the motors' damping in the middle against changes of the coordinates' speeds.
+CAMBRIAN_INLINE void MidpointStep::damp(const PlanarModel& model, const PerCoordinate& change,
+                                        const double* spin, PerBody& efforts) const {
+    for (int i = 0; i < model.body_count; i += kLanes)
+        store_lanes(efforts + i, -load_lanes(middle_.motor_damping + i) *
+                                     joint_accelerations(model, change, spin, i));
+}
+
+// Takes from the errors what the rows that hold take up of them.
+void MidpointStep::take_absorbed(const PlanarModel& model, const ContactLaw& law,
+                                 ContactSolver& contacts, PerCoordinate (&errors)[2]) const {
+    const Kinematics& k = middle_.kinematics;
+    Loads loads[2];
+    BodyResponse changes[2];
+    for (int which = 0; which < 2; ++which) {
+        BodyResponse& change = changes[which];
+        for (int c = 0; c < coordinate_slots(model); c += kLanes)
+            store_lanes(change.coordinate + c, load_lanes(errors[which] + c));
+        if (middle_.is_inverted)
+            spread_dense_rates(model, k, errors[which], change.spin, change.x, change.y);
+        else
+            spread_rates(model, k, errors[which], change.spin, change.x, change.y);
+        clear_loads(model, loads[which]);
+    }
+    contacts.absorb(model, law, changes, loads);
+    add_responses(model, loads, errors);
+}
+
+// Adds what the loads do to the coordinates in the middle.
+void MidpointStep::add_responses(const PlanarModel& model, const Loads (&loads)[2],
+                                 PerCoordinate (&errors)[2]) const {
+    PerCoordinate jumps[2];
+    if (middle_.is_inverted) {
+        for (int which = 0; which < 2; ++which)
+            solve_dense_impulse(model, middle_, loads[which], jumps[which]);
+    } else {
+        solve_paired_impulses(model, middle_.kinematics, middle_.factors, loads, jumps);
+    }
+    add_jumps(model, jumps, errors);
+}
+
+}  // namespace cambrian

@@ -1,0 +1,431 @@
+#include "dynamics/stepping/step_control.h"
+
+#include "dynamics/articulated/loop_closure.h"
+#include "dynamics/constraints/invariants.h"
+#include "dynamics/stepping/audit.h"
+#include "dynamics/stepping/dense_output.h"
+#include "dynamics/stepping/time_of_impact.h"
+#include "math/elementary.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace cambrian {
+namespace {
+
+constexpr double kCollapseShare = 1.0 / 32;   // of the contact step
+constexpr double kCollapseStep = 1.0 / 1920;  // s; at most, at the usual tolerance
+constexpr double kUsualTolerance = 4e-3;
+constexpr double kPatientShare = 1.0 / 16;  // of the contact step
+constexpr int kPatience = 4;                // collapses in a row before a step without held forces
+constexpr double kBudgetTime =
+    1.0;  // s; of evaluations that may be spent before time pays for them
+constexpr double kHalvingStep = 1.0 / 960;   // s; shorter ones are not halved
+constexpr double kMaxDeepening = 4e-3;       // m; of the deepest contact in one step
+constexpr double kMaxTickDeepening = 8e-3;   // m; in one tick
+constexpr double kMaxOverrun = 0.03;         // rad or m past a stop
+constexpr double kOverrunGrowth = 0.01;      // of that in one step
+constexpr double kStepWorkAllowance = 5e-4;  // J per (kg m/s^2)
+constexpr double kMinStep = 1e-6;            // s
+constexpr double kSliver = 1e-9;             // s; what may be left of a tick
+constexpr int kMaxImpacts = 8;               // a tick; later ones count as slow contacts
+constexpr double kSafety = 0.9;
+constexpr double kShrinkMost = 0.2;
+constexpr double kGrowMost = 3.0;
+constexpr double kTinyError = 1e-3;   // of the allowed one; grows the step most, whatever the order
+constexpr double kMaxDistance = 1e6;  // m; also rad, where sine_cosine_reduced ends
+constexpr double kMaxSpeed = 1e4;     // m/s and rad/s
+
+// Change of step that would make the error just acceptable, clipped.
+double step_factor(double error, int order) {
+    if (!std::isfinite(error)) return kShrinkMost;
+    if (error < kTinyError) return kGrowMost;
+    const double factor = kSafety * inverse_root(error, order);
+    return std::clamp(factor, kShrinkMost, kGrowMost);
+}
+
+double deepest(const ContactSet& contacts) {
+    double depth = 0.0;
+    for (int c = 0; c < contacts.count; ++c)
+        depth = std::max(depth, -contacts.items[c].gap);
+    return depth;
+}
+
+}  // namespace
+
+StepControl::StepControl(const IntegratorKind& integrator, const SceneSettings& settings)
+    : integrator_(&integrator),
+      tolerance_(settings.tolerance),
+      contact_step_(settings.contact_step),
+      max_evaluations_(settings.max_evaluations) {
+    const double share = inverse_root(kUsualTolerance / tolerance_, MidpointStep::kErrorOrder);
+    collapse_step_ = std::min(kCollapseShare * contact_step_, kCollapseStep * share);
+    CAMBRIAN_TICK_ASSERT(tolerance_ > 0.0 && contact_step_ > 0.0 && max_evaluations_ > 0.0,
+                         "settings that were checked");
+    CAMBRIAN_TICK_ASSERT(collapse_step_ > 0.0, "a step to give up at");
+}
+
+void StepControl::advance(const PlanarModel& model, const ContactLaw& law, Forcing& forcing,
+                          double duration, SceneMoment& moment) {
+    CAMBRIAN_TICK_ASSERT(duration > 0.0, "a tick takes time");
+    CAMBRIAN_TICK_ASSERT(moment.status == SceneStatus::kRunning, "only sound scenes go on");
+    CAMBRIAN_TICK_ASSERT(is_finite(model, moment.motion), "a tick starts from a finite motion");
+    CAMBRIAN_TICK_ASSERT(are_parents_before_children(model), "a parent stands before its children");
+    for (std::uint8_t& faces : moment.touched)
+        faces = 0;
+    moment.evaluation_debt = std::max(0.0, moment.evaluation_debt - max_evaluations_ * duration);
+    Tick tick{model, law, forcing, moment, duration};
+    tick.collected = moment.frame_is_current && moment.collection == collection_;
+    Motion start;
+    copy_motion(model, moment.motion, start);
+    const SceneAudit books = moment.audit;
+    while (tick.length - tick.time > kSliver) {
+        moment.status = step(tick);
+        if (moment.status != SceneStatus::kRunning) return take_back(tick, start, books);
+    }
+    tick.time = tick.length;
+    make_current(tick);
+    moment.status = status_of(tick);
+    if (moment.status != SceneStatus::kRunning) return take_back(tick, start, books);
+    moment.collection = tick.collected ? ++collection_ : 0;
+    moment.time += duration;
+    remember_contacts(tick);
+    note_speeds(model, moment.frame().kinematics, moment.audit);
+    close_books(model, forcing.medium, moment);
+}
+
+// What no sound motion was found for leaves the moment as the tick began, but for the counters.
+void StepControl::take_back(Tick& tick, const Motion& start, const SceneAudit& books) {
+    SceneMoment& moment = tick.moment;
+    const SceneAudit spent = std::exchange(moment.audit, books);
+    CAMBRIAN_TICK_ASSERT(is_finite(tick.model, start), "a tick can be taken back");
+    copy_motion(tick.model, start, moment.motion);
+    moment.frame_is_current = false;
+    tick.time = 0.0;
+    make_current(tick);
+    moment.audit.evaluations = spent.evaluations;
+    moment.audit.steps = spent.steps;
+    moment.audit.rejections = spent.rejections;
+    moment.audit.events = spent.events;
+    moment.audit.fallbacks = spent.fallbacks;
+    close_books(tick.model, tick.forcing.medium, moment);
+}
+
+// One accepted step or one impact.
+SceneStatus StepControl::step(Tick& tick) {
+    CAMBRIAN_TICK_ASSERT(tick.time < tick.length, "something is left of the tick");
+    make_current(tick);
+    if (!tick.collected) contacts_.collect(tick.model, tick.law, tick.moment.frame().kinematics);
+    if (tick.impacts < kMaxImpacts && contacts_.has_impact()) {
+        strike(tick, tick.law.elasticity);
+        return SceneStatus::kRunning;
+    }
+    bool has_rows = false;
+    double h = choose_length(tick, has_rows);
+    switch (attempt(tick, has_rows, h)) {
+        case Attempt::kDiverged:
+            return SceneStatus::kInvalid;
+        case Attempt::kOverBudget:
+            return SceneStatus::kOverBudget;
+        case Attempt::kCollapsed:
+            return SceneStatus::kRunning;
+        case Attempt::kAccepted:
+            break;
+    }
+    Kinematics& end = tick.moment.spare_frame().kinematics;
+    const double depth = deepest(contacts_.near());
+    if (tick.time == 0.0) tick.start_depth = depth;
+    contacts_.collect(tick.model, tick.law, end);
+    tick.collected = true;
+    if (tick.impacts < kMaxImpacts && has_new_impact(contacts_)) {
+        const StepEnds ends{tick.moment.motion, *start_rate_, result_.end, *end_rate_, h};
+        Motion motion;
+        const double share = find_impact(tick.model, tick.law, ends, contacts_, motion, end);
+        copy_motion(tick.model, motion, result_.end);
+        tick.collapses = 0;
+        accept_part(tick, h, share);
+    } else if (is_too_deep(tick, depth, h)) {
+        ++tick.moment.audit.rejections;
+        tick.moment.proposed_step = 0.5 * h;
+        tick.collected = false;
+    } else {
+        tick.collapses = 0;
+        accept(tick, has_rows, h);
+    }
+    return SceneStatus::kRunning;
+}
+
+// Whether the deepest contact of the attempt's end is much deeper than at its start or the tick's.
+bool StepControl::is_too_deep(const Tick& tick, double start_depth, double h) const {
+    if (h <= kHalvingStep || tick.collapses >= kPatience) return false;
+    const double depth = deepest(contacts_.near());
+    return depth > start_depth + kMaxDeepening || depth > tick.start_depth + kMaxTickDeepening;
+}
+
+// Contact-free accelerations at the moment, unless the last step left them.
+void StepControl::make_current(Tick& tick) {
+    SceneMoment& moment = tick.moment;
+    if (moment.frame_is_current) return;
+    tick.forcing.held = nullptr;
+    const MotionSystem system{tick.model, tick.forcing, tick.length};
+    system.evaluate(moment.motion, tick.time, FrameDetail::kEverything, moment.frame(),
+                    moment.free_rate);
+    count_evaluations(tick, 1);
+    moment.frame_is_current = true;
+}
+
+void StepControl::count_evaluations(Tick& tick, int evaluations) {
+    CAMBRIAN_TICK_ASSERT(evaluations > 0, "a step costs evaluations");
+    tick.moment.audit.evaluations += static_cast<std::uint64_t>(evaluations);
+    tick.moment.evaluation_debt += evaluations;
+}
+
+void StepControl::strike(Tick& tick, double elasticity) {
+    SceneMoment& moment = tick.moment;
+    complete_frame(tick.model, moment.frame());
+    const ImpactResult impact =
+        contacts_.strike(tick.model, tick.law, elasticity, moment.frame(), moment.motion);
+    moment.audit.impulse_work += impact.work;
+    moment.audit.positive_work += std::max(0.0, impact.work);
+    moment.audit.fallbacks += impact.fell_back ? 1U : 0U;
+    ++row_tally_.impacts;
+    row_tally_.impacts_failed += impact.fell_back ? 1U : 0U;
+    ++moment.audit.events;
+    ++tick.impacts;
+    moment.frame_is_current = false;
+    moment.has_last_acceleration = false;
+    tick.collected = false;
+    const ContactSet& struck = contacts_.chosen();
+    CAMBRIAN_TICK_ASSERT(struck.count <= kMaxContacts, "contacts have room");
+    for (int c = 0; c < struck.count; ++c) {
+        const Contact& contact = struck.items[c];
+        moment.touched[contact.part_a] |= static_cast<std::uint8_t>(1U << contact.face_a);
+        if (contact.part_b >= 0)
+            moment.touched[contact.part_b] |= static_cast<std::uint8_t>(1U << contact.face_b);
+    }
+}
+
+// What is left of the tick is split evenly rather than leaving a sliver.
+double StepControl::choose_length(Tick& tick, bool& has_rows) {
+    SceneMoment& moment = tick.moment;
+    double h = std::min(moment.proposed_step, integrator_->max_step);
+    has_rows = contacts_.choose(tick.model, moment.frame(), h);
+    if (has_rows) h = std::min(h, contact_step_);
+    if (tick.collapses >= kPatience) {
+        has_rows = false;
+        h = std::min(h, kPatientShare * contact_step_);
+    }
+    const double rest = tick.length - tick.time;
+    const double steps = std::ceil(rest / h * (has_rows ? 0.9 : 1.0 - 1e-9));
+    return rest / std::max(1.0, steps);
+}
+
+void StepControl::count_resting(Tick& tick, bool solved) {
+    ++row_tally_.resting;
+    if (solved) return;
+    ++row_tally_.resting_failed;
+    ++tick.moment.audit.fallbacks;
+}
+
+StepControl::Attempt StepControl::attempt(Tick& tick, bool has_rows, double& h) {
+    SceneMoment& moment = tick.moment;
+    const bool midpoint = is_midpoint(has_rows);
+    const int order = midpoint ? MidpointStep::kErrorOrder : integrator_->error_order;
+    if (!has_rows) contacts_.let_go();
+    if (has_rows && !midpoint) contacts_.build(tick.model, tick.law, moment.frame());
+    for (;;) {
+        if (midpoint)
+            try_midpoint_step(tick, h);
+        else
+            try_step(tick, has_rows, h);
+        count_evaluations(tick, result_.evaluations);
+        if (moment.evaluation_debt > kBudgetTime * max_evaluations_) return Attempt::kOverBudget;
+        if (!(result_.error <= 1.0)) {
+            ++moment.audit.rejections;
+            const double factor = step_factor(result_.error, order);
+            h *= std::min(factor, 0.9);
+            moment.proposed_step = h;
+            if (h < kMinStep) {
+                return std::isfinite(result_.error) ? Attempt::kOverBudget : Attempt::kDiverged;
+            }
+            if (!has_rows || h >= collapse_step_) continue;
+            ++tick.collapses;
+            strike(tick, 0.0);
+            moment.proposed_step = contact_step_;
+            return Attempt::kCollapsed;
+        }
+        if (must_halve(tick, h)) {
+            ++moment.audit.rejections;
+            h *= 0.5;
+            continue;
+        }
+        propose_length(h, order, moment.proposed_step);
+        return Attempt::kAccepted;
+    }
+}
+
+// The next step's length after an accepted one, which may have been cut short.
+void StepControl::propose_length(double h, int order, double& proposed) const {
+    const double longest = integrator_->max_step;
+    const bool truncated = h < proposed;
+    if (result_.error <= kCalmError && (truncated ? proposed : h) >= longest) {
+        proposed = longest;
+        return;
+    }
+    const double grown = h * step_factor(result_.error, order);
+    proposed = std::min(truncated ? std::max(proposed, grown) : grown, longest);
+}
+
+void StepControl::try_midpoint_step(Tick& tick, double h) {
+    SceneMoment& moment = tick.moment;
+    tick.forcing.held = nullptr;
+    const MotionSystem system{tick.model, tick.forcing, tick.length};
+    const StepRequest request{moment.motion, moment.free_rate, tick.time, h, tolerance_};
+    const PerCoordinate& prediction =
+        moment.has_last_acceleration ? moment.last_acceleration : moment.free_rate.acceleration;
+    count_resting(tick, midpoint_.attempt(system, tick.law, {request, moment.frame(), prediction},
+                                          contacts_, moment.warm, moment.spare_frame(), result_));
+    start_rate_ = &midpoint_.mean_rate();
+    end_rate_ = start_rate_;
+}
+
+// With contact forces found at the start and held all the way.
+void StepControl::try_step(Tick& tick, bool has_rows, double h) {
+    SceneMoment& moment = tick.moment;
+    if (has_rows) count_resting(tick, contacts_.hold(tick.model, tick.law, h, moment.warm));
+    tick.forcing.held = has_rows ? &contacts_.held() : nullptr;
+    start_rate_ = has_rows ? &held_start_rate(tick) : &moment.free_rate;
+    end_rate_ = &result_.end_rate;
+    const MotionSystem system{tick.model, tick.forcing, tick.length};
+    integrator_->attempt(system, {moment.motion, *start_rate_, tick.time, h, tolerance_},
+                         moment.spare_frame(), result_);
+}
+
+// What the held forces add to the moment's accelerations.
+void StepControl::respond_to_held(const Tick& tick, BodyResponse& response) const {
+    const Frame& frame = tick.moment.frame();
+    Loads loads;
+    clear_loads(tick.model, loads);
+    add_held_forces(tick.model, contacts_.held(), frame.kinematics, loads);
+    solve_closed_impulse(tick.model, frame.kinematics, frame.factors, loads, response);
+}
+
+// Accelerations at the start under the held forces: the contact-free ones and a response.
+const MotionRate& StepControl::held_start_rate(Tick& tick) {
+    BodyResponse response;
+    respond_to_held(tick, response);
+    copy_rate(tick.model, tick.moment.free_rate, held_rate_);
+    for (int c = 0; c < coordinate_count(tick.model); ++c)
+        held_rate_.acceleration[c] += response.coordinate[c];
+    return held_rate_;
+}
+
+// What the held forces did up to the end in the spare frame, and how far joints are past stops
+// there.
+void StepControl::weigh_end(const Tick& tick) {
+    const Kinematics& end = tick.moment.spare_frame().kinematics;
+    work_ = contacts_.held_work(tick.model, tick.moment.frame().kinematics, end);
+    end_overrun_ = limit_overrun(tick.model, end);
+}
+
+// Contacts and stops that do work are a sign of a step too long for constant forces, and so is a
+// joint that runs past a stop nobody foresaw.
+bool StepControl::must_halve(const Tick& tick, double h) {
+    weigh_end(tick);
+    if (h <= kHalvingStep) return false;
+    const double allowance = kStepWorkAllowance * tick.model.total_mass * kReferenceGravity;
+    if (work_.positive > allowance) return true;
+    return end_overrun_ > kMaxOverrun &&
+           end_overrun_ >
+               limit_overrun(tick.model, tick.moment.frame().kinematics) + kOverrunGrowth;
+}
+
+void StepControl::accept(Tick& tick, bool has_rows, double h) {
+    SceneMoment& moment = tick.moment;
+    keep_books(tick);
+    copy_motion(tick.model, result_.end, moment.motion);
+    moment.current_frame = 1 - moment.current_frame;
+    copy_rate(tick.model, result_.end_rate, moment.free_rate);
+    moment.has_last_acceleration = is_midpoint(has_rows);
+    if (moment.has_last_acceleration) {
+        for (int c = 0; c < coordinate_slots(tick.model); c += kLanes)
+            store_lanes(moment.last_acceleration + c,
+                        load_lanes(midpoint_.mean_rate().acceleration + c));
+    } else if (has_rows) {
+        release_forces(tick);
+    }
+    tick.time += h;
+}
+
+// Up to the impact found within the step; result_ and the spare frame hold the motion there.
+void StepControl::accept_part(Tick& tick, double h, double share) {
+    SceneMoment& moment = tick.moment;
+    weigh_end(tick);
+    keep_books(tick);
+    copy_motion(tick.model, result_.end, moment.motion);
+    moment.frame_is_current = false;
+    tick.time += share * h;
+}
+
+// Takes the held forces' response off the accelerations of the step's end.
+void StepControl::release_forces(Tick& tick) {
+    SceneMoment& moment = tick.moment;
+    complete_frame(tick.model, moment.frame());
+    BodyResponse response;
+    respond_to_held(tick, response);
+    for (int c = 0; c < coordinate_count(tick.model); ++c) {
+        moment.free_rate.acceleration[c] -= response.coordinate[c];
+        moment.frame().response.coordinate[c] -= response.coordinate[c];
+    }
+    for (int i = 0; i < tick.model.body_count; ++i) {
+        moment.frame().response.x[i] -= response.x[i];
+        moment.frame().response.y[i] -= response.y[i];
+        moment.frame().response.spin[i] -= response.spin[i];
+    }
+}
+
+void StepControl::keep_books(Tick& tick) {
+    SceneMoment& moment = tick.moment;
+    SceneAudit& audit = moment.audit;
+    audit.contact_work += work_.contact;
+    audit.limit_work += work_.limit;
+    audit.positive_work += work_.positive;
+    ++audit.steps;
+    note_depths(contacts_.near(), end_overrun_, audit);
+    const ContactSet& chosen = contacts_.chosen();
+    for (int c = 0; c < chosen.count; ++c) {
+        const Contact& contact = chosen.items[c];
+        if (contact.gap >= kContactBand && contacts_.held_normal(c) <= 0.0) continue;
+        moment.touched[contact.part_a] |= static_cast<std::uint8_t>(1U << contact.face_a);
+        if (contact.part_b >= 0)
+            moment.touched[contact.part_b] |= static_cast<std::uint8_t>(1U << contact.face_b);
+    }
+}
+
+void StepControl::remember_contacts(Tick& tick) {
+    SceneMoment& moment = tick.moment;
+    moment.held_count = 0;
+    const ContactSet& chosen = contacts_.chosen();
+    for (int c = 0; c < contacts_.held().contact_count; ++c) {
+        const Contact& contact = chosen.items[c];
+        const double force = contacts_.held_normal(c);
+        if (force <= 0.0) continue;
+        CAMBRIAN_TICK_ASSERT(moment.held_count < kMaxContacts, "held contacts have room");
+        moment.held[moment.held_count++] = {contact.body_a,   contact.point_x,  contact.point_y,
+                                            contact.normal_x, contact.normal_y, force};
+    }
+}
+
+SceneStatus StepControl::status_of(const Tick& tick) {
+    const Motion& motion = tick.moment.motion;
+    LaneBits sound = Lanes{} <= Lanes{};
+    for (int c = 0; c < coordinate_slots(tick.model); c += kLanes) {
+        sound &= magnitude(load_lanes(motion.position + c)) <= all_lanes(kMaxDistance);
+        sound &= magnitude(load_lanes(motion.speed + c)) <= all_lanes(kMaxSpeed);
+    }
+    const bool is_sound = (sound[0] & sound[1] & sound[2] & sound[3]) != 0;
+    return is_sound ? SceneStatus::kRunning : SceneStatus::kInvalid;
+}
+
+}  // namespace cambrian

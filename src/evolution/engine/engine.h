@@ -1,0 +1,82 @@
+#pragma once
+
+// The thread that evolves. Commands in, snapshots out; shares nothing mutable with its user but the
+// progress counters. send() and latest() belong to one thread, the user's.
+
+#include "core/stopwatch.h"
+#include "core/threads/snapshot_channel.h"
+#include "evolution/engine/command.h"
+#include "evolution/engine/experiment_log.h"
+#include "evolution/engine/snapshot.h"
+#include "evolution/evaluation/evaluation_backend.h"
+#include "evolution/evolution.h"
+
+#include <deque>
+#include <memory>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace cambrian {
+
+class EvolutionEngine {
+public:
+    // Begins paused at generation 0 of the settings, which must pass check_settings. Without a log
+    // nothing is kept.
+    EvolutionEngine(SettingsPtr settings, const EvolutionKinds& kinds,
+                    std::shared_ptr<EvaluationBackend> backend,
+                    std::shared_ptr<ExperimentLog> log = nullptr);
+    ~EvolutionEngine();  // stops within one trial
+    EvolutionEngine(const EvolutionEngine&) = delete;
+    EvolutionEngine& operator=(const EvolutionEngine&) = delete;
+
+    // False if the inbox is full; try again next frame.
+    bool send(EngineCommand command);
+    // Newest snapshot; never null.
+    const std::shared_ptr<const EvolutionSnapshot>& latest();
+    const EvaluationProgress& progress() const { return progress_; }
+
+private:
+    void run(const std::stop_token& stop);
+    void run_generation(const std::stop_token& interrupted);
+    void show_generation();
+    void start_showing(std::shared_ptr<ExperimentLog> log);
+    bool steer(const SteeringCommand& command);
+    Status keep_notes();
+    Status keep_generation();
+    void stop_with(std::string failure);
+    void apply(PauseEvolution command);
+    void apply(ResumeEvolution command);
+    void apply(StepGeneration command);
+    void apply(ChangeSettings command);
+    void apply(InjectGenome command);
+    void apply(AddNewcomers command);
+    void apply(RescorePopulation command);
+    void apply(StartExperiment command);
+    void apply(ContinueExperiment command);
+    void apply(UseBackend command);
+    void publish();
+
+    const EvolutionKinds& kinds_;
+    EngineInbox inbox_;
+    SnapshotChannel<EvolutionSnapshot> snapshots_;
+    EvaluationProgress progress_;
+
+    // Engine thread only.
+    std::shared_ptr<EvaluationBackend> backend_;
+    std::optional<Evolution> evolution_;
+    EvolutionSnapshot shown_;
+    int generations_to_run_ = 0;  // -1: until paused
+    double evaluating_ = 0.0;     // s, of the generation in flight
+
+    std::shared_ptr<ExperimentLog> log_;
+    std::optional<StartExperiment> unkept_start_;  // until the log has taken it
+    std::deque<NotedCommand> unkept_notes_;
+    // Given while an evaluated generation could not be kept; they are for the next one.
+    std::vector<SteeringCommand> deferred_;
+
+    std::jthread thread_;  // last: started after, joined before everything else
+};
+
+}  // namespace cambrian

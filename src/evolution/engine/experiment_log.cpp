@@ -1,0 +1,69 @@
+#include "evolution/engine/experiment_log.h"
+
+namespace cambrian {
+namespace {
+
+void give(Evolution& evolution, const ChangeSettings& command) {
+    evolution.replace_settings(command.settings);
+}
+void give(Evolution& evolution, const InjectGenome& command) {
+    evolution.inject(command.genome);
+}
+void give(Evolution& evolution, const AddNewcomers& command) {
+    evolution.add_newcomers(command.share);
+}
+void give(Evolution& evolution, const RescorePopulation& /*command*/) {
+    evolution.rescore();
+}
+
+// Whether a command changes how the generation it was given to is judged.
+bool concerns_judgement(const SteeringCommand& command) {
+    return std::holds_alternative<ChangeSettings>(command) ||
+           std::holds_alternative<RescorePopulation>(command);
+}
+
+// What was asked of the generation's children; it is judged already.
+void give_breeding_commands(Evolution& evolution, const std::vector<NotedCommand>& journal,
+                            std::uint32_t generation) {
+    for (const NotedCommand& noted : journal) {
+        if (noted.generation != generation) continue;
+        if (concerns_judgement(noted.command)) continue;
+        std::visit([&](const auto& command) { give(evolution, command); }, noted.command);
+    }
+}
+
+}  // namespace
+
+void give_commands(Evolution& evolution, const std::vector<NotedCommand>& journal,
+                   std::uint32_t generation) {
+    for (const NotedCommand& noted : journal) {
+        if (noted.generation != generation) continue;
+        std::visit([&](const auto& command) { give(evolution, command); }, noted.command);
+    }
+}
+
+std::vector<JournalEntry> setting_changes(const SavedExperiment& saved) {
+    std::vector<JournalEntry> changes = {{0, saved.settings}};
+    for (const NotedCommand& noted : saved.journal) {
+        if (const auto* change = std::get_if<ChangeSettings>(&noted.command))
+            changes.push_back({noted.generation, change->settings});
+    }
+    return changes;
+}
+
+Evolution begun_anew(const SavedExperiment& saved, const EvolutionKinds& kinds) {
+    Evolution evolution(saved.settings, kinds, saved.founders);
+    give_commands(evolution, saved.journal, 0);
+    return evolution;
+}
+
+Evolution resumed(const SavedExperiment& saved, const EvolutionKinds& kinds) {
+    if (!saved.latest) return begun_anew(saved, kinds);
+    Evolution evolution(*saved.latest, kinds);
+    give_breeding_commands(evolution, saved.journal, saved.latest->generation);
+    evolution.breed();
+    give_commands(evolution, saved.journal, evolution.generation());
+    return evolution;
+}
+
+}  // namespace cambrian

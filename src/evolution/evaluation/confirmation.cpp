@@ -1,0 +1,77 @@
+#include "evolution/evaluation/confirmation.h"
+
+#include "core/sample_statistics.h"
+#include "evolution/evaluation/trials.h"
+
+#include <algorithm>
+#include <optional>
+#include <set>
+
+namespace cambrian {
+namespace {
+
+// Whether another trial could tell anything.
+bool unconfirmed(const EvaluationResult& result) {
+    return result.outcome == Outcome::kCompleted && result.fitness > 0.0 && result.scores.empty();
+}
+
+}  // namespace
+
+bool Confirmation::confirm(std::vector<IndividualPtr>& ranked, const Survivors& survivors,
+                           std::span<const Probe> probes, const ConfirmingTrials& trials) {
+    while (!probes.empty()) {
+        std::vector<std::size_t> places = survivors(ranked);
+        std::erase_if(places, [&](std::size_t i) { return !unconfirmed(ranked[i]->result); });
+        if (places.empty()) return true;
+        std::vector<IndividualPtr> creatures;
+        for (const std::size_t place : places)
+            creatures.push_back(ranked[place]);
+        if (!try_again(creatures, probes, trials)) return false;
+        for (const std::size_t place : places)
+            ranked[place] = confirmed(*ranked[place], probes);
+        std::sort(ranked.begin(), ranked.end(),
+                  [](const IndividualPtr& a, const IndividualPtr& b) { return better(*a, *b); });
+    }
+    return true;
+}
+
+// A trial in each world for every phenotype among the creatures, but for those done before.
+bool Confirmation::try_again(const std::vector<IndividualPtr>& creatures,
+                             std::span<const Probe> probes, const ConfirmingTrials& trials) {
+    std::vector<EvaluationRequest> requests;
+    std::vector<std::pair<std::uint64_t, std::uint64_t>> keys;
+    std::set<std::uint64_t> phenotypes;
+    for (const IndividualPtr& one : creatures) {
+        if (!phenotypes.insert(one->result.phenotype).second) continue;
+        for (const Probe& probe : probes) {
+            const std::pair key(one->result.phenotype, probe.seed);
+            if (tried_.count(key) > 0) continue;
+            keys.push_back(key);
+            requests.push_back({.genome = one->genome,
+                                .trial_seed = trial_seed(trials.settings),
+                                .expected_work = one->result.work,
+                                .probe = probe});
+        }
+    }
+    std::vector<std::optional<EvaluationResult>> results(requests.size());
+    const bool whole =
+        trials.backend.evaluate(requests, results, trials.settings, trials.progress, trials.stop);
+    for (std::size_t i = 0; i < results.size(); ++i) {
+        if (!results[i]) continue;
+        const bool completed = results[i]->outcome == Outcome::kCompleted;
+        tried_.emplace(keys[i], completed ? results[i]->fitness : 0.0);
+    }
+    return whole;
+}
+
+IndividualPtr Confirmation::confirmed(const Individual& individual,
+                                      std::span<const Probe> probes) const {
+    Individual one = individual;
+    one.result.scores = {one.result.fitness};
+    for (const Probe& probe : probes)
+        one.result.scores.push_back(tried_.at({one.result.phenotype, probe.seed}));
+    one.result.fitness = median(one.result.scores);
+    return std::make_shared<const Individual>(std::move(one));
+}
+
+}  // namespace cambrian

@@ -1,0 +1,53 @@
+#pragma once
+
+// Confirmation tells merit from luck. Survivors are evaluated again in a few slightly different
+// worlds (probe.h), and the median of all scores counts. Creatures that take the places of those
+// whose score fell are evaluated again too, until every survivor has been.
+
+#include "evolution/evaluation/evaluation_backend.h"
+#include "evolution/evaluation/probe.h"
+#include "evolution/individual/individual.h"
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <span>
+#include <stop_token>
+#include <utility>
+#include <vector>
+
+namespace cambrian {
+
+// What confirming needs besides creatures.
+struct ConfirmingTrials {
+    EvaluationBackend& backend;
+    const ExperimentSettings& settings;
+    EvaluationProgress& progress;
+    std::stop_token stop;
+};
+
+class Confirmation {
+public:
+    // Who would survive of a ranking, as indices into it.
+    using Survivors =
+        std::function<std::vector<std::size_t>(std::span<const IndividualPtr> ranked)>;
+
+    // Confirms survivors of the ranking, which is put in order again. False if stopped; trials done
+    // are remembered and the call may be repeated.
+    bool confirm(std::vector<IndividualPtr>& ranked, const Survivors& survivors,
+                 std::span<const Probe> probes, const ConfirmingTrials& trials);
+
+    // Trials run since forget().
+    int trials() const { return static_cast<int>(tried_.size()); }
+    void forget() { tried_.clear(); }
+
+private:
+    bool try_again(const std::vector<IndividualPtr>& creatures, std::span<const Probe> probes,
+                   const ConfirmingTrials& trials);
+    IndividualPtr confirmed(const Individual& individual, std::span<const Probe> probes) const;
+
+    // Scores by phenotype and the probe's seed.
+    std::map<std::pair<std::uint64_t, std::uint64_t>, double> tried_;
+};
+
+}  // namespace cambrian

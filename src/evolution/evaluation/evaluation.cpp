@@ -1,0 +1,155 @@
+#include "evolution/evaluation/evaluation.h"
+
+#include "creature/body_plan_hash.h"
+#include "creature/overlap.h"
+#include "creature/phenotype_hash.h"
+#include "simulator/audit.h"
+#include "simulator/trial.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace cambrian {
+namespace {
+
+constexpr std::uint64_t kFinerWork = 10;  // times that of a trial whose audit asks for another
+constexpr double kSuspectPenalty = 0.5;   // simulator/README.md 4
+
+EvaluationResult describe(const Phenotype& phenotype, const ExperimentSettings& settings) {
+    EvaluationResult result;
+    result.phenotype = phenotype_hash(phenotype);
+    result.plan = body_plan_hash(phenotype);
+    result.parts = static_cast<int>(phenotype.parts.size());
+    result.neurons = static_cast<int>(phenotype.network.order.size());
+    result.mass = phenotype.mass(settings.world.environment.density);
+    result.body_length = phenotype.rest_length();
+    return result;
+}
+
+void fail(EvaluationResult& result, Outcome outcome, std::string reason) {
+    result.fitness = 0.0;
+    result.outcome = outcome;
+    result.reason = std::move(reason);
+}
+
+// Shaking scales the score down; see simulator/README.md 2.
+double score_of(const TrialRecord& record, const GoalKind& goal, const TrialSettings& trial) {
+    if (record.outcome != Outcome::kCompleted && record.outcome != Outcome::kStoppedEarly)
+        return 0.0;
+    const double score = goal.score(record).value;
+    const double shaking = record.reversal_rate / trial.max_reversal_rate;
+    return shaking > 1.0 ? score / shaking : score;
+}
+
+std::shared_ptr<const Phenotype> grow(const Genome& genome, const ExperimentSettings& settings,
+                                      const EvolutionKinds& kinds) {
+    return std::make_shared<const Phenotype>(
+        express(genome, kinds.creature, settings.expression, settings.world.scene));
+}
+
+const GoalKind& goal_of(const ExperimentSettings& settings, const EvolutionKinds& kinds) {
+    const GoalKind* goal = kinds.goals.find(settings.goal);
+    CAMBRIAN_ASSERT(goal != nullptr, "settings were checked");
+    return *goal;
+}
+
+struct FinerTrial {
+    FinerResult result;
+    std::string reason;
+};
+
+FinerTrial run_finer(const std::shared_ptr<const Phenotype>& phenotype,
+                     const ExperimentSettings& settings, const EvolutionKinds& kinds,
+                     const std::stop_token& stop) {
+    TrialWorld world = settings.world;
+    world.scene = finer_settings(world.scene, kinds.creature.scene);
+    const auto record = run_trial(phenotype, kinds.creature, world, stop);
+    if (!record) return {{.outcome = Outcome::kRejected}, record.error().message};
+    return {{.outcome = record->outcome,
+             .score = score_of(*record, goal_of(settings, kinds), settings.world.trial),
+             .verdict = judge(*record)},
+            record->reason};
+}
+
+// A suspect trial is run again more finely; one that stays suspect keeps half its score.
+void settle_suspicion(EvaluationResult& result, const std::shared_ptr<const Phenotype>& phenotype,
+                      const ExperimentSettings& settings, const EvolutionKinds& kinds,
+                      const std::stop_token& stop) {
+    const FinerTrial finer = run_finer(phenotype, settings, kinds, stop);
+    result.finer = finer.result;
+    const bool clean = finer.result.verdict == AuditVerdict::kClean;
+    result.fitness = (clean ? 1.0 : kSuspectPenalty) * finer.result.score;
+    if (finer.result.outcome != Outcome::kCompleted)
+        fail(result, finer.result.outcome, "when computed more finely: " + finer.reason);
+}
+
+}  // namespace
+
+EvaluationResult evaluate(const EvaluationRequest& request, const ExperimentSettings& settings,
+                          const EvolutionKinds& kinds, const std::stop_token& stop) {
+    const auto phenotype = grow(*request.genome, settings, kinds);
+    EvaluationResult result = describe(*phenotype, settings);
+    if (!phenotype->can_move() || !phenotype->has_live_control) {
+        fail(result, Outcome::kRejected,
+             phenotype->can_move() ? "every effector hears only constants" : "no joint can move");
+        return result;
+    }
+    if (settings.expression.strict_overlap && overlaps_itself(phenotype->plan)) {
+        fail(result, Outcome::kRejected, "parts overlap that no joint ties together");
+        return result;
+    }
+    const GoalKind& goal = goal_of(settings, kinds);
+    const auto trial =
+        run_barred_trial(phenotype, kinds.creature, settings.world, {goal, request.bar, stop});
+    if (!trial) {
+        fail(result, Outcome::kRejected, trial.error().message);
+        return result;
+    }
+    const TrialRecord* record = &trial->record;
+    result.computed_time = record->computed_time;
+    result.hopeless = trial->hopeless;
+    result.work = record->audit.evaluations;
+    result.digest = record->digest;
+    result.body_length = record->body_length;
+    result.outcome = record->outcome;
+    result.reason = record->reason;
+    result.audit = record->audit;
+    result.verdict = judge(*record);
+    if (result.verdict == AuditVerdict::kSuspect) result.work *= kFinerWork;
+    result.behavior = behavior_of(*phenotype, *record);
+    result.fitness = score_of(*record, goal, settings.world.trial);
+    const bool whole = record->outcome == Outcome::kCompleted;
+    if (whole && result.fitness > 0.0 && result.verdict == AuditVerdict::kSuspect)
+        settle_suspicion(result, phenotype, settings, kinds, stop);
+    if (!std::isfinite(result.fitness)) fail(result, Outcome::kDiverged, "the score is not finite");
+    return result;
+}
+
+std::uint64_t phenotype_of(const Genome& genome, const ExperimentSettings& settings,
+                           const EvolutionKinds& kinds) {
+    return phenotype_hash(*grow(genome, settings, kinds));
+}
+
+std::uint64_t plan_of(const Genome& genome, const ExperimentSettings& settings,
+                      const EvolutionKinds& kinds) {
+    return body_plan_hash(*grow(genome, settings, kinds));
+}
+
+FinerResult recompute(const Genome& genome, const ExperimentSettings& settings,
+                      const EvolutionKinds& kinds, const std::stop_token& stop) {
+    return run_finer(grow(genome, settings, kinds), settings, kinds, stop).result;
+}
+
+std::optional<NotedTrial> note_ticks(const Genome& genome, const ExperimentSettings& settings,
+                                     const EvolutionKinds& kinds, const std::stop_token& stop) {
+    const auto trial = Trial::start(grow(genome, settings, kinds), kinds.creature, settings.world);
+    if (!trial) return std::nullopt;
+    NotedTrial noted;
+    if (!run_noting_ticks(**trial, noted.ticks, [&] { return stop.stop_requested(); }))
+        return std::nullopt;
+    noted.digest = (*trial)->record().digest;
+    return noted;
+}
+
+}  // namespace cambrian

@@ -1,0 +1,85 @@
+#include "evolution/evaluation/hopeless.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace cambrian {
+namespace {
+
+constexpr double kMoment = 0.5;  // share of the trial at which it is weighed
+constexpr double kSpeedUp = 1.5;
+constexpr double kSamplePeriod = kTicksPerSample * kBrainTick;  // s
+constexpr std::size_t kSecond = 10;                             // samples
+
+// Highest mean speed of the centre of mass over any second, or over all if it was shorter; m/s.
+double best_speed(const TrialRecord& record) {
+    const auto& samples = record.samples;
+    const std::size_t span = std::min(kSecond, samples.size() - 1);
+    if (span == 0) return 0.0;
+    double best = 0.0;
+    for (std::size_t i = span; i < samples.size(); ++i) {
+        const double moved = (samples[i].center_of_mass - samples[i - span].center_of_mass).norm();
+        best = std::max(best, moved / (static_cast<double>(span) * kSamplePeriod));
+    }
+    return best;
+}
+
+// The record as it would be if the creature ran on with the given velocity.
+TrialRecord ran_on(TrialRecord record, const Vec3& velocity) {
+    const MotionSample last = record.samples.back();
+    for (double time = kBrainTick; time < record.duration - last.time; time += kBrainTick) {
+        const double moved = time * velocity.y();
+        record.jumps.watch(last.bounds.low.y() + moved, last.center_of_mass.y() + moved);
+    }
+    while (record.samples.back().time < record.duration) {
+        MotionSample next = last;
+        next.time = std::min(record.samples.back().time + kSamplePeriod, record.duration);
+        const Vec3 moved = (next.time - last.time) * velocity;
+        next.center_of_mass += moved;
+        next.bounds.low += moved;
+        next.bounds.high += moved;
+        record.samples.push_back(next);
+    }
+    return record;
+}
+
+// Right, left, up, and on the way it has come.
+std::array<Vec3, 4> promising_directions(const TrialRecord& record) {
+    const Vec3 way = record.samples.back().center_of_mass - record.samples.front().center_of_mass;
+    const double length = way.norm();
+    const Vec3 on = length > 0.0 ? Vec3(way / length) : Vec3::Zero();
+    return {Vec3(1.0, 0.0, 0.0), Vec3(-1.0, 0.0, 0.0), Vec3(0.0, 1.0, 0.0), on};
+}
+
+}  // namespace
+
+double most_still_possible(const TrialRecord& so_far, const GoalKind& goal) {
+    const double speed = kSpeedUp * best_speed(so_far);
+    double most = goal.score(ran_on(so_far, Vec3::Zero())).value;
+    for (const Vec3& direction : promising_directions(so_far))
+        most = std::max(most, goal.score(ran_on(so_far, speed * direction)).value);
+    return most;
+}
+
+Result<BarredTrial> run_barred_trial(std::shared_ptr<const Phenotype> phenotype, const Kinds& kinds,
+                                     const TrialWorld& world, const TrialEnds& ends) {
+    auto trial = Trial::start(std::move(phenotype), kinds, world);
+    if (!trial) return trial.error();
+    BarredTrial result;
+    bool weighed = !ends.bar;
+    while ((*trial)->tick()) {
+        (*trial)->heed(ends.stop);
+        if (weighed || (*trial)->time() < kMoment * world.trial.duration) continue;
+        weighed = true;
+        result.hopeless = most_still_possible((*trial)->record(), ends.goal) <= ends.bar->score;
+        if (!result.hopeless || ends.bar->audited) continue;
+        (*trial)->stop_early(Outcome::kStoppedEarly, "could not survive any more");
+        break;
+    }
+    result.record = (*trial)->take_record();
+    return result;
+}
+
+}  // namespace cambrian

@@ -1,0 +1,59 @@
+#pragma once
+
+// Gives up trials that cannot matter any more (evolution/README.md 4, P5). A heuristic: what stands
+// still for half its trial and then runs off at more than 1.5 times its best speed is misjudged,
+// which is why a share of the trials given up is finished anyway and counted.
+
+#include "evolution/settings/experiment_settings.h"
+#include "goals/goal.h"
+#include "simulator/trial.h"
+
+#include <memory>
+#include <optional>
+#include <stop_token>
+
+namespace cambrian {
+
+// When to give a trial up: halfway, if the most it could still score is no more than `score`.
+struct Bar {
+    double score = 0.0;
+    bool audited = false;  // is finished all the same
+
+    friend bool operator==(const Bar&, const Bar&) = default;
+};
+
+// Whether giving up can be trusted: not before 30 doomed trials were finished all the same, and
+// only while at most 1 in 1000 of those turned out a survivor.
+struct BarAudit {
+    static constexpr int kLeastFinished = 30;
+
+    int finished = 0;  // audited trials
+    int survived = 0;  // of those, that would have survived
+
+    bool trustworthy() const { return 1000 * survived <= finished; }
+    bool proven() const { return trustworthy() && finished >= kLeastFinished; }
+    friend bool operator==(const BarAudit&, const BarAudit&) = default;
+};
+
+struct BarredTrial {
+    TrialRecord record;
+    bool hopeless = false;  // given up, or audited and would have been
+};
+
+// The score if all of the trial that is still to come ran in the best of a few directions at 1.5
+// times the highest mean speed of any second so far.
+double most_still_possible(const TrialRecord& so_far, const GoalKind& goal);
+
+// What may end a trial before its time.
+struct TrialEnds {
+    const GoalKind& goal;
+    const std::optional<Bar>& bar;
+    const std::stop_token& stop;
+};
+
+// A whole trial, or as much of it as is worth computing; without a bar, all. One that has become
+// long gives up when asked to stop, as in run_trial().
+Result<BarredTrial> run_barred_trial(std::shared_ptr<const Phenotype> phenotype, const Kinds& kinds,
+                                     const TrialWorld& world, const TrialEnds& ends);
+
+}  // namespace cambrian

@@ -1,0 +1,44 @@
+#include "evolution/evaluation/probe.h"
+
+#include "core/random.h"
+#include "evolution/evaluation/trials.h"
+#include "math/angle.h"
+
+#include <algorithm>
+
+namespace cambrian {
+namespace {
+
+constexpr double kFiner = 0.5;          // of the contact step
+constexpr double kFinestStep = 1e-4;    // s
+constexpr std::uint64_t kWorlds = 101;  // keeps these seeds apart from those of jitter
+
+}  // namespace
+
+std::vector<Probe> probes_of(const ExperimentSettings& settings, std::uint32_t generation,
+                             int count) {
+    std::vector<Probe> probes;
+    for (int world = 0; world < count; ++world) {
+        probes.push_back({stream_seed({trial_seed(settings), kWorlds, generation,
+                                       static_cast<std::uint64_t>(world)}),
+                          world == 0});
+    }
+    return probes;
+}
+
+ExperimentSettings probed_world(const Probe& probe, const ExperimentSettings& settings,
+                                Genome& creature) {
+    RandomStream stream(probe.seed);
+    const double share = settings.selection.confirm_jitter;
+    ExperimentSettings changed = settings;
+    Environment& world = changed.world.environment;
+    for (double* number :
+         {&world.gravity, &world.friction, &world.viscosity_linear, &world.viscosity_quadratic})
+        *number *= 1.0 + share * stream.uniform(-1.0, 1.0);
+    creature.root_angle = wrap_angle(creature.root_angle + share * stream.uniform(-1.0, 1.0));
+    double& step = changed.world.scene.contact_step;
+    if (probe.finer) step = std::max(std::min(step, kFinestStep), kFiner * step);
+    return changed;
+}
+
+}  // namespace cambrian

@@ -1,0 +1,37 @@
+#pragma once
+
+// A creature judged by several trials, each a little different (simulator/README.md 1).
+
+#include "evolution/evaluation/evaluation.h"
+
+#include <span>
+#include <vector>
+
+namespace cambrian {
+
+// The seed of the jitter of all trials of an experiment; the same for everyone, so that scores can
+// be compared.
+std::uint64_t trial_seed(const ExperimentSettings& settings);
+
+// The change that a trial makes to the world and the creature; none in trial 0.
+struct Jitter {
+    double friction_factor = 1.0;
+    double tilt = 0.0;  // rad, added to the start pose
+
+    friend bool operator==(const Jitter&, const Jitter&) = default;
+};
+Jitter jitter_of(std::uint64_t trial_seed, int trial, const TrialSettings& settings);
+
+// evaluate() in each of the settings' trials. The score is their mean or minimum; one that fails
+// makes the whole a failure. A request's probe changes the world of all of them. What is told of
+// the body and its motion is of the first trial; the digest is of all.
+EvaluationResult evaluate_in_trials(const EvaluationRequest& request,
+                                    const ExperimentSettings& settings, const EvolutionKinds& kinds,
+                                    const std::stop_token& stop = {});
+
+// The creature's score in each probe's world; 0 for a trial that fails.
+std::vector<double> scores_in(std::span<const Probe> probes, const GenomePtr& genome,
+                              const ExperimentSettings& settings, const EvolutionKinds& kinds,
+                              const std::stop_token& stop = {});
+
+}  // namespace cambrian

@@ -1,0 +1,57 @@
+#include "evolution/individual/individual.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace cambrian {
+namespace {
+
+std::size_t gene_count(const Genome& genome) {
+    std::size_t count = genome.nodes.size() + genome.brain.size();
+    for (const NodeGene& node : genome.nodes)
+        count += node.neurons.size();
+    return count;
+}
+
+bool same_part(const NodeGene& a, const NodeGene& b) {
+    return a.length == b.length && a.width == b.width && a.joint == b.joint &&
+           a.limit_low == b.limit_low && a.limit_high == b.limit_high &&
+           a.recursion_limit == b.recursion_limit && a.symmetric == b.symmetric &&
+           a.mirror_axis == b.mirror_axis && a.edges == b.edges;
+}
+
+}  // namespace
+
+double unconfirmed_score(const EvaluationResult& result) {
+    return result.scores.empty() ? result.fitness : result.scores.front();
+}
+
+IndividualPtr without_score(const Individual& individual) {
+    Individual unscored = individual;
+    unscored.evaluated = false;
+    unscored.result = {};
+    return std::make_shared<const Individual>(std::move(unscored));
+}
+
+bool disqualified(const Individual& individual) {
+    return is_invalid(individual.result.outcome);
+}
+
+bool same_body(const Genome& a, const Genome& b) {
+    return a.root_angle == b.root_angle &&
+           std::equal(a.nodes.begin(), a.nodes.end(), b.nodes.begin(), b.nodes.end(), same_part);
+}
+
+bool better(const Individual& a, const Individual& b) {
+    const bool a_invalid = disqualified(a);
+    const bool b_invalid = disqualified(b);
+    if (a_invalid != b_invalid) return b_invalid;
+    if (a.result.fitness != b.result.fitness) return a.result.fitness > b.result.fitness;
+    const std::size_t a_genes = gene_count(*a.genome);
+    const std::size_t b_genes = gene_count(*b.genome);
+    if (a_genes != b_genes) return a_genes < b_genes;
+    if (a.born != b.born) return a.born < b.born;
+    return a.uid < b.uid;
+}
+
+}  // namespace cambrian

@@ -1,0 +1,53 @@
+#pragma once
+
+// Measures along which MAP-Elites sorts creatures into cells (evolution/README.md 2).
+
+#include "evolution/individual/individual.h"
+#include "evolution/settings/experiment_settings.h"
+
+#include <cstddef>
+#include <span>
+#include <string_view>
+
+namespace cambrian {
+
+// Equal bins from low to high, or equal ratios where logarithmic; what lies outside goes into the
+// first or last bin.
+struct MapAxis {
+    std::string_view id;
+    std::string_view label;
+    int bins = 1;
+    double low = 0.0;
+    double high = 1.0;
+    bool logarithmic = false;
+    double (*measure)(const EvaluationResult& result) = nullptr;
+};
+
+std::span<const MapAxis> map_axes();
+const MapAxis& map_axis(std::string_view id);  // of a known id
+
+int bin_on(const MapAxis& axis, const EvaluationResult& result);
+
+struct MapCell {
+    int across = 0;
+    int up = 0;
+
+    friend bool operator==(const MapCell&, const MapCell&) = default;
+    friend bool operator<(const MapCell& a, const MapCell& b) {
+        return a.across != b.across ? a.across < b.across : a.up < b.up;
+    }
+};
+
+MapCell cell_of(const EvaluationResult& result, const SelectionSettings& settings);
+
+// How well a population fills the map: cells with a completed creature in them, and the sum of the
+// best fitness, at least 0, of each (the QD-score).
+struct MapCoverage {
+    int filled_cells = 0;
+    double quality = 0.0;
+};
+
+MapCoverage map_coverage(std::span<const IndividualPtr> population,
+                         const SelectionSettings& settings);
+
+}  // namespace cambrian

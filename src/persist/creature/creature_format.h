@@ -1,0 +1,237 @@
+#pragma once
+
+// The creature file's format (persist/README.md 1), described once: the same calls read it through
+// a JsonReader, write it through a JsonWriter and tell its rules through a JsonSchemaWriter.
+// Objects are const when writing.
+
+#include "genome/gene_fields.h"
+#include "genome/source_rules.h"
+#include "persist/creature/creature_file.h"
+#include "persist/json/json_writer.h"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+namespace cambrian::creature_format {
+
+inline const std::string kFormat = "cambrian-creature";
+inline constexpr int kVersion = 2;           // 1 numbers sensor channels, 2 names them
+inline constexpr std::size_t kMaxName = 64;  // bytes
+inline constexpr std::size_t kMaxUid = 32;
+inline constexpr std::size_t kMaxWord = 64;
+inline constexpr double kMostWorlds = 100.0;
+inline constexpr double kMaxSeed = 9007199254740992.0;  // 2^53; whole numbers are exact below
+
+// In the order of the enumerations.
+inline const std::vector<std::string> kSources = [] {
+    std::vector<std::string> ids;
+    for (const SourceRule& rule : source_rules())
+        ids.emplace_back(rule.id);
+    return ids;
+}();
+inline const std::vector<std::string> kReproductions(kReproductionNames.begin(),
+                                                     kReproductionNames.end());
+inline const std::vector<std::string> kMirrorAxes = {"along", "across"};
+
+// The names of an enumeration's values up to the last one that files know.
+template <class Choice>
+std::vector<std::string> names_to(Choice last, std::string_view (*name_of)(Choice)) {
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i <= static_cast<std::size_t>(last); ++i)
+        names.emplace_back(name_of(static_cast<Choice>(i)));
+    return names;
+}
+inline const std::vector<std::string> kOutcomes = names_to(Outcome::kOverBudget, outcome_name);
+inline const std::vector<std::string> kVerdicts = names_to(AuditVerdict::kInvalid, verdict_name);
+
+// The ids of the kinds genes hold indices into.
+struct KindNames {
+    std::vector<std::string> functions;
+    std::vector<std::string> joints;
+    std::vector<std::string> effectors;
+    std::vector<int> arities;  // one a function
+    NumberedNames channels;
+};
+
+KindNames names_of(const KindCatalog& catalog);
+
+template <class Gene>
+const FieldRule& rule_of(std::span<const GeneField<Gene>> fields, std::string_view key) {
+    const auto found = std::find_if(fields.begin(), fields.end(),
+                                    [&](const auto& field) { return field.rule.key == key; });
+    CAMBRIAN_ASSERT(found != fields.end(), "a field of the gene");
+    return found->rule;
+}
+
+// The archive writes or reads the fields a source of that kind has.
+template <class Archive, class Source>
+void describe_source(Archive& archive, Source& source, SourceScope scope, const KindNames& names) {
+    archive.type(scope == SourceScope::kPart ? "partSource" : "centralSource");
+    if (!archive.variant("kind", source.kind, kSources, "source")) return;
+    archive.require(is_allowed(source.kind, scope), "E12", "kind",
+                    "\"" + kSources[static_cast<std::size_t>(source.kind)] + "\" is only for " +
+                        (scope == SourceScope::kPart ? "central" : "part") + " neurons");
+    const SourceRule rule = source_rule(source.kind);
+    if (rule.uses_child) archive.integer("e", source.child, 0, gene_range::kMaxReference);
+    if (rule.uses_instance) {
+        archive.integer("n", source.node, 0, gene_range::kMaxReference);
+        archive.integer("i", source.instance, 0, gene_range::kMaxReference);
+    }
+    if (rule.reads == SourceReads::kNeuron)
+        archive.integer("k", source.index, 0, gene_range::kMaxReference);
+    if (rule.reads == SourceReads::kSensor)
+        archive.named_or_numbered("ch", source.index, names.channels, "sensor channel");
+}
+
+// Effectors say "source" and "weight" where neurons' inputs say "from" and "w".
+template <class Archive, class Input>
+void describe_input(Archive& archive, Input& input, SourceScope scope, const char* source_key,
+                    const char* weight_key, const KindNames& names) {
+    archive.object(source_key, Layout::kCompact,
+                   [&](Archive& inner) { describe_source(inner, input.source, scope, names); });
+    archive.real(weight_key, input.weight, input_fields().front().rule);
+}
+
+template <class Archive, class Neuron>
+void describe_neuron(Archive& archive, Neuron& neuron, SourceScope scope, const KindNames& names) {
+    const bool part = scope == SourceScope::kPart;
+    archive.type(part ? "partNeuron" : "centralNeuron");
+    const bool known = archive.variant("fn", neuron.function, names.functions, "function");
+    archive.list("in", neuron.inputs, 0, gene_range::kMaxArity, Layout::kCompact,
+                 [&](Archive& inner, auto& input) {
+                     inner.type(part ? "partInput" : "centralInput");
+                     describe_input(inner, input, scope, "from", "w", names);
+                 });
+    if (!known) return;
+    const auto arity = static_cast<std::size_t>(names.arities[neuron.function]);
+    archive.require_count("in", neuron.inputs.size(), arity, "E11",
+                          "function \"" + names.functions[neuron.function] + "\" needs " +
+                              std::to_string(arity) + (arity == 1 ? " input" : " inputs") +
+                              ", found " + std::to_string(neuron.inputs.size()));
+}
+
+template <class Archive, class Edge>
+void describe_edge(Archive& archive, Edge& edge, std::size_t node_count) {
+    archive.type("edge");
+    archive.index("target", edge.target, node_count, node_count == 1 ? "node" : "nodes");
+    archive.real("pos", edge.position, rule_of(edge_fields(), "pos"));
+    archive.real("angle", edge.angle, rule_of(edge_fields(), "angle"));
+    archive.real("scale", edge.scale, rule_of(edge_fields(), "scale"));
+    archive.flag("reflect", edge.reflect);
+    archive.flag("terminalOnly", edge.terminal_only);
+}
+
+template <class Archive, class Node>
+void describe_node(Archive& archive, Node& node, std::size_t node_count, const KindNames& names) {
+    archive.type("node");
+    if (archive.has("uid")) archive.integer("uid", node.uid, 0, 4294967295.0);
+    archive.real("length", node.length, rule_of(node_fields(), "length"));
+    archive.real("width", node.width, rule_of(node_fields(), "width"));
+    archive.choice("joint", node.joint, names.joints, "joint");
+    archive.pair("limits", node.limit_low, rule_of(node_fields(), "limits/0"), node.limit_high,
+                 rule_of(node_fields(), "limits/1"));
+    archive.integer("recursionLimit", node.recursion_limit, 1, gene_range::kMaxRecursion);
+    archive.flag("symmetric", node.symmetric);
+    archive.choice("mirrorAxis", node.mirror_axis, kMirrorAxes, "axis");
+    archive.object("effector", Layout::kCompact, [&](Archive& inner) {
+        inner.type("effector");
+        inner.optional_choice("kind", node.effector_kind, names.effectors, "effector");
+        describe_input(inner, node.effector, SourceScope::kPart, "source", "weight", names);
+    });
+    archive.list("neurons", node.neurons, 0, gene_range::kMaxNodeNeurons, Layout::kLines,
+                 [&](Archive& inner, auto& neuron) {
+                     describe_neuron(inner, neuron, SourceScope::kPart, names);
+                 });
+    archive.list("edges", node.edges, 0, gene_range::kMaxEdges, Layout::kCompact,
+                 [&](Archive& inner, auto& edge) { describe_edge(inner, edge, node_count); });
+}
+
+template <class Archive, class Genes>
+void describe_genes(Archive& archive, Genes& genome, const KindNames& names) {
+    archive.list("nodes", genome.nodes, 1, gene_range::kMaxNodes, Layout::kLines,
+                 [&](Archive& inner, auto& node) {
+                     describe_node(inner, node, genome.nodes.size(), names);
+                 });
+    archive.list("brain", genome.brain, 0, gene_range::kMaxBrainNeurons, Layout::kLines,
+                 [&](Archive& inner, auto& neuron) {
+                     describe_neuron(inner, neuron, SourceScope::kBrain, names);
+                 });
+}
+
+template <class Archive>
+void begin_document(Archive& archive) {
+    archive.text("format", kFormat, kMaxWord);
+    archive.integer("version", kVersion, 1, kVersion);
+}
+
+inline constexpr FieldRule kHue{
+    .name = "hue", .key = "hue", .low = 0.0, .high = 1.0, .fallback = 0.0, .wraps = true};
+
+template <class Archive, class Document>
+void describe_identity(Archive& archive, Document& document) {
+    archive.type("creature");
+    auto& genome = document.genome;
+    if (archive.has("name")) archive.text("name", genome.name, kMaxName);
+    if (archive.has("uid")) archive.text("uid", document.uid, kMaxUid);
+    if (archive.has("parents")) archive.texts("parents", document.parents, 2, kMaxUid);
+    if (archive.has("method")) archive.text("method", document.method, kMaxWord);
+    archive.optional_digest("ancestry", document.ancestry);
+    if (archive.has("hue")) archive.real("hue", genome.hue, kHue);
+    if (archive.has("reproduction"))
+        archive.choice("reproduction", genome.reproduction, kReproductions, "breeding method");
+    if (archive.has("rootAngle"))
+        archive.real("rootAngle", genome.root_angle, genome_fields().front().rule);
+}
+
+// The settings a score depends on, in the tables they have in settings files.
+struct ScoreTable {
+    std::string name;
+    std::vector<SettingField> fields;
+};
+std::vector<ScoreTable> score_tables(const EvolutionKinds& kinds);
+
+template <class Archive, class Finer>
+void describe_finer(Archive& archive, Finer& finer) {
+    archive.type("recomputed");
+    archive.choice("outcome", finer.outcome, kOutcomes, "outcome");
+    archive.plain_real("fitness", finer.score);
+    archive.choice("verdict", finer.verdict, kVerdicts, "verdict");
+}
+
+template <class Archive, class Confirmed>
+void describe_confirmed(Archive& archive, Confirmed& confirmed) {
+    archive.type("confirmed");
+    archive.integer("worlds", confirmed.worlds, 1, kMostWorlds);
+    archive.plain_real("median", confirmed.median);
+    archive.plain_real("lowest", confirmed.lowest);
+    archive.plain_real("highest", confirmed.highest);
+}
+
+template <class Archive, class Scored, class Settings>
+void describe_scored(Archive& archive, Scored& scored, Settings& settings,
+                     const std::vector<ScoreTable>& tables) {
+    archive.type("scored");
+    for (const ScoreTable& table : tables) {
+        if (!archive.has(table.name.c_str())) continue;
+        archive.object(table.name.c_str(), Layout::kLines, [&](Archive& inner) {
+            for (const SettingField& field : table.fields)
+                inner.setting(field, settings);
+        });
+    }
+    archive.text("simulator", scored.simulator, kMaxWord);
+    archive.integer("seed", scored.seed, 0, kMaxSeed);
+    archive.plain_real("fitness", scored.fitness);
+    archive.text("unit", scored.unit, kMaxWord);
+    archive.optional_object("confirmed", scored.confirmed, Layout::kCompact,
+                            [](Archive& inner, auto& each) { describe_confirmed(inner, each); });
+    archive.digest("trajectory", scored.trajectory);
+    archive.optional_bytes("ticks", scored.ticks, kTicksASecond, kMostTickChecks);
+    archive.optional_object("recomputed", scored.finer, Layout::kCompact,
+                            [](Archive& inner, auto& finer) { describe_finer(inner, finer); });
+}
+
+// Appends a document without a score, on few lines.
+void write_genotype(std::string& text, const Individual& individual, const KindNames& names);
+
+}  // namespace cambrian::creature_format

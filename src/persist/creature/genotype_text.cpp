@@ -1,0 +1,32 @@
+#include "persist/creature/genotype_text.h"
+
+#include "persist/creature/creature_file.h"
+
+#include <memory>
+
+namespace cambrian {
+namespace {
+
+constexpr std::size_t kMostText = 500'000;  // bytes; several times what the largest genome takes
+
+}  // namespace
+
+GenotypePacker::GenotypePacker(const EvolutionKinds& kinds)
+    : names_(creature_format::names_of(kinds.creature.catalog)) {}
+
+PackedGenotype GenotypePacker::pack(const Individual& individual) {
+    text_.clear();
+    creature_format::write_genotype(text_, individual, names_);
+    return {deflater_.deflate(text_), text_.size()};
+}
+
+Result<GenomePtr> GenotypeReader::read(std::string_view bytes, std::size_t size) {
+    if (size > kMostText) return Error{"genotype too large: " + std::to_string(size) + " bytes"};
+    const Result<std::string> text = inflater_.inflate(bytes, size);
+    if (!text) return text.error();
+    Result<CreatureDocument> document = parse_creature(*text, "genotype", kinds_);
+    if (!document) return document.error();
+    return std::make_shared<const Genome>(std::move(document->genome));
+}
+
+}  // namespace cambrian

@@ -1,0 +1,95 @@
+#include "persist/creature/rescoring.h"
+
+#include "evolution/evaluation/trials.h"
+
+#include <algorithm>
+#include <limits>
+#include <memory>
+
+namespace cambrian {
+
+namespace {
+
+// The generation in which everyone was judged the last time, up to some generation.
+std::uint32_t last_judgement(const SavedExperiment& saved, std::uint32_t until) {
+    std::uint32_t generation = 0;
+    SettingsPtr settings = saved.settings;
+    for (const NotedCommand& noted : saved.journal) {
+        if (noted.generation > until) break;
+        const auto* change = std::get_if<ChangeSettings>(&noted.command);
+        const bool rejudged = change != nullptr
+                                  ? !same_judgement(*settings, *change->settings)
+                                  : std::holds_alternative<RescorePopulation>(noted.command);
+        if (change != nullptr) settings = change->settings;
+        if (rejudged) generation = noted.generation;
+    }
+    return generation;
+}
+
+}  // namespace
+
+std::optional<std::string> other_simulator(const std::string& version) {
+    if (version == kSimulatorVersion) return std::nullopt;
+    return "scored by simulator " + version + ", this is " + std::string(kSimulatorVersion);
+}
+
+std::optional<std::string> other_simulator(const ScoredRecord& scored) {
+    return other_simulator(scored.simulator);
+}
+
+std::optional<std::string> other_simulator(const SavedExperiment& saved) {
+    if (!saved.latest) return std::nullopt;
+    const std::uint32_t since = last_judgement(saved, std::numeric_limits<std::uint32_t>::max());
+    for (std::size_t i = 0; i < saved.simulators.size(); ++i) {
+        const bool replaced_before =
+            i + 1 < saved.simulators.size() && saved.simulators[i + 1].generation <= since;
+        if (replaced_before) continue;
+        if (auto other = other_simulator(saved.simulators[i].version)) return other;
+    }
+    return std::nullopt;
+}
+
+std::string scored_by(const SavedExperiment& saved, std::uint32_t born, std::uint32_t generation) {
+    const std::uint32_t judged = std::max(born, last_judgement(saved, generation));
+    if (!saved.latest || judged > saved.latest->generation) return std::string(kSimulatorVersion);
+    std::string version;
+    for (const SimulatorChange& change : saved.simulators) {
+        if (change.generation <= judged) version = change.version;
+    }
+    return version;
+}
+
+EvaluationResult run_scored_trial(const CreatureDocument& document, const EvolutionKinds& kinds,
+                                  const std::stop_token& stop) {
+    CAMBRIAN_ASSERT(document.scored.has_value(), "only a scored creature has a trial to run");
+    const ExperimentSettings settings = settings_of(*document.scored);
+    const EvaluationRequest request{.genome = std::make_shared<const Genome>(document.genome),
+                                    .trial_seed = trial_seed(settings)};
+    return evaluate_in_trials(request, settings, kinds, stop);
+}
+
+Result<CreatureDocument> rescored(CreatureDocument document, const EvolutionKinds& kinds,
+                                  const std::stop_token& stop) {
+    if (!document.scored) return Error{"holds no score to replace"};
+    const EvaluationResult result = run_scored_trial(document, kinds, stop);
+    if (result.outcome == Outcome::kInterrupted) return Error{"interrupted"};
+    if (result.outcome != Outcome::kCompleted) {
+        return Error{"its trial is not finished by this simulator (" +
+                     std::string(outcome_name(result.outcome)) + ", " + result.reason + ")"};
+    }
+    ScoredRecord& scored = *document.scored;
+    // The other worlds' scores are of the motion that is replaced.
+    if (scored.simulator != kSimulatorVersion || scored.trajectory != result.digest)
+        scored.confirmed.reset();
+    scored.fitness = result.fitness;
+    scored.unit = kinds.goals.find(scored.goal)->unit;
+    scored.trajectory = result.digest;
+    scored.simulator = kSimulatorVersion;
+    scored.ticks.clear();
+    scored.finer = result.finer;
+    complete_score(document, kinds, stop);
+    if (stop.stop_requested()) return Error{"interrupted"};
+    return document;
+}
+
+}  // namespace cambrian

@@ -1,0 +1,39 @@
+#pragma once
+
+// What is read from an experiment file, of any version that can be read, without changing it.
+
+#include "core/result.h"
+#include "persist/experiment/experiment_upgrade.h"
+#include "persist/sqlite/read_only_database.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace cambrian {
+
+// What `read(const Database&)`, a Result<Part>, makes of the tables as the newest version has them.
+// Read again if the file changed meanwhile (persist/sqlite/read_only_database.h).
+template <class Part, class Read>
+Result<Part> load_from_experiment(const std::filesystem::path& path, Read read) {
+    const auto refusal = [&path](const std::string& reason) {
+        return Error{"cannot open " + path.string() + ": " + reason};
+    };
+    try {
+        std::optional<Result<Part>> part;
+        read_database(path, [&](const Database& database) {
+            const Result<std::optional<Database>> newer = newer_copy(database);
+            if (newer) {
+                part = read(*newer ? **newer : database);
+            } else {
+                part = refusal(newer.error().message);
+            }
+        });
+        return std::move(*part);
+    } catch (const DatabaseError& error) {
+        return refusal(error.what());
+    }
+}
+
+}  // namespace cambrian

@@ -1,0 +1,38 @@
+#pragma once
+
+// Single things out of an experiment file, read without the rest of it: neither the time nor the
+// memory they take grows with what else is in the file. The file is not changed.
+
+#include "core/result.h"
+#include "evolution/engine/experiment_log.h"
+#include "evolution/kinds/evolution_kinds.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace cambrian {
+
+// Those in force at the end.
+Result<SettingsPtr> load_last_settings(const std::filesystem::path& path,
+                                       const EvolutionKinds& kinds);
+
+// Of every finished generation; fails if there is none.
+Result<std::vector<GenerationStatistics>> load_history(const std::filesystem::path& path);
+
+struct KeptChampion {
+    JudgedIndividual creature;
+    std::string simulator;  // version of the one that gave its score
+};
+
+// The best of a generation, by default the last finished one; fails if there is none.
+Result<KeptChampion> load_champion(const std::filesystem::path& path,
+                                   const std::optional<std::uint32_t>& generation,
+                                   const EvolutionKinds& kinds);
+
+// The whole experiment as another file, of a name that is free. The experiment may be in use.
+Status copy_experiment(const std::filesystem::path& from, const std::filesystem::path& to);
+
+}  // namespace cambrian

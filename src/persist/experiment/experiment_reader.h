@@ -1,0 +1,40 @@
+#pragma once
+
+// Reads an experiment from its tables, whoever wrote them: what it gives is whole and consistent.
+// Throws DatabaseError otherwise.
+
+#include "evolution/engine/experiment_log.h"
+#include "persist/records/kept_individuals.h"
+#include "persist/records/picking_record.h"
+#include "persist/sqlite/database.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace cambrian {
+
+struct ReadExperiment {
+    SavedExperiment saved;
+    std::vector<RowRef> population;  // rows of the latest one
+    PickingRecord picking;
+    std::vector<JudgedIndividual> stars;
+    // Whoever is in grids, on the shelf or starred.
+    std::vector<std::pair<IndividualPtr, RowRef>> chosen;
+};
+
+// Of a database whose tables were checked.
+ReadExperiment read_experiment(const Database& database, const EvolutionKinds& kinds);
+
+// Parts of it, read alone.
+SettingsPtr read_last_settings(const Database& database, const EvolutionKinds& kinds);
+std::vector<GenerationStatistics> read_history(const Database& database);
+// The best of a generation that was finished.
+JudgedIndividual read_champion(const Database& database, std::uint32_t generation,
+                               const EvolutionKinds& kinds);
+// The only simulator that computed any generation; nothing if there were several.
+std::optional<std::string> read_only_simulator(const Database& database);
+
+}  // namespace cambrian

@@ -1,0 +1,95 @@
+#pragma once
+
+// Writes an experiment into its tables, a transaction a call. Throws DatabaseError; what failed has
+// changed nothing and may be tried again.
+
+#include "evolution/engine/experiment_log.h"
+#include "persist/experiment/experiment_reader.h"
+#include "persist/records/kept_individuals.h"
+#include "persist/records/picking_record.h"
+#include "persist/sqlite/database.h"
+#include "persist/text/deflated_text.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace cambrian {
+
+class ExperimentWriter {
+public:
+    // Of a database that has the tables.
+    ExperimentWriter(Database database, const EvolutionKinds& kinds);
+    ExperimentWriter(const ExperimentWriter&) = delete;
+    ExperimentWriter& operator=(const ExperimentWriter&) = delete;
+
+    // What a database opened to be gone on with holds.
+    void remember(const ReadExperiment& read);
+    // The database is a copy of the other's.
+    void remember(const ExperimentWriter& other) { known_ = other.known_; }
+
+    void begin(const SettingsPtr& settings, const std::vector<GenomePtr>& founders);
+    void note(const NotedCommand& noted);
+    void record(const Evolution& evolution);
+    // Grids that are new, and where the person is among them.
+    void keep_picking(const PickingRecord& picking);
+    void keep_stars(const std::vector<JudgedIndividual>& stars);
+    void copy_to(const std::filesystem::path& path) const;
+
+private:
+    // What is in the tables already.
+    struct Known {
+        KeptIndividuals::Knowledge individuals;
+        SettingsPtr settings;  // written last
+        std::int64_t settings_row = 0;
+        std::vector<IndividualPtr> novel;
+        KeptIndividuals::Knowledge chosen;  // by a person: in grids, on the shelf, starred
+        std::size_t grids = 0;
+        // Scores given outside the generations, in grids, are counted down from 0.
+        std::int64_t outside_scores = 0;
+        std::string simulator;  // that computed the newest generation
+    };
+
+    template <class Work>
+    void transact(Work work);
+    std::int64_t row_of(const SettingsPtr& settings);
+    void insert_command(const char* command, std::uint32_t generation,
+                        std::optional<std::int64_t> settings, std::optional<double> share);
+    void insert_genotype(const char* command, std::uint32_t generation, const Genome& genome);
+    void insert(std::uint32_t generation, const ChangeSettings& command);
+    void insert(std::uint32_t generation, const InjectGenome& command);
+    void insert(std::uint32_t generation, const AddNewcomers& command);
+    void insert(std::uint32_t generation, const RescorePopulation& command);
+    void insert_population(const Evolution& evolution);
+    void insert_novel(const SelectionMemory& memory);
+    void insert_generation(const Evolution& evolution);
+    void name_simulator(std::uint32_t generation);
+    RowRef keep_chosen(const IndividualPtr& individual);
+    void insert_grid(const GridNode& grid);
+    void replace_kept(const char* role, const std::vector<JudgedIndividual>& creatures);
+    void set_fact(const char* name, const std::string& value);
+
+    Database database_;  // outlives its statements
+    const EvolutionKinds& kinds_;
+    Known known_;
+    KeptIndividuals kept_;
+    KeptIndividuals chosen_;
+    Deflater deflater_;
+    Statement insert_settings_;
+    Statement insert_command_;
+    Statement clear_population_;
+    Statement insert_place_;
+    Statement clear_novel_;
+    Statement insert_novel_;
+    Statement insert_generation_;
+    Statement insert_births_;
+    Statement insert_grid_;
+    Statement insert_cell_;
+    Statement clear_kept_;
+    Statement insert_kept_;
+    Statement set_fact_;
+};
+
+}  // namespace cambrian

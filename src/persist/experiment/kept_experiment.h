@@ -1,0 +1,57 @@
+#pragma once
+
+// Where the experiment of a window is kept: by itself in one file that is used again and again,
+// until the person gives it a file of its own. An experiment that has not been evolved leaves no
+// file.
+
+#include "persist/experiment/experiment_file.h"
+
+#include <filesystem>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <vector>
+
+namespace cambrian {
+
+class KeptExperiment final : public ExperimentLog {
+public:
+    // A new experiment. autosave: its file from the first generation on; what is there then is
+    // kept beside it as the run before (previous_run()). Empty: a file that vanishes.
+    KeptExperiment(std::filesystem::path autosave, const EvolutionKinds& kinds)
+        : autosave_(std::move(autosave)), kinds_(kinds) {}
+    // One that was opened.
+    KeptExperiment(std::shared_ptr<ExperimentFile> file, const EvolutionKinds& kinds)
+        : kinds_(kinds), file_(std::move(file)) {}
+
+    Status begin(const SettingsPtr& settings, const std::vector<GenomePtr>& founders) override;
+    Status note(const NotedCommand& command) override;
+    Status record(const Evolution& evolution) override;
+    // Any thread, as long as the others are not called for the first time.
+    Status move_to(const std::filesystem::path& path);
+    Status keep_picking(const PickingRecord& picking);
+    Status keep_stars(const std::vector<JudgedIndividual>& stars);
+
+private:
+    struct Beginning {
+        SettingsPtr settings;
+        std::vector<GenomePtr> founders;
+    };
+
+    Result<std::shared_ptr<ExperimentFile>> nameless_file() const;
+    Status name_autosave(ExperimentFile& file) const;
+    Status use_autosave();
+    void take(std::shared_ptr<ExperimentFile> file);
+
+    std::filesystem::path autosave_;
+    const EvolutionKinds& kinds_;
+    mutable std::mutex mutex_;
+    std::shared_ptr<ExperimentFile> file_;
+    std::optional<Beginning> beginning_;
+    std::vector<NotedCommand> notes_;  // before there was a file
+};
+
+// Where the run before the one in the file is.
+std::filesystem::path previous_run(const std::filesystem::path& autosave);
+
+}  // namespace cambrian

@@ -1,0 +1,159 @@
+#pragma once
+
+// Reads one JSON object field by field into places whose ranges it is told; what is wrong goes to
+// an ErrorList and the place keeps its value. Offers the calls JsonWriter offers.
+
+#include "persist/json/json_value.h"
+#include "persist/text/setting_value.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace cambrian {
+
+struct FieldRule;
+
+class JsonReader {
+public:
+    // The object and errors must outlive the reader. pointer: the JSON pointer of the object.
+    JsonReader(const JsonValue& object, std::string pointer, ErrorList& errors)
+        : object_(object), pointer_(std::move(pointer)), errors_(errors) {}
+
+    // Warns of keys nobody asked for (W01).
+    void end();
+
+    // The name of what is described; of interest to a schema only.
+    void type(const char* /*name*/) const {}
+    bool has(const char* key) const { return object_.find(key) != nullptr; }
+    void require(bool condition, const char* code, const char* key, const std::string& message) {
+        if (!condition) errors_.error(code, place(key), message);
+    }
+
+    // That the list read holds as many values as another field asks for.
+    void require_count(const char* key, std::size_t found, std::size_t count, const char* code,
+                       const std::string& message) {
+        require(found == count, code, key, message);
+    }
+
+    void real(const char* key, double& value, const FieldRule& rule);
+    // A list of two numbers.
+    void pair(const char* key, double& first, const FieldRule& first_rule, double& second,
+              const FieldRule& second_rule);
+    void plain_real(const char* key, double& value);
+    // A whole number from low to high.
+    template <class Integer>
+    void integer(const char* key, Integer& value, double low, double high) {
+        if (const auto number = whole_number(key, low, high)) value = static_cast<Integer>(*number);
+    }
+    // A whole number below count, which counts `of_what`.
+    template <class Integer>
+    void index(const char* key, Integer& value, std::size_t count, const char* of_what) {
+        if (const auto number = index_number(key, count, of_what))
+            value = static_cast<Integer>(*number);
+    }
+    void flag(const char* key, bool& value);
+    // The index of one of the names, which are those of `what`. False if it is none of them.
+    template <class Choice>
+    bool choice(const char* key, Choice& value, std::span<const std::string> names,
+                const char* what) {
+        const auto found = choice_index(key, names, what);
+        if (found) value = static_cast<Choice>(*found);
+        return found.has_value();
+    }
+    // A choice that is the first of the names unless the key is there.
+    template <class Choice>
+    void optional_choice(const char* key, Choice& value, std::span<const std::string> names,
+                         const char* what) {
+        if (has(key)) choice(key, value, names, what);
+    }
+    // The index of one of the names, which are those of `what`, or of a number's name; a number of
+    // none keeps out of the range of names.
+    template <class Integer>
+    void named_or_numbered(const char* key, Integer& value, const NumberedNames& names,
+                           const char* what) {
+        if (const auto found = numbered_index(key, names, what))
+            value = static_cast<Integer>(*found);
+    }
+    // A choice on which it depends what other fields there are.
+    template <class Choice>
+    bool variant(const char* key, Choice& value, std::span<const std::string> names,
+                 const char* what) {
+        return choice(key, value, names, what);
+    }
+    void text(const char* key, std::string& value, std::size_t max_bytes);
+    void texts(const char* key, std::vector<std::string>& values, std::size_t max_count,
+               std::size_t max_bytes);
+    void digest(const char* key, std::uint64_t& value);
+    // Present only if the key is.
+    void optional_digest(const char* key, std::optional<std::uint64_t>& value) {
+        if (has(key)) digest(key, value.emplace());
+    }
+    // A list of texts, each of up to line_bytes bytes as pairs of hexadecimal digits; empty unless
+    // the key is there.
+    void optional_bytes(const char* key, std::vector<std::uint8_t>& bytes, std::size_t line_bytes,
+                        std::size_t max_bytes);
+    // A setting missing from the object keeps its value.
+    void setting(const SettingField& field, ExperimentSettings& settings);
+
+    template <class Describe>
+    void object(const char* key, Layout /*layout*/, Describe describe) {
+        const JsonValue* value = member(key, JsonValue::Kind::kObject, "an object");
+        if (value != nullptr) read_object(*value, place(key), describe);
+    }
+    // Present only if the key is.
+    template <class Value, class Describe>
+    void optional_object(const char* key, std::optional<Value>& value, Layout layout,
+                         Describe describe) {
+        if (!has(key)) return;
+        value.emplace();
+        object(key, layout, [&](JsonReader& reader) { describe(reader, *value); });
+    }
+    // A list of low to high objects.
+    template <class Items, class Describe>
+    void list(const char* key, Items& items, std::size_t low, std::size_t high, Layout /*layout*/,
+              Describe describe) {
+        const JsonValue* value = sized_list(key, low, high);
+        if (value == nullptr) return;
+        items.resize(value->values.size());
+        for (std::size_t i = 0; i < items.size(); ++i) {
+            read_object(value->values[i], place(key) + "/" + std::to_string(i),
+                        [&](JsonReader& reader) { describe(reader, items[i]); });
+        }
+    }
+
+private:
+    using Kind = JsonValue::Kind;
+
+    std::string place(std::string_view key) const { return pointer_ + "/" + std::string(key); }
+    // The value of a key if it is there and of that kind; otherwise null, after an error.
+    const JsonValue* member(const char* key, Kind kind, const char* expected);
+    const JsonValue* number_member(const char* key, const char* expected);
+    const JsonValue* sized_list(const char* key, std::size_t low, std::size_t high);
+    void wrong_type(const std::string& where, const char* expected, const JsonValue& found);
+    bool check_real(const std::string& where, const JsonValue& value, const FieldRule& rule);
+    bool check_size(const std::string& where, const std::string& text, std::size_t max_bytes);
+    std::optional<double> whole_number(const char* key, double low, double high);
+    std::optional<double> index_number(const char* key, std::size_t count, const char* of_what);
+    std::optional<std::size_t> choice_index(const char* key, std::span<const std::string> names,
+                                            const char* what);
+    std::optional<std::size_t> numbered_index(const char* key, const NumberedNames& names,
+                                              const char* what);
+    template <class Describe>
+    void read_object(const JsonValue& value, const std::string& where, Describe describe) {
+        if (value.kind != Kind::kObject) return wrong_type(where, "an object", value);
+        JsonReader reader(value, where, errors_);
+        describe(reader);
+        reader.end();
+    }
+
+    const JsonValue& object_;
+    std::string pointer_;
+    ErrorList& errors_;
+    std::vector<std::string> known_;  // keys asked for
+};
+
+}  // namespace cambrian

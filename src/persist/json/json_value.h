@@ -1,0 +1,55 @@
+#pragma once
+
+// JSON as plain values, kept in the order of the file. Strict and bounded: no duplicate keys, no
+// deep nesting, no more values than any file of ours needs.
+
+#include "persist/text/error_list.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace cambrian {
+
+struct JsonValue {
+    enum class Kind : std::uint8_t { kNull, kFlag, kInteger, kReal, kText, kList, kObject };
+
+    Kind kind = Kind::kNull;
+    bool flag = false;
+    double number = 0.0;  // of integers and reals; finite
+    std::string text;
+    std::vector<std::string> keys;  // of an object, one a value
+    std::vector<JsonValue> values;  // of an object or a list
+
+    const JsonValue* find(std::string_view key) const;
+    // "a number", "a text"... for messages.
+    const char* kind_in_words() const;
+};
+
+// How an object or a list is written.
+enum class Layout : std::uint8_t { kLines, kCompact };
+
+// Names of values that older files number instead.
+struct NumberedNames {
+    static constexpr int kMost = 255;  // the largest number; never that of a name
+
+    std::vector<std::string> names;     // by value
+    std::vector<std::string> numbered;  // by number
+};
+
+struct JsonLimits {
+    std::size_t bytes = 4'000'000;
+    std::size_t depth = 32;
+    std::size_t values = 100'000;
+    std::size_t keys = 256;  // of one object
+};
+
+// The document, or nothing if it cannot be read; `errors` says why (E01, E02, E07, E10), and which
+// keys a document that can be read holds twice (E13).
+std::optional<JsonValue> parse_json(std::string_view text, const JsonLimits& limits,
+                                    ErrorList& errors);
+
+}  // namespace cambrian

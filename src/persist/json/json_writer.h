@@ -1,0 +1,141 @@
+#pragma once
+
+// Writes JSON: two-space indentation, small objects on one line, keys in the order they come.
+// Offers the calls JsonReader offers, so that one description of a format serves both ways
+// (creature_format.h).
+
+#include "core/assert.h"
+#include "persist/json/json_value.h"
+#include "persist/text/quoted_text.h"
+#include "persist/text/setting_value.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace cambrian {
+
+struct FieldRule;
+
+class JsonWriter {
+public:
+    // Writes one object into `text`: begin, calls, end.
+    explicit JsonWriter(std::string& text, Layout layout = Layout::kLines) : text_(text) {
+        open('{', layout);
+    }
+    void end() { close('}'); }
+
+    void type(const char* /*name*/) const {}
+    bool has(const char* /*key*/) const { return true; }
+    void require(bool condition, const char* /*code*/, const char* /*key*/,
+                 const std::string& /*message*/) const {
+        CAMBRIAN_ASSERT(condition, "only valid documents are written");
+    }
+
+    void require_count(const char* key, std::size_t found, std::size_t count, const char* code,
+                       const std::string& message) const {
+        require(found == count, code, key, message);
+    }
+
+    void real(const char* key, double value, const FieldRule& rule);
+    void pair(const char* key, double first, const FieldRule& first_rule, double second,
+              const FieldRule& second_rule);
+    void plain_real(const char* key, double value);
+    template <class Integer>
+    void integer(const char* key, Integer value, double /*low*/, double /*high*/) {
+        item(key, std::to_string(value));
+    }
+    template <class Integer>
+    void index(const char* key, Integer value, std::size_t /*count*/, const char* /*of_what*/) {
+        item(key, std::to_string(value));
+    }
+    void flag(const char* key, bool value) { item(key, value ? "true" : "false"); }
+    template <class Choice>
+    bool choice(const char* key, Choice value, std::span<const std::string> names,
+                const char* /*what*/) {
+        item(key, quoted_text(names[static_cast<std::size_t>(value)]));
+        return true;
+    }
+    // Only if it is not the first of the names.
+    template <class Choice>
+    void optional_choice(const char* key, Choice value, std::span<const std::string> names,
+                         const char* what) {
+        if (static_cast<std::size_t>(value) != 0) choice(key, value, names, what);
+    }
+    template <class Integer>
+    void named_or_numbered(const char* key, Integer value, const NumberedNames& names,
+                           const char* /*what*/) {
+        const auto index = static_cast<std::size_t>(value);
+        item(key,
+             index < names.names.size() ? quoted_text(names.names[index]) : std::to_string(index));
+    }
+    template <class Choice>
+    bool variant(const char* key, Choice value, std::span<const std::string> names,
+                 const char* what) {
+        return choice(key, value, names, what);
+    }
+    void text(const char* key, std::string_view value, std::size_t /*max_bytes*/) {
+        item(key, quoted_text(value));
+    }
+    void texts(const char* key, const std::vector<std::string>& values, std::size_t max_count,
+               std::size_t max_bytes);
+    void digest(const char* key, std::uint64_t value);
+    // Only if there is a value.
+    void optional_digest(const char* key, const std::optional<std::uint64_t>& value) {
+        if (value) digest(key, *value);
+    }
+    // Only if there are any.
+    void optional_bytes(const char* key, std::span<const std::uint8_t> bytes,
+                        std::size_t line_bytes, std::size_t max_bytes);
+    void setting(const SettingField& field, const ExperimentSettings& settings) {
+        item(field.key.c_str(), setting_text(value_of(field, settings)));
+    }
+
+    template <class Describe>
+    void object(const char* key, Layout layout, Describe describe) {
+        begin_item(key);
+        open('{', layout);
+        describe(*this);
+        close('}');
+    }
+    // Only if there is a value.
+    template <class Value, class Describe>
+    void optional_object(const char* key, const std::optional<Value>& value, Layout layout,
+                         Describe describe) {
+        if (!value) return;
+        object(key, layout, [&](JsonWriter& writer) { describe(writer, *value); });
+    }
+    // One object an item.
+    template <class Items, class Describe>
+    void list(const char* key, Items& items, std::size_t /*low*/, std::size_t /*high*/,
+              Layout layout, Describe describe) {
+        begin_item(key);
+        open('[', Layout::kLines);
+        for (auto& each : items) {
+            begin_item("");
+            open('{', layout);
+            describe(*this, each);
+            close('}');
+        }
+        close(']');
+    }
+
+private:
+    struct Level {
+        Layout layout;
+        bool empty = true;
+    };
+    void open(char bracket, Layout layout);
+    void close(char bracket);
+    void begin_item(std::string_view key);
+    void item(std::string_view key, std::string_view value);
+
+    std::string& text_;
+    std::vector<Level> levels_;
+};
+
+}  // namespace cambrian

@@ -1,0 +1,45 @@
+#pragma once
+
+// Creatures of an experiment file with their lines of descent. Throws DatabaseError for whatever is
+// missing or cannot be.
+
+#include "evolution/individual/individual.h"
+#include "persist/creature/genotype_text.h"
+#include "persist/records/kept_individuals.h"
+#include "persist/sqlite/database.h"
+
+#include <cstdint>
+#include <map>
+#include <utility>
+
+namespace cambrian {
+
+class IndividualReader {
+public:
+    IndividualReader(const Database& database, const EvolutionKinds& kinds);
+
+    // The same pointer for the same row. The settings are those that judged it.
+    IndividualPtr read(const RowRef& row, const ExperimentSettings& settings);
+
+private:
+    struct Row {
+        Individual individual;  // with the summary of its score
+        std::int64_t mother = 0;
+    };
+
+    Row read_row(std::int64_t id);
+    GenomePtr read_genome(std::int64_t id, std::uint64_t hash);
+    EvaluationResult read_result(const RowRef& row);
+    IndividualPtr ancestor(std::int64_t id, std::int64_t child);
+
+    const EvolutionKinds& kinds_;
+    GenotypeReader genotypes_;
+    Statement select_individual_;
+    Statement select_genotype_;
+    Statement select_result_;
+    std::map<std::int64_t, GenomePtr> genomes_;
+    std::map<std::int64_t, IndividualPtr> ancestors_;
+    std::map<std::pair<std::int64_t, std::int64_t>, IndividualPtr> individuals_;
+};
+
+}  // namespace cambrian

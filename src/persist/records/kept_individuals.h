@@ -1,0 +1,69 @@
+#pragma once
+
+// The creatures an experiment file knows by row: who was written already, what of them is still
+// needed, and what can go. Throws DatabaseError.
+
+#include "evolution/individual/individual.h"
+#include "evolution/kinds/evolution_kinds.h"
+#include "persist/creature/genotype_text.h"
+#include "persist/sqlite/database.h"
+
+#include <cstdint>
+#include <map>
+#include <span>
+
+namespace cambrian {
+
+// A creature's row and which of its scores is meant: that of a generation.
+struct RowRef {
+    std::int64_t individual = 0;
+    std::int64_t judged = 0;
+
+    friend bool operator==(const RowRef&, const RowRef&) = default;
+};
+
+class KeptIndividuals {
+public:
+    struct Entry {
+        IndividualPtr individual;
+        RowRef row;
+        bool genotype_held = false;
+        bool score_held = false;
+    };
+    // By uid.
+    using Knowledge = std::map<std::uint64_t, Entry>;
+
+    // `known` is what the file holds; it outlives this and is changed along with the file.
+    KeptIndividuals(const Database& database, const EvolutionKinds& kinds, Knowledge& known);
+
+    // Takes one over that is in the file. survivor: its genotype stays for good.
+    void remember(const IndividualPtr& individual, const RowRef& row, bool survivor);
+    // The row of one that was kept or remembered.
+    RowRef row_of(const Individual& individual) const;
+
+    // Writes what of it is not there yet: birth, genotype, score. judged: where the score is new.
+    RowRef keep(const IndividualPtr& individual, std::int64_t judged);
+    // Its genotype and this score stay for good.
+    void hold_score(const IndividualPtr& individual);
+    // Lets go of everybody who is not among these and not held: of genotypes and scores in full;
+    // of those who bore or survived, of scores.
+    void drop_others(std::span<const IndividualPtr> population);
+
+private:
+    Entry insert(const IndividualPtr& individual, std::int64_t judged);
+    void insert_score(const Individual& individual, const RowRef& row);
+    void update_score(Entry& entry, const IndividualPtr& individual, std::int64_t judged);
+    void delete_score(const Entry& entry);
+    void hold_parents(const Individual& individual);
+
+    Knowledge& known_;
+    GenotypePacker packer_;
+    Statement insert_individual_;
+    Statement insert_genotype_;
+    Statement insert_result_;
+    Statement update_individual_;
+    Statement delete_genotype_;
+    Statement delete_result_;
+};
+
+}  // namespace cambrian

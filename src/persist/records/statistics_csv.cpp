@@ -1,0 +1,59 @@
+#include "persist/records/statistics_csv.h"
+
+#include "core/text/number_text.h"
+#include "persist/records/statistics_columns.h"
+#include "persist/text/digest_text.h"
+
+#include <variant>
+
+namespace cambrian {
+namespace {
+
+using Row = GenerationStatistics;
+
+std::string number_text(double number) {
+    return real_text(number);
+}
+std::string number_text(const std::string& text) {
+    return text;
+}
+template <class Whole>
+std::string number_text(Whole number) {
+    return std::to_string(number);
+}
+
+void add_values(std::string& text, const Row& row, std::span<const Column<Row>> columns) {
+    for (const Column<Row>& column : columns) {
+        text += std::visit([&row](auto field) { return number_text(row.*field); }, column.field);
+        text += ',';
+    }
+}
+
+// "00f3a1b2c4d5e6f7:12 9b...:3", founders' uids and how many children their lines had.
+std::string births_text(std::span<const LineBirths> births) {
+    std::string text;
+    for (const LineBirths& line : births)
+        text += (text.empty() ? "" : " ") + hex_text(line.line) + ':' + std::to_string(line.births);
+    return text;
+}
+
+}  // namespace
+
+std::string statistics_csv(std::span<const GenerationStatistics> history) {
+    std::string text;
+    for (const Column<Row>& column : kStatisticsColumns)
+        text += std::string(column.name) + ',';
+    for (const Column<Row>& column : kLaterStatisticsColumns)
+        text += std::string(column.name) + ',';
+    text += "trials,births_by_line\n";
+    std::int64_t trials = 0;
+    for (const Row& row : history) {
+        trials += row.evaluations;
+        add_values(text, row, kStatisticsColumns);
+        add_values(text, row, kLaterStatisticsColumns);
+        text += std::to_string(trials) + ',' + births_text(row.births) + '\n';
+    }
+    return text;
+}
+
+}  // namespace cambrian

@@ -1,0 +1,160 @@
+#include "core/text/nearest_name.h"
+#include "persist/settings/settings_file.h"
+#include "persist/settings/toml.h"
+#include "persist/text/error_list.h"
+#include "persist/text/setting_value.h"
+
+#include <algorithm>
+
+namespace cambrian {
+namespace {
+
+std::string line_of(const toml::source_region& region) {
+    return "line " + std::to_string(region.begin.line);
+}
+
+SettingValue setting_value(const toml::node& node) {
+    if (const auto* flag = node.as_boolean()) return flag->get();
+    if (const auto* whole = node.as_integer()) return whole->get();
+    if (const auto* real = node.as_floating_point()) return real->get();
+    if (const auto* text = node.as_string()) return text->get();
+    return {};
+}
+
+// The path of a key or table inside a table; the file itself has none.
+std::string joined(const std::string& table, const std::string& key) {
+    if (table.empty()) return key;
+    std::string path = table;
+    path += '.';
+    path += key;
+    return path;
+}
+
+// Walks the file's tables and stores what it finds in the settings.
+class SettingsReader {
+public:
+    SettingsReader(const EvolutionKinds& kinds, ErrorList& errors, std::string_view goal)
+        : fields_(setting_fields(kinds)),
+          errors_(errors),
+          settings_(default_settings(goal, kinds)) {}
+
+    void read(const toml::table& table, const std::string& path = "") {
+        for (const auto& [key, node] : table) {
+            if (errors_.full()) return;
+            const std::string name(key.str());
+            const std::string inner = joined(path, name);
+            if (node.is_table() && names_table(inner)) {
+                read(*node.as_table(), inner);
+            } else {
+                read_setting(path, name, node, line_of(key.source()));
+            }
+        }
+    }
+    const ExperimentSettings& settings() const { return settings_; }
+
+private:
+    // Whether [path] is a table of settings or holds one.
+    bool names_table(const std::string& path) const {
+        return std::any_of(fields_.begin(), fields_.end(), [&](const SettingField& field) {
+            return field.table == path || field.table.rfind(path + ".", 0) == 0;
+        });
+    }
+
+    void read_setting(const std::string& table, const std::string& key, const toml::node& node,
+                      const std::string& line) {
+        const auto field = std::find_if(
+            fields_.begin(), fields_.end(),
+            [&](const SettingField& each) { return each.table == table && each.key == key; });
+        if (names_table(joined(table, key))) {
+            errors_.error("", line + ", " + place(table, key, false), "expected a table");
+            return;
+        }
+        if (field == fields_.end()) {
+            const bool is_table = node.is_table();
+            errors_.error("", line + ", " + place(table, key, is_table),
+                          is_table ? unknown_table(table, key) : unknown_key(table, key));
+            return;
+        }
+        const SettingCheck check = assign(*field, setting_value(node), settings_);
+        if (check.fault != SettingFault::kNone)
+            errors_.error("", line + ", " + place(table, key, false), check.message);
+    }
+
+    static std::string place(const std::string& table, const std::string& key, bool is_table) {
+        if (is_table) return "[" + joined(table, shown(key)) + "]";
+        return table.empty() ? shown(key) : "[" + table + "] " + shown(key);
+    }
+
+    std::string unknown_table(const std::string& table, const std::string& key) const {
+        std::vector<std::string> tables;
+        for (const SettingField& field : fields_)
+            tables.push_back(field.table);
+        const std::string near = nearest_name(joined(table, key), tables);
+        return near.empty() ? "unknown table" : "unknown table; did you mean [" + near + "]?";
+    }
+
+    // The nearest key of the same table, or else the nearest of any, or else all of the table.
+    std::string unknown_key(const std::string& table, const std::string& key) const {
+        std::vector<std::string> here;
+        std::vector<std::string> anywhere;
+        for (const SettingField& field : fields_) {
+            anywhere.push_back(field.key);
+            if (field.table == table) here.push_back(field.key);
+        }
+        std::string near = nearest_name(key, here);
+        if (!near.empty()) return "unknown key; did you mean \"" + near + "\"?";
+        near = nearest_name(key, anywhere);
+        if (near.empty()) return "unknown key" + known_in_words(here);
+        const auto field = std::find_if(fields_.begin(), fields_.end(),
+                                        [&](const SettingField& each) { return each.key == near; });
+        return "unknown key; did you mean [" + field->table + "] " + near + "?";
+    }
+
+    static std::string known_in_words(const std::vector<std::string>& keys) {
+        std::string words;
+        for (const std::string& key : keys)
+            words += (words.empty() ? "; known are " : ", ") + key;
+        return words;
+    }
+
+    std::vector<SettingField> fields_;
+    ErrorList& errors_;
+    ExperimentSettings settings_;
+};
+
+}  // namespace
+
+Result<ExperimentSettings> parse_settings(std::string_view text, std::string_view source,
+                                          const EvolutionKinds& kinds) {
+    return merge_settings({{std::string(text), std::string(source)}}, kinds);
+}
+
+Result<ExperimentSettings> merge_settings(const std::vector<SettingsText>& texts,
+                                          const EvolutionKinds& kinds) {
+    std::vector<toml::table> documents;
+    std::string goal;
+    for (const auto& [text, source] : texts) {
+        ErrorList errors;
+        toml::parse_result document = toml::parse(text);
+        if (!document) {
+            errors.error("", line_of(document.error().source()),
+                         shown(document.error().description(), kLongestReason));
+            return errors.as_error(source);
+        }
+        goal = document["goal"]["behavior"].value_or(goal);
+        documents.push_back(std::move(document).table());
+    }
+    ErrorList errors;
+    SettingsReader reader(kinds, errors, kinds.goals.find(goal) == nullptr ? "" : goal);
+    std::string sources;
+    for (std::size_t i = 0; i < documents.size(); ++i) {
+        reader.read(documents[i]);
+        if (!errors.empty()) return errors.as_error(texts[i].source);
+        sources += (i == 0 ? "" : " with ") + texts[i].source;
+    }
+    if (const Status contradiction = check_settings(reader.settings(), kinds); !contradiction)
+        return Error{sources + ": " + contradiction.error().message};
+    return reader.settings();
+}
+
+}  // namespace cambrian

@@ -1,0 +1,57 @@
+#include "core/text/number_text.h"
+#include "persist/settings/settings_file.h"
+#include "persist/text/setting_value.h"
+
+#include <type_traits>
+
+namespace cambrian {
+namespace {
+
+constexpr std::size_t kCommentColumn = 30;
+
+// What may be written there: "0 to 1000 m/s^2", "walking, swimming".
+std::string allowed(const SettingField& field, const SettingValue& value) {
+    if (std::holds_alternative<bool>(value)) return "true or false";
+    if (!std::holds_alternative<std::string>(value)) {
+        const std::string range = short_text(field.low) + " to " + short_text(field.high);
+        return field.unit.empty() ? range : range + " " + field.unit;
+    }
+    std::string choices;
+    for (const std::string& choice : field.choices)
+        choices += (choices.empty() ? "" : ", ") + choice;
+    return choices;
+}
+
+std::string comment(const SettingField& field, const SettingValue& value,
+                    const ExperimentSettings& defaults) {
+    return "# " + allowed(field, value) + "; default " + setting_text(value_of(field, defaults)) +
+           ". " + field.help;
+}
+
+std::string line(const SettingField& field, const ExperimentSettings& settings,
+                 const ExperimentSettings& defaults) {
+    const SettingValue value = value_of(field, settings);
+    std::string text = field.key + " = " + setting_text(value) + " ";
+    if (text.size() < kCommentColumn) text.resize(kCommentColumn, ' ');
+    return text + comment(field, value, defaults) + "\n";
+}
+
+}  // namespace
+
+std::string write_settings(const ExperimentSettings& settings, const EvolutionKinds& kinds) {
+    std::string text =
+        "# The settings of one experiment: `cambrian evolve THIS-FILE` evolves under them.\n"
+        "# A key left out has its default; those of [environment] and confirmations go\n"
+        "# with the goal.\n";
+    const ExperimentSettings defaults = default_settings(settings.goal, kinds);
+    std::string table;
+    for (const SettingField& field : setting_fields(kinds)) {
+        if (field.table != table) text += "\n[" + field.table + "]\n";
+        table = field.table;
+        const bool goal = field.table == "goal";
+        text += line(field, settings, goal ? ExperimentSettings{} : defaults);
+    }
+    return text;
+}
+
+}  // namespace cambrian

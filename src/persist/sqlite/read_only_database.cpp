@@ -1,0 +1,125 @@
+#include "persist/sqlite/read_only_database.h"
+
+#include <cstdlib>
+#include <sys/stat.h>
+#include <system_error>
+
+namespace cambrian {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kMostAttempts = 5;
+
+// A file as far as it tells whether it is the same and unchanged; all 0 for none.
+struct FileFacts {
+    ino_t inode = 0;
+    off_t size = 0;
+    timespec changed{};
+
+    bool operator==(const FileFacts& other) const {
+        return inode == other.inode && size == other.size &&
+               changed.tv_sec == other.changed.tv_sec && changed.tv_nsec == other.changed.tv_nsec;
+    }
+};
+
+FileFacts facts_of(const fs::path& path) {
+    struct stat facts {};
+    if (::stat(path.c_str(), &facts) != 0) return {};
+    return {facts.st_ino, facts.st_size, facts.st_mtim};
+}
+
+fs::path beside(const fs::path& path, const char* ending) {
+    return path.string() + ending;
+}
+
+// The file and what SQLite keeps beside it.
+struct FilesOfDatabase {
+    FileFacts file;
+    FileFacts log;        // changes that are not in the file yet
+    FileFacts journal;    // of a change that was broken off, to be undone
+    bool shared = false;  // whether readers of the log have a place to meet
+
+    explicit FilesOfDatabase(const fs::path& path)
+        : file(facts_of(path)),
+          log(facts_of(beside(path, "-wal"))),
+          journal(facts_of(beside(path, "-journal"))),
+          shared(facts_of(beside(path, "-shm")).inode != 0) {}
+
+    bool operator==(const FilesOfDatabase& other) const {
+        return file == other.file && log == other.log && journal == other.journal;
+    }
+    bool alone() const { return log.size == 0 && journal.size == 0; }
+    bool in_use() const { return log.size > 0 && journal.size == 0 && shared; }
+};
+
+// A folder of our own, removed at the end of its scope.
+class PrivateFolder {
+public:
+    PrivateFolder() {
+        std::error_code failure;
+        std::string name = (fs::temp_directory_path(failure) / "cambrian-XXXXXX").string();
+        if (failure || ::mkdtemp(name.data()) == nullptr)
+            throw DatabaseError("no temporary folder can be made to read it in");
+        path_ = name;
+    }
+    ~PrivateFolder() {
+        std::error_code ignored;
+        fs::remove_all(path_, ignored);
+    }
+    PrivateFolder(const PrivateFolder&) = delete;
+    PrivateFolder& operator=(const PrivateFolder&) = delete;
+    const fs::path& path() const { return path_; }
+
+private:
+    fs::path path_;
+};
+
+void copy_if_there(const fs::path& from, const fs::path& to) {
+    std::error_code failure;
+    if (!fs::exists(from, failure)) return;
+    if (!fs::copy_file(from, to, failure)) throw DatabaseError(failure.message());
+    fs::permissions(to, fs::perms::owner_read | fs::perms::owner_write, failure);
+}
+
+// As it is once the program that left it so had come back.
+Database recovered(const fs::path& path) {
+    const PrivateFolder folder;
+    const fs::path copy = folder.path() / "copy";
+    for (const char* ending : {"", "-wal", "-journal"})
+        copy_if_there(beside(path, ending), beside(copy, ending));
+    return Database(copy, Database::Access::kWrite).copy();
+}
+
+Database open_as_it_is(const fs::path& path, const FilesOfDatabase& files) {
+    if (files.alone()) return {path, Database::Access::kReadUnchanging};
+    if (!files.in_use()) return recovered(path);
+    try {
+        Database database(path, Database::Access::kRead);
+        database.integer("PRAGMA schema_version");
+        return database;
+    } catch (const DatabaseError&) {
+        return recovered(path);
+    }
+}
+
+}  // namespace
+
+void read_database(const fs::path& named, const std::function<void(const Database&)>& read) {
+    std::error_code missing;
+    fs::path path = fs::canonical(named, missing);  // SQLite's files are beside what a link means
+    if (missing) path = named;
+    for (int attempt = 1;; ++attempt) {
+        const FilesOfDatabase before(path);
+        const bool last = attempt == kMostAttempts;
+        try {
+            read(open_as_it_is(path, before));
+            if (before.in_use() || FilesOfDatabase(path) == before) return;
+        } catch (const DatabaseError&) {
+            if (last || FilesOfDatabase(path) == before) throw;
+        }
+        if (last) throw DatabaseError("another program is using it");
+    }
+}
+
+}  // namespace cambrian

@@ -1,0 +1,48 @@
+#include "persist/text/error_list.h"
+
+namespace cambrian {
+namespace {
+
+std::string line_of(std::string_view code, std::string_view place, std::string_view message) {
+    std::string line(code);
+    if (!line.empty()) line += ' ';
+    line += place;
+    if (!place.empty()) line += ": ";
+    line += message;
+    return line;
+}
+
+}  // namespace
+
+std::string shown(std::string_view text, std::size_t longest) {
+    std::string result;
+    for (const char letter : text.substr(0, longest)) {
+        const bool printable = static_cast<unsigned char>(letter) >= 0x20 && letter != 0x7f;
+        result += printable ? letter : '?';
+    }
+    return text.size() > longest ? result + "..." : result;
+}
+
+std::string in_quotes(std::string_view text) {
+    return "\"" + shown(text) + "\"";
+}
+
+void ErrorList::error(std::string_view code, std::string_view place, std::string_view message) {
+    if (full()) return;
+    errors_.push_back(line_of(code, place, message));
+}
+
+void ErrorList::warn(std::string_view code, std::string_view place, std::string_view message) {
+    if (warnings_.size() < kLimit) warnings_.push_back(line_of(code, place, message));
+}
+
+Error ErrorList::as_error(std::string_view source) const {
+    CAMBRIAN_ASSERT(!errors_.empty(), "an error to report");
+    std::string message = std::string(source) + ": " + errors_.front();
+    for (std::size_t i = 1; i < errors_.size(); ++i)
+        message += "\n  " + errors_[i];
+    if (full()) message += "\n  no more errors are looked for after " + std::to_string(kLimit);
+    return {std::move(message)};
+}
+
+}  // namespace cambrian

@@ -1,0 +1,54 @@
+#include "persist/text/quoted_text.h"
+
+namespace cambrian {
+namespace {
+
+constexpr const char* kQuotedDigits = "0123456789abcdef";
+
+// The length of the UTF-8 character at the beginning, 0 if there is none.
+std::size_t utf8_length(std::string_view text) {
+    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+    const unsigned char lead = byte(0);
+    if (lead < 0x80) return 1;
+    const std::size_t length = lead >= 0xf0 ? 4 : lead >= 0xe0 ? 3 : 2;
+    if (lead < 0xc2 || lead > 0xf4 || text.size() < length) return 0;
+    for (std::size_t i = 1; i < length; ++i) {
+        if ((byte(i) & 0xc0) != 0x80) return 0;
+    }
+    const bool overlong = (lead == 0xe0 && byte(1) < 0xa0) || (lead == 0xf0 && byte(1) < 0x90);
+    const bool surrogate = lead == 0xed && byte(1) >= 0xa0;
+    const bool beyond = lead == 0xf4 && byte(1) >= 0x90;
+    return overlong || surrogate || beyond ? 0 : length;
+}
+
+void append_ascii(std::string& result, char letter) {
+    const auto code = static_cast<unsigned char>(letter);
+    if (letter == '"' || letter == '\\') {
+        result += '\\';
+        result += letter;
+    } else if (code < 0x20 || code == 0x7f) {
+        result += "\\u00";
+        result += kQuotedDigits[code >> 4];
+        result += kQuotedDigits[code & 15];
+    } else {
+        result += letter;
+    }
+}
+
+}  // namespace
+
+std::string quoted_text(std::string_view text) {
+    std::string result = "\"";
+    while (!text.empty()) {
+        const std::size_t length = utf8_length(text);
+        if (length == 1) {
+            append_ascii(result, text.front());
+        } else {
+            result += length == 0 ? "?" : text.substr(0, length);
+        }
+        text.remove_prefix(length == 0 ? 1 : length);
+    }
+    return result + "\"";
+}
+
+}  // namespace cambrian
