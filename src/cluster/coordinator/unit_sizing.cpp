@@ -6,9 +6,9 @@ namespace cambrian {
 namespace {
 
 constexpr double kMemory = 200.0;  // creatures over which what was learnt fades
-constexpr double kLeastSeconds = 0.005;
+constexpr double kLeastSeconds = 0.01;
 constexpr double kMostSeconds = 2.0;
-constexpr double kRounds = 4.0;  // units that every core would get if all were as long as the next
+constexpr double kRounds = 3.0;  // units that every core would get if all were as long as the next
 
 double median_work(std::span<const EvaluationRequest> requests, double fallback) {
     std::vector<double> known;
