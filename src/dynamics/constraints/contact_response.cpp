@@ -56,6 +56,14 @@ double ContactSolver::impact_work() const {
     return work;
 }
 
+double ContactSolver::struck_normal(int contact) const {
+    for (int row = 0; row < rows_.count; ++row) {
+        if (rows_[row].kind == RowKind::kNormal && rows_[row].source == contact)
+            return rows_.impulse[row];
+    }
+    return 0.0;
+}
+
 ImpactResult ContactSolver::strike(const PlanarModel& model, const ContactLaw& law,
                                    double elasticity, const Frame& frame, Motion& motion) {
     CAMBRIAN_TICK_ASSERT(elasticity >= 0.0 && elasticity <= 1.0, "a coefficient of restitution");

@@ -81,6 +81,8 @@ public:
                 Loads (&loads)[2]);
     // Normal force of a chosen contact after hold(), N.
     double held_normal(int contact) const { return normal_force_[contact]; }
+    // Normal impulse of a chosen contact after strike(), N s.
+    double struck_normal(int contact) const;
 
     // Work of the held forces between two places.
     HeldWork held_work(const PlanarModel& model, const Kinematics& begin,

@@ -45,6 +45,12 @@ double step_factor(double error, int order) {
     return std::clamp(factor, kShrinkMost, kGrowMost);
 }
 
+void note_touch(const Contact& contact, SceneMoment& moment) {
+    moment.touched[contact.part_a] |= static_cast<std::uint8_t>(1U << contact.face_a);
+    if (contact.part_b >= 0)
+        moment.touched[contact.part_b] |= static_cast<std::uint8_t>(1U << contact.face_b);
+}
+
 double deepest(const ContactSet& contacts) {
     double depth = 0.0;
     for (int c = 0; c < contacts.count; ++c)
@@ -74,6 +80,7 @@ void StepControl::advance(const PlanarModel& model, const ContactLaw& law, Forci
     CAMBRIAN_TICK_ASSERT(are_parents_before_children(model), "a parent stands before its children");
     for (std::uint8_t& faces : moment.touched)
         faces = 0;
+    if (model.measures_forces) begin_forces(model, moment.frame().kinematics, moment.forces);
     moment.evaluation_debt = std::max(0.0, moment.evaluation_debt - max_evaluations_ * duration);
     Tick tick{model, law, forcing, moment, duration};
     tick.collected = moment.frame_is_current && moment.collection == collection_;
@@ -91,6 +98,8 @@ void StepControl::advance(const PlanarModel& model, const ContactLaw& law, Forci
     moment.collection = tick.collected ? ++collection_ : 0;
     moment.time += duration;
     remember_contacts(tick);
+    if (model.measures_forces)
+        end_forces(model, forcing.medium, moment.frame().kinematics, duration, moment.forces);
     note_speeds(model, moment.frame().kinematics, moment.audit);
     close_books(model, forcing.medium, moment);
 }
@@ -199,10 +208,9 @@ void StepControl::strike(Tick& tick, double elasticity) {
     const ContactSet& struck = contacts_.chosen();
     CAMBRIAN_TICK_ASSERT(struck.count <= kMaxContacts, "contacts have room");
     for (int c = 0; c < struck.count; ++c) {
-        const Contact& contact = struck.items[c];
-        moment.touched[contact.part_a] |= static_cast<std::uint8_t>(1U << contact.face_a);
-        if (contact.part_b >= 0)
-            moment.touched[contact.part_b] |= static_cast<std::uint8_t>(1U << contact.face_b);
+        note_touch(struck.items[c], moment);
+        if (tick.model.measures_forces)
+            add_load(struck.items[c], contacts_.struck_normal(c), moment.forces);
     }
 }
 
@@ -343,7 +351,7 @@ bool StepControl::must_halve(const Tick& tick, double h) {
 
 void StepControl::accept(Tick& tick, bool has_rows, double h) {
     SceneMoment& moment = tick.moment;
-    keep_books(tick);
+    keep_books(tick, h);
     copy_motion(tick.model, result_.end, moment.motion);
     moment.current_frame = 1 - moment.current_frame;
     copy_rate(tick.model, result_.end_rate, moment.free_rate);
@@ -362,7 +370,7 @@ void StepControl::accept(Tick& tick, bool has_rows, double h) {
 void StepControl::accept_part(Tick& tick, double h, double share) {
     SceneMoment& moment = tick.moment;
     weigh_end(tick);
-    keep_books(tick);
+    keep_books(tick, share * h);
     copy_motion(tick.model, result_.end, moment.motion);
     moment.frame_is_current = false;
     tick.time += share * h;
@@ -385,7 +393,8 @@ void StepControl::release_forces(Tick& tick) {
     }
 }
 
-void StepControl::keep_books(Tick& tick) {
+// Of a step that took `time` (s).
+void StepControl::keep_books(Tick& tick, double time) {
     SceneMoment& moment = tick.moment;
     SceneAudit& audit = moment.audit;
     audit.contact_work += work_.contact;
@@ -397,9 +406,9 @@ void StepControl::keep_books(Tick& tick) {
     for (int c = 0; c < chosen.count; ++c) {
         const Contact& contact = chosen.items[c];
         if (contact.gap >= kContactBand && contacts_.held_normal(c) <= 0.0) continue;
-        moment.touched[contact.part_a] |= static_cast<std::uint8_t>(1U << contact.face_a);
-        if (contact.part_b >= 0)
-            moment.touched[contact.part_b] |= static_cast<std::uint8_t>(1U << contact.face_b);
+        note_touch(contact, moment);
+        if (tick.model.measures_forces)
+            add_load(contact, time * contacts_.held_normal(c), moment.forces);
     }
 }
 
