@@ -6,7 +6,6 @@
 #include "world/body_plan.h"
 
 #include <string>
-#include <string_view>
 
 namespace cambrian {
 
@@ -32,7 +31,5 @@ struct JointKind {
 };
 
 using JointRegistry = Registry<JointKind>;
-
-// Of the coordinate of a joint: "rad", "m", or nothing where it is fixed.
 
 }  // namespace cambrian
