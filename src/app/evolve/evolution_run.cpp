@@ -1,5 +1,6 @@
 #include "app/evolve/evolution_run.h"
 
+#include "app/cluster/cluster_options.h"
 #include "app/cluster/cluster_watch.h"
 #include "app/evolve/evolution_report.h"
 #include "app/evolve/run_outputs.h"
