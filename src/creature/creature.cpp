@@ -11,9 +11,10 @@ Creature::Creature(const Phenotype& phenotype, const Kinds& kinds, const SceneSe
       brain_(phenotype.network, kinds.functions),
       sensor_memory_(phenotype.sensors.size(), 0.0),
       effector_memory_(phenotype.effector_parts.size(), 0.0) {
-    sensor_reads_.reserve(phenotype.sensors.size());
+    readers_.reserve(phenotype.sensors.size());
     for (const WiredSensor& sensor : phenotype.sensors)
-        sensor_reads_.push_back(kinds.sensors[sensor.kind].read);
+        readers_.push_back(
+            {kinds.sensors[sensor.kind].read, kinds.sensors[sensor.kind].time_constant});
     drives_.reserve(phenotype.effector_kinds.size());
     for (const std::uint8_t kind : phenotype.effector_kinds)
         drives_.push_back(kinds.effectors[kind].drive);
@@ -26,38 +27,45 @@ void Creature::reset() {
 }
 
 SensorSite Creature::site_of(const WiredSensor& sensor, const BodyView& body,
-                             const Surroundings& surroundings, double dt) const {
+                             const Surroundings& surroundings, double share) const {
     return {body,        surroundings,   phenotype_->plan.parts[sensor.part],
             sensor.part, sensor.channel, sensor.handedness,
-            dt};
+            share};
 }
 
-void Creature::sense(const BodyView& body, const Surroundings& surroundings, double dt) {
+// What depends on a tick's length alone.
+void Creature::use_tick(double dt) {
+    if (dt == tick_) return;
+    tick_ = dt;
+    smoothing_share_ = smoothing_share(dt, settings_->target_smoothing);
+    for (Reader& reader : readers_)
+        reader.share = smoothing_share(dt, reader.time_constant);
+}
+
+void Creature::sense(const BodyView& body, const Surroundings& surroundings) {
     const std::span<double> readings = brain_.sensors();
     for (std::size_t i = 0; i < readings.size(); ++i) {
         const WiredSensor& sensor = phenotype_->sensors[i];
-        readings[i] = sensor.scale *
-                      sensor_reads_[i](site_of(sensor, body, surroundings, dt), sensor_memory_[i]);
+        readings[i] =
+            sensor.scale * readers_[i].read(site_of(sensor, body, surroundings, readers_[i].share),
+                                            sensor_memory_[i]);
     }
 }
 
 double Creature::reading(std::size_t sensor, const BodyView& body,
                          const Surroundings& surroundings) const {
     double memory = sensor_memory_[sensor];
-    return sensor_reads_[sensor](site_of(phenotype_->sensors[sensor], body, surroundings, 0.0),
+    return readers_[sensor].read(site_of(phenotype_->sensors[sensor], body, surroundings, 0.0),
                                  memory);
 }
 
 void Creature::act(PhysicsScene& scene, const Surroundings& surroundings, double dt) {
-    sense(scene, surroundings, dt);
+    use_tick(dt);
+    sense(scene, surroundings);
     CAMBRIAN_TICK_ASSERT(settings_->brain_steps > 0 && dt > 0.0, "a brain thinks");
     const int steps = settings_->brain_steps;
     for (int step = 0; step < steps; ++step)
         brain_.think(dt / steps);
-    if (dt != tick_) {
-        tick_ = dt;
-        smoothing_share_ = smoothing_share(dt, settings_->target_smoothing);
-    }
     for (std::size_t i = 0; i < effector_memory_.size(); ++i) {
         const std::size_t part = phenotype_->effector_parts[i];
         drives_[i]({phenotype_->plan.parts[part], part}, brain_.output(i), smoothing_share_,

@@ -43,19 +43,27 @@ public:
     }
 
 private:
-    void sense(const BodyView& body, const Surroundings& surroundings, double dt);
+    // How a sensor is read and how far smoothing goes in a tick.
+    struct Reader {
+        SensorKind::Read read = nullptr;
+        double time_constant = 0.0;  // s
+        double share = 1.0;
+    };
+
+    void use_tick(double dt);
+    void sense(const BodyView& body, const Surroundings& surroundings);
     SensorSite site_of(const WiredSensor& sensor, const BodyView& body,
-                       const Surroundings& surroundings, double dt) const;
+                       const Surroundings& surroundings, double share) const;
 
     const Phenotype* phenotype_;
     const SceneSettings* settings_;
     double tick_ = 0.0;             // s; the last one acted in
     double smoothing_share_ = 0.0;  // of that
     Brain brain_;
-    std::vector<SensorKind::Read> sensor_reads_;  // one a wired sensor
-    std::vector<double> sensor_memory_;           // the same
-    std::vector<EffectorKind::Drive> drives_;     // one an effector part
-    std::vector<double> effector_memory_;         // the same
+    std::vector<Reader> readers_;              // one a wired sensor
+    std::vector<double> sensor_memory_;        // the same
+    std::vector<EffectorKind::Drive> drives_;  // one an effector part
+    std::vector<double> effector_memory_;      // the same
 };
 
 }  // namespace cambrian

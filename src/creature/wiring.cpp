@@ -178,7 +178,8 @@ private:
         for (std::size_t slot = 0; slot < old_count; ++slot) {
             if (!heard[slot]) continue;
             const WiredSensor sensor = wired_sensor(slot / channel_count_, slot % channel_count_);
-            phenotype_.plan.measures_forces |= kinds_.sensors[sensor.kind].reads_forces;
+            phenotype_.plan.parts[sensor.part].measures_forces |=
+                kinds_.sensors[sensor.kind].reads_forces;
             phenotype_.sensors.push_back(sensor);
         }
         network_.sensor_count = phenotype_.sensors.size();

@@ -99,7 +99,8 @@ public:
     ModelBuilder(const BodyPlan& plan, double density) : plan_(plan) {
         model_.density = density;
         model_.part_count = static_cast<int>(plan.parts.size());
-        model_.measures_forces = plan.measures_forces;
+        for (std::size_t i = 0; i < plan.parts.size(); ++i)
+            model_.measured_parts |= std::uint64_t{plan.parts[i].measures_forces} << i;
         for (int slot = 0; slot < kMaxBodies; ++slot)
             model_.parent_slot[slot] = slot;
     }

@@ -46,6 +46,7 @@ public:
 
     std::size_t part_count() const override { return static_cast<std::size_t>(model_.part_count); }
     Pose part_pose(std::size_t part) const override;
+    Vec3 part_axis(std::size_t part) const override;
     Twist part_twist(std::size_t part) const override;
     double joint_coordinate(std::size_t part) const override;
     double joint_rate(std::size_t part) const override;
@@ -135,6 +136,14 @@ Pose PlanarScene::part_pose(std::size_t part) const {
     const Kinematics& k = moment_.frame().kinematics;
     const Vec2 arm = arm_of(part, 0.0, 0.0);
     return planar_pose(k.x[b] + arm.x(), k.y[b] + arm.y(), k.angle[b] + model_.part_angle[part]);
+}
+
+Vec3 PlanarScene::part_axis(std::size_t part) const {
+    const int b = body_of(part);
+    const Kinematics& k = moment_.frame().kinematics;
+    const double cosine = model_.part_cosine[part];
+    const double sine = model_.part_sine[part];
+    return {k.cosine[b] * cosine - k.sine[b] * sine, k.sine[b] * cosine + k.cosine[b] * sine, 0.0};
 }
 
 Twist PlanarScene::part_twist(std::size_t part) const {

@@ -3,7 +3,6 @@
 //     y <- y + (x - y) (1 - exp(-dt / 50 ms)).
 // At rest it reads 1 against gravity, in free fall 0.
 
-#include "math/elementary.h"
 #include "sensors/frames.h"
 #include "sensors/kinds.h"
 
@@ -15,7 +14,7 @@ constexpr double kTimeConstant = 0.05;  // s
 
 double read_acceleration(const SensorSite& site, double& memory) {
     const double felt = component(site, site.body.part_specific_force(site.index)) / kUnit;
-    memory += (limited_reading(felt) - memory) * (1.0 - exponential(-site.dt / kTimeConstant));
+    memory += (limited_reading(felt) - memory) * site.share;
     return memory;
 }
 
@@ -32,6 +31,7 @@ void add_accelerometer(SensorRegistry& sensors) {
                               {"accel-across", "Acceleration, across"}},
                  .read = read_acceleration,
                  .spot = acceleration_spot,
+                 .time_constant = kTimeConstant,
                  .reads_forces = true,
                  .usual = false});
 }

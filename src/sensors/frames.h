@@ -2,7 +2,6 @@
 
 // Directions as the sensors of a part feel them.
 
-#include "math/pose.h"
 #include "sensors/sensor.h"
 
 #include <algorithm>
@@ -18,8 +17,9 @@ inline double limited_reading(double reading) {
 // The component of a world vector along the part's length (channel 0), or across it to the left
 // (channel 1), right and left exchanged on mirrored parts.
 inline double component(const SensorSite& site, const Vec3& vector) {
-    const Vec3 axis = site.channel == 0 ? Vec3::UnitX() : Vec3(0.0, site.handedness, 0.0);
-    return vector.dot(site.body.part_pose(site.index).orientation * axis);
+    const Vec3 axis = site.body.part_axis(site.index);
+    if (site.channel == 0) return vector.dot(axis);
+    return site.handedness * (axis.x() * vector.y() - axis.y() * vector.x());
 }
 
 // Spots of a pair of channels, the second on the part's left, `along` and `across` from the middle

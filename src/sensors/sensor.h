@@ -27,7 +27,9 @@ struct SensorSite {
     // +1, or -1 on mirrored parts, whose left and right are exchanged and whose joint is mirrored
     // too (creature/README.md 2).
     int handedness = 1;
-    double dt = 0.0;  // s, since the last reading; 0 reads once more what was read last
+    // Of the way to what is felt now that smoothing goes (SensorKind::time_constant); 0 reads once
+    // more what was read last.
+    double share = 1.0;
 };
 
 struct SensorKind {
@@ -44,9 +46,10 @@ struct SensorKind {
     Read read = nullptr;
     // The reading is the joint's coordinate: genes want it in lengths of the part where the joint
     // slides (creature/README.md 7), and sliding has no handedness.
-    bool reads_joint = false;   // then it is drawn along the joint's motion
-    Spot spot = nullptr;        // without one, the lamp is in the middle of the part
-    bool reads_forces = false;  // needs BodyPlan::measures_forces
+    bool reads_joint = false;    // then it is drawn along the joint's motion
+    Spot spot = nullptr;         // without one, the lamp is in the middle of the part
+    double time_constant = 0.0;  // s, of smoothing; 0 for none
+    bool reads_forces = false;   // needs PlannedPart::measures_forces
     bool usual = true;  // whether founders and mutations use it unless settings say otherwise
 };
 

@@ -42,6 +42,7 @@ struct PlannedPart {
     double limit_high = 0.0;               // rad or m, relative to rest; >= 0
     double max_effort = 0.0;               // N m or N; cap of the motor
     MotorMode motor_mode = MotorMode::kPosition;
+    bool measures_forces = false;  // whether somebody reads its specific force and load
 };
 
 // Closes a loop: a rotary joint, without motor or limits, between two parts that the tree of
@@ -57,8 +58,6 @@ struct ClosingPin {
 struct BodyPlan {
     std::vector<PlannedPart> parts;
     std::vector<ClosingPin> closing_pins = {};  // may be redundant
-    // Whether somebody reads the parts' specific forces and loads (BodyView).
-    bool measures_forces = false;
 };
 
 }  // namespace cambrian

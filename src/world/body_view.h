@@ -17,6 +17,7 @@ public:
 
     virtual std::size_t part_count() const = 0;
     virtual Pose part_pose(std::size_t part) const = 0;
+    virtual Vec3 part_axis(std::size_t part) const = 0;    // unit, along the part's length
     virtual Twist part_twist(std::size_t part) const = 0;  // at the part's centre
 
     // Coordinate of the joint between a part and its parent, relative to rest: rad or m; 0 on the
@@ -30,7 +31,7 @@ public:
     virtual bool face_touched(std::size_t part, Face face) const = 0;
 
     // Means over the last tick, impacts included; 0 before the first one, and always 0 unless
-    // BodyPlan::measures_forces.
+    // PlannedPart::measures_forces.
     // Acceleration of the part's centre less gravity, world axes, m/s^2.
     virtual Vec3 part_specific_force(std::size_t part) const = 0;
     // Sum of the normal forces on the part, N; of the ground and of other parts.

@@ -24,6 +24,9 @@ public:
 
     std::size_t part_count() const override { return coordinates.size(); }
     Pose part_pose(std::size_t part) const override { return poses[part]; }
+    Vec3 part_axis(std::size_t part) const override {
+        return poses[part].orientation * Vec3::UnitX();
+    }
     Twist part_twist(std::size_t part) const override { return twists[part]; }
     double joint_coordinate(std::size_t part) const override { return coordinates[part]; }
     double joint_rate(std::size_t part) const override { return rates[part]; }

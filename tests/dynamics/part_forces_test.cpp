@@ -9,7 +9,8 @@ using namespace cambrian;
 namespace {
 
 BodyPlan measured(BodyPlan plan) {
-    plan.measures_forces = true;
+    for (PlannedPart& part : plan.parts)
+        part.measures_forces = true;
     return plan;
 }
 
@@ -82,9 +83,9 @@ TEST_CASE("loads account for the momentum that the ground gives, impacts include
 }
 
 TEST_CASE("both of two boxes that press on each other bear the load", "[dynamics][forces]") {
-    BodyPlan plan = measured(one_box(0.3, 0.1, 0.0, 0.101));
+    BodyPlan plan = one_box(0.3, 0.1, 0.0, 0.101);
     plan.parts.push_back(one_box(0.2, 0.1, 0.0, 0.33).parts.front());
-    const auto scene = make_scene(plan, {});
+    const auto scene = make_scene(measured(plan), {});
     REQUIRE(run(*scene, 2.0));
     const double lower = 4.0 * 0.3 * 0.1 * 9.81;
     const double upper = 4.0 * 0.2 * 0.1 * 9.81;
@@ -97,9 +98,7 @@ TEST_CASE("measuring forces changes no bit, and without it they read 0", "[dynam
     const BodyPlan plan = random_tree(random, 6, 0.3, 20.0, 0.0);
     std::uint64_t digests[2] = {0, 0};
     for (const bool measures : {false, true}) {
-        BodyPlan asked = plan;
-        asked.measures_forces = measures;
-        const auto scene = make_scene(asked, {});
+        const auto scene = make_scene(measures ? measured(plan) : plan, {});
         stand_on_ground(*scene);
         for (int tick = 0; tick < 120; ++tick) {
             flail(*scene, plan, 2.0);
@@ -126,4 +125,15 @@ TEST_CASE("a restored moment feels what it felt", "[dynamics][forces]") {
     scene->restore(*moment);
     CHECK(scene->part_specific_force(0) == force);
     CHECK(scene->part_load(0) == load);
+}
+
+TEST_CASE("a part that nobody asks about reads 0", "[dynamics][forces]") {
+    BodyPlan plan = chain(4, 1.0, 0.0, 0.06);
+    plan.parts[1].measures_forces = true;
+    const auto scene = make_scene(plan, {});
+    REQUIRE(run(*scene, 1.0));
+    for (std::size_t part = 0; part < 4; ++part) {
+        CHECK((scene->part_load(part) > 0.0) == (part == 1));
+        CHECK((scene->part_specific_force(part).norm() > 0.0) == (part == 1));
+    }
 }

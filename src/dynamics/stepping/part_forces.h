@@ -1,6 +1,6 @@
 #pragma once
 
-// What acts on each part, as means over a tick: for sensors.
+// What acts on the measured parts of a model, as means over a tick: for sensors.
 
 #include "dynamics/contact/contact.h"
 
@@ -17,7 +17,7 @@ struct PartForces {
 void begin_forces(const PlanarModel& model, const Kinematics& kinematics, PartForces& forces);
 
 // Adds the normal impulse (N s) of a contact to the parts that touch.
-void add_load(const Contact& contact, double impulse, PartForces& forces);
+void add_load(const PlanarModel& model, const Contact& contact, double impulse, PartForces& forces);
 
 // The kinematics are those of the end of the tick, which lasted `duration` (s).
 void end_forces(const PlanarModel& model, const Medium& medium, const Kinematics& kinematics,

@@ -80,7 +80,7 @@ void StepControl::advance(const PlanarModel& model, const ContactLaw& law, Forci
     CAMBRIAN_TICK_ASSERT(are_parents_before_children(model), "a parent stands before its children");
     for (std::uint8_t& faces : moment.touched)
         faces = 0;
-    if (model.measures_forces) begin_forces(model, moment.frame().kinematics, moment.forces);
+    if (model.measured_parts != 0) begin_forces(model, moment.frame().kinematics, moment.forces);
     moment.evaluation_debt = std::max(0.0, moment.evaluation_debt - max_evaluations_ * duration);
     Tick tick{model, law, forcing, moment, duration};
     tick.collected = moment.frame_is_current && moment.collection == collection_;
@@ -98,7 +98,7 @@ void StepControl::advance(const PlanarModel& model, const ContactLaw& law, Forci
     moment.collection = tick.collected ? ++collection_ : 0;
     moment.time += duration;
     remember_contacts(tick);
-    if (model.measures_forces)
+    if (model.measured_parts != 0)
         end_forces(model, forcing.medium, moment.frame().kinematics, duration, moment.forces);
     note_speeds(model, moment.frame().kinematics, moment.audit);
     close_books(model, forcing.medium, moment);
@@ -209,8 +209,8 @@ void StepControl::strike(Tick& tick, double elasticity) {
     CAMBRIAN_TICK_ASSERT(struck.count <= kMaxContacts, "contacts have room");
     for (int c = 0; c < struck.count; ++c) {
         note_touch(struck.items[c], moment);
-        if (tick.model.measures_forces)
-            add_load(struck.items[c], contacts_.struck_normal(c), moment.forces);
+        if (tick.model.measured_parts != 0)
+            add_load(tick.model, struck.items[c], contacts_.struck_normal(c), moment.forces);
     }
 }
 
@@ -407,8 +407,8 @@ void StepControl::keep_books(Tick& tick, double time) {
         const Contact& contact = chosen.items[c];
         if (contact.gap >= kContactBand && contacts_.held_normal(c) <= 0.0) continue;
         note_touch(contact, moment);
-        if (tick.model.measures_forces)
-            add_load(contact, time * contacts_.held_normal(c), moment.forces);
+        if (tick.model.measured_parts != 0)
+            add_load(tick.model, contact, time * contacts_.held_normal(c), moment.forces);
     }
 }
 

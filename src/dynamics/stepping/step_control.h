@@ -37,7 +37,7 @@ struct SceneMoment {
     WarmStart warm;
     PerBody drive_start = {}, drive_end = {};  // motor targets
     std::uint8_t touched[kMaxParts] = {};      // bit of every Face that touched in the last tick
-    PartForces forces;  // of the last tick; all 0 unless PlanarModel::measures_forces
+    PartForces forces;                         // of the last tick; 0 but for the measured parts
     int held_count = 0;
     HeldContact held[kMaxContacts];
     SceneAudit audit;
