@@ -1,7 +1,8 @@
-// Simultaneous impact of everything that touches, with restitution and friction (physics.md 7.4):
+// Simultaneous impact of all touching contacts, with restitution and friction (dynamics/README.md
+// 12):
 //     u+ = u- + W p,   normal rows that close fast: u+ >= -e u-,   all others: u+ >= 0.
-// The energy change is exactly p (u- + u+) / 2; friction can make it positive, which no surface
-// can: the problem is then solved again without restitution, and last without friction.
+// The change of energy is exactly p (u- + u+) / 2. Friction can make it positive, which no surface
+// can do. The problem is then solved again without restitution, and last without friction.
 
 #include "dynamics/articulated/loop_closure.h"
 #include "dynamics/constraints/contact_solver.h"
@@ -12,9 +13,9 @@
 namespace cambrian {
 namespace {
 
-constexpr double kStopBand = 1e-3;       // rad or m; joints this near a stop join the impact
+constexpr double kStopBand = 1e-3;       // rad or m; joints nearer to a limit are in the impact
 constexpr double kWorkTolerance = 1e-6;  // of the impulses' size times their closing speeds
-// Small, as an impact has no earlier impulse that could anchor its friction rows.
+// Softness is small, because an impact has no earlier impulse to anchor its friction rows.
 constexpr double kImpactFrictionSoftness = 1e-5;
 
 void set_impact_bias(const RowSystem& rows, double elasticity, double* bias) {

@@ -1,20 +1,20 @@
 #pragma once
 
-// Complementarity solver for the rows of one moment (physics.md 7.5). With y = bias + W p:
+// Complementarity solver for the rows of one state (dynamics/README.md 10). With y = bias + W p:
 //     normal and limit rows:  p >= 0, y >= 0, p y = 0
-//     friction rows:          |p| <= mu times the sum of their normals' p, y = 0 inside, y against
-//     p on the cone's edge.
-// Every row is in one state, and the states give p by one linear system. Wrong rows change state
-// all at once for a few rounds, then one at a time (J. J. Judice, F. M. Pires, A block principal
-// pivoting algorithm for large-scale strictly monotone linear complementarity problems, Comput.
-// Oper. Res. 21 (1994)).
+//     friction rows:          |p| <= mu times the sum of their normals' p; y = 0 inside the cone,
+//     y against p on its edge.
+// Every row is in one state (off, active or sliding), and the states give p by one linear system.
+// Rows that break their law change state, all at once for a few rounds, then one at a time
+// (J. J. Judice, F. M. Pires, A block principal pivoting algorithm for large-scale strictly
+// monotone linear complementarity problems, Comput. Oper. Res. 21 (1994)).
 
 #include "dynamics/constraints/row_factors.h"
 #include "dynamics/constraints/rows.h"
 
 namespace cambrian {
 
-// Two changes of rates and the impulses that answer them, by row.
+// Two sets of changes of rates and the impulses that undo them, by row.
 struct RowChanges {
     double rates[2][kMaxRows];
     double impulses[2][kMaxRows];
@@ -22,15 +22,15 @@ struct RowChanges {
 
 class RowSolver {
 public:
-    // Starts from the impulses in rows and leaves the solution there, with its response. False if
-    // the states did not settle and plain iteration had to do.
+    // Starts from the impulses in rows and replaces them by the solution and its response. Returns
+    // false if the states did not settle and the result is that of the iteration.
     bool solve(RowSystem& rows, const double* bias, double friction);
 
-    // Projected Gauss-Seidel from zero impulses; friction 0 always has a solution.
+    // Runs projected Gauss-Seidel from zero impulses. With friction 0 there is always a solution.
     void iterate_from_zero(RowSystem& rows, const double* bias, double friction);
 
-    // Impulses that undo changes of the rates of the rows that hold in the last solution: those
-    // inside their bounds, sliding ones along with their normals. 0 where that has no safe answer.
+    // Computes impulses that undo changes of the rates of the active rows of the last solution;
+    // sliding friction follows its normal. They are 0 where the equations are singular.
     void absorb(const RowSystem& rows, double friction, RowChanges& changes);
 
 private:
@@ -55,9 +55,9 @@ private:
 
     State state_[kMaxRows];
     State wanted_[kMaxRows];
-    int wrong_[kMaxRows];            // rows whose wanted state is another
-    double load_[kMaxRows];          // normal impulse of every friction row
-    double rates_[kMaxRows];         // after the impulses that iteration has reached
+    int wrong_[kMaxRows];            // rows that must change state
+    double load_[kMaxRows];          // sum of the normal impulses of every friction row
+    double rates_[kMaxRows];         // under the impulses of the iteration
     int active_[kMaxRows + kLanes];  // filled up with 0 to the stride
     int sliding_[kMaxRows];
     int sliding_count_ = 0;
@@ -65,7 +65,7 @@ private:
     RowFactors factors_;  // of the active rows
     bool are_factors_valid_ = false;
     PerEquation solution_;
-    double start_[kMaxRows];  // impulses to iterate from
+    double start_[kMaxRows];  // impulses from which the iteration starts
 };
 
 }  // namespace cambrian

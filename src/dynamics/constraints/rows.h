@@ -1,7 +1,7 @@
 #pragma once
 
-// Unilateral velocity rows of contacts and joint limits, with the exact joint-space matrix that
-// couples them (physics.md 7.2): rate after = rate before + matrix * impulse.
+// Unilateral velocity constraints (rows) of contacts and joint limits, and the Delassus matrix that
+// couples them (dynamics/README.md 9): rate after = rate before + matrix * impulse.
 
 #include "dynamics/contact/contact.h"
 #include "dynamics/evaluation/accelerations.h"

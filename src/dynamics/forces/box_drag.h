@@ -1,18 +1,19 @@
 #pragma once
 
-// Of two opposite faces of a box exactly one leads at every station, and both see the same profile
-// of normal speed, so two line integrals a box suffice. Normal force a length of face:
+// Drag of four boxes at once (dynamics/README.md 7). Of two opposite faces of a box exactly one
+// leads at every place, and both have the same profile of normal speed. So two line integrals for
+// each box suffice. The normal force per length of face is
 //     p(u) = -(k1 u + k2 |u| u),
-// u = u_y + spin xi along the long faces, u = u_x - spin eta along the short ones; three-point
-// Gauss-Legendre each, which is exact where u keeps its sign. Every node's force opposes its own
-// motion, so drag never does positive work.
+// with u = u_y + spin xi along the long faces and u = u_x - spin eta along the short ones.
+// Three-point Gauss-Legendre quadrature is exact where u keeps its sign. The force at each node
+// opposes the node's motion, so drag never does positive work.
 
 #include "dynamics/model/forcing.h"
 #include "dynamics/model/part_places.h"
 
 namespace cambrian {
 
-// Four boxes: where they look, how their centres and they themselves move, and half their sizes.
+// Directions, motions and sizes of four boxes.
 struct BoxMotion {
     LanePair axis;                  // unit, along the length
     LanePair velocity;              // m/s

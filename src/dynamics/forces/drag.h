@@ -1,6 +1,6 @@
 #pragma once
 
-// Resistance of the medium against the boxes' faces (physics.md 6).
+// Drag of the medium on the faces of the boxes (dynamics/README.md 7).
 
 #include "dynamics/articulated/elimination.h"
 #include "dynamics/model/forcing.h"
