@@ -14,7 +14,7 @@ namespace cambrian {
 namespace {
 
 constexpr double kMinHalfExtent = 0.01;    // m
-constexpr double kMinMassShare = 1e-4;     // of the whole body
+constexpr double kMinMassShare = 1e-4;     // of the total mass
 constexpr double kMaxPinGap = 1e-6;        // m, in the rest pose
 constexpr double kRateLengthShare = 0.25;  // child lengths a second, per rad/s of a motor's limit
 
@@ -52,7 +52,7 @@ Status check_part(const BodyPlan& plan, std::size_t index) {
         return part_error(index, "thinner than 2 cm");
     const bool is_root = part.parent < 0;
     if ((index == 0 && !is_root) || part.parent >= static_cast<int>(index))
-        return part_error(index, "part 0 is a root, and parents stand before children");
+        return part_error(index, "part 0 is a root, and parents come before children");
     if (is_root) return {};
     if (part.motion > JointMotion::kSlide) return part_error(index, "unknown motion of its joint");
     if (!(part.limit_low <= part.limit_high)) return part_error(index, "limits in wrong order");
@@ -122,7 +122,7 @@ public:
         derive_inertias(model_);
         if (Status status = place_pins(); !status) return status.error();
         set_motors();
-        CAMBRIAN_ASSERT(are_parents_before_children(model_), "a parent stands before its children");
+        CAMBRIAN_ASSERT(are_parents_before_children(model_), "a parent comes before its children");
         CAMBRIAN_ASSERT(are_bodies_sound(), "bodies have masses, joints have stops in order");
         CAMBRIAN_ASSERT(model_.tree_begin[model_.tree_count] == model_.body_count,
                         "every body is in a tree");
@@ -244,7 +244,7 @@ private:
         model_.inertia[b] += area_mass(index) * ((hx * hx + hy * hy) / 3.0 + offset.squaredNorm());
     }
 
-    // Slots up to whole lanes move as part 0, and have no faces.
+    // Padding slots move as part 0 and have no faces.
     void fill_spare_parts() {
         for (int i = model_.part_count; i < round_up_to_lanes(model_.part_count); ++i) {
             model_.part_body[i] = model_.part_body[0];
@@ -259,7 +259,7 @@ private:
         const int index = leader_[b];
         const PlannedPart& child = part(index);
         CAMBRIAN_TICK_ASSERT(child.parent >= 0 && child.parent < index,
-                             "a parent stands before its children");
+                             "a parent comes before its children");
         const Vec2 in_parent = part_point(child.parent, child.anchor_in_parent);
         const Vec2 in_child = part_point(index, child.anchor_in_child);
         model_.motion[b] = child.motion;

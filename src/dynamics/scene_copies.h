@@ -1,6 +1,6 @@
 #pragma once
 
-// The whole layer is compiled for several sets of processor instructions; a scene is made of one of
+// The layer is compiled for several sets of processor instructions; a scene is made of one of
 // these copies and stays in it. All of them compute the same bits (lanes.h).
 
 #include "core/result.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-// What each kind of SourceRef reads, which of its fields count and where it may stand
+// What each kind of SourceRef reads, which of its fields count and where it is allowed
 // (genome/README.md 2).
 
 #include "genome/gene.h"

@@ -14,7 +14,7 @@ namespace cambrian {
 struct Shortcut {
     KeyPress press;
     const char* keys;  // as shown: "Ctrl+S"
-    const char* what;  // "Save the creature on show"
+    const char* what;  // "Save the creature on display"
     void (*ask)(const FrameContext& frame, Requests& out);
     bool in_viewer = false;  // works where there is only a viewport, too
 };

@@ -93,7 +93,7 @@ private:
         const auto body = static_cast<std::size_t>(body_[part]);
         const mjtNum* position = data_->xpos + 3 * body;
         const mjtNum* orientation = data_->xquat + 4 * body;
-        // Velocities are of the body's point at the centre of mass of the whole tree.
+        // Velocities are those of the body's point at the centre of mass of its tree.
         const auto root = static_cast<std::size_t>(model_->body_rootid[body]);
         const mjtNum* velocity = data_->cvel + 6 * body;
         const mjtNum* reference = data_->subtree_com + 3 * root;

@@ -31,7 +31,7 @@ Environment walking_ground() {
     return {};
 }
 
-// A walker's whole trial.
+// Runs one trial of a walker.
 RowTally tally_of(std::size_t bodies, std::uint64_t seed, double seconds) {
     const auto ticks = static_cast<std::size_t>(seconds / kTestTick);
     const BenchCreature creature = random_creature(bodies, seed, ticks);

@@ -124,7 +124,7 @@ TEST_CASE("a perfectly elastic bounce does no work", "[dynamics][collision]") {
     CHECK(std::fabs(audit.energy_residual) < 1e-6);
 }
 
-TEST_CASE("an inelastic landing takes the whole energy of the fall", "[dynamics][collision]") {
+TEST_CASE("an inelastic landing takes all energy of the fall", "[dynamics][collision]") {
     Environment environment;
     environment.elasticity = 0.0;
     const auto scene = make_scene(one_box(0.2, kHalf, 0.0, 1.0 + kHalf), environment);
@@ -170,7 +170,7 @@ TEST_CASE("a box on a slope creeps below the friction angle and slides above it"
     }
 }
 
-TEST_CASE("a box dropped on its edge comes to rest for good", "[dynamics][collision]") {
+TEST_CASE("a box dropped on its edge comes to rest and stays there", "[dynamics][collision]") {
     for (const double angle : {0.1, 0.5, 0.78}) {
         Environment environment;
         environment.elasticity = 0.3;

@@ -210,7 +210,7 @@ TEST_CASE("a loop falls freely", "[dynamics][loops]") {
     CHECK(std::fabs(scene->audit().energy_residual) < 1e-3 * scene->audit().gross_motor_work);
 }
 
-TEST_CASE("one stop stops the whole loop", "[dynamics][loops]") {
+TEST_CASE("one joint limit stops all of the loop", "[dynamics][loops]") {
     Rig rig(rhombus(0.6, 0.4), empty_space(), kReference);
     flap(rig, 0.5);
     rig.begin();

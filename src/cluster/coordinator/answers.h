@@ -31,7 +31,7 @@ public:
     Claimed claim(std::size_t creature, std::uint64_t worker, EvaluationResult result, bool check);
     // The own cores' result; how it compares with each claim.
     std::vector<Comparison> compute(std::size_t creature, EvaluationResult result);
-    // Takes back what nobody else claims too. Creatures that lost their result that way.
+    // Revokes results that no other worker claims too. Returns the creatures that lost theirs.
     std::vector<std::size_t> drop_worker(std::uint64_t worker);
 
     // Whether somebody answered it, for certain or not.

@@ -41,10 +41,10 @@ public:
     void expect_no_more(std::uint32_t unit);
 
     void answered(std::size_t creature);
-    void unanswered(std::size_t creature);  // its answer was taken back: open once more
+    void unanswered(std::size_t creature);  // its answer was revoked: open once more
 
-    // Of the unit that is late for longest, an own core's part of what is not answered and not
-    // taken at home already: the whole divided by `parts`.
+    // The part of the most overdue unit that one core of this machine takes over: all creatures
+    // that are neither answered nor taken over yet, divided by `parts`.
     struct Late {
         std::uint32_t unit = 0;
         bool first = false;  // nothing of the unit was taken before
@@ -52,7 +52,7 @@ public:
         std::vector<std::size_t> creatures;
     };
     std::optional<Late> take_late(double now, std::size_t parts);
-    // When the next unit will be late; none if none is outstanding that is not taken back whole.
+    // Time at which the next unit is late; none if all outstanding units are completely taken over.
     std::optional<double> next_due() const;
 
 private:
@@ -74,7 +74,7 @@ private:
     double outstanding_seconds_ = 0.0;
     std::vector<bool> is_open_;
     std::vector<bool> answered_;
-    std::vector<bool> at_home_;  // taken back from a late unit
+    std::vector<bool> at_home_;  // taken over from a late unit
 };
 
 }  // namespace cambrian

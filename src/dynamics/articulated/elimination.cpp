@@ -180,7 +180,7 @@ CAMBRIAN_INLINE void follow_parent(const PlanarModel& model, const Kinematics& k
                                    BodyResponse& response) {
     const int p = model.parent[i];
     const double spin = response.spin[p];
-    CAMBRIAN_TICK_ASSERT(p >= 0 && p < i, "a parent stands before its children");
+    CAMBRIAN_TICK_ASSERT(p >= 0 && p < i, "a parent comes before its children");
     double x = response.x[p] + spin * k.z_x[i];
     double y = response.y[p] + spin * k.z_y[i];
     if constexpr (kLoad == Load::kForce) {
@@ -307,7 +307,7 @@ void solve_impulse(const PlanarModel& model, const Kinematics& k, const Factors&
         for (int i = end - 1; i > root; --i) {
             const int p = model.parent[i];
             const double effort = impulses.effort[i];
-            CAMBRIAN_TICK_ASSERT(p >= 0 && p < i, "a parent stands before its children");
+            CAMBRIAN_TICK_ASSERT(p >= 0 && p < i, "a parent comes before its children");
             const bool linear = model.motion[i] == JointMotion::kSlide;
             const Pair w = {factors.w_x[i], factors.w_y[i]};
             u[i] = effort + (linear ? dot(Pair{k.axis_x[i], k.axis_y[i]}, f[i]) : t[i]);

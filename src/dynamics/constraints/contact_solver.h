@@ -55,7 +55,7 @@ public:
     // Selects the contacts and limits of a step of length h from the near ones. Returns false if
     // there are none. The frame belongs to the step's start.
     bool choose(const PlanarModel& model, Frame& frame, double h);
-    // Contacts of the last choose() or strike().
+    // Contacts of the last choose() or impact.
     const ContactSet& chosen() const { return chosen_; }
     // Whether the contact, or another of the same overlapping pair, was selected.
     bool covers(const Contact& contact) const;

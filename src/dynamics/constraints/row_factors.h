@@ -1,7 +1,7 @@
 #pragma once
 
 // LU factors of the equations of the rows that hold: Gaussian elimination without pivoting, on
-// lines of whole lanes.
+// lines padded to the vector width.
 
 #include "core/assert.h"
 #include "dynamics/model/lanes.h"
@@ -10,7 +10,7 @@ namespace cambrian {
 
 inline constexpr int kMaxEquations = 128;
 
-// One number for each equation, and room up to whole lanes.
+// One number for each equation, padded to the vector width.
 using PerEquation = double[kMaxEquations + kLanes];
 
 class RowFactors {

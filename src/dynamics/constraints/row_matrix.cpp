@@ -120,7 +120,7 @@ CAMBRIAN_INLINE void eliminate(const PlanarModel& model, const Frame& frame, Imp
     for (BodySet left = inner; left != 0; left ^= BodySet{1} << last_of(left)) {
         const int i = last_of(left);
         const int p = model.parent[i];
-        CAMBRIAN_TICK_ASSERT(p >= 0 && p < i, "a parent stands before its children");
+        CAMBRIAN_TICK_ASSERT(p >= 0 && p < i, "a parent comes before its children");
         const Lanes f_x = impulses.f_x[i];
         const Lanes f_y = impulses.f_y[i];
         const Lanes t = impulses.t[i];

@@ -18,7 +18,7 @@ constexpr double kRateTolerance = 1e-9;   // m/s
 constexpr double kConeShare = 1e-9;       // of a cone's width; nearer to its edge is on it
 constexpr double kPivotTolerance = 1e-7;  // of the diagonal
 
-// Normal impulse that every friction row's cone stands on.
+// Sums the normal impulses that bound each friction row.
 void sum_loads(const RowSystem& rows, double* load) {
     for (int row = 0; row < rows.stride; row += kLanes)
         store_lanes(load + row, Lanes{});

@@ -11,7 +11,7 @@ CAMBRIAN_INLINE void turn_with_parents(const PlanarModel& model, Kinematics& k) 
     for (int i = 0; i < model.body_count; ++i) {
         if (model.motion[i] != JointMotion::kSlide) continue;
         const int p = model.parent[i];
-        CAMBRIAN_TICK_ASSERT(p >= 0 && p < i, "a parent stands before its children");
+        CAMBRIAN_TICK_ASSERT(p >= 0 && p < i, "a parent comes before its children");
         k.angle[i] = k.angle[p] + model.rest_angle[i];
         k.spin[i] = k.spin[p];
     }
@@ -100,7 +100,7 @@ CAMBRIAN_INLINE void sum_from_roots(const PlanarModel& model, const double* cent
     for (int t = 0; t < model.tree_count; ++t) {
         for (int i = model.tree_begin[t] + 1; i < model.tree_begin[t + 1]; ++i) {
             CAMBRIAN_TICK_ASSERT(model.parent[i] >= 0 && model.parent[i] < i,
-                                 "a parent stands before its children");
+                                 "a parent comes before its children");
             const int p = model.parent[i];
             x[i] += x[p];
             y[i] += y[p];

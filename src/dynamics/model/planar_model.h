@@ -2,8 +2,9 @@
 
 // What articulated bodies are, once built: masses, joints and boxes in flat arrays, never changed
 // while they move. Rigidly joined parts are one body. Bodies joined to each other form a tree; the
-// trees stand one after the other, each depth first from its root. Boxes keep the order of the
-// plan's parts. Slots beyond the counts are 0, so that loops may run on to whole lanes.
+// trees are numbered one after the other, each depth first from its root. Boxes keep the order of
+// the plan's parts. Slots beyond the counts are 0, so that loops may run to a multiple of the
+// vector width.
 
 #include "dynamics/model/dense_form.h"
 #include "dynamics/model/lanes.h"

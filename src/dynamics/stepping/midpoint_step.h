@@ -4,7 +4,7 @@
 // for the rest. The motion is predicted to the middle of the step with the last step's
 // accelerations; there the contact-free accelerations, the rows' matrix and the contact forces are
 // found, the forces such that the rows' rates at the step's END obey their laws, and motors answer
-// the joints' rates as they are in the middle. The accelerations a so found hold for the whole
+// the joints' rates as they are in the middle. These accelerations a hold for all of the
 // step:
 //     v1 = v0 + h a,   q1 = q0 + h (v0 + v1) / 2.
 // Second order, with two evaluations; the one at the end is free of contact and the next step's

@@ -71,7 +71,7 @@ void StepControl::advance(const PlanarModel& model, const ContactLaw& law, Forci
     CAMBRIAN_TICK_ASSERT(duration > 0.0, "a tick takes time");
     CAMBRIAN_TICK_ASSERT(moment.status == SceneStatus::kRunning, "only sound scenes go on");
     CAMBRIAN_TICK_ASSERT(is_finite(model, moment.motion), "a tick starts from a finite motion");
-    CAMBRIAN_TICK_ASSERT(are_parents_before_children(model), "a parent stands before its children");
+    CAMBRIAN_TICK_ASSERT(are_parents_before_children(model), "a parent comes before its children");
     for (std::uint8_t& faces : moment.touched)
         faces = 0;
     moment.evaluation_debt = std::max(0.0, moment.evaluation_debt - max_evaluations_ * duration);
@@ -99,7 +99,7 @@ void StepControl::advance(const PlanarModel& model, const ContactLaw& law, Forci
 void StepControl::take_back(Tick& tick, const Motion& start, const SceneAudit& books) {
     SceneMoment& moment = tick.moment;
     const SceneAudit spent = std::exchange(moment.audit, books);
-    CAMBRIAN_TICK_ASSERT(is_finite(tick.model, start), "a tick can be taken back");
+    CAMBRIAN_TICK_ASSERT(is_finite(tick.model, start), "a tick can be rolled back");
     copy_motion(tick.model, start, moment.motion);
     moment.frame_is_current = false;
     tick.time = 0.0;

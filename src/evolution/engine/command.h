@@ -33,7 +33,7 @@ struct AddNewcomers {
 // Everyone is judged again in the present generation: the scores were given by a simulator that
 // moved them otherwise.
 struct RescorePopulation {};
-// Begins anew, paused, at generation 0.
+// Starts a new experiment, paused, at generation 0.
 struct StartExperiment {
     SettingsPtr settings;
     std::vector<GenomePtr> founders;               // empty: random

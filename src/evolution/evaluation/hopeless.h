@@ -1,8 +1,8 @@
 #pragma once
 
-// Gives up trials that cannot matter any more (evolution/README.md 4, P5). A heuristic: what stands
-// still for half its trial and then runs off at more than 1.5 times its best speed is misjudged,
-// which is why a share of the trials given up is finished anyway and counted.
+// Early termination of trials whose score cannot matter any more (evolution/README.md 4, P5). It is
+// a heuristic: it misjudges a creature that rests for half its trial and then runs at more than 1.5
+// times its best speed. Therefore a share of the terminated trials is finished anyway and counted.
 
 #include "evolution/settings/experiment_settings.h"
 #include "goals/goal.h"
@@ -51,8 +51,8 @@ struct TrialEnds {
     const std::stop_token& stop;
 };
 
-// A whole trial, or as much of it as is worth computing; without a bar, all. One that has become
-// long gives up when asked to stop, as in run_trial().
+// Runs a trial to its end, or until its score cannot reach the bar; without a bar always to the
+// end. A long trial ends when asked to stop, as in run_trial().
 Result<BarredTrial> run_barred_trial(std::shared_ptr<const Phenotype> phenotype, const Kinds& kinds,
                                      const TrialWorld& world, const TrialEnds& ends);
 

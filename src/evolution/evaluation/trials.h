@@ -22,9 +22,9 @@ struct Jitter {
 };
 Jitter jitter_of(std::uint64_t trial_seed, int trial, const TrialSettings& settings);
 
-// evaluate() in each of the settings' trials. The score is their mean or minimum; one that fails
-// makes the whole a failure. A request's probe changes the world of all of them. What is told of
-// the body and its motion is of the first trial; the digest is of all.
+// Calls evaluate() for each of the settings' trials. The score is their mean or minimum; if one
+// fails, the evaluation fails. A request's probe changes the world of all trials. Descriptions of
+// body and motion belong to the first trial; the digest covers all.
 EvaluationResult evaluate_in_trials(const EvaluationRequest& request,
                                     const ExperimentSettings& settings, const EvolutionKinds& kinds,
                                     const std::stop_token& stop = {});

@@ -14,8 +14,8 @@
 
 namespace cambrian {
 
-// What a selection carries from one generation to the next besides the survivors. Begins empty, and
-// anew whenever scores are forgotten.
+// What a selection carries from one generation to the next besides the survivors. It starts empty,
+// and is emptied whenever scores are forgotten.
 struct SelectionMemory {
     std::vector<IndividualPtr> archive;  // creatures once novel; they need not live any more
     double threshold = 0.0;              // novelty above which a creature joins the archive

@@ -43,7 +43,7 @@ Places share_places(std::size_t places, const ExperimentSettings& settings);
 SelectionResult breed_by_weight(std::vector<std::size_t> survivors, std::vector<double> weights,
                                 const ExperimentSettings& settings, RandomStream& stream);
 
-// The same for methods in which everybody kept competes with a whole population of offspring.
+// Does the same for methods in which all survivors compete with a full population of offspring.
 SelectionResult breed_whole_batch(std::vector<std::size_t> survivors, std::vector<double> weights,
                                   const ExperimentSettings& settings, RandomStream& stream);
 

@@ -18,7 +18,7 @@ struct PngText {
     std::string text;
 };
 
-// The bytes of a PNG file; the texts stand before the pixels, compressed.
+// The bytes of a PNG file; the texts come before the pixels, compressed.
 Result<std::string> encode_png(const Image& image, const std::vector<PngText>& texts = {});
 
 // Whether a file with these bytes at its start says that it is a PNG picture.

@@ -1,8 +1,8 @@
 #pragma once
 
-// Experiment files, *.cambrian: a whole experiment in an SQLite database (persist/README.md 3), one
-// transaction a generation, so that whatever happens at most the generation in flight is lost. The
-// tables are described in assets/help/experiment_file.md.
+// Experiment files, *.cambrian: an experiment in an SQLite database (persist/README.md 3). Each
+// generation is one transaction, so a crash loses at most the generation that is being evaluated.
+// assets/help/experiment_file.md describes the tables.
 
 #include "core/files/pending_file.h"
 #include "core/result.h"
@@ -37,8 +37,8 @@ public:
     Status keep_stars(const std::vector<JudgedIndividual>& stars);
 
     using Existing = PendingFile::Existing;
-    // The whole experiment as another file, there from one moment to the next; everything from now
-    // on goes there too. Any thread.
+    // Copies the experiment to another file, which appears atomically; later generations are
+    // written there. Any thread.
     Status move_to(const std::filesystem::path& path, Existing existing = Existing::kReplace);
     // Any thread; empty for one without a name.
     std::filesystem::path path() const;

@@ -32,7 +32,7 @@ Result<KeptChampion> load_champion(const std::filesystem::path& path,
                                    const std::optional<std::uint32_t>& generation,
                                    const EvolutionKinds& kinds);
 
-// The whole experiment as another file, of a name that is free. The experiment may be in use.
+// Copies an experiment to a file that does not exist yet. The experiment may be in use.
 Status copy_experiment(const std::filesystem::path& from, const std::filesystem::path& to);
 
 }  // namespace cambrian

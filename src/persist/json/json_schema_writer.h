@@ -28,7 +28,7 @@ class JsonSchemaWriter {
 public:
     using Json = nlohmann::ordered_json;
 
-    // What a whole schema shares.
+    // What all parts of a schema share.
     struct Library {
         // In words, of a key of a type.
         std::function<std::string(std::string_view type, std::string_view key)> meaning;

@@ -36,17 +36,17 @@ public:
     // `known` is what the file holds; it outlives this and is changed along with the file.
     KeptIndividuals(const Database& database, const EvolutionKinds& kinds, Knowledge& known);
 
-    // Takes one over that is in the file. survivor: its genotype stays for good.
+    // Registers an individual that is in the file. survivor: its genotype is never deleted.
     void remember(const IndividualPtr& individual, const RowRef& row, bool survivor);
     // The row of one that was kept or remembered.
     RowRef row_of(const Individual& individual) const;
 
     // Writes what of it is not there yet: birth, genotype, score. judged: where the score is new.
     RowRef keep(const IndividualPtr& individual, std::int64_t judged);
-    // Its genotype and this score stay for good.
+    // Marks its genotype and this score as never to be deleted.
     void hold_score(const IndividualPtr& individual);
-    // Lets go of everybody who is not among these and not held: of genotypes and scores in full;
-    // of those who bore or survived, of scores.
+    // Deletes genotypes and scores of all individuals that are neither in the population nor held.
+    // Parents and survivors lose their scores only.
     void drop_others(std::span<const IndividualPtr> population);
 
 private:
