@@ -93,7 +93,7 @@ Status check_plan(const BodyPlan& plan, double density) {
     return {};
 }
 
-// Works on the plan and fills the model step by step.
+// Fills the model from the plan, step by step.
 class ModelBuilder {
 public:
     ModelBuilder(const BodyPlan& plan, double density) : plan_(plan) {
@@ -157,8 +157,8 @@ private:
         return {};
     }
 
-    // A part that does not move against its parent joins its body; else it leads a new one, and
-    // its rigid relatives and their subtrees follow.
+    // Adds a part and its subtree. A part with a rigid joint joins its parent's body; any other
+    // part starts a new body.
     bool visit(int index, int parent_body) {
         const bool welded = parent_body >= 0 && part(index).motion == JointMotion::kFixed;
         int body = parent_body;
@@ -202,7 +202,7 @@ private:
         }
     }
 
-    // World to body frame, in the rest pose.
+    // Transforms a point from the world to a body's frame, in the rest pose.
     Vec2 to_body(int b, double x, double y) const {
         const double dx = x - center_x_[b];
         const double dy = y - center_y_[b];
@@ -210,7 +210,7 @@ private:
                 rest_turn_[b].cosine * dy - rest_turn_[b].sine * dx};
     }
 
-    // Point of a part's frame to its body's frame.
+    // Transforms a point from a part's frame to its body's frame.
     Vec2 part_point(int index, const Vec3& point) const {
         return {model_.part_x[index] + model_.part_cosine[index] * point.x() -
                     model_.part_sine[index] * point.y(),
@@ -270,7 +270,7 @@ private:
         model_.child_anchor_y[b] = in_child.y();
         model_.rest_angle[b] = child.rest_angle - part(leader_[p]).rest_angle;
         const SineCosine turn = sine_cosine(model_.rest_angle[b]);
-        model_.axis_x[b] = turn.cosine;  // a linear joint slides along its child's length
+        model_.axis_x[b] = turn.cosine;  // a prismatic joint slides along its child's length
         model_.axis_y[b] = turn.sine;
         model_.limit_low[b] = child.limit_low;
         model_.limit_high[b] = child.limit_high;
@@ -324,8 +324,8 @@ private:
         return {};
     }
 
-    // Without the closing pins: I_eff = 1 / (relative acceleration under a unit effort at this
-    // joint alone).
+    // I_eff = 1 / (relative acceleration under a unit effort at this joint alone), without
+    // loop-closure joints.
     void set_motors() {
         const Motion rest = rest_motion(model_);
         Kinematics kinematics;

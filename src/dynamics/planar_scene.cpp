@@ -83,7 +83,7 @@ public:
 
 private:
     Vec3 mean_of_trees(const PerCoordinate& coordinates) const;
-    // Body whose joint a part carries, or -1 if the part is the root or welded to its parent.
+    // The body with the joint of this part, or -1 if the part is a root or welded to its parent.
     int joint_of(std::size_t part) const {
         const int b = body_of(part);
         return model_.parent[b] >= 0 && model_.joint_part[b] == static_cast<int>(part) ? b : -1;
@@ -165,7 +165,7 @@ bool PlanarScene::face_touched(std::size_t part, Face face) const {
     return ((moment_.touched[part] >> static_cast<unsigned>(face)) & 1U) != 0;
 }
 
-// Four corners at once.
+// Computes four corners at once.
 Bounds PlanarScene::bounds() const {
     const Kinematics& k = moment_.frame().kinematics;
     Lanes low_x = all_lanes(std::numeric_limits<double>::infinity());
@@ -225,7 +225,7 @@ void PlanarScene::use_environment(const Environment& environment) {
     moment_.frame_is_current = false;
 }
 
-// Fills the frame for the views, without time passing.
+// Updates the frame for displays; time does not pass.
 void PlanarScene::evaluate_here() {
     forcing_.held = nullptr;
     evaluate_accelerations(model_, forcing_, moment_.motion, {}, moment_.frame(),
@@ -238,8 +238,8 @@ void PlanarScene::set_environment(const Environment& environment) {
     moment_.energy_reference += energy() - before;
 }
 
-// Without a frequency neither a target nor a rate makes a motor act; a share of its strength does,
-// which is 0 while limp.
+// With frequency 0 targets and rates cause no effort. The share of the strength in torque mode is 0
+// while the motors are off.
 void PlanarScene::set_limp(bool limp) {
     limp_ = limp;
     forcing_.drive.frequency = limp ? 0.0 : motor_frequency_;
@@ -276,14 +276,14 @@ void PlanarScene::restore(const SceneState& state) {
     const auto* saved = dynamic_cast<const SavedMoment*>(&state);
     CAMBRIAN_ASSERT(saved != nullptr, "a moment saved by a planar scene");
     moment_ = saved->moment;
-    moment_.collection = 0;  // numbers of collections are each scene's own
+    moment_.collection = 0;  // numbers of detections differ between scenes
     forcing_.pulled = false;
     if (saved->environment == environment_ && saved->limp == limp_) return;
     moment_.frame_is_current = false;
     moment_.energy_reference += energy() - energy_under(saved->environment);
 }
 
-// Mechanical energy of the motion as another environment's density and gravity make it.
+// Mechanical energy of the motion with another environment's density and gravity.
 double PlanarScene::energy_under(const Environment& environment) const {
     const double here = mechanical_energy(model_, medium_of(environment), moment_.motion,
                                           moment_.frame().kinematics);

@@ -6,26 +6,26 @@
 namespace cambrian {
 namespace {
 
-// Inertia and load a body carries for its subtree, about its pivot: the symmetric matrix
-// [[A, h], [h', j]] and the load (f, t), by columns of (x, y, turn, -load); lane 2 of x and y is
-// not kept, for h is in turn.
+// Articulated inertia [[A, h], [h', j]] and bias force (f, t) of a subtree about the body's pivot.
+// Stored by columns with the components (x, y, turn, -load). Component 2 of x and y is unused,
+// because h is in turn.
 struct Carried {
     Lanes x, y, turn;
 };
 
-// How a row of the parent's acceleration and of the load follows from a child's: (0, 0, z, gamma);
-// and the effort of a rotary joint on the child, in the load's lane.
+// Transformation from a child's pivot to its parent's, (0, 0, z, gamma), and the effort of a
+// revolute joint on the child, in the component of the load.
 struct Lever {
     Lanes x, y, effort;
 };
 
-// Effort of rotary joints, which turns the child and its parent.
+// Effort of revolute joints, a torque on the child and its parent.
 CAMBRIAN_INLINE Lanes rotary_effort(const PlanarModel& model, const Loads& loads, int first) {
     return (1.0 - load_lanes(model.slides + first)) * load_lanes(loads.effort + first);
 }
 
-// Own inertia and load: h = m s, f less the pull of the centre towards the pivot, t about the
-// pivot, with the effort of the body's own joint.
+// Sets the body's own inertia and load: h = m s, f with the centrifugal force of the centre about
+// the pivot, and t about the pivot with the effort of the body's joint.
 CAMBRIAN_INLINE void load_bodies(const PlanarModel& model, const Kinematics& k, const Loads& loads,
                                  Carried* carried) {
     for (int first = 0; first < model.body_count; first += kLanes) {
@@ -67,12 +67,12 @@ CAMBRIAN_INLINE void place_levers(const PlanarModel& model, const Kinematics& k,
     }
 }
 
-// A column as the parent sees it: its turn and load feel the pivot's acceleration.
+// Transforms a column to the parent's pivot.
 CAMBRIAN_INLINE Lanes as_parent_sees(const Lanes& column, const Lever& lever) {
     return column + column[0] * lever.x + column[1] * lever.y;
 }
 
-// A column with 0 for its turn.
+// Sets the component `turn` of a column to 0.
 CAMBRIAN_INLINE Lanes without_turn(const Lanes& column) {
     LaneBits bits;
     std::memcpy(&bits, &column, sizeof(bits));
@@ -82,7 +82,7 @@ CAMBRIAN_INLINE Lanes without_turn(const Lanes& column) {
     return result;
 }
 
-// The first two columns, and the third but for what it has of its own.
+// Adds the first two columns to the parent, and their part of the third.
 CAMBRIAN_INLINE void add_to_parent(const Lanes& x, const Lanes& y, const Lever& lever,
                                    Carried& parent) {
     const Lanes seen_x = as_parent_sees(x, lever);
@@ -92,9 +92,9 @@ CAMBRIAN_INLINE void add_to_parent(const Lanes& x, const Lanes& y, const Lever& 
     parent.turn += lever.effort + (lever.x[2] * seen_x + lever.y[2] * seen_y);
 }
 
-// Both return u and leave to the parent what the joint does not take: all less the outer product of
-// the joint's row with itself, over d. With the effort tau - g (alpha - alpha_p), g the damping,
-// the row of a rotary joint is that of its body's turn, d = j + g, and the share g/d of it is left.
+// Both eliminate a joint (dynamics/README.md 4): they return u and add to the parent the
+// articulated inertia minus w w'/d. A revolute joint has w = h, and d = j + g with the damping g of
+// an implicit motor; the share g/d of its row goes to the parent.
 template <Motors kMotors>
 CAMBRIAN_INLINE double eliminate_rotary(int i, const Carried& c, const Lever& lever,
                                         Factors& factors, Carried& parent) {
@@ -117,7 +117,7 @@ CAMBRIAN_INLINE double eliminate_rotary(int i, const Carried& c, const Lever& le
     return -row[3];
 }
 
-// With n the joint's axis the row is n A, n h and the load n f + F, and d = n A n + g.
+// With the axis n the row is (n A, n h), the load n f + F, and d = n A n + g.
 template <Motors kMotors>
 CAMBRIAN_INLINE double eliminate_linear(const Kinematics& k, double effort, int i, const Carried& c,
                                         const Lever& lever, Factors& factors, Carried& parent) {
@@ -145,7 +145,7 @@ CAMBRIAN_INLINE double eliminate_linear(const Kinematics& k, double effort, int 
     return -row[3];
 }
 
-// By cofactors.
+// Inverts the root's inertia by cofactors.
 CAMBRIAN_INLINE RootInverse invert_root(const Carried& c) {
     const double xx = c.x[0];
     const double xy = c.x[1];
@@ -161,7 +161,7 @@ CAMBRIAN_INLINE RootInverse invert_root(const Carried& c) {
             cofactor_xt * inverse, (xy * xt - xx * yt) * inverse, (xx * yy - xy * xy) * inverse};
 }
 
-// Accelerations or velocity jumps of the pivots; x and y are the response's, which hold the pivots'
+// Solves for the acceleration or velocity jump of a root's pivot. The response has values of pivots
 // until move_to_centers.
 CAMBRIAN_INLINE void solve_root(const RootInverse& inverse, int root, const Pair& f, double t,
                                 BodyResponse& response) {
@@ -173,7 +173,7 @@ CAMBRIAN_INLINE void solve_root(const RootInverse& inverse, int root, const Pair
 
 enum class Load { kForce, kImpulse };
 
-// Body i's response from its parent's; gamma is 0 for impulses.
+// Computes a body's response from its parent's; gamma is 0 for impulses.
 template <Load kLoad, Motors kMotors>
 CAMBRIAN_INLINE void follow_parent(const PlanarModel& model, const Kinematics& k,
                                    const Factors& factors, const double* u, int i,
@@ -205,7 +205,7 @@ CAMBRIAN_INLINE void follow_parent(const PlanarModel& model, const Kinematics& k
     response.coordinate[i] = turn;
 }
 
-// a = a_pivot + alpha s, and - w^2 perp(s) under forces.
+// Moves the responses from pivots to centres: a_pivot + alpha s + w^2 perp(s), the last for forces.
 template <Load kLoad>
 CAMBRIAN_INLINE void move_to_centers(const PlanarModel& model, const Kinematics& k,
                                      BodyResponse& response) {
@@ -225,7 +225,7 @@ CAMBRIAN_INLINE void move_to_centers(const PlanarModel& model, const Kinematics&
     }
 }
 
-// Centres of mass feel the explicit forces only.
+// Computes the accelerations of the trees' centres of mass from the external forces.
 CAMBRIAN_INLINE void move_centers(const PlanarModel& model, const Loads& loads,
                                   BodyResponse& response) {
     const int slots = round_up_to_lanes(model.body_count);

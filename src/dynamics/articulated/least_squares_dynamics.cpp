@@ -8,8 +8,8 @@
 namespace cambrian {
 namespace {
 
-// Pivots below this share of the greatest mark redundant rows: what a pin says twice comes out of
-// rounding and of the small gaps as almost the same, not quite.
+// Pivots below this share of the largest mark redundant rows. Rounding and small gaps make equal
+// constraints slightly different.
 constexpr double kLeastSquaresRankThreshold = 1e-10;
 
 Vec2 velocity(const Kinematics& k, Eigen::Index body) {
@@ -83,7 +83,7 @@ void LeastSquaresDynamics::add_linear(const Kinematics& k, Eigen::Index row, int
     bias_(row) = 2.0 * spin * perp(across).dot(delta_rate) - spin * spin * across.dot(delta) +
                  across.dot(spin * spin * parent_arm - k.spin[i] * k.spin[i] * child_arm);
     bias_(row + 1) = 0.0;
-    // The force acts along the axis on the line through the child's centre.
+    // The force acts along the axis, on the line through the child's centre.
     const Vec2 push = effort * axis;
     force_.segment<2>(3 * i) += push;
     force_.segment<2>(3 * p) -= push;

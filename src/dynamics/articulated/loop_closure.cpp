@@ -6,7 +6,7 @@
 namespace cambrian {
 namespace {
 
-constexpr double kRankThreshold = 1e-10;  // of the greatest pivot; below are redundant rows
+constexpr double kRankThreshold = 1e-10;  // of the largest pivot; smaller ones are redundant rows
 
 void add_impulse(int body, const Vec2& arm, const Vec2& impulse, Loads& loads) {
     loads.force_x[body] += impulse.x();

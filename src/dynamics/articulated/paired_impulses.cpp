@@ -3,7 +3,7 @@
 namespace cambrian {
 namespace {
 
-// One number of each impulse is a Pair; a vector of each is Lanes (x, y, x, y).
+// A scalar of both impulses is a Pair; a planar vector of both is Lanes (x, y, x, y).
 CAMBRIAN_INLINE Lanes twice(double x, double y) {
     return Lanes{x, y, x, y};
 }

@@ -9,18 +9,18 @@
 namespace cambrian {
 namespace {
 
-constexpr double kLimitBand = 1e-4;            // rad or m; nearer than this a stop gets a row
+constexpr double kLimitBand = 1e-4;            // rad or m; a nearer limit gets a row
 constexpr double kPushShare = 0.1;             // of a penetration, undone in one nominal step
-constexpr double kPushSpeed = 0.5;             // m/s; cap of that
+constexpr double kPushSpeed = 0.5;             // m/s; largest speed at which it is undone
 constexpr double kLimitPushSpeed = 1.0;        // rad/s or m/s
 constexpr double kNominalStep = 1.0 / 120;     // s
 constexpr double kMiddleWorkAllowance = 1e-3;  // J per (kg m/s^2): M g (1 m) * this
-constexpr double kAnchorWeights = 10.0;  // weights of the body that friction holds without slip
+constexpr double kAnchorWeights = 10.0;        // weights of the creature; largest anchored friction
 constexpr double kMiddleFrictionSoftness = 1e-2;  // anchored at the last step's forces
 
-// How far above its demand r + W p >= 0 a row may stay: lands at gap 0 with rate 0 in two steps,
-// backs out of penetration with a force that stays bounded as h shrinks, and does not push what is
-// leaving faster: that may come back, if over the step it gets out as far.
+// The slack of a row, r + slack + W p >= 0 (dynamics/README.md 11). A closing contact lands at gap
+// 0 with rate 0 in two steps. Penetration is undone at a speed that remains bounded as h shrinks. A
+// contact that opens fast enough to undo the penetration within the step is not pushed.
 double row_slack(double gap, double rate, double h, double push_speed) {
     if (gap < 0.0) {
         const double push = std::min(push_speed, -kPushShare * gap / kNominalStep);
@@ -47,8 +47,8 @@ bool may_touch(const Contact& contact, const BodyResponse& free, double h) {
     return contact.gap < reach;
 }
 
-// Looks contacts up in the last step's forces. They are asked for in the order of collection, in
-// which the forces are too.
+// Finds the forces of the last step by contact. Contacts are looked up in the order of detection,
+// in which the forces are stored.
 class WarmForces {
 public:
     explicit WarmForces(const WarmStart& warm) : warm_(warm) {}
@@ -104,8 +104,8 @@ bool ContactSolver::has_impact() const {
     return false;
 }
 
-// One point of two boxes answers for another only once they overlap: their corners may take turns
-// then, but a corner that is still to come must be found.
+// One contact of a pair of boxes covers another only if they overlap, because their corners may
+// then alternate. The first corner that touches must be found as an impact.
 bool ContactSolver::covers(const Contact& contact) const {
     for (int c = 0; c < chosen_.count; ++c) {
         const Contact& chosen = chosen_.items[c];
@@ -115,8 +115,8 @@ bool ContactSolver::covers(const Contact& contact) const {
     return false;
 }
 
-// Touching contacts, and slow ones that could touch within the step; fast ones are left to the
-// search for the time of impact.
+// Selects touching contacts and slow ones that may touch within the step. The search for the time
+// of impact finds the fast ones.
 bool ContactSolver::choose(const PlanarModel& model, Frame& frame, double h) {
     CAMBRIAN_TICK_ASSERT(h > 0.0, "a step takes time");
     chosen_.count = 0;
@@ -144,7 +144,7 @@ void ContactSolver::build_between(const PlanarModel& model, const ContactLaw& la
                middle, rows_);
 }
 
-// Stops that could be reached within the step.
+// Selects the joint limits that may be reached within the step.
 void ContactSolver::choose_limits(const PlanarModel& model, const Frame& frame, double h) {
     limits_.count = 0;
     const Kinematics& k = frame.kinematics;
@@ -173,9 +173,9 @@ void ContactSolver::choose_limits(const PlanarModel& model, const Frame& frame, 
     }
 }
 
-// First guesses and demands. The softness of friction rows pulls towards the last step's force, not
-// towards none: what holds still keeps holding still, without creep. Only up to a few times the
-// weight: parts wedged against each other would keep any stress they once built up.
+// Sets first guesses and biases. The softness of friction rows pulls towards the last step's force
+// and not towards 0, so that a resting creature does not creep. The force is limited to a few
+// weights, because parts that wedge each other would otherwise keep any stress for ever.
 void ContactSolver::pose_resting(const PlanarModel& model, double h, const WarmStart& warm) {
     CAMBRIAN_TICK_ASSERT(h > 0.0, "a step takes time");
     CAMBRIAN_TICK_ASSERT(warm.count <= kMaxContacts, "remembered forces have room");
@@ -239,7 +239,7 @@ bool ContactSolver::solve_resting(const PlanarModel& model, const ContactLaw& la
     return false;
 }
 
-// Work the impulses would do over a step of constant forces.
+// The work of the impulses over a step of constant forces.
 double ContactSolver::resting_work(double h) const {
     double work = 0.0;
     for (int row = 0; row < rows_.count; ++row) {

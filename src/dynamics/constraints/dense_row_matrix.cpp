@@ -1,5 +1,4 @@
-// With J what a unit impulse of each row does to the angles and F the force it leaves on all of the
-// creature,
+// With the generalised force J of each row's unit impulse on the angles and its total force F,
 //     W_rs = J_r M^-1 J_s' + F_r . F_s / mass.
 
 #include "dynamics/constraints/dense_row_matrix.h"

@@ -1,12 +1,12 @@
 #pragma once
 
-// The matrix that couples rows, from the inverse mass matrix of the dense form (dense_form.h).
+// The Delassus matrix from the inverse mass matrix of the dense form (dense_form.h).
 
 #include "dynamics/constraints/rows.h"
 
 namespace cambrian {
 
-// As the matrix that compute_row_matrix fills from the factored trees, without regularization. The
+// Fills the same matrix as compute_row_matrix does from the factors, without regularisation. The
 // frame must have its inverse and the rows their stride.
 void fill_dense_row_matrix(const PlanarModel& model, const Frame& frame, RowSystem& rows);
 

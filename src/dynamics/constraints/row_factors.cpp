@@ -24,7 +24,7 @@ struct Lines {
     }
 };
 
-// Takes a pivot's column out of the lines below, whose blocks before the first are done with.
+// Eliminates a pivot's column from the lines below; blocks before `first` are finished.
 template <int kFixed>
 CAMBRIAN_INLINE bool eliminate_column(const Lines<kFixed>& lines, int pivot, double least,
                                       int first_block) {
@@ -45,7 +45,7 @@ CAMBRIAN_INLINE bool eliminate_column(const Lines<kFixed>& lines, int pivot, dou
     return true;
 }
 
-// All columns of the blocks from kBlock on.
+// Eliminates all columns of the blocks from kBlock on.
 template <int kBlock, int kFixed>
 CAMBRIAN_INLINE int eliminate_from(const Lines<kFixed>& lines, const double* least) {
     if constexpr (kBlock < kFixed) {
@@ -60,7 +60,7 @@ CAMBRIAN_INLINE int eliminate_from(const Lines<kFixed>& lines, const double* lea
     return lines.count;
 }
 
-// The equation whose pivot is lost, or the count.
+// Returns the equation whose pivot fails, or the count.
 template <int kFixed>
 [[gnu::noinline]] int eliminate(const Lines<kFixed>& lines, const double* least) {
     if constexpr (kFixed > 0) {

@@ -1,9 +1,9 @@
 // With every row's unit impulse eliminated from its bodies to the roots, u_i what arrives at joint
 // i and f what arrives at the root,
 //     W_rs = sum over joints of u_ri u_si / d_i  +  f_r Phi f_s,
-// Phi the inverse of the root's inertia: the squares that elimination completes (R. Featherstone,
-// Rigid Body Dynamics Algorithms, 2008, chapter 8: the factors of the joint-space inertia). Only
-// bodies between a row's own and their roots take part.
+// with the inverse Phi of the root's articulated inertia (R. Featherstone, Rigid Body Dynamics
+// Algorithms, 2008, chapter 8: the factors of the joint-space inertia). Only the bodies on the
+// paths from a row's bodies to their roots take part.
 
 #include "dynamics/constraints/row_matrix.h"
 
@@ -26,15 +26,15 @@ CAMBRIAN_INLINE int last_of(BodySet set) {
     return 31 - std::countl_zero(set);
 }
 
-// What four rows' unit impulses leave at the joints and roots on their way, and its share in the
-// rate of whatever else leaves something there.
+// The unit impulses of four rows as they arrive at joints and roots, and the same multiplied by 1/d
+// or by the root's inverse.
 struct Arrivals {
-    BodySet bodies;  // on the way of any of the four
+    BodySet bodies;  // on the paths of any of the four
     Lanes joint[kMaxBodies], joint_share[kMaxBodies];
     Lanes root[3 * kMaxTrees], root_share[3 * kMaxTrees];
 };
 
-// About the bodies' pivots.
+// Impulses about the bodies' pivots.
 struct Impulses {
     Lanes f_x[kMaxBodies], f_y[kMaxBodies], t[kMaxBodies];
 };
@@ -62,7 +62,7 @@ struct Wrench {
     double x, y, moment;
 };
 
-// A wrench about the body's centre, taken to its pivot.
+// Moves a wrench from the body's centre to its pivot.
 CAMBRIAN_INLINE void put_wrench(const Kinematics& k, int body, const Wrench& wrench, int lane,
                                 Impulses& impulses) {
     impulses.f_x[body][lane] = wrench.x;
@@ -70,7 +70,7 @@ CAMBRIAN_INLINE void put_wrench(const Kinematics& k, int body, const Wrench& wre
     impulses.t[body][lane] = wrench.moment + k.s_x[body] * wrench.x + k.s_y[body] * wrench.y;
 }
 
-// The effort of a joint as wrenches on its two bodies at the child's pivot.
+// Writes the effort of a joint as wrenches on its two bodies at the child's pivot.
 CAMBRIAN_INLINE void put_effort(const PlanarModel& model, const Kinematics& k, int body,
                                 double effort, int lane, Impulses& impulses) {
     const int p = model.parent[body];
@@ -110,7 +110,7 @@ CAMBRIAN_INLINE void arrive_at_root(const RootInverse& inverse, const Lanes& x, 
     arrivals.root_share[channel + 2] = inverse.xt * x + inverse.yt * y + inverse.tt * t;
 }
 
-// As solve_impulse's way up, for four impulses.
+// Does the first pass of solve_impulse, from the leaves to the root, for four impulses.
 template <bool kHasLinear>
 CAMBRIAN_INLINE void eliminate(const PlanarModel& model, const Frame& frame, Impulses& impulses,
                                Arrivals& arrivals) {
@@ -147,13 +147,13 @@ CAMBRIAN_INLINE void eliminate(const PlanarModel& model, const Frame& frame, Imp
     }
 }
 
-// Adds what one channel has in common to a block of 4 x 4 rows.
+// Adds the product of one joint or root component to a block of 4 x 4 rows.
 CAMBRIAN_INLINE void add_product(const Lanes& share, const Lanes& value, Lanes (&block)[kLanes]) {
     for (int i = 0; i < kLanes; ++i)
         block[i] += share[i] * value;
 }
 
-// Rows from `first` on, columns from `second` on, and the same mirrored.
+// Fills the block of rows from `first` on and columns from `second` on, and its transpose.
 CAMBRIAN_INLINE void fill_block(const PlanarModel& model, const Arrivals& row,
                                 const Arrivals& column, int first, int second, RowSystem& rows) {
     Lanes block[kLanes] = {};
@@ -172,9 +172,10 @@ CAMBRIAN_INLINE void fill_block(const PlanarModel& model, const Arrivals& row,
         store_lanes(rows.line(second + i) + first, block[i]);
 }
 
-// A contact on a body that the mechanism hardly lets move would answer a millimetre with a huge
-// impulse; the diagonal is kept above 2 % of that of the bodies set free. Friction rows are softer:
-// two parts that stick and a joint between them would leave their forces undetermined.
+// A contact in a direction in which the mechanism hardly moves would answer a millimetre with a
+// huge impulse. So the diagonal is at least 2 % of that of the same bodies without joints. Friction
+// rows are softer, because two sticking parts with a joint between them leave their forces
+// undetermined.
 CAMBRIAN_INLINE double regularization(const PlanarModel& model, const RowSystem& rows, int row,
                                       double friction_softness) {
     const double diagonal = rows.coupling(row, row);

@@ -4,9 +4,9 @@
 
 namespace cambrian {
 
-// Fills the coupling matrix and its regularization from the factored trees or the inverse
-// of the dense form. The softness is that of
-// friction rows, as a share of what couples a row to itself where no joint holds the bodies.
+// Fills the Delassus matrix and its regularisation (dynamics/README.md 9) from the factors of the
+// trees or from the inverse of the dense form. friction_softness: of friction rows, relative to the
+// diagonal element of the same bodies without joints.
 void compute_row_matrix(const PlanarModel& model, const Frame& frame, double friction_softness,
                         RowSystem& rows);
 

@@ -15,7 +15,7 @@ constexpr int kRounds = 12;
 constexpr int kSweeps = 40;
 constexpr double kSweepTolerance = 1e-3;  // m/s
 constexpr double kRateTolerance = 1e-9;   // m/s
-constexpr double kConeShare = 1e-9;       // of a cone's width; nearer to its edge is on it
+constexpr double kConeShare = 1e-9;       // of a cone's width; a nearer impulse is on its edge
 constexpr double kPivotTolerance = 1e-7;  // of the diagonal
 
 // Sums the normal impulses that bound each friction row.
@@ -27,7 +27,8 @@ void sum_loads(const RowSystem& rows, double* load) {
     }
 }
 
-// Adds what an impulse does to all rates. The matrix is symmetric: a row's column is its line.
+// Adds the effect of an impulse to all rates. The matrix is symmetric, so a row's line is its
+// column.
 template <int kFixed>
 CAMBRIAN_INLINE void add_column(const RowSystem& rows, int row, double impulse, double* rates) {
     const double* line = rows.line(row);
@@ -51,7 +52,7 @@ bool RowSolver::solve(RowSystem& rows, const double* bias, double friction) {
         rows.impulse[row] = start_[row];
     find_rates(rows, bias);
     sweep(rows, friction, kSweeps);
-    // Iteration mostly finds the right states, though not the impulses' last digits.
+    // The iteration mostly finds the right states, but not accurate impulses.
     for (int row = 0; row < rows.count; ++row)
         start_[row] = rows.impulse[row];
     read_states(rows, bias, friction);
@@ -118,7 +119,7 @@ void RowSolver::find_rates(const RowSystem& rows, const double* bias) {
     sum_loads(rows, load_);
 }
 
-// A few projected Gauss-Seidel sweeps, fewer if the rates hardly change any more.
+// Runs projected Gauss-Seidel sweeps until the rates hardly change.
 void RowSolver::sweep(RowSystem& rows, double friction, int sweeps) {
     with_fixed_blocks(rows.stride / kLanes, [&](auto fixed) {
         double change = kSweepTolerance;
@@ -127,7 +128,7 @@ void RowSolver::sweep(RowSystem& rows, double friction, int sweeps) {
     });
 }
 
-// The largest change of a row's rate, m/s.
+// Returns the largest change of a row's rate, m/s.
 template <int kFixed>
 double RowSolver::sweep_once(RowSystem& rows, double friction) {
     double largest = 0.0;
@@ -152,7 +153,7 @@ double RowSolver::sweep_once(RowSystem& rows, double friction) {
     return largest;
 }
 
-// As the impulses have it.
+// Sets the states that belong to the impulses.
 void RowSolver::read_states(const RowSystem& rows, const double* bias, double friction) {
     sum_loads(rows, load_);
     for (int row = 0; row < rows.count; ++row) {
@@ -165,7 +166,7 @@ void RowSolver::read_states(const RowSystem& rows, const double* bias, double fr
     match_frictions(rows, bias);
 }
 
-// As a few sweeps have left it; what closes is active too.
+// Sets the states that belong to the impulses of the sweeps; rows that still close are active too.
 void RowSolver::guess_states(const RowSystem& rows, const double* bias, double friction) {
     for (int row = 0; row < rows.count; ++row) {
         const double impulse = rows.impulse[row];
@@ -202,9 +203,9 @@ bool RowSolver::settle(RowSystem& rows, const double* bias, double friction) {
     return false;
 }
 
-// Equations of the active rows; sliding friction is folded into its normals' columns. False if a
-// pivot is lost: contacts that slide and wedge (Painleve), which the caller must not answer with a
-// solution.
+// Builds and factorises the equations of the active rows, with sliding friction in the columns of
+// its normals. Returns false if a pivot fails: contacts that slide and wedge (Painleve), for which
+// the equations have no valid solution.
 bool RowSolver::factorize(const RowSystem& rows, const double* bias, double friction) {
     int count = 0;
     sliding_count_ = 0;
@@ -238,8 +239,8 @@ bool RowSolver::factorize(const RowSystem& rows, const double* bias, double fric
     return factors_.factorize(least_pivot_);
 }
 
-// Rows that stick never lose a pivot. What slides on the contact whose pivot is lost sticks
-// instead, or everything if that is not the cause. False if nothing slid.
+// Sticking rows never cause a failed pivot. The friction of the contact with the failed pivot
+// sticks from now on, or all friction if that one did not slide. Returns false if nothing slid.
 bool RowSolver::stop_slides(const RowSystem& rows) {
     CAMBRIAN_TICK_ASSERT(factors_.lost() >= 0 && factors_.lost() < factors_.count(),
                          "a pivot of the equations");
@@ -275,7 +276,7 @@ void RowSolver::scatter_solution(RowSystem& rows, const double* bias, double fri
         rows.response[sliding_[i]] = rows.product(sliding_[i]);
 }
 
-// Lists the rows whose impulse or rate breaks their law.
+// Lists the rows whose impulse or rate breaks their law; returns their number.
 int RowSolver::find_wrong(const RowSystem& rows, const double* bias, double friction) {
     int count = 0;
     for (int row = 0; row < rows.count; ++row) {
@@ -312,8 +313,8 @@ RowSolver::State RowSolver::wanted_friction(const RowSystem& rows, const double*
     return State::kOff;
 }
 
-// Friction is off exactly while none of its normals is active. If friction that comes back stuck, a
-// normal that sticking pulls off would come and go: it slides.
+// Friction is off exactly while none of its normals is active. Friction that becomes active slides
+// first: if it stuck, a normal that sticking pulls off would alternate between on and off.
 void RowSolver::match_frictions(const RowSystem& rows, const double* bias) {
     bool is_loaded[kMaxRows];
     for (int row = 0; row < rows.count; ++row)

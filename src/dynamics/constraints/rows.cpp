@@ -9,13 +9,13 @@
 namespace cambrian {
 namespace {
 
-constexpr double kHeldShare = 0.02;  // of a row's coupling without loops, the least that is left
+constexpr double kHeldShare = 0.02;  // smallest diagonal element, relative to that without loops
 
 struct Planar {
     double x, y;  // m/s or m/s^2
 };
 
-// A contact where its bodies have gone, and how its two points move against each other.
+// A contact at the positions of a frame, and the relative motion of its two points.
 struct PlacedContact {
     double normal_x, normal_y;  // unit
     double arm_ax, arm_ay, arm_bx, arm_by;
@@ -38,7 +38,7 @@ CAMBRIAN_INLINE double row_rate(const PlanarModel& model, const Row& row,
     return rate;
 }
 
-// Where its material point of body a has gone, its normal turned with body b.
+// Moves a contact with its material point of body a and turns its normal with body b.
 CAMBRIAN_INLINE void move_contact(const Contact& contact, const Kinematics& from,
                                   const Kinematics& to, PlacedContact& placed) {
     const int a = contact.body_a;
@@ -86,7 +86,7 @@ CAMBRIAN_INLINE Planar relative_acceleration(const Contact& contact, const Place
     return {of_a.x - of_b.x + turn * sliding.y, of_a.y - of_b.y - turn * sliding.x};
 }
 
-// Along the normal turned to the left.
+// The relative speed along the tangent, the normal turned by a quarter to the left.
 CAMBRIAN_INLINE double sliding_speed(const Contact& contact, const Kinematics& k) {
     Planar velocity = point_velocity(k, contact.body_a, contact.arm_ax, contact.arm_ay);
     if (contact.body_b >= 0)
@@ -132,7 +132,7 @@ Row& add_row(RowKind kind, int source, RowSystem& rows) {
     return row;
 }
 
-// The friction rows of the contacts so far, each of which acts at its group's nearest contact.
+// Finds or adds the friction row of each contact's group. It acts at the nearest contact.
 class FrictionRows {
 public:
     FrictionRows(const ContactSet& contacts, RowSystem& rows) : contacts_(contacts), rows_(rows) {
@@ -140,7 +140,7 @@ public:
             row = -1;
     }
 
-    // The row of a contact's group.
+    // Returns the row of the contact's group.
     std::int16_t join(int source) {
         CAMBRIAN_TICK_ASSERT(source >= 0 && source < contacts_.count, "a contact of the set");
         const Contact& contact = contacts_.items[source];
@@ -193,9 +193,8 @@ void add_limit_rows(const PlanarModel& model, const LimitSet& limits, const Kine
     }
 }
 
-// Takes from the matrix what the closing pins hold back: B A+ B', B the rates of the rows by unit
-// impulses in the pins. As in the matrix itself, a row that the mechanism hardly lets move is made
-// softer.
+// Subtracts the effect of loop-closure joints from the matrix: B A+ B', with the rates B of the
+// rows under unit impulses of the joints. Rows in which the mechanism hardly moves are regularised.
 void hold_loops(const PlanarModel& model, const Frame& frame, RowSystem& rows) {
     const LoopClosure loops(model, frame.kinematics, frame.factors);
     const std::vector<BodyResponse>& units = loops.unit_responses();

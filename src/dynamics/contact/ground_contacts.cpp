@@ -7,14 +7,14 @@
 namespace cambrian {
 namespace {
 
-// World offset of a corner from its body's centre, as seen from the box's.
+// World offsets that make up the offset of a corner from its body's centre.
 struct BoxArms {
     double center_x, center_y;  // the box's centre
     double along_x, along_y;    // half the box's length
     double across_x, across_y;  // half its width
 };
 
-// From the lowest corner up, so that a mirror image has the same order.
+// Adds the corners from the lowest up, so that a mirror image has the same order.
 void add_corners(const PlanarModel& model, const Kinematics& k, int part, const BoxArms& arms,
                  std::uint8_t face, ContactSet& contacts) {
     CAMBRIAN_TICK_ASSERT(model.part_body[part] < model.body_count, "a box of a body");

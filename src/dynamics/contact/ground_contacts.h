@@ -1,6 +1,6 @@
 #pragma once
 
-// Corners of boxes near the ground, the half-plane y <= 0.
+// Contacts of the corners of boxes with the ground, the half-plane y <= 0.
 
 #include "dynamics/contact/contact.h"
 #include "dynamics/model/part_places.h"

@@ -50,7 +50,7 @@ private:
     static constexpr int kLines = kBlocks * kLanes;
     static constexpr std::size_t kSlots = kLines;
 
-    // Spare bodies do not move.
+    // Padding does not move.
     CAMBRIAN_INLINE void turn_bodies() {
         Kinematics& k = frame_.kinematics;
         for (int i = 0; i < kLines; i += kLanes) {
@@ -69,7 +69,7 @@ private:
         cosine_.load(k.cosine);
     }
 
-    // Efforts of motors act on a body and back on its parent.
+    // Adds the efforts of motors, which act on a body and back on its parent.
     CAMBRIAN_INLINE void drive_joints(const EvaluationPoint& point) {
         Kinematics& k = frame_.kinematics;
         double torque[kSlots];
@@ -104,7 +104,7 @@ private:
         torque_.load(torque);
     }
 
-    // Places and velocities of the centres.
+    // Computes positions and velocities of the centres.
     CAMBRIAN_INLINE void move_bodies() {
         Kinematics& k = frame_.kinematics;
         BodyLanes<kBlocks> x;
@@ -141,7 +141,7 @@ private:
         }
     }
 
-    // Forces and torques of the medium on the bodies; returns their power.
+    // Adds forces and torques of the medium on the bodies; returns their power.
     CAMBRIAN_INLINE double drag_single_boxes(Loads& loads) {
         const Kinematics& k = frame_.kinematics;
         Lanes power = {};
@@ -167,7 +167,7 @@ private:
         return power;
     }
 
-    // An angle feels a force on a body by the arm between them.
+    // Adds the generalised force of a force on a body to all angles.
     CAMBRIAN_INLINE double drag_bodies() {
         Loads& loads = frame_.loads;
         const double power =
@@ -183,7 +183,7 @@ private:
         return power;
     }
 
-    // The mass matrix, and what comes with the speeds.
+    // Fills the mass matrix and the velocity terms.
     CAMBRIAN_INLINE void couple_angles() {
         const Kinematics& k = frame_.kinematics;
         const int columns = kBlocks == 1 ? kLanes : bodies_;
@@ -202,7 +202,7 @@ private:
         }
     }
 
-    // Gauss-Jordan elimination; the matrix is positive definite.
+    // Solves by Gauss-Jordan elimination; the matrix is positive definite.
     CAMBRIAN_INLINE void eliminate() {
         const int columns = kBlocks == 1 ? kLanes : bodies_;
         double inverse_pivot[kSlots] = {};
@@ -227,7 +227,7 @@ private:
         keep_turn(torque_);
     }
 
-    // The same in place, with motors that are implicit, for loads that are still to come.
+    // Inverts the matrix in place, with the damping of implicit motors, for later loads.
     CAMBRIAN_INLINE void invert() {
         for (int i = 1; i < bodies_; ++i) {
             const int p = model_.parent[i];
@@ -286,7 +286,7 @@ private:
     double drag_x_ = 0.0, drag_y_ = 0.0;
 };
 
-// Functions of their own: together in one the compiler would unroll neither.
+// These are separate functions, because in one function the compiler unrolls neither.
 template <int kBlocks, Motors kMotors>
 [[gnu::noinline]] void evaluate(const PlanarModel& model, const Forcing& forcing,
                                 const Motion& motion, const EvaluationPoint& point, Frame& frame,

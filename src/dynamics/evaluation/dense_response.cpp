@@ -5,8 +5,8 @@
 namespace cambrian {
 namespace {
 
-// Sum over all angles of their rates times the arms a quarter turn on, and less their squared spins
-// times the arms.
+// Sums over all angles the rates times the arms turned by a quarter, minus the squared spins times
+// the arms.
 template <int kBlocks, bool kSpins>
 CAMBRIAN_INLINE BodyVectors<kBlocks> sum_arms(const PlanarModel& model, const Kinematics& k,
                                               const double* rates, double x, double y) {
@@ -19,7 +19,7 @@ CAMBRIAN_INLINE BodyVectors<kBlocks> sum_arms(const PlanarModel& model, const Ki
         const double cosine = k.cosine[angle];
         const double sine = k.sine[angle];
         const double square = kSpins ? k.spin[angle] * k.spin[angle] : 0.0;
-        // (rate i - square) R, as a rotation that stretches.
+        // (rate i - square) R as a complex number.
         const double along = -square * cosine - rates[angle] * sine;
         const double across = rates[angle] * cosine - square * sine;
         for (int b = 0; b < kBlocks; ++b) {

@@ -1,12 +1,12 @@
 #pragma once
 
-// The law of motors.cpp for four joints at once, from `first` on.
+// The motor law of motors.cpp for four joints at once, from `first` on.
 
 #include "dynamics/forces/motors.h"
 
 namespace cambrian {
 
-// Four motors: the rate they want and what they give for a rate that is missing.
+// Wanted rates of four motors, and their efforts per missing rate.
 struct WantedRates {
     Lanes rate, gain;
 };
@@ -23,7 +23,7 @@ CAMBRIAN_INLINE WantedRates wanted_rates(const MotorLaw& law, const MotorDrive& 
             drive.frequency * load_lanes(law.stiffness + first) + load_lanes(law.strength + first)};
 }
 
-// N m or N, at these coordinates and rates of the joints.
+// Efforts at these coordinates and rates of the joints, N m or N.
 CAMBRIAN_INLINE Lanes motor_efforts(const PlanarModel& model, const MotorDrive& drive,
                                     double tick_share, const Lanes& position, const Lanes& rate,
                                     int first) {
@@ -32,7 +32,7 @@ CAMBRIAN_INLINE Lanes motor_efforts(const PlanarModel& model, const MotorDrive& 
                       load_lanes(model.max_effort + first));
 }
 
-// Of an implicit stage (compute_implicit_efforts).
+// Efforts and damping of an implicit stage (compute_implicit_efforts).
 struct ImplicitEfforts {
     Lanes effort, damping;
 };

@@ -1,8 +1,8 @@
 #pragma once
 
-// Explicit Runge-Kutta pairs whose last stage is the step's end, so that it serves as the first
-// stage of the next step. A Tableau has kStages, the kNodes c, the kRows of a (the last one holds
-// the propagated weights b) and the kErrors b - b^.
+// Embedded pairs of explicit Runge-Kutta formulas. The last stage is the step's end, so it is the
+// first stage of the next step. A Tableau has kStages, the nodes c (kNodes), the rows of a (kRows;
+// the last one has the propagated weights b) and kErrors, b minus b^.
 
 #include "core/assert.h"
 #include "dynamics/stepping/integrator.h"
@@ -74,8 +74,8 @@ private:
                          rate);
     }
 
-    // Adds h times the sum of a row's weights times the stages' values; a copy of all it needs,
-    // which stays in registers.
+    // Adds h times the weighted sum of the stages' values. It copies its input, which then stays in
+    // registers.
     template <std::size_t kRow>
     class Sum {
     public:

@@ -1,6 +1,6 @@
-// The reference mode: every body has three coordinates of its own, the classical fourth-order
-// Runge-Kutta method moves them under constraint forces found by dense least squares, and at the
-// step's end what little the joints came apart is projected away, loops included.
+// The reference integrator (dynamics/README.md 18): every body has three coordinates. The classical
+// Runge-Kutta method of fourth order moves them under constraint forces found by dense least
+// squares. At the step's end the small gaps of joints and loops are projected away.
 
 #include "dynamics/articulated/least_squares_dynamics.h"
 #include "dynamics/articulated/loop_closure.h"
@@ -40,7 +40,7 @@ void place_bodies(Eigen::Index bodies, const FreeBodies& free, Kinematics& k) {
     }
 }
 
-// Length of a linear joint and its rate.
+// Length of a prismatic joint and its rate.
 void measure_slide(const PlanarModel& model, const Kinematics& k, int i, Motion& motion) {
     const int p = model.parent[i];
     const double axis_x = k.cosine[p] * model.axis_x[i] - k.sine[p] * model.axis_y[i];
@@ -66,7 +66,7 @@ void measure_slide(const PlanarModel& model, const Kinematics& k, int i, Motion&
         axis_x * rate_x + axis_y * rate_y + k.spin[p] * (axis_x * delta_y - axis_y * delta_x);
 }
 
-// The coordinates of bodies that may have come apart a little, and those of their joints.
+// Computes the coordinates of bodies whose joints may have small gaps.
 void join(const PlanarModel& model, Kinematics& k, Motion& motion) {
     for (int t = 0; t < model.tree_count; ++t) {
         const int center = center_of(model, t);

@@ -1,5 +1,5 @@
-// Semi-implicit (symplectic) Euler with a fixed step: v1 = v0 + h a0, q1 = q0 + h v1. First order
-// and without error control; a control for comparison and debugging, not for evolution.
+// Semi-implicit (symplectic) Euler with a fixed step: v1 = v0 + h a0, q1 = q0 + h v1. It is of
+// first order without error control, for comparison and debugging and not for evolution.
 
 #include "dynamics/integrators/builtin_integrators.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// The joints planar scenes offer. A joint is known to the equations by its motion only; what a kind
-// adds is how genes become limits and strength.
+// The joints of planar scenes. The equations know a joint by its motion only; a kind adds how genes
+// become limits and strength.
 
 #include "world/joint_kind.h"
 

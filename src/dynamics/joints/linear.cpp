@@ -1,5 +1,6 @@
-// Slides its part along the part's length. Its genes count in lengths of the part, and a mirror
-// does not change them. Strength grows with the narrower section of the two parts.
+// A prismatic joint along the length of its part. Its genes are in lengths of the part, and
+// mirroring does not change them. Strength is proportional to the narrower section of the two
+// parts.
 
 #include "dynamics/joints/builtin_joints.h"
 

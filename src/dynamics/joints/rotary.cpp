@@ -1,5 +1,5 @@
-// Turns its part about the anchor. Strength grows with the square of the narrower section of the
-// two parts, for a thicker muscle also pulls on a longer lever.
+// A revolute joint about the anchor. Strength is proportional to the square of the narrower section
+// of the two parts, because a thicker muscle also has a longer lever.
 
 #include "dynamics/joints/builtin_joints.h"
 

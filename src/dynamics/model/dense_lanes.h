@@ -1,12 +1,12 @@
 #pragma once
 
-// Values of all bodies of a dense form side by side, and the sums over its arms.
+// Values of all bodies of a dense form side by side in vectors, and sums over its arms.
 
 #include "dynamics/model/kinematics.h"
 
 namespace cambrian {
 
-// Lane values of up to kBlocks * kLanes bodies.
+// Values of up to kBlocks * kLanes bodies.
 template <int kBlocks>
 struct BodyLanes {
     Lanes block[std::size_t{kBlocks}];
@@ -29,7 +29,7 @@ struct BodyLanes {
         for (int b = 0; b < kBlocks; ++b)
             store_lanes(to + b * kLanes, block[b]);
     }
-    // Without the spare bodies' values.
+    // Stores 0 for the padding.
     CAMBRIAN_INLINE void store_members(const PlanarModel& model, double* to) const {
         for (int b = 0; b < kBlocks; ++b)
             store_lanes(to + b * kLanes, load_lanes(model.membership[0] + b * kLanes) * block[b]);
@@ -42,7 +42,7 @@ struct BodyVectors {
     BodyLanes<kBlocks> x, y;
 };
 
-// Columns of the inverse mass matrix times a vector.
+// Multiplies the inverse mass matrix, given by columns, by a vector.
 template <int kBlocks>
 CAMBRIAN_INLINE BodyLanes<kBlocks> times_inverse(const double* inverse, int bodies,
                                                  const BodyLanes<kBlocks>& vector) {
@@ -56,7 +56,7 @@ CAMBRIAN_INLINE BodyLanes<kBlocks> times_inverse(const double* inverse, int bodi
     return product;
 }
 
-// What every angle feels of a force on a body's centre.
+// Generalised forces of all angles under forces on the bodies' centres.
 template <int kBlocks>
 class Levers {
 public:
@@ -75,7 +75,7 @@ public:
         }
     }
 
-    // N m, of all forces added.
+    // N m, of all forces that were added.
     CAMBRIAN_INLINE Lanes torque(int b) const {
         return cosine_[b] * turning_[b] - sine_[b] * stretching_[b];
     }

@@ -6,7 +6,7 @@
 namespace cambrian {
 namespace {
 
-// Bodies behind linear joints turn with their parents; their coordinates are lengths.
+// Bodies behind prismatic joints turn with their parents; their coordinates are lengths.
 CAMBRIAN_INLINE void turn_with_parents(const PlanarModel& model, Kinematics& k) {
     for (int i = 0; i < model.body_count; ++i) {
         if (model.motion[i] != JointMotion::kSlide) continue;
@@ -91,8 +91,8 @@ CAMBRIAN_INLINE void slide_joint(const PlanarModel& model, const Motion& motion,
     k.joint_rate[i] = rate;
 }
 
-// Every pivot holds its offset from the parent's: sums them down the trees, adds every centre's own
-// lever, and moves each tree so that its mean is the given centre.
+// Sums the offsets of the pivots from their parents' pivots down the trees, adds the lever of each
+// centre, and shifts each tree so that its mean is the given centre.
 CAMBRIAN_INLINE void sum_from_roots(const PlanarModel& model, const double* center,
                                     const double* lever_x, const double* lever_y, double* x,
                                     double* y) {
@@ -123,7 +123,7 @@ CAMBRIAN_INLINE void sum_from_roots(const PlanarModel& model, const double* cent
     }
 }
 
-// Pivots: v_i = v_p + w_p z, and + s' axis at linear joints; centres: + w_i s.
+// Pivots: v_i = v_p + w_p z, and + s' axis behind prismatic joints; centres: + w_i s.
 CAMBRIAN_INLINE void move_bodies(const PlanarModel& model, const Kinematics& k, const double* rates,
                                  const double* spins, double* velocity_x, double* velocity_y) {
     PerBody lever_x;

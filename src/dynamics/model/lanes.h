@@ -1,14 +1,14 @@
 #pragma once
 
-// Numbers worked on side by side: four bodies, parts or coordinates at once, or the two components
-// of a planar vector. Only the four exactly rounded operations and fixed orders of summation, so
-// that the bits do not depend on the processor's vector width.
+// Vectors of four doubles (four bodies, parts or coordinates) and of two (a planar vector). They
+// use only the four exactly rounded operations and fixed orders of summation, so the bits do not
+// depend on the vector width of the processor (dynamics/README.md 19).
 
 #include <cstdint>
 #include <cstring>
 
-// On what works with lanes by value, so that they never cross a call: how they would be handed over
-// depends on the processor's instructions.
+// Marks functions with vectors as arguments or results. They are always inlined, because the
+// calling convention of vectors depends on the processor's instructions.
 #define CAMBRIAN_INLINE inline __attribute__((always_inline))
 
 namespace cambrian {
@@ -39,7 +39,7 @@ CAMBRIAN_INLINE Lanes gather(const double* from, const int* index) {
 CAMBRIAN_INLINE double sum_of(const Lanes& lanes) {
     return (lanes[0] + lanes[1]) + (lanes[2] + lanes[3]);
 }
-// Rows become columns.
+// Transposes the 4 x 4 matrix with these rows.
 CAMBRIAN_INLINE void transpose(Lanes& a, Lanes& b, Lanes& c, Lanes& d) {
     const Lanes even_ab = __builtin_shufflevector(a, b, 0, 4, 2, 6);
     const Lanes odd_ab = __builtin_shufflevector(a, b, 1, 5, 3, 7);
@@ -64,7 +64,7 @@ CAMBRIAN_INLINE Lanes lesser(const Lanes& a, const Lanes& b) {
 CAMBRIAN_INLINE Lanes greater(const Lanes& a, const Lanes& b) {
     return a > b ? a : b;
 }
-// Value kept between -size and size.
+// Clamps value to [-size, size].
 CAMBRIAN_INLINE Lanes clamp_size(const Lanes& value, const Lanes& size) {
     return greater(lesser(value, size), -size);
 }
@@ -74,7 +74,7 @@ CAMBRIAN_INLINE double largest_of(const Lanes& lanes) {
     return low > high ? low : high;
 }
 
-// Sum of products; count is a multiple of kLanes.
+// The dot product of two arrays; count is a multiple of kLanes.
 CAMBRIAN_INLINE double lane_product(const double* first, const double* second, int count) {
     Lanes sum = {};
     for (int i = 0; i < count; i += kLanes)

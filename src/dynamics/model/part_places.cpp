@@ -4,7 +4,7 @@ namespace cambrian {
 
 namespace {
 
-// Where every body is one box, the box is where the body is.
+// If every body is one box, positions of boxes are those of bodies.
 CAMBRIAN_INLINE void place_single_boxes(const PlanarModel& model, const Kinematics& k,
                                         PartPlaces& places) {
     for (int first = 0; first < model.part_count; first += kLanes) {

@@ -4,7 +4,7 @@
 
 namespace cambrian {
 
-// Where the boxes are, in the world.
+// Positions and directions of all boxes in the world.
 struct PartPlaces {
     PerPart x, y;            // m, centres
     PerPart axis_x, axis_y;  // unit, along the length

@@ -10,8 +10,8 @@ namespace cambrian {
 namespace {
 
 constexpr double kPerPosition = 10.0;  // 1 / (0.1 m or rad)
-// An embedded pair goes on with its better formula, whose error is a fraction of the estimate; the
-// midpoint rule goes on with what the estimate is the error of.
+// Factor of the error estimate. An embedded pair continues with its better formula, whose error is
+// a fraction of the estimate; the midpoint rule continues with the formula that is estimated.
 constexpr double kCaution = 1.6;
 
 // Accelerations of the joints' coordinates, four at once.
@@ -35,7 +35,7 @@ CAMBRIAN_INLINE double error_norm(const PlanarModel& model, const Motion& end,
     return std::sqrt(sum_of(sum) / (2.0 * coordinate_count(model)));
 }
 
-// Where a motion is after a time of constant accelerations.
+// Computes the motion after a time of constant accelerations.
 CAMBRIAN_INLINE void accelerate(const PlanarModel& model, const Motion& start, double time,
                                 const PerCoordinate& acceleration, Motion& end) {
     for (int c = 0; c < coordinate_slots(model); c += kLanes) {
@@ -100,8 +100,8 @@ void MidpointStep::respond(const PlanarModel& model, const ContactSolver& contac
                     load_lanes(middle_rate_.acceleration + c) + load_lanes(held_.coordinate + c));
 }
 
-// The motors' work is exact, for their efforts are constant; that of drag and pull by Simpson's
-// rule.
+// Integrates the works. That of motors is exact, because their efforts are constant; those of drag
+// and pull use Simpson's rule.
 void MidpointStep::keep_works(const PlanarModel& model, const MidpointRequest& request,
                               const Frame& frame, StepResult& result) {
     const StepRequest& step = request.step;
@@ -131,11 +131,11 @@ void MidpointStep::keep_works(const PlanarModel& model, const MidpointRequest& r
         mean_rate_.power[w] = (work[w] - before[w]) / step.length;
 }
 
-// How far the rule is from Simpson's for speeds and from Hermite's for positions: h/6 (a0 - 2 am +
-// a1) and h^2/12 (a1 - a0). The accelerations at both ends are free of contact, and so must the
-// middle one be taken; what contact forces would add at the ends is then projected away, for they
-// take up whatever change the rows that hold do not let happen. Motors that are implicit damp the
-// error as they damp the motion. What is small without the projection is not projected.
+// The error is the distance to Simpson's rule for speeds and to Hermite's rule for positions:
+// h/6 (a0 - 2 am + a1) and h^2/12 (a1 - a0) (dynamics/README.md 13). All three accelerations are
+// free of contact. The part that active rows would undo is projected away, because contact forces
+// absorb it. Implicit motors damp the error as they damp the motion. A small error is not
+// projected.
 double MidpointStep::estimate_error(const PlanarModel& model, const ContactLaw& law,
                                     const StepRequest& step, ContactSolver& contacts,
                                     const StepResult& result) const {
@@ -161,7 +161,7 @@ double MidpointStep::estimate_error(const PlanarModel& model, const ContactLaw& 
     return scale * error_norm(model, result.end, errors[1], errors[0]);
 }
 
-// Takes from the errors the response to what implicit motors give less under changes of speeds.
+// Adds to the errors the response to the damping of implicit motors under changes of speeds.
 void MidpointStep::take_damping(const PlanarModel& model, const PerCoordinate (&changes)[2],
                                 PerCoordinate (&errors)[2]) const {
     if (middle_.is_inverted) {
@@ -183,7 +183,7 @@ void MidpointStep::take_damping(const PlanarModel& model, const PerCoordinate (&
     add_responses(model, loads, errors);
 }
 
-// Efforts of the motors' damping in the middle against changes of the coordinates' speeds.
+// Computes the efforts of the motors' damping against changes of the coordinates' speeds.
 CAMBRIAN_INLINE void MidpointStep::damp(const PlanarModel& model, const PerCoordinate& change,
                                         const double* spin, PerBody& efforts) const {
     for (int i = 0; i < model.body_count; i += kLanes)
@@ -211,7 +211,7 @@ void MidpointStep::take_absorbed(const PlanarModel& model, const ContactLaw& law
     add_responses(model, loads, errors);
 }
 
-// Adds what the loads do to the coordinates in the middle.
+// Adds the responses of the coordinates to the loads in the middle of the step.
 void MidpointStep::add_responses(const PlanarModel& model, const Loads (&loads)[2],
                                  PerCoordinate (&errors)[2]) const {
     PerCoordinate jumps[2];

@@ -18,7 +18,7 @@ constexpr double kCollapseShare = 1.0 / 32;   // of the contact step
 constexpr double kCollapseStep = 1.0 / 1920;  // s; at most, at the usual tolerance
 constexpr double kUsualTolerance = 4e-3;
 constexpr double kPatientShare = 1.0 / 16;  // of the contact step
-constexpr int kPatience = 4;                // collapses in a row before a step without held forces
+constexpr int kPatience = 4;                // underflows in a row before a step without rows
 constexpr double kBudgetTime =
     1.0;  // s; of evaluations that may be spent before time pays for them
 constexpr double kHalvingStep = 1.0 / 960;   // s; shorter ones are not halved
@@ -95,7 +95,7 @@ void StepControl::advance(const PlanarModel& model, const ContactLaw& law, Forci
     close_books(model, forcing.medium, moment);
 }
 
-// What no sound motion was found for leaves the moment as the tick began, but for the counters.
+// Restores the state of the tick's start except for the counters, after a step that failed.
 void StepControl::take_back(Tick& tick, const Motion& start, const SceneAudit& books) {
     SceneMoment& moment = tick.moment;
     const SceneAudit spent = std::exchange(moment.audit, books);
@@ -156,14 +156,14 @@ SceneStatus StepControl::step(Tick& tick) {
     return SceneStatus::kRunning;
 }
 
-// Whether the deepest contact of the attempt's end is much deeper than at its start or the tick's.
+// Whether the deepest contact at the attempt's end is much deeper than at its start or the tick's.
 bool StepControl::is_too_deep(const Tick& tick, double start_depth, double h) const {
     if (h <= kHalvingStep || tick.collapses >= kPatience) return false;
     const double depth = deepest(contacts_.near());
     return depth > start_depth + kMaxDeepening || depth > tick.start_depth + kMaxTickDeepening;
 }
 
-// Contact-free accelerations at the moment, unless the last step left them.
+// Computes the accelerations without contact, unless the last step left them.
 void StepControl::make_current(Tick& tick) {
     SceneMoment& moment = tick.moment;
     if (moment.frame_is_current) return;
@@ -206,7 +206,7 @@ void StepControl::strike(Tick& tick, double elasticity) {
     }
 }
 
-// What is left of the tick is split evenly rather than leaving a sliver.
+// The rest of the tick is divided evenly, so that no tiny step remains.
 double StepControl::choose_length(Tick& tick, bool& has_rows) {
     SceneMoment& moment = tick.moment;
     double h = std::min(moment.proposed_step, integrator_->max_step);
@@ -265,7 +265,7 @@ StepControl::Attempt StepControl::attempt(Tick& tick, bool has_rows, double& h) 
     }
 }
 
-// The next step's length after an accepted one, which may have been cut short.
+// Proposes the next step's length after an accepted step, which may have been truncated.
 void StepControl::propose_length(double h, int order, double& proposed) const {
     const double longest = integrator_->max_step;
     const bool truncated = h < proposed;
@@ -290,7 +290,7 @@ void StepControl::try_midpoint_step(Tick& tick, double h) {
     end_rate_ = start_rate_;
 }
 
-// With contact forces found at the start and held all the way.
+// Attempts a step with contact forces that are found at its start and constant over it.
 void StepControl::try_step(Tick& tick, bool has_rows, double h) {
     SceneMoment& moment = tick.moment;
     if (has_rows) count_resting(tick, contacts_.hold(tick.model, tick.law, h, moment.warm));
@@ -302,7 +302,7 @@ void StepControl::try_step(Tick& tick, bool has_rows, double h) {
                          moment.spare_frame(), result_);
 }
 
-// What the held forces add to the moment's accelerations.
+// The accelerations that the constant forces add.
 void StepControl::respond_to_held(const Tick& tick, BodyResponse& response) const {
     const Frame& frame = tick.moment.frame();
     Loads loads;
@@ -311,7 +311,7 @@ void StepControl::respond_to_held(const Tick& tick, BodyResponse& response) cons
     solve_closed_impulse(tick.model, frame.kinematics, frame.factors, loads, response);
 }
 
-// Accelerations at the start under the held forces: the contact-free ones and a response.
+// Accelerations at the start under the constant forces: those without contact and a response.
 const MotionRate& StepControl::held_start_rate(Tick& tick) {
     BodyResponse response;
     respond_to_held(tick, response);
@@ -321,16 +321,15 @@ const MotionRate& StepControl::held_start_rate(Tick& tick) {
     return held_rate_;
 }
 
-// What the held forces did up to the end in the spare frame, and how far joints are past stops
-// there.
+// Computes the work of the constant forces up to the end in the spare frame, and the overrun there.
 void StepControl::weigh_end(const Tick& tick) {
     const Kinematics& end = tick.moment.spare_frame().kinematics;
     work_ = contacts_.held_work(tick.model, tick.moment.frame().kinematics, end);
     end_overrun_ = limit_overrun(tick.model, end);
 }
 
-// Contacts and stops that do work are a sign of a step too long for constant forces, and so is a
-// joint that runs past a stop nobody foresaw.
+// Positive work of contacts and limits shows that the step is too long for constant forces. So does
+// a joint that overruns a limit that was not selected.
 bool StepControl::must_halve(const Tick& tick, double h) {
     weigh_end(tick);
     if (h <= kHalvingStep) return false;
@@ -358,7 +357,7 @@ void StepControl::accept(Tick& tick, bool has_rows, double h) {
     tick.time += h;
 }
 
-// Up to the impact found within the step; result_ and the spare frame hold the motion there.
+// Accepts the step up to an impact; result_ and the spare frame have the motion there.
 void StepControl::accept_part(Tick& tick, double h, double share) {
     SceneMoment& moment = tick.moment;
     weigh_end(tick);
@@ -368,7 +367,7 @@ void StepControl::accept_part(Tick& tick, double h, double share) {
     tick.time += share * h;
 }
 
-// Takes the held forces' response off the accelerations of the step's end.
+// Subtracts the response to the constant forces from the accelerations of the step's end.
 void StepControl::release_forces(Tick& tick) {
     SceneMoment& moment = tick.moment;
     complete_frame(tick.model, moment.frame());
