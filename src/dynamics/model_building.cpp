@@ -1,6 +1,6 @@
 #include "dynamics/model_building.h"
 
-#include "dynamics/articulated/elimination.h"
+#include "dynamics/articulated/articulated_body.h"
 #include "dynamics/constraints/invariants.h"
 #include "dynamics/forces/motors.h"
 #include "dynamics/model/collision_filter.h"
@@ -276,13 +276,13 @@ private:
         model_.limit_high[b] = child.limit_high;
         model_.max_effort[b] = child.max_effort;
         model_.motor_mode[b] = child.motor_mode;
-        const bool linear = model_.motion[b] == JointMotion::kSlide;
-        model_.slides[b] = linear ? 1.0 : 0.0;
-        model_.pivot_x[b] = linear ? 0.0 : in_child.x();
-        model_.pivot_y[b] = linear ? 0.0 : in_child.y();
+        const bool is_prismatic = model_.motion[b] == JointMotion::kSlide;
+        model_.slides[b] = is_prismatic ? 1.0 : 0.0;
+        model_.pivot_x[b] = is_prismatic ? 0.0 : in_child.x();
+        model_.pivot_y[b] = is_prismatic ? 0.0 : in_child.y();
         model_.reach_x[b] = in_parent.x() - model_.pivot_x[p];
         model_.reach_y[b] = in_parent.y() - model_.pivot_y[p];
-        model_.has_slides = model_.has_slides || linear;
+        model_.has_slides = model_.has_slides || is_prismatic;
     }
 
     void weigh_trees() {
@@ -340,12 +340,12 @@ private:
             loads.effort[b] = 1.0;
             solve_impulse(model_, kinematics, factors, loads, response);
             loads.effort[b] = 0.0;
-            const bool linear = model_.motion[b] == JointMotion::kSlide;
+            const bool is_prismatic = model_.motion[b] == JointMotion::kSlide;
             double jump = response.coordinate[b];
-            if (!linear) jump -= response.spin[model_.parent[b]];
+            if (!is_prismatic) jump -= response.spin[model_.parent[b]];
             model_.effective_inertia[b] = 1.0 / jump;
             const double length = 2.0 * part(leader_[b]).half_extents.x();
-            set_motor_law(model_, b, linear ? kRateLengthShare * length : 1.0);
+            set_motor_law(model_, b, is_prismatic ? kRateLengthShare * length : 1.0);
         }
     }
 

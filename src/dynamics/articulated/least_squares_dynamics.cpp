@@ -49,8 +49,8 @@ void LeastSquaresDynamics::add_pin(const Kinematics& k, Eigen::Index row, const 
     bias_.segment<2>(row) = pin_bias(k, pin, arms);
 }
 
-void LeastSquaresDynamics::add_rotary(const Kinematics& k, Eigen::Index row, int body,
-                                      double effort) {
+void LeastSquaresDynamics::add_revolute(const Kinematics& k, Eigen::Index row, int body,
+                                        double effort) {
     const int p = model_.parent[body];
     add_pin(k, row,
             {p, body, model_.parent_anchor_x[body], model_.parent_anchor_y[body],
@@ -60,8 +60,8 @@ void LeastSquaresDynamics::add_rotary(const Kinematics& k, Eigen::Index row, int
 }
 
 // With delta = c_i + r_c - c_p - r_p and m = perp(axis): D = (m delta, theta_i - theta_p - theta0).
-void LeastSquaresDynamics::add_linear(const Kinematics& k, Eigen::Index row, int body,
-                                      double effort) {
+void LeastSquaresDynamics::add_prismatic(const Kinematics& k, Eigen::Index row, int body,
+                                         double effort) {
     const Eigen::Index i = body;
     const Eigen::Index p = model_.parent[i];
     const Vec2 axis = turned(k, p, model_.axis_x[i], model_.axis_y[i]);
@@ -102,9 +102,9 @@ const Eigen::VectorXd& LeastSquaresDynamics::solve(const Kinematics& bodies, con
     for (int i = 0; i < model_.body_count; ++i) {
         if (model_.parent[i] < 0) continue;
         if (model_.motion[i] == JointMotion::kSlide)
-            add_linear(bodies, row, i, loads.effort[i]);
+            add_prismatic(bodies, row, i, loads.effort[i]);
         else
-            add_rotary(bodies, row, i, loads.effort[i]);
+            add_revolute(bodies, row, i, loads.effort[i]);
         row += 2;
     }
     for (const BodyPin& pin : model_.closing_pins) {

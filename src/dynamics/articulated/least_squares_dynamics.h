@@ -5,7 +5,7 @@
 // closes joints that have come apart. It is slow, and the reference for the articulated body
 // algorithm.
 
-#include "dynamics/articulated/elimination.h"
+#include "dynamics/articulated/articulated_body.h"
 
 #include <Eigen/Core>
 
@@ -26,8 +26,8 @@ public:
 
 private:
     void add_pin(const Kinematics& bodies, Eigen::Index row, const BodyPin& pin);
-    void add_rotary(const Kinematics& bodies, Eigen::Index row, int body, double effort);
-    void add_linear(const Kinematics& bodies, Eigen::Index row, int body, double effort);
+    void add_revolute(const Kinematics& bodies, Eigen::Index row, int body, double effort);
+    void add_prismatic(const Kinematics& bodies, Eigen::Index row, int body, double effort);
 
     const PlanarModel& model_;
     double time_constant_;

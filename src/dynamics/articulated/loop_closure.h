@@ -4,7 +4,7 @@
 // rows for each of them, the Schur complement of the trees. It is solved in the least-squares
 // sense, so redundant joints do no harm.
 
-#include "dynamics/articulated/elimination.h"
+#include "dynamics/articulated/articulated_body.h"
 
 #include <Eigen/QR>
 

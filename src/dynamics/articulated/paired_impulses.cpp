@@ -34,17 +34,18 @@ public:
 
     CAMBRIAN_INLINE void pass_to_parent(int i) {
         const int p = model_.parent[i];
-        const bool linear = model_.motion[i] == JointMotion::kSlide;
+        const bool is_prismatic = model_.motion[i] == JointMotion::kSlide;
         const Pair& effort = effort_[i];
         const Pair& torque = torque_[i];
-        u_[i] = effort + (linear ? dots(twice(k_.axis_x[i], k_.axis_y[i]), force_[i]) : torque);
+        u_[i] =
+            effort + (is_prismatic ? dots(twice(k_.axis_x[i], k_.axis_y[i]), force_[i]) : torque);
         const Pair share = u_[i] * factors_.inverse_d[i];
         const Lanes passed =
             force_[i] - twice(factors_.w_x[i], factors_.w_y[i]) * for_each_axis(share);
         force_[p] += passed;
-        torque_[p] +=
-            dots(twice(k_.z_x[i], k_.z_y[i]), passed) +
-            (linear ? torque - factors_.w_3[i] * share : factors_.damping[i] * share - effort);
+        torque_[p] += dots(twice(k_.z_x[i], k_.z_y[i]), passed) +
+                      (is_prismatic ? torque - factors_.w_3[i] * share
+                                    : factors_.damping[i] * share - effort);
     }
 
     CAMBRIAN_INLINE void move_root(int tree, PerCoordinate (&jumps)[2]) {

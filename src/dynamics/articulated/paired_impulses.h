@@ -2,7 +2,7 @@
 
 // Responses to two sets of impulses at once, side by side in one vector.
 
-#include "dynamics/articulated/elimination.h"
+#include "dynamics/articulated/articulated_body.h"
 
 namespace cambrian {
 

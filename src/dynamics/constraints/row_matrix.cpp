@@ -111,7 +111,7 @@ CAMBRIAN_INLINE void arrive_at_root(const RootInverse& inverse, const Lanes& x, 
 }
 
 // Does the first pass of solve_impulse, from the leaves to the root, for four impulses.
-template <bool kHasLinear>
+template <bool kHasPrismatic>
 CAMBRIAN_INLINE void eliminate(const PlanarModel& model, const Frame& frame, Impulses& impulses,
                                Arrivals& arrivals) {
     const Kinematics& k = frame.kinematics;
@@ -124,13 +124,13 @@ CAMBRIAN_INLINE void eliminate(const PlanarModel& model, const Frame& frame, Imp
         const Lanes f_x = impulses.f_x[i];
         const Lanes f_y = impulses.f_y[i];
         const Lanes t = impulses.t[i];
-        const bool linear = kHasLinear && model.motion[i] == JointMotion::kSlide;
-        const Lanes u = linear ? k.axis_x[i] * f_x + k.axis_y[i] * f_y : t;
+        const bool is_prismatic = kHasPrismatic && model.motion[i] == JointMotion::kSlide;
+        const Lanes u = is_prismatic ? k.axis_x[i] * f_x + k.axis_y[i] * f_y : t;
         const Lanes share = u * factors.inverse_d[i];
         const Lanes passed_x = f_x - factors.w_x[i] * share;
         const Lanes passed_y = f_y - factors.w_y[i] * share;
         const Lanes left_over =
-            linear ? t - factors.w_3[i] * share : Lanes(factors.damping[i] * share);
+            is_prismatic ? t - factors.w_3[i] * share : Lanes(factors.damping[i] * share);
         impulses.f_x[p] += passed_x;
         impulses.f_y[p] += passed_y;
         impulses.t[p] += k.z_x[i] * passed_x + k.z_y[i] * passed_y + left_over;
@@ -193,7 +193,7 @@ CAMBRIAN_INLINE double regularization(const PlanarModel& model, const RowSystem&
     return std::max(softness * free, kFreeShare * free - diagonal);
 }
 
-template <bool kHasLinear>
+template <bool kHasPrismatic>
 void fill_row_matrix(const PlanarModel& model, const Frame& frame, RowSystem& rows) {
     Arrivals arrivals[kMaxGroups];
     for (int first = 0; first < rows.count; first += kLanes) {
@@ -205,7 +205,7 @@ void fill_row_matrix(const PlanarModel& model, const Frame& frame, RowSystem& ro
         clear(group.bodies, impulses);
         for (int lane = 0; lane < lanes; ++lane)
             put_unit_impulse(model, frame.kinematics, rows[first + lane], lane, impulses);
-        eliminate<kHasLinear>(model, frame, impulses, group);
+        eliminate<kHasPrismatic>(model, frame, impulses, group);
         for (int column = 0; column <= first; column += kLanes)
             fill_block(model, group, arrivals[column / kLanes], first, column, rows);
     }

@@ -2,7 +2,7 @@
 
 // The right-hand side of the motion: state and forcing to accelerations and powers.
 
-#include "dynamics/articulated/elimination.h"
+#include "dynamics/articulated/articulated_body.h"
 #include "dynamics/forces/motors.h"
 #include "dynamics/model/forcing.h"
 

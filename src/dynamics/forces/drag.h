@@ -2,7 +2,7 @@
 
 // Drag of the medium on the faces of the boxes (dynamics/README.md 7).
 
-#include "dynamics/articulated/elimination.h"
+#include "dynamics/articulated/articulated_body.h"
 #include "dynamics/model/forcing.h"
 
 namespace cambrian {

@@ -86,11 +86,11 @@ void join(const PlanarModel& model, Kinematics& k, Motion& motion) {
         motion.position[i] = k.angle[i];
         motion.speed[i] = k.spin[i];
         const int p = model.parent_slot[i];
-        const bool linear = model.motion[i] == JointMotion::kSlide;
-        if (linear) measure_slide(model, k, i, motion);
+        const bool is_prismatic = model.motion[i] == JointMotion::kSlide;
+        if (is_prismatic) measure_slide(model, k, i, motion);
         k.joint_position[i] =
-            linear ? motion.position[i] : k.angle[i] - k.angle[p] - model.rest_angle[i];
-        k.joint_rate[i] = linear ? motion.speed[i] : k.spin[i] - k.spin[p];
+            is_prismatic ? motion.position[i] : k.angle[i] - k.angle[p] - model.rest_angle[i];
+        k.joint_rate[i] = is_prismatic ? motion.speed[i] : k.spin[i] - k.spin[p];
     }
 }
 

@@ -1,4 +1,4 @@
-#include "dynamics/articulated/elimination.h"
+#include "dynamics/articulated/articulated_body.h"
 
 #include "core/assert.h"
 #include "dynamics/model/forcing.h"
@@ -9,7 +9,7 @@ namespace {
 // Articulated inertia [[A, h], [h', j]] and bias force (f, t) of a subtree about the body's pivot.
 // Stored by columns with the components (x, y, turn, -load). Component 2 of x and y is unused,
 // because h is in turn.
-struct Carried {
+struct ArticulatedInertia {
     Lanes x, y, turn;
 };
 
@@ -20,14 +20,14 @@ struct Lever {
 };
 
 // Effort of revolute joints, a torque on the child and its parent.
-CAMBRIAN_INLINE Lanes rotary_effort(const PlanarModel& model, const Loads& loads, int first) {
+CAMBRIAN_INLINE Lanes revolute_effort(const PlanarModel& model, const Loads& loads, int first) {
     return (1.0 - load_lanes(model.slides + first)) * load_lanes(loads.effort + first);
 }
 
 // Sets the body's own inertia and load: h = m s, f with the centrifugal force of the centre about
 // the pivot, and t about the pivot with the effort of the body's joint.
 CAMBRIAN_INLINE void load_bodies(const PlanarModel& model, const Kinematics& k, const Loads& loads,
-                                 Carried* carried) {
+                                 ArticulatedInertia* inertias) {
     for (int first = 0; first < model.body_count; first += kLanes) {
         CAMBRIAN_TICK_ASSERT(model.mass[first] > 0.0 && model.pivot_inertia[first] > 0.0,
                              "a body has a mass");
@@ -40,7 +40,7 @@ CAMBRIAN_INLINE void load_bodies(const PlanarModel& model, const Kinematics& k, 
         const Lanes h_x = mass * s_x;
         const Lanes h_y = mass * s_y;
         const Lanes torque = load_lanes(loads.torque + first) + (s_x * force_x + s_y * force_y) +
-                             rotary_effort(model, loads, first);
+                             revolute_effort(model, loads, first);
         const Lanes square = spin * spin;
         Lanes x[kLanes] = {mass, Lanes{}, Lanes{}, -(force_x + square * h_y)};
         Lanes y[kLanes] = {Lanes{}, mass, Lanes{}, -(force_y - square * h_x)};
@@ -49,7 +49,7 @@ CAMBRIAN_INLINE void load_bodies(const PlanarModel& model, const Kinematics& k, 
         transpose(y[0], y[1], y[2], y[3]);
         transpose(turn[0], turn[1], turn[2], turn[3]);
         for (int lane = 0; lane < kLanes; ++lane)
-            carried[first + lane] = {x[lane], y[lane], turn[lane]};
+            inertias[first + lane] = {x[lane], y[lane], turn[lane]};
     }
 }
 
@@ -58,7 +58,7 @@ CAMBRIAN_INLINE void place_levers(const PlanarModel& model, const Kinematics& k,
     for (int first = 0; first < model.body_count; first += kLanes) {
         Lanes x[kLanes] = {{}, {}, load_lanes(k.z_x + first), load_lanes(k.gamma_x + first)};
         Lanes y[kLanes] = {{}, {}, load_lanes(k.z_y + first), load_lanes(k.gamma_y + first)};
-        Lanes effort[kLanes] = {{}, {}, {}, rotary_effort(model, loads, first)};
+        Lanes effort[kLanes] = {{}, {}, {}, revolute_effort(model, loads, first)};
         transpose(x[0], x[1], x[2], x[3]);
         transpose(y[0], y[1], y[2], y[3]);
         transpose(effort[0], effort[1], effort[2], effort[3]);
@@ -84,7 +84,7 @@ CAMBRIAN_INLINE Lanes without_turn(const Lanes& column) {
 
 // Adds the first two columns to the parent, and their part of the third.
 CAMBRIAN_INLINE void add_to_parent(const Lanes& x, const Lanes& y, const Lever& lever,
-                                   Carried& parent) {
+                                   ArticulatedInertia& parent) {
     const Lanes seen_x = as_parent_sees(x, lever);
     const Lanes seen_y = as_parent_sees(y, lever);
     parent.x += seen_x;
@@ -96,8 +96,8 @@ CAMBRIAN_INLINE void add_to_parent(const Lanes& x, const Lanes& y, const Lever& 
 // articulated inertia minus w w'/d. A revolute joint has w = h, and d = j + g with the damping g of
 // an implicit motor; the share g/d of its row goes to the parent.
 template <Motors kMotors>
-CAMBRIAN_INLINE double eliminate_rotary(int i, const Carried& c, const Lever& lever,
-                                        Factors& factors, Carried& parent) {
+CAMBRIAN_INLINE double eliminate_revolute(int i, const ArticulatedInertia& c, const Lever& lever,
+                                          Factors& factors, ArticulatedInertia& parent) {
     const Lanes row = c.turn;
     const double damping = kMotors == Motors::kImplicit ? factors.damping[i] : 0.0;
     const double inverse_d = 1.0 / (kMotors == Motors::kImplicit ? row[2] + damping : row[2]);
@@ -119,8 +119,9 @@ CAMBRIAN_INLINE double eliminate_rotary(int i, const Carried& c, const Lever& le
 
 // With the axis n the row is (n A, n h), the load n f + F, and d = n A n + g.
 template <Motors kMotors>
-CAMBRIAN_INLINE double eliminate_linear(const Kinematics& k, double effort, int i, const Carried& c,
-                                        const Lever& lever, Factors& factors, Carried& parent) {
+CAMBRIAN_INLINE double eliminate_prismatic(const Kinematics& k, double effort, int i,
+                                           const ArticulatedInertia& c, const Lever& lever,
+                                           Factors& factors, ArticulatedInertia& parent) {
     const double n_x = k.axis_x[i];
     const double n_y = k.axis_y[i];
     Lanes x = c.x;
@@ -146,7 +147,7 @@ CAMBRIAN_INLINE double eliminate_linear(const Kinematics& k, double effort, int 
 }
 
 // Inverts the root's inertia by cofactors.
-CAMBRIAN_INLINE RootInverse invert_root(const Carried& c) {
+CAMBRIAN_INLINE RootInverse invert_root(const ArticulatedInertia& c) {
     const double xx = c.x[0];
     const double xy = c.x[1];
     const double yy = c.y[1];
@@ -242,24 +243,24 @@ CAMBRIAN_INLINE void move_centers(const PlanarModel& model, const Loads& loads,
 template <Motors kMotors>
 CAMBRIAN_INLINE void solve(const PlanarModel& model, const Kinematics& kinematics,
                            const Loads& loads, Factors& factors, BodyResponse& response) {
-    Carried carried[kMaxBodies];
+    ArticulatedInertia inertias[kMaxBodies];
     Lever levers[kMaxBodies];
     PerBody u;
-    load_bodies(model, kinematics, loads, carried);
+    load_bodies(model, kinematics, loads, inertias);
     place_levers(model, kinematics, loads, levers);
     for (int tree = model.tree_count - 1; tree >= 0; --tree) {
         const int root = model.tree_begin[tree];
         const int end = model.tree_begin[tree + 1];
         CAMBRIAN_TICK_ASSERT(root < end && end <= model.body_count, "the bodies of a tree");
         for (int i = end - 1; i > root; --i) {
-            Carried& parent = carried[model.parent[i]];
+            ArticulatedInertia& parent = inertias[model.parent[i]];
             u[i] = model.motion[i] == JointMotion::kSlide
-                       ? eliminate_linear<kMotors>(kinematics, loads.effort[i], i, carried[i],
-                                                   levers[i], factors, parent)
-                       : eliminate_rotary<kMotors>(i, carried[i], levers[i], factors, parent);
+                       ? eliminate_prismatic<kMotors>(kinematics, loads.effort[i], i, inertias[i],
+                                                      levers[i], factors, parent)
+                       : eliminate_revolute<kMotors>(i, inertias[i], levers[i], factors, parent);
         }
-        factors.root[tree] = invert_root(carried[root]);
-        const Carried& all = carried[root];
+        factors.root[tree] = invert_root(inertias[root]);
+        const ArticulatedInertia& all = inertias[root];
         solve_root(factors.root[tree], root, Pair{-all.x[3], -all.y[3]}, -all.turn[3], response);
         for (int i = root + 1; i < end; ++i)
             follow_parent<Load::kForce, kMotors>(model, kinematics, factors, u, i, response);
@@ -308,14 +309,15 @@ void solve_impulse(const PlanarModel& model, const Kinematics& k, const Factors&
             const int p = model.parent[i];
             const double effort = impulses.effort[i];
             CAMBRIAN_TICK_ASSERT(p >= 0 && p < i, "a parent comes before its children");
-            const bool linear = model.motion[i] == JointMotion::kSlide;
+            const bool is_prismatic = model.motion[i] == JointMotion::kSlide;
             const Pair w = {factors.w_x[i], factors.w_y[i]};
-            u[i] = effort + (linear ? dot(Pair{k.axis_x[i], k.axis_y[i]}, f[i]) : t[i]);
+            u[i] = effort + (is_prismatic ? dot(Pair{k.axis_x[i], k.axis_y[i]}, f[i]) : t[i]);
             const double share = u[i] * factors.inverse_d[i];
             const Pair passed = f[i] - w * both(share);
             f[p] += passed;
             t[p] += dot(Pair{k.z_x[i], k.z_y[i]}, passed) +
-                    (linear ? t[i] - factors.w_3[i] * share : factors.damping[i] * share - effort);
+                    (is_prismatic ? t[i] - factors.w_3[i] * share
+                                  : factors.damping[i] * share - effort);
         }
         solve_root(factors.root[tree], root, f[root], t[root], response);
         for (int i = root + 1; i < end; ++i)

@@ -1,4 +1,4 @@
-#include "dynamics/articulated/elimination.h"
+#include "dynamics/articulated/articulated_body.h"
 
 #include "dynamics/articulated/least_squares_dynamics.h"
 #include "dynamics/articulated/paired_impulses.h"
