@@ -168,16 +168,16 @@ bool PlanarScene::face_touched(std::size_t part, Face face) const {
 // Computes four corners at once.
 Bounds PlanarScene::bounds() const {
     const Kinematics& k = moment_.frame().kinematics;
-    Lanes low_x = all_lanes(std::numeric_limits<double>::infinity());
-    Lanes low_y = low_x;
-    Lanes high_x = -low_x;
-    Lanes high_y = -low_y;
+    Simd4d low_x = all_lanes(std::numeric_limits<double>::infinity());
+    Simd4d low_y = low_x;
+    Simd4d high_x = -low_x;
+    Simd4d high_y = -low_y;
     for (int part = 0; part < model_.part_count; ++part) {
         const int b = model_.part_body[part];
-        const Lanes corner_x = load_lanes(model_.corner_x + 4 * part);
-        const Lanes corner_y = load_lanes(model_.corner_y + 4 * part);
-        const Lanes x = k.x[b] + (k.cosine[b] * corner_x - k.sine[b] * corner_y);
-        const Lanes y = k.y[b] + (k.sine[b] * corner_x + k.cosine[b] * corner_y);
+        const Simd4d corner_x = load_lanes(model_.corner_x + 4 * part);
+        const Simd4d corner_y = load_lanes(model_.corner_y + 4 * part);
+        const Simd4d x = k.x[b] + (k.cosine[b] * corner_x - k.sine[b] * corner_y);
+        const Simd4d y = k.y[b] + (k.sine[b] * corner_x + k.cosine[b] * corner_y);
         low_x = lesser(x, low_x);
         low_y = lesser(y, low_y);
         high_x = greater(x, high_x);

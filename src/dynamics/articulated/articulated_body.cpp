@@ -10,17 +10,17 @@ namespace {
 // Stored by columns with the components (x, y, turn, -load). Component 2 of x and y is unused,
 // because h is in turn.
 struct ArticulatedInertia {
-    Lanes x, y, turn;
+    Simd4d x, y, turn;
 };
 
 // Transformation from a child's pivot to its parent's, (0, 0, z, gamma), and the effort of a
 // revolute joint on the child, in the component of the load.
 struct Lever {
-    Lanes x, y, effort;
+    Simd4d x, y, effort;
 };
 
 // Effort of revolute joints, a torque on the child and its parent.
-CAMBRIAN_INLINE Lanes revolute_effort(const PlanarModel& model, const Loads& loads, int first) {
+CAMBRIAN_INLINE Simd4d revolute_effort(const PlanarModel& model, const Loads& loads, int first) {
     return (1.0 - load_lanes(model.slides + first)) * load_lanes(loads.effort + first);
 }
 
@@ -31,20 +31,20 @@ CAMBRIAN_INLINE void load_bodies(const PlanarModel& model, const Kinematics& k, 
     for (int first = 0; first < model.body_count; first += kLanes) {
         CAMBRIAN_TICK_ASSERT(model.mass[first] > 0.0 && model.pivot_inertia[first] > 0.0,
                              "a body has a mass");
-        const Lanes mass = load_lanes(model.mass + first);
-        const Lanes spin = load_lanes(k.spin + first);
-        const Lanes s_x = load_lanes(k.s_x + first);
-        const Lanes s_y = load_lanes(k.s_y + first);
-        const Lanes force_x = load_lanes(loads.force_x + first);
-        const Lanes force_y = load_lanes(loads.force_y + first);
-        const Lanes h_x = mass * s_x;
-        const Lanes h_y = mass * s_y;
-        const Lanes torque = load_lanes(loads.torque + first) + (s_x * force_x + s_y * force_y) +
-                             revolute_effort(model, loads, first);
-        const Lanes square = spin * spin;
-        Lanes x[kLanes] = {mass, Lanes{}, Lanes{}, -(force_x + square * h_y)};
-        Lanes y[kLanes] = {Lanes{}, mass, Lanes{}, -(force_y - square * h_x)};
-        Lanes turn[kLanes] = {h_x, h_y, load_lanes(model.pivot_inertia + first), -torque};
+        const Simd4d mass = load_lanes(model.mass + first);
+        const Simd4d spin = load_lanes(k.spin + first);
+        const Simd4d s_x = load_lanes(k.s_x + first);
+        const Simd4d s_y = load_lanes(k.s_y + first);
+        const Simd4d force_x = load_lanes(loads.force_x + first);
+        const Simd4d force_y = load_lanes(loads.force_y + first);
+        const Simd4d h_x = mass * s_x;
+        const Simd4d h_y = mass * s_y;
+        const Simd4d torque = load_lanes(loads.torque + first) + (s_x * force_x + s_y * force_y) +
+                              revolute_effort(model, loads, first);
+        const Simd4d square = spin * spin;
+        Simd4d x[kLanes] = {mass, Simd4d{}, Simd4d{}, -(force_x + square * h_y)};
+        Simd4d y[kLanes] = {Simd4d{}, mass, Simd4d{}, -(force_y - square * h_x)};
+        Simd4d turn[kLanes] = {h_x, h_y, load_lanes(model.pivot_inertia + first), -torque};
         transpose(x[0], x[1], x[2], x[3]);
         transpose(y[0], y[1], y[2], y[3]);
         transpose(turn[0], turn[1], turn[2], turn[3]);
@@ -56,9 +56,9 @@ CAMBRIAN_INLINE void load_bodies(const PlanarModel& model, const Kinematics& k, 
 CAMBRIAN_INLINE void place_levers(const PlanarModel& model, const Kinematics& k, const Loads& loads,
                                   Lever* levers) {
     for (int first = 0; first < model.body_count; first += kLanes) {
-        Lanes x[kLanes] = {{}, {}, load_lanes(k.z_x + first), load_lanes(k.gamma_x + first)};
-        Lanes y[kLanes] = {{}, {}, load_lanes(k.z_y + first), load_lanes(k.gamma_y + first)};
-        Lanes effort[kLanes] = {{}, {}, {}, revolute_effort(model, loads, first)};
+        Simd4d x[kLanes] = {{}, {}, load_lanes(k.z_x + first), load_lanes(k.gamma_x + first)};
+        Simd4d y[kLanes] = {{}, {}, load_lanes(k.z_y + first), load_lanes(k.gamma_y + first)};
+        Simd4d effort[kLanes] = {{}, {}, {}, revolute_effort(model, loads, first)};
         transpose(x[0], x[1], x[2], x[3]);
         transpose(y[0], y[1], y[2], y[3]);
         transpose(effort[0], effort[1], effort[2], effort[3]);
@@ -68,25 +68,25 @@ CAMBRIAN_INLINE void place_levers(const PlanarModel& model, const Kinematics& k,
 }
 
 // Transforms a column to the parent's pivot.
-CAMBRIAN_INLINE Lanes as_parent_sees(const Lanes& column, const Lever& lever) {
+CAMBRIAN_INLINE Simd4d as_parent_sees(const Simd4d& column, const Lever& lever) {
     return column + column[0] * lever.x + column[1] * lever.y;
 }
 
 // Sets the component `turn` of a column to 0.
-CAMBRIAN_INLINE Lanes without_turn(const Lanes& column) {
-    LaneBits bits;
+CAMBRIAN_INLINE Simd4d without_turn(const Simd4d& column) {
+    Simd4i bits;
     std::memcpy(&bits, &column, sizeof(bits));
-    bits &= LaneBits{-1, -1, 0, -1};
-    Lanes result;
+    bits &= Simd4i{-1, -1, 0, -1};
+    Simd4d result;
     std::memcpy(&result, &bits, sizeof(result));
     return result;
 }
 
 // Adds the first two columns to the parent, and their part of the third.
-CAMBRIAN_INLINE void add_to_parent(const Lanes& x, const Lanes& y, const Lever& lever,
+CAMBRIAN_INLINE void add_to_parent(const Simd4d& x, const Simd4d& y, const Lever& lever,
                                    ArticulatedInertia& parent) {
-    const Lanes seen_x = as_parent_sees(x, lever);
-    const Lanes seen_y = as_parent_sees(y, lever);
+    const Simd4d seen_x = as_parent_sees(x, lever);
+    const Simd4d seen_y = as_parent_sees(y, lever);
     parent.x += seen_x;
     parent.y += seen_y;
     parent.turn += lever.effort + (lever.x[2] * seen_x + lever.y[2] * seen_y);
@@ -98,14 +98,14 @@ CAMBRIAN_INLINE void add_to_parent(const Lanes& x, const Lanes& y, const Lever& 
 template <Motors kMotors>
 CAMBRIAN_INLINE double eliminate_revolute(int i, const ArticulatedInertia& c, const Lever& lever,
                                           Factors& factors, ArticulatedInertia& parent) {
-    const Lanes row = c.turn;
+    const Simd4d row = c.turn;
     const double damping = kMotors == Motors::kImplicit ? factors.damping[i] : 0.0;
     const double inverse_d = 1.0 / (kMotors == Motors::kImplicit ? row[2] + damping : row[2]);
-    const Lanes scaled = row * inverse_d;
-    Lanes x = without_turn(c.x - scaled * row[0]);
-    Lanes y = without_turn(c.y - scaled * row[1]);
+    const Simd4d scaled = row * inverse_d;
+    Simd4d x = without_turn(c.x - scaled * row[0]);
+    Simd4d y = without_turn(c.y - scaled * row[1]);
     if constexpr (kMotors == Motors::kImplicit) {
-        const Lanes left = damping * scaled;
+        const Simd4d left = damping * scaled;
         x[2] = left[0];
         y[2] = left[1];
         parent.turn += as_parent_sees(left, lever);
@@ -124,19 +124,19 @@ CAMBRIAN_INLINE double eliminate_prismatic(const Kinematics& k, double effort, i
                                            Factors& factors, ArticulatedInertia& parent) {
     const double n_x = k.axis_x[i];
     const double n_y = k.axis_y[i];
-    Lanes x = c.x;
-    Lanes y = c.y;
+    Simd4d x = c.x;
+    Simd4d y = c.y;
     x[2] = c.turn[0];
     y[2] = c.turn[1];
-    Lanes row = n_x * x + n_y * y;
+    Simd4d row = n_x * x + n_y * y;
     row[3] -= effort;
     const double along = n_x * row[0] + n_y * row[1];
     const double inverse_d =
         1.0 / (kMotors == Motors::kImplicit ? along + factors.damping[i] : along);
-    const Lanes scaled = row * inverse_d;
+    const Simd4d scaled = row * inverse_d;
     x -= scaled * row[0];
     y -= scaled * row[1];
-    const Lanes turn = c.turn - scaled * row[2];
+    const Simd4d turn = c.turn - scaled * row[2];
     add_to_parent(x, y, lever, parent);
     parent.turn += as_parent_sees(turn, lever);
     factors.w_x[i] = row[0];
@@ -164,7 +164,7 @@ CAMBRIAN_INLINE RootInverse invert_root(const ArticulatedInertia& c) {
 
 // Solves for the acceleration or velocity jump of a root's pivot. The response has values of pivots
 // until move_to_centers.
-CAMBRIAN_INLINE void solve_root(const RootInverse& inverse, int root, const Pair& f, double t,
+CAMBRIAN_INLINE void solve_root(const RootInverse& inverse, int root, const Simd2d& f, double t,
                                 BodyResponse& response) {
     response.x[root] = inverse.xx * f[0] + inverse.xy * f[1] + inverse.xt * t;
     response.y[root] = inverse.xy * f[0] + inverse.yy * f[1] + inverse.yt * t;
@@ -211,13 +211,13 @@ template <Load kLoad>
 CAMBRIAN_INLINE void move_to_centers(const PlanarModel& model, const Kinematics& k,
                                      BodyResponse& response) {
     for (int i = 0; i < model.body_count; i += kLanes) {
-        const Lanes s_x = load_lanes(k.s_x + i);
-        const Lanes s_y = load_lanes(k.s_y + i);
-        const Lanes turn = load_lanes(response.spin + i);
-        Lanes x = load_lanes(response.x + i) + turn * s_x;
-        Lanes y = load_lanes(response.y + i) + turn * s_y;
+        const Simd4d s_x = load_lanes(k.s_x + i);
+        const Simd4d s_y = load_lanes(k.s_y + i);
+        const Simd4d turn = load_lanes(response.spin + i);
+        Simd4d x = load_lanes(response.x + i) + turn * s_x;
+        Simd4d y = load_lanes(response.y + i) + turn * s_y;
         if constexpr (kLoad == Load::kForce) {
-            const Lanes spin = load_lanes(k.spin + i);
+            const Simd4d spin = load_lanes(k.spin + i);
             x -= spin * spin * s_y;
             y += spin * spin * s_x;
         }
@@ -261,7 +261,7 @@ CAMBRIAN_INLINE void solve(const PlanarModel& model, const Kinematics& kinematic
         }
         factors.root[tree] = invert_root(inertias[root]);
         const ArticulatedInertia& all = inertias[root];
-        solve_root(factors.root[tree], root, Pair{-all.x[3], -all.y[3]}, -all.turn[3], response);
+        solve_root(factors.root[tree], root, Simd2d{-all.x[3], -all.y[3]}, -all.turn[3], response);
         for (int i = root + 1; i < end; ++i)
             follow_parent<Load::kForce, kMotors>(model, kinematics, factors, u, i, response);
     }
@@ -274,7 +274,7 @@ CAMBRIAN_INLINE void solve(const PlanarModel& model, const Kinematics& kinematic
 void solve_accelerations(const PlanarModel& model, const Kinematics& kinematics, const Loads& loads,
                          Factors& factors, BodyResponse& response) {
     for (int i = 0; i < model.body_count; i += kLanes)
-        store_lanes(factors.damping + i, Lanes{});
+        store_lanes(factors.damping + i, Simd4d{});
     solve<Motors::kExplicit>(model, kinematics, loads, factors, response);
 }
 
@@ -295,12 +295,12 @@ void factorize(const PlanarModel& model, const Kinematics& kinematics, Factors& 
 
 void solve_impulse(const PlanarModel& model, const Kinematics& k, const Factors& factors,
                    const Loads& impulses, BodyResponse& response) {
-    Pair f[kMaxBodies];
+    Simd2d f[kMaxBodies];
     PerBody t;
     PerBody u;
     for (int i = 0; i < model.body_count; ++i) {
-        f[i] = Pair{impulses.force_x[i], impulses.force_y[i]};
-        t[i] = impulses.torque[i] + dot(Pair{k.s_x[i], k.s_y[i]}, f[i]);
+        f[i] = Simd2d{impulses.force_x[i], impulses.force_y[i]};
+        t[i] = impulses.torque[i] + dot(Simd2d{k.s_x[i], k.s_y[i]}, f[i]);
     }
     for (int tree = model.tree_count - 1; tree >= 0; --tree) {
         const int root = model.tree_begin[tree];
@@ -310,12 +310,12 @@ void solve_impulse(const PlanarModel& model, const Kinematics& k, const Factors&
             const double effort = impulses.effort[i];
             CAMBRIAN_TICK_ASSERT(p >= 0 && p < i, "a parent comes before its children");
             const bool is_prismatic = model.motion[i] == JointMotion::kSlide;
-            const Pair w = {factors.w_x[i], factors.w_y[i]};
-            u[i] = effort + (is_prismatic ? dot(Pair{k.axis_x[i], k.axis_y[i]}, f[i]) : t[i]);
+            const Simd2d w = {factors.w_x[i], factors.w_y[i]};
+            u[i] = effort + (is_prismatic ? dot(Simd2d{k.axis_x[i], k.axis_y[i]}, f[i]) : t[i]);
             const double share = u[i] * factors.inverse_d[i];
-            const Pair passed = f[i] - w * both(share);
+            const Simd2d passed = f[i] - w * both(share);
             f[p] += passed;
-            t[p] += dot(Pair{k.z_x[i], k.z_y[i]}, passed) +
+            t[p] += dot(Simd2d{k.z_x[i], k.z_y[i]}, passed) +
                     (is_prismatic ? t[i] - factors.w_3[i] * share
                                   : factors.damping[i] * share - effort);
         }
@@ -329,10 +329,10 @@ void solve_impulse(const PlanarModel& model, const Kinematics& k, const Factors&
 
 void clear_loads(const PlanarModel& model, Loads& loads) {
     for (int i = 0; i < model.body_count; i += kLanes) {
-        store_lanes(loads.force_x + i, Lanes{});
-        store_lanes(loads.force_y + i, Lanes{});
-        store_lanes(loads.torque + i, Lanes{});
-        store_lanes(loads.effort + i, Lanes{});
+        store_lanes(loads.force_x + i, Simd4d{});
+        store_lanes(loads.force_y + i, Simd4d{});
+        store_lanes(loads.torque + i, Simd4d{});
+        store_lanes(loads.effort + i, Simd4d{});
     }
 }
 

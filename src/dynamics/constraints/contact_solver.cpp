@@ -151,15 +151,15 @@ void ContactSolver::choose_limits(const PlanarModel& model, const Frame& frame, 
     PerBody low_room;
     PerBody high_room;
     for (int i = 0; i < model.body_count; i += kLanes) {
-        const Lanes angle = load_lanes(k.joint_position + i);
-        const Lanes rate = load_lanes(k.joint_rate + i);
-        const Lanes turning = all_lanes(1.0) - load_lanes(model.slides + i);
-        const Lanes acceleration = load_lanes(frame.response.coordinate + i) -
-                                   turning * gather(frame.response.spin, model.parent_slot + i);
-        const Lanes low_reach = kLimitBand + 1.5 * h * greater(-rate, Lanes{}) +
-                                h * h * greater(-acceleration, Lanes{});
-        const Lanes high_reach =
-            kLimitBand + 1.5 * h * greater(rate, Lanes{}) + h * h * greater(acceleration, Lanes{});
+        const Simd4d angle = load_lanes(k.joint_position + i);
+        const Simd4d rate = load_lanes(k.joint_rate + i);
+        const Simd4d turning = all_lanes(1.0) - load_lanes(model.slides + i);
+        const Simd4d acceleration = load_lanes(frame.response.coordinate + i) -
+                                    turning * gather(frame.response.spin, model.parent_slot + i);
+        const Simd4d low_reach = kLimitBand + 1.5 * h * greater(-rate, Simd4d{}) +
+                                 h * h * greater(-acceleration, Simd4d{});
+        const Simd4d high_reach = kLimitBand + 1.5 * h * greater(rate, Simd4d{}) +
+                                  h * h * greater(acceleration, Simd4d{});
         store_lanes(low_room + i, angle - load_lanes(model.limit_low + i) - low_reach);
         store_lanes(high_room + i, load_lanes(model.limit_high + i) - angle - high_reach);
     }
@@ -264,9 +264,9 @@ void ContactSolver::store_forces(int body_count, double h, WarmStart& warm) {
             contact.body_a, contact.body_b, contact.point_x, contact.point_y, 0.0, 0.0};
     }
     for (int i = 0; i < body_count; i += kLanes) {
-        store_lanes(warm.ground_friction + i, Lanes{});
-        store_lanes(warm.limit + i, Lanes{});
-        store_lanes(held_.limit_effort + i, Lanes{});
+        store_lanes(warm.ground_friction + i, Simd4d{});
+        store_lanes(warm.limit + i, Simd4d{});
+        store_lanes(held_.limit_effort + i, Simd4d{});
     }
     for (int r = 0; r < rows_.count; ++r) {
         if (rows_.impulse[r] == 0.0) continue;

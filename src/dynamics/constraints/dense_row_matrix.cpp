@@ -60,11 +60,11 @@ private:
         const BodyLanes<kBlocks> turn =
             times_inverse(frame_.inverse, model_.body_count, torque_[row]);
         const double share = 1.0 / model_.total_mass;
-        const Lanes x = all_lanes(share * force_x_[row]);
-        const Lanes y = all_lanes(share * force_y_[row]);
+        const Simd4d x = all_lanes(share * force_x_[row]);
+        const Simd4d y = all_lanes(share * force_y_[row]);
         double* line = rows_.line(row);
         for (int column = 0; column < rows_.count; column += kLanes) {
-            Lanes product[kLanes];
+            Simd4d product[kLanes];
             for (int lane = 0; lane < kLanes; ++lane) {
                 product[lane] = turn[0] * torque_[column + lane][0];
                 for (int b = 1; b < kBlocks; ++b)
@@ -76,11 +76,11 @@ private:
     }
 
     // The sum over the lanes of each of the four.
-    CAMBRIAN_INLINE static Lanes sums_of(const Lanes (&of)[kLanes]) {
-        const Lanes first = __builtin_shufflevector(of[0], of[1], 0, 4, 2, 6) +
-                            __builtin_shufflevector(of[0], of[1], 1, 5, 3, 7);
-        const Lanes second = __builtin_shufflevector(of[2], of[3], 0, 4, 2, 6) +
-                             __builtin_shufflevector(of[2], of[3], 1, 5, 3, 7);
+    CAMBRIAN_INLINE static Simd4d sums_of(const Simd4d (&of)[kLanes]) {
+        const Simd4d first = __builtin_shufflevector(of[0], of[1], 0, 4, 2, 6) +
+                             __builtin_shufflevector(of[0], of[1], 1, 5, 3, 7);
+        const Simd4d second = __builtin_shufflevector(of[2], of[3], 0, 4, 2, 6) +
+                              __builtin_shufflevector(of[2], of[3], 1, 5, 3, 7);
         return __builtin_shufflevector(first, second, 0, 1, 4, 5) +
                __builtin_shufflevector(first, second, 2, 3, 6, 7);
     }

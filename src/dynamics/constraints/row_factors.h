@@ -4,7 +4,7 @@
 // lines padded to the vector width.
 
 #include "core/assert.h"
-#include "dynamics/model/lanes.h"
+#include "dynamics/model/simd.h"
 
 namespace cambrian {
 

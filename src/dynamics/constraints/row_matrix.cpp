@@ -30,13 +30,13 @@ CAMBRIAN_INLINE int last_of(BodySet set) {
 // or by the root's inverse.
 struct Arrivals {
     BodySet bodies;  // on the paths of any of the four
-    Lanes joint[kMaxBodies], joint_share[kMaxBodies];
-    Lanes root[3 * kMaxTrees], root_share[3 * kMaxTrees];
+    Simd4d joint[kMaxBodies], joint_share[kMaxBodies];
+    Simd4d root[3 * kMaxTrees], root_share[3 * kMaxTrees];
 };
 
 // Impulses about the bodies' pivots.
 struct Impulses {
-    Lanes f_x[kMaxBodies], f_y[kMaxBodies], t[kMaxBodies];
+    Simd4d f_x[kMaxBodies], f_y[kMaxBodies], t[kMaxBodies];
 };
 
 CAMBRIAN_INLINE BodySet bodies_of(const PlanarModel& model, const RowSystem& rows, int first,
@@ -52,9 +52,9 @@ CAMBRIAN_INLINE BodySet bodies_of(const PlanarModel& model, const RowSystem& row
 CAMBRIAN_INLINE void clear(BodySet bodies, Impulses& impulses) {
     for (; bodies != 0; bodies &= bodies - 1) {
         const int i = std::countr_zero(bodies);
-        impulses.f_x[i] = Lanes{};
-        impulses.f_y[i] = Lanes{};
-        impulses.t[i] = Lanes{};
+        impulses.f_x[i] = Simd4d{};
+        impulses.f_y[i] = Simd4d{};
+        impulses.t[i] = Simd4d{};
     }
 }
 
@@ -100,8 +100,8 @@ CAMBRIAN_INLINE void put_unit_impulse(const PlanarModel& model, const Kinematics
     put_wrench(k, row.body_b, {-row.dir_x, -row.dir_y, -row.moment_b}, lane, impulses);
 }
 
-CAMBRIAN_INLINE void arrive_at_root(const RootInverse& inverse, const Lanes& x, const Lanes& y,
-                                    const Lanes& t, int channel, Arrivals& arrivals) {
+CAMBRIAN_INLINE void arrive_at_root(const RootInverse& inverse, const Simd4d& x, const Simd4d& y,
+                                    const Simd4d& t, int channel, Arrivals& arrivals) {
     arrivals.root[channel] = x;
     arrivals.root[channel + 1] = y;
     arrivals.root[channel + 2] = t;
@@ -121,16 +121,16 @@ CAMBRIAN_INLINE void eliminate(const PlanarModel& model, const Frame& frame, Imp
         const int i = last_of(left);
         const int p = model.parent[i];
         CAMBRIAN_TICK_ASSERT(p >= 0 && p < i, "a parent comes before its children");
-        const Lanes f_x = impulses.f_x[i];
-        const Lanes f_y = impulses.f_y[i];
-        const Lanes t = impulses.t[i];
+        const Simd4d f_x = impulses.f_x[i];
+        const Simd4d f_y = impulses.f_y[i];
+        const Simd4d t = impulses.t[i];
         const bool is_prismatic = kHasPrismatic && model.motion[i] == JointMotion::kSlide;
-        const Lanes u = is_prismatic ? k.axis_x[i] * f_x + k.axis_y[i] * f_y : t;
-        const Lanes share = u * factors.inverse_d[i];
-        const Lanes passed_x = f_x - factors.w_x[i] * share;
-        const Lanes passed_y = f_y - factors.w_y[i] * share;
-        const Lanes left_over =
-            is_prismatic ? t - factors.w_3[i] * share : Lanes(factors.damping[i] * share);
+        const Simd4d u = is_prismatic ? k.axis_x[i] * f_x + k.axis_y[i] * f_y : t;
+        const Simd4d share = u * factors.inverse_d[i];
+        const Simd4d passed_x = f_x - factors.w_x[i] * share;
+        const Simd4d passed_y = f_y - factors.w_y[i] * share;
+        const Simd4d left_over =
+            is_prismatic ? t - factors.w_3[i] * share : Simd4d(factors.damping[i] * share);
         impulses.f_x[p] += passed_x;
         impulses.f_y[p] += passed_y;
         impulses.t[p] += k.z_x[i] * passed_x + k.z_y[i] * passed_y + left_over;
@@ -140,7 +140,7 @@ CAMBRIAN_INLINE void eliminate(const PlanarModel& model, const Frame& frame, Imp
     for (int tree = 0; tree < model.tree_count; ++tree) {
         const int root = model.tree_begin[tree];
         const bool reached = ((arrivals.bodies >> root) & 1U) != 0;
-        const Lanes none = {};
+        const Simd4d none = {};
         arrive_at_root(factors.root[tree], reached ? impulses.f_x[root] : none,
                        reached ? impulses.f_y[root] : none, reached ? impulses.t[root] : none,
                        3 * tree, arrivals);
@@ -148,7 +148,8 @@ CAMBRIAN_INLINE void eliminate(const PlanarModel& model, const Frame& frame, Imp
 }
 
 // Adds the product of one joint or root component to a block of 4 x 4 rows.
-CAMBRIAN_INLINE void add_product(const Lanes& share, const Lanes& value, Lanes (&block)[kLanes]) {
+CAMBRIAN_INLINE void add_product(const Simd4d& share, const Simd4d& value,
+                                 Simd4d (&block)[kLanes]) {
     for (int i = 0; i < kLanes; ++i)
         block[i] += share[i] * value;
 }
@@ -156,7 +157,7 @@ CAMBRIAN_INLINE void add_product(const Lanes& share, const Lanes& value, Lanes (
 // Fills the block of rows from `first` on and columns from `second` on, and its transpose.
 CAMBRIAN_INLINE void fill_block(const PlanarModel& model, const Arrivals& row,
                                 const Arrivals& column, int first, int second, RowSystem& rows) {
-    Lanes block[kLanes] = {};
+    Simd4d block[kLanes] = {};
     const BodySet common = row.bodies & column.bodies & ~model.roots;
     for (BodySet left = common; left != 0; left &= left - 1) {
         const int i = std::countr_zero(left);

@@ -21,7 +21,7 @@ constexpr double kPivotTolerance = 1e-7;  // of the diagonal
 // Sums the normal impulses that bound each friction row.
 void sum_loads(const RowSystem& rows, double* load) {
     for (int row = 0; row < rows.stride; row += kLanes)
-        store_lanes(load + row, Lanes{});
+        store_lanes(load + row, Simd4d{});
     for (int row = 0; row < rows.count; ++row) {
         if (rows[row].friction_of >= 0) load[rows[row].friction_of] += rows.impulse[row];
     }
@@ -257,8 +257,8 @@ bool RowSolver::stop_slides(const RowSystem& rows) {
 void RowSolver::scatter_solution(RowSystem& rows, const double* bias, double friction) {
     factors_.substitute(solution_);
     for (int row = 0; row < rows.stride; row += kLanes) {
-        store_lanes(rows.impulse + row, Lanes{});
-        store_lanes(load_ + row, Lanes{});
+        store_lanes(rows.impulse + row, Simd4d{});
+        store_lanes(load_ + row, Simd4d{});
     }
     for (int i = 0; i < factors_.count(); ++i) {
         const int row = active_[i];

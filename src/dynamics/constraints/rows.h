@@ -5,7 +5,7 @@
 
 #include "dynamics/contact/contact.h"
 #include "dynamics/evaluation/accelerations.h"
-#include "dynamics/model/lanes.h"
+#include "dynamics/model/simd.h"
 
 #include <cstdint>
 

@@ -56,7 +56,7 @@ void collect_ground_contacts(const PlanarModel& model, const Kinematics& k,
                              const PartPlaces& places, ContactSet& contacts) {
     PerPart lowest;
     for (int part = 0; part < model.part_count; part += kLanes) {
-        const Lanes reach =
+        const Simd4d reach =
             magnitude(load_lanes(places.axis_y + part)) * load_lanes(model.half_length + part) +
             magnitude(load_lanes(places.axis_x + part)) * load_lanes(model.half_width + part);
         store_lanes(lowest + part, load_lanes(places.y + part) - reach);

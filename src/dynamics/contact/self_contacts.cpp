@@ -71,10 +71,10 @@ void add_points(const PlanarModel& model, const Kinematics& k, const PartPlaces&
 CAMBRIAN_INLINE bool PairList::has_expired(const PlanarModel& model,
                                            const PartPlaces& places) const {
     if (!built_) return true;
-    Lanes farthest = {};
+    Simd4d farthest = {};
     for (int part = 0; part < model.part_count; part += kLanes) {
-        const Lanes x = load_lanes(places.x + part) - places.x[0] - load_lanes(built_x_ + part);
-        const Lanes y = load_lanes(places.y + part) - places.y[0] - load_lanes(built_y_ + part);
+        const Simd4d x = load_lanes(places.x + part) - places.x[0] - load_lanes(built_x_ + part);
+        const Simd4d y = load_lanes(places.y + part) - places.y[0] - load_lanes(built_y_ + part);
         farthest = greater(farthest, x * x + y * y);
     }
     return largest_of(farthest) > 0.25 * kSpare * kSpare;

@@ -73,10 +73,10 @@ void compute_loads(const PlanarModel& model, const Forcing& forcing, const Evalu
     rate.power[kGrossMotorWork] = motors.gross;
     const Medium& medium = forcing.medium;
     for (int i = 0; i < model.body_count; i += kLanes) {
-        const Lanes mass = load_lanes(model.mass + i);
+        const Simd4d mass = load_lanes(model.mass + i);
         store_lanes(loads.force_x + i, mass * medium.gravity_x);
         store_lanes(loads.force_y + i, mass * medium.gravity_y);
-        store_lanes(loads.torque + i, Lanes{});
+        store_lanes(loads.torque + i, Simd4d{});
         store_lanes(loads.effort + i, load_lanes(frame.motor_effort + i));
     }
     rate.power[kDragWork] =

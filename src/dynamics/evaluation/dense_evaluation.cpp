@@ -54,7 +54,7 @@ private:
     CAMBRIAN_INLINE void turn_bodies() {
         Kinematics& k = frame_.kinematics;
         for (int i = 0; i < kLines; i += kLanes) {
-            const Lanes member = load_lanes(model_.membership[0] + i);
+            const Simd4d member = load_lanes(model_.membership[0] + i);
             store_lanes(k.angle + i, member * load_lanes(motion_.position + i));
             store_lanes(k.spin + i, member * load_lanes(motion_.speed + i));
         }
@@ -73,16 +73,16 @@ private:
     CAMBRIAN_INLINE void drive_joints(const EvaluationPoint& point) {
         Kinematics& k = frame_.kinematics;
         double torque[kSlots];
-        Lanes net = {};
-        Lanes gross = {};
+        Simd4d net = {};
+        Simd4d gross = {};
         for (int i = 0; i < kLines; i += kLanes) {
             const int* parents = model_.parent_slot + i;
-            const Lanes position = load_lanes(k.angle + i) - gather(k.angle, parents) -
-                                   load_lanes(model_.rest_angle + i);
-            const Lanes rate = load_lanes(k.spin + i) - gather(k.spin, parents);
+            const Simd4d position = load_lanes(k.angle + i) - gather(k.angle, parents) -
+                                    load_lanes(model_.rest_angle + i);
+            const Simd4d rate = load_lanes(k.spin + i) - gather(k.spin, parents);
             store_lanes(k.joint_position + i, position);
             store_lanes(k.joint_rate + i, rate);
-            Lanes effort;
+            Simd4d effort;
             if constexpr (kMotors == Motors::kImplicit) {
                 const ImplicitEfforts motors = implicit_efforts(
                     model_, forcing_.drive, point.tick_share, *point.implicit, position, rate, i);
@@ -90,7 +90,7 @@ private:
                 store_lanes(frame_.motor_damping + i, motors.damping);
             } else {
                 effort = motor_efforts(model_, forcing_.drive, point.tick_share, position, rate, i);
-                const Lanes power = effort * rate;
+                const Simd4d power = effort * rate;
                 net += power;
                 gross += magnitude(power);
             }
@@ -118,14 +118,14 @@ private:
             velocity_y[b] = all_lanes(motion_.speed[bodies_ + 1]);
         }
         for (int angle = 0; angle < bodies_; ++angle) {
-            const Lanes cosine = all_lanes(k.cosine[angle]);
-            const Lanes sine = all_lanes(k.sine[angle]);
-            const Lanes spin = all_lanes(k.spin[angle]);
+            const Simd4d cosine = all_lanes(k.cosine[angle]);
+            const Simd4d sine = all_lanes(k.sine[angle]);
+            const Simd4d spin = all_lanes(k.spin[angle]);
             for (int b = 0; b < kBlocks; ++b) {
-                const Lanes d_x = load_lanes(form_.arm_x + angle * kLines + b * kLanes);
-                const Lanes d_y = load_lanes(form_.arm_y + angle * kLines + b * kLanes);
-                const Lanes arm_x = cosine * d_x - sine * d_y;
-                const Lanes arm_y = sine * d_x + cosine * d_y;
+                const Simd4d d_x = load_lanes(form_.arm_x + angle * kLines + b * kLanes);
+                const Simd4d d_y = load_lanes(form_.arm_y + angle * kLines + b * kLanes);
+                const Simd4d arm_x = cosine * d_x - sine * d_y;
+                const Simd4d arm_y = sine * d_x + cosine * d_y;
                 x[b] += arm_x;
                 y[b] += arm_y;
                 velocity_x[b] -= spin * arm_y;
@@ -133,7 +133,7 @@ private:
             }
         }
         for (int b = 0; b < kBlocks; ++b) {
-            const Lanes member = load_lanes(model_.membership[0] + b * kLanes);
+            const Simd4d member = load_lanes(model_.membership[0] + b * kLanes);
             store_lanes(k.x + b * kLanes, member * x[b]);
             store_lanes(k.y + b * kLanes, member * y[b]);
             store_lanes(k.velocity_x + b * kLanes, member * velocity_x[b]);
@@ -144,7 +144,7 @@ private:
     // Adds forces and torques of the medium on the bodies; returns their power.
     CAMBRIAN_INLINE double drag_single_boxes(Loads& loads) {
         const Kinematics& k = frame_.kinematics;
-        Lanes power = {};
+        Simd4d power = {};
         for (int i = 0; i < kLines; i += kLanes) {
             const BoxDrag drag = drag_boxes(
                 forcing_.medium, {{load_lanes(k.cosine + i), load_lanes(k.sine + i)},
@@ -188,14 +188,14 @@ private:
         const Kinematics& k = frame_.kinematics;
         const int columns = kBlocks == 1 ? kLanes : bodies_;
         for (int j = 0; j < columns; ++j) {
-            const Lanes cosine = all_lanes(k.cosine[j]);
-            const Lanes sine = all_lanes(k.sine[j]);
-            const Lanes square = all_lanes(k.spin[j] * k.spin[j]);
+            const Simd4d cosine = all_lanes(k.cosine[j]);
+            const Simd4d sine = all_lanes(k.sine[j]);
+            const Simd4d square = all_lanes(k.spin[j] * k.spin[j]);
             for (int b = 0; b < kBlocks; ++b) {
-                const Lanes a = load_lanes(form_.inertia_cosine + j * kLines + b * kLanes);
-                const Lanes s = load_lanes(form_.inertia_sine + j * kLines + b * kLanes);
-                const Lanes along = a * cosine_[b] + s * sine_[b];
-                const Lanes across = a * sine_[b] - s * cosine_[b];
+                const Simd4d a = load_lanes(form_.inertia_cosine + j * kLines + b * kLanes);
+                const Simd4d s = load_lanes(form_.inertia_sine + j * kLines + b * kLanes);
+                const Simd4d along = a * cosine_[b] + s * sine_[b];
+                const Simd4d across = a * sine_[b] - s * cosine_[b];
                 column_[j][b] = along * cosine + across * sine;
                 torque_[b] += (along * sine - across * cosine) * square;
             }
@@ -214,11 +214,11 @@ private:
                 factor[b] = column_[k][b] * inverse;
             factor[k / kLanes][k % kLanes] = 0.0;
             for (int j = k + 1; j < columns; ++j) {
-                const Lanes pivot_row = all_lanes(column_[j].at(k));
+                const Simd4d pivot_row = all_lanes(column_[j].at(k));
                 for (int b = 0; b < kBlocks; ++b)
                     column_[j][b] -= factor[b] * pivot_row;
             }
-            const Lanes pivot_row = all_lanes(torque_.at(k));
+            const Simd4d pivot_row = all_lanes(torque_.at(k));
             for (int b = 0; b < kBlocks; ++b)
                 torque_[b] -= factor[b] * pivot_row;
         }
@@ -264,7 +264,7 @@ private:
 
     CAMBRIAN_INLINE void move_center() {
         const double share = 1.0 / model_.total_mass;
-        store_lanes(rate_.acceleration + kLines, Lanes{});
+        store_lanes(rate_.acceleration + kLines, Simd4d{});
         rate_.acceleration[bodies_] = forcing_.medium.gravity_x + share * drag_x_;
         rate_.acceleration[bodies_ + 1] = forcing_.medium.gravity_y + share * drag_y_;
     }

@@ -23,8 +23,8 @@ CAMBRIAN_INLINE BodyVectors<kBlocks> sum_arms(const PlanarModel& model, const Ki
         const double along = -square * cosine - rates[angle] * sine;
         const double across = rates[angle] * cosine - square * sine;
         for (int b = 0; b < kBlocks; ++b) {
-            const Lanes d_x = load_lanes(form.arm_x + angle * kLines + b * kLanes);
-            const Lanes d_y = load_lanes(form.arm_y + angle * kLines + b * kLanes);
+            const Simd4d d_x = load_lanes(form.arm_x + angle * kLines + b * kLanes);
+            const Simd4d d_y = load_lanes(form.arm_y + angle * kLines + b * kLanes);
             sum.x[b] += along * d_x - across * d_y;
             sum.y[b] += across * d_x + along * d_y;
         }
@@ -65,7 +65,7 @@ template <int kBlocks>
 CAMBRIAN_INLINE void store_jump(const PlanarModel& model, const BodyLanes<kBlocks>& turn, double x,
                                 double y, PerCoordinate& jump) {
     turn.store(jump);
-    store_lanes(jump + kBlocks * kLanes, Lanes{});
+    store_lanes(jump + kBlocks * kLanes, Simd4d{});
     jump[model.body_count] = x;
     jump[model.body_count + 1] = y;
 }

@@ -33,14 +33,14 @@ void set_motor_law(PlanarModel& model, int body, double rate_scale) {
 MotorPower compute_motor_efforts(const PlanarModel& model, const MotorDrive& drive,
                                  double tick_share, const Kinematics& kinematics, PerBody& effort) {
     CAMBRIAN_TICK_ASSERT(tick_share >= 0.0 && tick_share <= 1.0 + 1e-9, "a moment of the tick");
-    Lanes net = {};
-    Lanes gross = {};
+    Simd4d net = {};
+    Simd4d gross = {};
     for (int i = 0; i < model.body_count; i += kLanes) {
-        const Lanes rate = load_lanes(kinematics.joint_rate + i);
-        const Lanes given = motor_efforts(model, drive, tick_share,
-                                          load_lanes(kinematics.joint_position + i), rate, i);
+        const Simd4d rate = load_lanes(kinematics.joint_rate + i);
+        const Simd4d given = motor_efforts(model, drive, tick_share,
+                                           load_lanes(kinematics.joint_position + i), rate, i);
         store_lanes(effort + i, given);
-        const Lanes power = given * rate;
+        const Simd4d power = given * rate;
         net += power;
         gross += magnitude(power);
     }

@@ -3,7 +3,7 @@
 // Unrolls loops over the blocks of kLanes columns of a matrix: a small number of blocks becomes a
 // constant of the compiler.
 
-#include "dynamics/model/lanes.h"
+#include "dynamics/model/simd.h"
 
 #include <type_traits>
 

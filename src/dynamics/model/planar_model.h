@@ -7,7 +7,7 @@
 // vector width.
 
 #include "dynamics/model/dense_form.h"
-#include "dynamics/model/lanes.h"
+#include "dynamics/model/simd.h"
 #include "world/body_plan.h"
 
 #include <cstddef>

@@ -24,17 +24,17 @@ double mechanical_energy(const PlanarModel& model, const Medium& medium, const M
 }
 
 void note_speeds(const PlanarModel& model, const Kinematics& k, SceneAudit& audit) {
-    Lanes fastest = {};
+    Simd4d fastest = {};
     const bool single_boxes = model.part_count == model.body_count;
     for (int first = 0; first < model.part_count; first += kLanes) {
-        const LanePair velocity =
+        const Simd4dVector velocity =
             single_boxes
-                ? LanePair{load_lanes(k.velocity_x + first), load_lanes(k.velocity_y + first)}
+                ? Simd4dVector{load_lanes(k.velocity_x + first), load_lanes(k.velocity_y + first)}
                 : part_velocities(model, k, part_lanes(model, k, first), first);
         fastest = greater(fastest, velocity.x * velocity.x + velocity.y * velocity.y);
     }
     audit.max_part_speed = std::max(audit.max_part_speed, std::sqrt(largest_of(fastest)));
-    Lanes spin = {};
+    Simd4d spin = {};
     for (int i = 0; i < model.body_count; i += kLanes)
         spin = greater(spin, magnitude(load_lanes(k.spin + i)));
     audit.max_part_spin = std::max(audit.max_part_spin, largest_of(spin));

@@ -15,9 +15,9 @@ constexpr double kPerPosition = 10.0;  // 1 / (0.1 m or rad)
 constexpr double kCaution = 1.6;
 
 // Accelerations of the joints' coordinates, four at once.
-CAMBRIAN_INLINE Lanes joint_accelerations(const PlanarModel& model, const double* coordinate,
-                                          const double* spin, int first) {
-    const Lanes turning = all_lanes(1.0) - load_lanes(model.slides + first);
+CAMBRIAN_INLINE Simd4d joint_accelerations(const PlanarModel& model, const double* coordinate,
+                                           const double* spin, int first) {
+    const Simd4d turning = all_lanes(1.0) - load_lanes(model.slides + first);
     return load_lanes(coordinate + first) - turning * gather(spin, model.parent_slot + first);
 }
 
@@ -25,11 +25,11 @@ CAMBRIAN_INLINE Lanes joint_accelerations(const PlanarModel& model, const double
 CAMBRIAN_INLINE double error_norm(const PlanarModel& model, const Motion& end,
                                   const PerCoordinate& position_error,
                                   const PerCoordinate& speed_error) {
-    Lanes sum = {};
+    Simd4d sum = {};
     for (int c = 0; c < coordinate_slots(model); c += kLanes) {
-        const Lanes position = kPerPosition * load_lanes(position_error + c);
-        const Lanes size = 1.0 + magnitude(load_lanes(end.speed + c));
-        const Lanes speed = load_lanes(speed_error + c) / size;
+        const Simd4d position = kPerPosition * load_lanes(position_error + c);
+        const Simd4d size = 1.0 + magnitude(load_lanes(end.speed + c));
+        const Simd4d speed = load_lanes(speed_error + c) / size;
         sum += position * position + speed * speed;
     }
     return std::sqrt(sum_of(sum) / (2.0 * coordinate_count(model)));
@@ -39,8 +39,8 @@ CAMBRIAN_INLINE double error_norm(const PlanarModel& model, const Motion& end,
 CAMBRIAN_INLINE void accelerate(const PlanarModel& model, const Motion& start, double time,
                                 const PerCoordinate& acceleration, Motion& end) {
     for (int c = 0; c < coordinate_slots(model); c += kLanes) {
-        const Lanes change = time * load_lanes(acceleration + c);
-        const Lanes speed = load_lanes(start.speed + c);
+        const Simd4d change = time * load_lanes(acceleration + c);
+        const Simd4d speed = load_lanes(start.speed + c);
         store_lanes(end.speed + c, speed + change);
         store_lanes(end.position + c,
                     load_lanes(start.position + c) + time * (speed + 0.5 * change));
@@ -108,14 +108,14 @@ void MidpointStep::keep_works(const PlanarModel& model, const MidpointRequest& r
     PerBody spin;
     for (int i = 0; i < model.body_count; i += kLanes)
         store_lanes(spin + i, load_lanes(middle_.response.spin + i) + load_lanes(held_.spin + i));
-    Lanes net = {};
-    Lanes gross = {};
+    Simd4d net = {};
+    Simd4d gross = {};
     for (int i = 0; i < model.body_count; i += kLanes) {
-        const Lanes effort = load_lanes(middle_.motor_effort + i) -
-                             load_lanes(middle_.motor_damping + i) *
-                                 joint_accelerations(model, mean_rate_.acceleration, spin, i);
-        const Lanes work = effort * (load_lanes(frame.kinematics.joint_position + i) -
-                                     load_lanes(request.start.kinematics.joint_position + i));
+        const Simd4d effort = load_lanes(middle_.motor_effort + i) -
+                              load_lanes(middle_.motor_damping + i) *
+                                  joint_accelerations(model, mean_rate_.acceleration, spin, i);
+        const Simd4d work = effort * (load_lanes(frame.kinematics.joint_position + i) -
+                                      load_lanes(request.start.kinematics.joint_position + i));
         net += work;
         gross += magnitude(work);
     }
@@ -143,13 +143,13 @@ double MidpointStep::estimate_error(const PlanarModel& model, const ContactLaw& 
     PerCoordinate errors[2];   // of speeds and positions
     PerCoordinate changes[2];  // what the motors damp
     for (int c = 0; c < coordinate_slots(model); c += kLanes) {
-        const Lanes start = load_lanes(step.start_rate.acceleration + c);
-        const Lanes end = load_lanes(result.end_rate.acceleration + c);
-        const Lanes middle = load_lanes(middle_rate_.acceleration + c);
+        const Simd4d start = load_lanes(step.start_rate.acceleration + c);
+        const Simd4d end = load_lanes(result.end_rate.acceleration + c);
+        const Simd4d middle = load_lanes(middle_rate_.acceleration + c);
         store_lanes(errors[0] + c, (h / 6.0) * (start + end - 2.0 * middle));
         store_lanes(changes[0] + c,
                     (h / 6.0) * (start + end - 2.0 * load_lanes(mean_rate_.acceleration + c)));
-        const Lanes position = (h * h / 12.0) * (end - start);
+        const Simd4d position = (h * h / 12.0) * (end - start);
         store_lanes(errors[1] + c, position);
         store_lanes(changes[1] + c, position);
     }

@@ -418,7 +418,7 @@ void StepControl::remember_contacts(Tick& tick) {
 
 SceneStatus StepControl::status_of(const Tick& tick) {
     const Motion& motion = tick.moment.motion;
-    LaneBits sound = Lanes{} <= Lanes{};
+    Simd4i sound = Simd4d{} <= Simd4d{};
     for (int c = 0; c < coordinate_slots(tick.model); c += kLanes) {
         sound &= magnitude(load_lanes(motion.position + c)) <= all_lanes(kMaxDistance);
         sound &= magnitude(load_lanes(motion.speed + c)) <= all_lanes(kMaxSpeed);

@@ -14,61 +14,61 @@
 namespace cambrian {
 
 inline constexpr int kLanes = 4;
-using Lanes = double __attribute__((vector_size(kLanes * sizeof(double))));
-using LaneBits = std::int64_t __attribute__((vector_size(kLanes * sizeof(std::int64_t))));
-using Pair = double __attribute__((vector_size(2 * sizeof(double))));
+using Simd4d = double __attribute__((vector_size(kLanes * sizeof(double))));
+using Simd4i = std::int64_t __attribute__((vector_size(kLanes * sizeof(std::int64_t))));
+using Simd2d = double __attribute__((vector_size(2 * sizeof(double))));
 
 inline constexpr int round_up_to_lanes(int count) {
     return (count + kLanes - 1) / kLanes * kLanes;
 }
 
-CAMBRIAN_INLINE Lanes load_lanes(const double* from) {
-    Lanes lanes;
+CAMBRIAN_INLINE Simd4d load_lanes(const double* from) {
+    Simd4d lanes;
     std::memcpy(&lanes, from, sizeof(lanes));
     return lanes;
 }
-CAMBRIAN_INLINE void store_lanes(double* to, const Lanes& lanes) {
+CAMBRIAN_INLINE void store_lanes(double* to, const Simd4d& lanes) {
     std::memcpy(to, &lanes, sizeof(lanes));
 }
-CAMBRIAN_INLINE Lanes all_lanes(double value) {
-    return Lanes{value, value, value, value};
+CAMBRIAN_INLINE Simd4d all_lanes(double value) {
+    return Simd4d{value, value, value, value};
 }
-CAMBRIAN_INLINE Lanes gather(const double* from, const int* index) {
-    return Lanes{from[index[0]], from[index[1]], from[index[2]], from[index[3]]};
+CAMBRIAN_INLINE Simd4d gather(const double* from, const int* index) {
+    return Simd4d{from[index[0]], from[index[1]], from[index[2]], from[index[3]]};
 }
-CAMBRIAN_INLINE double sum_of(const Lanes& lanes) {
+CAMBRIAN_INLINE double sum_of(const Simd4d& lanes) {
     return (lanes[0] + lanes[1]) + (lanes[2] + lanes[3]);
 }
 // Transposes the 4 x 4 matrix with these rows.
-CAMBRIAN_INLINE void transpose(Lanes& a, Lanes& b, Lanes& c, Lanes& d) {
-    const Lanes even_ab = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const Lanes odd_ab = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    const Lanes even_cd = __builtin_shufflevector(c, d, 0, 4, 2, 6);
-    const Lanes odd_cd = __builtin_shufflevector(c, d, 1, 5, 3, 7);
+CAMBRIAN_INLINE void transpose(Simd4d& a, Simd4d& b, Simd4d& c, Simd4d& d) {
+    const Simd4d even_ab = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const Simd4d odd_ab = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    const Simd4d even_cd = __builtin_shufflevector(c, d, 0, 4, 2, 6);
+    const Simd4d odd_cd = __builtin_shufflevector(c, d, 1, 5, 3, 7);
     a = __builtin_shufflevector(even_ab, even_cd, 0, 1, 4, 5);
     b = __builtin_shufflevector(odd_ab, odd_cd, 0, 1, 4, 5);
     c = __builtin_shufflevector(even_ab, even_cd, 2, 3, 6, 7);
     d = __builtin_shufflevector(odd_ab, odd_cd, 2, 3, 6, 7);
 }
-CAMBRIAN_INLINE Lanes magnitude(const Lanes& lanes) {
-    LaneBits bits;
+CAMBRIAN_INLINE Simd4d magnitude(const Simd4d& lanes) {
+    Simd4i bits;
     std::memcpy(&bits, &lanes, sizeof(bits));
-    bits &= LaneBits{INT64_MAX, INT64_MAX, INT64_MAX, INT64_MAX};
-    Lanes result;
+    bits &= Simd4i{INT64_MAX, INT64_MAX, INT64_MAX, INT64_MAX};
+    Simd4d result;
     std::memcpy(&result, &bits, sizeof(result));
     return result;
 }
-CAMBRIAN_INLINE Lanes lesser(const Lanes& a, const Lanes& b) {
+CAMBRIAN_INLINE Simd4d lesser(const Simd4d& a, const Simd4d& b) {
     return a < b ? a : b;
 }
-CAMBRIAN_INLINE Lanes greater(const Lanes& a, const Lanes& b) {
+CAMBRIAN_INLINE Simd4d greater(const Simd4d& a, const Simd4d& b) {
     return a > b ? a : b;
 }
 // Clamps value to [-size, size].
-CAMBRIAN_INLINE Lanes clamp_size(const Lanes& value, const Lanes& size) {
+CAMBRIAN_INLINE Simd4d clamp_size(const Simd4d& value, const Simd4d& size) {
     return greater(lesser(value, size), -size);
 }
-CAMBRIAN_INLINE double largest_of(const Lanes& lanes) {
+CAMBRIAN_INLINE double largest_of(const Simd4d& lanes) {
     const double low = lanes[0] > lanes[1] ? lanes[0] : lanes[1];
     const double high = lanes[2] > lanes[3] ? lanes[2] : lanes[3];
     return low > high ? low : high;
@@ -76,17 +76,17 @@ CAMBRIAN_INLINE double largest_of(const Lanes& lanes) {
 
 // The dot product of two arrays; count is a multiple of kLanes.
 CAMBRIAN_INLINE double lane_product(const double* first, const double* second, int count) {
-    Lanes sum = {};
+    Simd4d sum = {};
     for (int i = 0; i < count; i += kLanes)
         sum += load_lanes(first + i) * load_lanes(second + i);
     return sum_of(sum);
 }
 
-CAMBRIAN_INLINE Pair both(double value) {
-    return Pair{value, value};
+CAMBRIAN_INLINE Simd2d both(double value) {
+    return Simd2d{value, value};
 }
-CAMBRIAN_INLINE double dot(const Pair& a, const Pair& b) {
-    const Pair product = a * b;
+CAMBRIAN_INLINE double dot(const Simd2d& a, const Simd2d& b) {
+    const Simd2d product = a * b;
     return product[0] + product[1];
 }
 
