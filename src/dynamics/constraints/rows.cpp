@@ -1,8 +1,8 @@
 #include "dynamics/constraints/rows.h"
 
 #include "dynamics/articulated/loop_closure.h"
+#include "dynamics/constraints/delassus_matrix.h"
 #include "dynamics/constraints/invariants.h"
-#include "dynamics/constraints/row_matrix.h"
 
 #include <algorithm>
 
@@ -231,7 +231,7 @@ void build_rows(const PlanarModel& model, const RowSources& sources, const Kinem
                              "a contact of bodies");
     }
     add_limit_rows(model, sources.limits, collected, frame.response, rows);
-    compute_row_matrix(model, frame, sources.friction_softness, rows);
+    compute_delassus_matrix(model, frame, sources.friction_softness, rows);
     if (!model.closing_pins.empty()) hold_loops(model, frame, rows);
 }
 

@@ -5,9 +5,9 @@
 // Algorithms, 2008, chapter 8: the factors of the joint-space inertia). Only the bodies on the
 // paths from a row's bodies to their roots take part.
 
-#include "dynamics/constraints/row_matrix.h"
+#include "dynamics/constraints/delassus_matrix.h"
 
-#include "dynamics/constraints/dense_row_matrix.h"
+#include "dynamics/constraints/dense_delassus_matrix.h"
 #include "dynamics/constraints/invariants.h"
 
 #include <algorithm>
@@ -195,7 +195,7 @@ CAMBRIAN_INLINE double regularization(const PlanarModel& model, const RowSystem&
 }
 
 template <bool kHasPrismatic>
-void fill_row_matrix(const PlanarModel& model, const Frame& frame, RowSystem& rows) {
+void fill_delassus_matrix(const PlanarModel& model, const Frame& frame, RowSystem& rows) {
     Arrivals arrivals[kMaxGroups];
     for (int first = 0; first < rows.count; first += kLanes) {
         Arrivals& group = arrivals[first / kLanes];
@@ -214,15 +214,15 @@ void fill_row_matrix(const PlanarModel& model, const Frame& frame, RowSystem& ro
 
 }  // namespace
 
-void compute_row_matrix(const PlanarModel& model, const Frame& frame, double friction_softness,
-                        RowSystem& rows) {
+void compute_delassus_matrix(const PlanarModel& model, const Frame& frame, double friction_softness,
+                             RowSystem& rows) {
     rows.stride = round_up_to_lanes(rows.count);
     if (frame.is_inverted)
-        fill_dense_row_matrix(model, frame, rows);
+        fill_dense_delassus_matrix(model, frame, rows);
     else if (model.has_slides)
-        fill_row_matrix<true>(model, frame, rows);
+        fill_delassus_matrix<true>(model, frame, rows);
     else
-        fill_row_matrix<false>(model, frame, rows);
+        fill_delassus_matrix<false>(model, frame, rows);
     for (int row = 0; row < rows.count; ++row) {
         rows[row].regularization = regularization(model, rows, row, friction_softness);
         rows.line(row)[row] += rows[row].regularization;

@@ -1,7 +1,7 @@
 // With the generalised force J of each row's unit impulse on the angles and its total force F,
 //     W_rs = J_r M^-1 J_s' + F_r . F_s / mass.
 
-#include "dynamics/constraints/dense_row_matrix.h"
+#include "dynamics/constraints/dense_delassus_matrix.h"
 
 #include "core/assert.h"
 #include "dynamics/model/dense_lanes.h"
@@ -94,7 +94,7 @@ private:
 
 }  // namespace
 
-void fill_dense_row_matrix(const PlanarModel& model, const Frame& frame, RowSystem& rows) {
+void fill_dense_delassus_matrix(const PlanarModel& model, const Frame& frame, RowSystem& rows) {
     CAMBRIAN_TICK_ASSERT(frame.is_inverted, "the inverse is there");
     CAMBRIAN_TICK_ASSERT(model.body_count <= kMaxDenseBodies, "few bodies");
     if (model.dense.blocks == 1)
