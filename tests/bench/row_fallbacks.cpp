@@ -32,7 +32,7 @@ Environment walking_ground() {
 }
 
 // Runs one trial of a walker.
-RowTally tally_of(std::size_t bodies, std::uint64_t seed, double seconds) {
+SolverTally tally_of(std::size_t bodies, std::uint64_t seed, double seconds) {
     const auto ticks = static_cast<std::size_t>(seconds / kTestTick);
     const BenchCreature creature = random_creature(bodies, seed, ticks);
     Rig rig(creature.plan, walking_ground());
@@ -45,7 +45,7 @@ RowTally tally_of(std::size_t bodies, std::uint64_t seed, double seconds) {
         }
         if (!rig.run(kTestTick)) break;
     }
-    return rig.control.row_tally();
+    return rig.control.solver_tally();
 }
 
 double percent(std::uint64_t part, std::uint64_t whole) {
@@ -58,12 +58,12 @@ void print_table(const Options& options) {
         "bodies  problems/s  given up | problems/s given up | given up\n");
     ThreadPool pool(options.threads);
     for (const std::size_t bodies : options.bodies) {
-        std::vector<RowTally> tallies(options.creatures);
+        std::vector<SolverTally> tallies(options.creatures);
         pool.parallel_for(options.creatures, [&](std::size_t i, std::size_t) {
             tallies[i] = tally_of(bodies, options.first_seed + i, options.seconds);
         });
-        RowTally sum;
-        for (const RowTally& tally : tallies) {
+        SolverTally sum;
+        for (const SolverTally& tally : tallies) {
             sum.resting += tally.resting;
             sum.resting_failed += tally.resting_failed;
             sum.impacts += tally.impacts;

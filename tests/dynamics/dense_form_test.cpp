@@ -211,8 +211,8 @@ TEST_CASE("the dense form couples rows as the elimination does", "[dynamics][den
         for (int i = 1; i < model.body_count; ++i)
             limits.add({i, i % 2 == 0 ? 1.0 : -1.0, 0.0});
         const RowSources sources{contacts, limits, true, 1e-2};
-        static RowSystem rows;
-        static RowSystem expected;
+        static ConstraintSystem rows;
+        static ConstraintSystem expected;
         build_rows(model, sources, dense.frame.kinematics, dense.frame, rows);
         build_rows(stages.tree_model, sources, tree.frame.kinematics, tree.frame, expected);
         REQUIRE(rows.count == expected.count);

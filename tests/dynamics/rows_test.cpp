@@ -60,7 +60,7 @@ TEST_CASE("rows are coupled as impulses move the bodies", "[dynamics][rows]") {
         REQUIRE(model);
         const Moment moment = random_moment(random, *model);
         const Sources sources = touching_everywhere(random, *model, moment.frame.kinematics);
-        static RowSystem rows;
+        static ConstraintSystem rows;
         build_rows(*model, {sources.contacts, sources.limits, true, 1e-2}, moment.frame.kinematics,
                    moment.frame, rows);
         REQUIRE(rows.count == 3 * model->body_count - 1);
@@ -98,7 +98,7 @@ TEST_CASE("all contacts of a body with the ground share one friction row, at the
         contact.arm_ax = 0.01 * c;
         contacts.add(contact);
     }
-    static RowSystem rows;
+    static ConstraintSystem rows;
     build_rows(*model, {contacts, {}, true, 1e-2}, moment.frame.kinematics, moment.frame, rows);
     REQUIRE(rows.count == 7);
     int normals = 0;

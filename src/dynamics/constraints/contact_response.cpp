@@ -18,7 +18,7 @@ constexpr double kWorkTolerance = 1e-6;  // of the impulses' size times their cl
 // Softness is small, because an impact has no earlier impulse to anchor its friction rows.
 constexpr double kImpactFrictionSoftness = 1e-5;
 
-void set_impact_bias(const RowSystem& rows, double elasticity, double* bias) {
+void set_impact_bias(const ConstraintSystem& rows, double elasticity, double* bias) {
     for (int row = 0; row < rows.count; ++row) {
         const double rate = rows[row].rate;
         const bool bounces = rows[row].kind == RowKind::kNormal && rate < -kRestingSpeed;
@@ -26,7 +26,7 @@ void set_impact_bias(const RowSystem& rows, double elasticity, double* bias) {
     }
 }
 
-double impact_scale(const RowSystem& rows) {
+double impact_scale(const ConstraintSystem& rows) {
     double scale = 0.0;
     for (int row = 0; row < rows.count; ++row)
         scale += std::fabs(rows.impulse[row] * rows[row].rate);

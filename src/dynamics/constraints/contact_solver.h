@@ -3,7 +3,7 @@
 // Contacts and joint limits at one state: impacts are solved as impulses, resting and sliding as
 // forces that are constant over a step (dynamics/README.md 11 and 12).
 
-#include "dynamics/constraints/row_solver.h"
+#include "dynamics/constraints/complementarity_solver.h"
 #include "dynamics/constraints/rows.h"
 #include "dynamics/contact/contact.h"
 #include "dynamics/contact/self_contacts.h"
@@ -99,8 +99,8 @@ private:
     ContactSet chosen_;
     LimitSet limits_;
     HeldForces held_;
-    RowSystem rows_;
-    RowSolver solver_;
+    ConstraintSystem rows_;
+    ComplementaritySolver solver_;
     double bias_[kMaxRows];
     double normal_force_[kMaxContacts];
 };

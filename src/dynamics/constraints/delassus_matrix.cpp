@@ -39,7 +39,7 @@ struct Impulses {
     Simd4d f_x[kMaxBodies], f_y[kMaxBodies], t[kMaxBodies];
 };
 
-CAMBRIAN_INLINE BodySet bodies_of(const PlanarModel& model, const RowSystem& rows, int first,
+CAMBRIAN_INLINE BodySet bodies_of(const PlanarModel& model, const ConstraintSystem& rows, int first,
                                   int end) {
     BodySet bodies = 0;
     for (int row = first; row < end; ++row) {
@@ -156,7 +156,8 @@ CAMBRIAN_INLINE void add_product(const Simd4d& share, const Simd4d& value,
 
 // Fills the block of rows from `first` on and columns from `second` on, and its transpose.
 CAMBRIAN_INLINE void fill_block(const PlanarModel& model, const Arrivals& row,
-                                const Arrivals& column, int first, int second, RowSystem& rows) {
+                                const Arrivals& column, int first, int second,
+                                ConstraintSystem& rows) {
     Simd4d block[kLanes] = {};
     const BodySet common = row.bodies & column.bodies & ~model.roots;
     for (BodySet left = common; left != 0; left &= left - 1) {
@@ -177,8 +178,8 @@ CAMBRIAN_INLINE void fill_block(const PlanarModel& model, const Arrivals& row,
 // huge impulse. So the diagonal is at least 2 % of that of the same bodies without joints. Friction
 // rows are softer, because two sticking parts with a joint between them leave their forces
 // undetermined.
-CAMBRIAN_INLINE double regularization(const PlanarModel& model, const RowSystem& rows, int row,
-                                      double friction_softness) {
+CAMBRIAN_INLINE double regularization(const PlanarModel& model, const ConstraintSystem& rows,
+                                      int row, double friction_softness) {
     const double diagonal = rows.coupling(row, row);
     if (rows[row].kind == RowKind::kLimit) return kRelativeSoftness * diagonal;
     const int a = rows[row].body_a;
@@ -195,7 +196,7 @@ CAMBRIAN_INLINE double regularization(const PlanarModel& model, const RowSystem&
 }
 
 template <bool kHasPrismatic>
-void fill_delassus_matrix(const PlanarModel& model, const Frame& frame, RowSystem& rows) {
+void fill_delassus_matrix(const PlanarModel& model, const Frame& frame, ConstraintSystem& rows) {
     Arrivals arrivals[kMaxGroups];
     for (int first = 0; first < rows.count; first += kLanes) {
         Arrivals& group = arrivals[first / kLanes];
@@ -215,7 +216,7 @@ void fill_delassus_matrix(const PlanarModel& model, const Frame& frame, RowSyste
 }  // namespace
 
 void compute_delassus_matrix(const PlanarModel& model, const Frame& frame, double friction_softness,
-                             RowSystem& rows) {
+                             ConstraintSystem& rows) {
     rows.stride = round_up_to_lanes(rows.count);
     if (frame.is_inverted)
         fill_dense_delassus_matrix(model, frame, rows);

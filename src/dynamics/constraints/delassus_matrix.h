@@ -8,6 +8,6 @@ namespace cambrian {
 // trees or from the inverse of the dense form. friction_softness: of friction rows, relative to the
 // diagonal element of the same bodies without joints.
 void compute_delassus_matrix(const PlanarModel& model, const Frame& frame, double friction_softness,
-                             RowSystem& rows);
+                             ConstraintSystem& rows);
 
 }  // namespace cambrian

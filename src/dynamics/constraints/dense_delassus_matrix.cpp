@@ -12,7 +12,7 @@ namespace {
 template <int kBlocks>
 class DenseRows {
 public:
-    CAMBRIAN_INLINE DenseRows(const PlanarModel& model, const Frame& frame, RowSystem& rows)
+    CAMBRIAN_INLINE DenseRows(const PlanarModel& model, const Frame& frame, ConstraintSystem& rows)
         : model_(model), frame_(frame), rows_(rows) {}
 
     CAMBRIAN_INLINE void fill() {
@@ -87,14 +87,15 @@ private:
 
     const PlanarModel& model_;
     const Frame& frame_;
-    RowSystem& rows_;
+    ConstraintSystem& rows_;
     BodyLanes<kBlocks> torque_[kMaxRows];
     double force_x_[kMaxRows], force_y_[kMaxRows];  // of all of the creature; 0 between its bodies
 };
 
 }  // namespace
 
-void fill_dense_delassus_matrix(const PlanarModel& model, const Frame& frame, RowSystem& rows) {
+void fill_dense_delassus_matrix(const PlanarModel& model, const Frame& frame,
+                                ConstraintSystem& rows) {
     CAMBRIAN_TICK_ASSERT(frame.is_inverted, "the inverse is there");
     CAMBRIAN_TICK_ASSERT(model.body_count <= kMaxDenseBodies, "few bodies");
     if (model.dense.blocks == 1)

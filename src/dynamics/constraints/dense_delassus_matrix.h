@@ -8,6 +8,7 @@ namespace cambrian {
 
 // Fills the same matrix as compute_delassus_matrix does from the factors, without regularisation.
 // The frame must have its inverse and the rows their stride.
-void fill_dense_delassus_matrix(const PlanarModel& model, const Frame& frame, RowSystem& rows);
+void fill_dense_delassus_matrix(const PlanarModel& model, const Frame& frame,
+                                ConstraintSystem& rows);
 
 }  // namespace cambrian

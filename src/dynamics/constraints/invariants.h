@@ -42,7 +42,7 @@ inline bool are_parents_before_children(const PlanarModel& model) {
 }
 
 // Whether normal and limit rows only push.
-inline bool do_only_push(const RowSystem& rows) {
+inline bool do_only_push(const ConstraintSystem& rows) {
     for (int row = 0; row < rows.count; ++row) {
         if (rows[row].kind != RowKind::kFriction && rows.impulse[row] < 0.0) return false;
     }
@@ -50,7 +50,7 @@ inline bool do_only_push(const RowSystem& rows) {
 }
 
 // Whether friction is within its cone.
-inline bool are_in_cones(const RowSystem& rows, double friction) {
+inline bool are_in_cones(const ConstraintSystem& rows, double friction) {
     double load[kMaxRows] = {};
     for (int row = 0; row < rows.count; ++row) {
         if (rows[row].friction_of >= 0) load[rows[row].friction_of] += rows.impulse[row];

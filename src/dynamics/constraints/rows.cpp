@@ -123,7 +123,7 @@ CAMBRIAN_INLINE void set_contact_row(const Contact& contact, const PlacedContact
     row.acceleration = x * placed.acceleration.x + y * placed.acceleration.y;
 }
 
-Row& add_row(RowKind kind, int source, RowSystem& rows) {
+Row& add_row(RowKind kind, int source, ConstraintSystem& rows) {
     CAMBRIAN_TICK_ASSERT(rows.count < kMaxRows, "rows have room");
     Row& row = rows[rows.count++];
     row.kind = kind;
@@ -135,7 +135,8 @@ Row& add_row(RowKind kind, int source, RowSystem& rows) {
 // Finds or adds the friction row of each contact's group. It acts at the nearest contact.
 class FrictionRows {
 public:
-    FrictionRows(const ContactSet& contacts, RowSystem& rows) : contacts_(contacts), rows_(rows) {
+    FrictionRows(const ContactSet& contacts, ConstraintSystem& rows)
+        : contacts_(contacts), rows_(rows) {
         for (std::int16_t& row : of_body_)
             row = -1;
     }
@@ -160,13 +161,13 @@ public:
 
 private:
     const ContactSet& contacts_;
-    RowSystem& rows_;
+    ConstraintSystem& rows_;
     std::int16_t of_body_[kMaxBodies];  // on the ground; -1: none
     std::int16_t of_pair_ = -1;         // of the pair seen last, whose contacts follow each other
     int pair_ = -1;
 };
 
-void list_contact_rows(const RowSources& sources, RowSystem& rows) {
+void list_contact_rows(const RowSources& sources, ConstraintSystem& rows) {
     FrictionRows frictions(sources.contacts, rows);
     for (int c = 0; c < sources.contacts.count; ++c) {
         Row& row = add_row(RowKind::kNormal, c, rows);
@@ -175,7 +176,7 @@ void list_contact_rows(const RowSources& sources, RowSystem& rows) {
 }
 
 void add_limit_rows(const PlanarModel& model, const LimitSet& limits, const Kinematics& collected,
-                    const BodyResponse& accelerations, RowSystem& rows) {
+                    const BodyResponse& accelerations, ConstraintSystem& rows) {
     for (int l = 0; l < limits.count; ++l) {
         const LimitCandidate& limit = limits.items[l];
         CAMBRIAN_TICK_ASSERT(limit.sign == 1.0 || limit.sign == -1.0, "one of two stops");
@@ -195,7 +196,7 @@ void add_limit_rows(const PlanarModel& model, const LimitSet& limits, const Kine
 
 // Subtracts the effect of loop-closure joints from the matrix: B A+ B', with the rates B of the
 // rows under unit impulses of the joints. Rows in which the mechanism hardly moves are regularised.
-void hold_loops(const PlanarModel& model, const Frame& frame, RowSystem& rows) {
+void hold_loops(const PlanarModel& model, const Frame& frame, ConstraintSystem& rows) {
     const LoopClosure loops(model, frame.kinematics, frame.factors);
     const std::vector<BodyResponse>& units = loops.unit_responses();
     Eigen::MatrixXd effect(rows.count, static_cast<Eigen::Index>(units.size()));
@@ -217,7 +218,7 @@ void hold_loops(const PlanarModel& model, const Frame& frame, RowSystem& rows) {
 }  // namespace
 
 void build_rows(const PlanarModel& model, const RowSources& sources, const Kinematics& collected,
-                const Frame& frame, RowSystem& rows) {
+                const Frame& frame, ConstraintSystem& rows) {
     CAMBRIAN_TICK_ASSERT(sources.contacts.count <= kMaxContacts, "contacts have room");
     PlacedContact placed[kMaxContacts];
     for (int c = 0; c < sources.contacts.count; ++c)
@@ -235,15 +236,16 @@ void build_rows(const PlanarModel& model, const RowSources& sources, const Kinem
     if (!model.closing_pins.empty()) hold_loops(model, frame, rows);
 }
 
-void rate_rows(const PlanarModel& model, const RowSystem& rows, const BodyResponse (&motions)[2],
-               double (&rates)[2][kMaxRows]) {
+void rate_rows(const PlanarModel& model, const ConstraintSystem& rows,
+               const BodyResponse (&motions)[2], double (&rates)[2][kMaxRows]) {
     for (int row = 0; row < rows.count; ++row) {
         for (int which = 0; which < 2; ++which)
             rates[which][row] = row_rate(model, rows[row], motions[which]);
     }
 }
 
-void add_row_impulses(const RowSystem& rows, const double* impulses, double scale, Loads& loads) {
+void add_row_impulses(const ConstraintSystem& rows, const double* impulses, double scale,
+                      Loads& loads) {
     for (int r = 0; r < rows.count; ++r) {
         if (impulses[r] == 0.0) continue;
         const Row& row = rows[r];

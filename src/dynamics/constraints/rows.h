@@ -44,7 +44,7 @@ struct Row {
     double regularization;  // included in the matrix's diagonal
 };
 
-struct RowSystem {
+struct ConstraintSystem {
     int count = 0;
     int stride = 0;  // of the matrix, doubles
     Row rows[kMaxRows];
@@ -77,17 +77,18 @@ struct RowSources {
 // accelerations without contact and their matrix are those of the frame, at the same state or a
 // later one. Impulses are not set.
 void build_rows(const PlanarModel& model, const RowSources& sources, const Kinematics& collected,
-                const Frame& frame, RowSystem& rows);
+                const Frame& frame, ConstraintSystem& rows);
 
 // Computes the rates of all rows under any two motions of the bodies.
-void rate_rows(const PlanarModel& model, const RowSystem& rows, const BodyResponse (&motions)[2],
-               double (&rates)[2][kMaxRows]);
+void rate_rows(const PlanarModel& model, const ConstraintSystem& rows,
+               const BodyResponse (&motions)[2], double (&rates)[2][kMaxRows]);
 
 // Adds impulse * scale of every row to the loads.
-void add_row_impulses(const RowSystem& rows, const double* impulses, double scale, Loads& loads);
+void add_row_impulses(const ConstraintSystem& rows, const double* impulses, double scale,
+                      Loads& loads);
 
 // Change of a row's rate by the last solution, without regularisation.
-inline double impulse_effect(const RowSystem& rows, int row) {
+inline double impulse_effect(const ConstraintSystem& rows, int row) {
     return rows.response[row] - rows[row].regularization * rows.impulse[row];
 }
 

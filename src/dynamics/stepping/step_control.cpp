@@ -189,8 +189,8 @@ void StepControl::strike(Tick& tick, double elasticity) {
     moment.audit.impulse_work += impact.work;
     moment.audit.positive_work += std::max(0.0, impact.work);
     moment.audit.fallbacks += impact.fell_back ? 1U : 0U;
-    ++row_tally_.impacts;
-    row_tally_.impacts_failed += impact.fell_back ? 1U : 0U;
+    ++solver_tally_.impacts;
+    solver_tally_.impacts_failed += impact.fell_back ? 1U : 0U;
     ++moment.audit.events;
     ++tick.impacts;
     moment.frame_is_current = false;
@@ -222,9 +222,9 @@ double StepControl::choose_length(Tick& tick, bool& has_rows) {
 }
 
 void StepControl::count_resting(Tick& tick, bool solved) {
-    ++row_tally_.resting;
+    ++solver_tally_.resting;
     if (solved) return;
-    ++row_tally_.resting_failed;
+    ++solver_tally_.resting_failed;
     ++tick.moment.audit.fallbacks;
 }
 

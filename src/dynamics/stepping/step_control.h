@@ -47,7 +47,7 @@ struct SceneMoment {
 };
 
 // Numbers of complementarity problems since the start, and of those the solver failed on.
-struct RowTally {
+struct SolverTally {
     std::uint64_t resting = 0, resting_failed = 0;
     std::uint64_t impacts = 0, impacts_failed = 0;
 };
@@ -60,7 +60,7 @@ public:
     void advance(const PlanarModel& model, const ContactLaw& law, Forcing& forcing, double duration,
                  SceneMoment& moment);
 
-    const RowTally& row_tally() const { return row_tally_; }
+    const SolverTally& solver_tally() const { return solver_tally_; }
 
 private:
     struct Tick {
@@ -112,7 +112,7 @@ private:
     MotionRate held_rate_ = {};
     const MotionRate* start_rate_ = nullptr;  // of the present attempt, under its forces
     const MotionRate* end_rate_ = nullptr;    // at its end
-    RowTally row_tally_;
+    SolverTally solver_tally_;
     StepResult result_;
     HeldWork work_;             // of the present attempt
     double end_overrun_ = 0.0;  // rad or m; at its end

@@ -1,4 +1,4 @@
-#include "dynamics/constraints/row_solver.h"
+#include "dynamics/constraints/complementarity_solver.h"
 
 #include "core/assert.h"
 #include "dynamics/model/block_count.h"
@@ -19,7 +19,7 @@ constexpr double kConeShare = 1e-9;       // of a cone's width; a nearer impulse
 constexpr double kPivotTolerance = 1e-7;  // of the diagonal
 
 // Sums the normal impulses that bound each friction row.
-void sum_loads(const RowSystem& rows, double* load) {
+void sum_loads(const ConstraintSystem& rows, double* load) {
     for (int row = 0; row < rows.stride; row += kLanes)
         store_lanes(load + row, Simd4d{});
     for (int row = 0; row < rows.count; ++row) {
@@ -30,7 +30,8 @@ void sum_loads(const RowSystem& rows, double* load) {
 // Adds the effect of an impulse to all rates. The matrix is symmetric, so a row's line is its
 // column.
 template <int kFixed>
-CAMBRIAN_INLINE void add_column(const RowSystem& rows, int row, double impulse, double* rates) {
+CAMBRIAN_INLINE void add_column(const ConstraintSystem& rows, int row, double impulse,
+                                double* rates) {
     const double* line = rows.line(row);
     for (int b = 0; b < block_count<kFixed>(rows.stride / kLanes); ++b)
         store_lanes(rates + b * kLanes,
@@ -39,7 +40,7 @@ CAMBRIAN_INLINE void add_column(const RowSystem& rows, int row, double impulse, 
 
 }  // namespace
 
-bool RowSolver::solve(RowSystem& rows, const double* bias, double friction) {
+bool ComplementaritySolver::solve(ConstraintSystem& rows, const double* bias, double friction) {
     CAMBRIAN_TICK_ASSERT(rows.count >= 0 && rows.count <= kMaxRows, "rows have room");
     CAMBRIAN_TICK_ASSERT(friction >= 0.0, "friction is not negative");
     find_rates(rows, bias);
@@ -64,7 +65,8 @@ bool RowSolver::solve(RowSystem& rows, const double* bias, double friction) {
     return false;
 }
 
-void RowSolver::iterate_from_zero(RowSystem& rows, const double* bias, double friction) {
+void ComplementaritySolver::iterate_from_zero(ConstraintSystem& rows, const double* bias,
+                                              double friction) {
     CAMBRIAN_TICK_ASSERT(friction >= 0.0, "friction is not negative");
     for (int row = 0; row < rows.count; ++row)
         rows.impulse[row] = 0.0;
@@ -75,7 +77,8 @@ void RowSolver::iterate_from_zero(RowSystem& rows, const double* bias, double fr
     are_factors_valid_ = false;
 }
 
-void RowSolver::absorb(const RowSystem& rows, double friction, RowChanges& changes) {
+void ComplementaritySolver::absorb(const ConstraintSystem& rows, double friction,
+                                   RowChanges& changes) {
     for (auto& impulses : changes.impulses) {
         for (int row = 0; row < rows.count; ++row)
             impulses[row] = 0.0;
@@ -106,7 +109,7 @@ void RowSolver::absorb(const RowSystem& rows, double friction, RowChanges& chang
     }
 }
 
-void RowSolver::find_rates(const RowSystem& rows, const double* bias) {
+void ComplementaritySolver::find_rates(const ConstraintSystem& rows, const double* bias) {
     for (int row = 0; row < rows.count; ++row)
         rates_[row] = bias[row];
     for (int row = rows.count; row < rows.stride; ++row)
@@ -120,7 +123,7 @@ void RowSolver::find_rates(const RowSystem& rows, const double* bias) {
 }
 
 // Runs projected Gauss-Seidel sweeps until the rates hardly change.
-void RowSolver::sweep(RowSystem& rows, double friction, int sweeps) {
+void ComplementaritySolver::sweep(ConstraintSystem& rows, double friction, int sweeps) {
     with_fixed_blocks(rows.stride / kLanes, [&](auto fixed) {
         double change = kSweepTolerance;
         for (int i = 0; i < sweeps && change >= kSweepTolerance; ++i)
@@ -130,7 +133,7 @@ void RowSolver::sweep(RowSystem& rows, double friction, int sweeps) {
 
 // Returns the largest change of a row's rate, m/s.
 template <int kFixed>
-double RowSolver::sweep_once(RowSystem& rows, double friction) {
+double ComplementaritySolver::sweep_once(ConstraintSystem& rows, double friction) {
     double largest = 0.0;
     for (int r = 0; r < rows.count; ++r) {
         const Row& row = rows[r];
@@ -154,7 +157,8 @@ double RowSolver::sweep_once(RowSystem& rows, double friction) {
 }
 
 // Sets the states that belong to the impulses.
-void RowSolver::read_states(const RowSystem& rows, const double* bias, double friction) {
+void ComplementaritySolver::read_states(const ConstraintSystem& rows, const double* bias,
+                                        double friction) {
     sum_loads(rows, load_);
     for (int row = 0; row < rows.count; ++row) {
         const double impulse = rows.impulse[row];
@@ -167,7 +171,8 @@ void RowSolver::read_states(const RowSystem& rows, const double* bias, double fr
 }
 
 // Sets the states that belong to the impulses of the sweeps; rows that still close are active too.
-void RowSolver::guess_states(const RowSystem& rows, const double* bias, double friction) {
+void ComplementaritySolver::guess_states(const ConstraintSystem& rows, const double* bias,
+                                         double friction) {
     for (int row = 0; row < rows.count; ++row) {
         const double impulse = rows.impulse[row];
         if (rows[row].kind == RowKind::kFriction)
@@ -178,12 +183,13 @@ void RowSolver::guess_states(const RowSystem& rows, const double* bias, double f
     match_frictions(rows, bias);
 }
 
-RowSolver::State RowSolver::sticking_or_sliding(double impulse, double cap) {
+ComplementaritySolver::State ComplementaritySolver::sticking_or_sliding(double impulse,
+                                                                        double cap) {
     if (impulse == 0.0 || std::fabs(impulse) < cap * (1.0 - kConeShare)) return State::kActive;
     return impulse > 0.0 ? State::kSlidePlus : State::kSlideMinus;
 }
 
-bool RowSolver::settle(RowSystem& rows, const double* bias, double friction) {
+bool ComplementaritySolver::settle(ConstraintSystem& rows, const double* bias, double friction) {
     are_factors_valid_ = false;
     for (int round = 0; round < kRounds; ++round) {
         if (!factorize(rows, bias, friction)) {
@@ -206,7 +212,8 @@ bool RowSolver::settle(RowSystem& rows, const double* bias, double friction) {
 // Builds and factorises the equations of the active rows, with sliding friction in the columns of
 // its normals. Returns false if a pivot fails: contacts that slide and wedge (Painleve), for which
 // the equations have no valid solution.
-bool RowSolver::factorize(const RowSystem& rows, const double* bias, double friction) {
+bool ComplementaritySolver::factorize(const ConstraintSystem& rows, const double* bias,
+                                      double friction) {
     int count = 0;
     sliding_count_ = 0;
     for (int row = 0; row < rows.count; ++row) {
@@ -241,7 +248,7 @@ bool RowSolver::factorize(const RowSystem& rows, const double* bias, double fric
 
 // Sticking rows never cause a failed pivot. The friction of the contact with the failed pivot
 // sticks from now on, or all friction if that one did not slide. Returns false if nothing slid.
-bool RowSolver::stop_slides(const RowSystem& rows) {
+bool ComplementaritySolver::stop_slides(const ConstraintSystem& rows) {
     CAMBRIAN_TICK_ASSERT(factors_.lost() >= 0 && factors_.lost() < factors_.count(),
                          "a pivot of the equations");
     const int mate = rows[active_[factors_.lost()]].friction_of;
@@ -254,7 +261,8 @@ bool RowSolver::stop_slides(const RowSystem& rows) {
     return sliding_count_ > 0;
 }
 
-void RowSolver::scatter_solution(RowSystem& rows, const double* bias, double friction) {
+void ComplementaritySolver::scatter_solution(ConstraintSystem& rows, const double* bias,
+                                             double friction) {
     factors_.substitute(solution_);
     for (int row = 0; row < rows.stride; row += kLanes) {
         store_lanes(rows.impulse + row, Simd4d{});
@@ -277,7 +285,8 @@ void RowSolver::scatter_solution(RowSystem& rows, const double* bias, double fri
 }
 
 // Lists the rows whose impulse or rate breaks their law; returns their number.
-int RowSolver::find_wrong(const RowSystem& rows, const double* bias, double friction) {
+int ComplementaritySolver::find_wrong(const ConstraintSystem& rows, const double* bias,
+                                      double friction) {
     int count = 0;
     for (int row = 0; row < rows.count; ++row) {
         wanted_[row] = rows[row].kind == RowKind::kFriction
@@ -288,15 +297,17 @@ int RowSolver::find_wrong(const RowSystem& rows, const double* bias, double fric
     return count;
 }
 
-RowSolver::State RowSolver::wanted_normal(const RowSystem& rows, const double* bias,
-                                          int row) const {
+ComplementaritySolver::State ComplementaritySolver::wanted_normal(const ConstraintSystem& rows,
+                                                                  const double* bias,
+                                                                  int row) const {
     if (state_[row] == State::kActive)
         return rows.impulse[row] < 0.0 ? State::kOff : State::kActive;
     return bias[row] + rows.product(row) < -kRateTolerance ? State::kActive : State::kOff;
 }
 
-RowSolver::State RowSolver::wanted_friction(const RowSystem& rows, const double* bias, int row,
-                                            double friction) const {
+ComplementaritySolver::State ComplementaritySolver::wanted_friction(const ConstraintSystem& rows,
+                                                                    const double* bias, int row,
+                                                                    double friction) const {
     const double impulse = rows.impulse[row];
     const double rate = bias[row] + rows.response[row];
     switch (state_[row]) {
@@ -315,7 +326,7 @@ RowSolver::State RowSolver::wanted_friction(const RowSystem& rows, const double*
 
 // Friction is off exactly while none of its normals is active. Friction that becomes active slides
 // first: if it stuck, a normal that sticking pulls off would alternate between on and off.
-void RowSolver::match_frictions(const RowSystem& rows, const double* bias) {
+void ComplementaritySolver::match_frictions(const ConstraintSystem& rows, const double* bias) {
     bool is_loaded[kMaxRows];
     for (int row = 0; row < rows.count; ++row)
         is_loaded[row] = false;

@@ -20,38 +20,38 @@ struct RowChanges {
     double impulses[2][kMaxRows];
 };
 
-class RowSolver {
+class ComplementaritySolver {
 public:
     // Starts from the impulses in rows and replaces them by the solution and its response. Returns
     // false if the states did not settle and the result is that of the iteration.
-    bool solve(RowSystem& rows, const double* bias, double friction);
+    bool solve(ConstraintSystem& rows, const double* bias, double friction);
 
     // Runs projected Gauss-Seidel from zero impulses. With friction 0 there is always a solution.
-    void iterate_from_zero(RowSystem& rows, const double* bias, double friction);
+    void iterate_from_zero(ConstraintSystem& rows, const double* bias, double friction);
 
     // Computes impulses that undo changes of the rates of the active rows of the last solution;
     // sliding friction follows its normal. They are 0 where the equations are singular.
-    void absorb(const RowSystem& rows, double friction, RowChanges& changes);
+    void absorb(const ConstraintSystem& rows, double friction, RowChanges& changes);
 
 private:
     enum class State : std::uint8_t { kOff, kActive, kSlidePlus, kSlideMinus };
 
-    void find_rates(const RowSystem& rows, const double* bias);
-    void sweep(RowSystem& rows, double friction, int sweeps);
+    void find_rates(const ConstraintSystem& rows, const double* bias);
+    void sweep(ConstraintSystem& rows, double friction, int sweeps);
     template <int kFixed>
-    double sweep_once(RowSystem& rows, double friction);
-    void guess_states(const RowSystem& rows, const double* bias, double friction);
-    void read_states(const RowSystem& rows, const double* bias, double friction);
+    double sweep_once(ConstraintSystem& rows, double friction);
+    void guess_states(const ConstraintSystem& rows, const double* bias, double friction);
+    void read_states(const ConstraintSystem& rows, const double* bias, double friction);
     static State sticking_or_sliding(double impulse, double cap);
-    bool settle(RowSystem& rows, const double* bias, double friction);
-    bool factorize(const RowSystem& rows, const double* bias, double friction);
-    bool stop_slides(const RowSystem& rows);
-    void scatter_solution(RowSystem& rows, const double* bias, double friction);
-    int find_wrong(const RowSystem& rows, const double* bias, double friction);
-    State wanted_normal(const RowSystem& rows, const double* bias, int row) const;
-    State wanted_friction(const RowSystem& rows, const double* bias, int row,
+    bool settle(ConstraintSystem& rows, const double* bias, double friction);
+    bool factorize(const ConstraintSystem& rows, const double* bias, double friction);
+    bool stop_slides(const ConstraintSystem& rows);
+    void scatter_solution(ConstraintSystem& rows, const double* bias, double friction);
+    int find_wrong(const ConstraintSystem& rows, const double* bias, double friction);
+    State wanted_normal(const ConstraintSystem& rows, const double* bias, int row) const;
+    State wanted_friction(const ConstraintSystem& rows, const double* bias, int row,
                           double friction) const;
-    void match_frictions(const RowSystem& rows, const double* bias);
+    void match_frictions(const ConstraintSystem& rows, const double* bias);
 
     State state_[kMaxRows];
     State wanted_[kMaxRows];
