@@ -1,5 +1,5 @@
-// cambrian_bench_rows: how often the row solver gives up on walkers and leaves a problem to plain
-// sweeps, resting problems and impacts apart.
+// cambrian_bench_rows: how often the complementarity solver fails on walkers and leaves a problem
+// to sweeps, resting problems and impacts apart.
 
 #include "bench/bench_creature.h"
 #include "core/threads/thread_pool.h"
@@ -83,7 +83,7 @@ void print_table(const Options& options) {
 
 int main(int argc, char** argv) try {
     cambrian::bench::Options options;
-    CLI::App app("Row problems of walkers that the row solver gives up on");
+    CLI::App app("Complementarity problems of walkers that the solver fails on");
     app.add_option("--bodies", options.bodies, "sizes of the walkers")->check(CLI::Range(1, 32));
     app.add_option("-n,--creatures", options.creatures, "walkers of each size")
         ->check(CLI::PositiveNumber);

@@ -110,7 +110,7 @@ ContactSet scattered_contacts(RandomStream& random, const PlanarModel& model) {
 
 }  // namespace
 
-TEST_CASE("the dense form gives what the elimination gives", "[dynamics][dense]") {
+TEST_CASE("the dense form gives what the tree form gives", "[dynamics][dense]") {
     RandomStream random(stream_seed({61}));
     for (int round = 0; round < 400; ++round) {
         INFO(round);
@@ -150,7 +150,7 @@ TEST_CASE("the dense form gives what the elimination gives", "[dynamics][dense]"
     }
 }
 
-TEST_CASE("the dense form answers impulses with implicit motors as the elimination does",
+TEST_CASE("the dense form answers impulses with implicit motors as the tree form does",
           "[dynamics][dense]") {
     RandomStream random(stream_seed({63}));
     for (int round = 0; round < 200; ++round) {
@@ -198,7 +198,7 @@ TEST_CASE("the dense form answers impulses with implicit motors as the eliminati
     }
 }
 
-TEST_CASE("the dense form couples rows as the elimination does", "[dynamics][dense]") {
+TEST_CASE("the dense form couples rows as the tree form does", "[dynamics][dense]") {
     RandomStream random(stream_seed({64}));
     for (int round = 0; round < 100; ++round) {
         INFO(round);

@@ -26,7 +26,8 @@ public:
     static constexpr int kErrorOrder = 3;
 
     // One attempt with the contacts and stops chosen at the start; the system's forcing must hold
-    // nothing. frame is left at the step's end, free of contact. False if the row solver fell back.
+    // nothing. frame is left at the step's end, free of contact. Returns false if the solver used a
+    // fallback.
     bool attempt(const MotionSystem& system, const ContactLaw& law, const MidpointRequest& request,
                  ContactSolver& contacts, WarmStart& warm, Frame& frame, StepResult& result);
 
