@@ -276,7 +276,7 @@ void PlanarScene::restore(const SceneState& state) {
     const auto* saved = dynamic_cast<const SavedMoment*>(&state);
     CAMBRIAN_ASSERT(saved != nullptr, "a moment saved by a planar scene");
     moment_ = saved->moment;
-    moment_.collection = 0;  // numbers of detections differ between scenes
+    moment_.detection = 0;  // numbers of detections differ between scenes
     forcing_.pulled = false;
     if (saved->environment == environment_ && saved->limp == limp_) return;
     moment_.frame_is_current = false;

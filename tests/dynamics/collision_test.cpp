@@ -69,11 +69,12 @@ TEST_CASE("a corner that sticks stops exactly and bounces exactly", "[dynamics][
         rig.begin();
         complete_frame(rig.model, rig.moment.frame());
         ContactSolver contacts;
-        contacts.collect(rig.model, rig.law, k);
+        contacts.detect(rig.model, rig.law, k);
         if (!contacts.has_impact()) continue;
-        contacts.strike(rig.model, rig.law, environment.elasticity, rig.moment.frame(), motion);
-        if (contacts.chosen().count != 1) continue;  // the others of a group hold each other up
-        const Contact& corner = contacts.chosen().items[0];
+        contacts.solve_impact(rig.model, rig.law, environment.elasticity, rig.moment.frame(),
+                              motion);
+        if (contacts.selected().count != 1) continue;  // the others of a group hold each other up
+        const Contact& corner = contacts.selected().items[0];
         const PointSpeeds before = speeds_at(corner, k);
         compute_kinematics(rig.model, motion, k);
         const PointSpeeds after = speeds_at(corner, k);

@@ -57,15 +57,15 @@ double ContactSolver::impact_work() const {
     return work;
 }
 
-ImpactResult ContactSolver::strike(const PlanarModel& model, const ContactLaw& law,
-                                   double elasticity, const Frame& frame, Motion& motion) {
+ImpactResult ContactSolver::solve_impact(const PlanarModel& model, const ContactLaw& law,
+                                         double elasticity, const Frame& frame, Motion& motion) {
     CAMBRIAN_TICK_ASSERT(elasticity >= 0.0 && elasticity <= 1.0, "a coefficient of restitution");
-    chosen_.count = 0;
+    selected_.count = 0;
     for (int c = 0; c < near_.count; ++c) {
-        if (near_.items[c].gap < kContactBand) chosen_.add(near_.items[c]);
+        if (near_.items[c].gap < kContactBand) selected_.add(near_.items[c]);
     }
     find_stops(model, frame.kinematics, limits_);
-    build_rows(model, {chosen_, limits_, law.friction > 0.0, kImpactFrictionSoftness},
+    build_rows(model, {selected_, limits_, law.friction > 0.0, kImpactFrictionSoftness},
                frame.kinematics, frame, rows_);
     ImpactResult result;
     const auto solve = [&](double kept) {

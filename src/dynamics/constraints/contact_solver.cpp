@@ -70,11 +70,11 @@ public:
 
 private:
     bool is_of(int rank, int w) const {
-        return w < warm_.count && collection_rank(warm_.id[w]) == rank;
+        return w < warm_.count && detection_rank(warm_.id[w]) == rank;
     }
     int pass_to(int id) {
-        const int rank = collection_rank(id);
-        while (next_ < warm_.count && collection_rank(warm_.id[next_]) < rank)
+        const int rank = detection_rank(id);
+        while (next_ < warm_.count && detection_rank(warm_.id[next_]) < rank)
             ++next_;
         return rank;
     }
@@ -85,14 +85,14 @@ private:
 
 }  // namespace
 
-void ContactSolver::collect(const PlanarModel& model, const ContactLaw& law,
-                            const Kinematics& kinematics) {
+void ContactSolver::detect(const PlanarModel& model, const ContactLaw& law,
+                           const Kinematics& kinematics) {
     near_.count = 0;
     if (!law.has_ground && model.colliding_pairs.empty()) return;
     PartPlaces places;
     place_parts(model, kinematics, places);
-    if (law.has_ground) collect_ground_contacts(model, kinematics, places, near_);
-    pair_list_.collect(model, kinematics, places, near_);
+    if (law.has_ground) detect_ground_contacts(model, kinematics, places, near_);
+    pair_list_.detect(model, kinematics, places, near_);
     CAMBRIAN_TICK_ASSERT(near_.count >= 0 && near_.count <= kMaxContacts, "contacts have room");
 }
 
@@ -107,30 +107,30 @@ bool ContactSolver::has_impact() const {
 // One contact of a pair of boxes covers another only if they overlap, because their corners may
 // then alternate. The first corner that touches must be found as an impact.
 bool ContactSolver::covers(const Contact& contact) const {
-    for (int c = 0; c < chosen_.count; ++c) {
-        const Contact& chosen = chosen_.items[c];
-        if (chosen.id == contact.id) return true;
-        if (chosen.gap < 0.0 && same_pair(chosen, contact)) return true;
+    for (int c = 0; c < selected_.count; ++c) {
+        const Contact& selected = selected_.items[c];
+        if (selected.id == contact.id) return true;
+        if (selected.gap < 0.0 && same_pair(selected, contact)) return true;
     }
     return false;
 }
 
 // Selects touching contacts and slow ones that may touch within the step. The search for the time
 // of impact finds the fast ones.
-bool ContactSolver::choose(const PlanarModel& model, Frame& frame, double h) {
+bool ContactSolver::select_active(const PlanarModel& model, Frame& frame, double h) {
     CAMBRIAN_TICK_ASSERT(h > 0.0, "a step takes time");
-    chosen_.count = 0;
+    selected_.count = 0;
     for (int c = 0; c < near_.count; ++c) {
         const Contact& contact = near_.items[c];
         if (contact.gap >= kContactBand) {
             find_centers(model, frame);
             if (!may_touch(contact, frame.response, h)) continue;
         }
-        chosen_.add(contact);
+        selected_.add(contact);
     }
-    choose_limits(model, frame, h);
-    CAMBRIAN_TICK_ASSERT(chosen_.count <= near_.count, "chosen contacts are near");
-    return chosen_.count > 0 || limits_.count > 0;
+    select_limits(model, frame, h);
+    CAMBRIAN_TICK_ASSERT(selected_.count <= near_.count, "selected contacts are near");
+    return selected_.count > 0 || limits_.count > 0;
 }
 
 void ContactSolver::build(const PlanarModel& model, const ContactLaw& law, Frame& start) {
@@ -140,12 +140,12 @@ void ContactSolver::build(const PlanarModel& model, const ContactLaw& law, Frame
 
 void ContactSolver::build_between(const PlanarModel& model, const ContactLaw& law,
                                   const Kinematics& start, const Frame& middle) {
-    build_rows(model, {chosen_, limits_, law.friction > 0.0, kMiddleFrictionSoftness}, start,
+    build_rows(model, {selected_, limits_, law.friction > 0.0, kMiddleFrictionSoftness}, start,
                middle, rows_);
 }
 
 // Selects the joint limits that may be reached within the step.
-void ContactSolver::choose_limits(const PlanarModel& model, const Frame& frame, double h) {
+void ContactSolver::select_limits(const PlanarModel& model, const Frame& frame, double h) {
     limits_.count = 0;
     const Kinematics& k = frame.kinematics;
     PerBody low_room;
@@ -176,7 +176,7 @@ void ContactSolver::choose_limits(const PlanarModel& model, const Frame& frame, 
 // Sets first guesses and biases. The softness of friction rows pulls towards the last step's force
 // and not towards 0, so that a resting creature does not creep. The force is limited to a few
 // weights, because parts that wedge each other would otherwise keep any stress for ever.
-void ContactSolver::pose_resting(const PlanarModel& model, double h, const WarmStart& warm) {
+void ContactSolver::set_resting_bias(const PlanarModel& model, double h, const WarmStart& warm) {
     CAMBRIAN_TICK_ASSERT(h > 0.0, "a step takes time");
     CAMBRIAN_TICK_ASSERT(warm.count <= kMaxContacts, "remembered forces have room");
     const double most = kAnchorWeights * model.total_mass * kReferenceGravity * h;
@@ -186,12 +186,12 @@ void ContactSolver::pose_resting(const PlanarModel& model, double h, const WarmS
         double force = 0.0;
         double bias = row.rate + h * row.acceleration;
         if (row.kind == RowKind::kNormal) {
-            const Contact& contact = chosen_.items[row.source];
+            const Contact& contact = selected_.items[row.source];
             force = forces.normal(contact.id);
             bias += row_slack(contact.gap - kRestingGap, row.rate, h, kPushSpeed);
         } else if (row.kind == RowKind::kFriction) {
             force = row.body_b < 0 ? warm.ground_friction[row.body_a]
-                                   : forces.pair_friction(chosen_.items[row.source].id);
+                                   : forces.pair_friction(selected_.items[row.source].id);
             bias -= row.regularization * std::clamp(h * force, -most, most);
         } else {
             force = std::max(0.0, row.dir_x * warm.limit[row.body_a]);
@@ -202,10 +202,10 @@ void ContactSolver::pose_resting(const PlanarModel& model, double h, const WarmS
     }
 }
 
-bool ContactSolver::hold(const PlanarModel& model, const ContactLaw& law, double h,
-                         WarmStart& warm) {
-    pose_resting(model, h, warm);
-    const bool solved = solve_resting(model, law, h);
+bool ContactSolver::solve_resting(const PlanarModel& model, const ContactLaw& law, double h,
+                                  WarmStart& warm) {
+    set_resting_bias(model, h, warm);
+    const bool solved = solve_rows(model, law, h);
     CAMBRIAN_TICK_ASSERT(do_only_push(rows_), "contacts and stops do not pull");
     CAMBRIAN_TICK_ASSERT(!solved || are_in_cones(rows_, law.friction),
                          "friction that is solved for stays in its cone");
@@ -223,14 +223,14 @@ void ContactSolver::absorb(const PlanarModel& model, const ContactLaw& law,
         add_row_impulses(rows_, rows.impulses[which], 1.0, loads[which]);
 }
 
-void ContactSolver::let_go() {
+void ContactSolver::clear() {
     held_.contact_count = 0;
     held_.limits_active = false;
-    for (int c = 0; c < chosen_.count; ++c)
+    for (int c = 0; c < selected_.count; ++c)
         normal_force_[c] = 0.0;
 }
 
-bool ContactSolver::solve_resting(const PlanarModel& model, const ContactLaw& law, double h) {
+bool ContactSolver::solve_rows(const PlanarModel& model, const ContactLaw& law, double h) {
     const double allowance = kMiddleWorkAllowance * model.total_mass * kReferenceGravity;
     bool solved = solver_.solve(rows_, bias_, law.friction);
     if (resting_work(h) <= allowance) return solved;
@@ -252,11 +252,11 @@ double ContactSolver::resting_work(double h) const {
 }
 
 void ContactSolver::store_forces(int body_count, double h, WarmStart& warm) {
-    warm.count = chosen_.count;
-    held_.contact_count = chosen_.count;
+    warm.count = selected_.count;
+    held_.contact_count = selected_.count;
     held_.limits_active = limits_.count > 0;
-    for (int c = 0; c < chosen_.count; ++c) {
-        const Contact& contact = chosen_.items[c];
+    for (int c = 0; c < selected_.count; ++c) {
+        const Contact& contact = selected_.items[c];
         warm.id[c] = contact.id;
         warm.normal[c] = 0.0;
         warm.friction[c] = 0.0;
@@ -289,7 +289,7 @@ void ContactSolver::store_forces(int body_count, double h, WarmStart& warm) {
         else
             warm.friction[row.source] = force;
     }
-    for (int c = 0; c < chosen_.count; ++c)
+    for (int c = 0; c < selected_.count; ++c)
         normal_force_[c] = warm.normal[c];
 }
 

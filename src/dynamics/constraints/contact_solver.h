@@ -41,7 +41,7 @@ struct ImpactResult {
 class ContactSolver {
 public:
     // Detects all near contacts at the given positions.
-    void collect(const PlanarModel& model, const ContactLaw& law, const Kinematics& kinematics);
+    void detect(const PlanarModel& model, const ContactLaw& law, const Kinematics& kinematics);
     const ContactSet& near() const { return near_; }
 
     // Whether a touching contact closes faster than kRestingSpeed.
@@ -49,14 +49,14 @@ public:
 
     // Solves the impact of everything that touches and changes the motion's speeds. The frame must
     // belong to the motion.
-    ImpactResult strike(const PlanarModel& model, const ContactLaw& law, double elasticity,
-                        const Frame& frame, Motion& motion);
+    ImpactResult solve_impact(const PlanarModel& model, const ContactLaw& law, double elasticity,
+                              const Frame& frame, Motion& motion);
 
     // Selects the contacts and limits of a step of length h from the near ones. Returns false if
     // there are none. The frame belongs to the step's start.
-    bool choose(const PlanarModel& model, Frame& frame, double h);
+    bool select_active(const PlanarModel& model, Frame& frame, double h);
     // Contacts of the last choose() or impact.
-    const ContactSet& chosen() const { return chosen_; }
+    const ContactSet& selected() const { return selected_; }
     // Whether the contact, or another of the same overlapping pair, was selected.
     bool covers(const Contact& contact) const;
 
@@ -68,9 +68,9 @@ public:
 
     // Solves the rows for a step of length h; held() has the forces. Returns false if the active
     // set failed and a fallback was used.
-    bool hold(const PlanarModel& model, const ContactLaw& law, double h, WarmStart& warm);
+    bool solve_resting(const PlanarModel& model, const ContactLaw& law, double h, WarmStart& warm);
     // Replaces hold() for a step without rows: there are no forces.
-    void let_go();
+    void clear();
     const HeldForces& held() const { return held_; }
     // Adds the forces to the loads, at the positions of the rows.
     void add_held(double h, Loads& loads) const {
@@ -87,16 +87,16 @@ public:
                        const Kinematics& end) const;
 
 private:
-    void choose_limits(const PlanarModel& model, const Frame& frame, double h);
-    void pose_resting(const PlanarModel& model, double h, const WarmStart& warm);
-    bool solve_resting(const PlanarModel& model, const ContactLaw& law, double h);
+    void select_limits(const PlanarModel& model, const Frame& frame, double h);
+    void set_resting_bias(const PlanarModel& model, double h, const WarmStart& warm);
+    bool solve_rows(const PlanarModel& model, const ContactLaw& law, double h);
     double resting_work(double h) const;
     double impact_work() const;
     void store_forces(int body_count, double h, WarmStart& warm);
 
     PairList pair_list_;
     ContactSet near_;
-    ContactSet chosen_;
+    ContactSet selected_;
     LimitSet limits_;
     HeldForces held_;
     ConstraintSystem rows_;

@@ -95,7 +95,7 @@ CAMBRIAN_INLINE double sliding_speed(const Contact& contact, const Kinematics& k
     return contact.normal_x * velocity.y - contact.normal_y * velocity.x;
 }
 
-CAMBRIAN_INLINE void place_contact(const Contact& contact, const Kinematics& collected,
+CAMBRIAN_INLINE void place_contact(const Contact& contact, const Kinematics& detected,
                                    const Frame& frame, PlacedContact& placed) {
     placed.normal_x = contact.normal_x;
     placed.normal_y = contact.normal_y;
@@ -103,8 +103,8 @@ CAMBRIAN_INLINE void place_contact(const Contact& contact, const Kinematics& col
     placed.arm_ay = contact.arm_ay;
     placed.arm_bx = contact.arm_bx;
     placed.arm_by = contact.arm_by;
-    placed.sliding = sliding_speed(contact, collected);
-    if (&collected != &frame.kinematics) move_contact(contact, collected, frame.kinematics, placed);
+    placed.sliding = sliding_speed(contact, detected);
+    if (&detected != &frame.kinematics) move_contact(contact, detected, frame.kinematics, placed);
     placed.acceleration = relative_acceleration(contact, placed, frame);
 }
 
@@ -175,7 +175,7 @@ void list_contact_rows(const RowSources& sources, ConstraintSystem& rows) {
     }
 }
 
-void add_limit_rows(const PlanarModel& model, const LimitSet& limits, const Kinematics& collected,
+void add_limit_rows(const PlanarModel& model, const LimitSet& limits, const Kinematics& detected,
                     const BodyResponse& accelerations, ConstraintSystem& rows) {
     for (int l = 0; l < limits.count; ++l) {
         const LimitCandidate& limit = limits.items[l];
@@ -189,7 +189,7 @@ void add_limit_rows(const PlanarModel& model, const LimitSet& limits, const Kine
         row.dir_y = 0.0;
         row.moment_a = 0.0;
         row.moment_b = 0.0;
-        row.rate = limit.sign * collected.joint_rate[limit.body];
+        row.rate = limit.sign * detected.joint_rate[limit.body];
         row.acceleration = row_rate(model, row, accelerations);
     }
 }
@@ -217,12 +217,12 @@ void hold_loops(const PlanarModel& model, const Frame& frame, ConstraintSystem& 
 
 }  // namespace
 
-void build_rows(const PlanarModel& model, const RowSources& sources, const Kinematics& collected,
+void build_rows(const PlanarModel& model, const RowSources& sources, const Kinematics& detected,
                 const Frame& frame, ConstraintSystem& rows) {
     CAMBRIAN_TICK_ASSERT(sources.contacts.count <= kMaxContacts, "contacts have room");
     PlacedContact placed[kMaxContacts];
     for (int c = 0; c < sources.contacts.count; ++c)
-        place_contact(sources.contacts.items[c], collected, frame, placed[c]);
+        place_contact(sources.contacts.items[c], detected, frame, placed[c]);
     rows.count = 0;
     list_contact_rows(sources, rows);
     for (int r = 0; r < rows.count; ++r) {
@@ -231,7 +231,7 @@ void build_rows(const PlanarModel& model, const RowSources& sources, const Kinem
         CAMBRIAN_TICK_ASSERT(is_body(model, row.body_a) && is_body_or_ground(model, row.body_b),
                              "a contact of bodies");
     }
-    add_limit_rows(model, sources.limits, collected, frame.response, rows);
+    add_limit_rows(model, sources.limits, detected, frame.response, rows);
     compute_delassus_matrix(model, frame, sources.friction_softness, rows);
     if (!model.closing_pins.empty()) hold_loops(model, frame, rows);
 }

@@ -76,7 +76,7 @@ struct RowSources {
 // Builds the rows. Their rates are those of the state in which the sources were detected. Their
 // accelerations without contact and their matrix are those of the frame, at the same state or a
 // later one. Impulses are not set.
-void build_rows(const PlanarModel& model, const RowSources& sources, const Kinematics& collected,
+void build_rows(const PlanarModel& model, const RowSources& sources, const Kinematics& detected,
                 const Frame& frame, ConstraintSystem& rows);
 
 // Computes the rates of all rows under any two motions of the bodies.

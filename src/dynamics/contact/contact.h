@@ -42,7 +42,7 @@ inline bool same_pair(const Contact& first, const Contact& second) {
 }
 
 // The order in which contacts are detected: those with the ground by part, then pairs of boxes.
-inline int collection_rank(int id) {
+inline int detection_rank(int id) {
     if (id < kGroundContactIds) return id / 4;
     return kMaxParts + (id - kGroundContactIds) / kIdsPerPair;
 }

@@ -52,8 +52,8 @@ void add_corners(const PlanarModel& model, const Kinematics& k, int part, const 
 
 }  // namespace
 
-void collect_ground_contacts(const PlanarModel& model, const Kinematics& k,
-                             const PartPlaces& places, ContactSet& contacts) {
+void detect_ground_contacts(const PlanarModel& model, const Kinematics& k, const PartPlaces& places,
+                            ContactSet& contacts) {
     PerPart lowest;
     for (int part = 0; part < model.part_count; part += kLanes) {
         const Simd4d reach =

@@ -8,7 +8,7 @@
 namespace cambrian {
 
 // Adds every corner nearer to the ground than kContactMargin.
-void collect_ground_contacts(const PlanarModel& model, const Kinematics& kinematics,
-                             const PartPlaces& places, ContactSet& contacts);
+void detect_ground_contacts(const PlanarModel& model, const Kinematics& kinematics,
+                            const PartPlaces& places, ContactSet& contacts);
 
 }  // namespace cambrian

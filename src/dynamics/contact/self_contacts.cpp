@@ -80,8 +80,8 @@ CAMBRIAN_INLINE bool PairList::has_expired(const PlanarModel& model,
     return largest_of(farthest) > 0.25 * kSpare * kSpare;
 }
 
-void PairList::collect(const PlanarModel& model, const Kinematics& kinematics,
-                       const PartPlaces& places, ContactSet& contacts) {
+void PairList::detect(const PlanarModel& model, const Kinematics& kinematics,
+                      const PartPlaces& places, ContactSet& contacts) {
     if (model.colliding_pairs.empty()) return;
     if (has_expired(model, places)) rebuild(model, places);
     for (int i = 0; i < count_; ++i) {

@@ -12,8 +12,8 @@ namespace cambrian {
 class PairList {
 public:
     // Adds all contacts nearer than kContactMargin, at most two for each pair.
-    void collect(const PlanarModel& model, const Kinematics& kinematics, const PartPlaces& places,
-                 ContactSet& contacts);
+    void detect(const PlanarModel& model, const Kinematics& kinematics, const PartPlaces& places,
+                ContactSet& contacts);
 
 private:
     bool has_expired(const PlanarModel& model, const PartPlaces& places) const;

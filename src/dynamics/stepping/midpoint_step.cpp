@@ -68,9 +68,9 @@ bool MidpointStep::attempt(const MotionSystem& system, const ContactLaw& law,
     const ImplicitStage stage{half, request.start.kinematics.joint_rate};
     system.evaluate(predicted_, step.time + half, FrameDetail::kEverything, middle_, middle_rate_,
                     &stage);
-    if (contacts.chosen().count > 0) find_centers(model, middle_);
+    if (contacts.selected().count > 0) find_centers(model, middle_);
     contacts.build_between(model, law, request.start.kinematics, middle_);
-    const bool solved = contacts.hold(model, law, step.length, warm);
+    const bool solved = contacts.solve_resting(model, law, step.length, warm);
     respond(model, contacts, step.length);
     accelerate(model, step.start, step.length, mean_rate_.acceleration, result.end);
     system.evaluate(result.end, step.time + step.length, FrameDetail::kEverything, frame,

@@ -76,7 +76,7 @@ void StepControl::advance(const PlanarModel& model, const ContactLaw& law, Forci
         faces = 0;
     moment.evaluation_debt = std::max(0.0, moment.evaluation_debt - max_evaluations_ * duration);
     Tick tick{model, law, forcing, moment, duration};
-    tick.collected = moment.frame_is_current && moment.collection == collection_;
+    tick.detected = moment.frame_is_current && moment.detection == detection_;
     Motion start;
     copy_motion(model, moment.motion, start);
     const SceneAudit books = moment.audit;
@@ -88,7 +88,7 @@ void StepControl::advance(const PlanarModel& model, const ContactLaw& law, Forci
     make_current(tick);
     moment.status = status_of(tick);
     if (moment.status != SceneStatus::kRunning) return take_back(tick, start, books);
-    moment.collection = tick.collected ? ++collection_ : 0;
+    moment.detection = tick.detected ? ++detection_ : 0;
     moment.time += duration;
     remember_contacts(tick);
     note_speeds(model, moment.frame().kinematics, moment.audit);
@@ -116,9 +116,9 @@ void StepControl::take_back(Tick& tick, const Motion& start, const SceneAudit& b
 SceneStatus StepControl::step(Tick& tick) {
     CAMBRIAN_TICK_ASSERT(tick.time < tick.length, "something is left of the tick");
     make_current(tick);
-    if (!tick.collected) contacts_.collect(tick.model, tick.law, tick.moment.frame().kinematics);
+    if (!tick.detected) contacts_.detect(tick.model, tick.law, tick.moment.frame().kinematics);
     if (tick.impacts < kMaxImpacts && contacts_.has_impact()) {
-        strike(tick, tick.law.elasticity);
+        apply_impact(tick, tick.law.elasticity);
         return SceneStatus::kRunning;
     }
     bool has_rows = false;
@@ -136,8 +136,8 @@ SceneStatus StepControl::step(Tick& tick) {
     Kinematics& end = tick.moment.spare_frame().kinematics;
     const double depth = deepest(contacts_.near());
     if (tick.time == 0.0) tick.start_depth = depth;
-    contacts_.collect(tick.model, tick.law, end);
-    tick.collected = true;
+    contacts_.detect(tick.model, tick.law, end);
+    tick.detected = true;
     if (tick.impacts < kMaxImpacts && has_new_impact(contacts_)) {
         const StepEnds ends{tick.moment.motion, *start_rate_, result_.end, *end_rate_, h};
         Motion motion;
@@ -148,7 +148,7 @@ SceneStatus StepControl::step(Tick& tick) {
     } else if (is_too_deep(tick, depth, h)) {
         ++tick.moment.audit.rejections;
         tick.moment.proposed_step = 0.5 * h;
-        tick.collected = false;
+        tick.detected = false;
     } else {
         tick.collapses = 0;
         accept(tick, has_rows, h);
@@ -181,11 +181,11 @@ void StepControl::count_evaluations(Tick& tick, int evaluations) {
     tick.moment.evaluation_debt += evaluations;
 }
 
-void StepControl::strike(Tick& tick, double elasticity) {
+void StepControl::apply_impact(Tick& tick, double elasticity) {
     SceneMoment& moment = tick.moment;
     complete_frame(tick.model, moment.frame());
     const ImpactResult impact =
-        contacts_.strike(tick.model, tick.law, elasticity, moment.frame(), moment.motion);
+        contacts_.solve_impact(tick.model, tick.law, elasticity, moment.frame(), moment.motion);
     moment.audit.impulse_work += impact.work;
     moment.audit.positive_work += std::max(0.0, impact.work);
     moment.audit.fallbacks += impact.fell_back ? 1U : 0U;
@@ -195,11 +195,11 @@ void StepControl::strike(Tick& tick, double elasticity) {
     ++tick.impacts;
     moment.frame_is_current = false;
     moment.has_last_acceleration = false;
-    tick.collected = false;
-    const ContactSet& struck = contacts_.chosen();
-    CAMBRIAN_TICK_ASSERT(struck.count <= kMaxContacts, "contacts have room");
-    for (int c = 0; c < struck.count; ++c) {
-        const Contact& contact = struck.items[c];
+    tick.detected = false;
+    const ContactSet& touching = contacts_.selected();
+    CAMBRIAN_TICK_ASSERT(touching.count <= kMaxContacts, "contacts have room");
+    for (int c = 0; c < touching.count; ++c) {
+        const Contact& contact = touching.items[c];
         moment.touched[contact.part_a] |= static_cast<std::uint8_t>(1U << contact.face_a);
         if (contact.part_b >= 0)
             moment.touched[contact.part_b] |= static_cast<std::uint8_t>(1U << contact.face_b);
@@ -210,7 +210,7 @@ void StepControl::strike(Tick& tick, double elasticity) {
 double StepControl::choose_length(Tick& tick, bool& has_rows) {
     SceneMoment& moment = tick.moment;
     double h = std::min(moment.proposed_step, integrator_->max_step);
-    has_rows = contacts_.choose(tick.model, moment.frame(), h);
+    has_rows = contacts_.select_active(tick.model, moment.frame(), h);
     if (has_rows) h = std::min(h, contact_step_);
     if (tick.collapses >= kPatience) {
         has_rows = false;
@@ -232,7 +232,7 @@ StepControl::Attempt StepControl::attempt(Tick& tick, bool has_rows, double& h) 
     SceneMoment& moment = tick.moment;
     const bool midpoint = is_midpoint(has_rows);
     const int order = midpoint ? MidpointStep::kErrorOrder : integrator_->error_order;
-    if (!has_rows) contacts_.let_go();
+    if (!has_rows) contacts_.clear();
     if (has_rows && !midpoint) contacts_.build(tick.model, tick.law, moment.frame());
     for (;;) {
         if (midpoint)
@@ -251,7 +251,7 @@ StepControl::Attempt StepControl::attempt(Tick& tick, bool has_rows, double& h) 
             }
             if (!has_rows || h >= collapse_step_) continue;
             ++tick.collapses;
-            strike(tick, 0.0);
+            apply_impact(tick, 0.0);
             moment.proposed_step = contact_step_;
             return Attempt::kCollapsed;
         }
@@ -293,7 +293,8 @@ void StepControl::try_midpoint_step(Tick& tick, double h) {
 // Attempts a step with contact forces that are found at its start and constant over it.
 void StepControl::try_step(Tick& tick, bool has_rows, double h) {
     SceneMoment& moment = tick.moment;
-    if (has_rows) count_resting(tick, contacts_.hold(tick.model, tick.law, h, moment.warm));
+    if (has_rows)
+        count_resting(tick, contacts_.solve_resting(tick.model, tick.law, h, moment.warm));
     tick.forcing.held = has_rows ? &contacts_.held() : nullptr;
     start_rate_ = has_rows ? &held_start_rate(tick) : &moment.free_rate;
     end_rate_ = &result_.end_rate;
@@ -392,9 +393,9 @@ void StepControl::keep_books(Tick& tick) {
     audit.positive_work += work_.positive;
     ++audit.steps;
     note_depths(contacts_.near(), end_overrun_, audit);
-    const ContactSet& chosen = contacts_.chosen();
-    for (int c = 0; c < chosen.count; ++c) {
-        const Contact& contact = chosen.items[c];
+    const ContactSet& selected = contacts_.selected();
+    for (int c = 0; c < selected.count; ++c) {
+        const Contact& contact = selected.items[c];
         if (contact.gap >= kContactBand && contacts_.held_normal(c) <= 0.0) continue;
         moment.touched[contact.part_a] |= static_cast<std::uint8_t>(1U << contact.face_a);
         if (contact.part_b >= 0)
@@ -405,9 +406,9 @@ void StepControl::keep_books(Tick& tick) {
 void StepControl::remember_contacts(Tick& tick) {
     SceneMoment& moment = tick.moment;
     moment.held_count = 0;
-    const ContactSet& chosen = contacts_.chosen();
+    const ContactSet& selected = contacts_.selected();
     for (int c = 0; c < contacts_.held().contact_count; ++c) {
-        const Contact& contact = chosen.items[c];
+        const Contact& contact = selected.items[c];
         const double force = contacts_.held_normal(c);
         if (force <= 0.0) continue;
         CAMBRIAN_TICK_ASSERT(moment.held_count < kMaxContacts, "held contacts have room");

@@ -27,7 +27,7 @@ struct SceneMoment {
     int current_frame = 0;
     MotionRate free_rate = {};  // of the motion, free of contact
     bool frame_is_current = false;
-    std::uint64_t collection = 0;  // number of the detection that belongs to the motion; 0: none
+    std::uint64_t detection = 0;  // number of the detection that belongs to the motion; 0: none
     double proposed_step = 1.0 / 120;  // s
     // Accelerations of the last step, if it was a midpoint step and no impact followed.
     PerCoordinate last_acceleration = {};
@@ -72,8 +72,8 @@ private:
         double time = 0.0;         // s, since its start
         double start_depth = 0.0;  // m; of the deepest contact
         int impacts = 0;
-        int collapses = 0;       // in a row
-        bool collected = false;  // contacts_ has detected the contacts of the present state
+        int collapses = 0;      // in a row
+        bool detected = false;  // contacts_ has detected the contacts of the present state
     };
     enum class Attempt { kAccepted, kCollapsed, kDiverged, kOverBudget };
 
@@ -81,7 +81,7 @@ private:
     static void take_back(Tick& tick, const Motion& start, const SceneAudit& books);
     static void make_current(Tick& tick);
     static void count_evaluations(Tick& tick, int evaluations);
-    void strike(Tick& tick, double elasticity);
+    void apply_impact(Tick& tick, double elasticity);
     double choose_length(Tick& tick, bool& has_rows);
     void count_resting(Tick& tick, bool solved);
     Attempt attempt(Tick& tick, bool has_rows, double& h);
@@ -108,7 +108,7 @@ private:
     double max_evaluations_;  // a simulated second
     ContactSolver contacts_;
     MidpointStep midpoint_;
-    std::uint64_t collection_ = 1;  // number of the last detection
+    std::uint64_t detection_ = 1;  // number of the last detection
     MotionRate held_rate_ = {};
     const MotionRate* start_rate_ = nullptr;  // of the present attempt, under its forces
     const MotionRate* end_rate_ = nullptr;    // at its end

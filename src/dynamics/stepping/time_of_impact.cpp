@@ -58,7 +58,7 @@ double find_impact(const PlanarModel& model, const ContactLaw& law, const StepEn
     for (int round = 0; round < kMaxRounds; ++round) {
         interpolate_motion(coordinate_slots(model), step, share, motion);
         compute_kinematics(model, motion, kinematics);
-        contacts.collect(model, law, kinematics);
+        contacts.detect(model, law, kinematics);
         const NewContact deepest = deepest_new_contact(contacts);
         if (deepest.found && deepest.gap >= 0.0 && deepest.gap <= kContactBand) return share;
         (deepest.gap < 0.0 ? high : low) = share;
@@ -66,7 +66,7 @@ double find_impact(const PlanarModel& model, const ContactLaw& law, const StepEn
     }
     interpolate_motion(coordinate_slots(model), step, high, motion);
     compute_kinematics(model, motion, kinematics);
-    contacts.collect(model, law, kinematics);
+    contacts.detect(model, law, kinematics);
     return high;
 }
 
