@@ -14,11 +14,11 @@
 namespace cambrian {
 namespace {
 
-constexpr double kCollapseShare = 1.0 / 32;   // of the contact step
-constexpr double kCollapseStep = 1.0 / 1920;  // s; at most, at the usual tolerance
+constexpr double kUnderflowShare = 1.0 / 32;   // of the contact step
+constexpr double kUnderflowStep = 1.0 / 1920;  // s; at most, at the usual tolerance
 constexpr double kUsualTolerance = 4e-3;
-constexpr double kPatientShare = 1.0 / 16;  // of the contact step
-constexpr int kPatience = 4;                // underflows in a row before a step without rows
+constexpr double kNoRowsShare = 1.0 / 16;  // of the contact step
+constexpr int kMaxUnderflows = 4;          // underflows in a row before a step without rows
 constexpr double kBudgetTime =
     1.0;  // s; of evaluations that may be spent before time pays for them
 constexpr double kHalvingStep = 1.0 / 960;   // s; shorter ones are not halved
@@ -60,10 +60,10 @@ StepControl::StepControl(const IntegratorKind& integrator, const SceneSettings& 
       contact_step_(settings.contact_step),
       max_evaluations_(settings.max_evaluations) {
     const double share = inverse_root(kUsualTolerance / tolerance_, MidpointStep::kErrorOrder);
-    collapse_step_ = std::min(kCollapseShare * contact_step_, kCollapseStep * share);
+    underflow_step_ = std::min(kUnderflowShare * contact_step_, kUnderflowStep * share);
     CAMBRIAN_TICK_ASSERT(tolerance_ > 0.0 && contact_step_ > 0.0 && max_evaluations_ > 0.0,
                          "settings that were checked");
-    CAMBRIAN_TICK_ASSERT(collapse_step_ > 0.0, "a step to give up at");
+    CAMBRIAN_TICK_ASSERT(underflow_step_ > 0.0, "a step to give up at");
 }
 
 void StepControl::advance(const PlanarModel& model, const ContactLaw& law, Forcing& forcing,
@@ -128,7 +128,7 @@ SceneStatus StepControl::step(Tick& tick) {
             return SceneStatus::kInvalid;
         case Attempt::kOverBudget:
             return SceneStatus::kOverBudget;
-        case Attempt::kCollapsed:
+        case Attempt::kUnderflow:
             return SceneStatus::kRunning;
         case Attempt::kAccepted:
             break;
@@ -143,14 +143,14 @@ SceneStatus StepControl::step(Tick& tick) {
         Motion motion;
         const double share = find_impact(tick.model, tick.law, ends, contacts_, motion, end);
         copy_motion(tick.model, motion, result_.end);
-        tick.collapses = 0;
+        tick.underflows = 0;
         accept_part(tick, h, share);
     } else if (is_too_deep(tick, depth, h)) {
         ++tick.moment.audit.rejections;
         tick.moment.proposed_step = 0.5 * h;
         tick.detected = false;
     } else {
-        tick.collapses = 0;
+        tick.underflows = 0;
         accept(tick, has_rows, h);
     }
     return SceneStatus::kRunning;
@@ -158,7 +158,7 @@ SceneStatus StepControl::step(Tick& tick) {
 
 // Whether the deepest contact at the attempt's end is much deeper than at its start or the tick's.
 bool StepControl::is_too_deep(const Tick& tick, double start_depth, double h) const {
-    if (h <= kHalvingStep || tick.collapses >= kPatience) return false;
+    if (h <= kHalvingStep || tick.underflows >= kMaxUnderflows) return false;
     const double depth = deepest(contacts_.near());
     return depth > start_depth + kMaxDeepening || depth > tick.start_depth + kMaxTickDeepening;
 }
@@ -212,9 +212,9 @@ double StepControl::choose_length(Tick& tick, bool& has_rows) {
     double h = std::min(moment.proposed_step, integrator_->max_step);
     has_rows = contacts_.select_active(tick.model, moment.frame(), h);
     if (has_rows) h = std::min(h, contact_step_);
-    if (tick.collapses >= kPatience) {
+    if (tick.underflows >= kMaxUnderflows) {
         has_rows = false;
-        h = std::min(h, kPatientShare * contact_step_);
+        h = std::min(h, kNoRowsShare * contact_step_);
     }
     const double rest = tick.length - tick.time;
     const double steps = std::ceil(rest / h * (has_rows ? 0.9 : 1.0 - 1e-9));
@@ -249,11 +249,11 @@ StepControl::Attempt StepControl::attempt(Tick& tick, bool has_rows, double& h) 
             if (h < kMinStep) {
                 return std::isfinite(result_.error) ? Attempt::kOverBudget : Attempt::kDiverged;
             }
-            if (!has_rows || h >= collapse_step_) continue;
-            ++tick.collapses;
+            if (!has_rows || h >= underflow_step_) continue;
+            ++tick.underflows;
             apply_impact(tick, 0.0);
             moment.proposed_step = contact_step_;
-            return Attempt::kCollapsed;
+            return Attempt::kUnderflow;
         }
         if (must_halve(tick, h)) {
             ++moment.audit.rejections;

@@ -72,10 +72,10 @@ private:
         double time = 0.0;         // s, since its start
         double start_depth = 0.0;  // m; of the deepest contact
         int impacts = 0;
-        int collapses = 0;      // in a row
+        int underflows = 0;     // in a row
         bool detected = false;  // contacts_ has detected the contacts of the present state
     };
-    enum class Attempt { kAccepted, kCollapsed, kDiverged, kOverBudget };
+    enum class Attempt { kAccepted, kUnderflow, kDiverged, kOverBudget };
 
     SceneStatus step(Tick& tick);
     static void take_back(Tick& tick, const Motion& start, const SceneAudit& books);
@@ -104,7 +104,7 @@ private:
     const IntegratorKind* integrator_;
     double tolerance_;
     double contact_step_;     // s; longest step with active rows
-    double collapse_step_;    // s; shorter steps with active rows count as an underflow
+    double underflow_step_;   // s; shorter steps with active rows count as an underflow
     double max_evaluations_;  // a simulated second
     ContactSolver contacts_;
     MidpointStep midpoint_;
