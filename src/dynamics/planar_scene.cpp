@@ -41,7 +41,7 @@ public:
         moment_.motion = rest_motion(model_);
         use_environment(environment);
         evaluate_here();
-        open_books(model_, forcing_.medium, moment_);
+        start_audit(model_, forcing_.medium, moment_);
     }
 
     std::size_t part_count() const override { return static_cast<std::size_t>(model_.part_count); }
@@ -77,7 +77,7 @@ public:
                                  moment_.frame().kinematics);
     }
     const SceneAudit& audit() const override { return moment_.audit; }
-    void restart_audit() override { open_books(model_, forcing_.medium, moment_); }
+    void restart_audit() override { start_audit(model_, forcing_.medium, moment_); }
     void list_contacts(std::vector<SceneContact>& contacts) const override;
     void add_to_digest(Hash64& digest) const override;
 

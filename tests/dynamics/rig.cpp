@@ -44,7 +44,7 @@ Rig::Rig(const BodyPlan& plan, const Environment& environment, const std::string
 
 void Rig::begin() {
     evaluate_accelerations(model, forcing, moment.motion, {}, moment.frame(), moment.free_rate);
-    open_books(model, forcing.medium, moment);
+    start_audit(model, forcing.medium, moment);
 }
 
 bool Rig::run(double duration) {

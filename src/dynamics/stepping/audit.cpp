@@ -47,7 +47,7 @@ void note_depths(const ContactSet& contacts, double limit_overrun, SceneAudit& a
     audit.max_limit_overrun = std::max(audit.max_limit_overrun, limit_overrun);
 }
 
-void close_books(const PlanarModel& model, const Medium& medium, SceneMoment& moment) {
+void update_audit(const PlanarModel& model, const Medium& medium, SceneMoment& moment) {
     SceneAudit& audit = moment.audit;
     const double* work = moment.motion.work;
     audit.motor_work = work[kMotorWork];
@@ -64,13 +64,13 @@ void close_books(const PlanarModel& model, const Medium& medium, SceneMoment& mo
     audit.energy_scale = audit.gross_motor_work + model.total_mass * gravity * kScaleHeight;
 }
 
-void open_books(const PlanarModel& model, const Medium& medium, SceneMoment& moment) {
+void start_audit(const PlanarModel& model, const Medium& medium, SceneMoment& moment) {
     for (double& work : moment.motion.work)
         work = 0.0;
     moment.audit = {};
     moment.energy_reference =
         mechanical_energy(model, medium, moment.motion, moment.frame().kinematics);
-    close_books(model, medium, moment);
+    update_audit(model, medium, moment);
 }
 
 }  // namespace cambrian

@@ -75,7 +75,7 @@ bool MidpointStep::attempt(const MotionSystem& system, const ContactLaw& law,
     accelerate(model, step.start, step.length, mean_rate_.acceleration, result.end);
     system.evaluate(result.end, step.time + step.length, FrameDetail::kEverything, frame,
                     result.end_rate);
-    keep_works(model, request, frame, result);
+    integrate_works(model, request, frame, result);
     result.error = estimate_error(model, law, step, contacts, result);
     result.evaluations = 2;
     CAMBRIAN_TICK_ASSERT(is_not_negative(result.error), "an error is not negative");
@@ -102,8 +102,8 @@ void MidpointStep::respond(const PlanarModel& model, const ContactSolver& contac
 
 // Integrates the works. That of motors is exact, because their efforts are constant; those of drag
 // and pull use Simpson's rule.
-void MidpointStep::keep_works(const PlanarModel& model, const MidpointRequest& request,
-                              const Frame& frame, StepResult& result) {
+void MidpointStep::integrate_works(const PlanarModel& model, const MidpointRequest& request,
+                                   const Frame& frame, StepResult& result) {
     const StepRequest& step = request.step;
     PerBody spin;
     for (int i = 0; i < model.body_count; i += kLanes)

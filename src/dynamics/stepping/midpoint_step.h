@@ -36,8 +36,8 @@ public:
 
 private:
     void respond(const PlanarModel& model, const ContactSolver& contacts, double h);
-    void keep_works(const PlanarModel& model, const MidpointRequest& request, const Frame& frame,
-                    StepResult& result);
+    void integrate_works(const PlanarModel& model, const MidpointRequest& request,
+                         const Frame& frame, StepResult& result);
     double estimate_error(const PlanarModel& model, const ContactLaw& law, const StepRequest& step,
                           ContactSolver& contacts, const StepResult& result) const;
     void take_damping(const PlanarModel& model, const PerCoordinate (&changes)[2],

@@ -79,26 +79,26 @@ void StepControl::advance(const PlanarModel& model, const ContactLaw& law, Forci
     tick.detected = moment.frame_is_current && moment.detection == detection_;
     Motion start;
     copy_motion(model, moment.motion, start);
-    const SceneAudit books = moment.audit;
+    const SceneAudit audit_before = moment.audit;
     while (tick.length - tick.time > kSliver) {
         moment.status = step(tick);
-        if (moment.status != SceneStatus::kRunning) return take_back(tick, start, books);
+        if (moment.status != SceneStatus::kRunning) return roll_back(tick, start, audit_before);
     }
     tick.time = tick.length;
     make_current(tick);
     moment.status = status_of(tick);
-    if (moment.status != SceneStatus::kRunning) return take_back(tick, start, books);
+    if (moment.status != SceneStatus::kRunning) return roll_back(tick, start, audit_before);
     moment.detection = tick.detected ? ++detection_ : 0;
     moment.time += duration;
     remember_contacts(tick);
     note_speeds(model, moment.frame().kinematics, moment.audit);
-    close_books(model, forcing.medium, moment);
+    update_audit(model, forcing.medium, moment);
 }
 
 // Restores the state of the tick's start except for the counters, after a step that failed.
-void StepControl::take_back(Tick& tick, const Motion& start, const SceneAudit& books) {
+void StepControl::roll_back(Tick& tick, const Motion& start, const SceneAudit& audit_before) {
     SceneMoment& moment = tick.moment;
-    const SceneAudit spent = std::exchange(moment.audit, books);
+    const SceneAudit spent = std::exchange(moment.audit, audit_before);
     CAMBRIAN_TICK_ASSERT(is_finite(tick.model, start), "a tick can be rolled back");
     copy_motion(tick.model, start, moment.motion);
     moment.frame_is_current = false;
@@ -109,7 +109,7 @@ void StepControl::take_back(Tick& tick, const Motion& start, const SceneAudit& b
     moment.audit.rejections = spent.rejections;
     moment.audit.events = spent.events;
     moment.audit.fallbacks = spent.fallbacks;
-    close_books(tick.model, tick.forcing.medium, moment);
+    update_audit(tick.model, tick.forcing.medium, moment);
 }
 
 // One accepted step or one impact.
@@ -323,7 +323,7 @@ const MotionRate& StepControl::held_start_rate(Tick& tick) {
 }
 
 // Computes the work of the constant forces up to the end in the spare frame, and the overrun there.
-void StepControl::weigh_end(const Tick& tick) {
+void StepControl::check_step_end(const Tick& tick) {
     const Kinematics& end = tick.moment.spare_frame().kinematics;
     work_ = contacts_.held_work(tick.model, tick.moment.frame().kinematics, end);
     end_overrun_ = limit_overrun(tick.model, end);
@@ -332,7 +332,7 @@ void StepControl::weigh_end(const Tick& tick) {
 // Positive work of contacts and limits shows that the step is too long for constant forces. So does
 // a joint that overruns a limit that was not selected.
 bool StepControl::must_halve(const Tick& tick, double h) {
-    weigh_end(tick);
+    check_step_end(tick);
     if (h <= kHalvingStep) return false;
     const double allowance = kStepWorkAllowance * tick.model.total_mass * kReferenceGravity;
     if (work_.positive > allowance) return true;
@@ -343,7 +343,7 @@ bool StepControl::must_halve(const Tick& tick, double h) {
 
 void StepControl::accept(Tick& tick, bool has_rows, double h) {
     SceneMoment& moment = tick.moment;
-    keep_books(tick);
+    add_to_audit(tick);
     copy_motion(tick.model, result_.end, moment.motion);
     moment.current_frame = 1 - moment.current_frame;
     copy_rate(tick.model, result_.end_rate, moment.free_rate);
@@ -361,8 +361,8 @@ void StepControl::accept(Tick& tick, bool has_rows, double h) {
 // Accepts the step up to an impact; result_ and the spare frame have the motion there.
 void StepControl::accept_part(Tick& tick, double h, double share) {
     SceneMoment& moment = tick.moment;
-    weigh_end(tick);
-    keep_books(tick);
+    check_step_end(tick);
+    add_to_audit(tick);
     copy_motion(tick.model, result_.end, moment.motion);
     moment.frame_is_current = false;
     tick.time += share * h;
@@ -385,7 +385,7 @@ void StepControl::release_forces(Tick& tick) {
     }
 }
 
-void StepControl::keep_books(Tick& tick) {
+void StepControl::add_to_audit(Tick& tick) {
     SceneMoment& moment = tick.moment;
     SceneAudit& audit = moment.audit;
     audit.contact_work += work_.contact;

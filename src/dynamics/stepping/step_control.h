@@ -78,7 +78,7 @@ private:
     enum class Attempt { kAccepted, kUnderflow, kDiverged, kOverBudget };
 
     SceneStatus step(Tick& tick);
-    static void take_back(Tick& tick, const Motion& start, const SceneAudit& books);
+    static void roll_back(Tick& tick, const Motion& start, const SceneAudit& audit_before);
     static void make_current(Tick& tick);
     static void count_evaluations(Tick& tick, int evaluations);
     void apply_impact(Tick& tick, double elasticity);
@@ -91,13 +91,13 @@ private:
     void try_step(Tick& tick, bool has_rows, double h);
     const MotionRate& held_start_rate(Tick& tick);
     void respond_to_held(const Tick& tick, BodyResponse& response) const;
-    void weigh_end(const Tick& tick);
+    void check_step_end(const Tick& tick);
     bool is_too_deep(const Tick& tick, double start_depth, double h) const;
     bool must_halve(const Tick& tick, double h);
     void accept(Tick& tick, bool has_rows, double h);
     void accept_part(Tick& tick, double h, double share);
     void release_forces(Tick& tick);
-    void keep_books(Tick& tick);
+    void add_to_audit(Tick& tick);
     void remember_contacts(Tick& tick);
     static SceneStatus status_of(const Tick& tick);
 
