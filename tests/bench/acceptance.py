@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Whether our physics is as fast and as sound as it is meant to be: one Markdown table.
 
-    acceptance.py [--bin build/release/bin] [--parts instructions books ...] [--quick]
+    acceptance.py [--bin build/release/bin] [--parts instructions audit ...] [--quick]
 
 Runs the benchmarks of this folder (built with CAMBRIAN_BUILD_BENCH) on the default settings of the
 program and puts each figure beside its bound. Needs valgrind for the instructions. The rows that

@@ -81,14 +81,14 @@ TEST_CASE("a state restored into another environment keeps the audit balanced",
     const BodyPlan plan = chain(3, 1.0, 0.0, 5.0);
     const auto away = make_scene(plan, moon);
     REQUIRE(run(*away, 0.5));
-    const auto moment = away->save();
+    const auto state = away->save();
     const auto scene = make_scene(plan, {});
-    scene->restore(*moment);
+    scene->restore(*state);
     CHECK(scene->energy() > 0.0);
     REQUIRE(run(*scene, 0.25));
     CHECK(std::fabs(scene->audit().energy_residual) < 1e-9);
     away->set_environment({});
-    away->restore(*moment);
+    away->restore(*state);
     REQUIRE(run(*away, 0.25));
     CHECK(std::fabs(away->audit().energy_residual) < 1e-9);
 }

@@ -55,7 +55,7 @@ public:
     // Selects the contacts and limits of a step of length h from the near ones. Returns false if
     // there are none. The frame belongs to the step's start.
     bool select_active(const PlanarModel& model, Frame& frame, double h);
-    // Contacts of the last choose() or impact.
+    // Contacts of the last select_active() or solve_impact().
     const ContactSet& selected() const { return selected_; }
     // Whether the contact, or another of the same overlapping pair, was selected.
     bool covers(const Contact& contact) const;
@@ -69,7 +69,7 @@ public:
     // Solves the rows for a step of length h; held() has the forces. Returns false if the active
     // set failed and a fallback was used.
     bool solve_resting(const PlanarModel& model, const ContactLaw& law, double h, WarmStart& warm);
-    // Replaces hold() for a step without rows: there are no forces.
+    // Replaces solve_resting() for a step without rows: there are no forces.
     void clear();
     const HeldForces& held() const { return held_; }
     // Adds the forces to the loads, at the positions of the rows.
@@ -79,7 +79,7 @@ public:
     // Adds to the loads the impulses by which active rows undo changes of the bodies' velocities.
     void absorb(const PlanarModel& model, const ContactLaw& law, const BodyResponse (&changes)[2],
                 Loads (&loads)[2]);
-    // Normal force of a selected contact after hold(), N.
+    // Normal force of a selected contact after solve_resting(), N.
     double held_normal(int contact) const { return normal_force_[contact]; }
 
     // Work of the constant forces between the positions at the ends of a step.

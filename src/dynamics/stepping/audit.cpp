@@ -47,30 +47,29 @@ void note_depths(const ContactSet& contacts, double limit_overrun, SceneAudit& a
     audit.max_limit_overrun = std::max(audit.max_limit_overrun, limit_overrun);
 }
 
-void update_audit(const PlanarModel& model, const Medium& medium, SceneMoment& moment) {
-    SceneAudit& audit = moment.audit;
-    const double* work = moment.motion.work;
+void update_audit(const PlanarModel& model, const Medium& medium, SimulationState& state) {
+    SceneAudit& audit = state.audit;
+    const double* work = state.motion.work;
     audit.motor_work = work[kMotorWork];
     audit.gross_motor_work = work[kGrossMotorWork];
     audit.drag_work = work[kDragWork];
     const double explained = work[kMotorWork] + work[kDragWork] + work[kPullWork] +
                              audit.contact_work + audit.limit_work + audit.impulse_work;
-    const double energy =
-        mechanical_energy(model, medium, moment.motion, moment.frame().kinematics);
-    audit.energy_residual = energy - moment.energy_reference - explained;
+    const double energy = mechanical_energy(model, medium, state.motion, state.frame().kinematics);
+    audit.energy_residual = energy - state.energy_reference - explained;
     const double gravity =
         std::sqrt(medium.gravity_x * medium.gravity_x + medium.gravity_y * medium.gravity_y);
     CAMBRIAN_TICK_ASSERT(!(audit.positive_work < 0.0), "what was given is not negative");
     audit.energy_scale = audit.gross_motor_work + model.total_mass * gravity * kScaleHeight;
 }
 
-void start_audit(const PlanarModel& model, const Medium& medium, SceneMoment& moment) {
-    for (double& work : moment.motion.work)
+void start_audit(const PlanarModel& model, const Medium& medium, SimulationState& state) {
+    for (double& work : state.motion.work)
         work = 0.0;
-    moment.audit = {};
-    moment.energy_reference =
-        mechanical_energy(model, medium, moment.motion, moment.frame().kinematics);
-    update_audit(model, medium, moment);
+    state.audit = {};
+    state.energy_reference =
+        mechanical_energy(model, medium, state.motion, state.frame().kinematics);
+    update_audit(model, medium, state);
 }
 
 }  // namespace cambrian

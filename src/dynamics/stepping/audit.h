@@ -17,9 +17,9 @@ void note_speeds(const PlanarModel& model, const Kinematics& kinematics, SceneAu
 void note_depths(const ContactSet& contacts, double limit_overrun, SceneAudit& audit);
 
 // Updates the works and the residual. The frame must be current.
-void update_audit(const PlanarModel& model, const Medium& medium, SceneMoment& moment);
+void update_audit(const PlanarModel& model, const Medium& medium, SimulationState& state);
 
 // Restarts the audit at the present state. The frame must be current.
-void start_audit(const PlanarModel& model, const Medium& medium, SceneMoment& moment);
+void start_audit(const PlanarModel& model, const Medium& medium, SimulationState& state);
 
 }  // namespace cambrian

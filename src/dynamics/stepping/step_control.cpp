@@ -67,56 +67,56 @@ StepControl::StepControl(const IntegratorKind& integrator, const SceneSettings& 
 }
 
 void StepControl::advance(const PlanarModel& model, const ContactLaw& law, Forcing& forcing,
-                          double duration, SceneMoment& moment) {
+                          double duration, SimulationState& state) {
     CAMBRIAN_TICK_ASSERT(duration > 0.0, "a tick takes time");
-    CAMBRIAN_TICK_ASSERT(moment.status == SceneStatus::kRunning, "only sound scenes go on");
-    CAMBRIAN_TICK_ASSERT(is_finite(model, moment.motion), "a tick starts from a finite motion");
+    CAMBRIAN_TICK_ASSERT(state.status == SceneStatus::kRunning, "only sound scenes go on");
+    CAMBRIAN_TICK_ASSERT(is_finite(model, state.motion), "a tick starts from a finite motion");
     CAMBRIAN_TICK_ASSERT(are_parents_before_children(model), "a parent comes before its children");
-    for (std::uint8_t& faces : moment.touched)
+    for (std::uint8_t& faces : state.touched)
         faces = 0;
-    moment.evaluation_debt = std::max(0.0, moment.evaluation_debt - max_evaluations_ * duration);
-    Tick tick{model, law, forcing, moment, duration};
-    tick.detected = moment.frame_is_current && moment.detection == detection_;
+    state.evaluation_debt = std::max(0.0, state.evaluation_debt - max_evaluations_ * duration);
+    Tick tick{model, law, forcing, state, duration};
+    tick.detected = state.frame_is_current && state.detection == detection_;
     Motion start;
-    copy_motion(model, moment.motion, start);
-    const SceneAudit audit_before = moment.audit;
+    copy_motion(model, state.motion, start);
+    const SceneAudit audit_before = state.audit;
     while (tick.length - tick.time > kSliver) {
-        moment.status = step(tick);
-        if (moment.status != SceneStatus::kRunning) return roll_back(tick, start, audit_before);
+        state.status = step(tick);
+        if (state.status != SceneStatus::kRunning) return roll_back(tick, start, audit_before);
     }
     tick.time = tick.length;
     make_current(tick);
-    moment.status = status_of(tick);
-    if (moment.status != SceneStatus::kRunning) return roll_back(tick, start, audit_before);
-    moment.detection = tick.detected ? ++detection_ : 0;
-    moment.time += duration;
+    state.status = status_of(tick);
+    if (state.status != SceneStatus::kRunning) return roll_back(tick, start, audit_before);
+    state.detection = tick.detected ? ++detection_ : 0;
+    state.time += duration;
     remember_contacts(tick);
-    note_speeds(model, moment.frame().kinematics, moment.audit);
-    update_audit(model, forcing.medium, moment);
+    note_speeds(model, state.frame().kinematics, state.audit);
+    update_audit(model, forcing.medium, state);
 }
 
 // Restores the state of the tick's start except for the counters, after a step that failed.
 void StepControl::roll_back(Tick& tick, const Motion& start, const SceneAudit& audit_before) {
-    SceneMoment& moment = tick.moment;
-    const SceneAudit spent = std::exchange(moment.audit, audit_before);
+    SimulationState& state = tick.state;
+    const SceneAudit spent = std::exchange(state.audit, audit_before);
     CAMBRIAN_TICK_ASSERT(is_finite(tick.model, start), "a tick can be rolled back");
-    copy_motion(tick.model, start, moment.motion);
-    moment.frame_is_current = false;
+    copy_motion(tick.model, start, state.motion);
+    state.frame_is_current = false;
     tick.time = 0.0;
     make_current(tick);
-    moment.audit.evaluations = spent.evaluations;
-    moment.audit.steps = spent.steps;
-    moment.audit.rejections = spent.rejections;
-    moment.audit.events = spent.events;
-    moment.audit.fallbacks = spent.fallbacks;
-    update_audit(tick.model, tick.forcing.medium, moment);
+    state.audit.evaluations = spent.evaluations;
+    state.audit.steps = spent.steps;
+    state.audit.rejections = spent.rejections;
+    state.audit.events = spent.events;
+    state.audit.fallbacks = spent.fallbacks;
+    update_audit(tick.model, tick.forcing.medium, state);
 }
 
 // One accepted step or one impact.
 SceneStatus StepControl::step(Tick& tick) {
     CAMBRIAN_TICK_ASSERT(tick.time < tick.length, "something is left of the tick");
     make_current(tick);
-    if (!tick.detected) contacts_.detect(tick.model, tick.law, tick.moment.frame().kinematics);
+    if (!tick.detected) contacts_.detect(tick.model, tick.law, tick.state.frame().kinematics);
     if (tick.impacts < kMaxImpacts && contacts_.has_impact()) {
         apply_impact(tick, tick.law.elasticity);
         return SceneStatus::kRunning;
@@ -133,21 +133,21 @@ SceneStatus StepControl::step(Tick& tick) {
         case Attempt::kAccepted:
             break;
     }
-    Kinematics& end = tick.moment.spare_frame().kinematics;
+    Kinematics& end = tick.state.spare_frame().kinematics;
     const double depth = deepest(contacts_.near());
     if (tick.time == 0.0) tick.start_depth = depth;
     contacts_.detect(tick.model, tick.law, end);
     tick.detected = true;
     if (tick.impacts < kMaxImpacts && has_new_impact(contacts_)) {
-        const StepEnds ends{tick.moment.motion, *start_rate_, result_.end, *end_rate_, h};
+        const StepEnds ends{tick.state.motion, *start_rate_, result_.end, *end_rate_, h};
         Motion motion;
         const double share = find_impact(tick.model, tick.law, ends, contacts_, motion, end);
         copy_motion(tick.model, motion, result_.end);
         tick.underflows = 0;
         accept_part(tick, h, share);
     } else if (is_too_deep(tick, depth, h)) {
-        ++tick.moment.audit.rejections;
-        tick.moment.proposed_step = 0.5 * h;
+        ++tick.state.audit.rejections;
+        tick.state.proposed_step = 0.5 * h;
         tick.detected = false;
     } else {
         tick.underflows = 0;
@@ -165,52 +165,52 @@ bool StepControl::is_too_deep(const Tick& tick, double start_depth, double h) co
 
 // Computes the accelerations without contact, unless the last step left them.
 void StepControl::make_current(Tick& tick) {
-    SceneMoment& moment = tick.moment;
-    if (moment.frame_is_current) return;
+    SimulationState& state = tick.state;
+    if (state.frame_is_current) return;
     tick.forcing.held = nullptr;
     const MotionSystem system{tick.model, tick.forcing, tick.length};
-    system.evaluate(moment.motion, tick.time, FrameDetail::kEverything, moment.frame(),
-                    moment.free_rate);
+    system.evaluate(state.motion, tick.time, FrameDetail::kEverything, state.frame(),
+                    state.free_rate);
     count_evaluations(tick, 1);
-    moment.frame_is_current = true;
+    state.frame_is_current = true;
 }
 
 void StepControl::count_evaluations(Tick& tick, int evaluations) {
     CAMBRIAN_TICK_ASSERT(evaluations > 0, "a step costs evaluations");
-    tick.moment.audit.evaluations += static_cast<std::uint64_t>(evaluations);
-    tick.moment.evaluation_debt += evaluations;
+    tick.state.audit.evaluations += static_cast<std::uint64_t>(evaluations);
+    tick.state.evaluation_debt += evaluations;
 }
 
 void StepControl::apply_impact(Tick& tick, double elasticity) {
-    SceneMoment& moment = tick.moment;
-    complete_frame(tick.model, moment.frame());
+    SimulationState& state = tick.state;
+    complete_frame(tick.model, state.frame());
     const ImpactResult impact =
-        contacts_.solve_impact(tick.model, tick.law, elasticity, moment.frame(), moment.motion);
-    moment.audit.impulse_work += impact.work;
-    moment.audit.positive_work += std::max(0.0, impact.work);
-    moment.audit.fallbacks += impact.fell_back ? 1U : 0U;
+        contacts_.solve_impact(tick.model, tick.law, elasticity, state.frame(), state.motion);
+    state.audit.impulse_work += impact.work;
+    state.audit.positive_work += std::max(0.0, impact.work);
+    state.audit.fallbacks += impact.fell_back ? 1U : 0U;
     ++solver_tally_.impacts;
     solver_tally_.impacts_failed += impact.fell_back ? 1U : 0U;
-    ++moment.audit.events;
+    ++state.audit.events;
     ++tick.impacts;
-    moment.frame_is_current = false;
-    moment.has_last_acceleration = false;
+    state.frame_is_current = false;
+    state.has_last_acceleration = false;
     tick.detected = false;
     const ContactSet& touching = contacts_.selected();
     CAMBRIAN_TICK_ASSERT(touching.count <= kMaxContacts, "contacts have room");
     for (int c = 0; c < touching.count; ++c) {
         const Contact& contact = touching.items[c];
-        moment.touched[contact.part_a] |= static_cast<std::uint8_t>(1U << contact.face_a);
+        state.touched[contact.part_a] |= static_cast<std::uint8_t>(1U << contact.face_a);
         if (contact.part_b >= 0)
-            moment.touched[contact.part_b] |= static_cast<std::uint8_t>(1U << contact.face_b);
+            state.touched[contact.part_b] |= static_cast<std::uint8_t>(1U << contact.face_b);
     }
 }
 
 // The rest of the tick is divided evenly, so that no tiny step remains.
 double StepControl::choose_length(Tick& tick, bool& has_rows) {
-    SceneMoment& moment = tick.moment;
-    double h = std::min(moment.proposed_step, integrator_->max_step);
-    has_rows = contacts_.select_active(tick.model, moment.frame(), h);
+    SimulationState& state = tick.state;
+    double h = std::min(state.proposed_step, integrator_->max_step);
+    has_rows = contacts_.select_active(tick.model, state.frame(), h);
     if (has_rows) h = std::min(h, contact_step_);
     if (tick.underflows >= kMaxUnderflows) {
         has_rows = false;
@@ -225,42 +225,42 @@ void StepControl::count_resting(Tick& tick, bool solved) {
     ++solver_tally_.resting;
     if (solved) return;
     ++solver_tally_.resting_failed;
-    ++tick.moment.audit.fallbacks;
+    ++tick.state.audit.fallbacks;
 }
 
 StepControl::Attempt StepControl::attempt(Tick& tick, bool has_rows, double& h) {
-    SceneMoment& moment = tick.moment;
+    SimulationState& state = tick.state;
     const bool midpoint = is_midpoint(has_rows);
     const int order = midpoint ? MidpointStep::kErrorOrder : integrator_->error_order;
     if (!has_rows) contacts_.clear();
-    if (has_rows && !midpoint) contacts_.build(tick.model, tick.law, moment.frame());
+    if (has_rows && !midpoint) contacts_.build(tick.model, tick.law, state.frame());
     for (;;) {
         if (midpoint)
             try_midpoint_step(tick, h);
         else
             try_step(tick, has_rows, h);
         count_evaluations(tick, result_.evaluations);
-        if (moment.evaluation_debt > kBudgetTime * max_evaluations_) return Attempt::kOverBudget;
+        if (state.evaluation_debt > kBudgetTime * max_evaluations_) return Attempt::kOverBudget;
         if (!(result_.error <= 1.0)) {
-            ++moment.audit.rejections;
+            ++state.audit.rejections;
             const double factor = step_factor(result_.error, order);
             h *= std::min(factor, 0.9);
-            moment.proposed_step = h;
+            state.proposed_step = h;
             if (h < kMinStep) {
                 return std::isfinite(result_.error) ? Attempt::kOverBudget : Attempt::kDiverged;
             }
             if (!has_rows || h >= underflow_step_) continue;
             ++tick.underflows;
             apply_impact(tick, 0.0);
-            moment.proposed_step = contact_step_;
+            state.proposed_step = contact_step_;
             return Attempt::kUnderflow;
         }
         if (must_halve(tick, h)) {
-            ++moment.audit.rejections;
+            ++state.audit.rejections;
             h *= 0.5;
             continue;
         }
-        propose_length(h, order, moment.proposed_step);
+        propose_length(h, order, state.proposed_step);
         return Attempt::kAccepted;
     }
 }
@@ -278,34 +278,33 @@ void StepControl::propose_length(double h, int order, double& proposed) const {
 }
 
 void StepControl::try_midpoint_step(Tick& tick, double h) {
-    SceneMoment& moment = tick.moment;
+    SimulationState& state = tick.state;
     tick.forcing.held = nullptr;
     const MotionSystem system{tick.model, tick.forcing, tick.length};
-    const StepRequest request{moment.motion, moment.free_rate, tick.time, h, tolerance_};
+    const StepRequest request{state.motion, state.free_rate, tick.time, h, tolerance_};
     const PerCoordinate& prediction =
-        moment.has_last_acceleration ? moment.last_acceleration : moment.free_rate.acceleration;
-    count_resting(tick, midpoint_.attempt(system, tick.law, {request, moment.frame(), prediction},
-                                          contacts_, moment.warm, moment.spare_frame(), result_));
+        state.has_last_acceleration ? state.last_acceleration : state.free_rate.acceleration;
+    count_resting(tick, midpoint_.attempt(system, tick.law, {request, state.frame(), prediction},
+                                          contacts_, state.warm, state.spare_frame(), result_));
     start_rate_ = &midpoint_.mean_rate();
     end_rate_ = start_rate_;
 }
 
 // Attempts a step with contact forces that are found at its start and constant over it.
 void StepControl::try_step(Tick& tick, bool has_rows, double h) {
-    SceneMoment& moment = tick.moment;
-    if (has_rows)
-        count_resting(tick, contacts_.solve_resting(tick.model, tick.law, h, moment.warm));
+    SimulationState& state = tick.state;
+    if (has_rows) count_resting(tick, contacts_.solve_resting(tick.model, tick.law, h, state.warm));
     tick.forcing.held = has_rows ? &contacts_.held() : nullptr;
-    start_rate_ = has_rows ? &held_start_rate(tick) : &moment.free_rate;
+    start_rate_ = has_rows ? &held_start_rate(tick) : &state.free_rate;
     end_rate_ = &result_.end_rate;
     const MotionSystem system{tick.model, tick.forcing, tick.length};
-    integrator_->attempt(system, {moment.motion, *start_rate_, tick.time, h, tolerance_},
-                         moment.spare_frame(), result_);
+    integrator_->attempt(system, {state.motion, *start_rate_, tick.time, h, tolerance_},
+                         state.spare_frame(), result_);
 }
 
 // The accelerations that the constant forces add.
 void StepControl::respond_to_held(const Tick& tick, BodyResponse& response) const {
-    const Frame& frame = tick.moment.frame();
+    const Frame& frame = tick.state.frame();
     Loads loads;
     clear_loads(tick.model, loads);
     add_held_forces(tick.model, contacts_.held(), frame.kinematics, loads);
@@ -316,7 +315,7 @@ void StepControl::respond_to_held(const Tick& tick, BodyResponse& response) cons
 const MotionRate& StepControl::held_start_rate(Tick& tick) {
     BodyResponse response;
     respond_to_held(tick, response);
-    copy_rate(tick.model, tick.moment.free_rate, held_rate_);
+    copy_rate(tick.model, tick.state.free_rate, held_rate_);
     for (int c = 0; c < coordinate_count(tick.model); ++c)
         held_rate_.acceleration[c] += response.coordinate[c];
     return held_rate_;
@@ -324,8 +323,8 @@ const MotionRate& StepControl::held_start_rate(Tick& tick) {
 
 // Computes the work of the constant forces up to the end in the spare frame, and the overrun there.
 void StepControl::check_step_end(const Tick& tick) {
-    const Kinematics& end = tick.moment.spare_frame().kinematics;
-    work_ = contacts_.held_work(tick.model, tick.moment.frame().kinematics, end);
+    const Kinematics& end = tick.state.spare_frame().kinematics;
+    work_ = contacts_.held_work(tick.model, tick.state.frame().kinematics, end);
     end_overrun_ = limit_overrun(tick.model, end);
 }
 
@@ -337,20 +336,19 @@ bool StepControl::must_halve(const Tick& tick, double h) {
     const double allowance = kStepWorkAllowance * tick.model.total_mass * kReferenceGravity;
     if (work_.positive > allowance) return true;
     return end_overrun_ > kMaxOverrun &&
-           end_overrun_ >
-               limit_overrun(tick.model, tick.moment.frame().kinematics) + kOverrunGrowth;
+           end_overrun_ > limit_overrun(tick.model, tick.state.frame().kinematics) + kOverrunGrowth;
 }
 
 void StepControl::accept(Tick& tick, bool has_rows, double h) {
-    SceneMoment& moment = tick.moment;
+    SimulationState& state = tick.state;
     add_to_audit(tick);
-    copy_motion(tick.model, result_.end, moment.motion);
-    moment.current_frame = 1 - moment.current_frame;
-    copy_rate(tick.model, result_.end_rate, moment.free_rate);
-    moment.has_last_acceleration = is_midpoint(has_rows);
-    if (moment.has_last_acceleration) {
+    copy_motion(tick.model, result_.end, state.motion);
+    state.current_frame = 1 - state.current_frame;
+    copy_rate(tick.model, result_.end_rate, state.free_rate);
+    state.has_last_acceleration = is_midpoint(has_rows);
+    if (state.has_last_acceleration) {
         for (int c = 0; c < coordinate_slots(tick.model); c += kLanes)
-            store_lanes(moment.last_acceleration + c,
+            store_lanes(state.last_acceleration + c,
                         load_lanes(midpoint_.mean_rate().acceleration + c));
     } else if (has_rows) {
         release_forces(tick);
@@ -360,34 +358,34 @@ void StepControl::accept(Tick& tick, bool has_rows, double h) {
 
 // Accepts the step up to an impact; result_ and the spare frame have the motion there.
 void StepControl::accept_part(Tick& tick, double h, double share) {
-    SceneMoment& moment = tick.moment;
+    SimulationState& state = tick.state;
     check_step_end(tick);
     add_to_audit(tick);
-    copy_motion(tick.model, result_.end, moment.motion);
-    moment.frame_is_current = false;
+    copy_motion(tick.model, result_.end, state.motion);
+    state.frame_is_current = false;
     tick.time += share * h;
 }
 
 // Subtracts the response to the constant forces from the accelerations of the step's end.
 void StepControl::release_forces(Tick& tick) {
-    SceneMoment& moment = tick.moment;
-    complete_frame(tick.model, moment.frame());
+    SimulationState& state = tick.state;
+    complete_frame(tick.model, state.frame());
     BodyResponse response;
     respond_to_held(tick, response);
     for (int c = 0; c < coordinate_count(tick.model); ++c) {
-        moment.free_rate.acceleration[c] -= response.coordinate[c];
-        moment.frame().response.coordinate[c] -= response.coordinate[c];
+        state.free_rate.acceleration[c] -= response.coordinate[c];
+        state.frame().response.coordinate[c] -= response.coordinate[c];
     }
     for (int i = 0; i < tick.model.body_count; ++i) {
-        moment.frame().response.x[i] -= response.x[i];
-        moment.frame().response.y[i] -= response.y[i];
-        moment.frame().response.spin[i] -= response.spin[i];
+        state.frame().response.x[i] -= response.x[i];
+        state.frame().response.y[i] -= response.y[i];
+        state.frame().response.spin[i] -= response.spin[i];
     }
 }
 
 void StepControl::add_to_audit(Tick& tick) {
-    SceneMoment& moment = tick.moment;
-    SceneAudit& audit = moment.audit;
+    SimulationState& state = tick.state;
+    SceneAudit& audit = state.audit;
     audit.contact_work += work_.contact;
     audit.limit_work += work_.limit;
     audit.positive_work += work_.positive;
@@ -397,28 +395,28 @@ void StepControl::add_to_audit(Tick& tick) {
     for (int c = 0; c < selected.count; ++c) {
         const Contact& contact = selected.items[c];
         if (contact.gap >= kContactBand && contacts_.held_normal(c) <= 0.0) continue;
-        moment.touched[contact.part_a] |= static_cast<std::uint8_t>(1U << contact.face_a);
+        state.touched[contact.part_a] |= static_cast<std::uint8_t>(1U << contact.face_a);
         if (contact.part_b >= 0)
-            moment.touched[contact.part_b] |= static_cast<std::uint8_t>(1U << contact.face_b);
+            state.touched[contact.part_b] |= static_cast<std::uint8_t>(1U << contact.face_b);
     }
 }
 
 void StepControl::remember_contacts(Tick& tick) {
-    SceneMoment& moment = tick.moment;
-    moment.held_count = 0;
+    SimulationState& state = tick.state;
+    state.held_count = 0;
     const ContactSet& selected = contacts_.selected();
     for (int c = 0; c < contacts_.held().contact_count; ++c) {
         const Contact& contact = selected.items[c];
         const double force = contacts_.held_normal(c);
         if (force <= 0.0) continue;
-        CAMBRIAN_TICK_ASSERT(moment.held_count < kMaxContacts, "held contacts have room");
-        moment.held[moment.held_count++] = {contact.body_a,   contact.point_x,  contact.point_y,
-                                            contact.normal_x, contact.normal_y, force};
+        CAMBRIAN_TICK_ASSERT(state.held_count < kMaxContacts, "held contacts have room");
+        state.held[state.held_count++] = {contact.body_a,   contact.point_x,  contact.point_y,
+                                          contact.normal_x, contact.normal_y, force};
     }
 }
 
 SceneStatus StepControl::status_of(const Tick& tick) {
-    const Motion& motion = tick.moment.motion;
+    const Motion& motion = tick.state.motion;
     Simd4i sound = Simd4d{} <= Simd4d{};
     for (int c = 0; c < coordinate_slots(tick.model); c += kLanes) {
         sound &= magnitude(load_lanes(motion.position + c)) <= all_lanes(kMaxDistance);

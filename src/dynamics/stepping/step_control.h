@@ -19,7 +19,7 @@ struct HeldContact {
 };
 
 // Everything of a scene that changes with time; a copy is a saved state.
-struct SceneMoment {
+struct SimulationState {
     Motion motion = {};
     double time = 0.0;  // s
     SceneStatus status = SceneStatus::kRunning;
@@ -58,7 +58,7 @@ public:
 
     // Advances the state by one tick; its status says whether that succeeded.
     void advance(const PlanarModel& model, const ContactLaw& law, Forcing& forcing, double duration,
-                 SceneMoment& moment);
+                 SimulationState& state);
 
     const SolverTally& solver_tally() const { return solver_tally_; }
 
@@ -67,7 +67,7 @@ private:
         const PlanarModel& model;
         const ContactLaw& law;
         Forcing& forcing;
-        SceneMoment& moment;
+        SimulationState& state;
         double length = 0.0;       // s
         double time = 0.0;         // s, since its start
         double start_depth = 0.0;  // m; of the deepest contact
