@@ -55,7 +55,7 @@ public:
     Vec3 center_of_mass() const override { return mean_of_trees(state_.motion.position); }
     Vec3 center_of_mass_velocity() const override { return mean_of_trees(state_.motion.speed); }
     double kinetic_energy() const override {
-        return cambrian::kinetic_energy(model_, state_.frame().kinematics);
+        return cambrian::kinetic_energy(model_, state_.cache().kinematics);
     }
     Bounds bounds() const override;
 
@@ -73,7 +73,7 @@ public:
     }
     void restore(const SceneState& state) override;
     double energy() const override {
-        return mechanical_energy(model_, forcing_.medium, state_.motion, state_.frame().kinematics);
+        return mechanical_energy(model_, forcing_.medium, state_.motion, state_.cache().kinematics);
     }
     const SceneAudit& audit() const override { return state_.audit; }
     void restart_audit() override { start_audit(model_, forcing_.medium, state_); }
@@ -109,7 +109,7 @@ private:
 
 Vec2 PlanarScene::arm_of(std::size_t part, double x, double y) const {
     const int b = body_of(part);
-    const Kinematics& k = state_.frame().kinematics;
+    const Kinematics& k = state_.cache().kinematics;
     const double body_x =
         model_.part_x[part] + model_.part_cosine[part] * x - model_.part_sine[part] * y;
     const double body_y =
@@ -129,14 +129,14 @@ Vec3 PlanarScene::mean_of_trees(const PerCoordinate& coordinates) const {
 
 Pose PlanarScene::part_pose(std::size_t part) const {
     const int b = body_of(part);
-    const Kinematics& k = state_.frame().kinematics;
+    const Kinematics& k = state_.cache().kinematics;
     const Vec2 arm = arm_of(part, 0.0, 0.0);
     return planar_pose(k.x[b] + arm.x(), k.y[b] + arm.y(), k.angle[b] + model_.part_angle[part]);
 }
 
 Twist PlanarScene::part_twist(std::size_t part) const {
     const int b = body_of(part);
-    const Kinematics& k = state_.frame().kinematics;
+    const Kinematics& k = state_.cache().kinematics;
     const Vec2 arm = arm_of(part, 0.0, 0.0);
     return {Vec3(k.velocity_x[b] - k.spin[b] * arm.y(), k.velocity_y[b] + k.spin[b] * arm.x(), 0.0),
             Vec3(0.0, 0.0, k.spin[b])};
@@ -145,18 +145,18 @@ Twist PlanarScene::part_twist(std::size_t part) const {
 double PlanarScene::joint_coordinate(std::size_t part) const {
     const int joint = joint_of(part);
     if (joint < 0) return 0.0;
-    return state_.frame().kinematics.joint_position[joint];
+    return state_.cache().kinematics.joint_position[joint];
 }
 
 double PlanarScene::joint_rate(std::size_t part) const {
     const int joint = joint_of(part);
     if (joint < 0) return 0.0;
-    return state_.frame().kinematics.joint_rate[joint];
+    return state_.cache().kinematics.joint_rate[joint];
 }
 
 double PlanarScene::joint_effort(std::size_t part) const {
     const int joint = joint_of(part);
-    return joint < 0 ? 0.0 : state_.frame().motor_effort[joint];
+    return joint < 0 ? 0.0 : state_.cache().motor_effort[joint];
 }
 
 bool PlanarScene::face_touched(std::size_t part, Face face) const {
@@ -166,7 +166,7 @@ bool PlanarScene::face_touched(std::size_t part, Face face) const {
 
 // Computes four corners at once.
 Bounds PlanarScene::bounds() const {
-    const Kinematics& k = state_.frame().kinematics;
+    const Kinematics& k = state_.cache().kinematics;
     Simd4d low_x = all_lanes(std::numeric_limits<double>::infinity());
     Simd4d low_y = low_x;
     Simd4d high_x = -low_x;
@@ -211,7 +211,7 @@ SceneStatus PlanarScene::advance(double duration) {
     control_.advance(model_, law_, forcing_, duration, state_);
     for (int i = 0; i < model_.body_count; i += kLanes)
         store_lanes(state_.drive_start + i, load_lanes(state_.drive_end + i));
-    if (forcing_.pulled) state_.frame_is_current = false;
+    if (forcing_.pulled) state_.cache_is_current = false;
     forcing_.pulled = false;
     return state_.status;
 }
@@ -221,13 +221,13 @@ void PlanarScene::use_environment(const Environment& environment) {
     if (environment.density != model_.density) change_density(model_, environment.density);
     forcing_.medium = medium_of(environment);
     law_ = {limp_ ? 0.0 : environment.friction, environment.elasticity, environment.has_ground};
-    state_.frame_is_current = false;
+    state_.cache_is_current = false;
 }
 
-// Updates the frame for displays; time does not pass.
+// Updates the cache for displays; time does not pass.
 void PlanarScene::evaluate_here() {
     forcing_.held = nullptr;
-    evaluate_accelerations(model_, forcing_, state_.motion, {}, state_.frame(), state_.free_rate);
+    evaluate_accelerations(model_, forcing_, state_.motion, {}, state_.cache(), state_.free_rate);
 }
 
 void PlanarScene::set_environment(const Environment& environment) {
@@ -251,7 +251,7 @@ void PlanarScene::translate(const Vec3& offset) {
         state_.motion.position[center_of(model_, t) + 1] += offset.y();
     }
     evaluate_here();
-    state_.frame_is_current = false;
+    state_.cache_is_current = false;
     state_.energy_reference += energy() - before;
 }
 
@@ -267,7 +267,7 @@ void PlanarScene::pull(std::size_t part, const Vec3& point_in_part, const Vec3& 
     forcing_.pull.force_x = force.x();
     forcing_.pull.force_y = force.y();
     forcing_.pulled = true;
-    state_.frame_is_current = false;
+    state_.cache_is_current = false;
 }
 
 void PlanarScene::restore(const SceneState& state) {
@@ -277,20 +277,20 @@ void PlanarScene::restore(const SceneState& state) {
     state_.detection = 0;  // numbers of detections differ between scenes
     forcing_.pulled = false;
     if (saved->environment == environment_ && saved->limp == limp_) return;
-    state_.frame_is_current = false;
+    state_.cache_is_current = false;
     state_.energy_reference += energy() - energy_under(saved->environment);
 }
 
 // Mechanical energy of the motion with another environment's density and gravity.
 double PlanarScene::energy_under(const Environment& environment) const {
     const double here =
-        mechanical_energy(model_, medium_of(environment), state_.motion, state_.frame().kinematics);
+        mechanical_energy(model_, medium_of(environment), state_.motion, state_.cache().kinematics);
     return here * (environment.density / model_.density);
 }
 
 void PlanarScene::list_contacts(std::vector<SceneContact>& contacts) const {
     contacts.clear();
-    const Kinematics& k = state_.frame().kinematics;
+    const Kinematics& k = state_.cache().kinematics;
     for (int c = 0; c < state_.held_count; ++c) {
         const HeldContact& held = state_.held[c];
         const int a = held.body_a;

@@ -53,7 +53,7 @@ TEST_CASE("a corner that sticks stops exactly and bounces exactly", "[dynamics][
         Rig rig(random_tree(random, 1 + round % 12, 0.0, 0.0, 5.0), environment);
         Motion& motion = rig.state.motion;
         motion.position[0] += random.uniform(-3.0, 3.0);
-        Kinematics& k = rig.state.frame().kinematics;
+        Kinematics& k = rig.state.cache().kinematics;
         compute_kinematics(rig.model, motion, k);
         double lowest = 100.0;
         for (int corner = 0; corner < 4 * rig.model.part_count; ++corner) {
@@ -67,11 +67,11 @@ TEST_CASE("a corner that sticks stops exactly and bounces exactly", "[dynamics][
         motion.speed[center_of(rig.model, 0)] = random.uniform(-3.0, 3.0);
         motion.speed[center_of(rig.model, 0) + 1] = -10.0;
         rig.begin();
-        complete_frame(rig.model, rig.state.frame());
+        complete_cache(rig.model, rig.state.cache());
         ContactSolver contacts;
         contacts.detect(rig.model, rig.law, k);
         if (!contacts.has_impact()) continue;
-        contacts.solve_impact(rig.model, rig.law, environment.elasticity, rig.state.frame(),
+        contacts.solve_impact(rig.model, rig.law, environment.elasticity, rig.state.cache(),
                               motion);
         if (contacts.selected().count != 1) continue;  // the others of a group hold each other up
         const Contact& corner = contacts.selected().items[0];

@@ -72,7 +72,7 @@ double gap_of(const PlanarModel& model, const Kinematics& k) {
 }
 
 double gap_of(const Rig& rig) {
-    return gap_of(rig.model, rig.state.frame().kinematics);
+    return gap_of(rig.model, rig.state.cache().kinematics);
 }
 
 BodyPlan pinned_badly(const ClosingPin& pin) {
@@ -89,7 +89,7 @@ TEST_CASE("accelerations of loops agree with dense least squares", "[dynamics][l
     REQUIRE(model);
     for (int round = 0; round < 50; ++round) {
         Motion motion = rest_motion(*model);
-        Frame frame = {};
+        EvaluationCache cache = {};
         MotionRate rate;
         Forcing forcing;
         forcing.medium = {1.0, -9.81, 0.5, 0.2};
@@ -98,17 +98,17 @@ TEST_CASE("accelerations of loops agree with dense least squares", "[dynamics][l
             motion.speed[c] = 4.0 * random.gauss();
         }
         for (int newton = 0; newton < 8; ++newton) {
-            evaluate_accelerations(*model, forcing, motion, {}, frame, rate);
-            LoopClosure(*model, frame.kinematics, frame.factors).close_drift(motion);
+            evaluate_accelerations(*model, forcing, motion, {}, cache, rate);
+            LoopClosure(*model, cache.kinematics, cache.factors).close_drift(motion);
         }
-        evaluate_accelerations(*model, forcing, motion, {}, frame, rate);
+        evaluate_accelerations(*model, forcing, motion, {}, cache, rate);
         LeastSquaresDynamics reference(*model, 1.0 / 20);
-        const Eigen::VectorXd dense = reference.solve(frame.kinematics, frame.loads);
+        const Eigen::VectorXd dense = reference.solve(cache.kinematics, cache.loads);
         CHECK(reference.deviation().norm() < 1e-12);
         Eigen::VectorXd closed(dense.size());
         for (Eigen::Index i = 0; i < model->body_count; ++i)
-            closed.segment<3>(3 * i) << frame.response.x[i], frame.response.y[i],
-                frame.response.spin[i];
+            closed.segment<3>(3 * i) << cache.response.x[i], cache.response.y[i],
+                cache.response.spin[i];
         CHECK((closed - dense).norm() < 1e-9 * dense.norm());
     }
 }
@@ -141,7 +141,7 @@ TEST_CASE("a loop keeps energy and angular momentum", "[dynamics][loops]") {
     rig.state.motion.speed[0] = 3.0;
     rig.state.motion.speed[2] = -4.0;
     rig.begin();
-    LoopClosure(rig.model, rig.state.frame().kinematics, rig.state.frame().factors)
+    LoopClosure(rig.model, rig.state.cache().kinematics, rig.state.cache().factors)
         .close_drift(rig.state.motion);
     rig.begin();
     const double energy = rig.energy();

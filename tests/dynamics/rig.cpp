@@ -43,7 +43,7 @@ Rig::Rig(const BodyPlan& plan, const Environment& environment, const std::string
 }
 
 void Rig::begin() {
-    evaluate_accelerations(model, forcing, state.motion, {}, state.frame(), state.free_rate);
+    evaluate_accelerations(model, forcing, state.motion, {}, state.cache(), state.free_rate);
     start_audit(model, forcing.medium, state);
 }
 
@@ -57,11 +57,11 @@ bool Rig::run(double duration) {
 }
 
 double Rig::energy() const {
-    return mechanical_energy(model, forcing.medium, state.motion, state.frame().kinematics);
+    return mechanical_energy(model, forcing.medium, state.motion, state.cache().kinematics);
 }
 
 double Rig::angular_momentum() const {
-    const Kinematics& k = state.frame().kinematics;
+    const Kinematics& k = state.cache().kinematics;
     double sum = 0.0;
     for (int i = 0; i < model.body_count; ++i)
         sum += model.inertia[i] * k.spin[i] +

@@ -36,16 +36,16 @@ Sources touching_everywhere(RandomStream& random, const PlanarModel& model, cons
 }
 
 struct Evaluated {
-    Frame frame = {};
+    EvaluationCache cache = {};
     MotionRate rate = {};
 };
 
 Evaluated random_evaluated(RandomStream& random, const PlanarModel& model) {
     const Motion motion = random_motion(random, model);
     Evaluated state;
-    evaluate_accelerations(model, {}, motion, {0.0, FrameDetail::kEverything}, state.frame,
+    evaluate_accelerations(model, {}, motion, {0.0, EvaluationDetail::kEverything}, state.cache,
                            state.rate);
-    complete_frame(model, state.frame);
+    complete_cache(model, state.cache);
     return state;
 }
 
@@ -59,10 +59,10 @@ TEST_CASE("rows are coupled as impulses move the bodies", "[dynamics][rows]") {
             random_tree(random, random.between(2, 20), linear_share, 20.0, 0.0), 1.0);
         REQUIRE(model);
         const Evaluated state = random_evaluated(random, *model);
-        const Sources sources = touching_everywhere(random, *model, state.frame.kinematics);
+        const Sources sources = touching_everywhere(random, *model, state.cache.kinematics);
         static ConstraintSystem rows;
-        build_rows(*model, {sources.contacts, sources.limits, true, 1e-2}, state.frame.kinematics,
-                   state.frame, rows);
+        build_rows(*model, {sources.contacts, sources.limits, true, 1e-2}, state.cache.kinematics,
+                   state.cache, rows);
         REQUIRE(rows.count == 3 * model->body_count - 1);
         for (int column = 0; column < rows.count; ++column) {
             double unit[kMaxRows] = {};
@@ -72,7 +72,7 @@ TEST_CASE("rows are coupled as impulses move the bodies", "[dynamics][rows]") {
             double rates[2][kMaxRows];
             clear_loads(*model, loads);
             add_row_impulses(rows, unit, 1.0, loads);
-            solve_impulse(*model, state.frame.kinematics, state.frame.factors, loads, jumps[0]);
+            solve_impulse(*model, state.cache.kinematics, state.cache.factors, loads, jumps[0]);
             rate_rows(*model, rows, jumps, rates);
             INFO("round " << round << ", column " << column);
             for (int row = 0; row < rows.count; ++row) {
@@ -99,7 +99,7 @@ TEST_CASE("all contacts of a body with the ground share one friction row, at the
         contacts.add(contact);
     }
     static ConstraintSystem rows;
-    build_rows(*model, {contacts, {}, true, 1e-2}, state.frame.kinematics, state.frame, rows);
+    build_rows(*model, {contacts, {}, true, 1e-2}, state.cache.kinematics, state.cache, rows);
     REQUIRE(rows.count == 7);
     int normals = 0;
     for (int row = 0; row < rows.count; ++row) {

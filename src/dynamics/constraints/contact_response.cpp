@@ -58,15 +58,16 @@ double ContactSolver::impact_work() const {
 }
 
 ImpactResult ContactSolver::solve_impact(const PlanarModel& model, const ContactLaw& law,
-                                         double elasticity, const Frame& frame, Motion& motion) {
+                                         double elasticity, const EvaluationCache& cache,
+                                         Motion& motion) {
     CAMBRIAN_TICK_ASSERT(elasticity >= 0.0 && elasticity <= 1.0, "a coefficient of restitution");
     selected_.count = 0;
     for (int c = 0; c < near_.count; ++c) {
         if (near_.items[c].gap < kContactBand) selected_.add(near_.items[c]);
     }
-    find_stops(model, frame.kinematics, limits_);
+    find_stops(model, cache.kinematics, limits_);
     build_rows(model, {selected_, limits_, law.friction > 0.0, kImpactFrictionSoftness},
-               frame.kinematics, frame, rows_);
+               cache.kinematics, cache, rows_);
     ImpactResult result;
     const auto solve = [&](double kept) {
         for (int row = 0; row < rows_.count; ++row)
@@ -88,7 +89,7 @@ ImpactResult ContactSolver::solve_impact(const PlanarModel& model, const Contact
     BodyResponse jump;
     clear_loads(model, loads);
     add_row_impulses(rows_, rows_.impulse, 1.0, loads);
-    solve_closed_impulse(model, frame.kinematics, frame.factors, loads, jump);
+    solve_closed_impulse(model, cache.kinematics, cache.factors, loads, jump);
     for (int c = 0; c < coordinate_count(model); ++c)
         motion.speed[c] += jump.coordinate[c];
     return result;

@@ -117,45 +117,46 @@ bool ContactSolver::covers(const Contact& contact) const {
 
 // Selects touching contacts and slow ones that may touch within the step. The search for the time
 // of impact finds the fast ones.
-bool ContactSolver::select_active(const PlanarModel& model, Frame& frame, double h) {
+bool ContactSolver::select_active(const PlanarModel& model, EvaluationCache& cache, double h) {
     CAMBRIAN_TICK_ASSERT(h > 0.0, "a step takes time");
     selected_.count = 0;
     for (int c = 0; c < near_.count; ++c) {
         const Contact& contact = near_.items[c];
         if (contact.gap >= kContactBand) {
-            find_centers(model, frame);
-            if (!may_touch(contact, frame.response, h)) continue;
+            find_centers(model, cache);
+            if (!may_touch(contact, cache.response, h)) continue;
         }
         selected_.add(contact);
     }
-    select_limits(model, frame, h);
+    select_limits(model, cache, h);
     CAMBRIAN_TICK_ASSERT(selected_.count <= near_.count, "selected contacts are near");
     return selected_.count > 0 || limits_.count > 0;
 }
 
-void ContactSolver::build(const PlanarModel& model, const ContactLaw& law, Frame& start) {
-    complete_frame(model, start);
+void ContactSolver::build(const PlanarModel& model, const ContactLaw& law, EvaluationCache& start) {
+    complete_cache(model, start);
     build_between(model, law, start.kinematics, start);
 }
 
 void ContactSolver::build_between(const PlanarModel& model, const ContactLaw& law,
-                                  const Kinematics& start, const Frame& middle) {
+                                  const Kinematics& start, const EvaluationCache& middle) {
     build_rows(model, {selected_, limits_, law.friction > 0.0, kMiddleFrictionSoftness}, start,
                middle, rows_);
 }
 
 // Selects the joint limits that may be reached within the step.
-void ContactSolver::select_limits(const PlanarModel& model, const Frame& frame, double h) {
+void ContactSolver::select_limits(const PlanarModel& model, const EvaluationCache& cache,
+                                  double h) {
     limits_.count = 0;
-    const Kinematics& k = frame.kinematics;
+    const Kinematics& k = cache.kinematics;
     PerBody low_room;
     PerBody high_room;
     for (int i = 0; i < model.body_count; i += kLanes) {
         const Simd4d angle = load_lanes(k.joint_position + i);
         const Simd4d rate = load_lanes(k.joint_rate + i);
         const Simd4d turning = all_lanes(1.0) - load_lanes(model.slides + i);
-        const Simd4d acceleration = load_lanes(frame.response.coordinate + i) -
-                                    turning * gather(frame.response.spin, model.parent_slot + i);
+        const Simd4d acceleration = load_lanes(cache.response.coordinate + i) -
+                                    turning * gather(cache.response.spin, model.parent_slot + i);
         const Simd4d low_reach = kLimitBand + 1.5 * h * greater(-rate, Simd4d{}) +
                                  h * h * greater(-acceleration, Simd4d{});
         const Simd4d high_reach = kLimitBand + 1.5 * h * greater(rate, Simd4d{}) +

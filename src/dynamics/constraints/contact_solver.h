@@ -47,14 +47,14 @@ public:
     // Whether a touching contact closes faster than kRestingSpeed.
     bool has_impact() const;
 
-    // Solves the impact of everything that touches and changes the motion's speeds. The frame must
+    // Solves the impact of everything that touches and changes the motion's speeds. The cache must
     // belong to the motion.
     ImpactResult solve_impact(const PlanarModel& model, const ContactLaw& law, double elasticity,
-                              const Frame& frame, Motion& motion);
+                              const EvaluationCache& cache, Motion& motion);
 
     // Selects the contacts and limits of a step of length h from the near ones. Returns false if
-    // there are none. The frame belongs to the step's start.
-    bool select_active(const PlanarModel& model, Frame& frame, double h);
+    // there are none. The cache belongs to the step's start.
+    bool select_active(const PlanarModel& model, EvaluationCache& cache, double h);
     // Contacts of the last select_active() or solve_impact().
     const ContactSet& selected() const { return selected_; }
     // Whether the contact, or another of the same overlapping pair, was selected.
@@ -62,9 +62,9 @@ public:
 
     // Build the rows of the selected contacts and limits: at the step's start, or with the rates of
     // the start and everything else of the middle.
-    void build(const PlanarModel& model, const ContactLaw& law, Frame& start);
+    void build(const PlanarModel& model, const ContactLaw& law, EvaluationCache& start);
     void build_between(const PlanarModel& model, const ContactLaw& law, const Kinematics& start,
-                       const Frame& middle);
+                       const EvaluationCache& middle);
 
     // Solves the rows for a step of length h; held() has the forces. Returns false if the active
     // set failed and a fallback was used.
@@ -87,7 +87,7 @@ public:
                        const Kinematics& end) const;
 
 private:
-    void select_limits(const PlanarModel& model, const Frame& frame, double h);
+    void select_limits(const PlanarModel& model, const EvaluationCache& cache, double h);
     void set_resting_bias(const PlanarModel& model, double h, const WarmStart& warm);
     bool solve_rows(const PlanarModel& model, const ContactLaw& law, double h);
     double resting_work(double h) const;

@@ -112,10 +112,10 @@ CAMBRIAN_INLINE void arrive_at_root(const RootInverse& inverse, const Simd4d& x,
 
 // Does the first pass of solve_impulse, from the leaves to the root, for four impulses.
 template <bool kHasPrismatic>
-CAMBRIAN_INLINE void eliminate(const PlanarModel& model, const Frame& frame, Impulses& impulses,
-                               Arrivals& arrivals) {
-    const Kinematics& k = frame.kinematics;
-    const Factors& factors = frame.factors;
+CAMBRIAN_INLINE void eliminate(const PlanarModel& model, const EvaluationCache& cache,
+                               Impulses& impulses, Arrivals& arrivals) {
+    const Kinematics& k = cache.kinematics;
+    const Factors& factors = cache.factors;
     const BodySet inner = arrivals.bodies & ~model.roots;
     for (BodySet left = inner; left != 0; left ^= BodySet{1} << last_of(left)) {
         const int i = last_of(left);
@@ -196,7 +196,8 @@ CAMBRIAN_INLINE double regularization(const PlanarModel& model, const Constraint
 }
 
 template <bool kHasPrismatic>
-void fill_delassus_matrix(const PlanarModel& model, const Frame& frame, ConstraintSystem& rows) {
+void fill_delassus_matrix(const PlanarModel& model, const EvaluationCache& cache,
+                          ConstraintSystem& rows) {
     Arrivals arrivals[kMaxGroups];
     for (int first = 0; first < rows.count; first += kLanes) {
         Arrivals& group = arrivals[first / kLanes];
@@ -206,8 +207,8 @@ void fill_delassus_matrix(const PlanarModel& model, const Frame& frame, Constrai
         Impulses impulses;
         clear(group.bodies, impulses);
         for (int lane = 0; lane < lanes; ++lane)
-            put_unit_impulse(model, frame.kinematics, rows[first + lane], lane, impulses);
-        eliminate<kHasPrismatic>(model, frame, impulses, group);
+            put_unit_impulse(model, cache.kinematics, rows[first + lane], lane, impulses);
+        eliminate<kHasPrismatic>(model, cache, impulses, group);
         for (int column = 0; column <= first; column += kLanes)
             fill_block(model, group, arrivals[column / kLanes], first, column, rows);
     }
@@ -215,15 +216,15 @@ void fill_delassus_matrix(const PlanarModel& model, const Frame& frame, Constrai
 
 }  // namespace
 
-void compute_delassus_matrix(const PlanarModel& model, const Frame& frame, double friction_softness,
-                             ConstraintSystem& rows) {
+void compute_delassus_matrix(const PlanarModel& model, const EvaluationCache& cache,
+                             double friction_softness, ConstraintSystem& rows) {
     rows.stride = round_up_to_lanes(rows.count);
-    if (frame.is_inverted)
-        fill_dense_delassus_matrix(model, frame, rows);
+    if (cache.is_inverted)
+        fill_dense_delassus_matrix(model, cache, rows);
     else if (model.has_slides)
-        fill_delassus_matrix<true>(model, frame, rows);
+        fill_delassus_matrix<true>(model, cache, rows);
     else
-        fill_delassus_matrix<false>(model, frame, rows);
+        fill_delassus_matrix<false>(model, cache, rows);
     for (int row = 0; row < rows.count; ++row) {
         rows[row].regularization = regularization(model, rows, row, friction_softness);
         rows.line(row)[row] += rows[row].regularization;

@@ -12,8 +12,9 @@ namespace {
 template <int kBlocks>
 class DenseRows {
 public:
-    CAMBRIAN_INLINE DenseRows(const PlanarModel& model, const Frame& frame, ConstraintSystem& rows)
-        : model_(model), frame_(frame), rows_(rows) {}
+    CAMBRIAN_INLINE DenseRows(const PlanarModel& model, const EvaluationCache& cache,
+                              ConstraintSystem& rows)
+        : model_(model), cache_(cache), rows_(rows) {}
 
     CAMBRIAN_INLINE void fill() {
         for (int row = 0; row < rows_.count; ++row)
@@ -41,7 +42,7 @@ private:
         }
         const double x = rows_[row].dir_x;
         const double y = rows_[row].dir_y;
-        Levers<kBlocks> levers(model_.dense, frame_.kinematics);
+        Levers<kBlocks> levers(model_.dense, cache_.kinematics);
         levers.add_force(a, x, y);
         const int b = rows_[row].body_b;
         if (b >= 0) {
@@ -58,7 +59,7 @@ private:
 
     CAMBRIAN_INLINE void couple(int row) {
         const BodyLanes<kBlocks> turn =
-            times_inverse(frame_.inverse, model_.body_count, torque_[row]);
+            times_inverse(cache_.inverse, model_.body_count, torque_[row]);
         const double share = 1.0 / model_.total_mass;
         const Simd4d x = all_lanes(share * force_x_[row]);
         const Simd4d y = all_lanes(share * force_y_[row]);
@@ -86,7 +87,7 @@ private:
     }
 
     const PlanarModel& model_;
-    const Frame& frame_;
+    const EvaluationCache& cache_;
     ConstraintSystem& rows_;
     BodyLanes<kBlocks> torque_[kMaxRows];
     double force_x_[kMaxRows], force_y_[kMaxRows];  // of all of the creature; 0 between its bodies
@@ -94,14 +95,14 @@ private:
 
 }  // namespace
 
-void fill_dense_delassus_matrix(const PlanarModel& model, const Frame& frame,
+void fill_dense_delassus_matrix(const PlanarModel& model, const EvaluationCache& cache,
                                 ConstraintSystem& rows) {
-    CAMBRIAN_TICK_ASSERT(frame.is_inverted, "the inverse is there");
+    CAMBRIAN_TICK_ASSERT(cache.is_inverted, "the inverse is there");
     CAMBRIAN_TICK_ASSERT(model.body_count <= kMaxDenseBodies, "few bodies");
     if (model.dense.blocks == 1)
-        DenseRows<1>(model, frame, rows).fill();
+        DenseRows<1>(model, cache, rows).fill();
     else
-        DenseRows<2>(model, frame, rows).fill();
+        DenseRows<2>(model, cache, rows).fill();
 }
 
 }  // namespace cambrian

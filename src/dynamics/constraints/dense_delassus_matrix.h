@@ -7,8 +7,8 @@
 namespace cambrian {
 
 // Fills the same matrix as compute_delassus_matrix does from the factors, without regularisation.
-// The frame must have its inverse and the rows their stride.
-void fill_dense_delassus_matrix(const PlanarModel& model, const Frame& frame,
+// The cache must have its inverse and the rows their stride.
+void fill_dense_delassus_matrix(const PlanarModel& model, const EvaluationCache& cache,
                                 ConstraintSystem& rows);
 
 }  // namespace cambrian

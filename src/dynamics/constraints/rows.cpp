@@ -15,7 +15,7 @@ struct Planar {
     double x, y;  // m/s or m/s^2
 };
 
-// A contact at the positions of a frame, and the relative motion of its two points.
+// A contact at the positions of a cache, and the relative motion of its two points.
 struct PlacedContact {
     double normal_x, normal_y;  // unit
     double arm_ax, arm_ay, arm_bx, arm_by;
@@ -58,12 +58,12 @@ CAMBRIAN_INLINE Planar point_velocity(const Kinematics& k, int body, double arm_
     return {k.velocity_x[body] - k.spin[body] * arm_y, k.velocity_y[body] + k.spin[body] * arm_x};
 }
 
-CAMBRIAN_INLINE Planar point_acceleration(const Frame& frame, int body, double arm_x,
+CAMBRIAN_INLINE Planar point_acceleration(const EvaluationCache& cache, int body, double arm_x,
                                           double arm_y) {
-    const double spin = frame.kinematics.spin[body];
-    const double turn = frame.response.spin[body];
-    return {frame.response.x[body] - turn * arm_y - spin * spin * arm_x,
-            frame.response.y[body] + turn * arm_x - spin * spin * arm_y};
+    const double spin = cache.kinematics.spin[body];
+    const double turn = cache.response.spin[body];
+    return {cache.response.x[body] - turn * arm_y - spin * spin * arm_x,
+            cache.response.y[body] + turn * arm_x - spin * spin * arm_y};
 }
 
 CAMBRIAN_INLINE Planar difference(const Planar& a, const Planar& b) {
@@ -73,16 +73,16 @@ CAMBRIAN_INLINE Planar difference(const Planar& a, const Planar& b) {
 // J a + J' v of both directions: the points' accelerations, and the turning of the directions with
 // body b while a slides along it.
 CAMBRIAN_INLINE Planar relative_acceleration(const Contact& contact, const PlacedContact& placed,
-                                             const Frame& frame) {
+                                             const EvaluationCache& cache) {
     const int a = contact.body_a;
     const int b = contact.body_b;
-    const Planar of_a = point_acceleration(frame, a, placed.arm_ax, placed.arm_ay);
+    const Planar of_a = point_acceleration(cache, a, placed.arm_ax, placed.arm_ay);
     if (b < 0) return of_a;
-    const Planar of_b = point_acceleration(frame, b, placed.arm_bx, placed.arm_by);
+    const Planar of_b = point_acceleration(cache, b, placed.arm_bx, placed.arm_by);
     const Planar sliding =
-        difference(point_velocity(frame.kinematics, a, placed.arm_ax, placed.arm_ay),
-                   point_velocity(frame.kinematics, b, placed.arm_bx, placed.arm_by));
-    const double turn = 2.0 * frame.kinematics.spin[b];
+        difference(point_velocity(cache.kinematics, a, placed.arm_ax, placed.arm_ay),
+                   point_velocity(cache.kinematics, b, placed.arm_bx, placed.arm_by));
+    const double turn = 2.0 * cache.kinematics.spin[b];
     return {of_a.x - of_b.x + turn * sliding.y, of_a.y - of_b.y - turn * sliding.x};
 }
 
@@ -96,7 +96,7 @@ CAMBRIAN_INLINE double sliding_speed(const Contact& contact, const Kinematics& k
 }
 
 CAMBRIAN_INLINE void place_contact(const Contact& contact, const Kinematics& detected,
-                                   const Frame& frame, PlacedContact& placed) {
+                                   const EvaluationCache& cache, PlacedContact& placed) {
     placed.normal_x = contact.normal_x;
     placed.normal_y = contact.normal_y;
     placed.arm_ax = contact.arm_ax;
@@ -104,8 +104,8 @@ CAMBRIAN_INLINE void place_contact(const Contact& contact, const Kinematics& det
     placed.arm_bx = contact.arm_bx;
     placed.arm_by = contact.arm_by;
     placed.sliding = sliding_speed(contact, detected);
-    if (&detected != &frame.kinematics) move_contact(contact, detected, frame.kinematics, placed);
-    placed.acceleration = relative_acceleration(contact, placed, frame);
+    if (&detected != &cache.kinematics) move_contact(contact, detected, cache.kinematics, placed);
+    placed.acceleration = relative_acceleration(contact, placed, cache);
 }
 
 CAMBRIAN_INLINE void set_contact_row(const Contact& contact, const PlacedContact& placed,
@@ -196,8 +196,8 @@ void add_limit_rows(const PlanarModel& model, const LimitSet& limits, const Kine
 
 // Subtracts the effect of loop-closure joints from the matrix: B A+ B', with the rates B of the
 // rows under unit impulses of the joints. Rows in which the mechanism hardly moves are regularised.
-void hold_loops(const PlanarModel& model, const Frame& frame, ConstraintSystem& rows) {
-    const LoopClosure loops(model, frame.kinematics, frame.factors);
+void hold_loops(const PlanarModel& model, const EvaluationCache& cache, ConstraintSystem& rows) {
+    const LoopClosure loops(model, cache.kinematics, cache.factors);
     const std::vector<BodyResponse>& units = loops.unit_responses();
     Eigen::MatrixXd effect(rows.count, static_cast<Eigen::Index>(units.size()));
     for (int row = 0; row < rows.count; ++row) {
@@ -218,11 +218,11 @@ void hold_loops(const PlanarModel& model, const Frame& frame, ConstraintSystem& 
 }  // namespace
 
 void build_rows(const PlanarModel& model, const RowSources& sources, const Kinematics& detected,
-                const Frame& frame, ConstraintSystem& rows) {
+                const EvaluationCache& cache, ConstraintSystem& rows) {
     CAMBRIAN_TICK_ASSERT(sources.contacts.count <= kMaxContacts, "contacts have room");
     PlacedContact placed[kMaxContacts];
     for (int c = 0; c < sources.contacts.count; ++c)
-        place_contact(sources.contacts.items[c], detected, frame, placed[c]);
+        place_contact(sources.contacts.items[c], detected, cache, placed[c]);
     rows.count = 0;
     list_contact_rows(sources, rows);
     for (int r = 0; r < rows.count; ++r) {
@@ -231,9 +231,9 @@ void build_rows(const PlanarModel& model, const RowSources& sources, const Kinem
         CAMBRIAN_TICK_ASSERT(is_body(model, row.body_a) && is_body_or_ground(model, row.body_b),
                              "a contact of bodies");
     }
-    add_limit_rows(model, sources.limits, detected, frame.response, rows);
-    compute_delassus_matrix(model, frame, sources.friction_softness, rows);
-    if (!model.closing_pins.empty()) hold_loops(model, frame, rows);
+    add_limit_rows(model, sources.limits, detected, cache.response, rows);
+    compute_delassus_matrix(model, cache, sources.friction_softness, rows);
+    if (!model.closing_pins.empty()) hold_loops(model, cache, rows);
 }
 
 void rate_rows(const PlanarModel& model, const ConstraintSystem& rows,

@@ -74,10 +74,10 @@ struct RowSources {
 };
 
 // Builds the rows. Their rates are those of the state in which the sources were detected. Their
-// accelerations without contact and their matrix are those of the frame, at the same state or a
+// accelerations without contact and their matrix are those of the cache, at the same state or a
 // later one. Impulses are not set.
 void build_rows(const PlanarModel& model, const RowSources& sources, const Kinematics& detected,
-                const Frame& frame, ConstraintSystem& rows);
+                const EvaluationCache& cache, ConstraintSystem& rows);
 
 // Computes the rates of all rows under any two motions of the bodies.
 void rate_rows(const PlanarModel& model, const ConstraintSystem& rows,

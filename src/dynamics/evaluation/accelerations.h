@@ -9,7 +9,7 @@
 namespace cambrian {
 
 // The results of one evaluation that can be reused.
-struct Frame {
+struct EvaluationCache {
     Kinematics kinematics;
     Loads loads;
     Factors factors;
@@ -20,7 +20,7 @@ struct Frame {
     // replaces the factors after an evaluation in dense form with implicit motors.
     double inverse[kMaxDenseBodies * kMaxDenseBodies];
     // Whether accelerations of the bodies' centres, geometry of the joints and factors are valid.
-    // find_centers and complete_frame compute them.
+    // find_centers and complete_cache compute them.
     bool has_centers;
     bool has_joint_geometry;
     bool is_factored;
@@ -29,25 +29,25 @@ struct Frame {
 
 // Which kinematics an evaluation computes: those that its accelerations need, or all. The factors
 // may be missing in both cases.
-enum class FrameDetail : std::uint8_t { kAccelerations, kEverything };
+enum class EvaluationDetail : std::uint8_t { kAccelerations, kEverything };
 
 struct EvaluationPoint {
     double tick_share = 0.0;  // where in the tick, 0 to 1, for the motors' targets
-    FrameDetail detail = FrameDetail::kEverything;
+    EvaluationDetail detail = EvaluationDetail::kEverything;
     const ImplicitStage* implicit = nullptr;  // for the motors' damping; null: explicit
 };
 
 void evaluate_accelerations(const PlanarModel& model, const Forcing& forcing, const Motion& motion,
-                            const EvaluationPoint& point, Frame& frame, MotionRate& rate);
+                            const EvaluationPoint& point, EvaluationCache& cache, MotionRate& rate);
 
-// Complete a frame that was evaluated with kEverything: the accelerations of the centres, or all.
-void find_centers(const PlanarModel& model, Frame& frame);
-void complete_frame(const PlanarModel& model, Frame& frame);
+// Complete a cache that was evaluated with kEverything: the accelerations of the centres, or all.
+void find_centers(const PlanarModel& model, EvaluationCache& cache);
+void complete_cache(const PlanarModel& model, EvaluationCache& cache);
 
-// Computes all external forces and efforts from the frame's kinematics, and their powers. Powers of
+// Computes all external forces and efforts from the cache's kinematics, and their powers. Powers of
 // implicit motors are 0.
 void compute_loads(const PlanarModel& model, const Forcing& forcing, const EvaluationPoint& point,
-                   Frame& frame, MotionRate& rate);
+                   EvaluationCache& cache, MotionRate& rate);
 
 // Adds contact forces and limit efforts to the loads, with arms at the given positions.
 void add_held_forces(const PlanarModel& model, const HeldForces& held, const Kinematics& kinematics,

@@ -15,17 +15,17 @@ template <int kBlocks, Motors kMotors>
 class DenseEvaluation {
 public:
     CAMBRIAN_INLINE DenseEvaluation(const PlanarModel& model, const Forcing& forcing,
-                                    const Motion& motion, Frame& frame, MotionRate& rate)
+                                    const Motion& motion, EvaluationCache& cache, MotionRate& rate)
         : model_(model),
           form_(model.dense),
           forcing_(forcing),
           motion_(motion),
-          frame_(frame),
+          cache_(cache),
           rate_(rate),
           bodies_(model.body_count) {}
 
     CAMBRIAN_INLINE void run(const EvaluationPoint& point) {
-        const bool all = point.detail == FrameDetail::kEverything;
+        const bool all = point.detail == EvaluationDetail::kEverything;
         turn_bodies();
         drive_joints(point);
         const Medium& medium = forcing_.medium;
@@ -40,10 +40,10 @@ public:
             eliminate();
         move_center();
         if (all) keep_response();
-        frame_.has_centers = false;
-        frame_.has_joint_geometry = false;
-        frame_.is_factored = false;
-        frame_.is_inverted = kMotors == Motors::kImplicit;
+        cache_.has_centers = false;
+        cache_.has_joint_geometry = false;
+        cache_.is_factored = false;
+        cache_.is_inverted = kMotors == Motors::kImplicit;
     }
 
 private:
@@ -52,7 +52,7 @@ private:
 
     // Padding does not move.
     CAMBRIAN_INLINE void turn_bodies() {
-        Kinematics& k = frame_.kinematics;
+        Kinematics& k = cache_.kinematics;
         for (int i = 0; i < kLines; i += kLanes) {
             const Simd4d member = load_lanes(model_.membership[0] + i);
             store_lanes(k.angle + i, member * load_lanes(motion_.position + i));
@@ -71,7 +71,7 @@ private:
 
     // Adds the efforts of motors, which act on a body and back on its parent.
     CAMBRIAN_INLINE void drive_joints(const EvaluationPoint& point) {
-        Kinematics& k = frame_.kinematics;
+        Kinematics& k = cache_.kinematics;
         double torque[kSlots];
         Simd4d net = {};
         Simd4d gross = {};
@@ -87,26 +87,26 @@ private:
                 const ImplicitEfforts motors = implicit_efforts(
                     model_, forcing_.drive, point.tick_share, *point.implicit, position, rate, i);
                 effort = motors.effort;
-                store_lanes(frame_.motor_damping + i, motors.damping);
+                store_lanes(cache_.motor_damping + i, motors.damping);
             } else {
                 effort = motor_efforts(model_, forcing_.drive, point.tick_share, position, rate, i);
                 const Simd4d power = effort * rate;
                 net += power;
                 gross += magnitude(power);
             }
-            store_lanes(frame_.motor_effort + i, effort);
+            store_lanes(cache_.motor_effort + i, effort);
             store_lanes(torque + i, effort);
         }
         rate_.power[kMotorWork] = sum_of(net);
         rate_.power[kGrossMotorWork] = sum_of(gross);
         for (int i = 1; i < bodies_; ++i)
-            torque[model_.parent[i]] -= frame_.motor_effort[i];
+            torque[model_.parent[i]] -= cache_.motor_effort[i];
         torque_.load(torque);
     }
 
     // Computes positions and velocities of the centres.
     CAMBRIAN_INLINE void move_bodies() {
-        Kinematics& k = frame_.kinematics;
+        Kinematics& k = cache_.kinematics;
         BodyLanes<kBlocks> x;
         BodyLanes<kBlocks> y;
         BodyLanes<kBlocks> velocity_x;
@@ -143,7 +143,7 @@ private:
 
     // Adds forces and torques of the medium on the bodies; returns their power.
     CAMBRIAN_INLINE double drag_single_boxes(Loads& loads) {
-        const Kinematics& k = frame_.kinematics;
+        const Kinematics& k = cache_.kinematics;
         Simd4d power = {};
         for (int i = 0; i < kLines; i += kLanes) {
             const BoxDrag drag = drag_boxes(
@@ -161,7 +161,7 @@ private:
     }
     CAMBRIAN_INLINE double drag_welded_boxes(Loads& loads) {
         clear_loads(model_, loads);
-        const double power = add_drag(model_, forcing_.medium, frame_.kinematics, loads);
+        const double power = add_drag(model_, forcing_.medium, cache_.kinematics, loads);
         for (int b = 0; b < kBlocks; ++b)
             torque_[b] += load_lanes(loads.torque + b * kLanes);
         return power;
@@ -169,10 +169,10 @@ private:
 
     // Adds the generalised force of a force on a body to all angles.
     CAMBRIAN_INLINE double drag_bodies() {
-        Loads& loads = frame_.loads;
+        Loads& loads = cache_.loads;
         const double power =
             form_.single_boxes ? drag_single_boxes(loads) : drag_welded_boxes(loads);
-        Levers<kBlocks> levers(form_, frame_.kinematics);
+        Levers<kBlocks> levers(form_, cache_.kinematics);
         for (int body = 0; body < bodies_; ++body) {
             drag_x_ += loads.force_x[body];
             drag_y_ += loads.force_y[body];
@@ -185,7 +185,7 @@ private:
 
     // Fills the mass matrix and the velocity terms.
     CAMBRIAN_INLINE void couple_angles() {
-        const Kinematics& k = frame_.kinematics;
+        const Kinematics& k = cache_.kinematics;
         const int columns = kBlocks == 1 ? kLanes : bodies_;
         for (int j = 0; j < columns; ++j) {
             const Simd4d cosine = all_lanes(k.cosine[j]);
@@ -231,7 +231,7 @@ private:
     CAMBRIAN_INLINE void invert() {
         for (int i = 1; i < bodies_; ++i) {
             const int p = model_.parent[i];
-            const double damping = frame_.motor_damping[i];
+            const double damping = cache_.motor_damping[i];
             column_[i].add_at(i, damping);
             column_[p].add_at(p, damping);
             column_[i].add_at(p, -damping);
@@ -253,13 +253,13 @@ private:
             column_[k][k / kLanes][k % kLanes] = inverse;
         }
         for (int k = 0; k < columns; ++k)
-            column_[k].store(frame_.inverse + k * kLines);
-        keep_turn(times_inverse(frame_.inverse, bodies_, torque_));
+            column_[k].store(cache_.inverse + k * kLines);
+        keep_turn(times_inverse(cache_.inverse, bodies_, torque_));
     }
 
     CAMBRIAN_INLINE void keep_turn(const BodyLanes<kBlocks>& turn) {
         turn.store(rate_.acceleration);
-        turn.store(frame_.response.spin);
+        turn.store(cache_.response.spin);
     }
 
     CAMBRIAN_INLINE void move_center() {
@@ -271,14 +271,14 @@ private:
 
     CAMBRIAN_INLINE void keep_response() {
         for (int c = 0; c < bodies_ + 2; c += kLanes)
-            store_lanes(frame_.response.coordinate + c, load_lanes(rate_.acceleration + c));
+            store_lanes(cache_.response.coordinate + c, load_lanes(rate_.acceleration + c));
     }
 
     const PlanarModel& model_;
     const DenseForm& form_;
     const Forcing& forcing_;
     const Motion& motion_;
-    Frame& frame_;
+    EvaluationCache& cache_;
     MotionRate& rate_;
     const int bodies_;
     BodyLanes<kBlocks> sine_, cosine_, torque_;
@@ -289,23 +289,23 @@ private:
 // These are separate functions, because in one function the compiler unrolls neither.
 template <int kBlocks, Motors kMotors>
 [[gnu::noinline]] void evaluate(const PlanarModel& model, const Forcing& forcing,
-                                const Motion& motion, const EvaluationPoint& point, Frame& frame,
-                                MotionRate& rate) {
-    DenseEvaluation<kBlocks, kMotors>(model, forcing, motion, frame, rate).run(point);
+                                const Motion& motion, const EvaluationPoint& point,
+                                EvaluationCache& cache, MotionRate& rate) {
+    DenseEvaluation<kBlocks, kMotors>(model, forcing, motion, cache, rate).run(point);
 }
 
 }  // namespace
 
 void evaluate_dense(const PlanarModel& model, const Forcing& forcing, const Motion& motion,
-                    const EvaluationPoint& point, Frame& frame, MotionRate& rate) {
+                    const EvaluationPoint& point, EvaluationCache& cache, MotionRate& rate) {
     static_assert(kMaxDenseBlocks == 2);
     const bool small = model.dense.blocks == 1;
     if (point.implicit == nullptr)
         (small ? evaluate<1, Motors::kExplicit>
-               : evaluate<2, Motors::kExplicit>)(model, forcing, motion, point, frame, rate);
+               : evaluate<2, Motors::kExplicit>)(model, forcing, motion, point, cache, rate);
     else
         (small ? evaluate<1, Motors::kImplicit>
-               : evaluate<2, Motors::kImplicit>)(model, forcing, motion, point, frame, rate);
+               : evaluate<2, Motors::kImplicit>)(model, forcing, motion, point, cache, rate);
 }
 
 }  // namespace cambrian

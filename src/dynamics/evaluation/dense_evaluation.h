@@ -12,10 +12,10 @@ inline bool is_dense(const PlanarModel& model, const Forcing& forcing) {
            model.closing_pins.empty();
 }
 
-// Does what evaluate_accelerations does, with an incomplete frame: it has no geometry of the
-// joints, no factors, and a response of coordinates and spins only (find_centers, complete_frame).
+// Does what evaluate_accelerations does, with an incomplete cache: it has no geometry of the
+// joints, no factors, and a response of coordinates and spins only (find_centers, complete_cache).
 // With implicit motors it has the inverse mass matrix.
 void evaluate_dense(const PlanarModel& model, const Forcing& forcing, const Motion& motion,
-                    const EvaluationPoint& point, Frame& frame, MotionRate& rate);
+                    const EvaluationPoint& point, EvaluationCache& cache, MotionRate& rate);
 
 }  // namespace cambrian

@@ -16,10 +16,10 @@ void spread_dense_rates(const PlanarModel& model, const Kinematics& place,
                         PerBody& velocity_y);
 
 // Compute the jumps of the speeds under loads as impulses, and under impulses of the joints alone.
-// Both need the frame's inverse. Slots beyond the count are 0.
-void solve_dense_impulse(const PlanarModel& model, const Frame& frame, const Loads& impulses,
-                         PerCoordinate& jump);
-void solve_dense_efforts(const PlanarModel& model, const Frame& frame, const PerBody& efforts,
-                         PerCoordinate& jump);
+// Both need the cache's inverse. Slots beyond the count are 0.
+void solve_dense_impulse(const PlanarModel& model, const EvaluationCache& cache,
+                         const Loads& impulses, PerCoordinate& jump);
+void solve_dense_efforts(const PlanarModel& model, const EvaluationCache& cache,
+                         const PerBody& efforts, PerCoordinate& jump);
 
 }  // namespace cambrian

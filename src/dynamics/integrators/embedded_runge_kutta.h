@@ -16,9 +16,9 @@ namespace cambrian {
 template <class Tableau>
 class EmbeddedStep {
 public:
-    EmbeddedStep(const MotionSystem& system, const StepRequest& request, Frame& frame,
+    EmbeddedStep(const MotionSystem& system, const StepRequest& request, EvaluationCache& cache,
                  StepResult& result)
-        : system_(system), request_(request), frame_(frame), result_(result) {
+        : system_(system), request_(request), cache_(cache), result_(result) {
         speeds_[0] = request.start.speed;
         accelerations_[0] = request.start_rate.acceleration;
         powers_[0] = request.start_rate.power;
@@ -70,8 +70,8 @@ private:
         accelerations_[kStage] = rate.acceleration;
         powers_[kStage] = rate.power;
         system_.evaluate(motion, request_.time + Tableau::kNodes[kStage] * request_.length,
-                         is_end ? FrameDetail::kEverything : FrameDetail::kAccelerations, frame_,
-                         rate);
+                         is_end ? EvaluationDetail::kEverything : EvaluationDetail::kAccelerations,
+                         cache_, rate);
     }
 
     // Adds h times the weighted sum of the stages' values. It copies its input, which then stays in
@@ -124,7 +124,7 @@ private:
 
     const MotionSystem& system_;
     const StepRequest& request_;
-    Frame& frame_;
+    EvaluationCache& cache_;
     StepResult& result_;
     Motion motions_[kLast];  // of the inner stages; [0] is unused
     MotionRate rates_[kLast];

@@ -95,12 +95,12 @@ void join(const PlanarModel& model, Kinematics& k, Motion& motion) {
 }
 
 void attempt_least_squares_step(const MotionSystem& system, const StepRequest& request,
-                                Frame& frame, StepResult& result) {
+                                EvaluationCache& cache, StepResult& result) {
     const PlanarModel& model = system.model;
     const Eigen::Index bodies = model.body_count;
     const double h = request.length;
     LeastSquaresDynamics dynamics(model, kTimeConstant);
-    Frame stage = {};
+    EvaluationCache stage = {};
     compute_kinematics(model, request.start, stage.kinematics);
     const FreeBodies start = separate(bodies, stage.kinematics);
     FreeBodies rate{start.speed, Eigen::VectorXd::Zero(3 * bodies)};
@@ -125,12 +125,14 @@ void attempt_least_squares_step(const MotionSystem& system, const StepRequest& r
     place_bodies(bodies, {start.place + h * sum.place, start.speed + h * sum.speed},
                  stage.kinematics);
     join(model, stage.kinematics, result.end);
-    system.evaluate(result.end, request.time + h, FrameDetail::kEverything, frame, result.end_rate);
+    system.evaluate(result.end, request.time + h, EvaluationDetail::kEverything, cache,
+                    result.end_rate);
     result.error = 0.0;
     result.evaluations = 5;
     if (model.closing_pins.empty()) return;
-    LoopClosure(model, frame.kinematics, frame.factors).close_drift(result.end);
-    system.evaluate(result.end, request.time + h, FrameDetail::kEverything, frame, result.end_rate);
+    LoopClosure(model, cache.kinematics, cache.factors).close_drift(result.end);
+    system.evaluate(result.end, request.time + h, EvaluationDetail::kEverything, cache,
+                    result.end_rate);
     ++result.evaluations;
 }
 

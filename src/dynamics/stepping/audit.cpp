@@ -55,7 +55,7 @@ void update_audit(const PlanarModel& model, const Medium& medium, SimulationStat
     audit.drag_work = work[kDragWork];
     const double explained = work[kMotorWork] + work[kDragWork] + work[kPullWork] +
                              audit.contact_work + audit.limit_work + audit.impulse_work;
-    const double energy = mechanical_energy(model, medium, state.motion, state.frame().kinematics);
+    const double energy = mechanical_energy(model, medium, state.motion, state.cache().kinematics);
     audit.energy_residual = energy - state.energy_reference - explained;
     const double gravity =
         std::sqrt(medium.gravity_x * medium.gravity_x + medium.gravity_y * medium.gravity_y);
@@ -68,7 +68,7 @@ void start_audit(const PlanarModel& model, const Medium& medium, SimulationState
         work = 0.0;
     state.audit = {};
     state.energy_reference =
-        mechanical_energy(model, medium, state.motion, state.frame().kinematics);
+        mechanical_energy(model, medium, state.motion, state.cache().kinematics);
     update_audit(model, medium, state);
 }
 

@@ -16,10 +16,10 @@ void note_speeds(const PlanarModel& model, const Kinematics& kinematics, SceneAu
 // Raises the audit's maxima to the deepest penetration and this overrun of a limit.
 void note_depths(const ContactSet& contacts, double limit_overrun, SceneAudit& audit);
 
-// Updates the works and the residual. The frame must be current.
+// Updates the works and the residual. The cache must be current.
 void update_audit(const PlanarModel& model, const Medium& medium, SimulationState& state);
 
-// Restarts the audit at the present state. The frame must be current.
+// Restarts the audit at the present state. The cache must be current.
 void start_audit(const PlanarModel& model, const Medium& medium, SimulationState& state);
 
 }  // namespace cambrian

@@ -16,10 +16,11 @@ struct MotionSystem {
     double tick_length = 0.0;  // s
 
     // time: s since the tick's start. implicit: as in EvaluationPoint.
-    void evaluate(const Motion& motion, double time, FrameDetail detail, Frame& frame,
-                  MotionRate& rate, const ImplicitStage* implicit = nullptr) const {
+    void evaluate(const Motion& motion, double time, EvaluationDetail detail,
+                  EvaluationCache& cache, MotionRate& rate,
+                  const ImplicitStage* implicit = nullptr) const {
         evaluate_accelerations(model, forcing, motion, {time / tick_length, detail, implicit},
-                               frame, rate);
+                               cache, rate);
     }
 };
 
@@ -43,8 +44,8 @@ struct StepResult {
 
 struct IntegratorKind {
     std::string id;
-    // Attempts one step; the frame is that of the step's end, with everything.
-    void (*attempt)(const MotionSystem& system, const StepRequest& request, Frame& frame,
+    // Attempts one step; the cache is that of the step's end, with everything.
+    void (*attempt)(const MotionSystem& system, const StepRequest& request, EvaluationCache& cache,
                     StepResult& result) = nullptr;
     int error_order = 1;       // of the error in the step's length
     double max_step = 0.0;     // s

@@ -59,23 +59,23 @@ CAMBRIAN_INLINE void add_jumps(const PlanarModel& model, const PerCoordinate (&j
 
 bool MidpointStep::attempt(const MotionSystem& system, const ContactLaw& law,
                            const MidpointRequest& request, ContactSolver& contacts, WarmStart& warm,
-                           Frame& frame, StepResult& result) {
+                           EvaluationCache& cache, StepResult& result) {
     const PlanarModel& model = system.model;
     const StepRequest& step = request.step;
     const double half = 0.5 * step.length;
     CAMBRIAN_TICK_ASSERT(step.length > 0.0 && step.tolerance > 0.0, "a step takes time");
     accelerate(model, step.start, half, request.prediction, predicted_);
     const ImplicitStage stage{half, request.start.kinematics.joint_rate};
-    system.evaluate(predicted_, step.time + half, FrameDetail::kEverything, middle_, middle_rate_,
-                    &stage);
+    system.evaluate(predicted_, step.time + half, EvaluationDetail::kEverything, middle_,
+                    middle_rate_, &stage);
     if (contacts.selected().count > 0) find_centers(model, middle_);
     contacts.build_between(model, law, request.start.kinematics, middle_);
     const bool solved = contacts.solve_resting(model, law, step.length, warm);
     respond(model, contacts, step.length);
     accelerate(model, step.start, step.length, mean_rate_.acceleration, result.end);
-    system.evaluate(result.end, step.time + step.length, FrameDetail::kEverything, frame,
+    system.evaluate(result.end, step.time + step.length, EvaluationDetail::kEverything, cache,
                     result.end_rate);
-    integrate_works(model, request, frame, result);
+    integrate_works(model, request, cache, result);
     result.error = estimate_error(model, law, step, contacts, result);
     result.evaluations = 2;
     CAMBRIAN_TICK_ASSERT(is_not_negative(result.error), "an error is not negative");
@@ -103,7 +103,7 @@ void MidpointStep::respond(const PlanarModel& model, const ContactSolver& contac
 // Integrates the works. That of motors is exact, because their efforts are constant; those of drag
 // and pull use Simpson's rule.
 void MidpointStep::integrate_works(const PlanarModel& model, const MidpointRequest& request,
-                                   const Frame& frame, StepResult& result) {
+                                   const EvaluationCache& cache, StepResult& result) {
     const StepRequest& step = request.step;
     PerBody spin;
     for (int i = 0; i < model.body_count; i += kLanes)
@@ -114,7 +114,7 @@ void MidpointStep::integrate_works(const PlanarModel& model, const MidpointReque
         const Simd4d effort = load_lanes(middle_.motor_effort + i) -
                               load_lanes(middle_.motor_damping + i) *
                                   joint_accelerations(model, mean_rate_.acceleration, spin, i);
-        const Simd4d work = effort * (load_lanes(frame.kinematics.joint_position + i) -
+        const Simd4d work = effort * (load_lanes(cache.kinematics.joint_position + i) -
                                       load_lanes(request.start.kinematics.joint_position + i));
         net += work;
         gross += magnitude(work);

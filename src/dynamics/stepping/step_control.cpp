@@ -76,7 +76,7 @@ void StepControl::advance(const PlanarModel& model, const ContactLaw& law, Forci
         faces = 0;
     state.evaluation_debt = std::max(0.0, state.evaluation_debt - max_evaluations_ * duration);
     Tick tick{model, law, forcing, state, duration};
-    tick.detected = state.frame_is_current && state.detection == detection_;
+    tick.detected = state.cache_is_current && state.detection == detection_;
     Motion start;
     copy_motion(model, state.motion, start);
     const SceneAudit audit_before = state.audit;
@@ -91,7 +91,7 @@ void StepControl::advance(const PlanarModel& model, const ContactLaw& law, Forci
     state.detection = tick.detected ? ++detection_ : 0;
     state.time += duration;
     remember_contacts(tick);
-    note_speeds(model, state.frame().kinematics, state.audit);
+    note_speeds(model, state.cache().kinematics, state.audit);
     update_audit(model, forcing.medium, state);
 }
 
@@ -101,7 +101,7 @@ void StepControl::roll_back(Tick& tick, const Motion& start, const SceneAudit& a
     const SceneAudit spent = std::exchange(state.audit, audit_before);
     CAMBRIAN_TICK_ASSERT(is_finite(tick.model, start), "a tick can be rolled back");
     copy_motion(tick.model, start, state.motion);
-    state.frame_is_current = false;
+    state.cache_is_current = false;
     tick.time = 0.0;
     make_current(tick);
     state.audit.evaluations = spent.evaluations;
@@ -116,7 +116,7 @@ void StepControl::roll_back(Tick& tick, const Motion& start, const SceneAudit& a
 SceneStatus StepControl::step(Tick& tick) {
     CAMBRIAN_TICK_ASSERT(tick.time < tick.length, "something is left of the tick");
     make_current(tick);
-    if (!tick.detected) contacts_.detect(tick.model, tick.law, tick.state.frame().kinematics);
+    if (!tick.detected) contacts_.detect(tick.model, tick.law, tick.state.cache().kinematics);
     if (tick.impacts < kMaxImpacts && contacts_.has_impact()) {
         apply_impact(tick, tick.law.elasticity);
         return SceneStatus::kRunning;
@@ -133,7 +133,7 @@ SceneStatus StepControl::step(Tick& tick) {
         case Attempt::kAccepted:
             break;
     }
-    Kinematics& end = tick.state.spare_frame().kinematics;
+    Kinematics& end = tick.state.spare_cache().kinematics;
     const double depth = deepest(contacts_.near());
     if (tick.time == 0.0) tick.start_depth = depth;
     contacts_.detect(tick.model, tick.law, end);
@@ -166,13 +166,13 @@ bool StepControl::is_too_deep(const Tick& tick, double start_depth, double h) co
 // Computes the accelerations without contact, unless the last step left them.
 void StepControl::make_current(Tick& tick) {
     SimulationState& state = tick.state;
-    if (state.frame_is_current) return;
+    if (state.cache_is_current) return;
     tick.forcing.held = nullptr;
     const MotionSystem system{tick.model, tick.forcing, tick.length};
-    system.evaluate(state.motion, tick.time, FrameDetail::kEverything, state.frame(),
+    system.evaluate(state.motion, tick.time, EvaluationDetail::kEverything, state.cache(),
                     state.free_rate);
     count_evaluations(tick, 1);
-    state.frame_is_current = true;
+    state.cache_is_current = true;
 }
 
 void StepControl::count_evaluations(Tick& tick, int evaluations) {
@@ -183,9 +183,9 @@ void StepControl::count_evaluations(Tick& tick, int evaluations) {
 
 void StepControl::apply_impact(Tick& tick, double elasticity) {
     SimulationState& state = tick.state;
-    complete_frame(tick.model, state.frame());
+    complete_cache(tick.model, state.cache());
     const ImpactResult impact =
-        contacts_.solve_impact(tick.model, tick.law, elasticity, state.frame(), state.motion);
+        contacts_.solve_impact(tick.model, tick.law, elasticity, state.cache(), state.motion);
     state.audit.impulse_work += impact.work;
     state.audit.positive_work += std::max(0.0, impact.work);
     state.audit.fallbacks += impact.fell_back ? 1U : 0U;
@@ -193,7 +193,7 @@ void StepControl::apply_impact(Tick& tick, double elasticity) {
     solver_tally_.impacts_failed += impact.fell_back ? 1U : 0U;
     ++state.audit.events;
     ++tick.impacts;
-    state.frame_is_current = false;
+    state.cache_is_current = false;
     state.has_last_acceleration = false;
     tick.detected = false;
     const ContactSet& touching = contacts_.selected();
@@ -210,7 +210,7 @@ void StepControl::apply_impact(Tick& tick, double elasticity) {
 double StepControl::choose_length(Tick& tick, bool& has_rows) {
     SimulationState& state = tick.state;
     double h = std::min(state.proposed_step, integrator_->max_step);
-    has_rows = contacts_.select_active(tick.model, state.frame(), h);
+    has_rows = contacts_.select_active(tick.model, state.cache(), h);
     if (has_rows) h = std::min(h, contact_step_);
     if (tick.underflows >= kMaxUnderflows) {
         has_rows = false;
@@ -233,7 +233,7 @@ StepControl::Attempt StepControl::attempt(Tick& tick, bool has_rows, double& h) 
     const bool midpoint = is_midpoint(has_rows);
     const int order = midpoint ? MidpointStep::kErrorOrder : integrator_->error_order;
     if (!has_rows) contacts_.clear();
-    if (has_rows && !midpoint) contacts_.build(tick.model, tick.law, state.frame());
+    if (has_rows && !midpoint) contacts_.build(tick.model, tick.law, state.cache());
     for (;;) {
         if (midpoint)
             try_midpoint_step(tick, h);
@@ -284,8 +284,8 @@ void StepControl::try_midpoint_step(Tick& tick, double h) {
     const StepRequest request{state.motion, state.free_rate, tick.time, h, tolerance_};
     const PerCoordinate& prediction =
         state.has_last_acceleration ? state.last_acceleration : state.free_rate.acceleration;
-    count_resting(tick, midpoint_.attempt(system, tick.law, {request, state.frame(), prediction},
-                                          contacts_, state.warm, state.spare_frame(), result_));
+    count_resting(tick, midpoint_.attempt(system, tick.law, {request, state.cache(), prediction},
+                                          contacts_, state.warm, state.spare_cache(), result_));
     start_rate_ = &midpoint_.mean_rate();
     end_rate_ = start_rate_;
 }
@@ -299,16 +299,16 @@ void StepControl::try_step(Tick& tick, bool has_rows, double h) {
     end_rate_ = &result_.end_rate;
     const MotionSystem system{tick.model, tick.forcing, tick.length};
     integrator_->attempt(system, {state.motion, *start_rate_, tick.time, h, tolerance_},
-                         state.spare_frame(), result_);
+                         state.spare_cache(), result_);
 }
 
 // The accelerations that the constant forces add.
 void StepControl::respond_to_held(const Tick& tick, BodyResponse& response) const {
-    const Frame& frame = tick.state.frame();
+    const EvaluationCache& cache = tick.state.cache();
     Loads loads;
     clear_loads(tick.model, loads);
-    add_held_forces(tick.model, contacts_.held(), frame.kinematics, loads);
-    solve_closed_impulse(tick.model, frame.kinematics, frame.factors, loads, response);
+    add_held_forces(tick.model, contacts_.held(), cache.kinematics, loads);
+    solve_closed_impulse(tick.model, cache.kinematics, cache.factors, loads, response);
 }
 
 // Accelerations at the start under the constant forces: those without contact and a response.
@@ -321,10 +321,10 @@ const MotionRate& StepControl::held_start_rate(Tick& tick) {
     return held_rate_;
 }
 
-// Computes the work of the constant forces up to the end in the spare frame, and the overrun there.
+// Computes the work of the constant forces up to the end in the spare cache, and the overrun there.
 void StepControl::check_step_end(const Tick& tick) {
-    const Kinematics& end = tick.state.spare_frame().kinematics;
-    work_ = contacts_.held_work(tick.model, tick.state.frame().kinematics, end);
+    const Kinematics& end = tick.state.spare_cache().kinematics;
+    work_ = contacts_.held_work(tick.model, tick.state.cache().kinematics, end);
     end_overrun_ = limit_overrun(tick.model, end);
 }
 
@@ -336,14 +336,14 @@ bool StepControl::must_halve(const Tick& tick, double h) {
     const double allowance = kStepWorkAllowance * tick.model.total_mass * kReferenceGravity;
     if (work_.positive > allowance) return true;
     return end_overrun_ > kMaxOverrun &&
-           end_overrun_ > limit_overrun(tick.model, tick.state.frame().kinematics) + kOverrunGrowth;
+           end_overrun_ > limit_overrun(tick.model, tick.state.cache().kinematics) + kOverrunGrowth;
 }
 
 void StepControl::accept(Tick& tick, bool has_rows, double h) {
     SimulationState& state = tick.state;
     add_to_audit(tick);
     copy_motion(tick.model, result_.end, state.motion);
-    state.current_frame = 1 - state.current_frame;
+    state.current_cache = 1 - state.current_cache;
     copy_rate(tick.model, result_.end_rate, state.free_rate);
     state.has_last_acceleration = is_midpoint(has_rows);
     if (state.has_last_acceleration) {
@@ -356,30 +356,30 @@ void StepControl::accept(Tick& tick, bool has_rows, double h) {
     tick.time += h;
 }
 
-// Accepts the step up to an impact; result_ and the spare frame have the motion there.
+// Accepts the step up to an impact; result_ and the spare cache have the motion there.
 void StepControl::accept_part(Tick& tick, double h, double share) {
     SimulationState& state = tick.state;
     check_step_end(tick);
     add_to_audit(tick);
     copy_motion(tick.model, result_.end, state.motion);
-    state.frame_is_current = false;
+    state.cache_is_current = false;
     tick.time += share * h;
 }
 
 // Subtracts the response to the constant forces from the accelerations of the step's end.
 void StepControl::release_forces(Tick& tick) {
     SimulationState& state = tick.state;
-    complete_frame(tick.model, state.frame());
+    complete_cache(tick.model, state.cache());
     BodyResponse response;
     respond_to_held(tick, response);
     for (int c = 0; c < coordinate_count(tick.model); ++c) {
         state.free_rate.acceleration[c] -= response.coordinate[c];
-        state.frame().response.coordinate[c] -= response.coordinate[c];
+        state.cache().response.coordinate[c] -= response.coordinate[c];
     }
     for (int i = 0; i < tick.model.body_count; ++i) {
-        state.frame().response.x[i] -= response.x[i];
-        state.frame().response.y[i] -= response.y[i];
-        state.frame().response.spin[i] -= response.spin[i];
+        state.cache().response.x[i] -= response.x[i];
+        state.cache().response.y[i] -= response.y[i];
+        state.cache().response.spin[i] -= response.spin[i];
     }
 }
 

@@ -23,10 +23,11 @@ struct SimulationState {
     Motion motion = {};
     double time = 0.0;  // s
     SceneStatus status = SceneStatus::kRunning;
-    Frame frames[2] = {};  // one belongs to the motion, free of contact forces; one is scratch
-    int current_frame = 0;
+    EvaluationCache caches[2] =
+        {};  // one belongs to the motion, free of contact forces; one is scratch
+    int current_cache = 0;
     MotionRate free_rate = {};  // of the motion, free of contact
-    bool frame_is_current = false;
+    bool cache_is_current = false;
     std::uint64_t detection = 0;  // number of the detection that belongs to the motion; 0: none
     double proposed_step = 1.0 / 120;  // s
     // Accelerations of the last step, if it was a midpoint step and no impact followed.
@@ -41,9 +42,9 @@ struct SimulationState {
     SceneAudit audit;
     double energy_reference = 0.0;  // J, at the start of the audit
 
-    Frame& frame() { return frames[current_frame]; }
-    const Frame& frame() const { return frames[current_frame]; }
-    Frame& spare_frame() { return frames[1 - current_frame]; }
+    EvaluationCache& cache() { return caches[current_cache]; }
+    const EvaluationCache& cache() const { return caches[current_cache]; }
+    EvaluationCache& spare_cache() { return caches[1 - current_cache]; }
 };
 
 // Numbers of complementarity problems since the start, and of those the solver failed on.
