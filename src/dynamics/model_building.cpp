@@ -4,7 +4,7 @@
 #include "dynamics/constraints/invariants.h"
 #include "dynamics/forces/motors.h"
 #include "dynamics/model/collision_filter.h"
-#include "dynamics/model/pins.h"
+#include "dynamics/model/loop_joints.h"
 #include "math/elementary.h"
 
 #include <cmath>
@@ -84,9 +84,9 @@ Status check_plan(const BodyPlan& plan, double density) {
     for (std::size_t i = 0; i < plan.parts.size(); ++i) {
         if (Status status = check_part(plan, i); !status) return status;
     }
-    if (plan.closing_pins.size() > kMaxClosingPins)
+    if (plan.closing_pins.size() > kMaxLoopJoints)
         return Error{"body plan: " + std::to_string(plan.closing_pins.size()) +
-                     " closing pins, at most " + std::to_string(kMaxClosingPins) + " expected"};
+                     " closing pins, at most " + std::to_string(kMaxLoopJoints) + " expected"};
     for (std::size_t i = 0; i < plan.closing_pins.size(); ++i) {
         if (Status status = check_pin(plan, i); !status) return status;
     }
@@ -309,17 +309,17 @@ private:
             const ClosingPin& planned = plan_.closing_pins[i];
             const Vec2 a = part_point(planned.part_a, planned.anchor_in_a);
             const Vec2 b = part_point(planned.part_b, planned.anchor_in_b);
-            const BodyPin pin{model_.part_body[planned.part_a],
-                              model_.part_body[planned.part_b],
-                              a.x(),
-                              a.y(),
-                              b.x(),
-                              b.y()};
-            if (pin.body_a == pin.body_b)
+            const LoopJoint joint{model_.part_body[planned.part_a],
+                                  model_.part_body[planned.part_b],
+                                  a.x(),
+                                  a.y(),
+                                  b.x(),
+                                  b.y()};
+            if (joint.body_a == joint.body_b)
                 return pin_error(i, "both its parts belong to one rigid body");
-            if (!(pin_gap(rest, pin, pin_arms(rest, pin)).norm() <= kMaxPinGap))
+            if (!(loop_gap(rest, joint, loop_arms(rest, joint)).norm() <= kMaxPinGap))
                 return pin_error(i, "its points are over 1e-6 m apart in the rest pose");
-            model_.closing_pins.push_back(pin);
+            model_.loop_joints.push_back(joint);
         }
         return {};
     }

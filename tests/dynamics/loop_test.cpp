@@ -2,7 +2,7 @@
 
 #include "dynamics/articulated/least_squares_dynamics.h"
 #include "dynamics/articulated/loop_closure.h"
-#include "dynamics/model/pins.h"
+#include "dynamics/model/loop_joints.h"
 #include "dynamics/refused_plan.h"
 #include "dynamics/rig.h"
 #include "support/catch.h"
@@ -66,8 +66,8 @@ void flap(Rig& rig, double rate) {
 
 double gap_of(const PlanarModel& model, const Kinematics& k) {
     double widest = 0.0;
-    for (const BodyPin& pin : model.closing_pins)
-        widest = std::fmax(widest, pin_gap(k, pin, pin_arms(k, pin)).norm());
+    for (const LoopJoint& joint : model.loop_joints)
+        widest = std::fmax(widest, loop_gap(k, joint, loop_arms(k, joint)).norm());
     return widest;
 }
 
@@ -299,7 +299,7 @@ TEST_CASE("pinned parts never collide", "[dynamics][loops]") {
     CHECK(build_planar_model(plan, 1.0)->colliding_pairs.size() == across - 1);
 }
 
-TEST_CASE("integrators that cannot solve_resting loops refuse them", "[dynamics][loops]") {
+TEST_CASE("integrators that cannot hold loops refuse them", "[dynamics][loops]") {
     for (const IntegratorKind& kind : builtin_integrators().all()) {
         SceneSettings settings;
         settings.integrator = kind.id;
@@ -310,7 +310,7 @@ TEST_CASE("integrators that cannot solve_resting loops refuse them", "[dynamics]
     }
 }
 
-TEST_CASE("closing pins that solve_resting nothing are refused by number", "[dynamics][loops]") {
+TEST_CASE("closing pins that hold nothing are refused by number", "[dynamics][loops]") {
     CHECK(build_planar_model(rhombus(0.6), 1.0));
     CHECK(refused(pinned_badly({0, 4, kDistal, kDistal}), "closing pin 1: there is no part 4"));
     CHECK(refused(pinned_badly({-1, 0, kDistal, kDistal}), "closing pin 1: there is no part -1"));

@@ -59,7 +59,7 @@ TEST_CASE("random creatures never break physics", "[dynamics][robustness]") {
     CHECK(suspect <= creatures / 20);
 }
 
-TEST_CASE("creatures that solve_resting a pose come to rest", "[dynamics][robustness]") {
+TEST_CASE("creatures that hold a pose come to rest", "[dynamics][robustness]") {
     const int creatures = 30;
     for (const int parts : {3, 6, 12}) {
         int at_rest = 0;

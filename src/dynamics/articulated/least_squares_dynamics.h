@@ -25,7 +25,7 @@ public:
     const Eigen::VectorXd& deviation() const { return deviation_; }
 
 private:
-    void add_pin(const Kinematics& bodies, Eigen::Index row, const BodyPin& pin);
+    void add_point_constraint(const Kinematics& bodies, Eigen::Index row, const LoopJoint& joint);
     void add_revolute(const Kinematics& bodies, Eigen::Index row, int body, double effort);
     void add_prismatic(const Kinematics& bodies, Eigen::Index row, int body, double effort);
 

@@ -9,7 +9,7 @@
 namespace cambrian {
 namespace {
 
-constexpr double kHeldShare = 0.02;  // smallest diagonal element, relative to that without loops
+constexpr double kLoopSoftness = 0.02;  // smallest diagonal element, relative to that without loops
 
 struct Planar {
     double x, y;  // m/s or m/s^2
@@ -196,20 +196,21 @@ void add_limit_rows(const PlanarModel& model, const LimitSet& limits, const Kine
 
 // Subtracts the effect of loop-closure joints from the matrix: B A+ B', with the rates B of the
 // rows under unit impulses of the joints. Rows in which the mechanism hardly moves are regularised.
-void hold_loops(const PlanarModel& model, const EvaluationCache& cache, ConstraintSystem& rows) {
+void close_loops(const PlanarModel& model, const EvaluationCache& cache, ConstraintSystem& rows) {
     const LoopClosure loops(model, cache.kinematics, cache.factors);
     const std::vector<BodyResponse>& units = loops.unit_responses();
     Eigen::MatrixXd effect(rows.count, static_cast<Eigen::Index>(units.size()));
     for (int row = 0; row < rows.count; ++row) {
-        for (std::size_t pin = 0; pin < units.size(); ++pin)
-            effect(row, static_cast<Eigen::Index>(pin)) = row_rate(model, rows[row], units[pin]);
+        for (std::size_t joint = 0; joint < units.size(); ++joint)
+            effect(row, static_cast<Eigen::Index>(joint)) =
+                row_rate(model, rows[row], units[joint]);
     }
     const Eigen::MatrixXd held = effect * loops.impulses(effect.transpose());
     for (int row = 0; row < rows.count; ++row) {
         const double open = rows.coupling(row, row);
         for (int column = 0; column < rows.count; ++column)
             rows.line(row)[column] -= held(row, column);
-        const double softness = std::max(0.0, kHeldShare * open - rows.coupling(row, row));
+        const double softness = std::max(0.0, kLoopSoftness * open - rows.coupling(row, row));
         rows[row].regularization += softness;
         rows.line(row)[row] += softness;
     }
@@ -233,7 +234,7 @@ void build_rows(const PlanarModel& model, const RowSources& sources, const Kinem
     }
     add_limit_rows(model, sources.limits, detected, cache.response, rows);
     compute_delassus_matrix(model, cache, sources.friction_softness, rows);
-    if (!model.closing_pins.empty()) hold_loops(model, cache, rows);
+    if (!model.loop_joints.empty()) close_loops(model, cache, rows);
 }
 
 void rate_rows(const PlanarModel& model, const ConstraintSystem& rows,

@@ -110,7 +110,7 @@ namespace {
     else
         solve_damped_accelerations(model, cache.kinematics, cache.loads, cache.motor_damping,
                                    cache.factors, cache.response);
-    if (!model.closing_pins.empty())
+    if (!model.loop_joints.empty())
         close_accelerations(model, cache.kinematics, cache.factors, cache.response);
     const int count = coordinate_count(model);
     for (int c = 0; c < count; c += kLanes)

@@ -9,7 +9,7 @@ namespace cambrian {
 // Whether the dense form applies: no contact forces, no pull and no closed loops.
 inline bool is_dense(const PlanarModel& model, const Forcing& forcing) {
     return model.dense.blocks > 0 && forcing.held == nullptr && !forcing.pulled &&
-           model.closing_pins.empty();
+           model.loop_joints.empty();
 }
 
 // Does what evaluate_accelerations does, with an incomplete cache: it has no geometry of the

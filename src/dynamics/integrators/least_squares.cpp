@@ -129,7 +129,7 @@ void attempt_least_squares_step(const MotionSystem& system, const StepRequest& r
                     result.end_rate);
     result.error = 0.0;
     result.evaluations = 5;
-    if (model.closing_pins.empty()) return;
+    if (model.loop_joints.empty()) return;
     LoopClosure(model, cache.kinematics, cache.factors).close_drift(result.end);
     system.evaluate(result.end, request.time + h, EvaluationDetail::kEverything, cache,
                     result.end_rate);

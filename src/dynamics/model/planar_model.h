@@ -19,7 +19,7 @@ namespace cambrian {
 inline constexpr int kMaxBodies = 32;
 inline constexpr int kMaxParts = 64;
 inline constexpr int kMaxTrees = 8;
-inline constexpr int kMaxClosingPins = 64;
+inline constexpr int kMaxLoopJoints = 64;
 inline constexpr int kMaxCoordinates = kMaxBodies + 2 * kMaxTrees;
 
 using PerBody = double[kMaxBodies];
@@ -34,7 +34,7 @@ struct PartPair {
 
 // A loop-closure joint: a point of body a coincides with a point of body b. Both are offsets from
 // the body's centre, in its frame.
-struct BodyPin {
+struct LoopJoint {
     int body_a = 0;
     int body_b = 0;
     double a_x = 0.0, a_y = 0.0;  // m
@@ -105,7 +105,7 @@ struct PlanarModel {
     double corner_y[4 * kMaxParts] = {};        // number is +x of the box, bit 1 is +y
     std::vector<PartPair> colliding_pairs;      // boxes of different bodies that may touch
 
-    std::vector<BodyPin> closing_pins;  // loop-closure joints; see loop_closure.h
+    std::vector<LoopJoint> loop_joints;  // loop-closure joints; see loop_closure.h
 
     PerTree rest_center_x = {}, rest_center_y = {};  // m, centres of mass in the plan's rest pose
     PerTree rest_root_angle = {};                    // rad

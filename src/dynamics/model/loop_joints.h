@@ -8,7 +8,7 @@
 namespace cambrian {
 
 // World offsets of the points from their bodies' centres.
-struct PinArms {
+struct LoopArms {
     Vec2 a, b;
 };
 
@@ -19,9 +19,9 @@ inline Vec2 perp(const Vec2& v) {
 Vec2 turned(const Kinematics& kinematics, Eigen::Index body, double x, double y);
 Vec2 place(const Kinematics& kinematics, Eigen::Index body);
 
-PinArms pin_arms(const Kinematics& kinematics, const BodyPin& pin);
-Vec2 pin_gap(const Kinematics& kinematics, const BodyPin& pin, const PinArms& arms);  // D, m
+LoopArms loop_arms(const Kinematics& kinematics, const LoopJoint& joint);
+Vec2 loop_gap(const Kinematics& kinematics, const LoopJoint& joint, const LoopArms& arms);  // D, m
 // The velocity terms of D'', m/s^2.
-Vec2 pin_bias(const Kinematics& kinematics, const BodyPin& pin, const PinArms& arms);
+Vec2 loop_bias(const Kinematics& kinematics, const LoopJoint& joint, const LoopArms& arms);
 
 }  // namespace cambrian
