@@ -9,8 +9,8 @@ namespace cambrian {
 
 // A new joint is one file in joints/ and one line in the registry's list.
 JointKind rigid_joint();
-JointKind rotary_joint();
-JointKind linear_joint();
+JointKind revolute_joint();
+JointKind prismatic_joint();
 
 // Digests of genes count joints in this order: new kinds go to the end.
 JointRegistry builtin_joints();

@@ -81,13 +81,13 @@ struct PlanarModel {
     int joint_part[kMaxBodies] = {};           // plan part that carries this joint
     PerBody parent_anchor_x = {}, parent_anchor_y = {};  // m, in the parent's frame from its centre
     PerBody child_anchor_x = {}, child_anchor_y = {};    // m, in the body's frame from its centre
-    PerBody pivot_x = {}, pivot_y = {};       // m, child anchor of rotary joints, 0 otherwise
+    PerBody pivot_x = {}, pivot_y = {};       // m, child anchor of revolute joints, else 0
     PerBody reach_x = {}, reach_y = {};       // m, parent anchor from the parent's pivot
     PerBody pivot_inertia = {};               // kg m^2, about the pivot
     PerBody rest_angle = {};                  // rad, relative to the parent
-    PerBody axis_x = {}, axis_y = {};         // linear joints: unit, in the parent's frame
+    PerBody axis_x = {}, axis_y = {};         // prismatic joints: unit, in the parent's frame
     PerBody limit_low = {}, limit_high = {};  // rad or m
-    PerBody slides = {};                      // 1 on linear joints, else 0
+    PerBody slides = {};                      // 1 on prismatic joints, else 0
     PerBody max_effort = {};                  // N m or N
     PerBody effective_inertia = {};           // kg m^2 or kg, of this joint alone in the rest pose
     MotorMode motor_mode[kMaxBodies] = {};

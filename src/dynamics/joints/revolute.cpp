@@ -6,7 +6,7 @@
 namespace cambrian {
 namespace {
 
-void shape_rotary(const JointGenes& genes, PlannedPart& part) {
+void shape_revolute(const JointGenes& genes, PlannedPart& part) {
     const bool mirrored = genes.handedness < 0;
     part.limit_low = mirrored ? -genes.limit_high : genes.limit_low;
     part.limit_high = mirrored ? -genes.limit_low : genes.limit_high;
@@ -15,8 +15,9 @@ void shape_rotary(const JointGenes& genes, PlannedPart& part) {
 
 }  // namespace
 
-JointKind rotary_joint() {
-    return {.id = "rotary", .label = "Rotary", .motion = JointMotion::kTurn, .shape = shape_rotary};
+JointKind revolute_joint() {
+    return {
+        .id = "rotary", .label = "Rotary", .motion = JointMotion::kTurn, .shape = shape_revolute};
 }
 
 }  // namespace cambrian

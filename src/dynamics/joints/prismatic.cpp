@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kMaxExtension = 0.9;  // of the part's length, either way
 
-void shape_linear(const JointGenes& genes, PlannedPart& part) {
+void shape_prismatic(const JointGenes& genes, PlannedPart& part) {
     part.limit_low = std::fmax(genes.limit_low, -kMaxExtension) * genes.length;
     part.limit_high = std::fmin(genes.limit_high, kMaxExtension) * genes.length;
     part.max_effort = genes.muscle_strength * genes.width;
@@ -19,12 +19,12 @@ void shape_linear(const JointGenes& genes, PlannedPart& part) {
 
 }  // namespace
 
-JointKind linear_joint() {
+JointKind prismatic_joint() {
     return {.id = "linear",
             .label = "Linear",
             .motion = JointMotion::kSlide,
             .usual = false,
-            .shape = shape_linear};
+            .shape = shape_prismatic};
 }
 
 }  // namespace cambrian
