@@ -11,9 +11,9 @@ namespace {
 constexpr double kHalf = 0.1;  // m
 
 // Heights of a box's first apexes above its resting place, dropped flat from 1 m.
-std::vector<double> apexes(double elasticity, std::size_t count, SceneAudit* audit = nullptr) {
+std::vector<double> apexes(double restitution, std::size_t count, SceneAudit* audit = nullptr) {
     Environment environment;
-    environment.elasticity = elasticity;
+    environment.elasticity = restitution;
     const auto scene = make_scene(one_box(0.2, kHalf, 0.0, 1.0 + kHalf), environment);
     std::vector<double> heights;
     double highest = 0.0;
@@ -99,7 +99,8 @@ TEST_CASE("no corner of a fast spinner gets through the ground", "[dynamics][col
     }
 }
 
-TEST_CASE("a box bounces to the elasticity squared of its height", "[dynamics][collision]") {
+TEST_CASE("a box bounces to its height times the coefficient of restitution squared",
+          "[dynamics][collision]") {
     for (const double e : {0.5, 0.8, 1.0}) {
         const std::vector<double> heights = apexes(e, 2);
         REQUIRE(heights.size() == 2);
@@ -108,7 +109,7 @@ TEST_CASE("a box bounces to the elasticity squared of its height", "[dynamics][c
     }
 }
 
-TEST_CASE("a box without elasticity does not bounce", "[dynamics][collision]") {
+TEST_CASE("a box without restitution does not bounce", "[dynamics][collision]") {
     Environment environment;
     environment.elasticity = 0.0;
     const auto scene = make_scene(one_box(0.2, kHalf, 0.0, 1.0 + kHalf), environment);

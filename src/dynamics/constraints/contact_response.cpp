@@ -18,11 +18,11 @@ constexpr double kWorkTolerance = 1e-6;  // of the impulses' size times their cl
 // Softness is small, because an impact has no earlier impulse to anchor its friction rows.
 constexpr double kImpactFrictionSoftness = 1e-5;
 
-void set_impact_bias(const ConstraintSystem& rows, double elasticity, double* bias) {
+void set_impact_bias(const ConstraintSystem& rows, double restitution, double* bias) {
     for (int row = 0; row < rows.count; ++row) {
         const double rate = rows[row].rate;
         const bool bounces = rows[row].kind == RowKind::kNormal && rate < -kRestingSpeed;
-        bias[row] = bounces ? (1.0 + elasticity) * rate : rate;
+        bias[row] = bounces ? (1.0 + restitution) * rate : rate;
     }
 }
 
@@ -58,9 +58,9 @@ double ContactSolver::impact_work() const {
 }
 
 ImpactResult ContactSolver::solve_impact(const PlanarModel& model, const ContactLaw& law,
-                                         double elasticity, const EvaluationCache& cache,
+                                         double restitution, const EvaluationCache& cache,
                                          Motion& motion) {
-    CAMBRIAN_TICK_ASSERT(elasticity >= 0.0 && elasticity <= 1.0, "a coefficient of restitution");
+    CAMBRIAN_TICK_ASSERT(restitution >= 0.0 && restitution <= 1.0, "a coefficient of restitution");
     selected_.count = 0;
     for (int c = 0; c < near_.count; ++c) {
         if (near_.items[c].gap < kContactBand) selected_.add(near_.items[c]);
@@ -77,7 +77,7 @@ ImpactResult ContactSolver::solve_impact(const PlanarModel& model, const Contact
         result.work = impact_work();
         return result.work <= kWorkTolerance * impact_scale(rows_);
     };
-    if (!solve(elasticity) && !solve(0.0)) {
+    if (!solve(restitution) && !solve(0.0)) {
         result.fell_back = true;
         solver_.iterate_from_zero(rows_, bias_, 0.0);
         result.work = impact_work();

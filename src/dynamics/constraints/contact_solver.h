@@ -11,8 +11,8 @@
 namespace cambrian {
 
 struct ContactLaw {
-    double friction = 0.0;    // Coulomb's coefficient
-    double elasticity = 0.0;  // coefficient of restitution, 0 to 1
+    double friction = 0.0;     // Coulomb's coefficient
+    double restitution = 0.0;  // coefficient of restitution, 0 to 1
     bool has_ground = true;
 };
 
@@ -49,7 +49,7 @@ public:
 
     // Solves the impact of everything that touches and changes the motion's speeds. The cache must
     // belong to the motion.
-    ImpactResult solve_impact(const PlanarModel& model, const ContactLaw& law, double elasticity,
+    ImpactResult solve_impact(const PlanarModel& model, const ContactLaw& law, double restitution,
                               const EvaluationCache& cache, Motion& motion);
 
     // Selects the contacts and limits of a step of length h from the near ones. Returns false if

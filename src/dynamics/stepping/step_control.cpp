@@ -118,7 +118,7 @@ SceneStatus StepControl::step(Tick& tick) {
     make_current(tick);
     if (!tick.detected) contacts_.detect(tick.model, tick.law, tick.state.cache().kinematics);
     if (tick.impacts < kMaxImpacts && contacts_.has_impact()) {
-        apply_impact(tick, tick.law.elasticity);
+        apply_impact(tick, tick.law.restitution);
         return SceneStatus::kRunning;
     }
     bool has_rows = false;
@@ -181,11 +181,11 @@ void StepControl::count_evaluations(Tick& tick, int evaluations) {
     tick.state.evaluation_debt += evaluations;
 }
 
-void StepControl::apply_impact(Tick& tick, double elasticity) {
+void StepControl::apply_impact(Tick& tick, double restitution) {
     SimulationState& state = tick.state;
     complete_cache(tick.model, state.cache());
     const ImpactResult impact =
-        contacts_.solve_impact(tick.model, tick.law, elasticity, state.cache(), state.motion);
+        contacts_.solve_impact(tick.model, tick.law, restitution, state.cache(), state.motion);
     state.audit.impulse_work += impact.work;
     state.audit.positive_work += std::max(0.0, impact.work);
     state.audit.fallbacks += impact.fell_back ? 1U : 0U;

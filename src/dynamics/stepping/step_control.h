@@ -82,7 +82,7 @@ private:
     static void roll_back(Tick& tick, const Motion& start, const SceneAudit& audit_before);
     static void make_current(Tick& tick);
     static void count_evaluations(Tick& tick, int evaluations);
-    void apply_impact(Tick& tick, double elasticity);
+    void apply_impact(Tick& tick, double restitution);
     double choose_length(Tick& tick, bool& has_rows);
     void count_resting(Tick& tick, bool solved);
     Attempt attempt(Tick& tick, bool has_rows, double& h);
