@@ -14,8 +14,8 @@ struct MutationSettings {
     double rate = 1.0;
     // Relative weight of each operator by id; operators not named keep their default weight.
     std::map<std::string, double> weights = {};
-    // Also remove neurons no effector can hear; kept by default, since they cost nothing and a
-    // later mutation may connect them.
+    // Whether disconnected neurons are removed. They are kept by default, because they cost nothing
+    // and a later mutation may connect them.
     bool collect_mute_neurons = false;
 
     friend bool operator==(const MutationSettings&, const MutationSettings&) = default;

@@ -14,7 +14,7 @@
 
 namespace cambrian {
 
-// When to give a trial up: halfway, if the most it could still score is no more than `score`.
+// Early-termination threshold: a trial ends halfway if it can score at most `score`.
 struct Bar {
     double score = 0.0;
     bool audited = false;  // is finished all the same
@@ -22,8 +22,8 @@ struct Bar {
     friend bool operator==(const Bar&, const Bar&) = default;
 };
 
-// Whether giving up can be trusted: not before 30 doomed trials were finished all the same, and
-// only while at most 1 in 1000 of those turned out a survivor.
+// Whether early termination is reliable. It is so after 30 terminated trials were finished anyway,
+// and as long as at most 1 in 1000 of them would have survived.
 struct BarAudit {
     static constexpr int kLeastFinished = 30;
 
@@ -40,11 +40,11 @@ struct BarredTrial {
     bool hopeless = false;  // given up, or audited and would have been
 };
 
-// The score if all of the trial that is still to come ran in the best of a few directions at 1.5
-// times the highest mean speed of any second so far.
+// The score if the rest of the trial moves in the best of a few directions, at 1.5 times the
+// highest mean speed of any second so far.
 double most_still_possible(const TrialRecord& so_far, const GoalKind& goal);
 
-// What may end a trial before its time.
+// Reasons to end a trial early.
 struct TrialEnds {
     const GoalKind& goal;
     const std::optional<Bar>& bar;

@@ -30,8 +30,8 @@ struct PngLimits {
     int chunks = 12;                     // texts and the like; bounds the memory they take
 };
 
-// All texts of a picture under a keyword. Reads the picture to its end: one that is cut off, is
-// damaged anywhere or goes beyond the limits fails, in libpng's words.
+// Returns all texts of a picture under a keyword. It reads the picture to its end, and fails with
+// libpng's message if that is truncated, damaged or beyond the limits.
 Result<std::vector<std::string>> png_texts(std::string_view bytes, std::string_view keyword,
                                            const PngLimits& limits = {});
 

@@ -22,8 +22,8 @@ struct OpenedExperiment;
 
 class ExperimentFile {
 public:
-    // A new experiment, generation 0 of these founders and settings, without a name: it vanishes
-    // with this object unless it is moved.
+    // Starts a new experiment with generation 0 of these founders and settings. It has no name, and
+    // its file is deleted with this object unless it was moved.
     static Result<std::shared_ptr<ExperimentFile>> create(const EvolutionKinds& kinds,
                                                           const SettingsPtr& settings,
                                                           const std::vector<GenomePtr>& founders);
@@ -59,7 +59,7 @@ private:
     std::unique_ptr<Open> open_;
 };
 
-// An experiment file to be gone on with.
+// An experiment file that was opened to continue it.
 struct OpenedExperiment {
     std::shared_ptr<ExperimentFile> file;
     SavedExperiment saved;
@@ -67,11 +67,11 @@ struct OpenedExperiment {
     std::vector<JudgedIndividual> stars;
 };
 
-// One of an older version is brought up to this program's. Fails, leaving the file as it is, if it
-// is damaged, of another kind or newer, or in use.
+// Opens an experiment and upgrades older versions. Fails without a change of the file if it is
+// damaged, of another kind, newer or in use.
 Result<OpenedExperiment> open_experiment(const std::filesystem::path& path,
                                          const EvolutionKinds& kinds);
-// To look at only; the file is not changed.
+// Loads an experiment to look at; the file does not change.
 Result<SavedExperiment> load_experiment(const std::filesystem::path& path,
                                         const EvolutionKinds& kinds);
 
