@@ -19,7 +19,7 @@ class Trust;
 
 class WorkerRoll {
 public:
-    // The coordinator's own terms; a worker with other terms gets no units.
+    // The coordinator's own build; a worker with another build gets no units.
     struct Build {
         std::string simulator;
         std::uint64_t proof = 0;
