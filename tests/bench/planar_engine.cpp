@@ -42,7 +42,7 @@ EngineKind planar_engine(std::string id, const SceneSettings& settings) {
     EngineKind kind;
     kind.id = std::move(id);
     kind.label = "Cambrian, " + settings.integrator;
-    kind.make = [settings](const BodyPlan& plan, const Environment& environment, Books) {
+    kind.make = [settings](const BodyPlan& plan, const Environment& environment, WorkAudit) {
         return std::make_unique<PlanarEngine>(make_planar_scene(plan, environment, settings));
     };
     return kind;
