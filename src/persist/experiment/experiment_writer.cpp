@@ -63,7 +63,7 @@ void ExperimentWriter::remember(const ReadExperiment& read) {
     known_.novel = latest.memory.archive;
 }
 
-// All of it, or nothing: neither in the file nor in what is known of it.
+// Runs work in a transaction. A failure changes neither the file nor the record of its contents.
 template <class Work>
 void ExperimentWriter::transact(Work work) {
     Transaction transaction(database_);
@@ -122,7 +122,7 @@ void ExperimentWriter::keep_stars(const std::vector<JudgedIndividual>& stars) {
     transact([&] { replace_kept("star", stars); });
 }
 
-// Creatures of the population keep their rows and scores; others get some of their own.
+// Creatures of the population keep their rows and scores; others get new ones.
 RowRef ExperimentWriter::keep_chosen(const IndividualPtr& individual) {
     const auto living = known_.individuals.find(individual->uid);
     if (living != known_.individuals.end() && living->second.individual == individual) {
@@ -157,7 +157,7 @@ void ExperimentWriter::replace_kept(const char* role,
     }
 }
 
-// This program's, if it is not known yet that it computes from this generation on.
+// Records this program's simulator version from this generation on, unless it is recorded.
 void ExperimentWriter::name_simulator(std::uint32_t generation) {
     if (known_.simulator == kSimulatorVersion) return;
     database_.prepare("INSERT OR REPLACE INTO simulators VALUES (?, ?)")
