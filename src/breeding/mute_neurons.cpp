@@ -63,7 +63,7 @@ private:
         }
     }
 
-    // Non-empty lists a reference may name a neuron of, in some body.
+    // Non-empty lists that a reference may refer to, in some body.
     std::vector<std::size_t> addressed(std::size_t reader, const SourceRef& source) const {
         std::vector<std::size_t> lists;
         for (std::size_t list = 0; list < lists_.size(); ++list) {

@@ -38,7 +38,7 @@ Batch::Batch(std::vector<EvaluationRequest> requests, std::uint32_t generation, 
 std::optional<Batch::HomeTask> Batch::next_home_task(double now, const Cores& cores) {
     if (const auto check = answers_.next_check()) return HomeTask{{*check}, std::nullopt};
     if (const auto open = ledger_.take_for_home()) return HomeTask{{*open}, std::nullopt};
-    // With nobody left to wait for, everything is late.
+    // Without reachable workers every unit is late.
     const double moment = cores.remote == 0 ? std::max(now, ledger_.next_due().value_or(now)) : now;
     auto late = ledger_.take_late(moment, cores.own);
     if (!late) return std::nullopt;
@@ -122,7 +122,7 @@ bool Batch::take_result(std::uint32_t unit, const UnitResult& result, const Core
         take_claim(result, each, checked_share(cores));
     }
     memory_.costs.learn(result.results.size(), work, result.seconds);
-    // A part of a unit leaves the rest of it to whoever gets it next.
+    // A partial result leaves the rest of the unit to the next worker.
     const auto creatures = ledger_.close(unit);
     std::vector<std::size_t> left;
     for (const std::size_t creature : creatures) {

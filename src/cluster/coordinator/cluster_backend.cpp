@@ -50,7 +50,7 @@ public:
     BackendStatus status() const override;
 
 private:
-    // What the threads of one call of evaluate() share.
+    // Data that the threads of one call of evaluate() share.
     struct Call {
         const ExperimentSettings& settings;
         std::optional<JudgingSettings> judging;  // none if they cannot travel
@@ -64,14 +64,14 @@ private:
     bool run(Call& call, const std::stop_token& stop);
     void note_time(const Batch& batch, double seconds);
 
-    // An own core's part of a call.
+    // The part of a call that one core of this machine does.
     void serve_core(Call& call, const std::stop_token& stop);
     void perform(Call& call, const Batch::HomeTask& task);
     void compute_here(Call& call, std::size_t creature);
     void compute_apart(Call& call, const std::vector<std::size_t>& creatures);
     void after_change(Call& call);  // mutex_ is held
 
-    // The dispatcher's thread.
+    // Runs on the dispatcher's thread.
     void dispatch(const std::stop_token& stop);
     void watch_link();
     void say_hello();
@@ -80,7 +80,7 @@ private:
     void note_malformed();
 
     void store_settings();
-    // Publishes as much as is wanted now; publishing_ is held.
+    // Publishes as many units as are wanted now; the caller holds publishing_.
     void publish_units();
     bool publish_unit(Call& call);
     Cores cores() const;  // mutex_ is held
@@ -172,7 +172,7 @@ bool ClusterBackend::evaluate(std::span<const EvaluationRequest> requests,
     return whole;
 }
 
-// What travels of the settings; they are the same ones from call to call.
+// The settings that are sent to workers; they are the same from call to call.
 std::optional<JudgingSettings> ClusterBackend::travelling(const ExperimentSettings& settings) {
     const bool known = judged_ && same_judgement(*judged_, settings) &&
                        judged_->selection.confirm_jitter == settings.selection.confirm_jitter;
@@ -211,7 +211,7 @@ bool ClusterBackend::run(Call& call, const std::stop_token& stop) {
     return whole;
 }
 
-// What a batch's work and waiting say of how many cores could be of use.
+// Estimates the number of useful cores from the work and the waiting of a batch.
 void ClusterBackend::note_time(const Batch& batch, double seconds) {
     const double ideal = batch.core_seconds() / static_cast<double>(cores().all());
     const double overhead = std::max(kLeastOverhead, seconds - ideal);
@@ -300,7 +300,7 @@ Cores ClusterBackend::cores() const {
     return {options_.threads, usable ? roll_.cores(now(), memory_.trust) : 0};
 }
 
-// Only the dispatcher may wait for the server; the own cores have better things to do.
+// Only the dispatcher may wait for the server; the other threads evaluate.
 void ClusterBackend::store_settings() {
     std::optional<JudgingSettings> wanted;
     {

@@ -59,7 +59,7 @@ void describe_audit(Archive& archive, Described& audit) {
     archive.integer("fallbacks", audit.fallbacks, 0.0, kMostExact);
 }
 
-// A list of numbers as a list of objects, since one that is not finite is none in JSON.
+// A list of numbers as a list of objects, because JSON has no infinities and no NaN.
 template <class Archive, class Scores>
 void describe_scores(Archive& archive, Scores& scores) {
     archive.list("scores", scores, 0, kMostScores, Layout::kCompact,

@@ -24,7 +24,7 @@ Error cannot_start(int code) {
                  std::generic_category().message(code)};
 }
 
-// Files in memory instead of pipes: neither process ever waits for the other one to read.
+// Uses files in memory instead of pipes, so that neither process waits for the other to read.
 FileDescriptor memory_file(const char* name) {
     return FileDescriptor(::memfd_create(name, MFD_CLOEXEC));
 }
@@ -44,7 +44,8 @@ int spawn_unit(int input, int output, pid_t& process) {
     return code;
 }
 
-// Until the process has ended; it keeps its number meanwhile, so that no other one is ended for it.
+// Waits until the process has ended. It keeps its number until then, so no other process is ended
+// by mistake.
 void wait_for(pid_t process, const std::stop_token& stop) {
     const std::stop_callback end(stop, [process] { ::kill(process, SIGKILL); });
     siginfo_t ended{};
