@@ -398,7 +398,7 @@ void NatsCoordinatorQueue::purge(NatsSession& session, const std::string& stream
     session.send("$JS.API.STREAM.PURGE." + stream, "{\"filter\": \"" + subject + "\"}");
 }
 
-// Tells workers to drop their units of a generation.
+// Tells workers to drop their units of a run, and deletes its messages.
 void NatsCoordinatorQueue::stop_run(NatsSession& session, std::uint64_t run) {
     session.send(subjects_.stop(run), "");
     purge(session, subjects_.work_stream(), subjects_.work_of(run));

@@ -307,7 +307,7 @@ std::string Worker::mismatch(const UnitOutline& outline) const {
     return {};
 }
 
-// Returns null if there are none; the unit is then finished.
+// Returns null if the settings cannot be read; the unit is then discarded or given back.
 SettingsPtr Worker::settings_for(InHand& unit, std::uint64_t key) {
     if (SettingsPtr known = settings_.find(key)) return known;
     const FetchedSettings fetched = queue_.fetch_settings(hex_text(key));
