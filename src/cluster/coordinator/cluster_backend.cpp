@@ -385,13 +385,8 @@ void ClusterBackend::watch_link() {
 }
 
 void ClusterBackend::say_hello() {
-    Hello hello;
-    hello.role = Hello::Role::kCoordinator;
-    hello.id = options_.run;
-    hello.name = options_.name;
-    hello.cores = static_cast<int>(options_.threads);
-    hello.simulator = kSimulatorVersion;
-    hello.proof = proof_;
+    Hello hello = introduction(Hello::Role::kCoordinator, options_.run, options_.name,
+                               options_.threads, proof_);
     hello.trials = proof_trials_;
     {
         const std::lock_guard lock(mutex_);

@@ -212,12 +212,8 @@ void Worker::hear(const Hello& hello) {
 void Worker::say_hello(bool leaving) {
     const double now = clock_.seconds();
     next_hello_ = now + kHelloEvery;
-    Hello hello;
-    hello.id = options_.id;
-    hello.name = options_.name;
-    hello.cores = static_cast<int>(options_.threads);
-    hello.simulator = kSimulatorVersion;
-    hello.proof = proof_;
+    Hello hello =
+        introduction(Hello::Role::kWorker, options_.id, options_.name, options_.threads, proof_);
     hello.leaving = leaving;
     {
         const std::lock_guard lock(mutex_);
