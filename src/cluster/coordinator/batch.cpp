@@ -116,12 +116,9 @@ bool Batch::take_result(std::uint32_t unit, const UnitResult& result, const Core
         return true;
     }
     core_seconds_ += result.seconds;
-    std::uint64_t work = 0;
-    for (const SlotResult& each : result.results) {
-        work += each.result.work;
+    for (const SlotResult& each : result.results)
         take_claim(result, each, checked_share(cores));
-    }
-    memory_.costs.learn(result.results.size(), work, result.seconds);
+    memory_.costs.learn(result.results.size(), total_work(result.results), result.seconds);
     // A part of a unit leaves the rest of it to whoever gets it next.
     const auto creatures = ledger_.close(unit);
     std::vector<std::size_t> left;

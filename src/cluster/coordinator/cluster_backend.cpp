@@ -440,10 +440,7 @@ void ClusterBackend::take_result(const UnitMessage& message) {
         ++memory_.counts.malformed;
         return;
     }
-    std::uint64_t work = 0;
-    for (const SlotResult& each : result->results)
-        work += each.result.work;
-    roll_.worked(result->worker, result->results.size(), work, now());
+    roll_.worked(result->worker, result->results.size(), total_work(result->results), now());
     after_change(*call_);
 }
 

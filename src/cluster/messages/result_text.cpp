@@ -8,6 +8,7 @@
 #include "persist/creature/creature_format.h"
 
 #include <limits>
+#include <numeric>
 
 namespace cambrian {
 namespace {
@@ -109,6 +110,12 @@ void describe_unit_result(Archive& archive, Described& unit) {
 }
 
 }  // namespace
+
+std::uint64_t total_work(std::span<const SlotResult> results) {
+    return std::accumulate(
+        results.begin(), results.end(), std::uint64_t{0},
+        [](std::uint64_t sum, const SlotResult& each) { return sum + each.result.work; });
+}
 
 std::string write_unit_result(const UnitResult& result) {
     return write_message(kResultKind, result, [](JsonWriter& writer, const UnitResult& each) {

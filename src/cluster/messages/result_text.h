@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,6 +22,9 @@ struct SlotResult {
     std::uint64_t genome_hash = 0;  // of the creature that was judged
     EvaluationResult result;
 };
+
+// Evaluations of the accelerations that all of them took.
+std::uint64_t total_work(std::span<const SlotResult> results);
 
 // Of one unit, or of the part of it that was finished before its deadline.
 struct UnitResult {

@@ -286,10 +286,7 @@ void Worker::work_on(InHand& unit, const std::stop_token& stop) {
         queue_.acknowledge(unit.delivery.ticket);
     else
         queue_.give_back(unit.delivery.ticket, milliseconds(0));
-    std::uint64_t work = 0;
-    for (const SlotResult& each : result.results)
-        work += each.result.work;
-    note_done(result.results.size(), work);
+    note_done(result.results.size(), total_work(result.results));
 }
 
 std::string Worker::mismatch(const UnitOutline& outline) const {
