@@ -35,6 +35,13 @@ Batch::Batch(std::vector<EvaluationRequest> requests, std::uint32_t generation, 
       answers_(requests_.size()),
       most_creatures_(kMostPlanned) {}
 
+std::vector<EvaluationRequest> Batch::requests_of(const std::vector<std::size_t>& creatures) const {
+    std::vector<EvaluationRequest> requests;
+    for (const std::size_t creature : creatures)
+        requests.push_back(requests_[creature]);
+    return requests;
+}
+
 std::optional<Batch::HomeTask> Batch::next_home_task(double now, const Cores& cores) {
     if (const auto check = answers_.next_check()) return HomeTask{{*check}, std::nullopt};
     if (const auto open = ledger_.take_for_home()) return HomeTask{{*open}, std::nullopt};

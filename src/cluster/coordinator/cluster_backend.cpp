@@ -259,11 +259,8 @@ void ClusterBackend::compute_here(Call& call, std::size_t creature) {
 }
 
 void ClusterBackend::compute_apart(Call& call, const std::vector<std::size_t>& creatures) {
-    std::vector<EvaluationRequest> requests;
-    for (const std::size_t creature : creatures)
-        requests.push_back(call.batch->requests()[creature]);
     const CrashSearch search{kinds_, options_.child, call.judging->text, options_.crash_folder};
-    Apart apart = search.compute(requests, call.ended.get_token());
+    Apart apart = search.compute(call.batch->requests_of(creatures), call.ended.get_token());
     {
         const std::lock_guard lock(mutex_);
         ++memory_.counts.poisoned;
@@ -333,15 +330,12 @@ bool ClusterBackend::publish_unit(Call& call) {
         plan = call.batch->next_unit(now(), cores());
     }
     if (!plan) return false;
-    std::vector<EvaluationRequest> requests;
-    for (const std::size_t creature : plan->creatures)
-        requests.push_back(call.batch->requests()[creature]);
     const UnitTerms terms{.settings = call.judging->key,
                           .simulator = std::string(kSimulatorVersion),
                           .proof = proof_,
                           .deadline = std::max(kLeastDeadline, kDeadlineFactor * plan->seconds)};
     UnitMessage message{{options_.run, call.batch->generation(), plan->number},
-                        writer_.write(terms, requests)};
+                        writer_.write(terms, call.batch->requests_of(plan->creatures))};
     const bool divisible = plan->creatures.size() > 1;
     const Publishing outcome = divisible && message.body.size() > kWantedUnitBytes
                                    ? Publishing::kTooLarge
