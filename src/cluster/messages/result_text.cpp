@@ -137,4 +137,8 @@ std::string result_text(const EvaluationResult& result) {
     });
 }
 
+bool same_result(const EvaluationResult& a, const EvaluationResult& b) {
+    return result_text(a) == result_text(b);
+}
+
 }  // namespace cambrian

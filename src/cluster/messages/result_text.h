@@ -37,7 +37,9 @@ struct UnitResult {
 std::string write_unit_result(const UnitResult& result);
 Result<UnitResult> parse_unit_result(std::string_view text);
 
-// One result alone. Two results are the same, every bit of them, if their texts are.
+// One result alone.
 std::string result_text(const EvaluationResult& result);
+// Every bit of them, by their texts.
+bool same_result(const EvaluationResult& a, const EvaluationResult& b);
 
 }  // namespace cambrian
