@@ -174,9 +174,7 @@ bool ClusterBackend::evaluate(std::span<const EvaluationRequest> requests,
 
 // What travels of the settings; they are the same ones from call to call.
 std::optional<JudgingSettings> ClusterBackend::travelling(const ExperimentSettings& settings) {
-    const bool known = judged_ && same_judgement(*judged_, settings) &&
-                       judged_->selection.confirm_jitter == settings.selection.confirm_jitter;
-    if (known) return judging_;
+    if (judged_ && judge_alike(*judged_, settings)) return judging_;
     judged_ = settings;
     const Result<JudgingSettings> judging = judging_settings(settings, kinds_);
     judging_.reset();
