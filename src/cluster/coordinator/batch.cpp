@@ -126,7 +126,7 @@ bool Batch::take_result(std::uint32_t unit, const UnitResult& result, const Core
     for (const SlotResult& each : result.results)
         take_claim(result, each, checked_share(cores));
     memory_.costs.learn(result.results.size(), total_work(result.results), result.seconds);
-    // A part of a unit leaves the rest of it to whoever gets it next.
+    // A worker may have computed a part of a unit; the rest is open once more.
     const auto creatures = ledger_.close(unit);
     std::vector<std::size_t> left;
     for (const std::size_t creature : creatures) {
