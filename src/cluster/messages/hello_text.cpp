@@ -61,6 +61,10 @@ Hello cut_to_size(Hello hello) {
 
 }  // namespace
 
+const std::string& role_word(Hello::Role role) {
+    return kRoles[static_cast<std::size_t>(role)];
+}
+
 Hello introduction(Hello::Role role, std::uint64_t id, const std::string& name, std::size_t cores,
                    std::uint64_t proof) {
     Hello hello;

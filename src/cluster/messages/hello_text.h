@@ -43,6 +43,8 @@ struct Hello {
     friend bool operator==(const Hello&, const Hello&) = default;
 };
 
+const std::string& role_word(Hello::Role role);  // "worker", "coordinator"
+
 // What everybody says of itself; the simulator is this build's.
 Hello introduction(Hello::Role role, std::uint64_t id, const std::string& name, std::size_t cores,
                    std::uint64_t proof);
