@@ -5,27 +5,11 @@
 namespace cambrian {
 
 Brain::Brain(const Network& network, const NeuronFunctionRegistry& functions)
-    : network_(&network),
-      steps_(std::make_shared<const std::vector<Step>>(steps_of(network, functions))),
-      values_(network.slot_count()),
-      memory_(network.memory_size) {
+    : network_(&network), values_(network.slot_count()), memory_(network.memory_size) {
+    evaluate_.reserve(network.neurons.size());
+    for (const NetworkNeuron& neuron : network.neurons)
+        evaluate_.push_back(functions[neuron.function].evaluate);
     reset();
-}
-
-std::vector<Brain::Step> Brain::steps_of(const Network& network,
-                                         const NeuronFunctionRegistry& functions) {
-    std::vector<Step> steps;
-    steps.reserve(network.order.size());
-    for (const std::uint32_t index : network.order) {
-        const NetworkNeuron& neuron = network.neurons[index];
-        steps.push_back({.evaluate = functions[neuron.function].evaluate,
-                         .inputs = neuron.inputs,
-                         .neuron = index,
-                         .memory = neuron.memory,
-                         .slot = network.neuron_slot(index),
-                         .arity = neuron.arity});
-    }
-    return steps;
 }
 
 void Brain::reset() {
@@ -35,13 +19,15 @@ void Brain::reset() {
 }
 
 void Brain::think(double dt) {
-    for (const Step& step : *steps_) {
+    for (const std::uint32_t index : network_->order) {
+        const NetworkNeuron& neuron = network_->neurons[index];
         std::array<double, 3> inputs{};
-        for (std::size_t i = 0; i < step.arity; ++i)
-            inputs[i] = limit_signal(step.inputs[i].weight * values_[step.inputs[i].slot]);
-        const double result = step.evaluate(inputs.data(), memory_.data() + step.memory, dt);
-        values_[step.slot] = limit_signal(result);
-        if (!forced_.empty()) overwrite(step.neuron);
+        for (std::size_t i = 0; i < neuron.arity; ++i) {
+            inputs[i] = limit_signal(neuron.inputs[i].weight * values_[neuron.inputs[i].slot]);
+        }
+        const double result = evaluate_[index](inputs.data(), memory_.data() + neuron.memory, dt);
+        values_[network_->neuron_slot(index)] = limit_signal(result);
+        if (!forced_.empty()) overwrite(index);
     }
 }
 
@@ -49,6 +35,12 @@ void Brain::overwrite(std::size_t neuron) {
     for (const auto& [forced, value] : forced_) {
         if (forced == neuron) values_[network_->neuron_slot(neuron)] = value;
     }
+}
+
+double Brain::output(std::size_t index) const {
+    CAMBRIAN_TICK_ASSERT(index < network_->outputs.size(), "an output of the network");
+    const NetworkInput& output = network_->outputs[index];
+    return limit_signal(output.weight * values_[output.slot]);
 }
 
 void Brain::force(std::size_t neuron, double value) {

@@ -1,12 +1,8 @@
 #pragma once
 
 #include "brain/network.h"
-#include "core/assert.h"
 
-#include <array>
 #include <cstddef>
-#include <cstdint>
-#include <memory>
 #include <span>
 #include <vector>
 
@@ -23,11 +19,7 @@ public:
     std::span<double> sensors() { return {values_.data(), network_->sensor_count}; }
     void think(double dt);
     // Weighted, limited value of one output after think().
-    double output(std::size_t index) const {
-        CAMBRIAN_TICK_ASSERT(index < network_->outputs.size(), "an output of the network");
-        const NetworkInput& output = network_->outputs[index];
-        return limit_signal(output.weight * values_[output.slot]);
-    }
+    double output(std::size_t index) const;
     // Present value of any slot.
     double value(Slot slot) const { return values_[slot]; }
     std::span<const double> values() const { return values_; }
@@ -38,22 +30,10 @@ public:
     void release_all() { forced_.clear(); }
 
 private:
-    // What think() does for one live neuron.
-    struct Step {
-        NeuronFunctionKind::Evaluate evaluate = nullptr;
-        std::array<NetworkInput, 3> inputs;
-        std::uint32_t neuron = 0;
-        std::uint32_t memory = 0;  // first of its memory values
-        Slot slot = 0;             // which it writes
-        std::uint8_t arity = 1;
-    };
-
-    static std::vector<Step> steps_of(const Network& network,
-                                      const NeuronFunctionRegistry& functions);
     void overwrite(std::size_t neuron);
 
     const Network* network_;
-    std::shared_ptr<const std::vector<Step>> steps_;  // in the network's order
+    std::vector<NeuronFunctionKind::Evaluate> evaluate_;  // one a neuron
     std::vector<double> values_;
     std::vector<double> memory_;
     std::vector<std::pair<std::size_t, double>> forced_;

@@ -1,7 +1,6 @@
 #include "simulator/rest_watch.h"
 
 #include <cmath>
-#include <span>
 
 namespace cambrian {
 namespace {
@@ -57,23 +56,10 @@ bool RestWatch::memory_rests(const Brain& brain) {
     return rest;
 }
 
-void RestWatch::remember(const PhysicsScene& scene, const Brain& brain) {
-    for (std::size_t i = 0; i < targets_.size(); ++i)
-        targets_[i] = scene.target(phenotype_->effector_parts[i]);
-    const std::span<const double> memory = brain.memory();
-    for (Remembered& value : memory_)
-        value.before = memory[value.index];
-}
-
 bool RestWatch::watch(const PhysicsScene& scene, const Brain& brain) {
-    if (!body_rests(scene)) {
-        remember(scene, brain);
-        calm_ticks_ = 0;
-        return false;
-    }
     const bool targets = targets_rest(scene);
     const bool memory = memory_rests(brain);
-    calm_ticks_ = targets && memory ? calm_ticks_ + 1 : 0;
+    calm_ticks_ = targets && memory && body_rests(scene) ? calm_ticks_ + 1 : 0;
     return calm_ticks_ >= kRestTicks;
 }
 

@@ -31,8 +31,6 @@ private:
 
     bool targets_rest(const PhysicsScene& scene);
     bool memory_rests(const Brain& brain);
-    // Keeps the targets and the memory of a tick in which the body moves.
-    void remember(const PhysicsScene& scene, const Brain& brain);
 
     const Phenotype* phenotype_;
     std::vector<double> targets_;  // one an effector part, at the last tick

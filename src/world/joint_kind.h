@@ -6,7 +6,6 @@
 #include "world/body_plan.h"
 
 #include <string>
-#include <string_view>
 
 namespace cambrian {
 
@@ -32,11 +31,5 @@ struct JointKind {
 };
 
 using JointRegistry = Registry<JointKind>;
-
-// Of the coordinate of a joint: "rad", "m", or nothing where it is fixed.
-inline std::string_view unit_of(JointMotion motion) {
-    if (motion == JointMotion::kFixed) return "";
-    return motion == JointMotion::kTurn ? "rad" : "m";
-}
 
 }  // namespace cambrian

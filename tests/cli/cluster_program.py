@@ -97,9 +97,9 @@ class ClusterTest(ProgramTest):
     # -- runs
 
     def evolve(self, name, *options, settings=SETTINGS, **more):
-        """Starts a run; its experiment file is <name>.cambrian."""
-        self.write("settings.toml", settings)
-        return self.start("evolve", "settings.toml", "--out", f"{name}.cambrian", "--threads", 1,
+        """Starts a run; its settings are <name>.toml, its experiment file <name>.cambrian."""
+        self.write(f"{name}.toml", settings)
+        return self.start("evolve", f"{name}.toml", "--out", f"{name}.cambrian", "--threads", 1,
                           "--json", *options, **more)
 
     def finish(self, run, seconds=240):

@@ -1,9 +1,11 @@
 """How the studio looks: every panel and mode at several sizes, on the dark and the light theme.
 
-The pictures are for the eye. What a program can tell it asserts at each of them: controls stand
-completely in their window and do not lie over each other, and no text is cut or written over other text.
+What a program can tell is asserted at each look: controls stand completely in their window and do not
+lie over each other, and no text is cut or written over other text. Pictures are for the eye; they are kept
+where CAMBRIAN_KEEP_LOOKS is set.
 """
 
+import os
 import time
 import unittest
 
@@ -21,6 +23,7 @@ CLOSED_AT_FIRST = ["breeding", "mutation.weights", "body", "body.joints", "body.
 INSPECTOR_TABS = ["Creature", "Brain", "Genotype", "Ancestry", "Energy"]
 PLOTS = ["fitness", "diversity", "kinds", "lines", "parts", "neurons", "trials", "invalid"]
 TOUR_STEPS = 5
+KEEPS_PICTURES = "CAMBRIAN_KEEP_LOOKS" in os.environ
 MOST_PAGES = 20  # of the experiment panel
 # Panels, grounds that controls lie on, and parts of a row that is named besides.
 NOT_CONTROLS = ("panel ", "viewport", "tile ", "cell ", "shelf", "##")
@@ -63,6 +66,7 @@ class StudioLook(StudioTest):
     def look_at_everything(self, width, height, scale, looks=None):
         self.size = f"{width}x{height}" + ("" if scale == 1 else f"@{scale}x")
         self.corner = (width - 2, 2)
+        self.light = False
         self.read = 0
         self.places = {}
         self.faults = []
@@ -267,17 +271,20 @@ class StudioLook(StudioTest):
         return self.places
 
     def look(self, name, pointed=False):
-        """Keeps a picture on each theme, the pointer out of the way unless it points at something.
-        """
+        """Looks at the window in the other theme, the pointer out of the way unless it points at
+        something. Where pictures are kept, one is kept of each theme."""
         if not pointed:
             self.display.tool("mousemove", *self.corner)
         time.sleep(0.1)  # for what follows the pointer
-        for theme in ["light", "dark"]:
+        for _ in range(2 if KEEPS_PICTURES else 1):
+            self.light = not self.light
             # Keys come in order: what was asked for before this one has been drawn, too.
             after = len(self.events())
             self.keys("ctrl+l")
-            self.wait_for("theme", after=after, light=theme == "light")
-            self.display.picture(f"{self.size}-{theme}-{name}.png")
+            self.wait_for("theme", after=after, light=self.light)
+            if KEEPS_PICTURES:
+                theme = "light" if self.light else "dark"
+                self.display.picture(f"{self.size}-{theme}-{name}.png")
         self.faults += [f"{self.size} {name}: {fault}" for fault in place_faults(self.seen())]
 
 

@@ -1,7 +1,7 @@
 #include "core/hash.h"
 #include "evolution/backends/thread_pool_backend.h"
 #include "evolution/evolution.h"
-#include "evolution/population_digest.h"
+#include "evolution/individual/population_digest.h"
 #include "golden/founders.h"
 #include "golden/golden.h"
 #include "support/kinds.h"

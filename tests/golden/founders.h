@@ -1,6 +1,6 @@
 #pragma once
 
-#include "genome/random_genome.h"
+#include "genome/founders/random_genome.h"
 
 namespace cambrian::golden {
 

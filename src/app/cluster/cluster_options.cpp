@@ -1,6 +1,8 @@
 #include "app/cluster/cluster_options.h"
 
 #include "app/command_line/option_types.h"
+#include "app/process/messages.h"
+#include "cluster/join_cluster.h"
 
 #include <CLI/CLI.hpp>
 
@@ -36,6 +38,18 @@ void add_cluster_choice(CLI::App& app, ClusterLogin& login) {
                         ->type_name(kAddressType);
     for (CLI::Option* option : add_login(app, login))
         option->needs(cluster);
+}
+
+void add_login_files(CommandFiles& files, const ClusterLogin& login) {
+    files.reads(login.credentials).reads(login.authority);
+}
+
+Result<ClusterAddress> usable_cluster(const ClusterLogin& login) {
+    Result<ClusterAddress> address = cluster_address(login);
+    if (!address) return address;
+    if (const Status usable = check_cluster(*address); !usable) return usable.error();
+    if (const std::string warning = plain_text_warning(*address); !warning.empty()) say(warning);
+    return address;
 }
 
 }  // namespace cambrian

@@ -27,6 +27,11 @@ public:
     virtual ExitStatus run(const EvolutionKinds& kinds) = 0;
 };
 
+template <class Made>
+std::unique_ptr<Subcommand> make_subcommand() {
+    return std::make_unique<Made>();
+}
+
 struct SubcommandKind {
     std::string id;
     std::string summary;

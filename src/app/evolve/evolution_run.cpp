@@ -1,5 +1,6 @@
 #include "app/evolve/evolution_run.h"
 
+#include "app/cluster/cluster_options.h"
 #include "app/cluster/cluster_watch.h"
 #include "app/evolve/evolution_report.h"
 #include "app/evolve/run_outputs.h"
@@ -264,10 +265,8 @@ struct RunEnd {
 // The cluster that is asked for, found usable; none if none is asked for.
 Result<std::optional<ClusterAddress>> cluster_of(const EvolutionRun& run) {
     if (run.cluster.servers.empty()) return std::optional<ClusterAddress>();
-    Result<ClusterAddress> address = cluster_address(run.cluster);
+    Result<ClusterAddress> address = usable_cluster(run.cluster);
     if (!address) return address.error();
-    if (Status usable = check_cluster(*address); !usable) return usable.error();
-    if (const std::string warning = plain_text_warning(*address); !warning.empty()) say(warning);
     return std::optional(*std::move(address));
 }
 
@@ -321,7 +320,7 @@ Status check_place_of_several(const EvolutionRun& run) {
 CommandFiles files_of(const EvolutionRun& run) {
     CommandFiles files;
     files.reads(run.settings_file).reads(run.resume).reads_each(run.founders);
-    files.reads(run.cluster.credentials).reads(run.cluster.authority);
+    add_login_files(files, run.cluster);
     return is_experiment_name(run.out) ? files.keeps(run.out) : files.writes(run.out);
 }
 

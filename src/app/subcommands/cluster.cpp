@@ -91,7 +91,8 @@ public:
     }
     CommandFiles files() const override {
         CommandFiles files;
-        return files.reads(login_.credentials).reads(login_.authority);
+        add_login_files(files, login_);
+        return files;
     }
     ExitStatus run(const EvolutionKinds& kinds) override;
 
@@ -119,9 +120,7 @@ SubcommandKind cluster_subcommand() {
     return {.id = "cluster",
             .summary = "Show which machines work on a cluster, and how fast.",
             .example = "cambrian cluster nats://lab-server",
-            .make = []() -> std::unique_ptr<Subcommand> {
-                return std::make_unique<ClusterSubcommand>();
-            }};
+            .make = make_subcommand<ClusterSubcommand>};
 }
 
 }  // namespace cambrian

@@ -108,10 +108,8 @@ Result<BackendMaking> backend_making(const ClusterLogin& cluster, const Evolutio
             return make_thread_pool_backend(kinds, 1);
         });
     }
-    const Result<ClusterAddress> address = cluster_address(cluster);
+    const Result<ClusterAddress> address = usable_cluster(cluster);
     if (!address) return address.error();
-    if (const Status usable = check_cluster(*address); !usable) return usable.error();
-    if (const std::string warning = plain_text_warning(*address); !warning.empty()) say(warning);
     return BackendMaking(
         [&kinds, address = *address] { return join_cluster(kinds, address, {.experiment = {}}); });
 }
@@ -164,7 +162,7 @@ public:
             for (const std::string& input : *inputs)
                 files.reads(input);
         }
-        files.reads(options_.cluster.credentials).reads(options_.cluster.authority);
+        add_login_files(files, options_.cluster);
         return files;
     }
     ExitStatus run(const EvolutionKinds& kinds) override {
@@ -225,9 +223,7 @@ SubcommandKind compare_subcommand() {
             .example =
                 "cambrian compare --world assets/settings/walking.toml --sweep "
                 "selection.method=truncation,rank --random-search --seeds 1..9 --out comparison/",
-            .make = []() -> std::unique_ptr<Subcommand> {
-                return std::make_unique<CompareSubcommand>();
-            }};
+            .make = make_subcommand<CompareSubcommand>};
 }
 
 }  // namespace cambrian

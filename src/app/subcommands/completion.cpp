@@ -38,9 +38,7 @@ SubcommandKind completion_subcommand() {
         .id = "completion",
         .summary = "Write the completion of this command line for a shell.",
         .example = "cambrian completion bash > ~/.local/share/bash-completion/completions/cambrian",
-        .make = []() -> std::unique_ptr<Subcommand> {
-            return std::make_unique<CompletionSubcommand>();
-        }};
+        .make = make_subcommand<CompletionSubcommand>};
 }
 
 }  // namespace cambrian

@@ -76,9 +76,7 @@ SubcommandKind evolve_subcommand() {
             .example =
                 "cambrian evolve assets/settings/walking.toml --generations 30 --seed 7 "
                 "--out champions/",
-            .make = []() -> std::unique_ptr<Subcommand> {
-                return std::make_unique<EvolveSubcommand>();
-            }};
+            .make = make_subcommand<EvolveSubcommand>};
 }
 
 }  // namespace cambrian

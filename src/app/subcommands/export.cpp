@@ -95,9 +95,7 @@ SubcommandKind export_subcommand() {
     return {.id = "export",
             .summary = "Take creatures, statistics or settings out of an experiment file.",
             .example = "cambrian export walking-seed1.cambrian --champion -o best.creature.json",
-            .make = []() -> std::unique_ptr<Subcommand> {
-                return std::make_unique<ExportSubcommand>();
-            }};
+            .make = make_subcommand<ExportSubcommand>};
 }
 
 }  // namespace cambrian

@@ -22,9 +22,7 @@ SubcommandKind manual_subcommand() {
     return {.id = "manual",
             .summary = "Write the manual page: every subcommand and option, as roff.",
             .example = "cambrian manual | man -l -",
-            .make = []() -> std::unique_ptr<Subcommand> {
-                return std::make_unique<ManualSubcommand>();
-            }};
+            .make = make_subcommand<ManualSubcommand>};
 }
 
 }  // namespace cambrian

@@ -235,9 +235,7 @@ SubcommandKind render_subcommand() {
         .id = "render",
         .summary = "Make a picture, a clip or a card of one creature's trial. Needs no display.",
         .example = "cambrian render champion-walking-seed7.creature.json -o clip.mp4",
-        .make = []() -> std::unique_ptr<Subcommand> {
-            return std::make_unique<RenderSubcommand>();
-        }};
+        .make = make_subcommand<RenderSubcommand>};
 }
 
 }  // namespace cambrian

@@ -135,9 +135,7 @@ SubcommandKind rescore_subcommand() {
             .summary =
                 "Score creatures, or those of an experiment, with this version of the simulator.",
             .example = "cambrian rescore champion-walking-seed7.creature.json",
-            .make = []() -> std::unique_ptr<Subcommand> {
-                return std::make_unique<RescoreSubcommand>();
-            }};
+            .make = make_subcommand<RescoreSubcommand>};
 }
 
 }  // namespace cambrian

@@ -21,9 +21,7 @@ SubcommandKind schema_subcommand() {
     return {.id = "schema",
             .summary = "Write the rules of creature files as a JSON Schema.",
             .example = "cambrian schema > creature-2.schema.json",
-            .make = []() -> std::unique_ptr<Subcommand> {
-                return std::make_unique<SchemaSubcommand>();
-            }};
+            .make = make_subcommand<SchemaSubcommand>};
 }
 
 }  // namespace cambrian

@@ -51,9 +51,7 @@ SubcommandKind settings_subcommand() {
     return {.id = "settings",
             .summary = "Write a settings file with every setting, its unit, range and meaning.",
             .example = "cambrian settings --goal swimming --out swimming.toml",
-            .make = []() -> std::unique_ptr<Subcommand> {
-                return std::make_unique<SettingsSubcommand>();
-            }};
+            .make = make_subcommand<SettingsSubcommand>};
 }
 
 }  // namespace cambrian

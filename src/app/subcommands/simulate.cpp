@@ -140,9 +140,7 @@ SubcommandKind simulate_subcommand() {
     return {.id = "simulate",
             .summary = "Run one creature's trial: its performance, and its motion if asked.",
             .example = "cambrian simulate champion-walking-seed7.creature.json --trace motion.csv",
-            .make = []() -> std::unique_ptr<Subcommand> {
-                return std::make_unique<SimulateSubcommand>();
-            }};
+            .make = make_subcommand<SimulateSubcommand>};
 }
 
 }  // namespace cambrian

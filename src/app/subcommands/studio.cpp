@@ -67,11 +67,10 @@ public:
         without_window_.add_options(app);
     }
     CommandFiles files() const override {
-        return window_files(options_)
-            .reads(options_.open_file)
-            .reads(cluster_.credentials)
-            .reads(cluster_.authority)
-            .reads(without_window_.settings_file());
+        CommandFiles files =
+            window_files(options_).reads(options_.open_file).reads(without_window_.settings_file());
+        add_login_files(files, cluster_);
+        return files;
     }
     ExitStatus run(const EvolutionKinds& kinds) override {
         if (!cluster_.servers.empty()) options_.machines.cluster = cluster_;
@@ -92,9 +91,7 @@ SubcommandKind studio_subcommand() {
     return {.id = "studio",
             .summary = "Open the studio: watch, steer and pick while creatures evolve.",
             .example = "cambrian studio champion-walking-seed7.creature.json",
-            .make = []() -> std::unique_ptr<Subcommand> {
-                return std::make_unique<StudioSubcommand>();
-            }};
+            .make = make_subcommand<StudioSubcommand>};
 }
 
 }  // namespace cambrian

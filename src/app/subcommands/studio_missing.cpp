@@ -24,11 +24,10 @@ private:
 }  // namespace
 
 SubcommandKind studio_subcommand() {
-    return {
-        .id = "studio",
-        .summary = "Open the studio; this program was built without it.",
-        .example = "cambrian studio --if-no-display assets/settings/walking.toml",
-        .make = []() -> std::unique_ptr<Subcommand> { return std::make_unique<MissingStudio>(); }};
+    return {.id = "studio",
+            .summary = "Open the studio; this program was built without it.",
+            .example = "cambrian studio --if-no-display assets/settings/walking.toml",
+            .make = make_subcommand<MissingStudio>};
 }
 
 }  // namespace cambrian

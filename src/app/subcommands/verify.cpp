@@ -135,9 +135,7 @@ SubcommandKind verify_subcommand() {
             "Run the trial that scored a creature, or a complete experiment, again; compare every "
             "bit.",
         .example = "cambrian verify champion-walking-seed7.creature.json",
-        .make = []() -> std::unique_ptr<Subcommand> {
-            return std::make_unique<VerifySubcommand>();
-        }};
+        .make = make_subcommand<VerifySubcommand>};
 }
 
 }  // namespace cambrian

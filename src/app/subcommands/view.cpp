@@ -44,11 +44,10 @@ private:
 }  // namespace
 
 SubcommandKind view_subcommand() {
-    return {
-        .id = "view",
-        .summary = "Watch one creature's trial: the window's viewport alone.",
-        .example = "cambrian view champion-walking-seed7.creature.json",
-        .make = []() -> std::unique_ptr<Subcommand> { return std::make_unique<ViewSubcommand>(); }};
+    return {.id = "view",
+            .summary = "Watch one creature's trial: the window's viewport alone.",
+            .example = "cambrian view champion-walking-seed7.creature.json",
+            .make = make_subcommand<ViewSubcommand>};
 }
 
 }  // namespace cambrian

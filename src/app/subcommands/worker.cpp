@@ -36,7 +36,8 @@ public:
     }
     CommandFiles files() const override {
         CommandFiles files;
-        return files.reads(login_.credentials).reads(login_.authority);
+        add_login_files(files, login_);
+        return files;
     }
     ExitStatus run(const EvolutionKinds& kinds) override {
         return unit_ ? compute_unit(kinds) : work(kinds);
@@ -81,9 +82,7 @@ SubcommandKind worker_subcommand() {
     return {.id = "worker",
             .summary = "Lend this machine's cores to runs on other machines, until Ctrl+C.",
             .example = "cambrian worker nats://lab-server",
-            .make = []() -> std::unique_ptr<Subcommand> {
-                return std::make_unique<WorkerSubcommand>();
-            }};
+            .make = make_subcommand<WorkerSubcommand>};
 }
 
 }  // namespace cambrian

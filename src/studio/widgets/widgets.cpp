@@ -77,6 +77,15 @@ bool push_button(const std::string& label, const ButtonStyle& style) {
     return pressed && style.enabled;
 }
 
+bool close_button(const std::string& label) {
+    ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - px(34));
+    return push_button(label, {.look = ButtonLook::kGhost,
+                               .icon = Icon::kClose,
+                               .label_shown = false,
+                               .width = px(34),
+                               .tooltip = "Close (Esc)"});
+}
+
 bool toggle_switch(const std::string& label, bool& on) {
     const ImVec2 size = {px(38), px(22)};
     const bool pressed = ImGui::InvisibleButton(label.c_str(), size);

@@ -25,6 +25,9 @@ struct ButtonStyle {
 // True when pressed.
 bool push_button(const std::string& label, const ButtonStyle& style = {});
 
+// A card's cross at the right end of the present line; true when pressed.
+bool close_button(const std::string& label);
+
 // An on/off switch; true when flipped.
 bool toggle_switch(const std::string& label, bool& on);
 

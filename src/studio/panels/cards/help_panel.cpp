@@ -45,13 +45,7 @@ void HelpPanel::draw(const FrameContext& frame, Requests& out) {
         const WithFont font(ui().fonts.title);
         ImGui::TextUnformatted("Help");
     }
-    ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - px(34));
-    if (push_button("Close help", {.look = ButtonLook::kGhost,
-                                   .icon = Icon::kClose,
-                                   .label_shown = false,
-                                   .width = px(34),
-                                   .tooltip = "Close (Esc)"}))
-        out.ask(ToggleHelp{});
+    if (close_button("Close help")) out.ask(ToggleHelp{});
     if (frame.guide.help == nullptr) return;
     const HelpBook& book = *frame.guide.help;
     ImGui::BeginChild("pages", {px(190), 0}, false, ImGuiWindowFlags_NoBackground);

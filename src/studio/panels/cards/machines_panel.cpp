@@ -41,13 +41,7 @@ void draw_title(Requests& out) {
         ImGui::TextUnformatted("Several machines");
     }
     const float right = ImGui::GetWindowContentRegionMax().x;
-    ImGui::SameLine(right - px(34));
-    if (push_button("Close machines", {.look = ButtonLook::kGhost,
-                                       .icon = Icon::kClose,
-                                       .label_shown = false,
-                                       .width = px(34),
-                                       .tooltip = "Close (Esc)"}))
-        out.ask(ToggleMachines{});
+    if (close_button("Close machines")) out.ask(ToggleMachines{});
     ImGui::SameLine(right - px(34 + kHelpMarkRoom));
     help_mark(kHelpPage, out);
 }

@@ -79,13 +79,7 @@ void SamplesPanel::draw(const FrameContext& frame, Requests& out) {
         const WithFont font(ui().fonts.title);
         ImGui::TextUnformatted("Samples");
     }
-    ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - px(34));
-    if (push_button("Close samples", {.look = ButtonLook::kGhost,
-                                      .icon = Icon::kClose,
-                                      .label_shown = false,
-                                      .width = px(34),
-                                      .tooltip = "Close (Esc)"}))
-        out.ask(ToggleSamples{});
+    if (close_button("Close samples")) out.ask(ToggleSamples{});
     muted_text("Creatures that were evolved before, each in the world it was scored in.");
     ImGui::BeginChild("samples", {0, 0}, false, ImGuiWindowFlags_NoBackground);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(px(kSampleGap), px(kSampleGap)));
