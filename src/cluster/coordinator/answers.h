@@ -8,7 +8,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <string>
 #include <vector>
 
 namespace cambrian {
@@ -55,7 +54,6 @@ private:
     struct Claim {
         std::uint64_t worker = 0;
         EvaluationResult result;
-        std::string text;  // of the result
     };
     struct Answer {
         std::vector<Claim> claims;

@@ -19,7 +19,6 @@ public:
     explicit UnitLedger(std::vector<double> seconds);
 
     double open_seconds() const { return open_seconds_; }
-    bool has_open() const { return !open_.empty(); }
 
     // The next creatures for a unit: as many as take that long, at least one, at most `most`. Empty
     // if none is open.

@@ -37,7 +37,7 @@ struct Cores {
 
 // s of work for the next unit (guided self-scheduling, Polychronopoulos & Kuck 1987): a share of
 // what is left, so that the last units are short and no core ends much later than the others; from
-// 5 ms to 2 s.
+// 10 ms to 2 s.
 double unit_seconds(double remaining, const Cores& cores);
 
 }  // namespace cambrian
