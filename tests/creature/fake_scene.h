@@ -8,7 +8,7 @@
 
 namespace cambrian {
 
-// A scene without physics: joints stand wherever a test puts them, targets are remembered.
+// A scene without physics: tests set the joint coordinates, and it remembers targets.
 class FakeScene final : public PhysicsScene {
 public:
     explicit FakeScene(std::size_t parts)
