@@ -66,7 +66,8 @@ double ContactSolver::normal_impulse_of(int contact) const {
 }
 
 ImpactResult ContactSolver::solve_impact(const PlanarModel& model, const ContactLaw& law,
-                                   double restitution, const EvaluationCache& cache, Motion& motion) {
+                                         double restitution, const EvaluationCache& cache,
+                                         Motion& motion) {
     CAMBRIAN_TICK_ASSERT(restitution >= 0.0 && restitution <= 1.0, "a coefficient of restitution");
     selected_.count = 0;
     for (int c = 0; c < near_.count; ++c) {
