@@ -99,6 +99,7 @@ public:
     ModelBuilder(const BodyPlan& plan, double density) : plan_(plan) {
         model_.density = density;
         model_.part_count = static_cast<int>(plan.parts.size());
+        model_.measures_forces = plan.measures_forces;
         for (int slot = 0; slot < kMaxBodies; ++slot)
             model_.parent_slot[slot] = slot;
     }

@@ -51,6 +51,8 @@ public:
     double joint_rate(std::size_t part) const override;
     double joint_effort(std::size_t part) const override;
     bool face_touched(std::size_t part, Face face) const override;
+    Vec3 part_specific_force(std::size_t part) const override;
+    double part_load(std::size_t part) const override;
     double mass() const override { return model_.total_mass; }
     Vec3 center_of_mass() const override { return mean_of_trees(state_.motion.position); }
     Vec3 center_of_mass_velocity() const override { return mean_of_trees(state_.motion.speed); }
@@ -162,6 +164,16 @@ double PlanarScene::joint_effort(std::size_t part) const {
 bool PlanarScene::face_touched(std::size_t part, Face face) const {
     CAMBRIAN_ASSERT(part < part_count(), "part index in range");
     return ((state_.touched[part] >> static_cast<unsigned>(face)) & 1U) != 0;
+}
+
+Vec3 PlanarScene::part_specific_force(std::size_t part) const {
+    CAMBRIAN_ASSERT(part < part_count(), "part index in range");
+    return {state_.forces.specific_x[part], state_.forces.specific_y[part], 0.0};
+}
+
+double PlanarScene::part_load(std::size_t part) const {
+    CAMBRIAN_ASSERT(part < part_count(), "part index in range");
+    return state_.forces.load[part];
 }
 
 // Computes four corners at once.

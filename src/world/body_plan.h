@@ -57,6 +57,8 @@ struct ClosingPin {
 struct BodyPlan {
     std::vector<PlannedPart> parts;
     std::vector<ClosingPin> closing_pins = {};  // may be redundant
+    // Whether somebody reads the parts' specific forces and loads (BodyView).
+    bool measures_forces = false;
 };
 
 }  // namespace cambrian

@@ -37,10 +37,6 @@ std::vector<Hello> last_words(const std::vector<std::string>& texts) {
     return all;
 }
 
-const char* role_word(const Hello& hello) {
-    return hello.role == Hello::Role::kCoordinator ? "coordinator" : "worker";
-}
-
 std::string state_words(const Hello& hello) {
     if (!hello.refused.empty()) return "refused: " + hello.refused;
     if (hello.role == Hello::Role::kCoordinator) return "evolves";
@@ -48,7 +44,7 @@ std::string state_words(const Hello& hello) {
 }
 
 std::string json_of(const Hello& hello) {
-    return json_object({{"role", quoted_text(role_word(hello))},
+    return json_object({{"role", quoted_text(role_word(hello.role))},
                         {"id", quoted_text(hex_text(hello.id))},
                         {"name", quoted_text(hello.name)},
                         {"cores", std::to_string(hello.cores)},
@@ -67,7 +63,7 @@ std::string left_aligned(std::string text, std::size_t width) {
 }
 
 std::string row_of(const Hello& hello) {
-    return left_aligned(hello.name, 24) + "  " + left_aligned(role_word(hello), 11) + "  " +
+    return left_aligned(hello.name, 24) + "  " + left_aligned(role_word(hello.role), 11) + "  " +
            left_aligned(std::to_string(hello.cores), 5) + "  " +
            left_aligned(short_text(std::round(hello.creatures_per_second)), 11) + "  " +
            state_words(hello);

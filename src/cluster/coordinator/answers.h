@@ -9,7 +9,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <string>
 #include <vector>
 
 namespace cambrian {
@@ -57,7 +56,6 @@ private:
     struct Claim {
         std::uint64_t worker = 0;
         EvaluationResult result;
-        std::string text;  // of the result
     };
     struct Answer {
         std::vector<Claim> claims;

@@ -32,6 +32,7 @@ public:
     Batch(std::vector<EvaluationRequest> requests, std::uint32_t generation, Memory& memory);
 
     const std::vector<EvaluationRequest>& requests() const { return requests_; }
+    std::vector<EvaluationRequest> requests_of(const std::vector<std::size_t>& creatures) const;
     std::uint32_t generation() const { return generation_; }
 
     struct HomeTask {

@@ -19,7 +19,6 @@ public:
     explicit UnitLedger(std::vector<double> seconds);
 
     double open_seconds() const { return open_seconds_; }
-    bool has_open() const { return !open_.empty(); }
 
     // Takes the next creatures for a unit of that much time, at least one and at most `most`. Empty
     // if none is open.

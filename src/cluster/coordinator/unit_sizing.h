@@ -35,7 +35,7 @@ struct Cores {
     std::size_t all() const { return own + remote; }
 };
 
-// Work of the next unit, s, from 5 ms to 2 s (guided self-scheduling, Polychronopoulos and Kuck
+// Work of the next unit, s, from 10 ms to 2 s (guided self-scheduling, Polychronopoulos and Kuck
 // 1987). It is a share of the remaining work, so the last units are short and all cores end at
 // nearly the same time.
 double unit_seconds(double remaining, const Cores& cores);

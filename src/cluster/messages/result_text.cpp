@@ -8,6 +8,7 @@
 #include "persist/creature/creature_format.h"
 
 #include <limits>
+#include <numeric>
 
 namespace cambrian {
 namespace {
@@ -110,6 +111,12 @@ void describe_unit_result(Archive& archive, Described& unit) {
 
 }  // namespace
 
+std::uint64_t total_work(std::span<const SlotResult> results) {
+    return std::accumulate(
+        results.begin(), results.end(), std::uint64_t{0},
+        [](std::uint64_t sum, const SlotResult& each) { return sum + each.result.work; });
+}
+
 std::string write_unit_result(const UnitResult& result) {
     return write_message(kResultKind, result, [](JsonWriter& writer, const UnitResult& each) {
         describe_unit_result(writer, each);
@@ -128,6 +135,10 @@ std::string result_text(const EvaluationResult& result) {
     return write_message(kOneKind, result, [](JsonWriter& writer, const EvaluationResult& each) {
         describe_result(writer, each);
     });
+}
+
+bool same_result(const EvaluationResult& a, const EvaluationResult& b) {
+    return result_text(a) == result_text(b);
 }
 
 }  // namespace cambrian

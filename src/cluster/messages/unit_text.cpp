@@ -131,9 +131,7 @@ std::string UnitWriter::write(const UnitTerms& terms, std::span<const Evaluation
 Result<UnitOutline> parse_unit_outline(std::string_view body) {
     if (body.size() > kMostUnitBytes) return too_large(body.size(), kMostUnitBytes);
     ErrorList errors;
-    const auto root = parse_json(line_and_rest(body).first, kUnitLimits, errors);
-    if (root && root->kind != JsonValue::Kind::kObject)
-        errors.error("E06", "", std::string("expected an object, found ") + root->kind_in_words());
+    const auto root = parse_object(line_and_rest(body).first, kUnitLimits, errors);
     if (!errors.empty()) return errors.as_error(kUnitKind.format);
     JsonReader reader(*root, "", errors);
     UnitOutline outline;

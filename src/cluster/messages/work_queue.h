@@ -142,7 +142,7 @@ public:
     virtual void in_progress(std::uint64_t ticket) = 0;
     // Done: deleted.
     virtual void acknowledge(std::uint64_t ticket) = 0;
-    // Not done: to be delivered again after the delay, to whoever asks.
+    // Not done: to be delivered again after the delay, to any worker.
     virtual void give_back(std::uint64_t ticket, std::chrono::milliseconds delay) = 0;
     // Never to be delivered again: nobody can read it.
     virtual void discard(std::uint64_t ticket) = 0;

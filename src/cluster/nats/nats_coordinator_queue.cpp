@@ -131,10 +131,8 @@ void NatsCoordinatorQueue::forget_run_before(NatsSession& session) {
         run = run_;
     }
     if (experiment_.empty() || !run) return;
-    kvStore* opened = nullptr;
-    const std::string name = subjects_.bucket();
-    if (js_KeyValue(&opened, session.jetstream(), name.c_str()) != NATS_OK) return;
-    const NatsHandle<kvStore> bucket(opened);
+    NatsHandle<kvStore> bucket;
+    if (open_bucket(session, subjects_, bucket) != NATS_OK) return;
     const std::string key = "run-" + experiment_;
     kvEntry* found = nullptr;
     if (kvStore_Get(&found, bucket.get(), key.c_str()) == NATS_OK) {
@@ -218,10 +216,8 @@ void NatsCoordinatorQueue::begin_run(std::uint64_t run) {
 bool NatsCoordinatorQueue::put_settings(std::string_view key, std::string_view text) {
     const NatsSessionPtr session = link_.ready();
     if (!session || text.size() > kMostSettingsBytes) return false;
-    kvStore* opened = nullptr;
-    const std::string name = subjects_.bucket();
-    if (js_KeyValue(&opened, session->jetstream(), name.c_str()) != NATS_OK) return false;
-    const NatsHandle<kvStore> bucket(opened);
+    NatsHandle<kvStore> bucket;
+    if (open_bucket(*session, subjects_, bucket) != NATS_OK) return false;
     const std::string key_text(key);
     return kvStore_Put(nullptr, bucket.get(), key_text.c_str(), text.data(),
                        static_cast<int>(text.size())) == NATS_OK;

@@ -227,10 +227,8 @@ bool NatsWorkerQueue::publish_result(const UnitMessage& result) {
 FetchedSettings NatsWorkerQueue::fetch_settings(std::string_view key) {
     const NatsSessionPtr session = link_.ready();
     if (!session) return {};
-    kvStore* opened = nullptr;
-    const std::string bucket_name = subjects_.bucket();
-    if (js_KeyValue(&opened, session->jetstream(), bucket_name.c_str()) != NATS_OK) return {};
-    const NatsHandle<kvStore> bucket(opened);
+    NatsHandle<kvStore> bucket;
+    if (open_bucket(*session, subjects_, bucket) != NATS_OK) return {};
     kvEntry* found = nullptr;
     const std::string name(key);
     const natsStatus status = kvStore_Get(&found, bucket.get(), name.c_str());

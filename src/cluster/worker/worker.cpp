@@ -212,12 +212,8 @@ void Worker::hear(const Hello& hello) {
 void Worker::say_hello(bool leaving) {
     const double now = clock_.seconds();
     next_hello_ = now + kHelloEvery;
-    Hello hello;
-    hello.id = options_.id;
-    hello.name = options_.name;
-    hello.cores = static_cast<int>(options_.threads);
-    hello.simulator = kSimulatorVersion;
-    hello.proof = proof_;
+    Hello hello =
+        introduction(Hello::Role::kWorker, options_.id, options_.name, options_.threads, proof_);
     hello.leaving = leaving;
     {
         const std::lock_guard lock(mutex_);
@@ -290,10 +286,7 @@ void Worker::work_on(InHand& unit, const std::stop_token& stop) {
         queue_.acknowledge(unit.delivery.ticket);
     else
         queue_.give_back(unit.delivery.ticket, milliseconds(0));
-    std::uint64_t work = 0;
-    for (const SlotResult& each : result.results)
-        work += each.result.work;
-    note_done(result.results.size(), work);
+    note_done(result.results.size(), total_work(result.results));
 }
 
 std::string Worker::mismatch(const UnitOutline& outline) const {

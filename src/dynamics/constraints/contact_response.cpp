@@ -57,6 +57,14 @@ double ContactSolver::impact_work() const {
     return work;
 }
 
+double ContactSolver::normal_impulse_of(int contact) const {
+    for (int row = 0; row < rows_.count; ++row) {
+        if (rows_[row].kind == RowKind::kNormal && rows_[row].source == contact)
+            return rows_.impulse[row];
+    }
+    return 0.0;
+}
+
 ImpactResult ContactSolver::solve_impact(const PlanarModel& model, const ContactLaw& law,
                                          double restitution, const EvaluationCache& cache,
                                          Motion& motion) {

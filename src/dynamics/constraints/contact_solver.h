@@ -81,6 +81,8 @@ public:
                 Loads (&loads)[2]);
     // Normal force of a selected contact after solve_resting(), N.
     double held_normal(int contact) const { return normal_force_[contact]; }
+    // Normal impulse of a selected contact after solve_impact(), N s.
+    double normal_impulse_of(int contact) const;
 
     // Work of the constant forces between the positions at the ends of a step.
     HeldWork held_work(const PlanarModel& model, const Kinematics& begin,

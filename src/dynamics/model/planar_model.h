@@ -59,8 +59,9 @@ struct PlanarModel {
     int tree_count = 0;
     int body_count = 0;
     int part_count = 0;
-    double density = 1.0;     // kg/m^2, in all masses below
-    double total_mass = 0.0;  // kg
+    double density = 1.0;          // kg/m^2, in all masses below
+    double total_mass = 0.0;       // kg
+    bool measures_forces = false;  // BodyPlan::measures_forces
 
     int tree_begin[kMaxTrees + 1] = {};  // bodies of a tree: from its begin to the next one's
     PerTree tree_mass = {};              // kg

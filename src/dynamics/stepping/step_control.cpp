@@ -45,6 +45,12 @@ double step_factor(double error, int order) {
     return std::clamp(factor, kShrinkMost, kGrowMost);
 }
 
+void note_touch(const Contact& contact, SimulationState& state) {
+    state.touched[contact.part_a] |= static_cast<std::uint8_t>(1U << contact.face_a);
+    if (contact.part_b >= 0)
+        state.touched[contact.part_b] |= static_cast<std::uint8_t>(1U << contact.face_b);
+}
+
 double deepest(const ContactSet& contacts) {
     double depth = 0.0;
     for (int c = 0; c < contacts.count; ++c)
@@ -74,6 +80,7 @@ void StepControl::advance(const PlanarModel& model, const ContactLaw& law, Forci
     CAMBRIAN_TICK_ASSERT(are_parents_before_children(model), "a parent comes before its children");
     for (std::uint8_t& faces : state.touched)
         faces = 0;
+    if (model.measures_forces) begin_forces(model, state.cache().kinematics, state.forces);
     state.evaluation_debt = std::max(0.0, state.evaluation_debt - max_evaluations_ * duration);
     Tick tick{model, law, forcing, state, duration};
     tick.detected = state.cache_is_current && state.detection == detection_;
@@ -91,6 +98,8 @@ void StepControl::advance(const PlanarModel& model, const ContactLaw& law, Forci
     state.detection = tick.detected ? ++detection_ : 0;
     state.time += duration;
     remember_contacts(tick);
+    if (model.measures_forces)
+        end_forces(model, forcing.medium, state.cache().kinematics, duration, state.forces);
     note_speeds(model, state.cache().kinematics, state.audit);
     update_audit(model, forcing.medium, state);
 }
@@ -199,10 +208,9 @@ void StepControl::apply_impact(Tick& tick, double restitution) {
     const ContactSet& touching = contacts_.selected();
     CAMBRIAN_TICK_ASSERT(touching.count <= kMaxContacts, "contacts have room");
     for (int c = 0; c < touching.count; ++c) {
-        const Contact& contact = touching.items[c];
-        state.touched[contact.part_a] |= static_cast<std::uint8_t>(1U << contact.face_a);
-        if (contact.part_b >= 0)
-            state.touched[contact.part_b] |= static_cast<std::uint8_t>(1U << contact.face_b);
+        note_touch(touching.items[c], state);
+        if (tick.model.measures_forces)
+            add_load(touching.items[c], contacts_.normal_impulse_of(c), state.forces);
     }
 }
 
@@ -341,7 +349,7 @@ bool StepControl::must_halve(const Tick& tick, double h) {
 
 void StepControl::accept(Tick& tick, bool has_rows, double h) {
     SimulationState& state = tick.state;
-    add_to_audit(tick);
+    add_to_audit(tick, h);
     copy_motion(tick.model, result_.end, state.motion);
     state.current_cache = 1 - state.current_cache;
     copy_rate(tick.model, result_.end_rate, state.free_rate);
@@ -360,7 +368,7 @@ void StepControl::accept(Tick& tick, bool has_rows, double h) {
 void StepControl::accept_part(Tick& tick, double h, double share) {
     SimulationState& state = tick.state;
     check_step_end(tick);
-    add_to_audit(tick);
+    add_to_audit(tick, share * h);
     copy_motion(tick.model, result_.end, state.motion);
     state.cache_is_current = false;
     tick.time += share * h;
@@ -383,7 +391,8 @@ void StepControl::release_forces(Tick& tick) {
     }
 }
 
-void StepControl::add_to_audit(Tick& tick) {
+// Of a step that took `time` (s).
+void StepControl::add_to_audit(Tick& tick, double time) {
     SimulationState& state = tick.state;
     SceneAudit& audit = state.audit;
     audit.contact_work += work_.contact;
@@ -395,9 +404,9 @@ void StepControl::add_to_audit(Tick& tick) {
     for (int c = 0; c < selected.count; ++c) {
         const Contact& contact = selected.items[c];
         if (contact.gap >= kContactBand && contacts_.held_normal(c) <= 0.0) continue;
-        state.touched[contact.part_a] |= static_cast<std::uint8_t>(1U << contact.face_a);
-        if (contact.part_b >= 0)
-            state.touched[contact.part_b] |= static_cast<std::uint8_t>(1U << contact.face_b);
+        note_touch(contact, state);
+        if (tick.model.measures_forces)
+            add_load(contact, time * contacts_.held_normal(c), state.forces);
     }
 }
 

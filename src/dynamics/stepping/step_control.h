@@ -5,6 +5,7 @@
 
 #include "dynamics/constraints/contact_solver.h"
 #include "dynamics/stepping/midpoint_step.h"
+#include "dynamics/stepping/part_forces.h"
 #include "world/physics_scene.h"
 #include "world/scene_settings.h"
 
@@ -37,6 +38,7 @@ struct SimulationState {
     WarmStart warm;
     PerBody drive_start = {}, drive_end = {};  // motor targets
     std::uint8_t touched[kMaxParts] = {};      // bit of every Face that touched in the last tick
+    PartForces forces;  // of the last tick; all 0 unless PlanarModel::measures_forces
     int held_count = 0;
     HeldContact held[kMaxContacts];
     SceneAudit audit;
@@ -98,7 +100,7 @@ private:
     void accept(Tick& tick, bool has_rows, double h);
     void accept_part(Tick& tick, double h, double share);
     void release_forces(Tick& tick);
-    void add_to_audit(Tick& tick);
+    void add_to_audit(Tick& tick, double time);
     void remember_contacts(Tick& tick);
     static SceneStatus status_of(const Tick& tick);
 
