@@ -2,6 +2,7 @@
 //   flips   one bit of one result in 50 is false
 //   slow    each unit takes 20 times as long
 //   silent  units are computed and never answered
+//   refuses a process of its own ends with a message instead of computing a unit
 //   dies    a genome ends every process that evaluates it. Its hash is in the file `poison` of the
 //           folder it runs in; the first worker that gets a unit writes there the unit's first.
 // Everything else is as in the program itself: `worker URL --name NAME`, with one thread, and
@@ -143,10 +144,12 @@ std::unique_ptr<WorkerQueue> with_fault(std::string_view fault,
     if (fault == "flips") return std::make_unique<FlippingQueue>(std::move(queue));
     if (fault == "slow") return std::make_unique<SlowQueue>(std::move(queue));
     if (fault == "silent") return std::make_unique<SilentQueue>(std::move(queue));
-    return std::make_unique<MortalQueue>(std::move(queue));
+    if (fault == "dies") return std::make_unique<MortalQueue>(std::move(queue));
+    return queue;
 }
 
-ExitStatus compute_unit() {
+ExitStatus compute_unit(std::string_view fault) {
+    if (fault == "refuses") return fail(Error{"not today"});
     const std::string question{std::istreambuf_iterator<char>(std::cin), {}};
     swallow(question);
     const Result<std::string> answer = answer_question(question, kinds());
@@ -178,6 +181,6 @@ int main(int argc, char** argv) {
     if (const Status prepared = prepare_process(); !prepared)
         return static_cast<int>(fail(prepared.error(), ExitStatus::kFailed));
     const ExitStatus status =
-        words[1] == "--unit" ? compute_unit() : work(fault, words[1], words.back());
+        words[1] == "--unit" ? compute_unit(fault) : work(fault, words[1], words.back());
     return static_cast<int>(status);
 }
