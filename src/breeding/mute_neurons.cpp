@@ -31,7 +31,7 @@ public:
     }
 
 private:
-    // A reference and the list its reader stands in.
+    // A reference and the list of neurons that its reader belongs to.
     struct Reading {
         std::size_t reader;
         SourceRef* source;

@@ -9,6 +9,7 @@ Creature::Creature(const Phenotype& phenotype, const Kinds& kinds, const SceneSe
     : phenotype_(&phenotype),
       settings_(&settings),
       brain_(phenotype.network, kinds.functions),
+      sensor_memory_(phenotype.sensors.size(), 0.0),
       effector_memory_(phenotype.effector_parts.size(), 0.0) {
     sensor_reads_.reserve(phenotype.sensors.size());
     for (const WiredSensor& sensor : phenotype.sensors)
@@ -20,16 +21,35 @@ Creature::Creature(const Phenotype& phenotype, const Kinds& kinds, const SceneSe
 
 void Creature::reset() {
     brain_.reset();
+    std::fill(sensor_memory_.begin(), sensor_memory_.end(), 0.0);
     std::fill(effector_memory_.begin(), effector_memory_.end(), 0.0);
 }
 
-void Creature::act(PhysicsScene& scene, double dt) {
+SensorSite Creature::site_of(const WiredSensor& sensor, const BodyView& body,
+                             const Surroundings& surroundings, double dt) const {
+    return {body,        surroundings,   phenotype_->plan.parts[sensor.part],
+            sensor.part, sensor.channel, sensor.handedness,
+            dt};
+}
+
+void Creature::sense(const BodyView& body, const Surroundings& surroundings, double dt) {
     const std::span<double> readings = brain_.sensors();
     for (std::size_t i = 0; i < readings.size(); ++i) {
         const WiredSensor& sensor = phenotype_->sensors[i];
-        readings[i] =
-            sensor.scale * sensor_reads_[i](scene, sensor.part, sensor.channel, sensor.handedness);
+        readings[i] = sensor.scale *
+                      sensor_reads_[i](site_of(sensor, body, surroundings, dt), sensor_memory_[i]);
     }
+}
+
+double Creature::reading(std::size_t sensor, const BodyView& body,
+                         const Surroundings& surroundings) const {
+    double memory = sensor_memory_[sensor];
+    return sensor_reads_[sensor](site_of(phenotype_->sensors[sensor], body, surroundings, 0.0),
+                                 memory);
+}
+
+void Creature::act(PhysicsScene& scene, const Surroundings& surroundings, double dt) {
+    sense(scene, surroundings, dt);
     CAMBRIAN_TICK_ASSERT(settings_->brain_steps > 0 && dt > 0.0, "a brain thinks");
     const int steps = settings_->brain_steps;
     for (int step = 0; step < steps; ++step)

@@ -25,7 +25,7 @@ Kinds make_kinds(NeuronFunctionRegistry functions, SensorRegistry sensors,
         catalog.effectors.push_back({effector.id, effector.label});
     for (const SensorKind& sensor : sensors.all()) {
         for (const SensorChannel& channel : sensor.channels)
-            catalog.channels.push_back({channel.id, channel.label});
+            catalog.channels.push_back({channel.id, channel.label, sensor.usual});
     }
     return {std::move(functions), std::move(sensors), std::move(effectors), std::move(scene),
             std::move(catalog)};

@@ -177,8 +177,9 @@ private:
         const std::size_t old_count = network_.sensor_count;
         for (std::size_t slot = 0; slot < old_count; ++slot) {
             if (!heard[slot]) continue;
-            phenotype_.sensors.push_back(
-                wired_sensor(slot / channel_count_, slot % channel_count_));
+            const WiredSensor sensor = wired_sensor(slot / channel_count_, slot % channel_count_);
+            phenotype_.plan.measures_forces |= kinds_.sensors[sensor.kind].reads_forces;
+            phenotype_.sensors.push_back(sensor);
         }
         network_.sensor_count = phenotype_.sensors.size();
         std::vector<Slot> new_slot(heard.size(), network_.zero_slot());
@@ -194,8 +195,8 @@ private:
         }
     }
 
-    // A neuron is constant if it has no memory and everything it reads is constant; on a cycle it
-    // is not, since it reads what stands later in the order.
+    // A neuron is constant if it has no memory and everything it reads is constant. On a cycle it
+    // is not constant, because it reads a neuron that comes later in the order.
     bool hears_more_than_constants() const {
         std::vector<bool> constant(network_.slot_count(), false);
         constant[network_.constant_slot()] = true;

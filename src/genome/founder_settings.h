@@ -18,8 +18,8 @@ struct FounderSettings {
     int max_node_neurons = 3;
     int max_brain_neurons = 2;
     int max_recursion = 4;
-    // Whether a kind may be used, by id. Of kinds not named all functions, sensor channels and
-    // kinds of references may, and the joints "rigid" and "rotary".
+    // Whether a kind may be used, by id. Of kinds not named all functions and kinds of references
+    // may, and the usual joints and sensor channels (genome/kind_catalog.h).
     std::map<std::string, bool> functions = {};
     std::map<std::string, bool> joints = {};
     std::map<std::string, bool> channels = {};

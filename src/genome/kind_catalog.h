@@ -35,6 +35,7 @@ struct JointChoice {
 struct ChannelEntry {
     std::string id;  // "joint", "contact-distal", ...
     std::string label;
+    bool usual = true;  // whether it is used unless settings say otherwise
 };
 
 struct EffectorEntry {

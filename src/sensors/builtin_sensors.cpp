@@ -7,6 +7,12 @@ SensorRegistry builtin_sensors() {
     SensorRegistry sensors;
     add_joint_sensor(sensors);
     add_contact_sensor(sensors);
+    add_accelerometer(sensors);
+    add_joint_rate_sensor(sensors);
+    add_effort_sensor(sensors);
+    add_spin_sensor(sensors);
+    add_balance_sensor(sensors);
+    add_load_sensor(sensors);
     return sensors;
 }
 

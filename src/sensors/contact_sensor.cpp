@@ -16,8 +16,9 @@ Face face_of(std::size_t channel, int handedness) {
     return handedness < 0 ? mirrored(face) : face;
 }
 
-double read_contact(const BodyView& body, std::size_t part, std::size_t channel, int handedness) {
-    return body.face_touched(part, face_of(channel, handedness)) ? 1.0 : -1.0;
+double read_contact(const SensorSite& site, double& /*memory*/) {
+    const Face face = face_of(site.channel, site.handedness);
+    return site.body.face_touched(site.index, face) ? 1.0 : -1.0;
 }
 
 // A little inside the middle of the face.

@@ -6,8 +6,8 @@
 namespace cambrian {
 namespace {
 
-double read_joint(const BodyView& body, std::size_t part, std::size_t /*channel*/, int handedness) {
-    return handedness * body.joint_coordinate(part);
+double read_joint(const SensorSite& site, double& /*memory*/) {
+    return site.handedness * site.body.joint_coordinate(site.index);
 }
 
 }  // namespace

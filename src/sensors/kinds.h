@@ -8,5 +8,11 @@ namespace cambrian {
 
 void add_joint_sensor(SensorRegistry& sensors);
 void add_contact_sensor(SensorRegistry& sensors);
+void add_accelerometer(SensorRegistry& sensors);
+void add_joint_rate_sensor(SensorRegistry& sensors);
+void add_effort_sensor(SensorRegistry& sensors);
+void add_spin_sensor(SensorRegistry& sensors);
+void add_balance_sensor(SensorRegistry& sensors);
+void add_load_sensor(SensorRegistry& sensors);
 
 }  // namespace cambrian

@@ -34,6 +34,7 @@ Trial::Trial(std::shared_ptr<const Phenotype> phenotype, const Kinds& kinds,
     : phenotype_(std::move(phenotype)),
       world_(world),
       scene_(std::move(scene)),
+      surroundings_(world_.environment),
       creature_(*phenotype_, kinds, world_.scene),
       progress_{.rest = RestWatch(*phenotype_, kinds)} {
     progress_.record.duration = world_.trial.duration;
@@ -49,6 +50,11 @@ Trial::Trial(std::shared_ptr<const Phenotype> phenotype, const Kinds& kinds,
     } else if (world_.trial.limp_settle) {
         scene_->set_limp(true);
     }
+}
+
+void Trial::set_environment(const Environment& environment) {
+    scene_->set_environment(environment);
+    surroundings_.set_environment(environment);
 }
 
 void Trial::place_at_start() {
@@ -96,7 +102,7 @@ void Trial::begin_test() {
 }
 
 void Trial::test_tick() {
-    creature_.act(*scene_, kBrainTick);
+    creature_.act(*scene_, surroundings_, kBrainTick);
     const SceneStatus status = scene_->advance(kBrainTick);
     ++progress_.test_ticks;
     if (progress_.finished) return;

@@ -11,6 +11,7 @@
 #include "simulator/reversals.h"
 #include "simulator/trial_record.h"
 #include "simulator/trial_settings.h"
+#include "simulator/trial_surroundings.h"
 #include "world/environment.h"
 #include "world/physics_scene.h"
 
@@ -73,6 +74,10 @@ public:
     const Phenotype& phenotype() const { return *phenotype_; }
     PhysicsScene& scene() { return *scene_; }
     const PhysicsScene& scene() const { return *scene_; }
+    const Surroundings& surroundings() const { return surroundings_; }
+    // Changes the scene and what the creature senses from the next tick on, as a person does while
+    // watching. world() stays as it was.
+    void set_environment(const Environment& environment);
     Creature& creature() { return creature_; }
     const Creature& creature() const { return creature_; }
     // Everything that changes from tick to tick.
@@ -108,6 +113,7 @@ private:
     std::shared_ptr<const Phenotype> phenotype_;
     TrialWorld world_;
     std::unique_ptr<PhysicsScene> scene_;
+    TrialSurroundings surroundings_;
     Creature creature_;
     Progress progress_;
 };

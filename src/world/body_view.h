@@ -29,6 +29,13 @@ public:
     // Whether the face touched the ground or another part during the last tick.
     virtual bool face_touched(std::size_t part, Face face) const = 0;
 
+    // Means over the last tick, impacts included; 0 before the first one, and always 0 unless
+    // BodyPlan::measures_forces.
+    // Acceleration of the part's centre less gravity, world axes, m/s^2.
+    virtual Vec3 part_specific_force(std::size_t part) const = 0;
+    // Sum of the normal forces on the part, N; of the ground and of other parts.
+    virtual double part_load(std::size_t part) const = 0;
+
     virtual double mass() const = 0;                   // kg
     virtual Vec3 center_of_mass() const = 0;           // m
     virtual Vec3 center_of_mass_velocity() const = 0;  // m/s

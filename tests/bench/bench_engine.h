@@ -32,8 +32,8 @@ public:
     // In the order of the plan's parts.
     virtual void read_motion(std::vector<PartMotion>& parts) = 0;
 
-    // J; work done since the start by all but gravity, as far as the engine lets one know (contacts
-    // only where the kind says so). 0 with closed books.
+    // J; work of all forces but gravity since the start, as far as the engine tells (contacts
+    // only where the kind says so). 0 without an audit.
     virtual double explained_work() const = 0;
 };
 

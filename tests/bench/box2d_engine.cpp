@@ -61,11 +61,11 @@ std::vector<double> joint_inertias(const BodyPlan& plan, double density) {
 class Box2dEngine final : public BenchEngine {
 public:
     Box2dEngine(const BodyPlan& plan, const Environment& environment, const Box2dSettings& settings,
-                Books books)
+                Books audit_before)
         : plan_(plan),
           environment_(environment),
           settings_(settings),
-          books_(books),
+          books_(audit_before),
           step_(kTestTick / settings.steps_per_tick),
           filter_(plan),
           world_(gravity(environment)),
@@ -269,8 +269,9 @@ EngineKind box2d_engine(std::string id, const Box2dSettings& settings) {
                  std::to_string(settings.position_iterations) + " iterations" +
                  (settings.motors == Box2dMotors::kTorques ? ", torques" : "");
     kind.books_contacts = false;
-    kind.make = [settings](const BodyPlan& plan, const Environment& environment, Books books) {
-        return std::make_unique<Box2dEngine>(plan, environment, settings, books);
+    kind.make = [settings](const BodyPlan& plan, const Environment& environment,
+                           Books audit_before) {
+        return std::make_unique<Box2dEngine>(plan, environment, settings, audit_before);
     };
     return kind;
 }

@@ -19,11 +19,11 @@ thread_local const MujocoEngine* driven_engine = nullptr;  // the one advancing
 class MujocoEngine final : public BenchEngine {
 public:
     MujocoEngine(const BodyPlan& plan, const Environment& environment,
-                 const MujocoSettings& settings, Books books)
+                 const MujocoSettings& settings, Books audit_before)
         : plan_(plan),
           environment_(environment),
           settings_(settings),
-          books_(books),
+          books_(audit_before),
           model_(build_mujoco_model(plan, environment, settings)),
           data_(mj_makeData(model_.get())),
           targets_(plan.parts.size(), 0.0),
@@ -93,7 +93,7 @@ private:
         const auto body = static_cast<std::size_t>(body_[part]);
         const mjtNum* position = data_->xpos + 3 * body;
         const mjtNum* orientation = data_->xquat + 4 * body;
-        // Velocities are of the body's point at the centre of mass of the whole tree.
+        // Velocities are those of the body's point at the centre of mass of its tree.
         const auto root = static_cast<std::size_t>(model_->body_rootid[body]);
         const mjtNum* velocity = data_->cvel + 6 * body;
         const mjtNum* reference = data_->subtree_com + 3 * root;
@@ -146,8 +146,9 @@ EngineKind mujoco_engine(std::string id, const MujocoSettings& settings) {
     EngineKind kind;
     kind.id = std::move(id);
     kind.label = "MuJoCo 2.2, " + std::to_string(60 * settings.steps_per_tick) + " Hz";
-    kind.make = [settings](const BodyPlan& plan, const Environment& environment, Books books) {
-        return std::make_unique<MujocoEngine>(plan, environment, settings, books);
+    kind.make = [settings](const BodyPlan& plan, const Environment& environment,
+                           Books audit_before) {
+        return std::make_unique<MujocoEngine>(plan, environment, settings, audit_before);
     };
     return kind;
 }

@@ -1,4 +1,4 @@
-// Ours. Its books are always open: the audit is part of every trial.
+// Our own engine. The energy audit is part of every trial, so it always runs.
 
 #include "bench/engine_kinds.h"
 #include "bench/planar_runs.h"

@@ -24,8 +24,8 @@ double mass_of(const PlannedPart& part, double density) {
 [[gnu::noinline]] std::unique_ptr<BenchEngine> build_scene(const EngineKind& kind,
                                                            const BodyPlan& plan,
                                                            const Environment& environment,
-                                                           Books books) {
-    return kind.make(plan, environment, books);
+                                                           Books audit_before) {
+    return kind.make(plan, environment, audit_before);
 }
 
 [[gnu::noinline]] void advance_scene(BenchEngine& engine, const BenchCreature& creature,

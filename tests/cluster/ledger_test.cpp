@@ -146,7 +146,7 @@ TEST_CASE("the first answer counts and later ones are compared with it", "[clust
     CHECK_FALSE(answers.all_settled());
 }
 
-TEST_CASE("what only a refused worker says is taken back", "[cluster]") {
+TEST_CASE("answers that only a refused worker gave are revoked", "[cluster]") {
     Answers answers(4);
     answers.claim(0, 1, with_fitness(1.0), false);
     answers.claim(1, 1, with_fitness(1.0), false);

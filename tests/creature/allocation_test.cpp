@@ -8,14 +8,17 @@ using test::allocation_count;
 
 TEST_CASE("a tick of control allocates nothing", "[creature]") {
     const SceneSettings settings;
+    FounderSettings founders;
+    for (const ChannelEntry& channel : kinds().catalog.channels)
+        founders.channels[channel.id] = true;
     RandomStream stream(stream_seed(9, 0, 0, Purpose::kTest));
     for (int i = 0; i < 100; ++i) {
-        const Phenotype phenotype = express(random_genome({}, kinds().catalog, stream));
+        const Phenotype phenotype = express(random_genome(founders, kinds().catalog, stream));
         Creature creature(phenotype, kinds(), settings);
         FakeScene scene(phenotype.parts.size());
         const std::size_t before = allocation_count();
         for (int tick = 0; tick < 10; ++tick)
-            creature.act(scene, 1.0 / 60.0);
+            creature.act(scene, FakeSurroundings(), 1.0 / 60.0);
         creature.hold_rest(scene);
         const std::size_t after = allocation_count();
         REQUIRE(after == before);

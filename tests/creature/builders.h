@@ -3,6 +3,7 @@
 #include "creature/fake_scene.h"
 #include "creature/phenotype.h"
 #include "genome/founders/random_genome.h"
+#include "sensors/fake_surroundings.h"
 
 namespace cambrian {
 

@@ -19,13 +19,13 @@ InputGene local_sensor(int channel, double weight = 1.0) {
     return {{SourceKind::kLocalSensor, static_cast<std::uint8_t>(channel)}, weight};
 }
 
-// Where the last part's target stands after acting for a while on an unmoving scene.
+// The target of the last part after the creature acted for a while on a scene that rests.
 double final_target(const Genome& genome, FakeScene& scene) {
     const Phenotype phenotype = express(genome);
     const SceneSettings settings;
     Creature creature(phenotype, kinds(), settings);
     for (int tick = 0; tick < 600; ++tick)
-        creature.act(scene, kTick);
+        creature.act(scene, FakeSurroundings(), kTick);
     return scene.targets.back();
 }
 
@@ -39,7 +39,7 @@ TEST_CASE("a pair of oscillating legs moves in opposite directions, within the l
     FakeScene scene(3);
     double greatest = 0.0;
     for (int tick = 0; tick < 300; ++tick) {
-        creature.act(scene, kTick);
+        creature.act(scene, FakeSurroundings(), kTick);
         REQUIRE(scene.targets[2] == -scene.targets[1]);
         REQUIRE(scene.targets[1] >= -0.4);
         greatest = std::fmax(greatest, scene.targets[1]);
@@ -59,7 +59,7 @@ TEST_CASE("the motor target approaches with the time constant of the muscle", "[
     Creature creature(phenotype, kinds(), settings);
     FakeScene scene(2);
     for (int tick = 1; tick <= 6; ++tick)
-        creature.act(scene, kTick);
+        creature.act(scene, FakeSurroundings(), kTick);
     CHECK(scene.targets[1] == Approx(1.0 - std::exp(-1.0)));
 }
 
@@ -106,14 +106,14 @@ TEST_CASE("holding rest asks every joint for its rest coordinate", "[creature]")
     CHECK(scene.targets == std::vector<double>{7.0, 0.0, 0.0});
 }
 
-TEST_CASE("a restored creature repeats what it did, a reset one starts anew", "[creature]") {
+TEST_CASE("a restored creature repeats what it did, a reset one starts again", "[creature]") {
     const Phenotype phenotype = express(two_legs());
     const SceneSettings settings;
     Creature creature(phenotype, kinds(), settings);
     FakeScene scene(3);
     const auto run = [&] {
         for (int tick = 0; tick < 20; ++tick)
-            creature.act(scene, kTick);
+            creature.act(scene, FakeSurroundings(), kTick);
         return scene.targets[1];
     };
     const double first = run();
@@ -124,4 +124,48 @@ TEST_CASE("a restored creature repeats what it did, a reset one starts anew", "[
     creature.reset();
     CHECK(run() == first);
     CHECK(first != second);
+}
+
+namespace {
+
+std::size_t channel(std::string_view id) {
+    const auto& channels = kinds().catalog.channels;
+    const auto found = std::find_if(channels.begin(), channels.end(),
+                                    [id](const ChannelEntry& entry) { return entry.id == id; });
+    REQUIRE(found != channels.end());
+    return static_cast<std::size_t>(found - channels.begin());
+}
+
+}  // namespace
+
+TEST_CASE("what sensors remember is saved, restored and forgotten", "[creature]") {
+    const Phenotype phenotype =
+        express(two_parts(local_sensor(static_cast<int>(channel("accel-along")))));
+    const SceneSettings settings;
+    Creature creature(phenotype, kinds(), settings);
+    FakeScene scene(2);
+    scene.specific_forces[1] = {9.81, 0.0, 0.0};
+    const FakeSurroundings surroundings;
+    const auto act = [&] {
+        creature.act(scene, surroundings, kTick);
+        return creature.reading(0, scene, surroundings);
+    };
+    const double first = act();
+    const Creature::State state = creature.save();
+    const double second = act();
+    CHECK(creature.reading(0, scene, surroundings) == second);
+    CHECK(second > first);
+    creature.restore(state);
+    CHECK(act() == second);
+    creature.reset();
+    CHECK(act() == first);
+}
+
+TEST_CASE("physics measures forces only for a creature that feels them", "[creature]") {
+    for (const ChannelEntry& entry : kinds().catalog.channels) {
+        INFO(entry.id);
+        const bool feels = entry.id.starts_with("accel-") || entry.id == "load";
+        const int number = static_cast<int>(channel(entry.id));
+        CHECK(express(two_parts(local_sensor(number))).plan.measures_forces == feels);
+    }
 }

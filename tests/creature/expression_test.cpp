@@ -114,8 +114,8 @@ void check_mirrored_motion(const Phenotype& body, const Phenotype& mirrored, Ran
             right_scene.touched[part] = left_scene.touched[part];
             std::swap(right_scene.touched[part][1], right_scene.touched[part][3]);
         }
-        left.act(left_scene, 1.0 / 60.0);
-        right.act(right_scene, 1.0 / 60.0);
+        left.act(left_scene, FakeSurroundings(), 1.0 / 60.0);
+        right.act(right_scene, FakeSurroundings(), 1.0 / 60.0);
         for (std::size_t part = 1; part < body.parts.size(); ++part)
             REQUIRE(right_scene.targets[part] == sign(part) * left_scene.targets[part]);
     }

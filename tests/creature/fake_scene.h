@@ -8,21 +8,31 @@
 
 namespace cambrian {
 
-// A scene without physics: joints stand wherever a test puts them, targets are remembered.
+// A scene without physics: parts and joints are wherever a test puts them, targets are remembered.
 class FakeScene final : public PhysicsScene {
 public:
     explicit FakeScene(std::size_t parts)
-        : coordinates(parts, 0.0), targets(parts, 0.0), touched(parts) {}
+        : coordinates(parts, 0.0),
+          targets(parts, 0.0),
+          touched(parts),
+          poses(parts),
+          twists(parts),
+          rates(parts, 0.0),
+          efforts(parts, 0.0),
+          specific_forces(parts, Vec3::Zero()),
+          loads(parts, 0.0) {}
 
     std::size_t part_count() const override { return coordinates.size(); }
-    Pose part_pose(std::size_t) const override { return {}; }
-    Twist part_twist(std::size_t) const override { return {}; }
+    Pose part_pose(std::size_t part) const override { return poses[part]; }
+    Twist part_twist(std::size_t part) const override { return twists[part]; }
     double joint_coordinate(std::size_t part) const override { return coordinates[part]; }
-    double joint_rate(std::size_t) const override { return 0.0; }
-    double joint_effort(std::size_t) const override { return 0.0; }
+    double joint_rate(std::size_t part) const override { return rates[part]; }
+    double joint_effort(std::size_t part) const override { return efforts[part]; }
     bool face_touched(std::size_t part, Face face) const override {
         return touched[part][static_cast<std::size_t>(face)];
     }
+    Vec3 part_specific_force(std::size_t part) const override { return specific_forces[part]; }
+    double part_load(std::size_t part) const override { return loads[part]; }
     double mass() const override { return 1.0; }
     Vec3 center_of_mass() const override { return Vec3::Zero(); }
     Vec3 center_of_mass_velocity() const override { return Vec3::Zero(); }
@@ -49,6 +59,12 @@ public:
     std::vector<double> coordinates;
     std::vector<double> targets;
     std::vector<std::array<bool, kFaceCount>> touched;
+    std::vector<Pose> poses;
+    std::vector<Twist> twists;
+    std::vector<double> rates;
+    std::vector<double> efforts;
+    std::vector<Vec3> specific_forces;
+    std::vector<double> loads;
 
 private:
     SceneAudit audit_;

@@ -200,3 +200,27 @@ TEST_CASE("a goal in a world where it makes no sense warns and is allowed",
         CHECK(warned(settings));
     }
 }
+
+TEST_CASE("senses beyond joints and touch are switches that are off", "[evolution][settings]") {
+    ExperimentSettings settings;
+    int off = 0;
+    for (const SettingField& field : setting_fields(kinds())) {
+        if (field.table != "body.sensors") continue;
+        INFO(field.key);
+        const bool old = field.key == "joint" || field.key.starts_with("contact-");
+        CHECK(*std::get<bool*>(field.at(settings)) == old);
+        off += old ? 0 : 1;
+    }
+    CHECK(off > 0);
+}
+
+TEST_CASE("random creatures do not depend on senses that are off", "[evolution][settings]") {
+    const KindCatalog& now = kinds().creature.catalog;
+    KindCatalog before = now;
+    std::erase_if(before.channels, [](const ChannelEntry& channel) { return !channel.usual; });
+    REQUIRE(before.channels.size() == 5);
+    RandomStream stream(7);
+    RandomStream same(7);
+    for (int i = 0; i < 200; ++i)
+        REQUIRE(random_genome({}, now, stream) == random_genome({}, before, same));
+}

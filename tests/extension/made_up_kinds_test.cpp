@@ -50,10 +50,9 @@ void drive_flip(const EffectorSite& site, double signal, double /*share*/,
     scene.set_target(site.index, memory);
 }
 
-double read_height(const BodyView& body, std::size_t part, std::size_t /*channel*/,
-                   int /*handedness*/) {
+double read_height(const SensorSite& site, double& /*memory*/) {
     ++calls.sensor;
-    return body.part_pose(part).position.y();
+    return site.body.part_pose(site.index).position.y();
 }
 
 double triple(const double* inputs, double* /*memory*/, double /*dt*/) {

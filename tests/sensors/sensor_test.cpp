@@ -1,28 +1,87 @@
 #include "sensors/sensor.h"
 
 #include "creature/fake_scene.h"
+#include "sensors/fake_surroundings.h"
 #include "support/catch.h"
+
+#include <cmath>
 
 using namespace cambrian;
 
 namespace {
 
-double read(const FakeScene& scene, std::size_t kind, std::size_t channel, int handedness) {
-    static const SensorRegistry sensors = builtin_sensors();
-    return sensors[kind].read(scene, 0, channel, handedness);
+constexpr double kTick = 1.0 / 60.0;
+
+const SensorRegistry& sensors() {
+    static const SensorRegistry all = builtin_sensors();
+    return all;
 }
+
+double read(const FakeScene& scene, std::size_t kind, std::size_t channel, int handedness) {
+    const FakeSurroundings surroundings;
+    const PlannedPart part;
+    double memory = 0.0;
+    return sensors()[kind].read({scene, surroundings, part, 0, channel, handedness, kTick}, memory);
+}
+
+// One part alone, as a table of expected readings needs it.
+struct Bench {
+    FakeScene scene{1};
+    FakeSurroundings surroundings;
+    PlannedPart part;
+    int handedness = 1;
+    double memory = 0.0;
+
+    void turn(double angle) { scene.poses[0] = planar_pose(0.3, 0.7, angle); }
+    double read(std::string_view channel_id, double dt = kTick) {
+        for (const SensorKind& kind : sensors().all()) {
+            for (std::size_t channel = 0; channel < kind.channels.size(); ++channel) {
+                if (kind.channels[channel].id == channel_id)
+                    return kind.read({scene, surroundings, part, 0, channel, handedness, dt},
+                                     memory);
+            }
+        }
+        FAIL("no channel " << channel_id);
+        return 0.0;
+    }
+    // After a long time of the same.
+    double read_at_last(std::string_view channel_id) {
+        for (int tick = 0; tick < 200; ++tick)
+            read(channel_id);
+        return read(channel_id);
+    }
+};
+
+// Eight directions of a part, with the cosine and the sine of its angle.
+struct Direction {
+    double angle, cosine, sine;
+};
+const double kHalf = std::sqrt(0.5);
+const std::array kDirections = {
+    Direction{0.0, 1.0, 0.0},         Direction{0.25 * kPi, kHalf, kHalf},
+    Direction{0.5 * kPi, 0.0, 1.0},   Direction{0.75 * kPi, -kHalf, kHalf},
+    Direction{kPi, -1.0, 0.0},        Direction{-0.75 * kPi, -kHalf, -kHalf},
+    Direction{-0.5 * kPi, 0.0, -1.0}, Direction{-0.25 * kPi, kHalf, -kHalf}};
 
 }  // namespace
 
 TEST_CASE("channels have the absolute numbers genes rely on", "[sensors]") {
     std::vector<std::string> channels;
-    const SensorRegistry sensors = builtin_sensors();
-    for (const SensorKind& sensor : sensors.all()) {
+    for (const SensorKind& sensor : sensors().all()) {
         for (const SensorChannel& channel : sensor.channels)
             channels.push_back(channel.id);
     }
     CHECK(channels == std::vector<std::string>{"joint", "contact-distal", "contact-left",
-                                               "contact-proximal", "contact-right"});
+                                               "contact-proximal", "contact-right", "accel-along",
+                                               "accel-across", "joint-rate", "effort", "spin",
+                                               "up-along", "up-across", "load"});
+}
+
+TEST_CASE("only joint and contact sensors are used unless settings say otherwise", "[sensors]") {
+    for (const SensorKind& sensor : sensors().all()) {
+        INFO(sensor.id);
+        CHECK(sensor.usual == (sensor.id == "joint" || sensor.id == "contact"));
+    }
 }
 
 TEST_CASE("the joint sensor reads the coordinate, turned round on mirrored parts", "[sensors]") {
@@ -41,6 +100,104 @@ TEST_CASE("each contact channel reads its own face, sides exchanged on mirrored 
         for (std::size_t channel = 0; channel < kFaceCount; ++channel) {
             CHECK(read(scene, 1, channel, 1) == (channel == face ? 1.0 : -1.0));
             CHECK(read(scene, 1, channel, -1) == (mirrored[channel] == face ? 1.0 : -1.0));
+        }
+    }
+}
+
+TEST_CASE("balance reads where up is, in eight directions of the part", "[sensors]") {
+    for (const Direction& direction : kDirections) {
+        Bench bench;
+        bench.turn(direction.angle);
+        INFO("angle " << direction.angle);
+        CHECK(bench.read("up-along") == Approx(direction.sine).margin(1e-12));
+        CHECK(bench.read("up-across") == Approx(direction.cosine).margin(1e-12));
+        bench.handedness = -1;
+        CHECK(bench.read("up-along") == Approx(direction.sine).margin(1e-12));
+        CHECK(bench.read("up-across") == Approx(-direction.cosine).margin(1e-12));
+        bench.surroundings.upwards = Vec3::Zero();
+        CHECK(bench.read("up-along") == 0.0);
+        CHECK(bench.read("up-across") == 0.0);
+    }
+}
+
+TEST_CASE("the accelerometer reads the specific force in the part's frame", "[sensors]") {
+    for (const Direction& direction : kDirections) {
+        INFO("angle " << direction.angle);
+        for (const int handedness : {1, -1}) {
+            Bench bench;
+            bench.turn(direction.angle);
+            bench.handedness = handedness;
+            bench.scene.specific_forces[0] = {0.0, 2.0 * 9.81, 0.0};
+            CHECK(bench.read_at_last("accel-along") == Approx(2.0 * direction.sine).margin(1e-9));
+            CHECK(bench.read_at_last("accel-across") ==
+                  Approx(2.0 * handedness * direction.cosine).margin(1e-9));
+        }
+    }
+}
+
+TEST_CASE("the accelerometer approaches with its time constant and is limited", "[sensors]") {
+    Bench bench;
+    bench.scene.specific_forces[0] = {9.81, 0.0, 0.0};
+    for (int tick = 0; tick < 3; ++tick)
+        bench.read("accel-along");
+    CHECK(bench.memory == Approx(1.0 - std::exp(-1.0)));
+    const double before = bench.memory;
+    CHECK(bench.read("accel-along", 0.0) == before);
+    bench.scene.specific_forces[0] = {-1e6, 0.0, 0.0};
+    CHECK(bench.read_at_last("accel-along") == Approx(-10.0));
+}
+
+TEST_CASE("rates read 1 at 6 rad/s or 1.5 lengths a second", "[sensors]") {
+    Bench bench;
+    bench.part.motion = JointMotion::kTurn;
+    bench.part.half_extents = {0.4, 0.1, 0.0};
+    bench.scene.rates[0] = 3.0;
+    bench.scene.twists[0].angular.z() = -1.5;
+    CHECK(bench.read("joint-rate") == Approx(0.5));
+    CHECK(bench.read("spin") == Approx(-0.25));
+    bench.handedness = -1;
+    CHECK(bench.read("joint-rate") == Approx(-0.5));
+    CHECK(bench.read("spin") == Approx(0.25));
+    bench.part.motion = JointMotion::kSlide;
+    bench.scene.rates[0] = 0.6;
+    CHECK(bench.read("joint-rate") == Approx(0.5));
+    bench.scene.rates[0] = -1e3;
+    CHECK(bench.read("joint-rate") == -10.0);
+}
+
+TEST_CASE("effort reads the share of the muscle's most", "[sensors]") {
+    Bench bench;
+    bench.scene.efforts[0] = -0.5;
+    CHECK(bench.read("effort") == 0.0);
+    bench.part.motion = JointMotion::kTurn;
+    bench.part.max_effort = 2.0;
+    CHECK(bench.read("effort") == -0.25);
+    bench.handedness = -1;
+    CHECK(bench.read("effort") == 0.25);
+    bench.part.motion = JointMotion::kSlide;
+    CHECK(bench.read("effort") == -0.25);
+    bench.scene.efforts[0] = 5.0;
+    CHECK(bench.read("effort") == 1.0);
+}
+
+TEST_CASE("load reads normal forces in units of the creature's weight", "[sensors]") {
+    Bench bench;
+    CHECK(bench.read("load") == 0.0);
+    bench.scene.loads[0] = 0.5 * 9.81;  // of a creature of 1 kg
+    CHECK(bench.read("load") == Approx(0.5));
+    bench.scene.loads[0] = 1e4;
+    CHECK(bench.read("load") == 10.0);
+}
+
+TEST_CASE("every lamp of a sensor is on its part", "[sensors]") {
+    for (const SensorKind& kind : sensors().all()) {
+        if (kind.spot == nullptr) continue;
+        for (std::size_t channel = 0; channel < kind.channels.size(); ++channel) {
+            INFO(kind.channels[channel].id);
+            const Vec3 spot = kind.spot(channel, 1);
+            CHECK(spot.cwiseAbs().maxCoeff() < 1.0);
+            CHECK(kind.spot(channel, -1).x() == spot.x());
+            CHECK(kind.spot(channel, -1).y() == -spot.y());
         }
     }
 }

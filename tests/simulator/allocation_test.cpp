@@ -12,10 +12,13 @@ TEST_CASE("a trial allocates nothing from its first tick to its last", "[simulat
     TrialWorld world;
     world.trial.duration = 2.0;
     world.trial.stop_at_rest = true;
+    FounderSettings founders;
+    for (const ChannelEntry& channel : kinds.catalog.channels)
+        founders.channels[channel.id] = true;
     RandomStream stream(stream_seed(9, 0, 0, Purpose::kTest));
     int completed = 0;
     for (int i = 0; i < 40; ++i) {
-        const Genome genome = random_genome({}, kinds.catalog, stream);
+        const Genome genome = random_genome(founders, kinds.catalog, stream);
         const auto phenotype = std::make_shared<const Phenotype>(
             express(genome, kinds, ExpressionSettings{}, world.scene));
         auto trial = Trial::start(phenotype, kinds, world);

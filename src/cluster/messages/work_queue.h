@@ -61,8 +61,8 @@ struct CoordinatorNews {
     std::vector<std::string> hellos;      // of workers and of other coordinators
     std::vector<UnitId> not_published;    // accepted, but the server refused them or went away
     std::vector<UnitId> not_deliverable;  // delivered as often as the server does, never answered
-    // For people, whole sentences, each reason once: a refused permission with its subject, a
-    // stream that is full, a lost connection.
+    // Messages for people, complete sentences, each reason once: a refused permission with its
+    // subject, a stream that is full, a lost connection.
     std::vector<std::string> complaints;
     std::uint64_t garbage = 0;  // messages with a subject or size that no one of ours has
 

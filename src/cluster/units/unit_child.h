@@ -1,8 +1,8 @@
 #pragma once
 
-// A unit computed in a process of its own, because its workers vanished with it in hand: it may be
-// what ended them. `cambrian worker --unit` reads the question on standard input and writes the
-// answer on standard output.
+// Computes a unit in a separate process, because its workers vanished and it may have crashed them.
+// `cambrian worker --unit` reads the question on standard input and writes the answer on standard
+// output.
 
 #include "core/result.h"
 #include "evolution/kinds/evolution_kinds.h"

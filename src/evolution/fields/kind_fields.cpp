@@ -83,7 +83,8 @@ void add_body_kinds(std::vector<SettingField>& fields, const EvolutionKinds& kin
                  &FounderSettings::functions, always<FunctionEntry>);
     add_switches(fields, "body.sensors", catalog.channels,
                  "Whether random creatures and mutations may connect to this sensor.",
-                 &FounderSettings::channels, always<ChannelEntry>);
+                 &FounderSettings::channels,
+                 [](const ChannelEntry& channel) { return channel.usual; });
     add_switches(fields, "body.references", source_rules(),
                  "Whether random creatures and mutations may connect to this.",
                  &FounderSettings::references, always<SourceRule>);

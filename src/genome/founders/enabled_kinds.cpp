@@ -12,8 +12,9 @@ bool always(const Entry& /*entry*/) {
     return true;
 }
 
-bool usual(const JointChoice& joint) {
-    return joint.usual;
+template <class Entry>
+bool usual(const Entry& entry) {
+    return entry.usual;
 }
 
 // Indices of the entries whose flag is set; of those without one, the standard ones.
@@ -39,14 +40,14 @@ std::vector<std::uint8_t> enabled_functions(const FounderSettings& settings,
 
 std::vector<std::uint8_t> enabled_joints(const FounderSettings& settings,
                                          const KindCatalog& catalog) {
-    auto chosen = enabled(catalog.joints, settings.joints, usual);
-    if (chosen.empty()) chosen = enabled(catalog.joints, {}, usual);
+    auto chosen = enabled(catalog.joints, settings.joints, usual<JointChoice>);
+    if (chosen.empty()) chosen = enabled(catalog.joints, {}, usual<JointChoice>);
     return chosen.empty() ? enabled(catalog.joints, {}, always<JointChoice>) : chosen;
 }
 
 std::vector<std::uint8_t> enabled_channels(const FounderSettings& settings,
                                            const KindCatalog& catalog) {
-    return enabled(catalog.channels, settings.channels, always<ChannelEntry>);
+    return enabled(catalog.channels, settings.channels, usual<ChannelEntry>);
 }
 
 std::vector<SourceKind> enabled_references(SourceScope scope, const FounderSettings& settings,

@@ -213,7 +213,7 @@ CreatureDocument creature_document(const Individual& individual, const Experimen
     document.parents = parents_of(individual);
     document.ancestry = ancestry_digest(individual);
     if (!individual.evaluated || individual.result.outcome == Outcome::kStoppedEarly)
-        return document;  // a trial given up is no score to stand by
+        return document;  // a trial that was terminated early has no final score
     document.scored = ScoredRecord{.world = settings.world,
                                    .expression = settings.expression,
                                    .goal = settings.goal,

@@ -343,7 +343,7 @@ private:
         std::uint32_t number = 0;
         const char* end = shown.data() + shown.size();
         if (std::from_chars(shown.data(), end, number).ptr != end || !tree.visit(number))
-            throw DatabaseError("the grid on show is missing");
+            throw DatabaseError("the displayed grid is missing");
         read_.picking.picks = picks(fact("picks_on_show"), tree.current().creatures.size());
     }
 

@@ -228,7 +228,8 @@ void ExperimentWriter::insert_population(const Evolution& evolution) {
     }
 }
 
-// Those that became novel when the last generation was bred; all if the memory begins anew.
+// Inserts the creatures that became novel when the last generation was bred, or all if the memory
+// was emptied.
 void ExperimentWriter::insert_novel(const SelectionMemory& memory) {
     const std::vector<IndividualPtr>& archive = memory.archive;
     std::size_t known = known_.novel.size();

@@ -68,6 +68,14 @@ FounderSettings big_founders() {
     return sizes;
 }
 
+void allow_sensors(Settings& settings, const EvolutionKinds& kinds,
+                   bool (*wanted)(const SensorKind& sensor)) {
+    for (const SensorKind& sensor : kinds.creature.sensors.all()) {
+        for (const SensorChannel& channel : sensor.channels)
+            settings.founders.channels[channel.id] = wanted(sensor);
+    }
+}
+
 constexpr double kEarthGravity = 9.81;  // m/s^2
 constexpr double kMoonGravity = 1.62;
 
@@ -75,6 +83,7 @@ constexpr std::string_view kEnvironment = "environment";
 constexpr std::string_view kMutation = "mutation";
 constexpr std::string_view kTrial = "trial";
 constexpr std::string_view kBody = "body";
+constexpr std::string_view kSensors = "body.sensors";
 
 // Mutations: breeding/README.md 4; trials: simulator/README.md 1.
 constexpr std::array kPresets = {
@@ -112,6 +121,14 @@ constexpr std::array kPresets = {
                   "Random creatures of long and thick parts, which are strong: to begin with for "
                   "jumping.",
                   [](Settings& s, const EvolutionKinds&) { size_founders(s, big_founders()); }},
+    SettingPreset{kSensors, "Blind", "Joints and touch, by which creatures feel themselves only.",
+                  [](Settings& s, const EvolutionKinds& kinds) {
+                      allow_sensors(s, kinds, [](const SensorKind& each) { return each.usual; });
+                  }},
+    SettingPreset{kSensors, "All senses", "Every sensor there is.",
+                  [](Settings& s, const EvolutionKinds& kinds) {
+                      allow_sensors(s, kinds, [](const SensorKind&) { return true; });
+                  }},
 };
 
 }  // namespace

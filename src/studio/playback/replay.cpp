@@ -71,7 +71,7 @@ void Replay::pull(const Hold& hold) {
 }
 
 void Replay::apply(const Change& change) {
-    trial_->scene().set_environment(change.environment);
+    trial_->set_environment(change.environment);
     Brain& brain = trial_->creature().brain();
     brain.release_all();
     for (const auto& [neuron, value] : change.forced)
@@ -83,7 +83,7 @@ void Replay::go_back(std::uint64_t tick) {
     const auto later = std::find_if(kept_.begin(), kept_.end(),
                                     [tick](const Kept& each) { return each.tick > tick; });
     kept_.erase(later, kept_.end());
-    trial_->scene().set_environment(change_before(kept_.back().tick).environment);
+    trial_->set_environment(change_before(kept_.back().tick).environment);
     trial_->restore(kept_.back().state);
     pulls_.erase(from_tick(pulls_, tick), pulls_.end());
     known_until_ = tick;

@@ -23,7 +23,8 @@ public:
         const Palette palette = palette_of(ThemeKind::kDark);
         SceneFrame frame;
         add(frame,
-            OverlayScene{look, playback.trial().scene(), test::kinds().creature, palette, 0.01});
+            OverlayScene{look, playback.trial().scene(), playback.trial().creature(),
+                         playback.trial().surroundings(), test::kinds().creature, palette, 0.01});
         return frame;
     }
     test::StudioFixture studio;
@@ -53,7 +54,7 @@ TEST_CASE("each overlay switches something of the picture on and off", "[studio]
     }
 }
 
-TEST_CASE("the needle of a joint's limits stands between them", "[studio][overlays]") {
+TEST_CASE("the needle of a joint's limits is between them", "[studio][overlays]") {
     OverlayRun run;
     const SceneFrame frame = run.drawn(add_joint_limits);
     CHECK(frame.shapes.size() >=
@@ -73,8 +74,10 @@ TEST_CASE("what the brain hears is drawn where it is felt", "[studio][overlays]"
     const CreatureLook look{sensing, playback.creature().motion().poses(), {}, 0.3, {}};
     const Palette palette = palette_of(ThemeKind::kDark);
     SceneFrame frame;
+    const Creature creature(sensing, test::kinds().creature, playback.trial().world().scene);
     add_sensor_readings(frame,
-                        {look, playback.trial().scene(), test::kinds().creature, palette, 0.01});
+                        {look, playback.trial().scene(), creature, playback.trial().surroundings(),
+                         test::kinds().creature, palette, 0.01});
     // On a mirrored part the left face is the right one, at the box's lower side.
     const Vec3& half = sensing.plan.parts[0].half_extents;
     const Vec3 at = transform(playback.creature().motion().poses()[0], {0.0, -0.8 * half.y(), 0.0});

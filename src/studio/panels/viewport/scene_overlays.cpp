@@ -59,13 +59,14 @@ void add_joint_reading(SceneFrame& frame, const OverlayScene& over, const JointP
 }
 
 // A lamp, the brighter the nearer the reading is to +1; dark at -1.
-void add_lamp(SceneFrame& frame, const OverlayScene& over, const WiredSensor& sensor) {
+void add_lamp(SceneFrame& frame, const OverlayScene& over, std::size_t index) {
+    const WiredSensor& sensor = over.creature.phenotype().sensors[index];
     const SensorKind& kind = over.kinds.sensors[sensor.kind];
     const Vec3 share = kind.spot ? kind.spot(sensor.channel, sensor.handedness) : Vec3::Zero();
     const Vec3 inside =
         share.cwiseProduct(over.look.phenotype.plan.parts[sensor.part].half_extents);
     const Vec2 at = planar(transform(over.look.poses[sensor.part], inside));
-    const double reading = kind.read(over.scene, sensor.part, sensor.channel, sensor.handedness);
+    const double reading = over.creature.reading(index, over.scene, over.surroundings);
     const auto light = static_cast<float>(std::clamp(0.5 + 0.5 * reading, 0.0, 1.0));
     const double radius = 4.0 * over.pixel;
     frame.add_circle(at, radius, color_of(0x0B0E12, 0.8F));
@@ -125,11 +126,12 @@ void add_joint_torques(SceneFrame& frame, const OverlayScene& over) {
 }
 
 void add_sensor_readings(SceneFrame& frame, const OverlayScene& over) {
-    for (const WiredSensor& sensor : over.look.phenotype.sensors) {
-        if (over.kinds.sensors[sensor.kind].reads_joint) {
-            add_joint_reading(frame, over, place_of(over, sensor.part));
+    const std::vector<WiredSensor>& sensors = over.creature.phenotype().sensors;
+    for (std::size_t i = 0; i < sensors.size(); ++i) {
+        if (over.kinds.sensors[sensors[i].kind].reads_joint) {
+            add_joint_reading(frame, over, place_of(over, sensors[i].part));
         } else {
-            add_lamp(frame, over, sensor);
+            add_lamp(frame, over, i);
         }
     }
 }

@@ -1,8 +1,8 @@
 #pragma once
 
-// What cannot be seen of a creature, drawn over it: forces, torques, limits, sensors.
+// Overlays of invisible quantities on a creature: forces, torques, limits, sensors.
 
-#include "creature/kinds.h"
+#include "creature/creature.h"
 #include "pictures/scene/scene_builder.h"
 #include "world/physics_scene.h"
 
@@ -12,6 +12,8 @@ namespace cambrian {
 struct OverlayScene {
     const CreatureLook& look;
     const PhysicsScene& scene;
+    const Creature& creature;
+    const Surroundings& surroundings;
     const Kinds& kinds;
     const Palette& palette;
     double pixel = 0.01;  // m

@@ -222,8 +222,14 @@ void ViewportPanel::draw_marks(const FrameContext& frame) {
 
 void ViewportPanel::add_overlays(const FrameContext& frame, const CreatureLook& look) {
     const ViewState& view = frame.view;
-    const OverlayScene over{look, frame.viewer.playback.trial().scene(), frame.kinds.creature,
-                            colors(), canvas_.camera.pixel()};
+    const Trial& trial = frame.viewer.playback.trial();
+    const OverlayScene over{look,
+                            trial.scene(),
+                            trial.creature(),
+                            trial.surroundings(),
+                            frame.kinds.creature,
+                            colors(),
+                            canvas_.camera.pixel()};
     if (view.overlays.limits) add_joint_limits(canvas_.frame, over);
     if (view.overlays.torques) add_joint_torques(canvas_.frame, over);
     if (view.overlays.sensors) add_sensor_readings(canvas_.frame, over);

@@ -1,0 +1,35 @@
+// Rate of the joint to the parent: 1 at 6 rad/s, or at 1.5 lengths of the part a second where the
+// joint slides. Sliding has no handedness.
+
+#include "sensors/frames.h"
+#include "sensors/kinds.h"
+
+namespace cambrian {
+namespace {
+
+constexpr double kTurn = 6.0;   // rad/s
+constexpr double kSlide = 1.5;  // lengths of the part a second
+
+double read_joint_rate(const SensorSite& site, double& /*memory*/) {
+    const double rate = site.body.joint_rate(site.index);
+    if (site.part.motion != JointMotion::kSlide)
+        return limited_reading(site.handedness * rate / kTurn);
+    return limited_reading(rate / (kSlide * 2.0 * site.part.half_extents.x()));
+}
+
+Vec3 joint_rate_spot(std::size_t /*channel*/, int /*handedness*/) {
+    return {-0.55, 0.0, 0.0};
+}
+
+}  // namespace
+
+void add_joint_rate_sensor(SensorRegistry& sensors) {
+    sensors.add({.id = "joint-rate",
+                 .label = "Joint rate",
+                 .channels = {{"joint-rate", "Joint rate"}},
+                 .read = read_joint_rate,
+                 .spot = joint_rate_spot,
+                 .usual = false});
+}
+
+}  // namespace cambrian

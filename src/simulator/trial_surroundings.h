@@ -1,0 +1,23 @@
+#pragma once
+
+// What the world of a trial tells the creature in it.
+
+#include "world/environment.h"
+#include "world/surroundings.h"
+
+namespace cambrian {
+
+class TrialSurroundings final : public Surroundings {
+public:
+    explicit TrialSurroundings(const Environment& environment) { set_environment(environment); }
+
+    void set_environment(const Environment& environment);
+
+    Vec3 up() const override { return up_; }
+    Light light(const Vec3& /*point*/) const override { return {}; }
+
+private:
+    Vec3 up_ = Vec3::Zero();
+};
+
+}  // namespace cambrian

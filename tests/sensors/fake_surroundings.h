@@ -1,0 +1,17 @@
+#pragma once
+
+#include "world/surroundings.h"
+
+namespace cambrian {
+
+// Tells what a test puts into it, the same everywhere.
+class FakeSurroundings final : public Surroundings {
+public:
+    Vec3 up() const override { return upwards; }
+    Light light(const Vec3& /*point*/) const override { return seen; }
+
+    Vec3 upwards = Vec3::UnitY();
+    Light seen;
+};
+
+}  // namespace cambrian

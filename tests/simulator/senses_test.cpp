@@ -1,0 +1,140 @@
+// What creatures with every sensor feel in a trial.
+
+#include "genome/founders/random_genome.h"
+#include "simulator/trial.h"
+#include "support/catch.h"
+#include "support/kinds.h"
+#include "support/mirror_image.h"
+
+#include <cmath>
+
+using namespace cambrian;
+
+namespace {
+
+FounderSettings all_senses() {
+    FounderSettings founders;
+    for (const ChannelEntry& channel : test::creature_kinds().catalog.channels)
+        founders.channels[channel.id] = true;
+    return founders;
+}
+
+Phenotype random_senser(RandomStream& stream) {
+    const Kinds& kinds = test::creature_kinds();
+    return express(random_genome(all_senses(), kinds.catalog, stream), kinds, ExpressionSettings{},
+                   SceneSettings{});
+}
+
+// The same creature with left and right exchanged; its joints must all turn.
+Phenotype mirror_twin(Phenotype creature) {
+    creature.plan = mirror_image(creature.plan, Flip::kWidth);
+    for (BodyPart& part : creature.parts)
+        part.handedness = -part.handedness;
+    for (WiredSensor& sensor : creature.sensors)
+        sensor.handedness = -sensor.handedness;
+    for (NetworkInput& output : creature.network.outputs)
+        output.weight = -output.weight;
+    return creature;
+}
+
+std::unique_ptr<Trial> begin(const Phenotype& phenotype, const TrialWorld& world) {
+    auto trial =
+        Trial::start(std::make_shared<const Phenotype>(phenotype), test::creature_kinds(), world);
+    REQUIRE(trial);
+    return std::move(*trial);
+}
+
+bool touches_alike(const PhysicsScene& scene, const PhysicsScene& mirrored) {
+    for (std::size_t part = 0; part < scene.part_count(); ++part) {
+        for (const auto& [face, image] :
+             {std::pair(Face::kDistal, Face::kDistal), std::pair(Face::kProximal, Face::kProximal),
+              std::pair(Face::kLeft, Face::kRight), std::pair(Face::kRight, Face::kLeft)}) {
+            if (scene.face_touched(part, face) != mirrored.face_touched(part, image)) return false;
+        }
+    }
+    return true;
+}
+
+// The largest difference of two creatures' readings at this moment.
+double difference(Trial& trial, Trial& mirrored) {
+    const auto here = trial.creature().brain().sensors();
+    const auto there = mirrored.creature().brain().sensors();
+    double most = 0.0;
+    for (std::size_t i = 0; i < here.size(); ++i)
+        most = std::fmax(most, std::fabs(here[i] - there[i]));
+    return most;
+}
+
+TrialWorld long_trial(bool has_ground) {
+    TrialWorld world;
+    world.environment.has_ground = has_ground;
+    if (!has_ground) world.environment.viscosity_quadratic = 1.0;
+    world.trial.stop_at_rest = false;
+    return world;
+}
+
+}  // namespace
+
+// The twin of the twin is the creature itself with rounded angles: what differs there is rounding
+// that the motion made more of.
+TEST_CASE("mirror twins feel the same until their contacts differ", "[simulator][senses]") {
+    RandomStream stream(stream_seed({18, 73}));
+    for (const bool has_ground : {false, true}) {
+        int compared = 0;
+        for (int i = 0; i < 200; ++i) {
+            const Phenotype creature = random_senser(stream);
+            const auto trial = begin(creature, long_trial(has_ground));
+            const auto mirrored = begin(mirror_twin(creature), long_trial(has_ground));
+            const auto rounded = begin(mirror_twin(mirror_twin(creature)), long_trial(has_ground));
+            double rounding = 0.0;
+            for (int tick = 0; tick < 300; ++tick) {
+                if (!trial->tick() || !mirrored->tick() || !rounded->tick()) break;
+                if (!touches_alike(trial->scene(), mirrored->scene())) break;
+                rounding = std::fmax(rounding, difference(*trial, *rounded));
+                INFO("creature " << i << ", tick " << tick << ", ground " << has_ground);
+                REQUIRE(difference(*trial, *mirrored) <= std::fmax(1e-9, 100.0 * rounding));
+                ++compared;
+            }
+        }
+        CHECK(compared > 20000);
+    }
+}
+
+TEST_CASE("a restored trial of a creature with every sensor goes on with the same bits",
+          "[simulator][senses]") {
+    RandomStream stream(stream_seed({19, 73}));
+    int compared = 0;
+    for (int i = 0; i < 30; ++i) {
+        const auto trial = begin(random_senser(stream), long_trial(true));
+        for (int tick = 0; tick < 100; ++tick)
+            trial->tick();
+        const Trial::State state = trial->save();
+        const auto go_on = [&] {
+            for (int tick = 0; tick < 60; ++tick)
+                trial->tick();
+            Hash64 digest;
+            trial->scene().add_to_digest(digest);
+            for (const double reading : trial->creature().brain().sensors())
+                digest.add(reading);
+            return digest.value();
+        };
+        const std::uint64_t first = go_on();
+        trial->restore(state);
+        CHECK(go_on() == first);
+        compared += trial->creature().phenotype().sensors.empty() ? 0 : 1;
+    }
+    CHECK(compared > 15);
+}
+
+TEST_CASE("up is against gravity, and follows a world changed by hand", "[simulator][senses]") {
+    RandomStream stream(stream_seed({20, 73}));
+    const auto trial = begin(random_senser(stream), {});
+    CHECK((trial->surroundings().up() - Vec3::UnitY()).norm() < 1e-12);
+    Environment sideways;
+    sideways.gravity_direction = 0.0;
+    trial->set_environment(sideways);
+    CHECK((trial->surroundings().up() + Vec3::UnitX()).norm() < 1e-12);
+    sideways.gravity = 0.0;
+    trial->set_environment(sideways);
+    CHECK(trial->surroundings().up() == Vec3::Zero());
+}
