@@ -83,11 +83,12 @@ private:
     BitFlipper flipper_;
 };
 
+constexpr double kSlowness = 20.0;  // times as long
+
 class SlowQueue final : public SoundQueue {
 public:
     using SoundQueue::SoundQueue;
     bool publish_result(const UnitMessage& result) override {
-        constexpr double kSlowness = 20.0;
         const double seconds = parse_unit_result(result.body)->seconds;
         std::this_thread::sleep_for(std::chrono::duration<double>((kSlowness - 1.0) * seconds));
         return SoundQueue::publish_result(result);
@@ -173,7 +174,7 @@ ExitStatus work(std::string_view fault, const std::string& url, const std::strin
 }  // namespace
 
 int main(int argc, char** argv) {
-    const char* named = std::getenv("CAMBRIAN_FAULT");
+    const char* named = std::getenv("CAMBRIAN_FAULT");  // NOLINT(concurrency-mt-unsafe)
     const std::string fault = named == nullptr ? "" : named;
     const std::vector<std::string> words(argv + 1, argv + argc);
     if (words.size() < 2 || words[0] != "worker")

@@ -76,6 +76,13 @@ std::string all_of(int file) {
     }
 }
 
+// "signal 6 (Aborted)".
+std::string signal_text(int signal) {
+    const std::string text = "signal " + std::to_string(signal);
+    const char* description = ::sigdescr_np(signal);
+    return description == nullptr ? text : text + " (" + description + ")";
+}
+
 // The end of a process that refused, in its own words.
 Error refusal(int status, std::string_view messages) {
     const std::string_view first = messages.substr(0, messages.find('\n'));
@@ -87,9 +94,7 @@ Result<ChildEnd> end_of(int status, const Streams& streams) {
     const std::string messages = all_of(streams.messages.get());
     if (WIFSIGNALED(status)) {
         write_all(STDERR_FILENO, messages);  // what a failed assertion says
-        const int signal = WTERMSIG(status);
-        return ChildEnd{true, "signal " + std::to_string(signal) + " (" + ::strsignal(signal) + ")",
-                        ""};
+        return ChildEnd{true, signal_text(WTERMSIG(status)), ""};
     }
     if (WEXITSTATUS(status) != 0) return refusal(WEXITSTATUS(status), messages);
     return ChildEnd{false, "", all_of(streams.answer.get())};
