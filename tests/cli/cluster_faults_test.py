@@ -216,6 +216,16 @@ class Faults(FaultTest):
         self.finish(self.evolve("local", "--generations", len(found), settings=ENDLESS))
         self.assert_same_run(digests(self.folder / "local.cambrian"), "dies")
 
+    def test_a_process_of_its_own_that_refuses_is_no_crash(self):
+        server = self.start_server()
+        run = self.evolve("refuses", "--cluster", server.url, settings=ENDLESS,
+                          program=FAULTY_PROGRAM, env={"CAMBRIAN_FAULT": "refuses"})
+        self.start_faulty(server.url, "silent")
+        self.wait_for_message(run, "a process of its own did not compute a unit (exit status 2): "
+                                   "cambrian: not today", 120)
+        self.generations_until(run, lambda counts: counts["poisoned"] > 0)
+        self.end_and_compare(run, "refuses", ENDLESS)
+
     def test_a_unit_that_is_never_acknowledged_is_deleted(self):
         server = self.start_server()
         self.start_faulty(server.url, "silent")

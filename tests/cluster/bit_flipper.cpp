@@ -6,9 +6,13 @@
 #include <cstdint>
 
 namespace cambrian::test {
+namespace {
+
+constexpr int kOneIn = 50;  // results
+
+}  // namespace
 
 bool BitFlipper::change(UnitMessage& unit) {
-    constexpr int kOneIn = 50;
     UnitResult results = *parse_unit_result(unit.body);
     bool flipped = false;
     for (SlotResult& each : results.results) {

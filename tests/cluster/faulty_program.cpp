@@ -2,6 +2,7 @@
 //   flips   one bit of one result in 50 is false
 //   slow    each unit takes 20 times as long
 //   silent  units are computed and never answered
+//   refuses a process of its own ends with a message instead of computing a unit
 //   dies    a genome ends every process that evaluates it. Its hash is in the file `poison` of the
 //           folder it runs in; the first worker that gets a unit writes there the unit's first.
 // Everything else is as in the program itself: `worker URL --name NAME`, with one thread, and
@@ -82,11 +83,12 @@ private:
     BitFlipper flipper_;
 };
 
+constexpr double kSlowness = 20.0;  // times as long
+
 class SlowQueue final : public SoundQueue {
 public:
     using SoundQueue::SoundQueue;
     bool publish_result(const UnitMessage& result) override {
-        constexpr double kSlowness = 20.0;
         const double seconds = parse_unit_result(result.body)->seconds;
         std::this_thread::sleep_for(std::chrono::duration<double>((kSlowness - 1.0) * seconds));
         return SoundQueue::publish_result(result);
@@ -143,10 +145,12 @@ std::unique_ptr<WorkerQueue> with_fault(std::string_view fault,
     if (fault == "flips") return std::make_unique<FlippingQueue>(std::move(queue));
     if (fault == "slow") return std::make_unique<SlowQueue>(std::move(queue));
     if (fault == "silent") return std::make_unique<SilentQueue>(std::move(queue));
-    return std::make_unique<MortalQueue>(std::move(queue));
+    if (fault == "dies") return std::make_unique<MortalQueue>(std::move(queue));
+    return queue;
 }
 
-ExitStatus compute_unit() {
+ExitStatus compute_unit(std::string_view fault) {
+    if (fault == "refuses") return fail(Error{"not today"});
     const std::string question{std::istreambuf_iterator<char>(std::cin), {}};
     swallow(question);
     const Result<std::string> answer = answer_question(question, kinds());
@@ -170,7 +174,7 @@ ExitStatus work(std::string_view fault, const std::string& url, const std::strin
 }  // namespace
 
 int main(int argc, char** argv) {
-    const char* named = std::getenv("CAMBRIAN_FAULT");
+    const char* named = std::getenv("CAMBRIAN_FAULT");  // NOLINT(concurrency-mt-unsafe)
     const std::string fault = named == nullptr ? "" : named;
     const std::vector<std::string> words(argv + 1, argv + argc);
     if (words.size() < 2 || words[0] != "worker")
@@ -178,6 +182,6 @@ int main(int argc, char** argv) {
     if (const Status prepared = prepare_process(); !prepared)
         return static_cast<int>(fail(prepared.error(), ExitStatus::kFailed));
     const ExitStatus status =
-        words[1] == "--unit" ? compute_unit() : work(fault, words[1], words.back());
+        words[1] == "--unit" ? compute_unit(fault) : work(fault, words[1], words.back());
     return static_cast<int>(status);
 }

@@ -78,7 +78,8 @@ std::string table_of(const std::vector<Hello>& hellos) {
         cores += static_cast<std::size_t>(std::max(hello.cores, 0));
         creatures += hello.creatures_per_second;
     }
-    if (hellos.empty()) return "nobody is on this cluster";
+    if (hellos.empty())
+        return "nobody is heard on this cluster; workers that wait for its first run are silent";
     return text + "\n" + counted(hellos.size(), "machine") + ", " + counted(cores, "core") + ", " +
            short_text(std::round(creatures)) + " creatures/s";
 }

@@ -19,7 +19,7 @@ namespace cambrian {
 
 struct Apart {
     std::vector<SlotResult> results;
-    std::string trouble;  // for people, if no process could be started or understood
+    std::string trouble;  // for people, if no process could be started, computed or was understood
     std::string failure;  // for people, if a creature ends every process that evaluates it
 };
 

@@ -15,14 +15,14 @@
 namespace cambrian {
 
 struct ChildEnd {
-    bool crashed = false;  // ended by a signal, an assertion or a sanitizer: not with status 0
+    bool crashed = false;  // ended by a signal, as a failed assertion does too
     std::string cause;     // for people: "signal 6 (Aborted)"
     std::string output;    // what it wrote on standard output if it did not crash
 };
 
 // Starts the process, gives it the question, waits until it ends; ends it as soon as a stop is
-// asked for, and then returns anything. An Error if none can be started. Several threads may call
-// it at the same time.
+// asked for, and then returns anything. An Error if none can be started, or if it ended with a
+// message of its own instead of an answer. Several threads may call it at the same time.
 using ChildProcess =
     std::function<Result<ChildEnd>(std::string_view question, const std::stop_token& stop)>;
 
