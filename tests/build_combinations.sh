@@ -1,6 +1,6 @@
 #!/bin/sh
-# Configures and builds every combination of the options STUDIO, TESTS and BENCH, and tries what each
-# one built. All combinations share one build folder, so that only what differs is compiled again.
+# Configures and builds every combination of the options STUDIO, CLUSTER, TESTS and BENCH, and tries what
+# each one built. All combinations share one build folder, so that only what differs is compiled again.
 #   tests/build_combinations.sh [BUILD-FOLDER]      default: build/combinations
 set -eu
 cd "$(dirname "$0")/.."
@@ -11,13 +11,14 @@ fail() {
     exit 1
 }
 
-# $1, $2, $3: ON or OFF for STUDIO, TESTS, BENCH.
+# $1, $2, $3, $4: ON or OFF for STUDIO, CLUSTER, TESTS, BENCH.
 configure_and_build() {
     cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCAMBRIAN_BUILD_STUDIO="$1" \
-        -DCAMBRIAN_BUILD_TESTS="$2" -DCAMBRIAN_BUILD_BENCH="$3" >"$build.log" 2>&1 &&
+        -DCAMBRIAN_BUILD_CLUSTER="$2" -DCAMBRIAN_BUILD_TESTS="$3" -DCAMBRIAN_BUILD_BENCH="$4" \
+        >"$build.log" 2>&1 &&
         cmake --build "$build" --parallel "$(nproc)" >>"$build.log" 2>&1 || {
         tail -n 40 "$build.log" >&2
-        fail "STUDIO=$1 TESTS=$2 BENCH=$3 does not build"
+        fail "STUDIO=$1 CLUSTER=$2 TESTS=$3 BENCH=$4 does not build"
     }
 }
 
@@ -29,6 +30,11 @@ try_program() {
     "$build/bin/cambrian" render --help | grep -q "built without" || drawn=yes
     [ "$drawn" = no ] && [ "$1" = ON ] && fail "the program with the studio cannot render"
     [ "$drawn" = yes ] && [ "$1" = OFF ] && fail "the program without the studio does not say that it cannot render"
+    # Nothing listens at that port.
+    joined=yes
+    "$build/bin/cambrian" cluster nats://127.0.0.1:9 2>&1 | grep -q "built without libnats" && joined=no
+    [ "$joined" = no ] && [ "$2" = ON ] && fail "the program with libnats cannot join a cluster"
+    [ "$joined" = yes ] && [ "$2" = OFF ] && fail "the program without libnats does not say that it cannot join a cluster"
     return 0
 }
 
@@ -48,15 +54,17 @@ try_bench() {
 
 mkdir -p "$build"
 for studio in ON OFF; do
-    for tests in ON OFF; do
-        for bench in ON OFF; do
-            printf '%s\n' "STUDIO=$studio TESTS=$tests BENCH=$bench"
-            # A target that this combination does not build must not be found from an earlier one.
-            rm -rf "$build/bin" && find "$build" -name '*.a' -delete
-            configure_and_build "$studio" "$tests" "$bench"
-            try_program "$studio"
-            [ "$tests" = OFF ] || try_tests
-            [ "$bench" = OFF ] || try_bench
+    for cluster in ON OFF; do
+        for tests in ON OFF; do
+            for bench in ON OFF; do
+                printf '%s\n' "STUDIO=$studio CLUSTER=$cluster TESTS=$tests BENCH=$bench"
+                # A target that this combination does not build must not be found from an earlier one.
+                rm -rf "$build/bin" && find "$build" -name '*.a' -delete
+                configure_and_build "$studio" "$cluster" "$tests" "$bench"
+                try_program "$studio" "$cluster"
+                [ "$tests" = OFF ] || try_tests
+                [ "$bench" = OFF ] || try_bench
+            done
         done
     done
 done

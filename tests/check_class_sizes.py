@@ -37,7 +37,7 @@ def end_of(text, start):
 
 
 def text_of(body, start):
-    """What stands in the brackets that open at start, without inner braces."""
+    """The text in the brackets that open at start, without inner braces."""
     return re.sub(r'\{[^{}]*\}', '', body[start:end_of(body, start)])
 
 

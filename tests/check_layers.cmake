@@ -4,7 +4,7 @@
 cmake_minimum_required(VERSION 3.25)
 
 # read_order(<README> <row pattern> <out>) sets <out> to the names of a table's rows, lowest first,
-# and allowed_<name> to what each may include, itself with it. "all" stands for every row above.
+# and allowed_<name> to what each may include, itself with it. "all" means every row above.
 function(read_order readme pattern out)
   set(names "")
   file(STRINGS ${readme} rows ENCODING UTF-8 REGEX "${pattern}")

@@ -1,8 +1,8 @@
-// Lazy evaluation, compiled (brain/README.md 3). Asked for its value, a neuron not yet asked this
-// tick first asks its inputs in order, then computes; asked again, it answers with what it has. The
-// order in which neurons complete is that of this walk and the same every tick, so it is fixed
-// once. An input complete before its reader stands earlier in the order and holds this tick's
-// value; one still in progress (a cycle) stands later and holds the last tick's, as it should.
+// The order of neurons is that of lazy evaluation, computed once (brain/README.md 3). In lazy
+// evaluation a neuron first asks its inputs in order and then computes; asked again, it answers
+// with the value it has. This walk is the same in every tick. An input that is complete before its
+// reader comes earlier in the order and has this tick's value. An input that is still in progress
+// (a cycle) comes later and has the last tick's value, as lazy evaluation demands.
 
 #include "brain/network.h"
 

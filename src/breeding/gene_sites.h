@@ -12,7 +12,7 @@
 
 namespace cambrian {
 
-// A list of neurons and whose inputs it holds: a node's or the central brain.
+// A list of neurons and its owner: a node or the central brain.
 struct NeuronListSite {
     SourceScope scope = SourceScope::kPart;
     std::size_t node = 0;  // of parts

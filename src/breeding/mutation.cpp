@@ -40,7 +40,8 @@ public:
     }
 
 private:
-    // Operators stand in the registry by phase, outer graph first; a new one takes its place.
+    // Operators are applied by phase, those of the outer graph first, then in the order of the
+    // registry.
     bool applies_before(std::size_t a, std::size_t b) const {
         return std::pair(kinds_[a].phase, a) < std::pair(kinds_[b].phase, b);
     }

@@ -15,11 +15,10 @@ namespace cambrian {
 // The order in which the operators of one offspring are applied.
 enum class MutationPhase : std::uint8_t { kParameters, kGrowth, kConnections };
 
-// What an operator changes: parts, their joints and attachments, or neurons and what they and the
-// joints hear.
+// What an operator changes: parts with their joints and attachments, or neurons and references.
 enum class MutationSubject : std::uint8_t { kBody, kBrain };
 
-// What operators may use besides the genome.
+// The context of an operator besides the genome.
 struct MutationContext {
     const KindCatalog& catalog;
     const FounderSettings& founders;  // enabled kinds, ranges of new material

@@ -8,13 +8,14 @@ namespace cambrian {
 // How offspring are mutated (breeding/README.md 1).
 struct MutationSettings {
     std::string scheme = "count-first";  // "count-first", "gate" or "none"
-    // Scales the number of mutations; 1 gives the exact 25 / 50 / 25 % of none, one and more. Each
-    // whole unit draws the scheme's count once more, a fraction does so with that probability.
+    // Scales the number of mutations; 1 gives none, one and more in exactly 25, 50 and 25 % of the
+    // children. Each unit of the rate draws the scheme's count once; a fraction is the probability
+    // of one more draw.
     double rate = 1.0;
     // Relative weight of each operator by id; operators not named keep their default weight.
     std::map<std::string, double> weights = {};
-    // Also remove neurons no effector can hear; kept by default, since they cost nothing and a
-    // later mutation may connect them.
+    // Whether disconnected neurons are removed. They are kept by default, because they cost nothing
+    // and a later mutation may connect them.
     bool collect_mute_neurons = false;
 
     friend bool operator==(const MutationSettings&, const MutationSettings&) = default;

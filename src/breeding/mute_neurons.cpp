@@ -31,7 +31,7 @@ public:
     }
 
 private:
-    // A reference and the list its reader stands in.
+    // A reference and the list of neurons that its reader belongs to.
     struct Reading {
         std::size_t reader;
         SourceRef* source;
@@ -63,7 +63,7 @@ private:
         }
     }
 
-    // Non-empty lists a reference may name a neuron of, in some body.
+    // Non-empty lists that a reference may refer to, in some body.
     std::vector<std::size_t> addressed(std::size_t reader, const SourceRef& source) const {
         std::vector<std::size_t> lists;
         for (std::size_t list = 0; list < lists_.size(); ++list) {

@@ -1,14 +1,14 @@
 #pragma once
 
-// Garbage collection of neurons no effector can hear (breeding/README.md 5).
+// Removes disconnected neurons, which no effector reads (breeding/README.md 5).
 
 #include "genome/genome.h"
 
 namespace cambrian {
 
-// Removes neurons that no effector hears, directly or through others, in any body the genome could
-// grow, and renumbers references so that every other neuron hears the same ones as before. A neuron
-// stays where no numbers could achieve that. The compiled brain of a valid genome does not change.
+// Removes neurons that no effector reads, directly or through others, in any body that the genome
+// may grow. References are renumbered so that all other neurons read the same ones as before; a
+// neuron remains if that is impossible. The compiled brain of a valid genome does not change.
 void collect_mute_neurons(Genome& genome);
 
 }  // namespace cambrian

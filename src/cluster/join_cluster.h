@@ -1,6 +1,6 @@
 #pragma once
 
-// From an address to a back-end: what a program that evolves needs of this layer.
+// Makes a back-end from an address: the interface of this layer for programs that evolve.
 
 #include "cluster/connection/cluster_address.h"
 #include "core/result.h"
@@ -21,8 +21,8 @@ struct ClusterUse {
     std::filesystem::path experiment;  // where the run is kept; empty if it is not
 };
 
-// Fails for what waiting does not mend (cluster_connection.h). A server that cannot be reached is
-// none of that: the run works alone until it can.
+// Fails for errors that waiting does not cure (cluster_connection.h). An unreachable server is no
+// such error: the run works alone until it can connect.
 Result<std::unique_ptr<EvaluationBackend>> join_cluster(const EvolutionKinds& kinds,
                                                         const ClusterAddress& address,
                                                         const ClusterUse& use);

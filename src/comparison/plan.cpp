@@ -18,7 +18,7 @@ Status check_names(const std::vector<NamedSettings>& some, std::set<std::string>
     for (const NamedSettings& each : some) {
         if (each.name.find_first_of(",\"\n\r") != std::string::npos)
             return Error{"\"" + each.name +
-                         "\" cannot stand in a table; give the file another name"};
+                         "\" cannot be written in a table; give the file another name"};
         if (!taken.insert(each.name).second)
             return Error{"two are called \"" + each.name + "\"; give one file another name"};
     }

@@ -12,7 +12,7 @@
 
 namespace cambrian {
 
-// Settings under a name that stands in tables.
+// Settings with the name that tables show.
 struct NamedSettings {
     std::string name;
     std::vector<SettingsText> texts;  // merge_settings()

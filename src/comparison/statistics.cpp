@@ -11,7 +11,7 @@ namespace {
 constexpr int kSamples = 10'000;
 constexpr double kTail = 0.05;
 
-// Twice the midrank of every value, so that they are whole.
+// Twice the midrank of every value, which is an integer.
 std::vector<std::size_t> doubled_ranks(const std::vector<double>& values) {
     std::vector<std::size_t> ranks;
     ranks.reserve(values.size());

@@ -7,8 +7,8 @@
 
 namespace cambrian {
 
-// The hash of a part is over its joint and the sorted hashes of its children; a parent stands
-// before its children, so that going backwards all children of a part are known.
+// The hash of a part covers its joint and the sorted hashes of its children. A parent comes before
+// its children, so a loop from the end knows all children of a part.
 std::uint64_t body_plan_hash(const Phenotype& phenotype) {
     const std::vector<PlannedPart>& parts = phenotype.plan.parts;
     std::vector<std::vector<std::uint64_t>> children(parts.size());

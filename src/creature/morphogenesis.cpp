@@ -89,8 +89,8 @@ private:
         if (!recursed) follow(parent, followable(parent, true));
     }
 
-    // Edges to a symmetric node are taken in pairs, both at the place of the first; an odd one out
-    // stands alone.
+    // Edges to a symmetric node are taken in pairs, both at the place of the first; the last of an
+    // odd number is taken alone.
     void follow(std::size_t parent, const Edges& edges) {
         std::vector<bool> paired(edges.size(), false);
         for (std::size_t i = 0; i < edges.size(); ++i) {
@@ -175,7 +175,7 @@ private:
         bud.body.parent = bud.part.parent;
         if (bud.part.parent >= 0) set_joint(bud.part, bud.body);
         CAMBRIAN_TICK_ASSERT(bud.part.parent < static_cast<int>(phenotype_.parts.size()),
-                             "a parent stands before its children");
+                             "a parent comes before its children");
         CAMBRIAN_TICK_ASSERT(bud.part.length > 0.0 && bud.part.width > 0.0, "a part has an area");
         neurons_ += gene(bud.part).neurons.size();
         phenotype_.parts.push_back(bud.part);

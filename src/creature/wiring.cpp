@@ -196,8 +196,8 @@ private:
         }
     }
 
-    // A neuron is constant if it has no memory and everything it reads is constant; on a cycle it
-    // is not, since it reads what stands later in the order.
+    // A neuron is constant if it has no memory and everything it reads is constant. On a cycle it
+    // is not constant, because it reads a neuron that comes later in the order.
     bool hears_more_than_constants() const {
         std::vector<bool> constant(network_.slot_count(), false);
         constant[network_.constant_slot()] = true;

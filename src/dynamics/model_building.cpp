@@ -1,10 +1,10 @@
 #include "dynamics/model_building.h"
 
-#include "dynamics/articulated/elimination.h"
+#include "dynamics/articulated/articulated_body.h"
 #include "dynamics/constraints/invariants.h"
 #include "dynamics/forces/motors.h"
 #include "dynamics/model/collision_filter.h"
-#include "dynamics/model/pins.h"
+#include "dynamics/model/loop_joints.h"
 #include "math/elementary.h"
 
 #include <cmath>
@@ -14,7 +14,7 @@ namespace cambrian {
 namespace {
 
 constexpr double kMinHalfExtent = 0.01;    // m
-constexpr double kMinMassShare = 1e-4;     // of the whole body
+constexpr double kMinMassShare = 1e-4;     // of the total mass
 constexpr double kMaxPinGap = 1e-6;        // m, in the rest pose
 constexpr double kRateLengthShare = 0.25;  // child lengths a second, per rad/s of a motor's limit
 
@@ -52,7 +52,7 @@ Status check_part(const BodyPlan& plan, std::size_t index) {
         return part_error(index, "thinner than 2 cm");
     const bool is_root = part.parent < 0;
     if ((index == 0 && !is_root) || part.parent >= static_cast<int>(index))
-        return part_error(index, "part 0 is a root, and parents stand before children");
+        return part_error(index, "part 0 is a root, and parents come before children");
     if (is_root) return {};
     if (part.motion > JointMotion::kSlide) return part_error(index, "unknown motion of its joint");
     if (!(part.limit_low <= part.limit_high)) return part_error(index, "limits in wrong order");
@@ -84,16 +84,16 @@ Status check_plan(const BodyPlan& plan, double density) {
     for (std::size_t i = 0; i < plan.parts.size(); ++i) {
         if (Status status = check_part(plan, i); !status) return status;
     }
-    if (plan.closing_pins.size() > kMaxClosingPins)
+    if (plan.closing_pins.size() > kMaxLoopJoints)
         return Error{"body plan: " + std::to_string(plan.closing_pins.size()) +
-                     " closing pins, at most " + std::to_string(kMaxClosingPins) + " expected"};
+                     " closing pins, at most " + std::to_string(kMaxLoopJoints) + " expected"};
     for (std::size_t i = 0; i < plan.closing_pins.size(); ++i) {
         if (Status status = check_pin(plan, i); !status) return status;
     }
     return {};
 }
 
-// Works on the plan and fills the model step by step.
+// Fills the model from the plan, step by step.
 class ModelBuilder {
 public:
     ModelBuilder(const BodyPlan& plan, double density) : plan_(plan) {
@@ -124,7 +124,7 @@ public:
         derive_inertias(model_);
         if (Status status = place_pins(); !status) return status.error();
         set_motors();
-        CAMBRIAN_ASSERT(are_parents_before_children(model_), "a parent stands before its children");
+        CAMBRIAN_ASSERT(are_parents_before_children(model_), "a parent comes before its children");
         CAMBRIAN_ASSERT(are_bodies_sound(), "bodies have masses, joints have stops in order");
         CAMBRIAN_ASSERT(model_.tree_begin[model_.tree_count] == model_.body_count,
                         "every body is in a tree");
@@ -159,8 +159,8 @@ private:
         return {};
     }
 
-    // A part that does not move against its parent joins its body; else it leads a new one, and
-    // its rigid relatives and their subtrees follow.
+    // Adds a part and its subtree. A part with a rigid joint joins its parent's body; any other
+    // part starts a new body.
     bool visit(int index, int parent_body) {
         const bool welded = parent_body >= 0 && part(index).motion == JointMotion::kFixed;
         int body = parent_body;
@@ -204,7 +204,7 @@ private:
         }
     }
 
-    // World to body frame, in the rest pose.
+    // Transforms a point from the world to a body's frame, in the rest pose.
     Vec2 to_body(int b, double x, double y) const {
         const double dx = x - center_x_[b];
         const double dy = y - center_y_[b];
@@ -212,7 +212,7 @@ private:
                 rest_turn_[b].cosine * dy - rest_turn_[b].sine * dx};
     }
 
-    // Point of a part's frame to its body's frame.
+    // Transforms a point from a part's frame to its body's frame.
     Vec2 part_point(int index, const Vec3& point) const {
         return {model_.part_x[index] + model_.part_cosine[index] * point.x() -
                     model_.part_sine[index] * point.y(),
@@ -246,7 +246,7 @@ private:
         model_.inertia[b] += area_mass(index) * ((hx * hx + hy * hy) / 3.0 + offset.squaredNorm());
     }
 
-    // Slots up to whole lanes move as part 0, and have no faces.
+    // Padding slots move as part 0 and have no faces.
     void fill_spare_parts() {
         for (int i = model_.part_count; i < round_up_to_lanes(model_.part_count); ++i) {
             model_.part_body[i] = model_.part_body[0];
@@ -261,7 +261,7 @@ private:
         const int index = leader_[b];
         const PlannedPart& child = part(index);
         CAMBRIAN_TICK_ASSERT(child.parent >= 0 && child.parent < index,
-                             "a parent stands before its children");
+                             "a parent comes before its children");
         const Vec2 in_parent = part_point(child.parent, child.anchor_in_parent);
         const Vec2 in_child = part_point(index, child.anchor_in_child);
         model_.motion[b] = child.motion;
@@ -272,19 +272,19 @@ private:
         model_.child_anchor_y[b] = in_child.y();
         model_.rest_angle[b] = child.rest_angle - part(leader_[p]).rest_angle;
         const SineCosine turn = sine_cosine(model_.rest_angle[b]);
-        model_.axis_x[b] = turn.cosine;  // a linear joint slides along its child's length
+        model_.axis_x[b] = turn.cosine;  // a prismatic joint slides along its child's length
         model_.axis_y[b] = turn.sine;
         model_.limit_low[b] = child.limit_low;
         model_.limit_high[b] = child.limit_high;
         model_.max_effort[b] = child.max_effort;
         model_.motor_mode[b] = child.motor_mode;
-        const bool linear = model_.motion[b] == JointMotion::kSlide;
-        model_.slides[b] = linear ? 1.0 : 0.0;
-        model_.pivot_x[b] = linear ? 0.0 : in_child.x();
-        model_.pivot_y[b] = linear ? 0.0 : in_child.y();
+        const bool is_prismatic = model_.motion[b] == JointMotion::kSlide;
+        model_.slides[b] = is_prismatic ? 1.0 : 0.0;
+        model_.pivot_x[b] = is_prismatic ? 0.0 : in_child.x();
+        model_.pivot_y[b] = is_prismatic ? 0.0 : in_child.y();
         model_.reach_x[b] = in_parent.x() - model_.pivot_x[p];
         model_.reach_y[b] = in_parent.y() - model_.pivot_y[p];
-        model_.has_slides = model_.has_slides || linear;
+        model_.has_slides = model_.has_slides || is_prismatic;
     }
 
     void weigh_trees() {
@@ -311,23 +311,23 @@ private:
             const ClosingPin& planned = plan_.closing_pins[i];
             const Vec2 a = part_point(planned.part_a, planned.anchor_in_a);
             const Vec2 b = part_point(planned.part_b, planned.anchor_in_b);
-            const BodyPin pin{model_.part_body[planned.part_a],
-                              model_.part_body[planned.part_b],
-                              a.x(),
-                              a.y(),
-                              b.x(),
-                              b.y()};
-            if (pin.body_a == pin.body_b)
+            const LoopJoint joint{model_.part_body[planned.part_a],
+                                  model_.part_body[planned.part_b],
+                                  a.x(),
+                                  a.y(),
+                                  b.x(),
+                                  b.y()};
+            if (joint.body_a == joint.body_b)
                 return pin_error(i, "both its parts belong to one rigid body");
-            if (!(pin_gap(rest, pin, pin_arms(rest, pin)).norm() <= kMaxPinGap))
+            if (!(loop_gap(rest, joint, loop_arms(rest, joint)).norm() <= kMaxPinGap))
                 return pin_error(i, "its points are over 1e-6 m apart in the rest pose");
-            model_.closing_pins.push_back(pin);
+            model_.loop_joints.push_back(joint);
         }
         return {};
     }
 
-    // Without the closing pins: I_eff = 1 / (relative acceleration under a unit effort at this
-    // joint alone).
+    // I_eff = 1 / (relative acceleration under a unit effort at this joint alone), without
+    // loop-closure joints.
     void set_motors() {
         const Motion rest = rest_motion(model_);
         Kinematics kinematics;
@@ -342,12 +342,12 @@ private:
             loads.effort[b] = 1.0;
             solve_impulse(model_, kinematics, factors, loads, response);
             loads.effort[b] = 0.0;
-            const bool linear = model_.motion[b] == JointMotion::kSlide;
+            const bool is_prismatic = model_.motion[b] == JointMotion::kSlide;
             double jump = response.coordinate[b];
-            if (!linear) jump -= response.spin[model_.parent[b]];
+            if (!is_prismatic) jump -= response.spin[model_.parent[b]];
             model_.effective_inertia[b] = 1.0 / jump;
             const double length = 2.0 * part(leader_[b]).half_extents.x();
-            set_motor_law(model_, b, linear ? kRateLengthShare * length : 1.0);
+            set_motor_law(model_, b, is_prismatic ? kRateLengthShare * length : 1.0);
         }
     }
 

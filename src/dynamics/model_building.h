@@ -1,17 +1,17 @@
 #pragma once
 
-// Body plan to articulated model: welding of rigid joints, depth-first order, masses, effective
-// joint inertia and the list of boxes that may collide (physics.md 3).
+// Builds the model from a body plan: it welds rigid joints, orders bodies depth first and computes
+// masses, effective inertias of joints and pairs of boxes that may collide (dynamics/README.md 2).
 
 #include "core/result.h"
 #include "dynamics/model/planar_model.h"
 
 namespace cambrian {
 
-// density in kg/m^2, above 0. Fails, naming the part, on more than 32 bodies or 64 parts, boxes
-// thinner than 2 cm, non-finite numbers, broken parent order, limits in the wrong order, a body
-// lighter than 1e-4 of the whole, or closing pins that are over 64, name no part, lie within one
-// body or are over 1e-6 m apart in the rest pose.
+// density: kg/m^2, above 0. Fails, naming the part, on more than 32 bodies or 64 parts, boxes
+// thinner than 2 cm, numbers that are not finite, children before parents, limits in the wrong
+// order and bodies lighter than 1e-4 of the total. It also fails on more than 64 closing pins, and
+// on pins that name no part, lie within one body or are over 1e-6 m apart in the rest pose.
 Result<PlanarModel> build_planar_model(const BodyPlan& plan, double density);
 
 }  // namespace cambrian

@@ -15,10 +15,10 @@
 namespace cambrian {
 namespace {
 
-struct SavedMoment : SceneState {
-    SavedMoment(const SceneMoment& saved, const Environment& surroundings, bool was_limp)
-        : moment(saved), environment(surroundings), limp(was_limp) {}
-    SceneMoment moment;
+struct SavedState : SceneState {
+    SavedState(const SimulationState& saved, const Environment& surroundings, bool was_limp)
+        : state(saved), environment(surroundings), limp(was_limp) {}
+    SimulationState state;
     Environment environment;
     bool limp;
 };
@@ -38,10 +38,10 @@ public:
           control_(integrator, settings) {
         forcing_.drive.frequency = motor_frequency_;
         forcing_.drive.speed_limit = settings.motor_speed_limit;
-        moment_.motion = rest_motion(model_);
+        state_.motion = rest_motion(model_);
         use_environment(environment);
         evaluate_here();
-        open_books(model_, forcing_.medium, moment_);
+        start_audit(model_, forcing_.medium, state_);
     }
 
     std::size_t part_count() const override { return static_cast<std::size_t>(model_.part_count); }
@@ -55,38 +55,37 @@ public:
     Vec3 part_specific_force(std::size_t part) const override;
     double part_load(std::size_t part) const override;
     double mass() const override { return model_.total_mass; }
-    Vec3 center_of_mass() const override { return mean_of_trees(moment_.motion.position); }
-    Vec3 center_of_mass_velocity() const override { return mean_of_trees(moment_.motion.speed); }
+    Vec3 center_of_mass() const override { return mean_of_trees(state_.motion.position); }
+    Vec3 center_of_mass_velocity() const override { return mean_of_trees(state_.motion.speed); }
     double kinetic_energy() const override {
-        return cambrian::kinetic_energy(model_, moment_.frame().kinematics);
+        return cambrian::kinetic_energy(model_, state_.cache().kinematics);
     }
     Bounds bounds() const override;
 
     void set_target(std::size_t part, double target) override;
     double target(std::size_t part) const override;
     SceneStatus advance(double duration) override;
-    SceneStatus status() const override { return moment_.status; }
-    double time() const override { return moment_.time; }
+    SceneStatus status() const override { return state_.status; }
+    double time() const override { return state_.time; }
     void set_environment(const Environment& environment) override;
     void set_limp(bool limp) override;
     void translate(const Vec3& offset) override;
     void pull(std::size_t part, const Vec3& point_in_part, const Vec3& force) override;
     std::unique_ptr<SceneState> save() const override {
-        return std::make_unique<SavedMoment>(moment_, environment_, limp_);
+        return std::make_unique<SavedState>(state_, environment_, limp_);
     }
     void restore(const SceneState& state) override;
     double energy() const override {
-        return mechanical_energy(model_, forcing_.medium, moment_.motion,
-                                 moment_.frame().kinematics);
+        return mechanical_energy(model_, forcing_.medium, state_.motion, state_.cache().kinematics);
     }
-    const SceneAudit& audit() const override { return moment_.audit; }
-    void restart_audit() override { open_books(model_, forcing_.medium, moment_); }
+    const SceneAudit& audit() const override { return state_.audit; }
+    void restart_audit() override { start_audit(model_, forcing_.medium, state_); }
     void list_contacts(std::vector<SceneContact>& contacts) const override;
     void add_to_digest(Hash64& digest) const override;
 
 private:
     Vec3 mean_of_trees(const PerCoordinate& coordinates) const;
-    // Body whose joint a part carries, or -1 if the part is the root or welded to its parent.
+    // The body with the joint of this part, or -1 if the part is a root or welded to its parent.
     int joint_of(std::size_t part) const {
         const int b = body_of(part);
         return model_.parent[b] >= 0 && model_.joint_part[b] == static_cast<int>(part) ? b : -1;
@@ -108,12 +107,12 @@ private:
     ContactLaw law_;
     Forcing forcing_;
     StepControl control_;
-    SceneMoment moment_;
+    SimulationState state_;
 };
 
 Vec2 PlanarScene::arm_of(std::size_t part, double x, double y) const {
     const int b = body_of(part);
-    const Kinematics& k = moment_.frame().kinematics;
+    const Kinematics& k = state_.cache().kinematics;
     const double body_x =
         model_.part_x[part] + model_.part_cosine[part] * x - model_.part_sine[part] * y;
     const double body_y =
@@ -133,14 +132,14 @@ Vec3 PlanarScene::mean_of_trees(const PerCoordinate& coordinates) const {
 
 Pose PlanarScene::part_pose(std::size_t part) const {
     const int b = body_of(part);
-    const Kinematics& k = moment_.frame().kinematics;
+    const Kinematics& k = state_.cache().kinematics;
     const Vec2 arm = arm_of(part, 0.0, 0.0);
     return planar_pose(k.x[b] + arm.x(), k.y[b] + arm.y(), k.angle[b] + model_.part_angle[part]);
 }
 
 Vec3 PlanarScene::part_axis(std::size_t part) const {
     const int b = body_of(part);
-    const Kinematics& k = moment_.frame().kinematics;
+    const Kinematics& k = state_.cache().kinematics;
     const double cosine = model_.part_cosine[part];
     const double sine = model_.part_sine[part];
     return {k.cosine[b] * cosine - k.sine[b] * sine, k.sine[b] * cosine + k.cosine[b] * sine, 0.0};
@@ -148,7 +147,7 @@ Vec3 PlanarScene::part_axis(std::size_t part) const {
 
 Twist PlanarScene::part_twist(std::size_t part) const {
     const int b = body_of(part);
-    const Kinematics& k = moment_.frame().kinematics;
+    const Kinematics& k = state_.cache().kinematics;
     const Vec2 arm = arm_of(part, 0.0, 0.0);
     return {Vec3(k.velocity_x[b] - k.spin[b] * arm.y(), k.velocity_y[b] + k.spin[b] * arm.x(), 0.0),
             Vec3(0.0, 0.0, k.spin[b])};
@@ -157,48 +156,48 @@ Twist PlanarScene::part_twist(std::size_t part) const {
 double PlanarScene::joint_coordinate(std::size_t part) const {
     const int joint = joint_of(part);
     if (joint < 0) return 0.0;
-    return moment_.frame().kinematics.joint_position[joint];
+    return state_.cache().kinematics.joint_position[joint];
 }
 
 double PlanarScene::joint_rate(std::size_t part) const {
     const int joint = joint_of(part);
     if (joint < 0) return 0.0;
-    return moment_.frame().kinematics.joint_rate[joint];
+    return state_.cache().kinematics.joint_rate[joint];
 }
 
 double PlanarScene::joint_effort(std::size_t part) const {
     const int joint = joint_of(part);
-    return joint < 0 ? 0.0 : moment_.frame().motor_effort[joint];
+    return joint < 0 ? 0.0 : state_.cache().motor_effort[joint];
 }
 
 bool PlanarScene::face_touched(std::size_t part, Face face) const {
     CAMBRIAN_ASSERT(part < part_count(), "part index in range");
-    return ((moment_.touched[part] >> static_cast<unsigned>(face)) & 1U) != 0;
+    return ((state_.touched[part] >> static_cast<unsigned>(face)) & 1U) != 0;
 }
 
 Vec3 PlanarScene::part_specific_force(std::size_t part) const {
     CAMBRIAN_ASSERT(part < part_count(), "part index in range");
-    return {moment_.forces.specific_x[part], moment_.forces.specific_y[part], 0.0};
+    return {state_.forces.specific_x[part], state_.forces.specific_y[part], 0.0};
 }
 
 double PlanarScene::part_load(std::size_t part) const {
     CAMBRIAN_ASSERT(part < part_count(), "part index in range");
-    return moment_.forces.load[part];
+    return state_.forces.load[part];
 }
 
-// Four corners at once.
+// Computes four corners at once.
 Bounds PlanarScene::bounds() const {
-    const Kinematics& k = moment_.frame().kinematics;
-    Lanes low_x = all_lanes(std::numeric_limits<double>::infinity());
-    Lanes low_y = low_x;
-    Lanes high_x = -low_x;
-    Lanes high_y = -low_y;
+    const Kinematics& k = state_.cache().kinematics;
+    Simd4d low_x = all_lanes(std::numeric_limits<double>::infinity());
+    Simd4d low_y = low_x;
+    Simd4d high_x = -low_x;
+    Simd4d high_y = -low_y;
     for (int part = 0; part < model_.part_count; ++part) {
         const int b = model_.part_body[part];
-        const Lanes corner_x = load_lanes(model_.corner_x + 4 * part);
-        const Lanes corner_y = load_lanes(model_.corner_y + 4 * part);
-        const Lanes x = k.x[b] + (k.cosine[b] * corner_x - k.sine[b] * corner_y);
-        const Lanes y = k.y[b] + (k.sine[b] * corner_x + k.cosine[b] * corner_y);
+        const Simd4d corner_x = load_lanes(model_.corner_x + 4 * part);
+        const Simd4d corner_y = load_lanes(model_.corner_y + 4 * part);
+        const Simd4d x = k.x[b] + (k.cosine[b] * corner_x - k.sine[b] * corner_y);
+        const Simd4d y = k.y[b] + (k.sine[b] * corner_x + k.cosine[b] * corner_y);
         low_x = lesser(x, low_x);
         low_y = lesser(y, low_y);
         high_x = greater(x, high_x);
@@ -214,28 +213,28 @@ void PlanarScene::set_target(std::size_t part, double target) {
     if (!std::isfinite(target)) target = 0.0;
     if (model_.motor_mode[joint] == MotorMode::kPosition)
         target = std::clamp(target, model_.limit_low[joint], model_.limit_high[joint]);
-    moment_.drive_end[joint] = target;
+    state_.drive_end[joint] = target;
 }
 
 double PlanarScene::target(std::size_t part) const {
     const int joint = joint_of(part);
-    return joint < 0 ? 0.0 : moment_.drive_end[joint];
+    return joint < 0 ? 0.0 : state_.drive_end[joint];
 }
 
 SceneStatus PlanarScene::advance(double duration) {
     CAMBRIAN_ASSERT(duration > 0.0, "a tick takes time");
-    if (moment_.status != SceneStatus::kRunning) return moment_.status;
+    if (state_.status != SceneStatus::kRunning) return state_.status;
     const double activity = limp_ ? 0.0 : 1.0;
     for (int i = 0; i < model_.body_count; i += kLanes) {
-        store_lanes(forcing_.drive.start + i, activity * load_lanes(moment_.drive_start + i));
-        store_lanes(forcing_.drive.end + i, activity * load_lanes(moment_.drive_end + i));
+        store_lanes(forcing_.drive.start + i, activity * load_lanes(state_.drive_start + i));
+        store_lanes(forcing_.drive.end + i, activity * load_lanes(state_.drive_end + i));
     }
-    control_.advance(model_, law_, forcing_, duration, moment_);
+    control_.advance(model_, law_, forcing_, duration, state_);
     for (int i = 0; i < model_.body_count; i += kLanes)
-        store_lanes(moment_.drive_start + i, load_lanes(moment_.drive_end + i));
-    if (forcing_.pulled) moment_.frame_is_current = false;
+        store_lanes(state_.drive_start + i, load_lanes(state_.drive_end + i));
+    if (forcing_.pulled) state_.cache_is_current = false;
     forcing_.pulled = false;
-    return moment_.status;
+    return state_.status;
 }
 
 void PlanarScene::use_environment(const Environment& environment) {
@@ -243,24 +242,23 @@ void PlanarScene::use_environment(const Environment& environment) {
     if (environment.density != model_.density) change_density(model_, environment.density);
     forcing_.medium = medium_of(environment);
     law_ = {limp_ ? 0.0 : environment.friction, environment.elasticity, environment.has_ground};
-    moment_.frame_is_current = false;
+    state_.cache_is_current = false;
 }
 
-// Fills the frame for the views, without time passing.
+// Updates the cache for displays; time does not pass.
 void PlanarScene::evaluate_here() {
     forcing_.held = nullptr;
-    evaluate_accelerations(model_, forcing_, moment_.motion, {}, moment_.frame(),
-                           moment_.free_rate);
+    evaluate_accelerations(model_, forcing_, state_.motion, {}, state_.cache(), state_.free_rate);
 }
 
 void PlanarScene::set_environment(const Environment& environment) {
     const double before = energy();
     use_environment(environment);
-    moment_.energy_reference += energy() - before;
+    state_.energy_reference += energy() - before;
 }
 
-// Without a frequency neither a target nor a rate makes a motor act; a share of its strength does,
-// which is 0 while limp.
+// With frequency 0 targets and rates cause no effort. The share of the strength in torque mode is 0
+// while the motors are off.
 void PlanarScene::set_limp(bool limp) {
     limp_ = limp;
     forcing_.drive.frequency = limp ? 0.0 : motor_frequency_;
@@ -270,12 +268,12 @@ void PlanarScene::set_limp(bool limp) {
 void PlanarScene::translate(const Vec3& offset) {
     const double before = energy();
     for (int t = 0; t < model_.tree_count; ++t) {
-        moment_.motion.position[center_of(model_, t)] += offset.x();
-        moment_.motion.position[center_of(model_, t) + 1] += offset.y();
+        state_.motion.position[center_of(model_, t)] += offset.x();
+        state_.motion.position[center_of(model_, t) + 1] += offset.y();
     }
     evaluate_here();
-    moment_.frame_is_current = false;
-    moment_.energy_reference += energy() - before;
+    state_.cache_is_current = false;
+    state_.energy_reference += energy() - before;
 }
 
 void PlanarScene::pull(std::size_t part, const Vec3& point_in_part, const Vec3& force) {
@@ -290,32 +288,32 @@ void PlanarScene::pull(std::size_t part, const Vec3& point_in_part, const Vec3& 
     forcing_.pull.force_x = force.x();
     forcing_.pull.force_y = force.y();
     forcing_.pulled = true;
-    moment_.frame_is_current = false;
+    state_.cache_is_current = false;
 }
 
 void PlanarScene::restore(const SceneState& state) {
-    const auto* saved = dynamic_cast<const SavedMoment*>(&state);
-    CAMBRIAN_ASSERT(saved != nullptr, "a moment saved by a planar scene");
-    moment_ = saved->moment;
-    moment_.collection = 0;  // numbers of collections are each scene's own
+    const auto* saved = dynamic_cast<const SavedState*>(&state);
+    CAMBRIAN_ASSERT(saved != nullptr, "a state saved by a planar scene");
+    state_ = saved->state;
+    state_.detection = 0;  // numbers of detections differ between scenes
     forcing_.pulled = false;
     if (saved->environment == environment_ && saved->limp == limp_) return;
-    moment_.frame_is_current = false;
-    moment_.energy_reference += energy() - energy_under(saved->environment);
+    state_.cache_is_current = false;
+    state_.energy_reference += energy() - energy_under(saved->environment);
 }
 
-// Mechanical energy of the motion as another environment's density and gravity make it.
+// Mechanical energy of the motion with another environment's density and gravity.
 double PlanarScene::energy_under(const Environment& environment) const {
-    const double here = mechanical_energy(model_, medium_of(environment), moment_.motion,
-                                          moment_.frame().kinematics);
+    const double here =
+        mechanical_energy(model_, medium_of(environment), state_.motion, state_.cache().kinematics);
     return here * (environment.density / model_.density);
 }
 
 void PlanarScene::list_contacts(std::vector<SceneContact>& contacts) const {
     contacts.clear();
-    const Kinematics& k = moment_.frame().kinematics;
-    for (int c = 0; c < moment_.held_count; ++c) {
-        const HeldContact& held = moment_.held[c];
+    const Kinematics& k = state_.cache().kinematics;
+    for (int c = 0; c < state_.held_count; ++c) {
+        const HeldContact& held = state_.held[c];
         const int a = held.body_a;
         const double x = k.x[a] + k.cosine[a] * held.point_x - k.sine[a] * held.point_y;
         const double y = k.y[a] + k.sine[a] * held.point_x + k.cosine[a] * held.point_y;
@@ -325,8 +323,8 @@ void PlanarScene::list_contacts(std::vector<SceneContact>& contacts) const {
 
 void PlanarScene::add_to_digest(Hash64& digest) const {
     for (int c = 0; c < coordinate_count(model_); ++c) {
-        digest.add(moment_.motion.position[c]);
-        digest.add(moment_.motion.speed[c]);
+        digest.add(state_.motion.position[c]);
+        digest.add(state_.motion.speed[c]);
     }
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// The whole layer is compiled for several sets of processor instructions; a scene is made of one of
-// these copies and stays in it. All of them compute the same bits (lanes.h).
+// The layer is compiled for several sets of processor instructions. A scene is created from one of
+// these copies and stays with it. All copies compute the same bits (dynamics/README.md 19).
 
 #include "core/result.h"
 #include "world/body_plan.h"
@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-// The copy that is being compiled.
+// The namespace of the copy that is being compiled.
 #ifndef CAMBRIAN_SCENE_COPY
 #define CAMBRIAN_SCENE_COPY baseline
 #endif
@@ -23,7 +23,7 @@ namespace cambrian {
 using SceneMaker = Result<std::unique_ptr<PhysicsScene>> (*)(const BodyPlan&, const Environment&,
                                                              const SceneSettings&);
 
-// As make of SceneKind, in each copy.
+// Each copy's function for `make` of SceneKind.
 namespace baseline {
 Result<std::unique_ptr<PhysicsScene>> make_planar_scene(const BodyPlan& plan,
                                                         const Environment& environment,

@@ -90,7 +90,7 @@ bool Evolution::evaluate(EvaluationBackend& backend, EvaluationProgress& progres
     return true;
 }
 
-// Of the generation as it would be bred from now.
+// The survivors if the generation were bred now.
 std::vector<std::size_t> Evolution::survivors_of(std::span<const IndividualPtr> ranked) const {
     return cambrian::survivors_of(ranked, *settings_, *kinds_, generation_ + 1, memory_);
 }
@@ -113,7 +113,7 @@ IndividualPtr Evolution::confirmed_champion(EvaluationBackend& backend,
         std::iota(places.begin(), places.end(), std::size_t{0});
         return places;
     };
-    // The first worlds of a generation are those that chose the survivors; these are others.
+    // The first worlds of a generation chose the survivors; these are others.
     const std::vector<Probe> probes =
         probes_of(*settings_, generation_, settings_->selection.confirmations + kChampionWorlds);
     const auto others = std::span(probes).last(kChampionWorlds);
@@ -146,7 +146,7 @@ void Evolution::record_generation() {
     history_.push_back(statistics);
 }
 
-// One request for every phenotype that is new; creatures that share a phenotype share its score.
+// Makes one request for each new phenotype; creatures with the same phenotype share its score.
 void Evolution::plan_evaluations() {
     if (!request_of_slot_.empty()) return;
     std::map<std::uint64_t, std::size_t> requested;  // phenotype to request
@@ -166,7 +166,7 @@ void Evolution::plan_evaluations() {
     results_.assign(requests_.size(), std::nullopt);
 }
 
-// Whether a creature of the last generation was the same; then its score is taken over.
+// Copies the score of a creature of the last generation with the same phenotype, if there is one.
 bool Evolution::score_as_known(std::size_t slot, std::uint64_t phenotype) {
     const auto known = known_results_.find(phenotype);
     if (known == known_results_.end()) return false;
@@ -185,8 +185,8 @@ std::optional<Bar> Evolution::bar_for(const Individual& individual) const {
     return Bar{.score = *least_survivor_, .audited = drawn || !bar_audit_.proven()};
 }
 
-// What a creature of the next generation has to score to survive, as far as is known; and whether
-// audited ones did although they seemed hopeless.
+// Computes the score that a creature of the next generation needs to survive, as far as it is
+// known. It also counts audited trials that survived although they would have been terminated.
 void Evolution::raise_bar(const std::vector<IndividualPtr>& next) {
     least_survivor_.reset();
     const double share =

@@ -1,7 +1,7 @@
 #pragma once
 
-// The loop itself, without threads of its own: a population, evaluated and bred generation by
-// generation. The command line drives one directly, the studio through the engine thread.
+// The evolutionary loop without threads: a population that is evaluated and bred generation by
+// generation. The command line runs one directly, the studio in the engine's thread.
 
 #include "evolution/evaluation/confirmation.h"
 #include "evolution/evaluation/evaluation_backend.h"
@@ -17,7 +17,7 @@
 
 namespace cambrian {
 
-// All that the rest of a run depends on, once a generation is evaluated and before it is bred from.
+// The state of a run after a generation was evaluated and before it is bred from.
 struct EvolutionState {
     SettingsPtr settings;  // that judged it
     std::uint32_t generation = 0;
@@ -29,20 +29,19 @@ struct EvolutionState {
 
 class Evolution {
 public:
-    // Settings must pass check_settings. founders: genomes to begin with, as many as there are
-    // places; the others go to their mutants in turn, or to random creatures, as the settings say.
-    // Empty: all random.
+    // Settings must pass check_settings. founders: genomes of generation 0. The settings say
+    // whether their mutants or random creatures take the remaining places. Empty: all random.
     Evolution(SettingsPtr settings, const EvolutionKinds& kinds,
               const std::vector<GenomePtr>& founders = {});
-    // Goes on from there.
+    // Continues from a state.
     Evolution(EvolutionState state, const EvolutionKinds& kinds);
 
-    // Evaluates the present generation. False if stopped; trials already done are kept and the call
-    // may be repeated.
+    // Evaluates the present generation. Returns false if stopped; finished trials are kept and the
+    // call may be repeated.
     bool evaluate(EvaluationBackend& backend, EvaluationProgress& progress, std::stop_token stop);
 
-    // After evaluate(): the best of the survivors, once they have been tried in ten more slightly
-    // different worlds; the best as it is if the settings ask for no confirmation, or if stopped.
+    // After evaluate(): the best of the survivors after confirmation in ten more slightly changed
+    // worlds. Without confirmation in the settings, or if stopped, the best by its score.
     IndividualPtr confirmed_champion(EvaluationBackend& backend, EvaluationProgress& progress,
                                      std::stop_token stop) const;
 
@@ -51,10 +50,10 @@ public:
 
     // From the next breed() or evaluate() on. A change of world or goal forgets all scores.
     void replace_settings(SettingsPtr settings);
-    // Forgets all scores: the next evaluate() judges everyone again. Those of a generation that is
-    // evaluated already still decide who breeds.
+    // Discards all scores: the next evaluate() evaluates all creatures again. Scores of a
+    // generation that is already evaluated still decide who breeds.
     void rescore();
-    // Takes the worst's place in the next generation bred.
+    // Puts a creature in the place of the worst in the next generation.
     void inject(GenomePtr genome);
     // Gives a share (0 to 1) of the next offspring places, once, to new random creatures.
     void add_newcomers(double share);
@@ -67,7 +66,7 @@ public:
     const std::vector<IndividualPtr>& population() const { return population_; }
     const std::vector<GenerationStatistics>& history() const { return history_; }
     const SelectionMemory& selection_memory() const { return memory_; }
-    // How far giving up hopeless trials can be trusted; once not, no more are.
+    // Reliability of early termination; once it is unreliable, no more trials are terminated.
     const BarAudit& bar_audit() const { return bar_audit_; }
 
 private:

@@ -14,7 +14,7 @@ namespace {
 constexpr double kHueStep = 0.004;  // per mutation
 constexpr int kPartnerDraws = 5;
 
-// What all children of one generation share.
+// Data that all children of one generation share.
 struct Nursery {
     std::span<const IndividualPtr> ranked;
     const ExperimentSettings& settings;
@@ -61,7 +61,8 @@ const BreedingKind& single_parent_kind(const BreedingRegistry& kinds) {
     return kinds[0];
 }
 
-// What the first parent's attribute says, where attributes decide, or what the shares gave.
+// The breeding method: that of the first parent's attribute if attributes decide, otherwise by
+// shares.
 const BreedingKind* method_of(const Nursery& nursery, std::size_t first,
                               const BreedingKind* by_share) {
     if (nursery.settings.breeding.choice != "attribute") return by_share;

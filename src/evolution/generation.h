@@ -9,21 +9,21 @@
 
 namespace cambrian {
 
-// The next generation of a ranked one: survivors as they are, then offspring, then newcomers; a
-// pure function of its arguments but for the selection's memory, which it carries on. `generation`
-// is the number of the one to make.
+// Makes the next generation of a ranked one: unchanged survivors, then offspring, then random
+// immigrants. It is a pure function of its arguments except for the selection's memory, which it
+// updates. generation: number of the new one.
 std::vector<IndividualPtr> next_generation(std::span<const IndividualPtr> ranked,
                                            const ExperimentSettings& settings,
                                            const EvolutionKinds& kinds, std::uint32_t generation,
                                            SelectionMemory& memory);
 
-// Who of the ranking would live on in that generation, as indices in ascending order.
+// The creatures of the ranking that survive in that generation, as ascending indices.
 std::vector<std::size_t> survivors_of(std::span<const IndividualPtr> ranked,
                                       const ExperimentSettings& settings,
                                       const EvolutionKinds& kinds, std::uint32_t generation,
                                       SelectionMemory memory);
 
-// Who has a child, and how.
+// Parents of a child and the method of breeding.
 struct Mating {
     const IndividualPtr& first;
     const IndividualPtr& second;  // not looked at by methods of one parent
@@ -31,7 +31,8 @@ struct Mating {
     int extra_mutations = 0;  // besides those the settings draw
 };
 
-// The child for a place in a generation, mutated, not yet evaluated. `breeding` is drawn from.
+// The child for a place in a generation: bred and mutated, not yet evaluated. Random numbers come
+// from `breeding`.
 IndividualPtr make_child(const Mating& mating, const ExperimentSettings& settings,
                          const EvolutionKinds& kinds, std::uint32_t generation, std::uint64_t child,
                          RandomStream& breeding);

@@ -1,8 +1,8 @@
 #pragma once
 
-// The one table of the genes' scalar fields: range, mutation step and founders' distribution of
-// each. Validation, repair, random genomes and mutation read it and name no field themselves, so a
-// body of three dimensions is a few more rows here.
+// The only table of the genes' scalar fields, with range, mutation step and distribution in
+// founders. Validation, repair, random genomes and mutation use it and name no field, so three
+// dimensions need only a few more rows.
 
 #include "core/random.h"
 #include "genome/founder_settings.h"

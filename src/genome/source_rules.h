@@ -1,6 +1,6 @@
 #pragma once
 
-// What each kind of SourceRef reads, which of its fields count and where it may stand
+// What each kind of SourceRef reads, which of its fields count and where it is allowed
 // (genome/README.md 2).
 
 #include "genome/gene.h"
@@ -11,7 +11,7 @@
 
 namespace cambrian {
 
-// Whose input a reference is: a part's neurons and effector, or the central brain's neurons.
+// The reader of a reference: a part's neurons and effector, or neurons of the central brain.
 enum class SourceScope : std::uint8_t { kPart, kBrain };
 
 enum class SourceReads : std::uint8_t { kConstant, kNeuron, kSensor };
@@ -40,8 +40,8 @@ SourceRule source_rule(SourceKind kind);
 
 bool is_allowed(SourceKind kind, SourceScope scope);
 
-// The reference with the fields its kind does not use at 0 and the others within 0 to 15 (channels
-// keep their number); kinds unknown or not allowed in the scope become constants.
+// Returns the reference in canonical form: unused fields are 0, the others from 0 to 15 (channels
+// keep their number). Kinds that are unknown or not allowed in the scope become constants.
 SourceRef canonical(const SourceRef& source, SourceScope scope);
 
 // The reference, from within a list of neurons, to the neuron of that same list.

@@ -20,8 +20,8 @@ public:
     // Needs a current OpenGL 3.3 context from here to its death.
     static Result<std::unique_ptr<Renderer>> create();
 
-    // Clears the rectangle and draws the frame into it. Boxes that the frame begins with are moved
-    // to whole pixels if they are opaque, upright and sharp. Leaves blending and scissoring on.
+    // Clears the rectangle and draws the frame into it. Boxes that the frame begins with are
+    // rounded to pixels if they are opaque, upright and sharp. Blending and scissoring remain on.
     void draw(const SceneFrame& frame, const Camera& camera, const PixelRect& target);
 
 private:

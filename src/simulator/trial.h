@@ -75,8 +75,8 @@ public:
     PhysicsScene& scene() { return *scene_; }
     const PhysicsScene& scene() const { return *scene_; }
     const Surroundings& surroundings() const { return surroundings_; }
-    // Of the scene and of what the creature senses, from the next tick on, as in a live change of
-    // the world. world() stays as it was.
+    // Changes the scene and what the creature senses from the next tick on, as a person does while
+    // watching. world() stays as it was.
     void set_environment(const Environment& environment);
     Creature& creature() { return creature_; }
     const Creature& creature() const { return creature_; }

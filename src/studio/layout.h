@@ -1,6 +1,6 @@
 #pragma once
 
-// Where the panels go: the one place that divides the window.
+// The layout of the panels in the window.
 
 #include "studio/look/ui_context.h"
 #include "studio/look/view_state.h"
@@ -22,13 +22,13 @@ struct Layout {
 Layout divide_window(float width, float height, const ViewState& view, float scale,
                      bool with_foot = false);
 
-// The viewport and its transport fill the window; nothing else has a place.
+// The layout in which the viewport and its transport fill the window.
 Layout viewer_layout(float width, float height, float scale);
 
 // Lets the gaps between panels be dragged; true if the view was changed.
 bool drag_gaps(const Layout& layout, ViewState& view);
 
-// What shows between the panels.
+// Draws the gaps between the panels.
 void draw_gaps(const Layout& layout);
 
 // Opens the window of a place; everything until end_place() is inside. Negative padding is the

@@ -1,6 +1,6 @@
 #pragma once
 
-// Keeps what the studio remembers between two runs of the program up to date in a folder.
+// Stores the state that the studio keeps between two runs of the program in a folder.
 
 #include "studio/background/services.h"
 #include "studio/remembered.h"
@@ -11,12 +11,12 @@ namespace cambrian {
 
 class Memory {
 public:
-    // What is remembered when the program begins.
+    // Reads the stored state when the program starts.
     explicit Memory(Remembered kept) : kept_(std::move(kept)) {}
 
-    // Keeps it in this folder from now on; an empty path keeps nothing.
+    // Stores the state in this folder from now on; an empty path stores nothing.
     void use(const std::filesystem::path& folder) { folder_ = folder; }
-    // The experiment to go on with, empty if there is none.
+    // The experiment to continue, empty if there is none.
     std::filesystem::path last_experiment() const;
     // The file of the experiment as last remembered.
     const std::string& experiment() const { return kept_.experiment; }

@@ -1,7 +1,7 @@
 #pragma once
 
-// What the studio remembers between two runs of the program: its arrangement, the settings as
-// edited and which experiment was open.
+// The state that the studio keeps between two runs of the program: its arrangement, the edited
+// settings and the open experiment.
 
 #include "core/result.h"
 #include "evolution/kinds/evolution_kinds.h"
@@ -24,16 +24,16 @@ struct Remembered {
     friend bool operator==(const Remembered&, const Remembered&) = default;
 };
 
-// What was kept in a folder; whatever is missing or damaged is as at first.
+// Reads the state from a folder; missing or damaged parts have their defaults.
 Remembered recall(const std::filesystem::path& folder, const EvolutionKinds& kinds);
-// Makes the folder if need be.
+// Writes the state to a folder, which it creates if necessary.
 Status remember(const std::filesystem::path& folder, const Remembered& remembered,
                 const EvolutionKinds& kinds);
 
 // Where the experiment of a folder is kept that has no file of its own.
 std::filesystem::path own_experiment(const std::filesystem::path& folder);
 
-// The arrangement as text, "name = value" a line. Lines that are not understood are passed over.
+// The arrangement as text, one "name = value" on each line. Unknown lines are ignored.
 std::string write_view(const ViewState& view);
 ViewState parse_view(std::string_view text);
 // The cluster, in the same way; values may contain spaces.

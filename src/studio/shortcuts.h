@@ -1,6 +1,6 @@
 #pragma once
 
-// Keys and what they ask for: one table, used by the window, the menus and the help panel.
+// Keys and the requests they make: one table for the window, the menus and the help panel.
 
 #include "studio/frame/frame_context.h"
 #include "studio/frame/requests.h"
@@ -14,7 +14,7 @@ namespace cambrian {
 struct Shortcut {
     KeyPress press;
     const char* keys;  // as shown: "Ctrl+S"
-    const char* what;  // "Save the creature on show"
+    const char* what;  // "Save the creature on display"
     void (*ask)(const FrameContext& frame, Requests& out);
     bool in_viewer = false;  // works where there is only a viewport, too
 };
@@ -25,7 +25,7 @@ std::span<const Shortcut> picking_shortcuts();
 // Both tables as a page of the help, in Markdown.
 std::string keys_text();
 
-// Asks for what the key means, if anything. While text is typed, only keys with Ctrl count.
+// Makes the request of a key, if it has one. While text is typed, only keys with Ctrl count.
 void press_shortcut(const KeyPress& press, bool typing, const FrameContext& frame, Requests& out);
 
 }  // namespace cambrian

@@ -54,7 +54,7 @@ struct ClosingPin {
     Vec3 anchor_in_b = Vec3::Zero();  // m, in part b's frame
 };
 
-// parts[0] is the root; every parent stands before its children.
+// parts[0] is the root; every parent comes before its children.
 struct BodyPlan {
     std::vector<PlannedPart> parts;
     std::vector<ClosingPin> closing_pins = {};  // may be redundant

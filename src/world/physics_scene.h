@@ -28,7 +28,7 @@ struct SceneContact {
     double force = 0.0;          // N along the normal
 };
 
-// Books kept over everything advanced so far (simulator/README.md 4). Works in J.
+// The energy audit of everything advanced so far (simulator/README.md 4). Works in J.
 struct SceneAudit {
     double motor_work = 0.0;         // net
     double gross_motor_work = 0.0;   // integral of |power|
@@ -64,19 +64,19 @@ public:
     virtual void set_target(std::size_t part, double target) = 0;
     virtual double target(std::size_t part) const = 0;
 
-    // Moves the body by one tick of the given length (s). A scene that finds no sound motion stands
-    // still as it was before the tick, for good.
+    // Moves the body by one tick of the given length (s). A scene that finds no valid motion keeps
+    // the state before the tick and does not move any more.
     virtual SceneStatus advance(double duration) = 0;
     virtual SceneStatus status() const = 0;
     virtual double time() const = 0;  // s
 
-    // Takes effect from the next advance; for live changes of the world on show.
+    // Takes effect from the next advance; for live changes of the displayed world.
     virtual void set_environment(const Environment& environment) = 0;
 
     // While limp, motors give no effort and nothing rubs against anything.
     virtual void set_limp(bool limp) = 0;
 
-    // Moves the whole body at rest: translation of every part (m), velocities unchanged.
+    // Translates every part (m); velocities do not change.
     virtual void translate(const Vec3& offset) = 0;
 
     // A force on a point of a part (world, N and m) held during the next advance only: the mouse.
@@ -87,7 +87,7 @@ public:
 
     virtual double energy() const = 0;  // J, kinetic + potential
     virtual const SceneAudit& audit() const = 0;
-    // Starts the books anew from the present state, counters included.
+    // Restarts the audit at the present state, counters included.
     virtual void restart_audit() = 0;
     virtual void list_contacts(std::vector<SceneContact>& contacts) const = 0;
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Whether our physics is as fast and as sound as it is meant to be: one Markdown table.
 
-    acceptance.py [--bin build/release/bin] [--parts instructions books ...] [--quick]
+    acceptance.py [--bin build/release/bin] [--parts instructions audit ...] [--quick]
 
 Runs the benchmarks of this folder (built with CAMBRIAN_BUILD_BENCH) on the default settings of the
 program and puts each figure beside its bound. Needs valgrind for the instructions. The rows that
@@ -180,7 +180,7 @@ def soundness(bench):
               [1e3 * x for x in by_bodies(angles, "value", workload="walk")],
               most=[3.0, 5.0, 9.0, 15.0])
     yield Row("energy given by contacts and stops, walking, % of the scale",
-              figures("books", "walk", "percent given"), most=[0.7, 0.55, 0.7, 0.95])
+              figures("audit", "walk", "percent given"), most=[0.7, 0.55, 0.7, 0.95])
     for workload in ["air", "swim"]:
         yield Row(f"mirror images after 10 s, {WORKLOADS[workload]}, worst, m",
                   figures("mirror", workload, "worst m"), most=[1e-11] * 4)
@@ -188,10 +188,10 @@ def soundness(bench):
               figures("mirror", "walk", "median m"), most=[1e-9, 1e-9, 1e-9, None])
     for workload, name in WORKLOADS.items():
         yield Row(f"evaluations a simulated second, {name}",
-                  figures("books", workload, "evaluations a second"))
+                  figures("audit", workload, "evaluations a second"))
     for workload, name in WORKLOADS.items():
         yield Row(f"steps a simulated second, {name}",
-                  figures("books", workload, "steps a second"))
+                  figures("audit", workload, "steps a second"))
 
 
 def fallbacks(bench):

@@ -80,7 +80,7 @@ private:
     std::string csv_ = "measure,workload,bodies,figure,value\n";
 };
 
-// --- books: what a run's audit says ------------------------------------------------------------
+// --- audit: what the energy audit of a run says -----------------------------------------------
 
 SceneAudit audit_of(const BenchCreature& creature, const Environment& environment,
                     std::size_t ticks) {
@@ -90,7 +90,7 @@ SceneAudit audit_of(const BenchCreature& creature, const Environment& environmen
     return scene->audit();
 }
 
-void measure_books(const Options& options, Table& table) {
+void measure_audits(const Options& options, Table& table) {
     const std::size_t ticks = ticks_in(options.seconds);
     const auto a_second = [&](std::uint64_t SceneAudit::*count) {
         return [&options, count](const SceneAudit& audit) {
@@ -104,7 +104,7 @@ void measure_books(const Options& options, Table& table) {
                     return audit_of(creature, workload.environment, ticks);
                 });
             const auto add_mean = [&](const char* figure, auto number_of) {
-                table.add("books", workload.id, bodies, figure, mean(values_of(audits, number_of)));
+                table.add("audit", workload.id, bodies, figure, mean(values_of(audits, number_of)));
             };
             add_mean("evaluations a second", a_second(&SceneAudit::evaluations));
             add_mean("steps a second", a_second(&SceneAudit::steps));
@@ -263,7 +263,7 @@ struct Measure {
 };
 
 std::vector<Measure> all_measures() {
-    return {{"books", measure_books},
+    return {{"audit", measure_audits},
             {"gap", measure_gaps},
             {"momentum", measure_momentum},
             {"angles", measure_angles},
@@ -285,7 +285,7 @@ int main(int argc, char** argv) try {
     cambrian::bench::Options options;
     CLI::App app("What our physics is worth besides its speed, a row a figure");
     app.add_option("--measure", options.measures,
-                   "books, gap, momentum, angles, mirror; all by default");
+                   "audit, gap, momentum, angles, mirror; all by default");
     app.add_option("--bodies", options.bodies, "bodies a creature");
     app.add_option("--creatures", options.creatures, "creatures a cell")
         ->check(CLI::PositiveNumber);

@@ -47,7 +47,7 @@ void lift_above_ground(BodyPlan& plan) {
         part.rest_pose.position.y() += kGroundClearance - lowest;
 }
 
-// Sweeps a joint's whole range.
+// Sweeps the full range of a joint.
 void add_swing(BenchCreature& creature, std::size_t part, RandomStream& stream) {
     const PlannedPart& moved = creature.plan.parts[part];
     const double frequency = stream.uniform(0.3, 2.0);  // Hz

@@ -19,8 +19,8 @@ struct PartMotion {
     double velocity_x = 0.0, velocity_y = 0.0, spin = 0.0;  // m/s, rad/s
 };
 
-// Whether works are booked at every step; timed runs of the others do not pay for it.
-enum class Books : bool { kClosed, kOpen };
+// Whether works are summed at every step; timed runs of other engines do without.
+enum class WorkAudit : bool { kOff, kOn };
 
 class BenchEngine {
 public:
@@ -32,16 +32,17 @@ public:
     // In the order of the plan's parts.
     virtual void read_motion(std::vector<PartMotion>& parts) = 0;
 
-    // J; work done since the start by all but gravity, as far as the engine lets one know (contacts
-    // only where the kind says so). 0 with closed books.
+    // J; work of all forces but gravity since the start, as far as the engine tells (contacts
+    // only where the kind says so). 0 without an audit.
     virtual double explained_work() const = 0;
 };
 
 struct EngineKind {
     std::string id;
-    std::string label;           // with version and settings
-    bool books_contacts = true;  // explained_work() includes contacts
-    std::function<std::unique_ptr<BenchEngine>(const BodyPlan&, const Environment&, Books)> make;
+    std::string label;            // with version and settings
+    bool audits_contacts = true;  // explained_work() includes contacts
+    std::function<std::unique_ptr<BenchEngine>(const BodyPlan&, const Environment&, WorkAudit)>
+        make;
 };
 
 }  // namespace cambrian::bench

@@ -61,11 +61,11 @@ std::vector<double> joint_inertias(const BodyPlan& plan, double density) {
 class Box2dEngine final : public BenchEngine {
 public:
     Box2dEngine(const BodyPlan& plan, const Environment& environment, const Box2dSettings& settings,
-                Books books)
+                WorkAudit audit)
         : plan_(plan),
           environment_(environment),
           settings_(settings),
-          books_(books),
+          audit_(audit),
           step_(kTestTick / settings.steps_per_tick),
           filter_(plan),
           world_(gravity(environment)),
@@ -91,10 +91,10 @@ public:
         for (int step = 0; step < settings_.steps_per_tick; ++step) {
             drive_motors((step + 0.5) / settings_.steps_per_tick);
             if (has_drag(environment_)) apply_drag();
-            if (books_ == Books::kOpen) read_motion(before_);
+            if (audit_ == WorkAudit::kOn) read_motion(before_);
             world_.Step(narrow(step_), settings_.velocity_iterations,
                         settings_.position_iterations);
-            if (books_ == Books::kOpen) book_works();
+            if (audit_ == WorkAudit::kOn) add_works();
         }
         previous_targets_ = targets_;
     }
@@ -223,7 +223,7 @@ private:
 
     // Work of forces and impulses on velocities is exact with the mean of before and after; the
     // engine does not tell the contacts' impulses with their velocities, so they are left out.
-    void book_works() {
+    void add_works() {
         read_motion(after_);
         for (std::size_t i = 0; i < bodies_.size(); ++i) {
             const PartMotion& a = before_[i];
@@ -245,7 +245,7 @@ private:
     BodyPlan plan_;
     Environment environment_;
     Box2dSettings settings_;
-    Books books_;
+    WorkAudit audit_;
     double step_;  // s
     PartContactFilter filter_;
     b2World world_;
@@ -268,9 +268,9 @@ EngineKind box2d_engine(std::string id, const Box2dSettings& settings) {
                  std::to_string(settings.velocity_iterations) + "/" +
                  std::to_string(settings.position_iterations) + " iterations" +
                  (settings.motors == Box2dMotors::kTorques ? ", torques" : "");
-    kind.books_contacts = false;
-    kind.make = [settings](const BodyPlan& plan, const Environment& environment, Books books) {
-        return std::make_unique<Box2dEngine>(plan, environment, settings, books);
+    kind.audits_contacts = false;
+    kind.make = [settings](const BodyPlan& plan, const Environment& environment, WorkAudit audit) {
+        return std::make_unique<Box2dEngine>(plan, environment, settings, audit);
     };
     return kind;
 }

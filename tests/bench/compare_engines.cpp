@@ -71,7 +71,7 @@ RoundTimes time_round(const std::vector<EngineKind>& engines,
             const std::size_t e = (c + turn) % engines.size();
             const double start = thread_cpu_time();
             const auto scene =
-                build_scene(engines[e], creatures[c].plan, environment, Books::kClosed);
+                build_scene(engines[e], creatures[c].plan, environment, WorkAudit::kOff);
             const double built = thread_cpu_time();
             advance_scene(*scene, creatures[c], 0, ticks);
             times.build[e] += built - start;
@@ -116,7 +116,7 @@ void measure_accuracy(const Options& options, const std::vector<EngineKind>& eng
             cells[e].kinetic += accuracy.greatest_kinetic_energy / count;
         }
         // Impacts with the ground are most of what goes unbooked.
-        if (!engines[e].books_contacts && workload.environment.has_ground)
+        if (!engines[e].audits_contacts && workload.environment.has_ground)
             cells[e].residual = std::numeric_limits<double>::quiet_NaN();
     }
 }

@@ -19,11 +19,11 @@ thread_local const MujocoEngine* driven_engine = nullptr;  // the one advancing
 class MujocoEngine final : public BenchEngine {
 public:
     MujocoEngine(const BodyPlan& plan, const Environment& environment,
-                 const MujocoSettings& settings, Books books)
+                 const MujocoSettings& settings, WorkAudit audit)
         : plan_(plan),
           environment_(environment),
           settings_(settings),
-          books_(books),
+          audit_(audit),
           model_(build_mujoco_model(plan, environment, settings)),
           data_(mj_makeData(model_.get())),
           targets_(plan.parts.size(), 0.0),
@@ -46,9 +46,9 @@ public:
         driven_engine = this;
         mjcb_control = &MujocoEngine::drive_motors;
         for (int step = 0; step < settings_.steps_per_tick; ++step) {
-            if (books_ == Books::kOpen) before_.assign(data_->qvel, data_->qvel + model_->nv);
+            if (audit_ == WorkAudit::kOn) before_.assign(data_->qvel, data_->qvel + model_->nv);
             advance_step();
-            if (books_ == Books::kOpen) book_works();
+            if (audit_ == WorkAudit::kOn) add_works();
         }
         mjcb_control = nullptr;  // building another model makes trial steps
         previous_targets_ = targets_;
@@ -93,7 +93,7 @@ private:
         const auto body = static_cast<std::size_t>(body_[part]);
         const mjtNum* position = data_->xpos + 3 * body;
         const mjtNum* orientation = data_->xquat + 4 * body;
-        // Velocities are of the body's point at the centre of mass of the whole tree.
+        // Velocities are those of the body's point at the centre of mass of its tree.
         const auto root = static_cast<std::size_t>(model_->body_rootid[body]);
         const mjtNum* velocity = data_->cvel + 6 * body;
         const mjtNum* reference = data_->subtree_com + 3 * root;
@@ -118,7 +118,7 @@ private:
     }
 
     // All generalized forces but those of gravity and of velocities, which qfrc_bias holds.
-    void book_works() {
+    void add_works() {
         for (std::size_t j = 0; j < before_.size(); ++j) {
             const double force =
                 data_->qfrc_smooth[j] + data_->qfrc_bias[j] + data_->qfrc_constraint[j];
@@ -129,7 +129,7 @@ private:
     BodyPlan plan_;
     Environment environment_;
     MujocoSettings settings_;
-    Books books_;
+    WorkAudit audit_;
     MujocoModel model_;
     MujocoData data_;
     std::vector<int> body_;        // MuJoCo's body of each part
@@ -146,8 +146,8 @@ EngineKind mujoco_engine(std::string id, const MujocoSettings& settings) {
     EngineKind kind;
     kind.id = std::move(id);
     kind.label = "MuJoCo 2.2, " + std::to_string(60 * settings.steps_per_tick) + " Hz";
-    kind.make = [settings](const BodyPlan& plan, const Environment& environment, Books books) {
-        return std::make_unique<MujocoEngine>(plan, environment, settings, books);
+    kind.make = [settings](const BodyPlan& plan, const Environment& environment, WorkAudit audit) {
+        return std::make_unique<MujocoEngine>(plan, environment, settings, audit);
     };
     return kind;
 }

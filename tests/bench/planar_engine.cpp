@@ -1,4 +1,4 @@
-// Ours. Its books are always open: the audit is part of every trial.
+// Our own engine. The energy audit is part of every trial, so it always runs.
 
 #include "bench/engine_kinds.h"
 #include "bench/planar_runs.h"
@@ -42,7 +42,7 @@ EngineKind planar_engine(std::string id, const SceneSettings& settings) {
     EngineKind kind;
     kind.id = std::move(id);
     kind.label = "Cambrian, " + settings.integrator;
-    kind.make = [settings](const BodyPlan& plan, const Environment& environment, Books) {
+    kind.make = [settings](const BodyPlan& plan, const Environment& environment, WorkAudit) {
         return std::make_unique<PlanarEngine>(make_planar_scene(plan, environment, settings));
     };
     return kind;

@@ -288,7 +288,7 @@ struct Stir {
     double speed = 0.0;  // m/s
     std::size_t part = 0;
     double spin = 0.0;           // rad/s, of that part
-    double center_speed = 0.0;   // m/s, of the whole
+    double center_speed = 0.0;   // m/s, of the creature
     double fastest_joint = 0.0;  // rad/s or m/s
     std::size_t joint_part = 0;  // the part with that joint
     std::uint64_t impacts = 0;   // in the window
@@ -356,7 +356,7 @@ std::string stir_cells(const Stir& stir) {
 
 void print_stir(const char* window, const Stir& stir) {
     std::printf(
-        "    %s: part %zu at %.3g m/s, turning %.3g rad/s; whole body %.3g m/s; joint of "
+        "    %s: part %zu at %.3g m/s, turning %.3g rad/s; centre of mass %.3g m/s; joint of "
         "part %zu %.3g rad/s; %llu impacts; %zu contacts\n",
         window, stir.part, stir.speed, stir.spin, stir.center_speed, stir.joint_part,
         stir.fastest_joint, static_cast<unsigned long long>(stir.impacts), stir.contact_count);

@@ -1,5 +1,5 @@
-// cambrian_bench_rows: how often the row solver gives up on walkers and leaves a problem to plain
-// sweeps, resting problems and impacts apart.
+// cambrian_bench_rows: how often the complementarity solver fails on walkers and leaves a problem
+// to sweeps, resting problems and impacts apart.
 
 #include "bench/bench_creature.h"
 #include "core/threads/thread_pool.h"
@@ -31,8 +31,8 @@ Environment walking_ground() {
     return {};
 }
 
-// A walker's whole trial.
-RowTally tally_of(std::size_t bodies, std::uint64_t seed, double seconds) {
+// Runs one trial of a walker.
+SolverTally tally_of(std::size_t bodies, std::uint64_t seed, double seconds) {
     const auto ticks = static_cast<std::size_t>(seconds / kTestTick);
     const BenchCreature creature = random_creature(bodies, seed, ticks);
     Rig rig(creature.plan, walking_ground());
@@ -45,7 +45,7 @@ RowTally tally_of(std::size_t bodies, std::uint64_t seed, double seconds) {
         }
         if (!rig.run(kTestTick)) break;
     }
-    return rig.control.row_tally();
+    return rig.control.solver_tally();
 }
 
 double percent(std::uint64_t part, std::uint64_t whole) {
@@ -58,12 +58,12 @@ void print_table(const Options& options) {
         "bodies  problems/s  given up | problems/s given up | given up\n");
     ThreadPool pool(options.threads);
     for (const std::size_t bodies : options.bodies) {
-        std::vector<RowTally> tallies(options.creatures);
+        std::vector<SolverTally> tallies(options.creatures);
         pool.parallel_for(options.creatures, [&](std::size_t i, std::size_t) {
             tallies[i] = tally_of(bodies, options.first_seed + i, options.seconds);
         });
-        RowTally sum;
-        for (const RowTally& tally : tallies) {
+        SolverTally sum;
+        for (const SolverTally& tally : tallies) {
             sum.resting += tally.resting;
             sum.resting_failed += tally.resting_failed;
             sum.impacts += tally.impacts;
@@ -83,7 +83,7 @@ void print_table(const Options& options) {
 
 int main(int argc, char** argv) try {
     cambrian::bench::Options options;
-    CLI::App app("Row problems of walkers that the row solver gives up on");
+    CLI::App app("Complementarity problems of walkers that the solver fails on");
     app.add_option("--bodies", options.bodies, "sizes of the walkers")->check(CLI::Range(1, 32));
     app.add_option("-n,--creatures", options.creatures, "walkers of each size")
         ->check(CLI::PositiveNumber);

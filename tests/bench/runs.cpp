@@ -24,8 +24,8 @@ double mass_of(const PlannedPart& part, double density) {
 [[gnu::noinline]] std::unique_ptr<BenchEngine> build_scene(const EngineKind& kind,
                                                            const BodyPlan& plan,
                                                            const Environment& environment,
-                                                           Books books) {
-    return kind.make(plan, environment, books);
+                                                           WorkAudit audit) {
+    return kind.make(plan, environment, audit);
 }
 
 [[gnu::noinline]] void advance_scene(BenchEngine& engine, const BenchCreature& creature,
@@ -39,7 +39,7 @@ double mass_of(const PlannedPart& part, double density) {
 
 Accuracy watch_run(const EngineKind& kind, const BenchCreature& creature,
                    const Environment& environment, std::size_t ticks) {
-    const auto engine = build_scene(kind, creature.plan, environment, Books::kOpen);
+    const auto engine = build_scene(kind, creature.plan, environment, WorkAudit::kOn);
     std::vector<PartMotion> parts;
     engine->read_motion(parts);
     const double energy_at_start = mechanical_energy(creature.plan, environment, parts);

@@ -13,7 +13,7 @@ namespace cambrian::bench {
 // The two parts of a run whose instructions are counted; never inlined, so that a profiler can name
 // them.
 std::unique_ptr<BenchEngine> build_scene(const EngineKind& kind, const BodyPlan& plan,
-                                         const Environment& environment, Books books);
+                                         const Environment& environment, WorkAudit audit);
 void advance_scene(BenchEngine& engine, const BenchCreature& creature, std::size_t first_tick,
                    std::size_t last_tick);
 

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t kTicks = 600;  // a trial of 10 s, over and over
 
-// Share of 2^32, so that it prints whole.
+// 32 bits of the digest, which a double prints without rounding.
 double short_digest(const PhysicsScene& scene) {
     Hash64 digest;
     scene.add_to_digest(digest);
@@ -40,7 +40,7 @@ void advance_scene_tick(benchmark::State& state) {
     }
     state.SetLabel(workload.id);
     state.counters["digest"] = digest;
-    // Of the last whole trial, a simulated second; 0 if none was finished.
+    // Per simulated second of the last finished trial; 0 if there is none.
     const double seconds = static_cast<double>(kTicks) * kTestTick;
     state.counters["evaluations"] = static_cast<double>(audit.evaluations) / seconds;
     state.counters["steps"] = static_cast<double>(audit.steps) / seconds;

@@ -54,7 +54,7 @@ class Display:
         with (folder / "Xvfb_screen0").open("rb") as file:
             self.screen = mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ)
         # The head of an XWD file: its own length, and further on the bytes of a line of pixels and
-        # how many colours stand between head and pixels, each of 12 bytes.
+        # the number of colours between head and pixels, each of 12 bytes.
         head = struct.unpack(">25I", self.screen[:100])
         self.first_pixel, self.line = head[0] + 12 * head[19], head[12]
 
@@ -138,7 +138,7 @@ class Studio:
         return int(resident.split()[1]) / 1024
 
     def frames(self):
-        """As logged; whole once the program has ended."""
+        """The logged frames; complete once the program has ended."""
         with self.frame_log.open(newline="") as file:
             return [{name: float(value) for name, value in row.items()}
                     for row in csv.DictReader(file)]

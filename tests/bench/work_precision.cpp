@@ -109,7 +109,7 @@ std::vector<Method> all_methods() {
 using Track = std::vector<std::vector<PartMotion>>;
 
 Track track_run(const EngineKind& kind, const BenchCreature& chain, std::size_t ticks) {
-    const auto engine = build_scene(kind, chain.plan, empty_space(), Books::kClosed);
+    const auto engine = build_scene(kind, chain.plan, empty_space(), WorkAudit::kOff);
     Track track(ticks);
     for (std::size_t tick = 0; tick < ticks; ++tick) {
         advance_scene(*engine, chain, tick, tick + 1);
@@ -140,7 +140,7 @@ Outcome measure(const EngineKind& kind, const BenchCreature& chain, const Track&
     const auto ticks = static_cast<std::size_t>(std::lround(options.seconds / kTestTick));
     Outcome outcome;
     for (int repeat = 0; repeat < options.repeats; ++repeat) {
-        const auto engine = build_scene(kind, chain.plan, empty_space(), Books::kClosed);
+        const auto engine = build_scene(kind, chain.plan, empty_space(), WorkAudit::kOff);
         const double start = thread_cpu_time();
         advance_scene(*engine, chain, 0, ticks);
         const double micros = micro * (thread_cpu_time() - start) / options.seconds;

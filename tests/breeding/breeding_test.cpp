@@ -149,8 +149,7 @@ TEST_CASE("a graft onto a single part gives it an edge", "[breeding][grafting]")
         CHECK(breed("grafting", single, donors[i], i).nodes[0].edges.size() == 1);
 }
 
-TEST_CASE("homologous crossover takes what corresponds although it stands elsewhere",
-          "[breeding]") {
+TEST_CASE("homologous crossover takes corresponding genes from any place", "[breeding]") {
     // The same three limbs on one body, in another order.
     Genome first = founder_corpus(1)[0];
     NodeGene body = first.nodes[0];

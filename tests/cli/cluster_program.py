@@ -44,7 +44,7 @@ class ClusterTest(ProgramTest):
                 if stream:
                     stream.close()
 
-    def start(self, *arguments, **options):
+    def start(self, *arguments, program=CAMBRIAN, **options):
         """A process of the program; its messages go to a file."""
         environment = dict(os.environ, **options.pop("env", {}))
         options.setdefault("stdout", subprocess.PIPE)
@@ -52,7 +52,7 @@ class ClusterTest(ProgramTest):
         log = self.folder / f"process{number}.log"
         with open(log, "wb") as messages:
             process = subprocess.Popen(
-                [CAMBRIAN, *map(str, arguments)], cwd=self.folder, env=environment,
+                [program, *map(str, arguments)], cwd=self.folder, env=environment,
                 stdin=subprocess.DEVNULL, stderr=messages, encoding="utf-8", **options)
         process.log = log
         self.processes.append(process)

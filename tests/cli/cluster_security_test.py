@@ -4,6 +4,7 @@ import re
 import subprocess
 import unittest
 
+import nats_tokens
 from cluster_program import ClusterTest
 from nats_server import HOST
 from program import ROOT
@@ -127,6 +128,44 @@ class Roles(SecurityTest):
         self.assert_refused(result, "does not permit", "cambrian.hello.>")
         result = self.run_program("worker", server.url, *coordinator)
         self.assert_refused(result, "does not permit")
+
+
+class Tokens(SecurityTest):
+    """Credentials files as NATS's own tools write them (*.creds)."""
+
+    def setUp(self):
+        super().setUp()
+        self.account, self.user, self.stranger = (self.key(each) for each in ("A", "U", "A"))
+        self.server = self.start_server(nats_tokens.configuration(self.key("O"), self.key("A"),
+                                                                  self.account))
+
+    def key(self, letter):
+        self.keys = getattr(self, "keys", 0) + 1
+        return nats_tokens.Key(letter, self.folder / f"key{self.keys}.pem")
+
+    def test_a_run_with_signed_tokens_is_the_same_run(self):
+        expected = self.local_digests()
+        self.write("good.creds", nats_tokens.user_credentials(self.account, self.user))
+        good = "--credentials", "good.creds"
+        worker = self.start_worker(self.server.url, "worker", *good)
+        for name in ("first", "second"):
+            generations = self.finish(self.evolve(name, "--cluster", self.server.url, *good))
+            self.assert_same_run(expected, name)
+            self.wait_for_message(worker, "connected")
+        self.assertGreater(self.sums(generations)["units"], 0)
+
+    def test_a_token_that_is_not_accepted_is_one_message(self):
+        self.write("settings.toml", "[run]\ngenerations = 1\n")
+        wrong = {"stranger.creds": nats_tokens.user_credentials(self.stranger, self.user),
+                 "seed.creds": nats_tokens.user_credentials(self.account, self.user,
+                                                            self.key("U").seed)}
+        for name, text in wrong.items():
+            self.write(name, text)
+            for command in (["worker", self.server.url], ["cluster", self.server.url],
+                            ["evolve", "settings.toml", "--cluster", self.server.url]):
+                result = self.run_program(*command, "--credentials", name)
+                self.assert_refused(result, f"does not accept the credentials of {name}")
+                self.assertEqual(result.stderr.count("\n"), 1, result.stderr)
 
 
 class Encryption(SecurityTest):

@@ -25,6 +25,9 @@ duration = 60
 # Never ends by itself while a test looks at it.
 ENDLESS = SLOW.replace("generations = 6", "generations = 10000")
 
+NOBODY_HEARD = ("nobody is heard on this cluster; workers that wait for its first run are "
+                "silent\n")
+
 
 class Runs(ClusterTest):
     def test_a_cluster_without_workers_evolves_the_same_run(self):
@@ -41,6 +44,7 @@ class Runs(ClusterTest):
         workers = [self.start_worker(server.url, f"worker {i}") for i in range(7)]
         for worker in workers:
             self.wait_for_message(worker, "waiting")
+        self.assertEqual(self.run_well("cluster", server.url).stdout, NOBODY_HEARD)
         for name in ("first", "second"):
             generations = self.finish(self.evolve(name, "--cluster", server.url))
             self.assert_same_run(expected, name)
@@ -58,8 +62,7 @@ class Runs(ClusterTest):
         self.assertEqual(names, {f"worker {i}" for i in range(7)})
         for worker in workers:
             self.assertEqual(self.interrupt(worker), 0, worker.log.read_text())
-        self.assertEqual(self.run_well("cluster", server.url).stdout,
-                         "nobody is on this cluster\n")
+        self.assertEqual(self.run_well("cluster", server.url).stdout, NOBODY_HEARD)
 
     def test_workers_that_are_killed_cost_nothing_but_time(self):
         server = self.start_server()

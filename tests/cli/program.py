@@ -12,6 +12,8 @@ CAMBRIAN = os.environ.get("CAMBRIAN", str(ROOT / "build/release/bin/cambrian"))
 
 RANDOM_CREATURES = os.environ.get("RANDOM_CREATURES",
                                   str(ROOT / "build/release/bin/random_creatures"))
+FAULTY_PROGRAM = os.environ.get("FAULTY_PROGRAM",
+                                str(ROOT / "build/release/bin/faulty_program"))
 
 DONE, FAILED, BAD_INPUT = 0, 1, 2
 NOBODY = 65534  # a user without rights

@@ -15,7 +15,7 @@ namespace {
 
 using std::chrono::milliseconds;
 
-// What stands between a worker and the queue, and can vanish.
+// A queue between a worker and the real one; it can vanish.
 class MortalQueue final : public WorkerQueue {
 public:
     using Flag = std::shared_ptr<std::atomic<bool>>;

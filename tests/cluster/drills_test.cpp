@@ -1,5 +1,6 @@
 // Failures of every kind: each run ends with the digests of the run on one machine.
 
+#include "cluster/bit_flipper.h"
 #include "cluster/drill.h"
 #include "cluster/messages/hello_text.h"
 #include "cluster/messages/result_text.h"
@@ -15,7 +16,6 @@
 #include "support/temporary_directory.h"
 
 #include <atomic>
-#include <bit>
 #include <mutex>
 
 using namespace cambrian;
@@ -187,21 +187,12 @@ TEST_CASE("a slow worker holds up a generation little", "[cluster][threads]") {
 }
 
 TEST_CASE("a worker that flips a bit of a result is refused", "[cluster][threads]") {
-    int results = 0;
     std::atomic<int> present = 0;  // generation
     std::atomic<int> began = -1;   // the first one with a false result
+    BitFlipper flipper;
     Cluster cluster(1);
-    // The lowest bit of one fitness in 50, all other numbers as they should be. The first one is
-    // among those that are checked for certain; of later ones some would pass (trust.h).
     const auto flip = [&](UnitMessage& message) {
-        UnitResult unit = *parse_unit_result(message.body);
-        for (SlotResult& each : unit.results) {
-            if (++results % 50 != 1) continue;
-            if (began < 0) began = present.load();
-            const auto bits = std::bit_cast<std::uint64_t>(each.result.fitness);
-            each.result.fitness = std::bit_cast<double>(bits ^ 1U);
-        }
-        message.body = write_unit_result(unit);
+        if (flipper.change(message) && began < 0) began = present.load();
     };
     DrillWorker& faulty = cluster.add_worker({.dies_of = {}, .changes = flip});
     REQUIRE(wait_for_workers(*cluster.backend, 2));

@@ -71,7 +71,7 @@ TEST_CASE("an arm may not change its world, nor two things have a name", "[compa
     CHECK(message_of({.arms = {random}, .random_search = true, .seeds = {1}, .trials = 1}) ==
           "two are called \"random-search\"; give one file another name");
     CHECK(message_of({.arms = {named("a,b", "")}, .seeds = {1}, .trials = 1}) ==
-          "\"a,b\" cannot stand in a table; give the file another name");
+          "\"a,b\" cannot be written in a table; give the file another name");
     CHECK(message_of(
               {.arms = {named("bad", "[environment]\ngravity = -1\n")}, .seeds = {1}, .trials = 1})
               .starts_with("bad.toml: line 2, [environment] gravity: "));

@@ -19,7 +19,7 @@ InputGene local_sensor(int channel, double weight = 1.0) {
     return {{SourceKind::kLocalSensor, static_cast<std::uint8_t>(channel)}, weight};
 }
 
-// Where the last part's target stands after acting for a while on an unmoving scene.
+// The target of the last part after the creature acted for a while on a scene that rests.
 double final_target(const Genome& genome, FakeScene& scene) {
     const Phenotype phenotype = express(genome);
     const SceneSettings settings;
@@ -106,7 +106,7 @@ TEST_CASE("holding rest asks every joint for its rest coordinate", "[creature]")
     CHECK(scene.targets == std::vector<double>{7.0, 0.0, 0.0});
 }
 
-TEST_CASE("a restored creature repeats what it did, a reset one starts anew", "[creature]") {
+TEST_CASE("a restored creature repeats what it did, a reset one starts again", "[creature]") {
     const Phenotype phenotype = express(two_legs());
     const SceneSettings settings;
     Creature creature(phenotype, kinds(), settings);

@@ -45,7 +45,7 @@ TEST_CASE("two parts in a cycle with limits of two alternate four times",
     CHECK(nodes_of(chain) == std::vector<int>{0, 1, 0, 1});
 }
 
-TEST_CASE("a mirror pair is grown whole or not at all", "[creature][morphogenesis]") {
+TEST_CASE("a mirror pair is grown completely or not at all", "[creature][morphogenesis]") {
     NodeGene body = node_with({edge_to(1), edge_to(2, 0.3), edge_to(2, 0.3)});
     NodeGene leg;
     leg.symmetric = true;
@@ -92,7 +92,8 @@ TEST_CASE("reflect turns a curl into a zigzag", "[creature][morphogenesis]") {
     CHECK(zigzag.plan.parts[3].rest_angle == Approx(0.5));
 }
 
-TEST_CASE("mirror partners stand mirrored about their parent's axis", "[creature][morphogenesis]") {
+TEST_CASE("mirror partners are mirror images about their parent's axis",
+          "[creature][morphogenesis]") {
     const auto check = [](MirrorAxis axis, double x_sign, double y_sign) {
         Genome genome = two_legs();
         genome.nodes[1].mirror_axis = axis;
@@ -111,7 +112,8 @@ TEST_CASE("mirror partners stand mirrored about their parent's axis", "[creature
     check(MirrorAxis::kAcross, -1.0, 1.0);
 }
 
-TEST_CASE("scale shrinks a whole subtree, within the limits of size", "[creature][morphogenesis]") {
+TEST_CASE("scale shrinks all of a subtree, within the limits of size",
+          "[creature][morphogenesis]") {
     EdgeGene edge = edge_to(0);
     edge.scale = 0.5;
     const Phenotype chain = express(genome_of({node_with({edge}, 4)}));

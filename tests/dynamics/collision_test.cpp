@@ -11,9 +11,9 @@ namespace {
 constexpr double kHalf = 0.1;  // m
 
 // Heights of a box's first apexes above its resting place, dropped flat from 1 m.
-std::vector<double> apexes(double elasticity, std::size_t count, SceneAudit* audit = nullptr) {
+std::vector<double> apexes(double restitution, std::size_t count, SceneAudit* audit = nullptr) {
     Environment environment;
-    environment.elasticity = elasticity;
+    environment.elasticity = restitution;
     const auto scene = make_scene(one_box(0.2, kHalf, 0.0, 1.0 + kHalf), environment);
     std::vector<double> heights;
     double highest = 0.0;
@@ -51,9 +51,9 @@ TEST_CASE("a corner that sticks stops exactly and bounces exactly", "[dynamics][
     for (int round = 0; round < 60; ++round) {
         RandomStream random(stream_seed({static_cast<std::uint64_t>(round), 74}));
         Rig rig(random_tree(random, 1 + round % 12, 0.0, 0.0, 5.0), environment);
-        Motion& motion = rig.moment.motion;
+        Motion& motion = rig.state.motion;
         motion.position[0] += random.uniform(-3.0, 3.0);
-        Kinematics& k = rig.moment.frame().kinematics;
+        Kinematics& k = rig.state.cache().kinematics;
         compute_kinematics(rig.model, motion, k);
         double lowest = 100.0;
         for (int corner = 0; corner < 4 * rig.model.part_count; ++corner) {
@@ -67,13 +67,14 @@ TEST_CASE("a corner that sticks stops exactly and bounces exactly", "[dynamics][
         motion.speed[center_of(rig.model, 0)] = random.uniform(-3.0, 3.0);
         motion.speed[center_of(rig.model, 0) + 1] = -10.0;
         rig.begin();
-        complete_frame(rig.model, rig.moment.frame());
+        complete_cache(rig.model, rig.state.cache());
         ContactSolver contacts;
-        contacts.collect(rig.model, rig.law, k);
+        contacts.detect(rig.model, rig.law, k);
         if (!contacts.has_impact()) continue;
-        contacts.strike(rig.model, rig.law, environment.elasticity, rig.moment.frame(), motion);
-        if (contacts.chosen().count != 1) continue;  // the others of a group hold each other up
-        const Contact& corner = contacts.chosen().items[0];
+        contacts.solve_impact(rig.model, rig.law, environment.elasticity, rig.state.cache(),
+                              motion);
+        if (contacts.selected().count != 1) continue;  // the others of a group hold each other up
+        const Contact& corner = contacts.selected().items[0];
         const PointSpeeds before = speeds_at(corner, k);
         compute_kinematics(rig.model, motion, k);
         const PointSpeeds after = speeds_at(corner, k);
@@ -90,15 +91,16 @@ TEST_CASE("no corner of a fast spinner gets through the ground", "[dynamics][col
     for (int round = 0; round < 200; ++round) {
         RandomStream random(stream_seed({static_cast<std::uint64_t>(round), 75}));
         Rig rig(one_box(0.35, 0.05, 0.0, random.uniform(0.2, 0.36)), {});
-        rig.moment.motion.speed[0] = random.uniform(20.0, 120.0);
+        rig.state.motion.speed[0] = random.uniform(20.0, 120.0);
         rig.begin();
         REQUIRE(rig.run(0.5));
         INFO("round " << round);
-        CHECK(rig.moment.audit.max_penetration <= 2e-3);
+        CHECK(rig.state.audit.max_penetration <= 2e-3);
     }
 }
 
-TEST_CASE("a box bounces to the elasticity squared of its height", "[dynamics][collision]") {
+TEST_CASE("a box bounces to its height times the coefficient of restitution squared",
+          "[dynamics][collision]") {
     for (const double e : {0.5, 0.8, 1.0}) {
         const std::vector<double> heights = apexes(e, 2);
         REQUIRE(heights.size() == 2);
@@ -107,7 +109,7 @@ TEST_CASE("a box bounces to the elasticity squared of its height", "[dynamics][c
     }
 }
 
-TEST_CASE("a box without elasticity does not bounce", "[dynamics][collision]") {
+TEST_CASE("a box without restitution does not bounce", "[dynamics][collision]") {
     Environment environment;
     environment.elasticity = 0.0;
     const auto scene = make_scene(one_box(0.2, kHalf, 0.0, 1.0 + kHalf), environment);
@@ -124,7 +126,7 @@ TEST_CASE("a perfectly elastic bounce does no work", "[dynamics][collision]") {
     CHECK(std::fabs(audit.energy_residual) < 1e-6);
 }
 
-TEST_CASE("an inelastic landing takes the whole energy of the fall", "[dynamics][collision]") {
+TEST_CASE("an inelastic landing takes all energy of the fall", "[dynamics][collision]") {
     Environment environment;
     environment.elasticity = 0.0;
     const auto scene = make_scene(one_box(0.2, kHalf, 0.0, 1.0 + kHalf), environment);
@@ -137,13 +139,13 @@ TEST_CASE("a sliding box stops where friction says", "[dynamics][collision]") {
     Environment environment;
     environment.friction = 0.5;
     Rig rig(one_box(0.2, kHalf, 0.0, kHalf + kRestingGap), environment);
-    rig.moment.motion.speed[center_of(rig.model, 0)] = 3.0;
+    rig.state.motion.speed[center_of(rig.model, 0)] = 3.0;
     rig.begin();
     REQUIRE(rig.run(2.0));
-    CHECK(rig.moment.motion.position[center_of(rig.model, 0)] ==
+    CHECK(rig.state.motion.position[center_of(rig.model, 0)] ==
           Approx(9.0 / (2 * 0.5 * 9.81)).epsilon(2e-4));
-    CHECK(std::fabs(rig.moment.motion.position[0]) < 1e-6);
-    CHECK(rig.moment.audit.contact_work == Approx(-0.5 * 0.08 * 9.0).epsilon(2e-4));
+    CHECK(std::fabs(rig.state.motion.position[0]) < 1e-6);
+    CHECK(rig.state.audit.contact_work == Approx(-0.5 * 0.08 * 9.0).epsilon(2e-4));
 }
 
 TEST_CASE("a box on a slope creeps below the friction angle and slides above it",
@@ -157,20 +159,20 @@ TEST_CASE("a box on a slope creeps below the friction angle and slides above it"
         Rig rig(one_box(0.3, kHalf, 0.0, kHalf + kRestingGap), environment);
         rig.begin();
         REQUIRE(rig.run(1.0));
-        const double start = rig.moment.motion.position[center_of(rig.model, 0)];
-        const double speed = rig.moment.motion.speed[center_of(rig.model, 0)];
+        const double start = rig.state.motion.position[center_of(rig.model, 0)];
+        const double speed = rig.state.motion.speed[center_of(rig.model, 0)];
         REQUIRE(rig.run(4.0));
         if (share < 1.0) {
-            CHECK(std::fabs(rig.moment.motion.position[center_of(rig.model, 0)] - start) < 1e-5);
+            CHECK(std::fabs(rig.state.motion.position[center_of(rig.model, 0)] - start) < 1e-5);
         } else {
             const double expected = 9.81 * cosine * (slope - 0.5);
-            CHECK((rig.moment.motion.speed[center_of(rig.model, 0)] - speed) / 4.0 ==
+            CHECK((rig.state.motion.speed[center_of(rig.model, 0)] - speed) / 4.0 ==
                   Approx(expected).epsilon(1e-4));
         }
     }
 }
 
-TEST_CASE("a box dropped on its edge comes to rest for good", "[dynamics][collision]") {
+TEST_CASE("a box dropped on its edge comes to rest and stays there", "[dynamics][collision]") {
     for (const double angle : {0.1, 0.5, 0.78}) {
         Environment environment;
         environment.elasticity = 0.3;
@@ -202,8 +204,8 @@ TEST_CASE("a limp chain dropped on the ground settles", "[dynamics][collision]")
     REQUIRE(rig.run(20.0));
     const double fallen = rig.model.total_mass * 9.81 * 1.5;
     CHECK(rig.speed() < 1e-4);
-    CHECK(std::fabs(rig.moment.audit.energy_residual) < 1e-3 * fallen);
-    CHECK(rig.moment.audit.positive_work < 1e-3 * fallen);
+    CHECK(std::fabs(rig.state.audit.energy_residual) < 1e-3 * fallen);
+    CHECK(rig.state.audit.positive_work < 1e-3 * fallen);
 }
 
 TEST_CASE("three boxes on top of each other come to rest", "[dynamics][collision]") {
@@ -223,8 +225,8 @@ TEST_CASE("three boxes on top of each other come to rest", "[dynamics][collision
     }
     for (int level = 0; level < 3; ++level) {
         const int center = center_of(rig.model, level);
-        CHECK(rig.moment.motion.position[center] == Approx(0.03 * level).margin(1e-3));
-        CHECK(rig.moment.motion.position[center + 1] ==
+        CHECK(rig.state.motion.position[center] == Approx(0.03 * level).margin(1e-3));
+        CHECK(rig.state.motion.position[center + 1] ==
               Approx(0.1 + 0.2 * level + (level + 1) * kRestingGap).margin(1e-4));
     }
 }

@@ -16,15 +16,15 @@ using namespace cambrian;
 namespace {
 
 struct Evaluation {
-    Frame frame = {};
+    EvaluationCache cache = {};
     MotionRate rate = {};
 };
 
 Evaluation evaluated(const PlanarModel& model, const Forcing& forcing, const Motion& motion) {
     Evaluation evaluation;
-    evaluate_accelerations(model, forcing, motion, {0.3, FrameDetail::kEverything},
-                           evaluation.frame, evaluation.rate);
-    complete_frame(model, evaluation.frame);
+    evaluate_accelerations(model, forcing, motion, {0.3, EvaluationDetail::kEverything},
+                           evaluation.cache, evaluation.rate);
+    complete_cache(model, evaluation.cache);
     return evaluation;
 }
 
@@ -72,10 +72,10 @@ struct ImplicitStages {
         for (int i = 1; i < model.body_count; ++i)
             start_rate[i] = 3.0 * random.gauss();
         const ImplicitStage stage{1.0 / 120, start_rate};
-        const EvaluationPoint point{0.3, FrameDetail::kEverything, &stage};
-        evaluate_accelerations(model, forcing, motion, point, dense.frame, dense.rate);
-        evaluate_accelerations(tree_model, forcing, motion, point, tree.frame, tree.rate);
-        find_centers(model, dense.frame);
+        const EvaluationPoint point{0.3, EvaluationDetail::kEverything, &stage};
+        evaluate_accelerations(model, forcing, motion, point, dense.cache, dense.rate);
+        evaluate_accelerations(tree_model, forcing, motion, point, tree.cache, tree.rate);
+        find_centers(model, dense.cache);
     }
 
     PlanarModel model, tree_model;
@@ -110,7 +110,7 @@ ContactSet scattered_contacts(RandomStream& random, const PlanarModel& model) {
 
 }  // namespace
 
-TEST_CASE("the dense form gives what the elimination gives", "[dynamics][dense]") {
+TEST_CASE("the dense form gives what the tree form gives", "[dynamics][dense]") {
     RandomStream random(stream_seed({61}));
     for (int round = 0; round < 400; ++round) {
         INFO(round);
@@ -127,17 +127,17 @@ TEST_CASE("the dense form gives what the elimination gives", "[dynamics][dense]"
         constexpr double kClose = 1e-12;
         CHECK(difference(dense.rate.acceleration, tree.rate.acceleration, coordinates) < kClose);
         CHECK(difference(dense.rate.power, tree.rate.power, kWorkCount) < kClose);
-        CHECK(difference(dense.frame.response.coordinate, tree.frame.response.coordinate,
+        CHECK(difference(dense.cache.response.coordinate, tree.cache.response.coordinate,
                          coordinates) < kClose);
         const auto same = [&](const PerBody& first, const PerBody& second) {
             return difference(first, second, bodies) < kClose;
         };
-        CHECK(same(dense.frame.response.x, tree.frame.response.x));
-        CHECK(same(dense.frame.response.y, tree.frame.response.y));
-        CHECK(same(dense.frame.response.spin, tree.frame.response.spin));
-        CHECK(same(dense.frame.motor_effort, tree.frame.motor_effort));
-        const Kinematics& k = dense.frame.kinematics;
-        const Kinematics& expected = tree.frame.kinematics;
+        CHECK(same(dense.cache.response.x, tree.cache.response.x));
+        CHECK(same(dense.cache.response.y, tree.cache.response.y));
+        CHECK(same(dense.cache.response.spin, tree.cache.response.spin));
+        CHECK(same(dense.cache.motor_effort, tree.cache.motor_effort));
+        const Kinematics& k = dense.cache.kinematics;
+        const Kinematics& expected = tree.cache.kinematics;
         CHECK(same(k.x, expected.x));
         CHECK(same(k.y, expected.y));
         CHECK(same(k.velocity_x, expected.velocity_x));
@@ -145,12 +145,12 @@ TEST_CASE("the dense form gives what the elimination gives", "[dynamics][dense]"
         CHECK(same(k.z_x, expected.z_x));
         CHECK(same(k.gamma_y, expected.gamma_y));
         CHECK(same(k.joint_position, expected.joint_position));
-        CHECK(same(dense.frame.factors.w_x, tree.frame.factors.w_x));
-        CHECK(same(dense.frame.factors.inverse_d, tree.frame.factors.inverse_d));
+        CHECK(same(dense.cache.factors.w_x, tree.cache.factors.w_x));
+        CHECK(same(dense.cache.factors.inverse_d, tree.cache.factors.inverse_d));
     }
 }
 
-TEST_CASE("the dense form answers impulses with implicit motors as the elimination does",
+TEST_CASE("the dense form answers impulses with implicit motors as the tree form does",
           "[dynamics][dense]") {
     RandomStream random(stream_seed({63}));
     for (int round = 0; round < 200; ++round) {
@@ -159,15 +159,15 @@ TEST_CASE("the dense form answers impulses with implicit motors as the eliminati
         const PlanarModel& model = stages.model;
         const Evaluation& dense = stages.dense;
         const Evaluation& tree = stages.tree;
-        REQUIRE(dense.frame.is_inverted);
+        REQUIRE(dense.cache.is_inverted);
         const int bodies = model.body_count;
         const int coordinates = coordinate_count(model);
         constexpr double kClose = 1e-11;
         CHECK(difference(dense.rate.acceleration, tree.rate.acceleration, coordinates) < kClose);
         CHECK(difference(dense.rate.power, tree.rate.power, kWorkCount) < kClose);
-        CHECK(difference(dense.frame.motor_damping, tree.frame.motor_damping, bodies) < kClose);
-        CHECK(difference(dense.frame.response.x, tree.frame.response.x, bodies) < kClose);
-        CHECK(difference(dense.frame.response.spin, tree.frame.response.spin, bodies) < kClose);
+        CHECK(difference(dense.cache.motor_damping, tree.cache.motor_damping, bodies) < kClose);
+        CHECK(difference(dense.cache.response.x, tree.cache.response.x, bodies) < kClose);
+        CHECK(difference(dense.cache.response.spin, tree.cache.response.spin, bodies) < kClose);
 
         Loads loads = {};
         for (int i = 0; i < bodies; ++i) {
@@ -177,13 +177,13 @@ TEST_CASE("the dense form answers impulses with implicit motors as the eliminati
             if (i > 0) loads.effort[i] = 0.1 * random.gauss();
         }
         PerCoordinate jump = {};
-        solve_dense_impulse(model, dense.frame, loads, jump);
+        solve_dense_impulse(model, dense.cache, loads, jump);
         BodyResponse expected;
-        solve_impulse(stages.tree_model, tree.frame.kinematics, tree.frame.factors, loads,
+        solve_impulse(stages.tree_model, tree.cache.kinematics, tree.cache.factors, loads,
                       expected);
         CHECK(difference(jump, expected.coordinate, coordinates) < kClose);
         BodyResponse spread;
-        spread_dense_rates(model, dense.frame.kinematics, jump, spread.spin, spread.x, spread.y);
+        spread_dense_rates(model, dense.cache.kinematics, jump, spread.spin, spread.x, spread.y);
         CHECK(difference(spread.x, expected.x, bodies) < kClose);
         CHECK(difference(spread.y, expected.y, bodies) < kClose);
         CHECK(difference(spread.spin, expected.spin, bodies) < kClose);
@@ -191,14 +191,14 @@ TEST_CASE("the dense form answers impulses with implicit motors as the eliminati
         Loads efforts = {};
         for (int i = 1; i < bodies; ++i)
             efforts.effort[i] = loads.effort[i];
-        solve_dense_efforts(model, dense.frame, efforts.effort, turned);
-        solve_impulse(stages.tree_model, tree.frame.kinematics, tree.frame.factors, efforts,
+        solve_dense_efforts(model, dense.cache, efforts.effort, turned);
+        solve_impulse(stages.tree_model, tree.cache.kinematics, tree.cache.factors, efforts,
                       expected);
         CHECK(difference(turned, expected.coordinate, coordinates) < kClose);
     }
 }
 
-TEST_CASE("the dense form couples rows as the elimination does", "[dynamics][dense]") {
+TEST_CASE("the dense form couples rows as the tree form does", "[dynamics][dense]") {
     RandomStream random(stream_seed({64}));
     for (int round = 0; round < 100; ++round) {
         INFO(round);
@@ -211,10 +211,10 @@ TEST_CASE("the dense form couples rows as the elimination does", "[dynamics][den
         for (int i = 1; i < model.body_count; ++i)
             limits.add({i, i % 2 == 0 ? 1.0 : -1.0, 0.0});
         const RowSources sources{contacts, limits, true, 1e-2};
-        static RowSystem rows;
-        static RowSystem expected;
-        build_rows(model, sources, dense.frame.kinematics, dense.frame, rows);
-        build_rows(stages.tree_model, sources, tree.frame.kinematics, tree.frame, expected);
+        static ConstraintSystem rows;
+        static ConstraintSystem expected;
+        build_rows(model, sources, dense.cache.kinematics, dense.cache, rows);
+        build_rows(stages.tree_model, sources, tree.cache.kinematics, tree.cache, expected);
         REQUIRE(rows.count == expected.count);
         for (int row = 0; row < rows.count; ++row) {
             const double acceleration = expected[row].acceleration;

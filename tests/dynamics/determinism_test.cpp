@@ -94,7 +94,7 @@ TEST_CASE("a restored scene goes on with the same bits", "[dynamics][determinism
     CHECK(other->audit().motor_work == scene->audit().motor_work);
 }
 
-TEST_CASE("a scene with a past of its own goes on from another's moment",
+TEST_CASE("a scene with a past of its own goes on from another's state",
           "[dynamics][determinism]") {
     const BodyPlan plan = walker(3);
     const auto scene = make_scene(plan, {});

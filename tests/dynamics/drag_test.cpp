@@ -30,24 +30,24 @@ TEST_CASE("a plate sinks at its terminal velocity", "[dynamics][drag]") {
 
 TEST_CASE("linear drag slows a glide exponentially", "[dynamics][drag]") {
     Rig rig(one_box(0.3, 0.1, 0.0, 0.0), water(0.5, 0.0, 0.0), "bogacki-shampine", 1e-6);
-    rig.moment.motion.speed[center_of(rig.model, 0)] = 2.0;  // end-on: the short faces resist
+    rig.state.motion.speed[center_of(rig.model, 0)] = 2.0;  // end-on: the short faces resist
     rig.begin();
     REQUIRE(rig.run(1.0));
     const double rate = 0.5 * 0.2 / rig.model.total_mass;
-    CHECK(rig.moment.motion.speed[center_of(rig.model, 0)] ==
+    CHECK(rig.state.motion.speed[center_of(rig.model, 0)] ==
           Approx(2.0 * exponential(-rate)).epsilon(1e-6));
-    CHECK(rig.moment.audit.drag_work ==
+    CHECK(rig.state.audit.drag_work ==
           Approx(rig.energy() - 0.5 * rig.model.total_mass * 4.0).epsilon(1e-5));
 }
 
 TEST_CASE("linear drag slows a spin exponentially", "[dynamics][drag]") {
     Rig rig(one_box(0.3, 0.1, 0.0, 0.0), water(0.5, 0.0, 0.0), "bogacki-shampine", 1e-6);
-    rig.moment.motion.speed[0] = 3.0;
+    rig.state.motion.speed[0] = 3.0;
     rig.begin();
     REQUIRE(rig.run(1.0));
     const double moment = 0.5 * (2.0 / 3.0) * (0.3 * 0.3 * 0.3 + 0.1 * 0.1 * 0.1);
     const double expected = 3.0 * exponential(-moment / rig.model.inertia[0]);
-    CHECK(rig.moment.motion.speed[0] == Approx(expected).epsilon(1e-6));
+    CHECK(rig.state.motion.speed[0] == Approx(expected).epsilon(1e-6));
 }
 
 TEST_CASE("drag never does positive work", "[dynamics][drag]") {

@@ -12,7 +12,7 @@ Rig spinning_chain(const std::string& integrator, double tolerance) {
     Rig rig(chain(6, 1e6), empty_space(), integrator, tolerance);
     rig.model.colliding_pairs.clear();
     for (int i = 0; i < 6; ++i)
-        rig.moment.motion.speed[i] = i % 2 == 0 ? 8.0 : -8.0 + i;
+        rig.state.motion.speed[i] = i % 2 == 0 ? 8.0 : -8.0 + i;
     rig.begin();
     return rig;
 }
@@ -43,11 +43,11 @@ TEST_CASE("a falling box follows the parabola", "[dynamics][free_motion]") {
     Environment environment;
     environment.has_ground = false;
     Rig rig(one_box(0.3, 0.1, 0.0, 0.0), environment);
-    rig.moment.motion.speed[center_of(rig.model, 0)] = 2.0;
+    rig.state.motion.speed[center_of(rig.model, 0)] = 2.0;
     rig.begin();
     REQUIRE(rig.run(1.5));
-    CHECK(rig.moment.motion.position[center_of(rig.model, 0)] == Approx(3.0).epsilon(1e-12));
-    CHECK(rig.moment.motion.position[center_of(rig.model, 0) + 1] ==
+    CHECK(rig.state.motion.position[center_of(rig.model, 0)] == Approx(3.0).epsilon(1e-12));
+    CHECK(rig.state.motion.position[center_of(rig.model, 0) + 1] ==
           Approx(-0.5 * 9.81 * 2.25).epsilon(1e-12));
 }
 

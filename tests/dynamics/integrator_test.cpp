@@ -23,14 +23,14 @@ double error_of(const IntegratorKind& kind, int steps) {
     forcing.medium = {0.0, -9.81, 0.5, 0.0};
     const MotionSystem system{model, forcing, 0.1};
     const auto final_state = [&](const IntegratorKind& method, int count) {
-        Frame frame = {};
+        EvaluationCache cache = {};
         MotionRate rate = {};
         StepResult result;
         Motion motion = start_of(model);
-        system.evaluate(motion, 0.0, FrameDetail::kEverything, frame, rate);
+        system.evaluate(motion, 0.0, EvaluationDetail::kEverything, cache, rate);
         for (int i = 0; i < count; ++i) {
             const double h = 0.1 / count;
-            method.attempt(system, {motion, rate, i * h, h, 1e-3}, frame, result);
+            method.attempt(system, {motion, rate, i * h, h, 1e-3}, cache, result);
             motion = result.end;
             rate = result.end_rate;
         }

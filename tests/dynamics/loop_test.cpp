@@ -2,7 +2,7 @@
 
 #include "dynamics/articulated/least_squares_dynamics.h"
 #include "dynamics/articulated/loop_closure.h"
-#include "dynamics/model/pins.h"
+#include "dynamics/model/loop_joints.h"
 #include "dynamics/refused_plan.h"
 #include "dynamics/rig.h"
 #include "support/catch.h"
@@ -61,18 +61,18 @@ Environment airless(double gravity) {
 // The rhombus opens at this rate.
 void flap(Rig& rig, double rate) {
     for (int i = 0; i < 4; ++i)
-        rig.moment.motion.speed[i] = i % 2 == 0 ? -rate : rate;
+        rig.state.motion.speed[i] = i % 2 == 0 ? -rate : rate;
 }
 
 double gap_of(const PlanarModel& model, const Kinematics& k) {
     double widest = 0.0;
-    for (const BodyPin& pin : model.closing_pins)
-        widest = std::fmax(widest, pin_gap(k, pin, pin_arms(k, pin)).norm());
+    for (const LoopJoint& joint : model.loop_joints)
+        widest = std::fmax(widest, loop_gap(k, joint, loop_arms(k, joint)).norm());
     return widest;
 }
 
 double gap_of(const Rig& rig) {
-    return gap_of(rig.model, rig.moment.frame().kinematics);
+    return gap_of(rig.model, rig.state.cache().kinematics);
 }
 
 BodyPlan pinned_badly(const ClosingPin& pin) {
@@ -89,7 +89,7 @@ TEST_CASE("accelerations of loops agree with dense least squares", "[dynamics][l
     REQUIRE(model);
     for (int round = 0; round < 50; ++round) {
         Motion motion = rest_motion(*model);
-        Frame frame = {};
+        EvaluationCache cache = {};
         MotionRate rate;
         Forcing forcing;
         forcing.medium = {1.0, -9.81, 0.5, 0.2};
@@ -98,17 +98,17 @@ TEST_CASE("accelerations of loops agree with dense least squares", "[dynamics][l
             motion.speed[c] = 4.0 * random.gauss();
         }
         for (int newton = 0; newton < 8; ++newton) {
-            evaluate_accelerations(*model, forcing, motion, {}, frame, rate);
-            LoopClosure(*model, frame.kinematics, frame.factors).close_drift(motion);
+            evaluate_accelerations(*model, forcing, motion, {}, cache, rate);
+            LoopClosure(*model, cache.kinematics, cache.factors).close_drift(motion);
         }
-        evaluate_accelerations(*model, forcing, motion, {}, frame, rate);
+        evaluate_accelerations(*model, forcing, motion, {}, cache, rate);
         LeastSquaresDynamics reference(*model, 1.0 / 20);
-        const Eigen::VectorXd dense = reference.solve(frame.kinematics, frame.loads);
+        const Eigen::VectorXd dense = reference.solve(cache.kinematics, cache.loads);
         CHECK(reference.deviation().norm() < 1e-12);
         Eigen::VectorXd closed(dense.size());
         for (Eigen::Index i = 0; i < model->body_count; ++i)
-            closed.segment<3>(3 * i) << frame.response.x[i], frame.response.y[i],
-                frame.response.spin[i];
+            closed.segment<3>(3 * i) << cache.response.x[i], cache.response.y[i],
+                cache.response.spin[i];
         CHECK((closed - dense).norm() < 1e-9 * dense.norm());
     }
 }
@@ -126,7 +126,7 @@ TEST_CASE("a free rhombus opens at a constant rate", "[dynamics][loops]") {
     CHECK(rig.energy() == Approx(exact).epsilon(1e-12));
     for (int tick = 1; tick <= 120; ++tick) {
         REQUIRE(rig.run(kTestTick));
-        const Motion& motion = rig.moment.motion;
+        const Motion& motion = rig.state.motion;
         CHECK(motion.position[1] == Approx(opening + rate * tick * kTestTick).epsilon(1e-7));
         CHECK(motion.speed[1] == Approx(rate).epsilon(1e-7));
         CHECK(motion.speed[0] == Approx(-rate).epsilon(1e-7));
@@ -138,11 +138,11 @@ TEST_CASE("a free rhombus opens at a constant rate", "[dynamics][loops]") {
 TEST_CASE("a loop keeps energy and angular momentum", "[dynamics][loops]") {
     Rig rig(ring(regular_turns(5)), empty_space(), kReference);
     rig.model.colliding_pairs.clear();
-    rig.moment.motion.speed[0] = 3.0;
-    rig.moment.motion.speed[2] = -4.0;
+    rig.state.motion.speed[0] = 3.0;
+    rig.state.motion.speed[2] = -4.0;
     rig.begin();
-    LoopClosure(rig.model, rig.moment.frame().kinematics, rig.moment.frame().factors)
-        .close_drift(rig.moment.motion);
+    LoopClosure(rig.model, rig.state.cache().kinematics, rig.state.cache().factors)
+        .close_drift(rig.state.motion);
     rig.begin();
     const double energy = rig.energy();
     const double momentum = rig.angular_momentum();
@@ -169,18 +169,18 @@ TEST_CASE("redundant pins do no harm", "[dynamics][loops]") {
     const auto end_of = [](const BodyPlan& plan) {
         Rig rig(plan, airless(9.81), kReference);
         flap(rig, 1.0);
-        rig.moment.motion.speed[4] = 1.0;
+        rig.state.motion.speed[4] = 1.0;
         for (int i = 0; i < 5; ++i)
-            rig.moment.motion.speed[i] += 0.3;
+            rig.state.motion.speed[i] += 0.3;
         rig.begin();
         for (int tick = 0; tick < 40; ++tick) {
             REQUIRE(rig.run(kTestTick));
             CHECK(gap_of(rig) < 1e-12);
             for (int i = 0; i < 5; ++i)
-                CHECK(rig.moment.motion.speed[i] ==
+                CHECK(rig.state.motion.speed[i] ==
                       Approx(i == 0 || i == 2 ? -0.7 : 1.3).epsilon(1e-6));
         }
-        return rig.moment.motion;
+        return rig.state.motion;
     };
     const Motion expected = end_of(once);
     const Motion motion = end_of(twice);
@@ -210,17 +210,17 @@ TEST_CASE("a loop falls freely", "[dynamics][loops]") {
     CHECK(std::fabs(scene->audit().energy_residual) < 1e-3 * scene->audit().gross_motor_work);
 }
 
-TEST_CASE("one stop stops the whole loop", "[dynamics][loops]") {
+TEST_CASE("one joint limit stops all of the loop", "[dynamics][loops]") {
     Rig rig(rhombus(0.6, 0.4), empty_space(), kReference);
     flap(rig, 0.5);
     rig.begin();
     const double energy = rig.energy();
     REQUIRE(rig.run(1.0));
-    CHECK(rig.moment.motion.position[1] == Approx(0.8).margin(1e-3));
+    CHECK(rig.state.motion.position[1] == Approx(0.8).margin(1e-3));
     CHECK(rig.speed() < 1e-4);
-    CHECK(rig.moment.audit.limit_work + rig.moment.audit.impulse_work ==
+    CHECK(rig.state.audit.limit_work + rig.state.audit.impulse_work ==
           Approx(-energy).epsilon(1e-3));
-    CHECK(std::fabs(rig.moment.audit.energy_residual) < 1e-3 * energy);
+    CHECK(std::fabs(rig.state.audit.energy_residual) < 1e-3 * energy);
 }
 
 // Friction, impacts and rest included: the pin is the joint that the tree has.

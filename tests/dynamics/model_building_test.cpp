@@ -35,7 +35,7 @@ TEST_CASE("rigid joints weld parts into one body", "[dynamics][model]") {
     CHECK(model->part_x[1] == Approx(0.2));
 }
 
-TEST_CASE("bodies stand depth first", "[dynamics][model]") {
+TEST_CASE("bodies are numbered depth first", "[dynamics][model]") {
     BodyPlan plan = one_box(0.2, 0.1, 0.0, 0.0);
     attach(plan, 0, Vec3(0.2, 0.0, 0.0), 0.0, kRotaryJoint);
     attach(plan, 0, Vec3(-0.2, 0.0, 0.0), kPi, kRotaryJoint);
@@ -48,7 +48,7 @@ TEST_CASE("bodies stand depth first", "[dynamics][model]") {
     CHECK(model->parent[3] == 0);
 }
 
-TEST_CASE("the model stands where the plan says", "[dynamics][model]") {
+TEST_CASE("the rest pose of the model is that of the plan", "[dynamics][model]") {
     RandomStream random(stream_seed({31}));
     for (int round = 0; round < 50; ++round) {
         BodyPlan plan = random_tree(random, 10, 0.3, 1.0, 1.0);

@@ -124,7 +124,7 @@ TEST_CASE("a link swings with the period of its own pendulum and its base's reco
     const int ticks = static_cast<int>(duration / kTestTick);
     REQUIRE(rig.run(ticks * kTestTick));
     const double phase = w * ticks * kTestTick;
-    const double angle = rig.moment.motion.position[1] + kPi / 2;
+    const double angle = rig.state.motion.position[1] + kPi / 2;
     CHECK(angle == Approx(0.01 * cosine(phase)).margin(4e-6));
 }
 

@@ -47,7 +47,7 @@ TEST_CASE("a pull off the centre turns", "[dynamics][scene]") {
           Approx(0.3 * 0.01 / inertia * kTestTick).epsilon(1e-4));
 }
 
-TEST_CASE("translation moves every part and leaves the books straight", "[dynamics][scene]") {
+TEST_CASE("translation moves every part and keeps the audit balanced", "[dynamics][scene]") {
     const BodyPlan plan = chain(3, 1.0, 0.0, 2.0);
     const auto scene = make_scene(plan, {});
     REQUIRE(run(*scene, 0.2));
@@ -58,7 +58,7 @@ TEST_CASE("translation moves every part and leaves the books straight", "[dynami
     CHECK(std::fabs(scene->audit().energy_residual) < 1e-9);
 }
 
-TEST_CASE("a changed environment acts at once and leaves the books straight", "[dynamics][scene]") {
+TEST_CASE("a changed environment acts at once and keeps the audit balanced", "[dynamics][scene]") {
     const auto scene = make_scene(one_box(0.3, 0.1, 0.0, 5.0), {});
     REQUIRE(run(*scene, 0.5));
     const double speed = scene->center_of_mass_velocity().y();
@@ -72,7 +72,7 @@ TEST_CASE("a changed environment acts at once and leaves the books straight", "[
     CHECK(std::fabs(scene->audit().energy_residual) < 1e-9);
 }
 
-TEST_CASE("a moment restored into another environment leaves the books straight",
+TEST_CASE("a state restored into another environment keeps the audit balanced",
           "[dynamics][scene]") {
     Environment moon;
     moon.gravity = 1.6;
@@ -81,14 +81,14 @@ TEST_CASE("a moment restored into another environment leaves the books straight"
     const BodyPlan plan = chain(3, 1.0, 0.0, 5.0);
     const auto away = make_scene(plan, moon);
     REQUIRE(run(*away, 0.5));
-    const auto moment = away->save();
+    const auto state = away->save();
     const auto scene = make_scene(plan, {});
-    scene->restore(*moment);
+    scene->restore(*state);
     CHECK(scene->energy() > 0.0);
     REQUIRE(run(*scene, 0.25));
     CHECK(std::fabs(scene->audit().energy_residual) < 1e-9);
     away->set_environment({});
-    away->restore(*moment);
+    away->restore(*state);
     REQUIRE(run(*away, 0.25));
     CHECK(std::fabs(away->audit().energy_residual) < 1e-9);
 }
@@ -111,7 +111,7 @@ TEST_CASE("views of welded parts move with their body", "[dynamics][scene]") {
     CHECK((scene->part_twist(1).linear - expected).norm() < 1e-12);
 }
 
-TEST_CASE("a scene that runs away stands still and says so", "[dynamics][scene]") {
+TEST_CASE("a scene that diverges stops and says so", "[dynamics][scene]") {
     Environment environment;
     environment.has_ground = false;
     environment.gravity = 1e6;

@@ -39,29 +39,29 @@ Rig::Rig(const BodyPlan& plan, const Environment& environment, const std::string
                       environment.viscosity_linear, environment.viscosity_quadratic};
     forcing.drive.frequency = SceneSettings{}.motor_frequency;
     forcing.drive.speed_limit = SceneSettings{}.motor_speed_limit;
-    moment.motion = rest_motion(model);
+    state.motion = rest_motion(model);
 }
 
 void Rig::begin() {
-    evaluate_accelerations(model, forcing, moment.motion, {}, moment.frame(), moment.free_rate);
-    open_books(model, forcing.medium, moment);
+    evaluate_accelerations(model, forcing, state.motion, {}, state.cache(), state.free_rate);
+    start_audit(model, forcing.medium, state);
 }
 
 bool Rig::run(double duration) {
     const int ticks = static_cast<int>(std::lround(duration / kTestTick));
     for (int i = 0; i < ticks; ++i) {
-        control.advance(model, law, forcing, kTestTick, moment);
-        if (moment.status != SceneStatus::kRunning) return false;
+        control.advance(model, law, forcing, kTestTick, state);
+        if (state.status != SceneStatus::kRunning) return false;
     }
     return true;
 }
 
 double Rig::energy() const {
-    return mechanical_energy(model, forcing.medium, moment.motion, moment.frame().kinematics);
+    return mechanical_energy(model, forcing.medium, state.motion, state.cache().kinematics);
 }
 
 double Rig::angular_momentum() const {
-    const Kinematics& k = moment.frame().kinematics;
+    const Kinematics& k = state.cache().kinematics;
     double sum = 0.0;
     for (int i = 0; i < model.body_count; ++i)
         sum += model.inertia[i] * k.spin[i] +
@@ -72,7 +72,7 @@ double Rig::angular_momentum() const {
 double Rig::speed() const {
     double largest = 0.0;
     for (int c = 0; c < coordinate_count(model); ++c)
-        largest = std::fmax(largest, std::fabs(moment.motion.speed[c]));
+        largest = std::fmax(largest, std::fabs(state.motion.speed[c]));
     return largest;
 }
 

@@ -25,7 +25,7 @@ struct Rig {
     PlanarModel model;
     Forcing forcing;
     ContactLaw law;
-    SceneMoment moment;
+    SimulationState state;
     StepControl control;
 };
 

@@ -35,18 +35,18 @@ Sources touching_everywhere(RandomStream& random, const PlanarModel& model, cons
     return sources;
 }
 
-struct Moment {
-    Frame frame = {};
+struct Evaluated {
+    EvaluationCache cache = {};
     MotionRate rate = {};
 };
 
-Moment random_moment(RandomStream& random, const PlanarModel& model) {
+Evaluated random_evaluated(RandomStream& random, const PlanarModel& model) {
     const Motion motion = random_motion(random, model);
-    Moment moment;
-    evaluate_accelerations(model, {}, motion, {0.0, FrameDetail::kEverything}, moment.frame,
-                           moment.rate);
-    complete_frame(model, moment.frame);
-    return moment;
+    Evaluated state;
+    evaluate_accelerations(model, {}, motion, {0.0, EvaluationDetail::kEverything}, state.cache,
+                           state.rate);
+    complete_cache(model, state.cache);
+    return state;
 }
 
 }  // namespace
@@ -58,11 +58,11 @@ TEST_CASE("rows are coupled as impulses move the bodies", "[dynamics][rows]") {
         const auto model = build_planar_model(
             random_tree(random, random.between(2, 20), linear_share, 20.0, 0.0), 1.0);
         REQUIRE(model);
-        const Moment moment = random_moment(random, *model);
-        const Sources sources = touching_everywhere(random, *model, moment.frame.kinematics);
-        static RowSystem rows;
-        build_rows(*model, {sources.contacts, sources.limits, true, 1e-2}, moment.frame.kinematics,
-                   moment.frame, rows);
+        const Evaluated state = random_evaluated(random, *model);
+        const Sources sources = touching_everywhere(random, *model, state.cache.kinematics);
+        static ConstraintSystem rows;
+        build_rows(*model, {sources.contacts, sources.limits, true, 1e-2}, state.cache.kinematics,
+                   state.cache, rows);
         REQUIRE(rows.count == 3 * model->body_count - 1);
         for (int column = 0; column < rows.count; ++column) {
             double unit[kMaxRows] = {};
@@ -72,7 +72,7 @@ TEST_CASE("rows are coupled as impulses move the bodies", "[dynamics][rows]") {
             double rates[2][kMaxRows];
             clear_loads(*model, loads);
             add_row_impulses(rows, unit, 1.0, loads);
-            solve_impulse(*model, moment.frame.kinematics, moment.frame.factors, loads, jumps[0]);
+            solve_impulse(*model, state.cache.kinematics, state.cache.factors, loads, jumps[0]);
             rate_rows(*model, rows, jumps, rates);
             INFO("round " << round << ", column " << column);
             for (int row = 0; row < rows.count; ++row) {
@@ -89,7 +89,7 @@ TEST_CASE("all contacts of a body with the ground share one friction row, at the
     RandomStream random(stream_seed({82}));
     const auto model = build_planar_model(random_tree(random, 3, 0.0, 20.0, 0.0), 1.0);
     REQUIRE(model);
-    const Moment moment = random_moment(random, *model);
+    const Evaluated state = random_evaluated(random, *model);
     ContactSet contacts;
     for (int c = 0; c < 5; ++c) {
         Contact contact;
@@ -98,8 +98,8 @@ TEST_CASE("all contacts of a body with the ground share one friction row, at the
         contact.arm_ax = 0.01 * c;
         contacts.add(contact);
     }
-    static RowSystem rows;
-    build_rows(*model, {contacts, {}, true, 1e-2}, moment.frame.kinematics, moment.frame, rows);
+    static ConstraintSystem rows;
+    build_rows(*model, {contacts, {}, true, 1e-2}, state.cache.kinematics, state.cache, rows);
     REQUIRE(rows.count == 7);
     int normals = 0;
     for (int row = 0; row < rows.count; ++row) {

@@ -112,9 +112,9 @@ TEST_CASE("touching itself does not move or turn a creature in empty space",
             }
             REQUIRE(rig.run(kTestTick));
         }
-        CHECK(rig.moment.audit.gross_motor_work > 0.1);
-        CHECK(std::fabs(rig.moment.motion.speed[center_of(rig.model, 0)]) < 1e-10);
-        CHECK(std::fabs(rig.moment.motion.speed[center_of(rig.model, 0) + 1]) < 1e-10);
+        CHECK(rig.state.audit.gross_motor_work > 0.1);
+        CHECK(std::fabs(rig.state.motion.speed[center_of(rig.model, 0)]) < 1e-10);
+        CHECK(std::fabs(rig.state.motion.speed[center_of(rig.model, 0) + 1]) < 1e-10);
         CHECK(std::fabs(rig.angular_momentum()) < 1e-4);
     }
 }

@@ -21,7 +21,7 @@ std::shared_ptr<Individual> child_of(IndividualPtr mother, std::uint64_t uid) {
 
 }  // namespace
 
-TEST_CASE("an ancestry's digest is of the whole line", "[evolution][ancestry_digest]") {
+TEST_CASE("an ancestry's digest covers all of the line", "[evolution][ancestry_digest]") {
     const auto first = child_of(nullptr, 1);
     const auto second = child_of(first, 2);
     const auto third = child_of(second, 3);

@@ -134,7 +134,7 @@ TEST_CASE("newcomers asked for come once", "[evolution]") {
     CHECK(newcomers() == 0);
 }
 
-TEST_CASE("a run that stands still is stagnant until it is evaluated again", "[evolution]") {
+TEST_CASE("a run without progress is stagnant until it is evaluated again", "[evolution]") {
     auto settings = small_settings(10);
     settings->mutation.scheme = "none";
     settings->breeding.shares = {{"asexual", 1}, {"crossover", 0}, {"grafting", 0}};

@@ -38,7 +38,7 @@ Evolution evolved(int size, int generations) {
 
 }  // namespace
 
-TEST_CASE("a line of any length is let go of without recursion", "[evolution][parent_link]") {
+TEST_CASE("a line of any length is freed without recursion", "[evolution][parent_link]") {
     IndividualPtr last = line_of(100'000);
     const std::weak_ptr<const Individual> first = [&] {
         IndividualPtr one = last;
@@ -63,7 +63,7 @@ TEST_CASE("a shared ancestor lives as long as one of its lines", "[evolution][pa
     CHECK(watched.expired());
 }
 
-TEST_CASE("two threads may let go of one line", "[evolution][parent_link]") {
+TEST_CASE("two threads may free one line", "[evolution][parent_link]") {
     IndividualPtr one = child_of(line_of(20'000));
     IndividualPtr other = child_of(one->mother.get());
     const std::weak_ptr<const Individual> shared = one->mother.get();

@@ -191,7 +191,7 @@ TEST_CASE("roulette gives everyone its share of f - mean + 2 sd", "[evolution][s
         CHECK(children_of(drawn, i) <= 1);
 }
 
-TEST_CASE("MAP-Elites keeps the fittest of every cell and breeds a whole batch",
+TEST_CASE("MAP-Elites keeps the fittest of every cell and breeds a full batch",
           "[evolution][selection]") {
     const auto ranked = ranked_by(96, falling, [](Individual& individual, std::size_t place) {
         individual.result.parts = 1 + static_cast<int>(place % 8);

@@ -42,7 +42,7 @@ void append_number(std::string& bytes, std::uint32_t number) {
         bytes += static_cast<char>(number >> shift & 0xff);
 }
 
-// As far as they are whole.
+// Returns the complete chunks.
 std::vector<Chunk> chunks_of(const std::uint8_t* data, std::size_t size) {
     std::vector<Chunk> chunks;
     std::size_t at = kSignature;

@@ -1,4 +1,4 @@
-// Experiment files: an experiment that is whole and can be gone on with, or a message.
+// Fuzzes experiment files: the reader gives a complete experiment that can continue, or a message.
 //
 // Most files are refused for their first bytes, so an input that begins with E is a list of edits
 // of the tables of a sound experiment, one that begins with P replaces bytes of its pages, and any
@@ -45,7 +45,7 @@ struct Workplace {
     Workplace() { database.execute("PRAGMA journal_mode = MEMORY; PRAGMA synchronous = OFF"); }
 };
 
-// As if the program had written the population that is there now, if it is whole.
+// Writes the digest of the population in the file, if that is complete.
 void renew_digest(Database& database) {
     std::vector<IndividualPtr> population;
     IndividualReader individuals(database, kinds());

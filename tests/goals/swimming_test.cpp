@@ -31,7 +31,7 @@ TEST_CASE("drifting on after one push scores far less than its mean speed", "[go
     CHECK(swimming_score(record) < 0.05);
 }
 
-TEST_CASE("whole circles score less than a tenth of the speed swum", "[goals][swimming]") {
+TEST_CASE("full circles score less than a tenth of the speed swum", "[goals][swimming]") {
     const auto record = moving_box(
         15.0, 1.0, 0.1, [](double t) { return Vec3(std::cos(2.0 * t), std::sin(2.0 * t), 0.0); });
     CHECK(swimming_score(record) < 0.2);

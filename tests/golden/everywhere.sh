@@ -15,7 +15,7 @@
 #   everywhere.sh [PLATFORM...]     all of them, unless some are named
 #
 # Ends with status 1 if any platform differs; the first digests that do are named. A change meant to
-# alter results records them anew with
+# alter results records them again with
 #
 #   cmake --build build/release --target record_digests
 #

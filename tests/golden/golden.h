@@ -26,7 +26,7 @@ void add_neuron_digests(Digests& digests);
 void add_genome_digests(Digests& digests);
 // Random trees in air, water and on the ground by every integrator, and parts that hit each other.
 void add_physics_digests(Digests& digests);
-// Whole trials of every goal: motion, books and score.
+// Trials of every goal: motion, energy audit and score.
 void add_trial_digests(Digests& digests);
 // A small evolution on 1, 2 and 7 threads.
 void add_evolution_digests(Digests& digests);

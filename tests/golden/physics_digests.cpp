@@ -1,5 +1,5 @@
 #include "dynamics/bodies.h"
-#include "golden/books.h"
+#include "golden/audit.h"
 #include "golden/golden.h"
 #include "support/workload.h"
 
@@ -30,7 +30,7 @@ void flail_for(PhysicsScene& scene, const BodyPlan& plan, double duration) {
 
 void add_scene(Hash64& hash, const PhysicsScene& scene) {
     scene.add_to_digest(hash);
-    add_books(hash, scene.audit());
+    add_audit(hash, scene.audit());
 }
 
 std::uint64_t digest_of_trees(const Environment& environment, const SceneSettings& settings,

@@ -1,4 +1,4 @@
-#include "golden/books.h"
+#include "golden/audit.h"
 #include "golden/founders.h"
 #include "golden/golden.h"
 #include "simulator/trial.h"
@@ -22,7 +22,7 @@ void add_record(Hash64& hash, const TrialRecord& record) {
         hash.add(sample.bounds.high.x());
         hash.add(sample.bounds.low.y());
     }
-    add_books(hash, record.audit);
+    add_audit(hash, record.audit);
 }
 
 // The founders that can move, from a number of their own for each goal.

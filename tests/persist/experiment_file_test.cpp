@@ -156,8 +156,8 @@ TEST_CASE("resumed at any generation a run goes on as if never stopped",
     ExperimentSettings settings = small_settings(selection);
     settings.stop_hopeless = selection == "truncation";
     const auto steering = some_steering(settings);
-    write_run(folder / "whole.cambrian", settings, kGenerations, steering);
-    const auto expected = digests_of(folder / "whole.cambrian");
+    write_run(folder / "complete.cambrian", settings, kGenerations, steering);
+    const auto expected = digests_of(folder / "complete.cambrian");
     for (std::size_t stop = 1; stop < kGenerations; ++stop) {
         const std::filesystem::path path = folder / ("stopped" + std::to_string(stop));
         write_run(path, settings, stop, steering);
@@ -219,7 +219,7 @@ TEST_CASE("minus zero is not zero in a file", "[persist][experiment_file]") {
     CHECK(std::signbit(read.travel));
 }
 
-TEST_CASE("genotypes of those who neither survived nor bore are let go",
+TEST_CASE("genotypes of individuals that neither survived nor had children are deleted",
           "[persist][experiment_file]") {
     const TemporaryDirectory folder;
     write_run(folder / "a.cambrian", small_settings(), 12);
@@ -234,7 +234,7 @@ TEST_CASE("genotypes of those who neither survived nor bore are let go",
                            "champion") == 12);
 }
 
-TEST_CASE("a star keeps each score it was given, whoever else lets go of it",
+TEST_CASE("a star keeps each score it was given, although its individual is dropped elsewhere",
           "[persist][experiment_file]") {
     KeptRun run;
     run_on(run.evolution, *run.file, 2);
@@ -267,15 +267,15 @@ TEST_CASE("an experiment moves to another file and goes on there", "[persist][ex
     const auto steering = some_steering(small_settings());
     const std::string origin = GENERATE("a.cambrian", "");
     KeptRun run(origin);
-    const std::filesystem::path whole = run.folder / "whole.cambrian";
+    const std::filesystem::path complete = run.folder / "complete.cambrian";
     const std::filesystem::path other = run.folder / "b.cambrian";
-    write_run(whole, small_settings(), 6, steering);
+    write_run(complete, small_settings(), 6, steering);
     run_on(run.evolution, *run.file, 3, steering);
     std::ofstream(other) << "something else";
     REQUIRE(run.file->move_to(other));
     CHECK(run.file->path() == other);
     run_on(run.evolution, *run.file, 6, steering);
-    CHECK(digests_of(other) == digests_of(whole));
+    CHECK(digests_of(other) == digests_of(complete));
     if (!origin.empty()) CHECK(digests_of(run.path).size() == 3);
 }
 
@@ -343,14 +343,14 @@ TEST_CASE("a champion is read without the rest of its experiment", "[persist][ex
     const TemporaryDirectory folder;
     const auto path = folder / "a.cambrian";
     write_run(path, small_settings(), 3);
-    const auto whole = load_experiment(path, kinds());
-    REQUIRE(whole);
+    const auto complete = load_experiment(path, kinds());
+    REQUIRE(complete);
     Database(path, Database::Access::kWrite).execute("DELETE FROM population");
     REQUIRE_FALSE(load_experiment(path, kinds()));
     for (const std::uint32_t generation : {0U, 1U, 2U}) {
         const auto kept = load_champion(path, generation, kinds());
         REQUIRE(kept);
-        const JudgedIndividual& expected = whole->champions[generation];
+        const JudgedIndividual& expected = complete->champions[generation];
         CHECK(kept->creature.generation == generation);
         check_equal(*kept->creature.individual, *expected.individual);
         CHECK(kept->creature.settings->seed == expected.settings->seed);

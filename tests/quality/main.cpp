@@ -52,9 +52,9 @@ std::vector<RunSpec> still_to_run(const std::string& plan, const std::vector<Run
 }
 
 // Two files that grow by a run at a time.
-class Books {
+class RunTables {
 public:
-    explicit Books(const std::filesystem::path& folder)
+    explicit RunTables(const std::filesystem::path& folder)
         : runs_(open(folder / "runs.csv", run_header())),
           curves_(open(folder / "curves.csv", curve_header())) {}
 
@@ -92,11 +92,11 @@ int run_plan(const Options& options) {
     if (!done) return refuse(done.error());
     const EvolutionKinds kinds = builtin_kinds();
     const std::vector<RunSpec> runs = still_to_run(options.plan, *done);
-    Books books(options.folder);
+    RunTables tables(options.folder);
     std::atomic<bool> kept = true;
     ThreadPool pool(options.threads);
     pool.parallel_for(runs.size(), [&](std::size_t index, std::size_t /*worker*/) {
-        const bool written = books.keep(perform(runs[index], kinds, champions));
+        const bool written = tables.keep(perform(runs[index], kinds, champions));
         if (!written) kept = false;
     });
     if (!kept) return refuse({options.folder.string() + ": a run could not be written"});

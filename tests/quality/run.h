@@ -51,7 +51,7 @@ struct RunResult {
     double late_travel = 0.0;  // body lengths along x, in the last 30 % of the test
     double reversals = 0.0;    // Hz, of its busiest joint
     bool clean = false;        // by the audit
-    std::uint64_t digest = 0;  // of the whole run's scores and the champion's motion
+    std::uint64_t digest = 0;  // of all scores of the run and the champion's motion
     std::map<std::string, Offspring> offspring;  // by method id
     std::vector<CurvePoint> curve;               // one point a generation
 };

@@ -15,7 +15,7 @@ std::string run_line(const RunResult& result);
 std::string curve_header();
 std::string curve_lines(const RunResult& result);
 
-// Without curves. A line that is not whole is left out, as of a run to be done again; a file that
+// Reads runs without curves. An incomplete line is left out, so its run is done again. A file that
 // does not exist has no lines.
 Result<std::vector<RunResult>> read_runs(const std::filesystem::path& path);
 

@@ -12,7 +12,7 @@
 namespace cambrian {
 namespace {
 
-// The whole window, the crawler on show.
+// The main window, with the crawler on display.
 struct WindowRun {
     NullImGui gui{1280, 720};
     MainWindow window{builtin_panels(), nullptr};
@@ -36,7 +36,7 @@ struct WindowRun {
     }
 };
 
-TEST_CASE("the main controls stand inside a window of 1280 by 720", "[studio][main_window]") {
+TEST_CASE("the main controls are inside a window of 1280 by 720", "[studio][main_window]") {
     WindowRun run;
     run.studio.finish_generation(1.0);
     run.draw();
@@ -49,7 +49,7 @@ TEST_CASE("the main controls stand inside a window of 1280 by 720", "[studio][ma
     CHECK(run.out.all().empty());
 }
 
-TEST_CASE("the timeline's and the population's controls stand in a small window without overlap",
+TEST_CASE("the timeline's and the population's controls are in a small window without overlap",
           "[studio][main_window]") {
     WindowRun run;
     run.studio.finish_generation(1.0);
@@ -116,7 +116,7 @@ TEST_CASE("files lie over the panels and can be cancelled", "[studio][main_windo
     CHECK(test::was_asked<CloseFilePanel>(run.out));
 }
 
-TEST_CASE("in selection by hand the controls stand inside a window of 1280 by 720",
+TEST_CASE("in selection by hand the controls are inside a window of 1280 by 720",
           "[studio][main_window][picking]") {
     WindowRun run;
     run.studio.show_grid(25);
@@ -126,7 +126,7 @@ TEST_CASE("in selection by hand the controls stand inside a window of 1280 by 72
           "cell 25",   "Back",         "Forward", "View",
           "Keep",      "Save…",        "Scores",  "Hints",
           "25",        "Wild",         "dial",    "Newcomers for the rest",
-          "Assist",    "Inject picks", "New run", "Grid from the creature on show",
+          "Assist",    "Inject picks", "New run", "Grid from the creature on display",
           "grid 1",    "shelf"}) {
         INFO(name);
         CHECK(test::inside(run.gui.place(name), 1280, 720));

@@ -1,6 +1,6 @@
 #pragma once
 
-// What a person does to a panel that stands alone, and what the panel asks for.
+// Presses of a person in a single panel, and the requests of the panel.
 
 #include "studio/frame/panel.h"
 #include "studio_fixture.h"

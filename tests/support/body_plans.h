@@ -34,7 +34,7 @@ BodyPlan random_tree(RandomStream& random, int parts, double linear_share, doubl
 Environment empty_space();  // no gravity, ground or medium
 Environment open_water();   // a medium, and nothing else
 
-// Lifts the lowest corner 2 cm above the ground and starts the books.
+// Lifts the lowest corner 2 cm above the ground and restarts the energy audit.
 void stand_on_ground(PhysicsScene& scene);
 
 // Advances tick by tick; false if the scene became invalid.

@@ -179,7 +179,7 @@ inline GenomePtr fish(const KindCatalog& catalog, double bend = 0.0) {
     return builder.build();
 }
 
-// The fish's body with a tail that strikes once, 1 s after birth, and is then held still.
+// The fish's body with a tail that beats once, 1 s after birth, and then holds still.
 inline GenomePtr drifter(const KindCatalog& catalog) {
     CreatureBuilder builder(catalog);
     const auto body = builder.part(0.6, 0.16);

@@ -37,10 +37,6 @@ std::vector<Hello> last_words(const std::vector<std::string>& texts) {
     return all;
 }
 
-const char* role_word(const Hello& hello) {
-    return hello.role == Hello::Role::kCoordinator ? "coordinator" : "worker";
-}
-
 std::string state_words(const Hello& hello) {
     if (!hello.refused.empty()) return "refused: " + hello.refused;
     if (hello.role == Hello::Role::kCoordinator) return "evolves";
@@ -48,7 +44,7 @@ std::string state_words(const Hello& hello) {
 }
 
 std::string json_of(const Hello& hello) {
-    return json_object({{"role", quoted_text(role_word(hello))},
+    return json_object({{"role", quoted_text(role_word(hello.role))},
                         {"id", quoted_text(hex_text(hello.id))},
                         {"name", quoted_text(hello.name)},
                         {"cores", std::to_string(hello.cores)},
@@ -67,7 +63,7 @@ std::string left_aligned(std::string text, std::size_t width) {
 }
 
 std::string row_of(const Hello& hello) {
-    return left_aligned(hello.name, 24) + "  " + left_aligned(role_word(hello), 11) + "  " +
+    return left_aligned(hello.name, 24) + "  " + left_aligned(role_word(hello.role), 11) + "  " +
            left_aligned(std::to_string(hello.cores), 5) + "  " +
            left_aligned(short_text(std::round(hello.creatures_per_second)), 11) + "  " +
            state_words(hello);
@@ -82,7 +78,8 @@ std::string table_of(const std::vector<Hello>& hellos) {
         cores += static_cast<std::size_t>(std::max(hello.cores, 0));
         creatures += hello.creatures_per_second;
     }
-    if (hellos.empty()) return "nobody is on this cluster";
+    if (hellos.empty())
+        return "nobody is heard on this cluster; workers that wait for its first run are silent";
     return text + "\n" + counted(hellos.size(), "machine") + ", " + counted(cores, "core") + ", " +
            short_text(std::round(creatures)) + " creatures/s";
 }

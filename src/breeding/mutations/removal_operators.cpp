@@ -9,7 +9,7 @@ namespace {
 // Rewrites the references within one list of neurons for the loss of one of them.
 class Removal {
 public:
-    // The substitute takes the place of what a neuron heard that heard only itself.
+    // The substitute replaces the input of a neuron that read only itself.
     Removal(const NeuronSite& site, const std::vector<NeuronGene>& list,
             const SourceRef& substitute)
         : scope_(site.list.scope),
@@ -19,7 +19,7 @@ public:
         heir_ = moved(list[removed_].inputs[0].source);
     }
 
-    // Links to the removed neuron hear what it heard first; neurons above it have moved down.
+    // Links to the removed neuron read its first input; neurons above it have moved down.
     void rewrite(SourceRef& source) const {
         source = names_removed(source) ? heir_ : moved(source);
     }

@@ -36,6 +36,11 @@ std::optional<int> port_of(std::string_view text) {
     return port;
 }
 
+bool is_letter_or_digit(char letter) {
+    return (letter >= '0' && letter <= '9') || (letter >= 'a' && letter <= 'z') ||
+           (letter >= 'A' && letter <= 'Z');
+}
+
 bool is_host(std::string_view host) {
     if (host.empty() || host.size() > kLongestHost) return false;
     if (host.front() == '[') {
@@ -44,8 +49,7 @@ bool is_host(std::string_view host) {
                    std::string_view::npos;
     }
     return std::all_of(host.begin(), host.end(), [](char letter) {
-        return (letter >= '0' && letter <= '9') || (letter >= 'a' && letter <= 'z') ||
-               (letter >= 'A' && letter <= 'Z') || letter == '.' || letter == '-' || letter == '_';
+        return is_letter_or_digit(letter) || letter == '.' || letter == '-' || letter == '_';
     });
 }
 
@@ -97,8 +101,7 @@ std::vector<std::string_view> parts_of(std::string_view text) {
 
 Status check_name(const std::string& name) {
     const bool plain = std::all_of(name.begin(), name.end(), [](char letter) {
-        return (letter >= '0' && letter <= '9') || (letter >= 'a' && letter <= 'z') ||
-               (letter >= 'A' && letter <= 'Z') || letter == '-' || letter == '_';
+        return is_letter_or_digit(letter) || letter == '-' || letter == '_';
     });
     if (plain && !name.empty() && name.size() <= kLongestClusterName) return {};
     return Error{"a cluster's name has 1 to " + std::to_string(kLongestClusterName) +

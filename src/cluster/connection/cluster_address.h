@@ -1,6 +1,6 @@
 #pragma once
 
-// Where a cluster is and how one is let in, as a person types it and as it is used.
+// The address of a cluster and the credentials for it, as typed and as used.
 
 #include "core/result.h"
 

@@ -15,8 +15,8 @@
 
 namespace cambrian {
 
-// All fail, in one sentence, for what waiting does not mend: no such host, no NATS server, no
-// JetStream, wrong credentials, a certificate that is not trusted, streams with other settings.
+// All fail, in one sentence, for errors that waiting does not cure: no such host, no NATS server,
+// no JetStream, wrong credentials, a certificate that is not trusted, streams with other settings.
 
 // A server that cannot be reached is no failure: the queue connects as soon as it can and complains
 // meanwhile. experiment: 16 hexadecimal digits, the same for a run that is resumed, so that what is

@@ -36,22 +36,18 @@ void Answers::want_check(std::size_t creature) {
 Answers::Claimed Answers::claim(std::size_t creature, std::uint64_t worker, EvaluationResult result,
                                 bool check) {
     const Answer& answer = answers_[creature];
-    std::string text = result_text(result);
-    if (answer.home) return {false, Comparison{worker, text == result_text(*answer.home)}};
+    if (answer.home) return {false, Comparison{worker, same_result(result, *answer.home)}};
     const bool first = answer.claims.empty();
-    const bool disputed = !first && text != answer.claims.front().text;
-    change(creature, [&](Answer& each) {
-        each.claims.push_back({worker, std::move(result), std::move(text)});
-    });
+    const bool disputed = !first && !same_result(result, answer.claims.front().result);
+    change(creature, [&](Answer& each) { each.claims.push_back({worker, std::move(result)}); });
     if (check || disputed) want_check(creature);
     return {first, std::nullopt};
 }
 
 std::vector<Comparison> Answers::compute(std::size_t creature, EvaluationResult result) {
     std::vector<Comparison> comparisons;
-    const std::string text = result_text(result);
     for (const Claim& claim : answers_[creature].claims)
-        comparisons.push_back({claim.worker, claim.text == text});
+        comparisons.push_back({claim.worker, same_result(claim.result, result)});
     change(creature, [&](Answer& answer) {
         if (!answer.home) answer.home = std::move(result);
         answer.claims.clear();

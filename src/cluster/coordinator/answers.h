@@ -1,19 +1,19 @@
 #pragma once
 
-// What was answered of a batch, by whom, and what of it is certain. The own cores' results are the
-// truth that workers' results are compared with; those of two workers are compared with each other.
+// The answers of a batch: which worker gave them, and which are certain. Results of this machine's
+// cores are the reference for those of workers; results of two workers are compared with each
+// other.
 
 #include "evolution/evaluation/evaluation.h"
 
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <string>
 #include <vector>
 
 namespace cambrian {
 
-// How a worker's result compared with that of the own cores.
+// The comparison of a worker's result with that of this machine.
 struct Comparison {
     std::uint64_t worker = 0;
     bool equal = false;  // every bit
@@ -23,18 +23,18 @@ class Answers {
 public:
     explicit Answers(std::size_t creatures) : answers_(creatures) {}
 
-    // A worker's result. check: it does not count until the own cores have computed it too.
+    // Adds a worker's result. check: it does not count until this machine has computed it too.
     struct Claimed {
         bool first = false;  // of this creature
         std::optional<Comparison> comparison;
     };
     Claimed claim(std::size_t creature, std::uint64_t worker, EvaluationResult result, bool check);
-    // The own cores' result; how it compares with each claim.
+    // Adds the result of this machine; returns its comparison with each claim.
     std::vector<Comparison> compute(std::size_t creature, EvaluationResult result);
-    // Takes back what nobody else claims too. Creatures that lost their result that way.
+    // Revokes results that no other worker claims too. Returns the creatures that lost theirs.
     std::vector<std::size_t> drop_worker(std::uint64_t worker);
 
-    // Whether somebody answered it, for certain or not.
+    // Whether the creature has an answer, certain or not.
     bool claimed(std::size_t creature) const {
         return answers_[creature].home || !answers_[creature].claims.empty();
     }
@@ -45,17 +45,17 @@ public:
     // The result that counts; null unless settled.
     const EvaluationResult* result(std::size_t creature) const;
 
-    // A creature to be computed at home to check it, the earliest first; each is told once.
+    // The next creature that this machine must compute as a check; each is returned once.
     std::optional<std::size_t> next_check();
     bool checks_waiting() const { return !checks_.empty(); }
-    // Asks for the check of the best completed creature, unless it is certain. Whether it did.
+    // Requests the check of the best finished creature, unless it is certain. Returns whether it
+    // did.
     bool check_leader();
 
 private:
     struct Claim {
         std::uint64_t worker = 0;
         EvaluationResult result;
-        std::string text;  // of the result
     };
     struct Answer {
         std::vector<Claim> claims;
@@ -63,7 +63,7 @@ private:
         bool check = false;  // wanted, and not yet computed
     };
     void want_check(std::size_t creature);
-    // Keeps count of the settled ones around a change of an answer.
+    // Updates the number of settled creatures when an answer changes.
     template <class Change>
     void change(std::size_t creature, Change apply);
 

@@ -35,10 +35,17 @@ Batch::Batch(std::vector<EvaluationRequest> requests, std::uint32_t generation, 
       answers_(requests_.size()),
       most_creatures_(kMostPlanned) {}
 
+std::vector<EvaluationRequest> Batch::requests_of(const std::vector<std::size_t>& creatures) const {
+    std::vector<EvaluationRequest> requests;
+    for (const std::size_t creature : creatures)
+        requests.push_back(requests_[creature]);
+    return requests;
+}
+
 std::optional<Batch::HomeTask> Batch::next_home_task(double now, const Cores& cores) {
     if (const auto check = answers_.next_check()) return HomeTask{{*check}, std::nullopt};
     if (const auto open = ledger_.take_for_home()) return HomeTask{{*open}, std::nullopt};
-    // With nobody left to wait for, everything is late.
+    // Without reachable workers every unit is late.
     const double moment = cores.remote == 0 ? std::max(now, ledger_.next_due().value_or(now)) : now;
     auto late = ledger_.take_late(moment, cores.own);
     if (!late) return std::nullopt;
@@ -116,13 +123,10 @@ bool Batch::take_result(std::uint32_t unit, const UnitResult& result, const Core
         return true;
     }
     core_seconds_ += result.seconds;
-    std::uint64_t work = 0;
-    for (const SlotResult& each : result.results) {
-        work += each.result.work;
+    for (const SlotResult& each : result.results)
         take_claim(result, each, checked_share(cores));
-    }
-    memory_.costs.learn(result.results.size(), work, result.seconds);
-    // A part of a unit leaves the rest of it to whoever gets it next.
+    memory_.costs.learn(result.results.size(), total_work(result.results), result.seconds);
+    // A worker may have computed a part of a unit; the rest is open once more.
     const auto creatures = ledger_.close(unit);
     std::vector<std::size_t> left;
     for (const std::size_t creature : creatures) {

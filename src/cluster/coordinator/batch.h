@@ -1,8 +1,7 @@
 #pragma once
 
-// One call of EvaluationBackend::evaluate over a cluster: what is handed out, what was answered,
-// and what is certain (cluster/README.md 1). Not safe for several threads; time is given by the
-// caller, in seconds.
+// One call of EvaluationBackend::evaluate over a cluster: published units, answers and their
+// certainty (cluster/README.md 1). It is not thread-safe. The caller gives the time, in seconds.
 
 #include "cluster/coordinator/answers.h"
 #include "cluster/coordinator/trust.h"
@@ -22,17 +21,18 @@ namespace cambrian {
 
 class Batch {
 public:
-    // What outlives a batch.
+    // Data that outlives a batch.
     struct Memory {
         CostModel costs;
         Trust trust;
         BackendCounts counts;
         std::vector<std::uint64_t> other_bits;  // workers refused since a result differed
     };
-    // The requests in the order of handing out; their slots become their places in it.
+    // The requests in the order of publication; their slots become their places in it.
     Batch(std::vector<EvaluationRequest> requests, std::uint32_t generation, Memory& memory);
 
     const std::vector<EvaluationRequest>& requests() const { return requests_; }
+    std::vector<EvaluationRequest> requests_of(const std::vector<std::size_t>& creatures) const;
     std::uint32_t generation() const { return generation_; }
 
     struct HomeTask {
@@ -40,7 +40,7 @@ public:
         // When the late unit was published that they are part of: it may have ended its worker.
         std::optional<double> late_since;
     };
-    // What an own core does next; nothing while it can only wait.
+    // The next task of a core of this machine; nothing while it can only wait.
     std::optional<HomeTask> next_home_task(double now, const Cores& cores);
     std::optional<double> next_due() const { return ledger_.next_due(); }
     void finish_at_home(std::size_t creature, EvaluationResult result, double seconds);
@@ -50,12 +50,12 @@ public:
         std::vector<std::size_t> creatures;
         double seconds = 0.0;  // expected, of one core
     };
-    // The next unit to publish, counted as published; none if enough is on its way.
+    // The next unit to publish, which counts as published; none if enough units are outstanding.
     std::optional<UnitPlan> next_unit(double now, const Cores& cores);
     void not_published(std::uint32_t unit);
-    // No unit is to have as many creatures again.
+    // Limits the following units to fewer creatures than this.
     void too_large(const UnitPlan& plan);
-    // Nobody will answer it.
+    // Abandons a unit that no worker will answer.
     void not_deliverable(std::uint32_t unit) { ledger_.expect_no_more(unit); }
     bool anything_outstanding() const { return ledger_.outstanding() > 0; }
 

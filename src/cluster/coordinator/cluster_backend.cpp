@@ -50,7 +50,7 @@ public:
     BackendStatus status() const override;
 
 private:
-    // What the threads of one call of evaluate() share.
+    // Data that the threads of one call of evaluate() share.
     struct Call {
         const ExperimentSettings& settings;
         std::optional<JudgingSettings> judging;  // none if they cannot travel
@@ -64,14 +64,14 @@ private:
     bool run(Call& call, const std::stop_token& stop);
     void note_time(const Batch& batch, double seconds);
 
-    // An own core's part of a call.
+    // The part of a call that one core of this machine does.
     void serve_core(Call& call, const std::stop_token& stop);
     void perform(Call& call, const Batch::HomeTask& task);
     void compute_here(Call& call, std::size_t creature);
     void compute_apart(Call& call, const std::vector<std::size_t>& creatures);
     void after_change(Call& call);  // mutex_ is held
 
-    // The dispatcher's thread.
+    // Runs on the dispatcher's thread.
     void dispatch(const std::stop_token& stop);
     void watch_link();
     void say_hello();
@@ -80,7 +80,7 @@ private:
     void note_malformed();
 
     void store_settings();
-    // Publishes as much as is wanted now; publishing_ is held.
+    // Publishes as many units as are wanted now; the caller holds publishing_.
     void publish_units();
     bool publish_unit(Call& call);
     Cores cores() const;  // mutex_ is held
@@ -172,11 +172,9 @@ bool ClusterBackend::evaluate(std::span<const EvaluationRequest> requests,
     return whole;
 }
 
-// What travels of the settings; they are the same ones from call to call.
+// The settings that are sent to workers; they are the same from call to call.
 std::optional<JudgingSettings> ClusterBackend::travelling(const ExperimentSettings& settings) {
-    const bool known = judged_ && same_judgement(*judged_, settings) &&
-                       judged_->selection.confirm_jitter == settings.selection.confirm_jitter;
-    if (known) return judging_;
+    if (judged_ && judge_alike(*judged_, settings)) return judging_;
     judged_ = settings;
     const Result<JudgingSettings> judging = judging_settings(settings, kinds_);
     judging_.reset();
@@ -211,7 +209,7 @@ bool ClusterBackend::run(Call& call, const std::stop_token& stop) {
     return whole;
 }
 
-// What a batch's work and waiting say of how many cores could be of use.
+// Estimates the number of useful cores from the work and the waiting of a batch.
 void ClusterBackend::note_time(const Batch& batch, double seconds) {
     const double ideal = batch.core_seconds() / static_cast<double>(cores().all());
     const double overhead = std::max(kLeastOverhead, seconds - ideal);
@@ -259,11 +257,8 @@ void ClusterBackend::compute_here(Call& call, std::size_t creature) {
 }
 
 void ClusterBackend::compute_apart(Call& call, const std::vector<std::size_t>& creatures) {
-    std::vector<EvaluationRequest> requests;
-    for (const std::size_t creature : creatures)
-        requests.push_back(call.batch->requests()[creature]);
     const CrashSearch search{kinds_, options_.child, call.judging->text, options_.crash_folder};
-    Apart apart = search.compute(requests, call.ended.get_token());
+    Apart apart = search.compute(call.batch->requests_of(creatures), call.ended.get_token());
     {
         const std::lock_guard lock(mutex_);
         ++memory_.counts.poisoned;
@@ -300,7 +295,7 @@ Cores ClusterBackend::cores() const {
     return {options_.threads, usable ? roll_.cores(now(), memory_.trust) : 0};
 }
 
-// Only the dispatcher may wait for the server; the own cores have better things to do.
+// Only the dispatcher may wait for the server; the other threads evaluate.
 void ClusterBackend::store_settings() {
     std::optional<JudgingSettings> wanted;
     {
@@ -333,15 +328,12 @@ bool ClusterBackend::publish_unit(Call& call) {
         plan = call.batch->next_unit(now(), cores());
     }
     if (!plan) return false;
-    std::vector<EvaluationRequest> requests;
-    for (const std::size_t creature : plan->creatures)
-        requests.push_back(call.batch->requests()[creature]);
     const UnitTerms terms{.settings = call.judging->key,
                           .simulator = std::string(kSimulatorVersion),
                           .proof = proof_,
                           .deadline = std::max(kLeastDeadline, kDeadlineFactor * plan->seconds)};
     UnitMessage message{{options_.run, call.batch->generation(), plan->number},
-                        writer_.write(terms, requests)};
+                        writer_.write(terms, call.batch->requests_of(plan->creatures))};
     const bool divisible = plan->creatures.size() > 1;
     const Publishing outcome = divisible && message.body.size() > kWantedUnitBytes
                                    ? Publishing::kTooLarge
@@ -385,13 +377,8 @@ void ClusterBackend::watch_link() {
 }
 
 void ClusterBackend::say_hello() {
-    Hello hello;
-    hello.role = Hello::Role::kCoordinator;
-    hello.id = options_.run;
-    hello.name = options_.name;
-    hello.cores = static_cast<int>(options_.threads);
-    hello.simulator = kSimulatorVersion;
-    hello.proof = proof_;
+    Hello hello = introduction(Hello::Role::kCoordinator, options_.run, options_.name,
+                               options_.threads, proof_);
     hello.trials = proof_trials_;
     {
         const std::lock_guard lock(mutex_);
@@ -445,10 +432,7 @@ void ClusterBackend::take_result(const UnitMessage& message) {
         ++memory_.counts.malformed;
         return;
     }
-    std::uint64_t work = 0;
-    for (const SlotResult& each : result->results)
-        work += each.result.work;
-    roll_.worked(result->worker, result->results.size(), work, now());
+    roll_.worked(result->worker, result->results.size(), total_work(result->results), now());
     after_change(*call_);
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// Evaluation on other machines: what a coordinator evaluates with. Its own cores always work; units
-// go to workers as long as the queue is connected and somebody answers.
+// The back-end of a coordinator. The cores of its own machine always evaluate. Units go to workers
+// as long as the queue is connected and workers answer.
 
 #include "cluster/messages/work_queue.h"
 #include "cluster/units/unit_child.h"
@@ -25,10 +25,10 @@ struct ClusterOptions {
     std::string cluster;       // likewise
     std::uint64_t run = 0;     // unlike that of any other run; decides no result
     std::uint64_t secret = 0;  // decides which results are computed again to check them
-    // Runs a unit in a process of its own; see unit_child.h. Without it a unit that seems to end
+    // Runs a unit in a separate process; see unit_child.h. Without it a unit that seems to crash
     // its workers is computed in this process.
     ChildProcess child;
-    // Where the genome that ends a process is written; empty for the working folder.
+    // Folder for the genome that crashes a process; empty for the working folder.
     std::filesystem::path crash_folder;
 };
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// Evaluates creatures in processes of their own. If one of these crashes, finds by halving which
-// creature does it, and writes its genome to a file.
+// Evaluates creatures in separate processes. If one of these crashes, it finds the creature that
+// causes it by bisection and writes its genome to a file.
 
 #include "cluster/messages/result_text.h"
 #include "cluster/units/unit_child.h"
@@ -19,7 +19,7 @@ namespace cambrian {
 
 struct Apart {
     std::vector<SlotResult> results;
-    std::string trouble;  // for people, if no process could be started or understood
+    std::string trouble;  // for people, if no process could be started, computed or was understood
     std::string failure;  // for people, if a creature ends every process that evaluates it
 };
 

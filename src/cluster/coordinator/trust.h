@@ -1,8 +1,8 @@
 #pragma once
 
-// Which workers' results are taken, and which of these are computed again at home to compare. The
-// choice depends on a secret of the run, so that no worker knows which of its results are checked;
-// no result depends on it (cluster/README.md 2).
+// Which workers are trusted, and which of their results this machine computes again as a check. The
+// choice depends on a secret of the run, so no worker knows which results are checked. No result
+// depends on it (cluster/README.md 2).
 
 #include "cluster/messages/hello_text.h"
 

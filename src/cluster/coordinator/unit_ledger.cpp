@@ -112,7 +112,7 @@ std::optional<UnitLedger::Late> UnitLedger::take_late(double now, std::size_t pa
         .unit = latest->first, .first = !unit.taken, .published = unit.published, .creatures = {}};
     unit.taken = true;
     const std::size_t share = (unit.creatures.size() + parts - 1) / parts;
-    // The last ones first: the worker, if there still is one, begins with the first.
+    // Takes the last creatures first, because a living worker starts with the first.
     for (auto each = unit.creatures.rbegin(); each != unit.creatures.rend(); ++each) {
         if (late.creatures.size() == share) break;
         if (!wanted(*each)) continue;

@@ -1,8 +1,8 @@
 #pragma once
 
-// Where each creature of a batch is: not begun, in a unit that was published, at home, answered.
-// Creatures are numbered in the order of handing out, those that may take longest first. Time is
-// given by the caller, in seconds of any clock.
+// The state of each creature of a batch: open, in a published unit, on this machine or answered.
+// Creatures are numbered in the order of their publication, the longest first. The caller gives the
+// time, in seconds of any clock.
 
 #include <cstddef>
 #include <cstdint>
@@ -19,32 +19,31 @@ public:
     explicit UnitLedger(std::vector<double> seconds);
 
     double open_seconds() const { return open_seconds_; }
-    bool has_open() const { return !open_.empty(); }
 
-    // The next creatures for a unit: as many as take that long, at least one, at most `most`. Empty
+    // Takes the next creatures for a unit of that much time, at least one and at most `most`. Empty
     // if none is open.
     std::vector<std::size_t> take_for_unit(double seconds, std::size_t most);
-    // One for the own cores, of those that take least time.
+    // Takes the shortest open creature, for the cores of this machine.
     std::optional<std::size_t> take_for_home();
-    // They are open once more, unless they were answered.
+    // Makes creatures open again unless they were answered.
     void reopen(const std::vector<std::size_t>& creatures);
 
-    // These were published now. They are late at `due`.
+    // Records the publication of a unit, which is late at `due`.
     void publish(std::uint32_t unit, std::vector<std::size_t> creatures, double now, double due);
     // Units without an answer, and the work in them.
     std::size_t outstanding() const { return units_.size(); }
     double outstanding_seconds() const { return outstanding_seconds_; }
     double seconds_of(const std::vector<std::size_t>& creatures) const;
-    // Creatures of a unit that was answered or given up; empty if it is not outstanding.
+    // Creatures of a unit that was answered or abandoned; empty if it is not outstanding.
     std::vector<std::size_t> close(std::uint32_t unit);
-    // Late from now on, whenever it is due.
+    // Makes a unit late from now on.
     void expect_no_more(std::uint32_t unit);
 
     void answered(std::size_t creature);
-    void unanswered(std::size_t creature);  // its answer was taken back: open once more
+    void unanswered(std::size_t creature);  // its answer was revoked: open once more
 
-    // Of the unit that is late for longest, an own core's part of what is not answered and not
-    // taken at home already: the whole divided by `parts`.
+    // The part of the most overdue unit that one core of this machine takes over: all creatures
+    // that are neither answered nor taken over yet, divided by `parts`.
     struct Late {
         std::uint32_t unit = 0;
         bool first = false;  // nothing of the unit was taken before
@@ -52,7 +51,7 @@ public:
         std::vector<std::size_t> creatures;
     };
     std::optional<Late> take_late(double now, std::size_t parts);
-    // When the next unit will be late; none if none is outstanding that is not taken back whole.
+    // Time at which the next unit is late; none if all outstanding units are completely taken over.
     std::optional<double> next_due() const;
 
 private:
@@ -74,7 +73,7 @@ private:
     double outstanding_seconds_ = 0.0;
     std::vector<bool> is_open_;
     std::vector<bool> answered_;
-    std::vector<bool> at_home_;  // taken back from a late unit
+    std::vector<bool> at_home_;  // taken over from a late unit
 };
 
 }  // namespace cambrian

@@ -47,7 +47,7 @@ void CostModel::learn(std::size_t creatures, std::uint64_t work, double seconds)
 double unit_seconds(double remaining, const Cores& cores) {
     const double share = remaining / static_cast<double>(cores.all());
     const double guided = std::clamp(share / kRounds, kLeastSeconds, kMostSeconds);
-    // A short batch is shared all the same.
+    // A short batch is shared too.
     return std::min(guided, share * static_cast<double>(cores.remote));
 }
 

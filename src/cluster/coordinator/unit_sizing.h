@@ -1,6 +1,6 @@
 #pragma once
 
-// How long evaluations may take and how many make a unit. Decides no result.
+// Estimates the time of evaluations and chooses the size of units. No result depends on it.
 
 #include "evolution/evaluation/evaluation.h"
 
@@ -11,17 +11,17 @@
 
 namespace cambrian {
 
-// Learns how long an evaluation of the accelerations takes.
+// Measures the time of one evaluation of the accelerations.
 class CostModel {
 public:
-    // s that each request may take on one core. One of unknown work takes as long as the median of
+    // Estimated time of each request on one core, s. Requests of unknown work have the median of
     // the others.
     std::vector<double> seconds_of(std::span<const EvaluationRequest> requests) const;
-    // So many creatures took so much work and time, all together.
+    // Adds a measurement: the total work and time of some creatures.
     void learn(std::size_t creatures, std::uint64_t work, double seconds);
 
 private:
-    // Sums in which what was learnt long ago weighs little. To begin with: 3 ms a creature.
+    // Sums in which old measurements have little weight. They start with 3 ms for each creature.
     double creatures_ = 1.0;
     double work_ = 3e3;      // evaluations of the accelerations
     double seconds_ = 3e-3;  // s
@@ -35,9 +35,9 @@ struct Cores {
     std::size_t all() const { return own + remote; }
 };
 
-// s of work for the next unit (guided self-scheduling, Polychronopoulos & Kuck 1987): a share of
-// what is left, so that the last units are short and no core ends much later than the others; from
-// 5 ms to 2 s.
+// Work of the next unit, s, from 10 ms to 2 s (guided self-scheduling, Polychronopoulos and Kuck
+// 1987). It is a share of the remaining work, so the last units are short and all cores end at
+// nearly the same time.
 double unit_seconds(double remaining, const Cores& cores);
 
 }  // namespace cambrian

@@ -1,7 +1,7 @@
 #pragma once
 
-// Which workers there are, as their hellos and results tell. Time is given by the caller, in
-// seconds of any clock that does not go back.
+// The known workers, from their hellos and results. The caller gives the time, in seconds of any
+// monotonic clock.
 
 #include "cluster/messages/hello_text.h"
 #include "cluster/units/recent_work.h"
@@ -19,7 +19,7 @@ class Trust;
 
 class WorkerRoll {
 public:
-    // What a coordinator works with itself; a worker that differs gets none of its units.
+    // The coordinator's own build; a worker with another build gets no units.
     struct Build {
         std::string simulator;
         std::uint64_t proof = 0;
@@ -30,8 +30,8 @@ public:
     void worked(std::uint64_t worker, std::uint64_t creatures, std::uint64_t work, double now);
     void worked_at_home(std::uint64_t creatures, std::uint64_t work, double now);
 
-    // A unit that was published then is late. Whoever has been silent since may have it in hand and
-    // have vanished, and gets no units until it is heard again.
+    // Records that a unit is late which was published at that time. Workers that were silent since
+    // then may have vanished with it; they get no units until they are heard again.
     void doubt_silent(double since);
     // Cores of workers that were heard lately and may be given units.
     std::size_t cores(double now, const Trust& trust) const;

@@ -4,6 +4,7 @@
 #include "cluster/messages/text_for_people.h"
 #include "cluster/messages/work_queue.h"
 #include "genome/gene_fields.h"
+#include "simulator/simulator_version.h"
 
 #include <limits>
 
@@ -59,6 +60,22 @@ Hello cut_to_size(Hello hello) {
 }
 
 }  // namespace
+
+const std::string& role_word(Hello::Role role) {
+    return kRoles[static_cast<std::size_t>(role)];
+}
+
+Hello introduction(Hello::Role role, std::uint64_t id, const std::string& name, std::size_t cores,
+                   std::uint64_t proof) {
+    Hello hello;
+    hello.role = role;
+    hello.id = id;
+    hello.name = name;
+    hello.cores = static_cast<int>(cores);
+    hello.simulator = kSimulatorVersion;
+    hello.proof = proof;
+    return hello;
+}
 
 std::string hello_text(const Hello& hello) {
     const Hello said = cut_to_size(hello);

@@ -5,6 +5,7 @@
 #include "cluster/messages/proof_set.h"
 #include "core/result.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -41,6 +42,12 @@ struct Hello {
 
     friend bool operator==(const Hello&, const Hello&) = default;
 };
+
+const std::string& role_word(Hello::Role role);  // "worker", "coordinator"
+
+// What everybody says of itself; the simulator is this build's.
+Hello introduction(Hello::Role role, std::uint64_t id, const std::string& name, std::size_t cores,
+                   std::uint64_t proof);
 
 // Longer names and reasons are cut.
 std::string hello_text(const Hello& hello);

@@ -19,6 +19,10 @@ ExperimentSettings judging_part(const ExperimentSettings& settings) {
 
 }  // namespace
 
+bool judge_alike(const ExperimentSettings& a, const ExperimentSettings& b) {
+    return same_judgement(a, b) && a.selection.confirm_jitter == b.selection.confirm_jitter;
+}
+
 std::uint64_t settings_key(std::string_view text) {
     Hash64 hash;
     hash.add(text);
@@ -33,8 +37,7 @@ Result<JudgingSettings> judging_settings(const ExperimentSettings& settings,
     judging.key = settings_key(judging.text);
     const Result<ExperimentSettings> read = parse_settings(judging.text, kSource, kinds);
     if (!read) return read.error();
-    if (!same_judgement(*read, part) ||
-        read->selection.confirm_jitter != part.selection.confirm_jitter)
+    if (!judge_alike(*read, part))
         return Error{std::string(kSource) + ": no settings file can hold them"};
     return judging;
 }

@@ -17,6 +17,9 @@ struct JudgingSettings {
     std::uint64_t key = 0;  // hash of the text
 };
 
+// Whether results of trials and of probes are the same under both.
+bool judge_alike(const ExperimentSettings& a, const ExperimentSettings& b);
+
 std::uint64_t settings_key(std::string_view text);
 
 // Fails if the text would not read back to settings that judge the same.

@@ -8,6 +8,14 @@ constexpr double kMostVersion = 1e6;
 
 }  // namespace
 
+std::optional<JsonValue> parse_object(std::string_view text, const JsonLimits& limits,
+                                      ErrorList& errors) {
+    std::optional<JsonValue> root = parse_json(text, limits, errors);
+    if (root && root->kind != JsonValue::Kind::kObject)
+        errors.error("E06", "", std::string("expected an object, found ") + root->kind_in_words());
+    return root;
+}
+
 int read_version(JsonReader& reader, std::string_view format, ErrorList& errors) {
     std::string found;
     int version = 0;

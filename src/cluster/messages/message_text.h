@@ -8,6 +8,7 @@
 #include "persist/json/json_writer.h"
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -20,6 +21,10 @@ struct MessageKind {
     std::string format;  // "cambrian-unit"
     int version = 1;
 };
+
+// The object that a message is; if it is none or holds a key twice, `errors` says so.
+std::optional<JsonValue> parse_object(std::string_view text, const JsonLimits& limits,
+                                      ErrorList& errors);
 
 // The version of a message of that format, whatever it is; an error if it is of another format.
 int read_version(JsonReader& reader, std::string_view format, ErrorList& errors);
@@ -42,9 +47,7 @@ template <class Message, class Describe>
 Result<Message> read_message(const MessageKind& kind, std::string_view text,
                              const JsonLimits& limits, Describe describe) {
     ErrorList errors;
-    const auto root = parse_json(text, limits, errors);
-    if (root && root->kind != JsonValue::Kind::kObject)
-        errors.error("E06", "", std::string("expected an object, found ") + root->kind_in_words());
+    const std::optional<JsonValue> root = parse_object(text, limits, errors);
     if (!errors.empty()) return errors.as_error(kind.format);
     JsonReader reader(*root, "", errors);
     Message message;

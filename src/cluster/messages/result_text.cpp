@@ -8,6 +8,7 @@
 #include "persist/creature/creature_format.h"
 
 #include <limits>
+#include <numeric>
 
 namespace cambrian {
 namespace {
@@ -59,7 +60,7 @@ void describe_audit(Archive& archive, Described& audit) {
     archive.integer("fallbacks", audit.fallbacks, 0.0, kMostExact);
 }
 
-// A list of numbers as a list of objects, since one that is not finite is none in JSON.
+// A list of numbers as a list of objects, because JSON has no infinities and no NaN.
 template <class Archive, class Scores>
 void describe_scores(Archive& archive, Scores& scores) {
     archive.list("scores", scores, 0, kMostScores, Layout::kCompact,
@@ -110,6 +111,12 @@ void describe_unit_result(Archive& archive, Described& unit) {
 
 }  // namespace
 
+std::uint64_t total_work(std::span<const SlotResult> results) {
+    return std::accumulate(
+        results.begin(), results.end(), std::uint64_t{0},
+        [](std::uint64_t sum, const SlotResult& each) { return sum + each.result.work; });
+}
+
 std::string write_unit_result(const UnitResult& result) {
     return write_message(kResultKind, result, [](JsonWriter& writer, const UnitResult& each) {
         describe_unit_result(writer, each);
@@ -128,6 +135,10 @@ std::string result_text(const EvaluationResult& result) {
     return write_message(kOneKind, result, [](JsonWriter& writer, const EvaluationResult& each) {
         describe_result(writer, each);
     });
+}
+
+bool same_result(const EvaluationResult& a, const EvaluationResult& b) {
+    return result_text(a) == result_text(b);
 }
 
 }  // namespace cambrian

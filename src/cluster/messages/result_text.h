@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -22,6 +23,9 @@ struct SlotResult {
     EvaluationResult result;
 };
 
+// Evaluations of the accelerations that all of them took.
+std::uint64_t total_work(std::span<const SlotResult> results);
+
 // Of one unit, or of the part of it that was finished before its deadline.
 struct UnitResult {
     std::uint64_t worker = 0;  // its id
@@ -33,7 +37,9 @@ struct UnitResult {
 std::string write_unit_result(const UnitResult& result);
 Result<UnitResult> parse_unit_result(std::string_view text);
 
-// One result alone. Two results are the same, every bit of them, if their texts are.
+// One result alone.
 std::string result_text(const EvaluationResult& result);
+// Every bit of them, by their texts.
+bool same_result(const EvaluationResult& a, const EvaluationResult& b);
 
 }  // namespace cambrian

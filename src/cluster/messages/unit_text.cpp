@@ -26,7 +26,7 @@ constexpr FieldRule kDeadline{.name = "deadline",
                               .high = std::numeric_limits<double>::max(),
                               .fallback = 0.0};
 
-// One creature's entry in the line: how to try it and how long its document is.
+// One creature's entry in the line: its trial and the length of its document.
 struct Entry {
     std::uint32_t slot = 0;
     std::uint64_t trial_seed = 0;
@@ -76,7 +76,7 @@ void describe_outline(Archive& archive, Described& outline) {
 constexpr JsonLimits kUnitLimits{
     .bytes = kMostOutlineBytes, .depth = 5, .values = 16 * kMostUnitCreatures, .keys = 16};
 
-// The line and what follows it. All of a body that has no line is the line.
+// Splits a body into its first line and the rest.
 std::pair<std::string_view, std::string_view> line_and_rest(std::string_view body) {
     const std::size_t end = body.find('\n');
     if (end == std::string_view::npos) return {body, {}};
@@ -131,9 +131,7 @@ std::string UnitWriter::write(const UnitTerms& terms, std::span<const Evaluation
 Result<UnitOutline> parse_unit_outline(std::string_view body) {
     if (body.size() > kMostUnitBytes) return too_large(body.size(), kMostUnitBytes);
     ErrorList errors;
-    const auto root = parse_json(line_and_rest(body).first, kUnitLimits, errors);
-    if (root && root->kind != JsonValue::Kind::kObject)
-        errors.error("E06", "", std::string("expected an object, found ") + root->kind_in_words());
+    const auto root = parse_object(line_and_rest(body).first, kUnitLimits, errors);
     if (!errors.empty()) return errors.as_error(kUnitKind.format);
     JsonReader reader(*root, "", errors);
     UnitOutline outline;

@@ -61,8 +61,8 @@ struct CoordinatorNews {
     std::vector<std::string> hellos;      // of workers and of other coordinators
     std::vector<UnitId> not_published;    // accepted, but the server refused them or went away
     std::vector<UnitId> not_deliverable;  // delivered as often as the server does, never answered
-    // For people, whole sentences, each reason once: a refused permission with its subject, a
-    // stream that is full, a lost connection.
+    // Messages for people, complete sentences, each reason once: a refused permission with its
+    // subject, a stream that is full, a lost connection.
     std::vector<std::string> complaints;
     std::uint64_t garbage = 0;  // messages with a subject or size that no one of ours has
 
@@ -142,7 +142,7 @@ public:
     virtual void in_progress(std::uint64_t ticket) = 0;
     // Done: deleted.
     virtual void acknowledge(std::uint64_t ticket) = 0;
-    // Not done: to be delivered again after the delay, to whoever asks.
+    // Not done: to be delivered again after the delay, to any worker.
     virtual void give_back(std::uint64_t ticket, std::chrono::milliseconds delay) = 0;
     // Never to be delivered again: nobody can read it.
     virtual void discard(std::uint64_t ticket) = 0;

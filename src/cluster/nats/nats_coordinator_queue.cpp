@@ -29,7 +29,7 @@ constexpr int kMostHellosWaiting = 4096;         // that nobody has taken
 constexpr int kMostResultsWaiting = 64'000'000;  // bytes, likewise
 constexpr std::size_t kMostAtOnce = 1000;        // results of one poll
 
-// What a coordinator uses of one connection.
+// The subscriptions of a coordinator on one connection.
 struct CoordinatorSubscriptions {
     NatsSessionPtr session;
     std::shared_ptr<NatsSubscription> acknowledgements;
@@ -39,7 +39,7 @@ struct CoordinatorSubscriptions {
 };
 using CoordinatorSubscriptionsPtr = std::shared_ptr<const CoordinatorSubscriptions>;
 
-// A unit that was sent and that the server has not yet said it stored.
+// A unit that was sent and whose storage the server has not confirmed yet.
 struct OnItsWay {
     UnitId unit;
     Clock::time_point given_up;
@@ -104,7 +104,7 @@ private:
     void take_undeliverable(const CoordinatorSubscriptions& from);
     void look_up_undeliverable(NatsSession& session, std::uint64_t sequence);
     void stop_run(NatsSession& session, std::uint64_t run);
-    // Deletes what the stream has of a subject, without waiting for it.
+    // Deletes the messages of a subject from the stream, without waiting for it.
     void purge(NatsSession& session, const std::string& stream, const std::string& subject);
 
     const NatsSubjects subjects_;
@@ -131,10 +131,8 @@ void NatsCoordinatorQueue::forget_run_before(NatsSession& session) {
         run = run_;
     }
     if (experiment_.empty() || !run) return;
-    kvStore* opened = nullptr;
-    const std::string name = subjects_.bucket();
-    if (js_KeyValue(&opened, session.jetstream(), name.c_str()) != NATS_OK) return;
-    const NatsHandle<kvStore> bucket(opened);
+    NatsHandle<kvStore> bucket;
+    if (open_bucket(session, subjects_, bucket) != NATS_OK) return;
     const std::string key = "run-" + experiment_;
     kvEntry* found = nullptr;
     if (kvStore_Get(&found, bucket.get(), key.c_str()) == NATS_OK) {
@@ -218,10 +216,8 @@ void NatsCoordinatorQueue::begin_run(std::uint64_t run) {
 bool NatsCoordinatorQueue::put_settings(std::string_view key, std::string_view text) {
     const NatsSessionPtr session = link_.ready();
     if (!session || text.size() > kMostSettingsBytes) return false;
-    kvStore* opened = nullptr;
-    const std::string name = subjects_.bucket();
-    if (js_KeyValue(&opened, session->jetstream(), name.c_str()) != NATS_OK) return false;
-    const NatsHandle<kvStore> bucket(opened);
+    NatsHandle<kvStore> bucket;
+    if (open_bucket(*session, subjects_, bucket) != NATS_OK) return false;
     const std::string key_text(key);
     return kvStore_Put(nullptr, bucket.get(), key_text.c_str(), text.data(),
                        static_cast<int>(text.size())) == NATS_OK;
@@ -398,7 +394,7 @@ void NatsCoordinatorQueue::purge(NatsSession& session, const std::string& stream
     session.send("$JS.API.STREAM.PURGE." + stream, "{\"filter\": \"" + subject + "\"}");
 }
 
-// Tells workers to drop what they have of it.
+// Tells workers to drop their units of a run, and deletes its messages.
 void NatsCoordinatorQueue::stop_run(NatsSession& session, std::uint64_t run) {
     session.send(subjects_.stop(run), "");
     purge(session, subjects_.work_stream(), subjects_.work_of(run));
@@ -421,7 +417,7 @@ void NatsCoordinatorQueue::end_run(std::uint64_t run) {
     const NatsSessionPtr session = link_.ready();
     if (!session) return;
     stop_run(*session, run);
-    // Results that were on their way when the workers heard it.
+    // Deletes results that were sent before the workers heard it.
     natsConnection_FlushTimeout(session->connection(), kNatsWait);
     std::this_thread::sleep_for(kLastResults);
     purge(*session, subjects_.result_stream(), subjects_.results_of(run));

@@ -1,7 +1,7 @@
 #pragma once
 
-// Keeps a connection to a cluster: connects, prepares what the connection is for, and does so again
-// after each loss, on a thread of its own.
+// Maintains a connection to a cluster on a thread of its own: it connects, prepares streams and
+// subscriptions, and repeats both after each loss.
 
 #include "cluster/connection/cluster_address.h"
 #include "cluster/connection/complaints.h"
@@ -35,14 +35,14 @@ public:
     NatsLink(const NatsLink&) = delete;
     NatsLink& operator=(const NatsLink&) = delete;
 
-    // The first attempt, on the calling thread. Fails for what waiting does not mend; a server that
-    // cannot be reached yet is complained of and tried again.
+    // Makes the first attempt on the calling thread. Fails for errors that waiting does not cure;
+    // an unreachable server gives a complaint and is tried again.
     Status open();
 
     // The prepared connection; null while there is none.
     NatsSessionPtr ready() const;
-    // Prepares again after the pause: what the connection is for is gone from the server, or is
-    // something else from now on.
+    // Prepares again after the pause, because streams vanished from the server or others are
+    // needed.
     void renew(std::chrono::milliseconds pause);
     // Done by the link's thread as soon as the connection is ready; forgotten if too many wait.
     void later(Job job);

@@ -26,7 +26,8 @@ constexpr int kMostReconnects = 2'000'000'000;    // for ever
 constexpr std::chrono::seconds kLongestGoodbye{5};
 constexpr std::size_t kLongestWords = 300;  // bytes
 
-// Between two attempts to connect again, longer each time and never the same for two programs.
+// The pause between two attempts to reconnect. It grows with each attempt and differs between
+// programs.
 std::int64_t reconnect_pause(natsConnection* /*connection*/, int attempts, void* /*closure*/) {
     std::int64_t pause = kFirstReconnect;
     for (int i = 0; i < attempts && pause < kLongestReconnect; ++i)
@@ -56,7 +57,7 @@ std::string joined(const std::vector<std::string>& servers) {
     return text;
 }
 
-// What a person can do about a certificate that is not accepted.
+// Advice for people about a certificate that is not accepted.
 std::string certificate_advice(const std::string& reason) {
     if (reason.find("issuer") != std::string::npos || reason.find("self") != std::string::npos)
         return "; --ca FILE names the authority that signed it";
@@ -251,7 +252,7 @@ NatsSession::~NatsSession() {
     jetstream_.reset();
     natsConnection_Close(connection_.get());
     connection_.reset();
-    // A thread that still calls must find what it calls.
+    // A thread of libnats that still calls needs this object.
     if (!events_->wait_for_end()) static_cast<void>(events_.release());
 }
 

@@ -143,9 +143,8 @@ Failure make_consumer(NatsSession& session, const NatsSubjects& subjects) {
 
 Failure make_bucket(NatsSession& session, const NatsSubjects& subjects) {
     const std::string name = subjects.bucket();
-    kvStore* found = nullptr;
-    natsStatus status = js_KeyValue(&found, session.jetstream(), name.c_str());
-    NatsHandle<kvStore> bucket(found);
+    NatsHandle<kvStore> bucket;
+    natsStatus status = open_bucket(session, subjects, bucket);
     if (status == NATS_NOT_FOUND) {
         kvConfig config;
         kvConfig_Init(&config);
@@ -155,14 +154,24 @@ Failure make_bucket(NatsSession& session, const NatsSubjects& subjects) {
         config.MaxBytes = kBucketBytes;
         config.MaxValueSize = static_cast<std::int32_t>(kMostSettingsBytes);
         config.StorageType = js_FileStorage;
-        status = js_CreateKeyValue(&found, session.jetstream(), &config);
-        if (status == NATS_OK) bucket.reset(found);
+        kvStore* made = nullptr;
+        status = js_CreateKeyValue(&made, session.jetstream(), &config);
+        bucket.reset(made);
     }
     if (status == NATS_OK) return std::nullopt;
     return request_failure(session, status, jsErrCode(0), "bucket " + name);
 }
 
 }  // namespace
+
+natsStatus open_bucket(const NatsSession& session, const NatsSubjects& subjects,
+                       NatsHandle<kvStore>& bucket) {
+    kvStore* opened = nullptr;
+    const std::string name = subjects.bucket();
+    const natsStatus status = js_KeyValue(&opened, session.jetstream(), name.c_str());
+    bucket.reset(opened);
+    return status;
+}
 
 LinkFailure request_failure(NatsSession& session, natsStatus status, jsErrCode code,
                             const std::string& what) {

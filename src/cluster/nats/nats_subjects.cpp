@@ -20,7 +20,7 @@ std::optional<std::uint64_t> id_of(std::string_view text) {
     return text.size() == kHexDigits ? parse_hex(text) : std::nullopt;
 }
 
-// What is before the next dot; the rest remains.
+// Removes and returns the text before the next dot.
 std::string_view token(std::string_view& text) {
     const std::size_t end = std::min(text.find('.'), text.size());
     const std::string_view first = text.substr(0, end);

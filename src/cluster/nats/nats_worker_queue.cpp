@@ -19,7 +19,7 @@ constexpr int kMostHellosHeard = 1024;  // that nobody has taken
 constexpr std::chrono::milliseconds kLongestFetch{1000};
 constexpr std::chrono::milliseconds kPauseWithoutStream{500};
 
-// What a worker uses of one connection.
+// The subscriptions of a worker on one connection.
 struct WorkerSubscriptions {
     NatsSessionPtr session;
     std::shared_ptr<NatsSubscription> work;
@@ -135,7 +135,7 @@ void NatsWorkerQueue::deliver(natsMsg& message, std::vector<Delivery>& deliverie
     deliveries.push_back(std::move(delivery));
 }
 
-// False if the server cannot be asked.
+// Returns false if the server cannot be asked.
 bool NatsWorkerQueue::request(const WorkerSubscriptions& from, jsFetchRequest& wanted,
                               std::vector<Delivery>& deliveries) {
     natsMsgList list{};
@@ -175,7 +175,7 @@ std::vector<Delivery> NatsWorkerQueue::fetch(std::size_t most, std::chrono::mill
     return take(*from, static_cast<int>(std::min<std::size_t>(most, 1000)), longest);
 }
 
-// An answer that is lost with the connection leads to another delivery, nothing worse.
+// A lost acknowledgement only leads to another delivery.
 void NatsWorkerQueue::answer(std::uint64_t ticket, const std::string& word, bool last) {
     std::string reply;
     {
@@ -227,10 +227,8 @@ bool NatsWorkerQueue::publish_result(const UnitMessage& result) {
 FetchedSettings NatsWorkerQueue::fetch_settings(std::string_view key) {
     const NatsSessionPtr session = link_.ready();
     if (!session) return {};
-    kvStore* opened = nullptr;
-    const std::string bucket_name = subjects_.bucket();
-    if (js_KeyValue(&opened, session->jetstream(), bucket_name.c_str()) != NATS_OK) return {};
-    const NatsHandle<kvStore> bucket(opened);
+    NatsHandle<kvStore> bucket;
+    if (open_bucket(*session, subjects_, bucket) != NATS_OK) return {};
     kvEntry* found = nullptr;
     const std::string name(key);
     const natsStatus status = kvStore_Get(&found, bucket.get(), name.c_str());

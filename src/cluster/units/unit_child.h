@@ -1,8 +1,8 @@
 #pragma once
 
-// A unit computed in a process of its own, because its workers vanished with it in hand: it may be
-// what ended them. `cambrian worker --unit` reads the question on standard input and writes the
-// answer on standard output.
+// Computes a unit in a separate process, because its workers vanished and it may have crashed them.
+// `cambrian worker --unit` reads the question on standard input and writes the answer on standard
+// output.
 
 #include "core/result.h"
 #include "evolution/kinds/evolution_kinds.h"
@@ -15,14 +15,14 @@
 namespace cambrian {
 
 struct ChildEnd {
-    bool crashed = false;  // ended by a signal, an assertion or a sanitizer: not with status 0
+    bool crashed = false;  // ended by a signal, as a failed assertion does too
     std::string cause;     // for people: "signal 6 (Aborted)"
     std::string output;    // what it wrote on standard output if it did not crash
 };
 
 // Starts the process, gives it the question, waits until it ends; ends it as soon as a stop is
-// asked for, and then returns anything. An Error if none can be started. Several threads may call
-// it at the same time.
+// asked for, and then returns anything. An Error if none can be started, or if it ended with a
+// message of its own instead of an answer. Several threads may call it at the same time.
 using ChildProcess =
     std::function<Result<ChildEnd>(std::string_view question, const std::stop_token& stop)>;
 

@@ -1,5 +1,6 @@
 #include "cluster/units/unit_process.h"
 
+#include "cluster/messages/text_for_people.h"
 #include "core/files/file_descriptor.h"
 
 #include <array>
@@ -18,33 +19,45 @@ namespace cambrian {
 namespace {
 
 constexpr const char* kThisProgram = "/proc/self/exe";
+constexpr std::size_t kLongestMessage = 300;  // bytes, of a refusal
 
 Error cannot_start(int code) {
     return Error{"cannot compute a unit in a process of its own: " +
                  std::generic_category().message(code)};
 }
 
-// Files in memory instead of pipes: neither process ever waits for the other one to read.
+// Uses files in memory instead of pipes, so that neither process waits for the other to read.
 FileDescriptor memory_file(const char* name) {
     return FileDescriptor(::memfd_create(name, MFD_CLOEXEC));
 }
 
-int spawn_unit(int input, int output, pid_t& process) {
+// What the process reads and writes.
+struct Streams {
+    FileDescriptor question = memory_file("question");
+    FileDescriptor answer = memory_file("answer");
+    FileDescriptor messages = memory_file("messages");
+
+    bool are_open() const { return question.is_open() && answer.is_open() && messages.is_open(); }
+};
+
+int spawn_unit(const Streams& streams, pid_t& process) {
     std::array<char, 9> program{"cambrian"};
     std::array<char, 7> subcommand{"worker"};
     std::array<char, 7> option{"--unit"};
     const std::array<char*, 4> arguments{program.data(), subcommand.data(), option.data(), nullptr};
     posix_spawn_file_actions_t actions{};
     ::posix_spawn_file_actions_init(&actions);
-    ::posix_spawn_file_actions_adddup2(&actions, input, STDIN_FILENO);
-    ::posix_spawn_file_actions_adddup2(&actions, output, STDOUT_FILENO);
+    ::posix_spawn_file_actions_adddup2(&actions, streams.question.get(), STDIN_FILENO);
+    ::posix_spawn_file_actions_adddup2(&actions, streams.answer.get(), STDOUT_FILENO);
+    ::posix_spawn_file_actions_adddup2(&actions, streams.messages.get(), STDERR_FILENO);
     const int code =
         ::posix_spawn(&process, kThisProgram, &actions, nullptr, arguments.data(), environ);
     ::posix_spawn_file_actions_destroy(&actions);
     return code;
 }
 
-// Until the process has ended; it keeps its number meanwhile, so that no other one is ended for it.
+// Waits until the process has ended. It keeps its number until then, so no other process is ended
+// by mistake.
 void wait_for(pid_t process, const std::stop_token& stop) {
     const std::stop_callback end(stop, [process] { ::kill(process, SIGKILL); });
     siginfo_t ended{};
@@ -64,33 +77,46 @@ std::string all_of(int file) {
     }
 }
 
-ChildEnd end_of(int status, int output) {
+// "signal 6 (Aborted)".
+std::string signal_text(int signal) {
+    const std::string text = "signal " + std::to_string(signal);
+    const char* description = ::sigdescr_np(signal);
+    return description == nullptr ? text : text + " (" + description + ")";
+}
+
+// The end of a process that refused, in its own words.
+Error refusal(int status, std::string_view messages) {
+    const std::string_view first = messages.substr(0, messages.find('\n'));
+    return Error{"a process of its own did not compute a unit (exit status " +
+                 std::to_string(status) + "): " + text_for_people(first, kLongestMessage)};
+}
+
+Result<ChildEnd> end_of(int status, const Streams& streams) {
+    const std::string messages = all_of(streams.messages.get());
     if (WIFSIGNALED(status)) {
-        const int signal = WTERMSIG(status);
-        return {true, "signal " + std::to_string(signal) + " (" + ::strsignal(signal) + ")", ""};
+        write_all(STDERR_FILENO, messages);  // what a failed assertion says
+        return ChildEnd{true, signal_text(WTERMSIG(status)), ""};
     }
-    if (WEXITSTATUS(status) != 0)
-        return {true, "exit status " + std::to_string(WEXITSTATUS(status)), ""};
-    return {false, "", all_of(output)};
+    if (WEXITSTATUS(status) != 0) return refusal(WEXITSTATUS(status), messages);
+    return ChildEnd{false, "", all_of(streams.answer.get())};
 }
 
 }  // namespace
 
 Result<ChildEnd> run_unit_process(std::string_view question, const std::stop_token& stop) {
-    const FileDescriptor input = memory_file("question");
-    const FileDescriptor output = memory_file("answer");
-    if (!input.is_open() || !output.is_open()) return cannot_start(errno);
-    if (const int code = write_all(input.get(), question); code != 0) return cannot_start(code);
-    ::lseek(input.get(), 0, SEEK_SET);
+    const Streams streams;
+    if (!streams.are_open()) return cannot_start(errno);
+    const int input = streams.question.get();
+    if (const int code = write_all(input, question); code != 0) return cannot_start(code);
+    ::lseek(input, 0, SEEK_SET);
     pid_t process = -1;
-    if (const int code = spawn_unit(input.get(), output.get(), process); code != 0)
-        return cannot_start(code);
+    if (const int code = spawn_unit(streams, process); code != 0) return cannot_start(code);
     wait_for(process, stop);
     int status = 0;
     while (::waitpid(process, &status, 0) < 0) {
         if (errno != EINTR) return cannot_start(errno);
     }
-    return end_of(status, output.get());
+    return end_of(status, streams);
 }
 
 }  // namespace cambrian

@@ -39,7 +39,7 @@ constexpr int kMostPublishing = 10;        // times, of one result
 constexpr double kRefusalShown = 10.0;     // s after the last unit that was refused
 constexpr std::size_t kMostRunsTold = 64;  // of which something was said
 
-// A unit in hand.
+// A unit that the worker has taken.
 struct InHand {
     Delivery delivery;
     bool begun = false;
@@ -60,7 +60,7 @@ public:
     Status run(const std::stop_token& stop);
 
 private:
-    // The calling thread: fetches, says hello, watches deadlines.
+    // Runs on the calling thread: it fetches units, sends hellos and watches deadlines.
     void fetch();
     void keep_in_hand();
     void listen();
@@ -69,7 +69,7 @@ private:
     void say_hello(bool leaving);
     void give_back_waiting();
 
-    // A core's thread.
+    // Runs on one thread for each core.
     void serve_core(const std::stop_token& stop);
     InHandPtr take();
     void work_on(InHand& unit, const std::stop_token& stop);
@@ -140,7 +140,7 @@ void Worker::watch_link() {
     was_connected_ = connected;
 }
 
-// Two units a core at most, so that a core has its next unit while the queue is asked for another.
+// At most two units for each core, so that a core has its next unit while another one is fetched.
 void Worker::fetch() {
     std::size_t wanted = 0;
     {
@@ -212,12 +212,8 @@ void Worker::hear(const Hello& hello) {
 void Worker::say_hello(bool leaving) {
     const double now = clock_.seconds();
     next_hello_ = now + kHelloEvery;
-    Hello hello;
-    hello.id = options_.id;
-    hello.name = options_.name;
-    hello.cores = static_cast<int>(options_.threads);
-    hello.simulator = kSimulatorVersion;
-    hello.proof = proof_;
+    Hello hello =
+        introduction(Hello::Role::kWorker, options_.id, options_.name, options_.threads, proof_);
     hello.leaving = leaving;
     {
         const std::lock_guard lock(mutex_);
@@ -290,10 +286,7 @@ void Worker::work_on(InHand& unit, const std::stop_token& stop) {
         queue_.acknowledge(unit.delivery.ticket);
     else
         queue_.give_back(unit.delivery.ticket, milliseconds(0));
-    std::uint64_t work = 0;
-    for (const SlotResult& each : result.results)
-        work += each.result.work;
-    note_done(result.results.size(), work);
+    note_done(result.results.size(), total_work(result.results));
 }
 
 std::string Worker::mismatch(const UnitOutline& outline) const {
@@ -307,7 +300,7 @@ std::string Worker::mismatch(const UnitOutline& outline) const {
     return {};
 }
 
-// Null if there are none, after the unit was dealt with.
+// Returns null if the settings cannot be read; the unit is then discarded or given back.
 SettingsPtr Worker::settings_for(InHand& unit, std::uint64_t key) {
     if (SettingsPtr known = settings_.find(key)) return known;
     const FetchedSettings fetched = queue_.fetch_settings(hex_text(key));
@@ -322,7 +315,8 @@ SettingsPtr Worker::settings_for(InHand& unit, std::uint64_t key) {
 }
 
 // The result is stored before the unit is acknowledged: in the other order a crash would lose it.
-// A server that can be reached and does not take it gets it a few times only, another one for ever.
+// A server that can be reached and refuses the result gets it a few times only; an unreachable one
+// gets it until it answers.
 bool Worker::publish(const UnitMessage& message, const std::stop_token& stop) {
     if (message.body.size() > kMostResultBytes) return false;
     for (int tried = 0; tried < kMostPublishing;) {

@@ -26,8 +26,8 @@ struct WorkerOptions {
     std::function<void(std::string_view)> say;
 };
 
-// Returns when stopped, after giving back what it has not begun. Fails if a coordinator found its
-// bits to differ: the message says which of the proof set's trials, or that a result differed.
+// Returns when stopped, after it has returned units that it did not start. Fails if a coordinator
+// found different bits: the message names trials of the proof set, or says that a result differed.
 Status work_for_cluster(const EvolutionKinds& kinds, WorkerQueue& queue,
                         const WorkerOptions& options, const std::stop_token& stop);
 

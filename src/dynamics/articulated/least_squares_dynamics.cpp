@@ -1,6 +1,6 @@
 #include "dynamics/articulated/least_squares_dynamics.h"
 
-#include "dynamics/model/pins.h"
+#include "dynamics/model/loop_joints.h"
 #include "math/types.h"
 
 #include <Eigen/QR>
@@ -8,8 +8,8 @@
 namespace cambrian {
 namespace {
 
-// Pivots below this share of the greatest mark redundant rows: what a pin says twice comes out of
-// rounding and of the small gaps as almost the same, not quite.
+// Pivots below this share of the largest mark redundant rows. Rounding and small gaps make equal
+// constraints slightly different.
 constexpr double kLeastSquaresRankThreshold = 1e-10;
 
 Vec2 velocity(const Kinematics& k, Eigen::Index body) {
@@ -22,8 +22,8 @@ LeastSquaresDynamics::LeastSquaresDynamics(const PlanarModel& model, double time
     : model_(model), time_constant_(time_constant) {
     const Eigen::Index bodies = model.body_count;
     const Eigen::Index columns = 3 * bodies;
-    const auto pins = static_cast<Eigen::Index>(model.closing_pins.size());
-    const Eigen::Index rows = 2 * (bodies - model.tree_count + pins);
+    const auto loop_joints = static_cast<Eigen::Index>(model.loop_joints.size());
+    const Eigen::Index rows = 2 * (bodies - model.tree_count + loop_joints);
     inverse_mass_.resize(columns);
     for (Eigen::Index i = 0; i < bodies; ++i)
         inverse_mass_.segment<3>(3 * i) << 1.0 / model.mass[i], 1.0 / model.mass[i],
@@ -37,31 +37,32 @@ LeastSquaresDynamics::LeastSquaresDynamics(const PlanarModel& model, double time
 }
 
 // D = c_a + r_a - c_b - r_b.
-void LeastSquaresDynamics::add_pin(const Kinematics& k, Eigen::Index row, const BodyPin& pin) {
-    const Eigen::Index a = 3 * Eigen::Index{pin.body_a};
-    const Eigen::Index b = 3 * Eigen::Index{pin.body_b};
-    const PinArms arms = pin_arms(k, pin);
+void LeastSquaresDynamics::add_point_constraint(const Kinematics& k, Eigen::Index row,
+                                                const LoopJoint& joint) {
+    const Eigen::Index a = 3 * Eigen::Index{joint.body_a};
+    const Eigen::Index b = 3 * Eigen::Index{joint.body_b};
+    const LoopArms arms = loop_arms(k, joint);
     jacobian_.block<2, 2>(row, a).setIdentity();
     jacobian_.block<2, 1>(row, a + 2) = perp(arms.a);
     jacobian_.block<2, 2>(row, b) = -Mat2::Identity();
     jacobian_.block<2, 1>(row, b + 2) = -perp(arms.b);
-    deviation_.segment<2>(row) = pin_gap(k, pin, arms);
-    bias_.segment<2>(row) = pin_bias(k, pin, arms);
+    deviation_.segment<2>(row) = loop_gap(k, joint, arms);
+    bias_.segment<2>(row) = loop_bias(k, joint, arms);
 }
 
-void LeastSquaresDynamics::add_rotary(const Kinematics& k, Eigen::Index row, int body,
-                                      double effort) {
+void LeastSquaresDynamics::add_revolute(const Kinematics& k, Eigen::Index row, int body,
+                                        double effort) {
     const int p = model_.parent[body];
-    add_pin(k, row,
-            {p, body, model_.parent_anchor_x[body], model_.parent_anchor_y[body],
-             model_.child_anchor_x[body], model_.child_anchor_y[body]});
+    add_point_constraint(k, row,
+                         {p, body, model_.parent_anchor_x[body], model_.parent_anchor_y[body],
+                          model_.child_anchor_x[body], model_.child_anchor_y[body]});
     force_(3 * body + 2) += effort;
     force_(3 * p + 2) -= effort;
 }
 
 // With delta = c_i + r_c - c_p - r_p and m = perp(axis): D = (m delta, theta_i - theta_p - theta0).
-void LeastSquaresDynamics::add_linear(const Kinematics& k, Eigen::Index row, int body,
-                                      double effort) {
+void LeastSquaresDynamics::add_prismatic(const Kinematics& k, Eigen::Index row, int body,
+                                         double effort) {
     const Eigen::Index i = body;
     const Eigen::Index p = model_.parent[i];
     const Vec2 axis = turned(k, p, model_.axis_x[i], model_.axis_y[i]);
@@ -83,7 +84,7 @@ void LeastSquaresDynamics::add_linear(const Kinematics& k, Eigen::Index row, int
     bias_(row) = 2.0 * spin * perp(across).dot(delta_rate) - spin * spin * across.dot(delta) +
                  across.dot(spin * spin * parent_arm - k.spin[i] * k.spin[i] * child_arm);
     bias_(row + 1) = 0.0;
-    // The force acts along the axis on the line through the child's centre.
+    // The force acts along the axis, on the line through the child's centre.
     const Vec2 push = effort * axis;
     force_.segment<2>(3 * i) += push;
     force_.segment<2>(3 * p) -= push;
@@ -102,13 +103,13 @@ const Eigen::VectorXd& LeastSquaresDynamics::solve(const Kinematics& bodies, con
     for (int i = 0; i < model_.body_count; ++i) {
         if (model_.parent[i] < 0) continue;
         if (model_.motion[i] == JointMotion::kSlide)
-            add_linear(bodies, row, i, loads.effort[i]);
+            add_prismatic(bodies, row, i, loads.effort[i]);
         else
-            add_rotary(bodies, row, i, loads.effort[i]);
+            add_revolute(bodies, row, i, loads.effort[i]);
         row += 2;
     }
-    for (const BodyPin& pin : model_.closing_pins) {
-        add_pin(bodies, row, pin);
+    for (const LoopJoint& joint : model_.loop_joints) {
+        add_point_constraint(bodies, row, joint);
         row += 2;
     }
     accelerations_ = inverse_mass_.cwiseProduct(force_);

@@ -1,11 +1,11 @@
 #pragma once
 
-// The constraint-force equation as it is written (physics.md 4.1), in three dependent coordinates a
-// body, solved in the least-squares sense: any topology, with closing pins and redundant ones. It
-// tolerates joints that have come apart, and draws them together again; slow, and the reference for
-// the tree elimination.
+// The equation of constraint forces in three dependent coordinates for each body, solved by dense
+// least squares (dynamics/README.md 18). It accepts any topology and redundant constraints, and
+// closes joints that have come apart. It is slow, and the reference for the articulated body
+// algorithm.
 
-#include "dynamics/articulated/elimination.h"
+#include "dynamics/articulated/articulated_body.h"
 
 #include <Eigen/Core>
 
@@ -13,21 +13,21 @@ namespace cambrian {
 
 class LeastSquaresDynamics {
 public:
-    // time_constant in s: how fast joints that are apart close.
+    // time_constant: s, in which joints that have come apart close.
     LeastSquaresDynamics(const PlanarModel& model, double time_constant);
 
-    // Accelerations (x, y, spin of every body) of bodies placed and moving as the kinematics say;
-    // of those only places, angles and speeds are read.
+    // Returns the accelerations (x, y, spin of every body). Of the kinematics it reads only
+    // positions, angles and velocities.
     const Eigen::VectorXd& solve(const Kinematics& bodies, const Loads& loads);
 
-    // How far apart the joints are: m and rad, two rows a joint, then two a closing pin. Filled by
-    // solve().
+    // Deviations of the joints after solve(), in m and rad: two rows for each joint, then two for
+    // each loop-closure joint.
     const Eigen::VectorXd& deviation() const { return deviation_; }
 
 private:
-    void add_pin(const Kinematics& bodies, Eigen::Index row, const BodyPin& pin);
-    void add_rotary(const Kinematics& bodies, Eigen::Index row, int body, double effort);
-    void add_linear(const Kinematics& bodies, Eigen::Index row, int body, double effort);
+    void add_point_constraint(const Kinematics& bodies, Eigen::Index row, const LoopJoint& joint);
+    void add_revolute(const Kinematics& bodies, Eigen::Index row, int body, double effort);
+    void add_prismatic(const Kinematics& bodies, Eigen::Index row, int body, double effort);
 
     const PlanarModel& model_;
     double time_constant_;

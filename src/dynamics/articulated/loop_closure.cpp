@@ -1,12 +1,12 @@
 #include "dynamics/articulated/loop_closure.h"
 
 #include "core/assert.h"
-#include "dynamics/model/pins.h"
+#include "dynamics/model/loop_joints.h"
 
 namespace cambrian {
 namespace {
 
-constexpr double kRankThreshold = 1e-10;  // of the greatest pivot; below are redundant rows
+constexpr double kRankThreshold = 1e-10;  // of the largest pivot; smaller ones are redundant rows
 
 void add_impulse(int body, const Vec2& arm, const Vec2& impulse, Loads& loads) {
     loads.force_x[body] += impulse.x();
@@ -19,18 +19,18 @@ void add_impulse(int body, const Vec2& arm, const Vec2& impulse, Loads& loads) {
 LoopClosure::LoopClosure(const PlanarModel& model, const Kinematics& kinematics,
                          const Factors& factors)
     : model_(model), kinematics_(kinematics) {
-    for (const BodyPin& pin : model.closing_pins) {
-        CAMBRIAN_TICK_ASSERT(pin.body_a != pin.body_b, "a pin joins two bodies");
-        const PinArms arms = pin_arms(kinematics, pin);
+    for (const LoopJoint& joint : model.loop_joints) {
+        CAMBRIAN_TICK_ASSERT(joint.body_a != joint.body_b, "a loop-closure joint joins two bodies");
+        const LoopArms arms = loop_arms(kinematics, joint);
         for (const Vec2& direction : {Vec2(1.0, 0.0), Vec2(0.0, 1.0)}) {
             Loads loads;
             clear_loads(model, loads);
-            add_impulse(pin.body_a, arms.a, direction, loads);
-            add_impulse(pin.body_b, arms.b, -direction, loads);
+            add_impulse(joint.body_a, arms.a, direction, loads);
+            add_impulse(joint.body_b, arms.b, -direction, loads);
             solve_impulse(model, kinematics, factors, loads, units_.emplace_back());
         }
     }
-    CAMBRIAN_TICK_ASSERT(units_.size() == 2 * model.closing_pins.size(), "two rows a pin");
+    CAMBRIAN_TICK_ASSERT(units_.size() == 2 * model.loop_joints.size(), "two rows for each joint");
     const auto rows = static_cast<Eigen::Index>(units_.size());
     Eigen::MatrixXd matrix(rows, rows);
     for (Eigen::Index row = 0; row < rows; ++row) {
@@ -45,10 +45,10 @@ LoopClosure::Rates LoopClosure::rates_of(const PerBody& x, const PerBody& y,
                                          const PerBody& spin) const {
     Rates rates(static_cast<Eigen::Index>(units_.size()));
     Eigen::Index row = 0;
-    for (const BodyPin& pin : model_.closing_pins) {
-        const PinArms arms = pin_arms(kinematics_, pin);
-        const int a = pin.body_a;
-        const int b = pin.body_b;
+    for (const LoopJoint& joint : model_.loop_joints) {
+        const LoopArms arms = loop_arms(kinematics_, joint);
+        const int a = joint.body_a;
+        const int b = joint.body_b;
         rates.segment<2>(row) =
             Vec2(x[a], y[a]) + spin[a] * perp(arms.a) - Vec2(x[b], y[b]) - spin[b] * perp(arms.b);
         row += 2;
@@ -74,8 +74,8 @@ void LoopClosure::add_response(const Rates& rates, BodyResponse& response) const
 void LoopClosure::close_accelerations(BodyResponse& accelerations) const {
     Rates rates = rates_of(accelerations.x, accelerations.y, accelerations.spin);
     Eigen::Index row = 0;
-    for (const BodyPin& pin : model_.closing_pins) {
-        rates.segment<2>(row) += pin_bias(kinematics_, pin, pin_arms(kinematics_, pin));
+    for (const LoopJoint& joint : model_.loop_joints) {
+        rates.segment<2>(row) += loop_bias(kinematics_, joint, loop_arms(kinematics_, joint));
         row += 2;
     }
     add_response(-rates, accelerations);
@@ -88,8 +88,8 @@ void LoopClosure::close_jumps(BodyResponse& jumps) const {
 void LoopClosure::close_drift(Motion& motion) const {
     Rates gaps(static_cast<Eigen::Index>(units_.size()));
     Eigen::Index row = 0;
-    for (const BodyPin& pin : model_.closing_pins) {
-        gaps.segment<2>(row) = pin_gap(kinematics_, pin, pin_arms(kinematics_, pin));
+    for (const LoopJoint& joint : model_.loop_joints) {
+        gaps.segment<2>(row) = loop_gap(kinematics_, joint, loop_arms(kinematics_, joint));
         row += 2;
     }
     BodyResponse moved = {};
@@ -110,7 +110,7 @@ void close_accelerations(const PlanarModel& model, const Kinematics& kinematics,
 void solve_closed_impulse(const PlanarModel& model, const Kinematics& kinematics,
                           const Factors& factors, const Loads& impulses, BodyResponse& response) {
     solve_impulse(model, kinematics, factors, impulses, response);
-    if (!model.closing_pins.empty()) LoopClosure(model, kinematics, factors).close_jumps(response);
+    if (!model.loop_joints.empty()) LoopClosure(model, kinematics, factors).close_jumps(response);
 }
 
 }  // namespace cambrian

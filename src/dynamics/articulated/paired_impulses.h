@@ -1,12 +1,12 @@
 #pragma once
 
-// Two impulses on the same bodies at once, side by side in lanes.
+// Responses to two sets of impulses at once, side by side in one vector.
 
-#include "dynamics/articulated/elimination.h"
+#include "dynamics/articulated/articulated_body.h"
 
 namespace cambrian {
 
-// As solve_impulse for each of the two, but only what the coordinates do.
+// Does what solve_impulse does for each of the two, but fills only the jumps of the coordinates.
 void solve_paired_impulses(const PlanarModel& model, const Kinematics& kinematics,
                            const Factors& factors, const Loads (&impulses)[2],
                            PerCoordinate (&jumps)[2]);

@@ -1,7 +1,8 @@
-// Simultaneous impact of everything that touches, with restitution and friction (physics.md 7.4):
+// Simultaneous impact of all touching contacts, with restitution and friction (dynamics/README.md
+// 12):
 //     u+ = u- + W p,   normal rows that close fast: u+ >= -e u-,   all others: u+ >= 0.
-// The energy change is exactly p (u- + u+) / 2; friction can make it positive, which no surface
-// can: the problem is then solved again without restitution, and last without friction.
+// The change of energy is exactly p (u- + u+) / 2. Friction can make it positive, which no surface
+// can do. The problem is then solved again without restitution, and last without friction.
 
 #include "dynamics/articulated/loop_closure.h"
 #include "dynamics/constraints/contact_solver.h"
@@ -12,20 +13,20 @@
 namespace cambrian {
 namespace {
 
-constexpr double kStopBand = 1e-3;       // rad or m; joints this near a stop join the impact
+constexpr double kStopBand = 1e-3;       // rad or m; joints nearer to a limit are in the impact
 constexpr double kWorkTolerance = 1e-6;  // of the impulses' size times their closing speeds
-// Small, as an impact has no earlier impulse that could anchor its friction rows.
+// Softness is small, because an impact has no earlier impulse to anchor its friction rows.
 constexpr double kImpactFrictionSoftness = 1e-5;
 
-void set_impact_bias(const RowSystem& rows, double elasticity, double* bias) {
+void set_impact_bias(const ConstraintSystem& rows, double restitution, double* bias) {
     for (int row = 0; row < rows.count; ++row) {
         const double rate = rows[row].rate;
         const bool bounces = rows[row].kind == RowKind::kNormal && rate < -kRestingSpeed;
-        bias[row] = bounces ? (1.0 + elasticity) * rate : rate;
+        bias[row] = bounces ? (1.0 + restitution) * rate : rate;
     }
 }
 
-double impact_scale(const RowSystem& rows) {
+double impact_scale(const ConstraintSystem& rows) {
     double scale = 0.0;
     for (int row = 0; row < rows.count; ++row)
         scale += std::fabs(rows.impulse[row] * rows[row].rate);
@@ -56,7 +57,7 @@ double ContactSolver::impact_work() const {
     return work;
 }
 
-double ContactSolver::struck_normal(int contact) const {
+double ContactSolver::normal_impulse_of(int contact) const {
     for (int row = 0; row < rows_.count; ++row) {
         if (rows_[row].kind == RowKind::kNormal && rows_[row].source == contact)
             return rows_.impulse[row];
@@ -64,16 +65,17 @@ double ContactSolver::struck_normal(int contact) const {
     return 0.0;
 }
 
-ImpactResult ContactSolver::strike(const PlanarModel& model, const ContactLaw& law,
-                                   double elasticity, const Frame& frame, Motion& motion) {
-    CAMBRIAN_TICK_ASSERT(elasticity >= 0.0 && elasticity <= 1.0, "a coefficient of restitution");
-    chosen_.count = 0;
+ImpactResult ContactSolver::solve_impact(const PlanarModel& model, const ContactLaw& law,
+                                         double restitution, const EvaluationCache& cache,
+                                         Motion& motion) {
+    CAMBRIAN_TICK_ASSERT(restitution >= 0.0 && restitution <= 1.0, "a coefficient of restitution");
+    selected_.count = 0;
     for (int c = 0; c < near_.count; ++c) {
-        if (near_.items[c].gap < kContactBand) chosen_.add(near_.items[c]);
+        if (near_.items[c].gap < kContactBand) selected_.add(near_.items[c]);
     }
-    find_stops(model, frame.kinematics, limits_);
-    build_rows(model, {chosen_, limits_, law.friction > 0.0, kImpactFrictionSoftness},
-               frame.kinematics, frame, rows_);
+    find_stops(model, cache.kinematics, limits_);
+    build_rows(model, {selected_, limits_, law.friction > 0.0, kImpactFrictionSoftness},
+               cache.kinematics, cache, rows_);
     ImpactResult result;
     const auto solve = [&](double kept) {
         for (int row = 0; row < rows_.count; ++row)
@@ -83,7 +85,7 @@ ImpactResult ContactSolver::strike(const PlanarModel& model, const ContactLaw& l
         result.work = impact_work();
         return result.work <= kWorkTolerance * impact_scale(rows_);
     };
-    if (!solve(elasticity) && !solve(0.0)) {
+    if (!solve(restitution) && !solve(0.0)) {
         result.fell_back = true;
         solver_.iterate_from_zero(rows_, bias_, 0.0);
         result.work = impact_work();
@@ -95,7 +97,7 @@ ImpactResult ContactSolver::strike(const PlanarModel& model, const ContactLaw& l
     BodyResponse jump;
     clear_loads(model, loads);
     add_row_impulses(rows_, rows_.impulse, 1.0, loads);
-    solve_closed_impulse(model, frame.kinematics, frame.factors, loads, jump);
+    solve_closed_impulse(model, cache.kinematics, cache.factors, loads, jump);
     for (int c = 0; c < coordinate_count(model); ++c)
         motion.speed[c] += jump.coordinate[c];
     return result;

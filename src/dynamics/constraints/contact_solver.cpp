@@ -9,18 +9,18 @@
 namespace cambrian {
 namespace {
 
-constexpr double kLimitBand = 1e-4;            // rad or m; nearer than this a stop gets a row
+constexpr double kLimitBand = 1e-4;            // rad or m; a nearer limit gets a row
 constexpr double kPushShare = 0.1;             // of a penetration, undone in one nominal step
-constexpr double kPushSpeed = 0.5;             // m/s; cap of that
+constexpr double kPushSpeed = 0.5;             // m/s; largest speed at which it is undone
 constexpr double kLimitPushSpeed = 1.0;        // rad/s or m/s
 constexpr double kNominalStep = 1.0 / 120;     // s
 constexpr double kMiddleWorkAllowance = 1e-3;  // J per (kg m/s^2): M g (1 m) * this
-constexpr double kAnchorWeights = 10.0;  // weights of the body that friction holds without slip
+constexpr double kAnchorWeights = 10.0;        // weights of the creature; largest anchored friction
 constexpr double kMiddleFrictionSoftness = 1e-2;  // anchored at the last step's forces
 
-// How far above its demand r + W p >= 0 a row may stay: lands at gap 0 with rate 0 in two steps,
-// backs out of penetration with a force that stays bounded as h shrinks, and does not push what is
-// leaving faster: that may come back, if over the step it gets out as far.
+// The slack of a row, r + slack + W p >= 0 (dynamics/README.md 11). A closing contact lands at gap
+// 0 with rate 0 in two steps. Penetration is undone at a speed that remains bounded as h shrinks. A
+// contact that opens fast enough to undo the penetration within the step is not pushed.
 double row_slack(double gap, double rate, double h, double push_speed) {
     if (gap < 0.0) {
         const double push = std::min(push_speed, -kPushShare * gap / kNominalStep);
@@ -47,8 +47,8 @@ bool may_touch(const Contact& contact, const BodyResponse& free, double h) {
     return contact.gap < reach;
 }
 
-// Looks contacts up in the last step's forces. They are asked for in the order of collection, in
-// which the forces are too.
+// Finds the forces of the last step by contact. Contacts are looked up in the order of detection,
+// in which the forces are stored.
 class WarmForces {
 public:
     explicit WarmForces(const WarmStart& warm) : warm_(warm) {}
@@ -70,11 +70,11 @@ public:
 
 private:
     bool is_of(int rank, int w) const {
-        return w < warm_.count && collection_rank(warm_.id[w]) == rank;
+        return w < warm_.count && detection_rank(warm_.id[w]) == rank;
     }
     int pass_to(int id) {
-        const int rank = collection_rank(id);
-        while (next_ < warm_.count && collection_rank(warm_.id[next_]) < rank)
+        const int rank = detection_rank(id);
+        while (next_ < warm_.count && detection_rank(warm_.id[next_]) < rank)
             ++next_;
         return rank;
     }
@@ -85,14 +85,14 @@ private:
 
 }  // namespace
 
-void ContactSolver::collect(const PlanarModel& model, const ContactLaw& law,
-                            const Kinematics& kinematics) {
+void ContactSolver::detect(const PlanarModel& model, const ContactLaw& law,
+                           const Kinematics& kinematics) {
     near_.count = 0;
     if (!law.has_ground && model.colliding_pairs.empty()) return;
     PartPlaces places;
     place_parts(model, kinematics, places);
-    if (law.has_ground) collect_ground_contacts(model, kinematics, places, near_);
-    pair_list_.collect(model, kinematics, places, near_);
+    if (law.has_ground) detect_ground_contacts(model, kinematics, places, near_);
+    pair_list_.detect(model, kinematics, places, near_);
     CAMBRIAN_TICK_ASSERT(near_.count >= 0 && near_.count <= kMaxContacts, "contacts have room");
 }
 
@@ -104,62 +104,63 @@ bool ContactSolver::has_impact() const {
     return false;
 }
 
-// One point of two boxes answers for another only once they overlap: their corners may take turns
-// then, but a corner that is still to come must be found.
+// One contact of a pair of boxes covers another only if they overlap, because their corners may
+// then alternate. The first corner that touches must be found as an impact.
 bool ContactSolver::covers(const Contact& contact) const {
-    for (int c = 0; c < chosen_.count; ++c) {
-        const Contact& chosen = chosen_.items[c];
-        if (chosen.id == contact.id) return true;
-        if (chosen.gap < 0.0 && same_pair(chosen, contact)) return true;
+    for (int c = 0; c < selected_.count; ++c) {
+        const Contact& selected = selected_.items[c];
+        if (selected.id == contact.id) return true;
+        if (selected.gap < 0.0 && same_pair(selected, contact)) return true;
     }
     return false;
 }
 
-// Touching contacts, and slow ones that could touch within the step; fast ones are left to the
-// search for the time of impact.
-bool ContactSolver::choose(const PlanarModel& model, Frame& frame, double h) {
+// Selects touching contacts and slow ones that may touch within the step. The search for the time
+// of impact finds the fast ones.
+bool ContactSolver::select_active(const PlanarModel& model, EvaluationCache& cache, double h) {
     CAMBRIAN_TICK_ASSERT(h > 0.0, "a step takes time");
-    chosen_.count = 0;
+    selected_.count = 0;
     for (int c = 0; c < near_.count; ++c) {
         const Contact& contact = near_.items[c];
         if (contact.gap >= kContactBand) {
-            find_centers(model, frame);
-            if (!may_touch(contact, frame.response, h)) continue;
+            find_centers(model, cache);
+            if (!may_touch(contact, cache.response, h)) continue;
         }
-        chosen_.add(contact);
+        selected_.add(contact);
     }
-    choose_limits(model, frame, h);
-    CAMBRIAN_TICK_ASSERT(chosen_.count <= near_.count, "chosen contacts are near");
-    return chosen_.count > 0 || limits_.count > 0;
+    select_limits(model, cache, h);
+    CAMBRIAN_TICK_ASSERT(selected_.count <= near_.count, "selected contacts are near");
+    return selected_.count > 0 || limits_.count > 0;
 }
 
-void ContactSolver::build(const PlanarModel& model, const ContactLaw& law, Frame& start) {
-    complete_frame(model, start);
+void ContactSolver::build(const PlanarModel& model, const ContactLaw& law, EvaluationCache& start) {
+    complete_cache(model, start);
     build_between(model, law, start.kinematics, start);
 }
 
 void ContactSolver::build_between(const PlanarModel& model, const ContactLaw& law,
-                                  const Kinematics& start, const Frame& middle) {
-    build_rows(model, {chosen_, limits_, law.friction > 0.0, kMiddleFrictionSoftness}, start,
+                                  const Kinematics& start, const EvaluationCache& middle) {
+    build_rows(model, {selected_, limits_, law.friction > 0.0, kMiddleFrictionSoftness}, start,
                middle, rows_);
 }
 
-// Stops that could be reached within the step.
-void ContactSolver::choose_limits(const PlanarModel& model, const Frame& frame, double h) {
+// Selects the joint limits that may be reached within the step.
+void ContactSolver::select_limits(const PlanarModel& model, const EvaluationCache& cache,
+                                  double h) {
     limits_.count = 0;
-    const Kinematics& k = frame.kinematics;
+    const Kinematics& k = cache.kinematics;
     PerBody low_room;
     PerBody high_room;
     for (int i = 0; i < model.body_count; i += kLanes) {
-        const Lanes angle = load_lanes(k.joint_position + i);
-        const Lanes rate = load_lanes(k.joint_rate + i);
-        const Lanes turning = all_lanes(1.0) - load_lanes(model.slides + i);
-        const Lanes acceleration = load_lanes(frame.response.coordinate + i) -
-                                   turning * gather(frame.response.spin, model.parent_slot + i);
-        const Lanes low_reach = kLimitBand + 1.5 * h * greater(-rate, Lanes{}) +
-                                h * h * greater(-acceleration, Lanes{});
-        const Lanes high_reach =
-            kLimitBand + 1.5 * h * greater(rate, Lanes{}) + h * h * greater(acceleration, Lanes{});
+        const Simd4d angle = load_lanes(k.joint_position + i);
+        const Simd4d rate = load_lanes(k.joint_rate + i);
+        const Simd4d turning = all_lanes(1.0) - load_lanes(model.slides + i);
+        const Simd4d acceleration = load_lanes(cache.response.coordinate + i) -
+                                    turning * gather(cache.response.spin, model.parent_slot + i);
+        const Simd4d low_reach = kLimitBand + 1.5 * h * greater(-rate, Simd4d{}) +
+                                 h * h * greater(-acceleration, Simd4d{});
+        const Simd4d high_reach = kLimitBand + 1.5 * h * greater(rate, Simd4d{}) +
+                                  h * h * greater(acceleration, Simd4d{});
         store_lanes(low_room + i, angle - load_lanes(model.limit_low + i) - low_reach);
         store_lanes(high_room + i, load_lanes(model.limit_high + i) - angle - high_reach);
     }
@@ -173,10 +174,10 @@ void ContactSolver::choose_limits(const PlanarModel& model, const Frame& frame, 
     }
 }
 
-// First guesses and demands. The softness of friction rows pulls towards the last step's force, not
-// towards none: what holds still keeps holding still, without creep. Only up to a few times the
-// weight: parts wedged against each other would keep any stress they once built up.
-void ContactSolver::pose_resting(const PlanarModel& model, double h, const WarmStart& warm) {
+// Sets first guesses and biases. The softness of friction rows pulls towards the last step's force
+// and not towards 0, so that a resting creature does not creep. The force is limited to a few
+// weights, because parts that wedge each other would otherwise keep any stress for ever.
+void ContactSolver::set_resting_bias(const PlanarModel& model, double h, const WarmStart& warm) {
     CAMBRIAN_TICK_ASSERT(h > 0.0, "a step takes time");
     CAMBRIAN_TICK_ASSERT(warm.count <= kMaxContacts, "remembered forces have room");
     const double most = kAnchorWeights * model.total_mass * kReferenceGravity * h;
@@ -186,12 +187,12 @@ void ContactSolver::pose_resting(const PlanarModel& model, double h, const WarmS
         double force = 0.0;
         double bias = row.rate + h * row.acceleration;
         if (row.kind == RowKind::kNormal) {
-            const Contact& contact = chosen_.items[row.source];
+            const Contact& contact = selected_.items[row.source];
             force = forces.normal(contact.id);
             bias += row_slack(contact.gap - kRestingGap, row.rate, h, kPushSpeed);
         } else if (row.kind == RowKind::kFriction) {
             force = row.body_b < 0 ? warm.ground_friction[row.body_a]
-                                   : forces.pair_friction(chosen_.items[row.source].id);
+                                   : forces.pair_friction(selected_.items[row.source].id);
             bias -= row.regularization * std::clamp(h * force, -most, most);
         } else {
             force = std::max(0.0, row.dir_x * warm.limit[row.body_a]);
@@ -202,10 +203,10 @@ void ContactSolver::pose_resting(const PlanarModel& model, double h, const WarmS
     }
 }
 
-bool ContactSolver::hold(const PlanarModel& model, const ContactLaw& law, double h,
-                         WarmStart& warm) {
-    pose_resting(model, h, warm);
-    const bool solved = solve_resting(model, law, h);
+bool ContactSolver::solve_resting(const PlanarModel& model, const ContactLaw& law, double h,
+                                  WarmStart& warm) {
+    set_resting_bias(model, h, warm);
+    const bool solved = solve_rows(model, law, h);
     CAMBRIAN_TICK_ASSERT(do_only_push(rows_), "contacts and stops do not pull");
     CAMBRIAN_TICK_ASSERT(!solved || are_in_cones(rows_, law.friction),
                          "friction that is solved for stays in its cone");
@@ -223,14 +224,14 @@ void ContactSolver::absorb(const PlanarModel& model, const ContactLaw& law,
         add_row_impulses(rows_, rows.impulses[which], 1.0, loads[which]);
 }
 
-void ContactSolver::let_go() {
+void ContactSolver::clear() {
     held_.contact_count = 0;
     held_.limits_active = false;
-    for (int c = 0; c < chosen_.count; ++c)
+    for (int c = 0; c < selected_.count; ++c)
         normal_force_[c] = 0.0;
 }
 
-bool ContactSolver::solve_resting(const PlanarModel& model, const ContactLaw& law, double h) {
+bool ContactSolver::solve_rows(const PlanarModel& model, const ContactLaw& law, double h) {
     const double allowance = kMiddleWorkAllowance * model.total_mass * kReferenceGravity;
     bool solved = solver_.solve(rows_, bias_, law.friction);
     if (resting_work(h) <= allowance) return solved;
@@ -239,7 +240,7 @@ bool ContactSolver::solve_resting(const PlanarModel& model, const ContactLaw& la
     return false;
 }
 
-// Work the impulses would do over a step of constant forces.
+// The work of the impulses over a step of constant forces.
 double ContactSolver::resting_work(double h) const {
     double work = 0.0;
     for (int row = 0; row < rows_.count; ++row) {
@@ -252,11 +253,11 @@ double ContactSolver::resting_work(double h) const {
 }
 
 void ContactSolver::store_forces(int body_count, double h, WarmStart& warm) {
-    warm.count = chosen_.count;
-    held_.contact_count = chosen_.count;
+    warm.count = selected_.count;
+    held_.contact_count = selected_.count;
     held_.limits_active = limits_.count > 0;
-    for (int c = 0; c < chosen_.count; ++c) {
-        const Contact& contact = chosen_.items[c];
+    for (int c = 0; c < selected_.count; ++c) {
+        const Contact& contact = selected_.items[c];
         warm.id[c] = contact.id;
         warm.normal[c] = 0.0;
         warm.friction[c] = 0.0;
@@ -264,9 +265,9 @@ void ContactSolver::store_forces(int body_count, double h, WarmStart& warm) {
             contact.body_a, contact.body_b, contact.point_x, contact.point_y, 0.0, 0.0};
     }
     for (int i = 0; i < body_count; i += kLanes) {
-        store_lanes(warm.ground_friction + i, Lanes{});
-        store_lanes(warm.limit + i, Lanes{});
-        store_lanes(held_.limit_effort + i, Lanes{});
+        store_lanes(warm.ground_friction + i, Simd4d{});
+        store_lanes(warm.limit + i, Simd4d{});
+        store_lanes(held_.limit_effort + i, Simd4d{});
     }
     for (int r = 0; r < rows_.count; ++r) {
         if (rows_.impulse[r] == 0.0) continue;
@@ -289,7 +290,7 @@ void ContactSolver::store_forces(int body_count, double h, WarmStart& warm) {
         else
             warm.friction[row.source] = force;
     }
-    for (int c = 0; c < chosen_.count; ++c)
+    for (int c = 0; c < selected_.count; ++c)
         normal_force_[c] = warm.normal[c];
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// What must hold inside a simulation whatever creatures do. Only assertions ask for it. A motion
-// that diverges is no bug: numbers that are not finite count as sound until a tick has ended.
+// Conditions that hold in every simulation; only assertions use them. A motion that diverges is no
+// bug, so numbers that are not finite pass until the tick has ended.
 
 #include "core/assert.h"
 #include "dynamics/constraints/rows.h"
@@ -11,7 +11,7 @@
 
 namespace cambrian {
 
-// Not below 0, beyond rounding; not a number is let pass.
+// Whether a value is at least -slack; NaN passes.
 inline bool is_not_negative(double value, double slack = 0.0) {
     return !(value < -slack);
 }
@@ -29,7 +29,7 @@ inline bool is_body(const PlanarModel& model, int body) {
     return body >= 0 && body < model.body_count;
 }
 
-// A body or the ground.
+// Whether the index is that of a body or of the ground.
 inline bool is_body_or_ground(const PlanarModel& model, int body) {
     return body == -1 || is_body(model, body);
 }
@@ -41,16 +41,16 @@ inline bool are_parents_before_children(const PlanarModel& model) {
     return true;
 }
 
-// Normal and limit rows only push.
-inline bool do_only_push(const RowSystem& rows) {
+// Whether normal and limit rows only push.
+inline bool do_only_push(const ConstraintSystem& rows) {
     for (int row = 0; row < rows.count; ++row) {
         if (rows[row].kind != RowKind::kFriction && rows.impulse[row] < 0.0) return false;
     }
     return true;
 }
 
-// Friction is at most its share of the normal impulses that load it.
-inline bool are_in_cones(const RowSystem& rows, double friction) {
+// Whether friction is within its cone.
+inline bool are_in_cones(const ConstraintSystem& rows, double friction) {
     double load[kMaxRows] = {};
     for (int row = 0; row < rows.count; ++row) {
         if (rows[row].friction_of >= 0) load[rows[row].friction_of] += rows.impulse[row];

@@ -24,14 +24,14 @@ struct Lines {
     }
 };
 
-// Takes a pivot's column out of the lines below, whose blocks before the first are done with.
+// Eliminates a pivot's column from the lines below; blocks before `first` are finished.
 template <int kFixed>
 CAMBRIAN_INLINE bool eliminate_column(const Lines<kFixed>& lines, int pivot, double least,
                                       int first_block) {
     double* pivot_line = lines[pivot];
     if (!(pivot_line[pivot] > least)) return false;
     const double inverse = 1.0 / pivot_line[pivot];
-    Lanes pivots[kRoom<kFixed>];
+    Simd4d pivots[kRoom<kFixed>];
     for (int b = first_block; b < lines.blocks(); ++b)
         pivots[b] = load_lanes(pivot_line + b * kLanes);
     double* end = lines[lines.count];
@@ -45,7 +45,7 @@ CAMBRIAN_INLINE bool eliminate_column(const Lines<kFixed>& lines, int pivot, dou
     return true;
 }
 
-// All columns of the blocks from kBlock on.
+// Eliminates all columns of the blocks from kBlock on.
 template <int kBlock, int kFixed>
 CAMBRIAN_INLINE int eliminate_from(const Lines<kFixed>& lines, const double* least) {
     if constexpr (kBlock < kFixed) {
@@ -60,7 +60,7 @@ CAMBRIAN_INLINE int eliminate_from(const Lines<kFixed>& lines, const double* lea
     return lines.count;
 }
 
-// The equation whose pivot is lost, or the count.
+// Returns the equation whose pivot fails, or the count.
 template <int kFixed>
 [[gnu::noinline]] int eliminate(const Lines<kFixed>& lines, const double* least) {
     if constexpr (kFixed > 0) {
@@ -74,18 +74,18 @@ template <int kFixed>
 }
 
 // Both sums.
-CAMBRIAN_INLINE Pair sums_of(const Lanes& a, const Lanes& b) {
-    const Lanes sums =
+CAMBRIAN_INLINE Simd2d sums_of(const Simd4d& a, const Simd4d& b) {
+    const Simd4d sums =
         __builtin_shufflevector(a, b, 0, 4, 2, 6) + __builtin_shufflevector(a, b, 1, 5, 3, 7);
     return __builtin_shufflevector(sums, sums, 0, 1) + __builtin_shufflevector(sums, sums, 2, 3);
 }
 
 // Products of a line, between two blocks, with both vectors.
-CAMBRIAN_INLINE Pair products(const double* line, int first_block, int end_block,
-                              const PerEquation (&vectors)[2]) {
-    Lanes sums[2] = {};
+CAMBRIAN_INLINE Simd2d products(const double* line, int first_block, int end_block,
+                                const PerEquation (&vectors)[2]) {
+    Simd4d sums[2] = {};
     for (int b = first_block; b < end_block; ++b) {
-        const Lanes block = load_lanes(line + b * kLanes);
+        const Simd4d block = load_lanes(line + b * kLanes);
         sums[0] += block * load_lanes(vectors[0] + b * kLanes);
         sums[1] += block * load_lanes(vectors[1] + b * kLanes);
     }
@@ -94,7 +94,7 @@ CAMBRIAN_INLINE Pair products(const double* line, int first_block, int end_block
 
 void clear(int slots, double* vector) {
     for (int i = 0; i < slots; i += kLanes)
-        store_lanes(vector + i, Lanes{});
+        store_lanes(vector + i, Simd4d{});
 }
 
 }  // namespace
@@ -125,12 +125,12 @@ void RowFactors::solve(const PerEquation (&sides)[2], PerEquation (&solutions)[2
         clear(stride_, solutions[s]);
     }
     for (int i = 0; i < count_; ++i) {
-        const Pair known = products(line(i), 0, i / kLanes + 1, forward);
+        const Simd2d known = products(line(i), 0, i / kLanes + 1, forward);
         for (int s = 0; s < 2; ++s)
             forward[s][i] = sides[s][i] + known[s];
     }
     for (int i = count_ - 1; i >= 0; --i) {
-        const Pair known = products(line(i), i / kLanes, stride_ / kLanes, solutions);
+        const Simd2d known = products(line(i), i / kLanes, stride_ / kLanes, solutions);
         for (int s = 0; s < 2; ++s)
             solutions[s][i] = (forward[s][i] - known[s]) * line(i)[i];
     }

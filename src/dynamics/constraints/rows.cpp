@@ -1,21 +1,21 @@
 #include "dynamics/constraints/rows.h"
 
 #include "dynamics/articulated/loop_closure.h"
+#include "dynamics/constraints/delassus_matrix.h"
 #include "dynamics/constraints/invariants.h"
-#include "dynamics/constraints/row_matrix.h"
 
 #include <algorithm>
 
 namespace cambrian {
 namespace {
 
-constexpr double kHeldShare = 0.02;  // of a row's coupling without loops, the least that is left
+constexpr double kLoopSoftness = 0.02;  // smallest diagonal element, relative to that without loops
 
 struct Planar {
     double x, y;  // m/s or m/s^2
 };
 
-// A contact where its bodies have gone, and how its two points move against each other.
+// A contact at the positions of a cache, and the relative motion of its two points.
 struct PlacedContact {
     double normal_x, normal_y;  // unit
     double arm_ax, arm_ay, arm_bx, arm_by;
@@ -38,7 +38,7 @@ CAMBRIAN_INLINE double row_rate(const PlanarModel& model, const Row& row,
     return rate;
 }
 
-// Where its material point of body a has gone, its normal turned with body b.
+// Moves a contact with its material point of body a and turns its normal with body b.
 CAMBRIAN_INLINE void move_contact(const Contact& contact, const Kinematics& from,
                                   const Kinematics& to, PlacedContact& placed) {
     const int a = contact.body_a;
@@ -58,12 +58,12 @@ CAMBRIAN_INLINE Planar point_velocity(const Kinematics& k, int body, double arm_
     return {k.velocity_x[body] - k.spin[body] * arm_y, k.velocity_y[body] + k.spin[body] * arm_x};
 }
 
-CAMBRIAN_INLINE Planar point_acceleration(const Frame& frame, int body, double arm_x,
+CAMBRIAN_INLINE Planar point_acceleration(const EvaluationCache& cache, int body, double arm_x,
                                           double arm_y) {
-    const double spin = frame.kinematics.spin[body];
-    const double turn = frame.response.spin[body];
-    return {frame.response.x[body] - turn * arm_y - spin * spin * arm_x,
-            frame.response.y[body] + turn * arm_x - spin * spin * arm_y};
+    const double spin = cache.kinematics.spin[body];
+    const double turn = cache.response.spin[body];
+    return {cache.response.x[body] - turn * arm_y - spin * spin * arm_x,
+            cache.response.y[body] + turn * arm_x - spin * spin * arm_y};
 }
 
 CAMBRIAN_INLINE Planar difference(const Planar& a, const Planar& b) {
@@ -73,20 +73,20 @@ CAMBRIAN_INLINE Planar difference(const Planar& a, const Planar& b) {
 // J a + J' v of both directions: the points' accelerations, and the turning of the directions with
 // body b while a slides along it.
 CAMBRIAN_INLINE Planar relative_acceleration(const Contact& contact, const PlacedContact& placed,
-                                             const Frame& frame) {
+                                             const EvaluationCache& cache) {
     const int a = contact.body_a;
     const int b = contact.body_b;
-    const Planar of_a = point_acceleration(frame, a, placed.arm_ax, placed.arm_ay);
+    const Planar of_a = point_acceleration(cache, a, placed.arm_ax, placed.arm_ay);
     if (b < 0) return of_a;
-    const Planar of_b = point_acceleration(frame, b, placed.arm_bx, placed.arm_by);
+    const Planar of_b = point_acceleration(cache, b, placed.arm_bx, placed.arm_by);
     const Planar sliding =
-        difference(point_velocity(frame.kinematics, a, placed.arm_ax, placed.arm_ay),
-                   point_velocity(frame.kinematics, b, placed.arm_bx, placed.arm_by));
-    const double turn = 2.0 * frame.kinematics.spin[b];
+        difference(point_velocity(cache.kinematics, a, placed.arm_ax, placed.arm_ay),
+                   point_velocity(cache.kinematics, b, placed.arm_bx, placed.arm_by));
+    const double turn = 2.0 * cache.kinematics.spin[b];
     return {of_a.x - of_b.x + turn * sliding.y, of_a.y - of_b.y - turn * sliding.x};
 }
 
-// Along the normal turned to the left.
+// The relative speed along the tangent, the normal turned by a quarter to the left.
 CAMBRIAN_INLINE double sliding_speed(const Contact& contact, const Kinematics& k) {
     Planar velocity = point_velocity(k, contact.body_a, contact.arm_ax, contact.arm_ay);
     if (contact.body_b >= 0)
@@ -95,17 +95,17 @@ CAMBRIAN_INLINE double sliding_speed(const Contact& contact, const Kinematics& k
     return contact.normal_x * velocity.y - contact.normal_y * velocity.x;
 }
 
-CAMBRIAN_INLINE void place_contact(const Contact& contact, const Kinematics& collected,
-                                   const Frame& frame, PlacedContact& placed) {
+CAMBRIAN_INLINE void place_contact(const Contact& contact, const Kinematics& detected,
+                                   const EvaluationCache& cache, PlacedContact& placed) {
     placed.normal_x = contact.normal_x;
     placed.normal_y = contact.normal_y;
     placed.arm_ax = contact.arm_ax;
     placed.arm_ay = contact.arm_ay;
     placed.arm_bx = contact.arm_bx;
     placed.arm_by = contact.arm_by;
-    placed.sliding = sliding_speed(contact, collected);
-    if (&collected != &frame.kinematics) move_contact(contact, collected, frame.kinematics, placed);
-    placed.acceleration = relative_acceleration(contact, placed, frame);
+    placed.sliding = sliding_speed(contact, detected);
+    if (&detected != &cache.kinematics) move_contact(contact, detected, cache.kinematics, placed);
+    placed.acceleration = relative_acceleration(contact, placed, cache);
 }
 
 CAMBRIAN_INLINE void set_contact_row(const Contact& contact, const PlacedContact& placed,
@@ -123,7 +123,7 @@ CAMBRIAN_INLINE void set_contact_row(const Contact& contact, const PlacedContact
     row.acceleration = x * placed.acceleration.x + y * placed.acceleration.y;
 }
 
-Row& add_row(RowKind kind, int source, RowSystem& rows) {
+Row& add_row(RowKind kind, int source, ConstraintSystem& rows) {
     CAMBRIAN_TICK_ASSERT(rows.count < kMaxRows, "rows have room");
     Row& row = rows[rows.count++];
     row.kind = kind;
@@ -132,15 +132,16 @@ Row& add_row(RowKind kind, int source, RowSystem& rows) {
     return row;
 }
 
-// The friction rows of the contacts so far, each of which acts at its group's nearest contact.
+// Finds or adds the friction row of each contact's group. It acts at the nearest contact.
 class FrictionRows {
 public:
-    FrictionRows(const ContactSet& contacts, RowSystem& rows) : contacts_(contacts), rows_(rows) {
+    FrictionRows(const ContactSet& contacts, ConstraintSystem& rows)
+        : contacts_(contacts), rows_(rows) {
         for (std::int16_t& row : of_body_)
             row = -1;
     }
 
-    // The row of a contact's group.
+    // Returns the row of the contact's group.
     std::int16_t join(int source) {
         CAMBRIAN_TICK_ASSERT(source >= 0 && source < contacts_.count, "a contact of the set");
         const Contact& contact = contacts_.items[source];
@@ -160,13 +161,13 @@ public:
 
 private:
     const ContactSet& contacts_;
-    RowSystem& rows_;
+    ConstraintSystem& rows_;
     std::int16_t of_body_[kMaxBodies];  // on the ground; -1: none
     std::int16_t of_pair_ = -1;         // of the pair seen last, whose contacts follow each other
     int pair_ = -1;
 };
 
-void list_contact_rows(const RowSources& sources, RowSystem& rows) {
+void list_contact_rows(const RowSources& sources, ConstraintSystem& rows) {
     FrictionRows frictions(sources.contacts, rows);
     for (int c = 0; c < sources.contacts.count; ++c) {
         Row& row = add_row(RowKind::kNormal, c, rows);
@@ -174,8 +175,8 @@ void list_contact_rows(const RowSources& sources, RowSystem& rows) {
     }
 }
 
-void add_limit_rows(const PlanarModel& model, const LimitSet& limits, const Kinematics& collected,
-                    const BodyResponse& accelerations, RowSystem& rows) {
+void add_limit_rows(const PlanarModel& model, const LimitSet& limits, const Kinematics& detected,
+                    const BodyResponse& accelerations, ConstraintSystem& rows) {
     for (int l = 0; l < limits.count; ++l) {
         const LimitCandidate& limit = limits.items[l];
         CAMBRIAN_TICK_ASSERT(limit.sign == 1.0 || limit.sign == -1.0, "one of two stops");
@@ -188,28 +189,28 @@ void add_limit_rows(const PlanarModel& model, const LimitSet& limits, const Kine
         row.dir_y = 0.0;
         row.moment_a = 0.0;
         row.moment_b = 0.0;
-        row.rate = limit.sign * collected.joint_rate[limit.body];
+        row.rate = limit.sign * detected.joint_rate[limit.body];
         row.acceleration = row_rate(model, row, accelerations);
     }
 }
 
-// Takes from the matrix what the closing pins hold back: B A+ B', B the rates of the rows by unit
-// impulses in the pins. As in the matrix itself, a row that the mechanism hardly lets move is made
-// softer.
-void hold_loops(const PlanarModel& model, const Frame& frame, RowSystem& rows) {
-    const LoopClosure loops(model, frame.kinematics, frame.factors);
+// Subtracts the effect of loop-closure joints from the matrix: B A+ B', with the rates B of the
+// rows under unit impulses of the joints. Rows in which the mechanism hardly moves are regularised.
+void close_loops(const PlanarModel& model, const EvaluationCache& cache, ConstraintSystem& rows) {
+    const LoopClosure loops(model, cache.kinematics, cache.factors);
     const std::vector<BodyResponse>& units = loops.unit_responses();
     Eigen::MatrixXd effect(rows.count, static_cast<Eigen::Index>(units.size()));
     for (int row = 0; row < rows.count; ++row) {
-        for (std::size_t pin = 0; pin < units.size(); ++pin)
-            effect(row, static_cast<Eigen::Index>(pin)) = row_rate(model, rows[row], units[pin]);
+        for (std::size_t joint = 0; joint < units.size(); ++joint)
+            effect(row, static_cast<Eigen::Index>(joint)) =
+                row_rate(model, rows[row], units[joint]);
     }
     const Eigen::MatrixXd held = effect * loops.impulses(effect.transpose());
     for (int row = 0; row < rows.count; ++row) {
         const double open = rows.coupling(row, row);
         for (int column = 0; column < rows.count; ++column)
             rows.line(row)[column] -= held(row, column);
-        const double softness = std::max(0.0, kHeldShare * open - rows.coupling(row, row));
+        const double softness = std::max(0.0, kLoopSoftness * open - rows.coupling(row, row));
         rows[row].regularization += softness;
         rows.line(row)[row] += softness;
     }
@@ -217,12 +218,12 @@ void hold_loops(const PlanarModel& model, const Frame& frame, RowSystem& rows) {
 
 }  // namespace
 
-void build_rows(const PlanarModel& model, const RowSources& sources, const Kinematics& collected,
-                const Frame& frame, RowSystem& rows) {
+void build_rows(const PlanarModel& model, const RowSources& sources, const Kinematics& detected,
+                const EvaluationCache& cache, ConstraintSystem& rows) {
     CAMBRIAN_TICK_ASSERT(sources.contacts.count <= kMaxContacts, "contacts have room");
     PlacedContact placed[kMaxContacts];
     for (int c = 0; c < sources.contacts.count; ++c)
-        place_contact(sources.contacts.items[c], collected, frame, placed[c]);
+        place_contact(sources.contacts.items[c], detected, cache, placed[c]);
     rows.count = 0;
     list_contact_rows(sources, rows);
     for (int r = 0; r < rows.count; ++r) {
@@ -231,20 +232,21 @@ void build_rows(const PlanarModel& model, const RowSources& sources, const Kinem
         CAMBRIAN_TICK_ASSERT(is_body(model, row.body_a) && is_body_or_ground(model, row.body_b),
                              "a contact of bodies");
     }
-    add_limit_rows(model, sources.limits, collected, frame.response, rows);
-    compute_row_matrix(model, frame, sources.friction_softness, rows);
-    if (!model.closing_pins.empty()) hold_loops(model, frame, rows);
+    add_limit_rows(model, sources.limits, detected, cache.response, rows);
+    compute_delassus_matrix(model, cache, sources.friction_softness, rows);
+    if (!model.loop_joints.empty()) close_loops(model, cache, rows);
 }
 
-void rate_rows(const PlanarModel& model, const RowSystem& rows, const BodyResponse (&motions)[2],
-               double (&rates)[2][kMaxRows]) {
+void rate_rows(const PlanarModel& model, const ConstraintSystem& rows,
+               const BodyResponse (&motions)[2], double (&rates)[2][kMaxRows]) {
     for (int row = 0; row < rows.count; ++row) {
         for (int which = 0; which < 2; ++which)
             rates[which][row] = row_rate(model, rows[row], motions[which]);
     }
 }
 
-void add_row_impulses(const RowSystem& rows, const double* impulses, double scale, Loads& loads) {
+void add_row_impulses(const ConstraintSystem& rows, const double* impulses, double scale,
+                      Loads& loads) {
     for (int r = 0; r < rows.count; ++r) {
         if (impulses[r] == 0.0) continue;
         const Row& row = rows[r];

@@ -1,11 +1,11 @@
 #pragma once
 
-// Unilateral velocity rows of contacts and joint limits, with the exact joint-space matrix that
-// couples them (physics.md 7.2): rate after = rate before + matrix * impulse.
+// Unilateral velocity constraints (rows) of contacts and joint limits, and the Delassus matrix that
+// couples them (dynamics/README.md 9): rate after = rate before + matrix * impulse.
 
 #include "dynamics/contact/contact.h"
 #include "dynamics/evaluation/accelerations.h"
-#include "dynamics/model/lanes.h"
+#include "dynamics/model/simd.h"
 
 #include <cstdint>
 
@@ -16,10 +16,10 @@ static_assert(2 * kMaxContacts + kMaxBodies <= kMaxRows);
 
 enum class RowKind : std::uint8_t { kNormal, kFriction, kLimit };
 
-// A joint near one of its stops.
+// A joint near one of its limits.
 struct LimitCandidate {
     int body = 0;
-    double sign = 1.0;  // +1 at the low stop, -1 at the high one
+    double sign = 1.0;  // +1 at the low limit, -1 at the high one
     double gap = 0.0;   // rad or m
 };
 
@@ -33,10 +33,10 @@ struct LimitSet {
 struct Row {
     RowKind kind;
     std::int16_t source;  // index of the contact or limit
-    // Normal rows: the friction row they load, or -1. The contacts of one friction group share one.
+    // Normal rows: the friction row that they bound, or -1. All contacts of a group share one.
     std::int16_t friction_of;
-    // Wrench of a unit impulse on bodies a and b (contacts; b is -1 for the ground), or the joint
-    // of body a and its sign as dir_x (limits).
+    // Contacts: wrench of a unit impulse on a and, reversed, on b (-1: ground). Limits: the joint
+    // of body a, with the sign in dir_x.
     std::int16_t body_a, body_b;
     double dir_x, dir_y, moment_a, moment_b;
     double rate;            // J v
@@ -44,13 +44,13 @@ struct Row {
     double regularization;  // included in the matrix's diagonal
 };
 
-struct RowSystem {
+struct ConstraintSystem {
     int count = 0;
     int stride = 0;  // of the matrix, doubles
     Row rows[kMaxRows];
-    // Regularized matrix times impulse, of the last solution; of rows with an impulse only.
+    // Regularised matrix times impulse of the last solution, for rows with an impulse only.
     double response[kMaxRows];
-    // Zero beyond count, as are the columns of the matrix, up to the stride.
+    // 0 from count to the stride; so are the columns of the matrix.
     double impulse[kMaxRows];
     double matrix[kMaxRows * kMaxRows];
 
@@ -59,13 +59,13 @@ struct RowSystem {
     double* line(int row) { return matrix + std::ptrdiff_t{row} * stride; }
     const double* line(int row) const { return matrix + std::ptrdiff_t{row} * stride; }
     double coupling(int row, int column) const { return line(row)[column]; }
-    // Regularized matrix times impulse, for one row.
+    // Regularised matrix times impulse, for one row.
     CAMBRIAN_INLINE double product(int row) const {
         return lane_product(line(row), impulse, stride);
     }
 };
 
-// What rows are made of, as collected at one place.
+// The contacts and limits from which rows are built, detected at one state.
 struct RowSources {
     const ContactSet& contacts;
     const LimitSet& limits;
@@ -73,21 +73,22 @@ struct RowSources {
     double friction_softness = 0.0;  // of friction rows, as a share of the free bodies' coupling
 };
 
-// Rows of all sources, with the rates of the place where these were collected, and contact-free
-// accelerations and the matrix of the frame: at the same place, or where the bodies have gone
-// since. Impulses are left unset.
-void build_rows(const PlanarModel& model, const RowSources& sources, const Kinematics& collected,
-                const Frame& frame, RowSystem& rows);
+// Builds the rows. Their rates are those of the state in which the sources were detected. Their
+// accelerations without contact and their matrix are those of the cache, at the same state or a
+// later one. Impulses are not set.
+void build_rows(const PlanarModel& model, const RowSources& sources, const Kinematics& detected,
+                const EvaluationCache& cache, ConstraintSystem& rows);
 
-// Rates of all rows under any two motions of the bodies.
-void rate_rows(const PlanarModel& model, const RowSystem& rows, const BodyResponse (&motions)[2],
-               double (&rates)[2][kMaxRows]);
+// Computes the rates of all rows under any two motions of the bodies.
+void rate_rows(const PlanarModel& model, const ConstraintSystem& rows,
+               const BodyResponse (&motions)[2], double (&rates)[2][kMaxRows]);
 
 // Adds impulse * scale of every row to the loads.
-void add_row_impulses(const RowSystem& rows, const double* impulses, double scale, Loads& loads);
+void add_row_impulses(const ConstraintSystem& rows, const double* impulses, double scale,
+                      Loads& loads);
 
-// Change of a row's rate by the last solution, without regularization.
-inline double impulse_effect(const RowSystem& rows, int row) {
+// Change of a row's rate by the last solution, without regularisation.
+inline double impulse_effect(const ConstraintSystem& rows, int row) {
     return rows.response[row] - rows[row].regularization * rows.impulse[row];
 }
 

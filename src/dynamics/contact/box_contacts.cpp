@@ -8,7 +8,8 @@
 namespace cambrian {
 namespace {
 
-// Another axis must be this much better to be preferred, so that parallel faces do not take turns.
+// Another axis is preferred only if it is better by this much, so that parallel faces do not
+// alternate.
 constexpr double kAxisPreference = 1e-4;  // m
 
 struct SeparatingAxis {
@@ -17,7 +18,7 @@ struct SeparatingAxis {
     bool along_length = true;
 };
 
-// Gaps between the projections on both axes of one box.
+// Gaps between the projections of two boxes on both axes of one of them.
 struct AxisGaps {
     double length, width;  // m
 };
@@ -33,7 +34,7 @@ inline AxisGaps axis_gaps(const PlacedBox& own, const PlacedBox& other) {
                 across * other.half_length - along * other.half_width};
 }
 
-// Tries both axes of one box; false if one of them separates by more than the margin.
+// Tests both axes of one box; returns false if one of them separates by more than the margin.
 bool try_axes(const PlacedBox& own, const PlacedBox& other, bool of_first, double margin,
               SeparatingAxis& best) {
     const AxisGaps gaps = axis_gaps(own, other);
@@ -55,7 +56,7 @@ Vertex vertex_of(const PlacedBox& box, int corner) {
             box.y + box.axis_y * along + box.axis_x * across, corner};
 }
 
-// Ends of the face that looks most against the normal.
+// Finds the ends of the face that is most opposed to the normal.
 void incident_face(const PlacedBox& box, double normal_x, double normal_y, Vertex (&ends)[2]) {
     const double along = normal_x * box.axis_x + normal_y * box.axis_y;
     const double across = normal_y * box.axis_x - normal_x * box.axis_y;
@@ -70,8 +71,8 @@ void incident_face(const PlacedBox& box, double normal_x, double normal_y, Verte
     }
 }
 
-// Cuts the ends of the face off where they pass a tangential coordinate of `edge` on either side.
-// Each is cut by itself, so that a mirror image is cut the same.
+// Clips the face to tangential coordinates between -edge and edge. Each end is clipped by itself,
+// so that a mirror image is clipped the same.
 void clip(double edge, const double (&tangential)[2], Vertex (&ends)[2]) {
     const Vertex whole[2] = {ends[0], ends[1]};
     for (int i = 0; i < 2; ++i) {
@@ -122,7 +123,7 @@ BoxManifold collide_boxes(const PlacedBox& first, const PlacedBox& second, doubl
     for (int i = 0; i < 2; ++i)
         gaps[i] =
             normal_x * (ends[i].x - reference.x) + normal_y * (ends[i].y - reference.y) - face;
-    // The deeper point first, so that a mirror image has the same order.
+    // The deeper point comes first, so that a mirror image has the same order.
     const int deeper = gaps[1] < gaps[0] ? 1 : 0;
     for (const int i : {deeper, 1 - deeper}) {
         const Vertex& end = ends[i];

@@ -1,7 +1,7 @@
 #pragma once
 
-// Contact points of two boxes: the axis of least penetration gives the reference face; the
-// incident face of the other box is clipped to it (physics.md 7.1).
+// Contact points of two boxes (dynamics/README.md 8): the axis of least penetration gives the
+// reference face, and the incident face of the other box is clipped to it.
 
 #include <cstdint>
 
@@ -14,7 +14,7 @@ struct PlacedBox {
 };
 
 struct BoxManifold {
-    bool first_is_incident = false;         // whose points these are
+    bool first_is_incident = false;         // the points belong to the incident box
     double normal_x = 0.0, normal_y = 0.0;  // unit, from the reference box to the incident one
     int count = 0;                          // 0 to 2
     int corner[2] = {};                     // of the incident box: bit 0 is +x, bit 1 is +y
@@ -22,7 +22,7 @@ struct BoxManifold {
     double gap[2] = {};                     // m, along the normal
 };
 
-// No points where the boxes are farther apart than margin.
+// Returns no points if the boxes are farther apart than margin.
 BoxManifold collide_boxes(const PlacedBox& first, const PlacedBox& second, double margin);
 
 }  // namespace cambrian

@@ -1,6 +1,6 @@
 #pragma once
 
-// Touching or nearly touching points of boxes, with the ground or each other.
+// Contact points of boxes with the ground or with each other (dynamics/README.md 8).
 
 #include "dynamics/model/forcing.h"
 
@@ -8,15 +8,15 @@
 
 namespace cambrian {
 
-inline constexpr double kContactBand = 1e-3;    // m; nearer than this is touching
-inline constexpr double kRestingGap = 0.5e-3;   // m; where resting contacts settle
-inline constexpr double kRestingSpeed = 0.3;    // m/s; slower closing does not bounce
-inline constexpr double kContactMargin = 0.02;  // m; farther points are not looked at
+inline constexpr double kContactBand = 1e-3;    // m; smaller gaps count as touching
+inline constexpr double kRestingGap = 0.5e-3;   // m; gap of resting contacts
+inline constexpr double kRestingSpeed = 0.3;    // m/s; slower contacts do not bounce
+inline constexpr double kContactMargin = 0.02;  // m; points with larger gaps are ignored
 inline constexpr int kGroundContactIds = 4 * kMaxParts;
 inline constexpr int kIdsPerPair = 8;
 
 struct Contact {
-    int id = 0;  // the same for the same feature from step to step
+    int id = 0;  // constant for the same feature from step to step
     int body_a = 0, body_b = -1;
     int part_a = 0, part_b = -1;            // -1: the ground
     std::uint8_t face_a = 0, face_b = 0;    // Face that touches
@@ -28,22 +28,21 @@ struct Contact {
     double closing_speed = 0.0;             // m/s, along the normal, positive when approaching
 };
 
-// Number of the flat face a contact belongs to: all of one body's on the ground, or both of a pair
-// of boxes. Their friction acts along one line.
+// Number of the group that shares one friction row: all contacts of one body with the ground, or
+// both of a pair of boxes.
 inline int friction_group(const Contact& contact) {
     if (contact.part_b < 0) return contact.body_a;
     return kMaxBodies + (contact.id - kGroundContactIds) / kIdsPerPair;
 }
 
-// Whether two contacts are of the same pair: a corner and the ground, or two boxes.
+// Whether two contacts belong to the same pair: a corner and the ground, or two boxes.
 inline bool same_pair(const Contact& first, const Contact& second) {
     if (first.part_b < 0 || second.part_b < 0) return first.id == second.id;
     return friction_group(first) == friction_group(second);
 }
 
-// Contacts are collected in the order of this number: the ground's by part, then the pairs of
-// boxes.
-inline int collection_rank(int id) {
+// The order in which contacts are detected: those with the ground by part, then pairs of boxes.
+inline int detection_rank(int id) {
     if (id < kGroundContactIds) return id / 4;
     return kMaxParts + (id - kGroundContactIds) / kIdsPerPair;
 }
@@ -52,8 +51,8 @@ struct ContactSet {
     int count = 0;
     Contact items[kMaxContacts];
 
-    // Where to write a contact with this gap, behind the others: when full, the farthest one
-    // leaves. Null if there is no farther one.
+    // Returns the place for a contact with this gap, at the end. A full set drops its farthest
+    // contact; the place is null if none is farther.
     Contact* make_room(double gap) {
         return count < kMaxContacts ? &items[count++] : drop_farthest(gap);
     }
@@ -65,7 +64,7 @@ private:
     Contact* drop_farthest(double gap);
 };
 
-// Of the four faces of a box, the one that looks most along a direction given in the box's frame.
+// The face of a box whose normal is nearest to a direction in the box's frame.
 Face face_toward(double x, double y);
 
 }  // namespace cambrian

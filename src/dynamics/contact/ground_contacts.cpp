@@ -7,14 +7,14 @@
 namespace cambrian {
 namespace {
 
-// World offset of a corner from its body's centre, as seen from the box's.
+// World offsets that make up the offset of a corner from its body's centre.
 struct BoxArms {
     double center_x, center_y;  // the box's centre
     double along_x, along_y;    // half the box's length
     double across_x, across_y;  // half its width
 };
 
-// From the lowest corner up, so that a mirror image has the same order.
+// Adds the corners from the lowest up, so that a mirror image has the same order.
 void add_corners(const PlanarModel& model, const Kinematics& k, int part, const BoxArms& arms,
                  std::uint8_t face, ContactSet& contacts) {
     CAMBRIAN_TICK_ASSERT(model.part_body[part] < model.body_count, "a box of a body");
@@ -52,11 +52,11 @@ void add_corners(const PlanarModel& model, const Kinematics& k, int part, const 
 
 }  // namespace
 
-void collect_ground_contacts(const PlanarModel& model, const Kinematics& k,
-                             const PartPlaces& places, ContactSet& contacts) {
+void detect_ground_contacts(const PlanarModel& model, const Kinematics& k, const PartPlaces& places,
+                            ContactSet& contacts) {
     PerPart lowest;
     for (int part = 0; part < model.part_count; part += kLanes) {
-        const Lanes reach =
+        const Simd4d reach =
             magnitude(load_lanes(places.axis_y + part)) * load_lanes(model.half_length + part) +
             magnitude(load_lanes(places.axis_x + part)) * load_lanes(model.half_width + part);
         store_lanes(lowest + part, load_lanes(places.y + part) - reach);

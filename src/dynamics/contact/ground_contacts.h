@@ -1,6 +1,6 @@
 #pragma once
 
-// Corners of boxes near the ground, the half-plane y <= 0.
+// Contacts of the corners of boxes with the ground, the half-plane y <= 0.
 
 #include "dynamics/contact/contact.h"
 #include "dynamics/model/part_places.h"
@@ -8,7 +8,7 @@
 namespace cambrian {
 
 // Adds every corner nearer to the ground than kContactMargin.
-void collect_ground_contacts(const PlanarModel& model, const Kinematics& kinematics,
-                             const PartPlaces& places, ContactSet& contacts);
+void detect_ground_contacts(const PlanarModel& model, const Kinematics& kinematics,
+                            const PartPlaces& places, ContactSet& contacts);
 
 }  // namespace cambrian

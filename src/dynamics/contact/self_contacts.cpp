@@ -9,14 +9,14 @@
 namespace cambrian {
 namespace {
 
-constexpr double kSpare = 0.15;  // m, by which bounding circles are enlarged
+constexpr double kSpare = 0.15;  // m, enlargement of the bounding circles
 
 PlacedBox placed_box(const PlanarModel& model, const PartPlaces& places, int part) {
     return {places.x[part],      places.y[part],          places.axis_x[part],
             places.axis_y[part], model.half_length[part], model.half_width[part]};
 }
 
-// Whether the bounding circles of two boxes come nearer than the margin.
+// Whether the bounding circles of two boxes are nearer than the margin.
 bool circles_near(const PlanarModel& model, const PartPlaces& places, const PartPair& pair,
                   double margin) {
     const double x = places.x[pair.second] - places.x[pair.first];
@@ -67,21 +67,21 @@ void add_points(const PlanarModel& model, const Kinematics& k, const PartPlaces&
 
 }  // namespace
 
-// Two boxes may each have come nearer by half the spare, as seen from part 0.
+// The list holds until a box has moved by half the enlargement relative to part 0.
 CAMBRIAN_INLINE bool PairList::has_expired(const PlanarModel& model,
                                            const PartPlaces& places) const {
     if (!built_) return true;
-    Lanes farthest = {};
+    Simd4d farthest = {};
     for (int part = 0; part < model.part_count; part += kLanes) {
-        const Lanes x = load_lanes(places.x + part) - places.x[0] - load_lanes(built_x_ + part);
-        const Lanes y = load_lanes(places.y + part) - places.y[0] - load_lanes(built_y_ + part);
+        const Simd4d x = load_lanes(places.x + part) - places.x[0] - load_lanes(built_x_ + part);
+        const Simd4d y = load_lanes(places.y + part) - places.y[0] - load_lanes(built_y_ + part);
         farthest = greater(farthest, x * x + y * y);
     }
     return largest_of(farthest) > 0.25 * kSpare * kSpare;
 }
 
-void PairList::collect(const PlanarModel& model, const Kinematics& kinematics,
-                       const PartPlaces& places, ContactSet& contacts) {
+void PairList::detect(const PlanarModel& model, const Kinematics& kinematics,
+                      const PartPlaces& places, ContactSet& contacts) {
     if (model.colliding_pairs.empty()) return;
     if (has_expired(model, places)) rebuild(model, places);
     for (int i = 0; i < count_; ++i) {

@@ -1,19 +1,19 @@
 #pragma once
 
-// Touching boxes of one creature (physics.md 7.1).
+// Contacts between boxes of one creature (dynamics/README.md 8).
 
 #include "dynamics/contact/contact.h"
 #include "dynamics/model/part_places.h"
 
 namespace cambrian {
 
-// Which of the model's pairs are near enough to be tested; rebuilt when the boxes have moved too
-// far. What it finds does not depend on when that was.
+// List of the pairs that are near enough to be tested. It is rebuilt when boxes have moved too far;
+// the contacts do not depend on when that happened.
 class PairList {
 public:
-    // Adds at most two contacts a pair, everything nearer than kContactMargin.
-    void collect(const PlanarModel& model, const Kinematics& kinematics, const PartPlaces& places,
-                 ContactSet& contacts);
+    // Adds all contacts nearer than kContactMargin, at most two for each pair.
+    void detect(const PlanarModel& model, const Kinematics& kinematics, const PartPlaces& places,
+                ContactSet& contacts);
 
 private:
     bool has_expired(const PlanarModel& model, const PartPlaces& places) const;

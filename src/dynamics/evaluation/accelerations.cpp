@@ -58,35 +58,35 @@ void add_held_forces(const PlanarModel& model, const HeldForces& held, const Kin
 }
 
 void compute_loads(const PlanarModel& model, const Forcing& forcing, const EvaluationPoint& point,
-                   Frame& frame, MotionRate& rate) {
+                   EvaluationCache& cache, MotionRate& rate) {
     CAMBRIAN_TICK_ASSERT(point.tick_share >= 0.0 && point.tick_share <= 1.0 + 1e-9,
                          "a moment of the tick");
-    Loads& loads = frame.loads;
+    Loads& loads = cache.loads;
     MotorPower motors;
     if (point.implicit == nullptr)
-        motors = compute_motor_efforts(model, forcing.drive, point.tick_share, frame.kinematics,
-                                       frame.motor_effort);
+        motors = compute_motor_efforts(model, forcing.drive, point.tick_share, cache.kinematics,
+                                       cache.motor_effort);
     else
         compute_implicit_efforts(model, forcing.drive, point.tick_share, *point.implicit,
-                                 frame.kinematics, frame.motor_effort, frame.motor_damping);
+                                 cache.kinematics, cache.motor_effort, cache.motor_damping);
     rate.power[kMotorWork] = motors.net;
     rate.power[kGrossMotorWork] = motors.gross;
     const Medium& medium = forcing.medium;
     for (int i = 0; i < model.body_count; i += kLanes) {
-        const Lanes mass = load_lanes(model.mass + i);
+        const Simd4d mass = load_lanes(model.mass + i);
         store_lanes(loads.force_x + i, mass * medium.gravity_x);
         store_lanes(loads.force_y + i, mass * medium.gravity_y);
-        store_lanes(loads.torque + i, Lanes{});
-        store_lanes(loads.effort + i, load_lanes(frame.motor_effort + i));
+        store_lanes(loads.torque + i, Simd4d{});
+        store_lanes(loads.effort + i, load_lanes(cache.motor_effort + i));
     }
     rate.power[kDragWork] =
-        is_dragged(medium) ? add_drag(model, medium, frame.kinematics, loads) : 0.0;
+        is_dragged(medium) ? add_drag(model, medium, cache.kinematics, loads) : 0.0;
     rate.power[kPullWork] = 0.0;
     if (forcing.pulled) {
-        add_held_force(forcing.pull, frame.kinematics, loads);
-        rate.power[kPullWork] = pull_power(forcing.pull, frame.kinematics);
+        add_held_force(forcing.pull, cache.kinematics, loads);
+        rate.power[kPullWork] = pull_power(forcing.pull, cache.kinematics);
     }
-    if (forcing.held != nullptr) add_held_forces(model, *forcing.held, frame.kinematics, loads);
+    if (forcing.held != nullptr) add_held_forces(model, *forcing.held, cache.kinematics, loads);
 }
 
 namespace {
@@ -94,53 +94,54 @@ namespace {
 // A function of its own, so that the choice between the two costs little.
 [[gnu::noinline]] void evaluate_tree(const PlanarModel& model, const Forcing& forcing,
                                      const Motion& motion, const EvaluationPoint& point,
-                                     Frame& frame, MotionRate& rate) {
-    frame.has_centers = true;
-    frame.has_joint_geometry = true;
-    frame.is_factored = true;
-    frame.is_inverted = false;
-    const bool all = point.detail == FrameDetail::kEverything;
-    compute_joints(model, motion, frame.kinematics);
+                                     EvaluationCache& cache, MotionRate& rate) {
+    cache.has_centers = true;
+    cache.has_joint_geometry = true;
+    cache.is_factored = true;
+    cache.is_inverted = false;
+    const bool all = point.detail == EvaluationDetail::kEverything;
+    compute_joints(model, motion, cache.kinematics);
     if (all || forcing.pulled || is_dragged(forcing.medium))
-        compute_velocities(model, motion, frame.kinematics);
-    if (all || holds_pairs(forcing)) compute_places(model, motion, frame.kinematics);
-    compute_loads(model, forcing, point, frame, rate);
+        compute_velocities(model, motion, cache.kinematics);
+    if (all || holds_pairs(forcing)) compute_places(model, motion, cache.kinematics);
+    compute_loads(model, forcing, point, cache, rate);
     if (point.implicit == nullptr)
-        solve_accelerations(model, frame.kinematics, frame.loads, frame.factors, frame.response);
+        solve_accelerations(model, cache.kinematics, cache.loads, cache.factors, cache.response);
     else
-        solve_damped_accelerations(model, frame.kinematics, frame.loads, frame.motor_damping,
-                                   frame.factors, frame.response);
-    if (!model.closing_pins.empty())
-        close_accelerations(model, frame.kinematics, frame.factors, frame.response);
+        solve_damped_accelerations(model, cache.kinematics, cache.loads, cache.motor_damping,
+                                   cache.factors, cache.response);
+    if (!model.loop_joints.empty())
+        close_accelerations(model, cache.kinematics, cache.factors, cache.response);
     const int count = coordinate_count(model);
     for (int c = 0; c < count; c += kLanes)
-        store_lanes(rate.acceleration + c, load_lanes(frame.response.coordinate + c));
+        store_lanes(rate.acceleration + c, load_lanes(cache.response.coordinate + c));
 }
 
 }  // namespace
 
 void evaluate_accelerations(const PlanarModel& model, const Forcing& forcing, const Motion& motion,
-                            const EvaluationPoint& point, Frame& frame, MotionRate& rate) {
+                            const EvaluationPoint& point, EvaluationCache& cache,
+                            MotionRate& rate) {
     if (is_dense(model, forcing)) {
-        evaluate_dense(model, forcing, motion, point, frame, rate);
+        evaluate_dense(model, forcing, motion, point, cache, rate);
     } else {
-        evaluate_tree(model, forcing, motion, point, frame, rate);
+        evaluate_tree(model, forcing, motion, point, cache, rate);
     }
 }
 
-void find_centers(const PlanarModel& model, Frame& frame) {
-    if (frame.has_centers) return;
-    frame.has_centers = true;
-    accelerate_dense_centers(model, frame.kinematics, frame.response);
+void find_centers(const PlanarModel& model, EvaluationCache& cache) {
+    if (cache.has_centers) return;
+    cache.has_centers = true;
+    accelerate_dense_centers(model, cache.kinematics, cache.response);
 }
 
-void complete_frame(const PlanarModel& model, Frame& frame) {
-    find_centers(model, frame);
-    if (frame.is_factored) return;
-    frame.is_factored = true;
-    if (!frame.has_joint_geometry) compute_joint_geometry(model, frame.kinematics);
-    frame.has_joint_geometry = true;
-    factorize(model, frame.kinematics, frame.factors);
+void complete_cache(const PlanarModel& model, EvaluationCache& cache) {
+    find_centers(model, cache);
+    if (cache.is_factored) return;
+    cache.is_factored = true;
+    if (!cache.has_joint_geometry) compute_joint_geometry(model, cache.kinematics);
+    cache.has_joint_geometry = true;
+    factorize(model, cache.kinematics, cache.factors);
 }
 
 }  // namespace cambrian

@@ -2,54 +2,54 @@
 
 // The right-hand side of the motion: state and forcing to accelerations and powers.
 
-#include "dynamics/articulated/elimination.h"
+#include "dynamics/articulated/articulated_body.h"
 #include "dynamics/forces/motors.h"
 #include "dynamics/model/forcing.h"
 
 namespace cambrian {
 
-// One evaluation with all that can be reused of it.
-struct Frame {
+// The results of one evaluation that can be reused.
+struct EvaluationCache {
     Kinematics kinematics;
     Loads loads;
     Factors factors;
-    BodyResponse response;  // accelerations, loops closed
+    BodyResponse response;  // accelerations, with closed loops
     PerBody motor_effort;   // N m or N
-    PerBody motor_damping;  // where motors are implicit: effort lost per joint acceleration
-    // In place of the factors, where the frame was evaluated in dense form with implicit motors:
-    // inverse of the mass matrix with their damping, by columns of DenseForm.
+    PerBody motor_damping;  // of implicit motors: effort lost per joint acceleration
+    // The inverse of the mass matrix with the damping of the motors, by columns of DenseForm. It
+    // replaces the factors after an evaluation in dense form with implicit motors.
     double inverse[kMaxDenseBodies * kMaxDenseBodies];
-    // Whether the accelerations of the bodies' centres are there, the geometry of the joints, the
-    // factors; else find_centers and complete_frame bring them.
+    // Whether accelerations of the bodies' centres, geometry of the joints and factors are valid.
+    // find_centers and complete_cache compute them.
     bool has_centers;
     bool has_joint_geometry;
     bool is_factored;
-    bool is_inverted;  // whether the inverse is there
+    bool is_inverted;  // whether the inverse is valid
 };
 
-// What of the kinematics is to be left in the frame: what this forcing needs for the accelerations,
-// or all of it. The frame may lack its factors either way.
-enum class FrameDetail : std::uint8_t { kAccelerations, kEverything };
+// Which kinematics an evaluation computes: those that its accelerations need, or all. The factors
+// may be missing in both cases.
+enum class EvaluationDetail : std::uint8_t { kAccelerations, kEverything };
 
 struct EvaluationPoint {
     double tick_share = 0.0;  // where in the tick, 0 to 1, for the motors' targets
-    FrameDetail detail = FrameDetail::kEverything;
+    EvaluationDetail detail = EvaluationDetail::kEverything;
     const ImplicitStage* implicit = nullptr;  // for the motors' damping; null: explicit
 };
 
 void evaluate_accelerations(const PlanarModel& model, const Forcing& forcing, const Motion& motion,
-                            const EvaluationPoint& point, Frame& frame, MotionRate& rate);
+                            const EvaluationPoint& point, EvaluationCache& cache, MotionRate& rate);
 
-// Bring what a frame evaluated with everything may lack: the accelerations of the centres, and all.
-void find_centers(const PlanarModel& model, Frame& frame);
-void complete_frame(const PlanarModel& model, Frame& frame);
+// Complete a cache that was evaluated with kEverything: the accelerations of the centres, or all.
+void find_centers(const PlanarModel& model, EvaluationCache& cache);
+void complete_cache(const PlanarModel& model, EvaluationCache& cache);
 
-// All explicit forces and efforts into the frame, with their powers into rate; the frame's
-// kinematics are given. Where motors are implicit their powers are left 0.
+// Computes all external forces and efforts from the cache's kinematics, and their powers. Powers of
+// implicit motors are 0.
 void compute_loads(const PlanarModel& model, const Forcing& forcing, const EvaluationPoint& point,
-                   Frame& frame, MotionRate& rate);
+                   EvaluationCache& cache, MotionRate& rate);
 
-// Adds contact forces and limit efforts to loads, at the kinematics' arms.
+// Adds contact forces and limit efforts to the loads, with arms at the given positions.
 void add_held_forces(const PlanarModel& model, const HeldForces& held, const Kinematics& kinematics,
                      Loads& loads);
 

@@ -15,17 +15,17 @@ template <int kBlocks, Motors kMotors>
 class DenseEvaluation {
 public:
     CAMBRIAN_INLINE DenseEvaluation(const PlanarModel& model, const Forcing& forcing,
-                                    const Motion& motion, Frame& frame, MotionRate& rate)
+                                    const Motion& motion, EvaluationCache& cache, MotionRate& rate)
         : model_(model),
           form_(model.dense),
           forcing_(forcing),
           motion_(motion),
-          frame_(frame),
+          cache_(cache),
           rate_(rate),
           bodies_(model.body_count) {}
 
     CAMBRIAN_INLINE void run(const EvaluationPoint& point) {
-        const bool all = point.detail == FrameDetail::kEverything;
+        const bool all = point.detail == EvaluationDetail::kEverything;
         turn_bodies();
         drive_joints(point);
         const Medium& medium = forcing_.medium;
@@ -40,21 +40,21 @@ public:
             eliminate();
         move_center();
         if (all) keep_response();
-        frame_.has_centers = false;
-        frame_.has_joint_geometry = false;
-        frame_.is_factored = false;
-        frame_.is_inverted = kMotors == Motors::kImplicit;
+        cache_.has_centers = false;
+        cache_.has_joint_geometry = false;
+        cache_.is_factored = false;
+        cache_.is_inverted = kMotors == Motors::kImplicit;
     }
 
 private:
     static constexpr int kLines = kBlocks * kLanes;
     static constexpr std::size_t kSlots = kLines;
 
-    // Spare bodies do not move.
+    // Padding does not move.
     CAMBRIAN_INLINE void turn_bodies() {
-        Kinematics& k = frame_.kinematics;
+        Kinematics& k = cache_.kinematics;
         for (int i = 0; i < kLines; i += kLanes) {
-            const Lanes member = load_lanes(model_.membership[0] + i);
+            const Simd4d member = load_lanes(model_.membership[0] + i);
             store_lanes(k.angle + i, member * load_lanes(motion_.position + i));
             store_lanes(k.spin + i, member * load_lanes(motion_.speed + i));
         }
@@ -69,44 +69,44 @@ private:
         cosine_.load(k.cosine);
     }
 
-    // Efforts of motors act on a body and back on its parent.
+    // Adds the efforts of motors, which act on a body and back on its parent.
     CAMBRIAN_INLINE void drive_joints(const EvaluationPoint& point) {
-        Kinematics& k = frame_.kinematics;
+        Kinematics& k = cache_.kinematics;
         double torque[kSlots];
-        Lanes net = {};
-        Lanes gross = {};
+        Simd4d net = {};
+        Simd4d gross = {};
         for (int i = 0; i < kLines; i += kLanes) {
             const int* parents = model_.parent_slot + i;
-            const Lanes position = load_lanes(k.angle + i) - gather(k.angle, parents) -
-                                   load_lanes(model_.rest_angle + i);
-            const Lanes rate = load_lanes(k.spin + i) - gather(k.spin, parents);
+            const Simd4d position = load_lanes(k.angle + i) - gather(k.angle, parents) -
+                                    load_lanes(model_.rest_angle + i);
+            const Simd4d rate = load_lanes(k.spin + i) - gather(k.spin, parents);
             store_lanes(k.joint_position + i, position);
             store_lanes(k.joint_rate + i, rate);
-            Lanes effort;
+            Simd4d effort;
             if constexpr (kMotors == Motors::kImplicit) {
                 const ImplicitEfforts motors = implicit_efforts(
                     model_, forcing_.drive, point.tick_share, *point.implicit, position, rate, i);
                 effort = motors.effort;
-                store_lanes(frame_.motor_damping + i, motors.damping);
+                store_lanes(cache_.motor_damping + i, motors.damping);
             } else {
                 effort = motor_efforts(model_, forcing_.drive, point.tick_share, position, rate, i);
-                const Lanes power = effort * rate;
+                const Simd4d power = effort * rate;
                 net += power;
                 gross += magnitude(power);
             }
-            store_lanes(frame_.motor_effort + i, effort);
+            store_lanes(cache_.motor_effort + i, effort);
             store_lanes(torque + i, effort);
         }
         rate_.power[kMotorWork] = sum_of(net);
         rate_.power[kGrossMotorWork] = sum_of(gross);
         for (int i = 1; i < bodies_; ++i)
-            torque[model_.parent[i]] -= frame_.motor_effort[i];
+            torque[model_.parent[i]] -= cache_.motor_effort[i];
         torque_.load(torque);
     }
 
-    // Places and velocities of the centres.
+    // Computes positions and velocities of the centres.
     CAMBRIAN_INLINE void move_bodies() {
-        Kinematics& k = frame_.kinematics;
+        Kinematics& k = cache_.kinematics;
         BodyLanes<kBlocks> x;
         BodyLanes<kBlocks> y;
         BodyLanes<kBlocks> velocity_x;
@@ -118,14 +118,14 @@ private:
             velocity_y[b] = all_lanes(motion_.speed[bodies_ + 1]);
         }
         for (int angle = 0; angle < bodies_; ++angle) {
-            const Lanes cosine = all_lanes(k.cosine[angle]);
-            const Lanes sine = all_lanes(k.sine[angle]);
-            const Lanes spin = all_lanes(k.spin[angle]);
+            const Simd4d cosine = all_lanes(k.cosine[angle]);
+            const Simd4d sine = all_lanes(k.sine[angle]);
+            const Simd4d spin = all_lanes(k.spin[angle]);
             for (int b = 0; b < kBlocks; ++b) {
-                const Lanes d_x = load_lanes(form_.arm_x + angle * kLines + b * kLanes);
-                const Lanes d_y = load_lanes(form_.arm_y + angle * kLines + b * kLanes);
-                const Lanes arm_x = cosine * d_x - sine * d_y;
-                const Lanes arm_y = sine * d_x + cosine * d_y;
+                const Simd4d d_x = load_lanes(form_.arm_x + angle * kLines + b * kLanes);
+                const Simd4d d_y = load_lanes(form_.arm_y + angle * kLines + b * kLanes);
+                const Simd4d arm_x = cosine * d_x - sine * d_y;
+                const Simd4d arm_y = sine * d_x + cosine * d_y;
                 x[b] += arm_x;
                 y[b] += arm_y;
                 velocity_x[b] -= spin * arm_y;
@@ -133,7 +133,7 @@ private:
             }
         }
         for (int b = 0; b < kBlocks; ++b) {
-            const Lanes member = load_lanes(model_.membership[0] + b * kLanes);
+            const Simd4d member = load_lanes(model_.membership[0] + b * kLanes);
             store_lanes(k.x + b * kLanes, member * x[b]);
             store_lanes(k.y + b * kLanes, member * y[b]);
             store_lanes(k.velocity_x + b * kLanes, member * velocity_x[b]);
@@ -141,10 +141,10 @@ private:
         }
     }
 
-    // Forces and torques of the medium on the bodies; returns their power.
+    // Adds forces and torques of the medium on the bodies; returns their power.
     CAMBRIAN_INLINE double drag_single_boxes(Loads& loads) {
-        const Kinematics& k = frame_.kinematics;
-        Lanes power = {};
+        const Kinematics& k = cache_.kinematics;
+        Simd4d power = {};
         for (int i = 0; i < kLines; i += kLanes) {
             const BoxDrag drag = drag_boxes(
                 forcing_.medium, {{load_lanes(k.cosine + i), load_lanes(k.sine + i)},
@@ -161,18 +161,18 @@ private:
     }
     CAMBRIAN_INLINE double drag_welded_boxes(Loads& loads) {
         clear_loads(model_, loads);
-        const double power = add_drag(model_, forcing_.medium, frame_.kinematics, loads);
+        const double power = add_drag(model_, forcing_.medium, cache_.kinematics, loads);
         for (int b = 0; b < kBlocks; ++b)
             torque_[b] += load_lanes(loads.torque + b * kLanes);
         return power;
     }
 
-    // An angle feels a force on a body by the arm between them.
+    // Adds the generalised force of a force on a body to all angles.
     CAMBRIAN_INLINE double drag_bodies() {
-        Loads& loads = frame_.loads;
+        Loads& loads = cache_.loads;
         const double power =
             form_.single_boxes ? drag_single_boxes(loads) : drag_welded_boxes(loads);
-        Levers<kBlocks> levers(form_, frame_.kinematics);
+        Levers<kBlocks> levers(form_, cache_.kinematics);
         for (int body = 0; body < bodies_; ++body) {
             drag_x_ += loads.force_x[body];
             drag_y_ += loads.force_y[body];
@@ -183,26 +183,26 @@ private:
         return power;
     }
 
-    // The mass matrix, and what comes with the speeds.
+    // Fills the mass matrix and the velocity terms.
     CAMBRIAN_INLINE void couple_angles() {
-        const Kinematics& k = frame_.kinematics;
+        const Kinematics& k = cache_.kinematics;
         const int columns = kBlocks == 1 ? kLanes : bodies_;
         for (int j = 0; j < columns; ++j) {
-            const Lanes cosine = all_lanes(k.cosine[j]);
-            const Lanes sine = all_lanes(k.sine[j]);
-            const Lanes square = all_lanes(k.spin[j] * k.spin[j]);
+            const Simd4d cosine = all_lanes(k.cosine[j]);
+            const Simd4d sine = all_lanes(k.sine[j]);
+            const Simd4d square = all_lanes(k.spin[j] * k.spin[j]);
             for (int b = 0; b < kBlocks; ++b) {
-                const Lanes a = load_lanes(form_.inertia_cosine + j * kLines + b * kLanes);
-                const Lanes s = load_lanes(form_.inertia_sine + j * kLines + b * kLanes);
-                const Lanes along = a * cosine_[b] + s * sine_[b];
-                const Lanes across = a * sine_[b] - s * cosine_[b];
+                const Simd4d a = load_lanes(form_.inertia_cosine + j * kLines + b * kLanes);
+                const Simd4d s = load_lanes(form_.inertia_sine + j * kLines + b * kLanes);
+                const Simd4d along = a * cosine_[b] + s * sine_[b];
+                const Simd4d across = a * sine_[b] - s * cosine_[b];
                 column_[j][b] = along * cosine + across * sine;
                 torque_[b] += (along * sine - across * cosine) * square;
             }
         }
     }
 
-    // Gauss-Jordan elimination; the matrix is positive definite.
+    // Solves by Gauss-Jordan elimination; the matrix is positive definite.
     CAMBRIAN_INLINE void eliminate() {
         const int columns = kBlocks == 1 ? kLanes : bodies_;
         double inverse_pivot[kSlots] = {};
@@ -214,11 +214,11 @@ private:
                 factor[b] = column_[k][b] * inverse;
             factor[k / kLanes][k % kLanes] = 0.0;
             for (int j = k + 1; j < columns; ++j) {
-                const Lanes pivot_row = all_lanes(column_[j].at(k));
+                const Simd4d pivot_row = all_lanes(column_[j].at(k));
                 for (int b = 0; b < kBlocks; ++b)
                     column_[j][b] -= factor[b] * pivot_row;
             }
-            const Lanes pivot_row = all_lanes(torque_.at(k));
+            const Simd4d pivot_row = all_lanes(torque_.at(k));
             for (int b = 0; b < kBlocks; ++b)
                 torque_[b] -= factor[b] * pivot_row;
         }
@@ -227,11 +227,11 @@ private:
         keep_turn(torque_);
     }
 
-    // The same in place, with motors that are implicit, for loads that are still to come.
+    // Inverts the matrix in place, with the damping of implicit motors, for later loads.
     CAMBRIAN_INLINE void invert() {
         for (int i = 1; i < bodies_; ++i) {
             const int p = model_.parent[i];
-            const double damping = frame_.motor_damping[i];
+            const double damping = cache_.motor_damping[i];
             column_[i].add_at(i, damping);
             column_[p].add_at(p, damping);
             column_[i].add_at(p, -damping);
@@ -253,32 +253,32 @@ private:
             column_[k][k / kLanes][k % kLanes] = inverse;
         }
         for (int k = 0; k < columns; ++k)
-            column_[k].store(frame_.inverse + k * kLines);
-        keep_turn(times_inverse(frame_.inverse, bodies_, torque_));
+            column_[k].store(cache_.inverse + k * kLines);
+        keep_turn(times_inverse(cache_.inverse, bodies_, torque_));
     }
 
     CAMBRIAN_INLINE void keep_turn(const BodyLanes<kBlocks>& turn) {
         turn.store(rate_.acceleration);
-        turn.store(frame_.response.spin);
+        turn.store(cache_.response.spin);
     }
 
     CAMBRIAN_INLINE void move_center() {
         const double share = 1.0 / model_.total_mass;
-        store_lanes(rate_.acceleration + kLines, Lanes{});
+        store_lanes(rate_.acceleration + kLines, Simd4d{});
         rate_.acceleration[bodies_] = forcing_.medium.gravity_x + share * drag_x_;
         rate_.acceleration[bodies_ + 1] = forcing_.medium.gravity_y + share * drag_y_;
     }
 
     CAMBRIAN_INLINE void keep_response() {
         for (int c = 0; c < bodies_ + 2; c += kLanes)
-            store_lanes(frame_.response.coordinate + c, load_lanes(rate_.acceleration + c));
+            store_lanes(cache_.response.coordinate + c, load_lanes(rate_.acceleration + c));
     }
 
     const PlanarModel& model_;
     const DenseForm& form_;
     const Forcing& forcing_;
     const Motion& motion_;
-    Frame& frame_;
+    EvaluationCache& cache_;
     MotionRate& rate_;
     const int bodies_;
     BodyLanes<kBlocks> sine_, cosine_, torque_;
@@ -286,26 +286,26 @@ private:
     double drag_x_ = 0.0, drag_y_ = 0.0;
 };
 
-// Functions of their own: together in one the compiler would unroll neither.
+// These are separate functions, because in one function the compiler unrolls neither.
 template <int kBlocks, Motors kMotors>
 [[gnu::noinline]] void evaluate(const PlanarModel& model, const Forcing& forcing,
-                                const Motion& motion, const EvaluationPoint& point, Frame& frame,
-                                MotionRate& rate) {
-    DenseEvaluation<kBlocks, kMotors>(model, forcing, motion, frame, rate).run(point);
+                                const Motion& motion, const EvaluationPoint& point,
+                                EvaluationCache& cache, MotionRate& rate) {
+    DenseEvaluation<kBlocks, kMotors>(model, forcing, motion, cache, rate).run(point);
 }
 
 }  // namespace
 
 void evaluate_dense(const PlanarModel& model, const Forcing& forcing, const Motion& motion,
-                    const EvaluationPoint& point, Frame& frame, MotionRate& rate) {
+                    const EvaluationPoint& point, EvaluationCache& cache, MotionRate& rate) {
     static_assert(kMaxDenseBlocks == 2);
     const bool small = model.dense.blocks == 1;
     if (point.implicit == nullptr)
         (small ? evaluate<1, Motors::kExplicit>
-               : evaluate<2, Motors::kExplicit>)(model, forcing, motion, point, frame, rate);
+               : evaluate<2, Motors::kExplicit>)(model, forcing, motion, point, cache, rate);
     else
         (small ? evaluate<1, Motors::kImplicit>
-               : evaluate<2, Motors::kImplicit>)(model, forcing, motion, point, frame, rate);
+               : evaluate<2, Motors::kImplicit>)(model, forcing, motion, point, cache, rate);
 }
 
 }  // namespace cambrian

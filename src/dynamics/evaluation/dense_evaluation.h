@@ -1,21 +1,21 @@
 #pragma once
 
-// The right-hand side of the motion in dense form (dense_form.h).
+// The right-hand side of the equations of motion in dense form (dense_form.h).
 
 #include "dynamics/evaluation/accelerations.h"
 
 namespace cambrian {
 
-// Whether the dense form can evaluate this: nothing is held or pulled.
+// Whether the dense form applies: no contact forces, no pull and no closed loops.
 inline bool is_dense(const PlanarModel& model, const Forcing& forcing) {
     return model.dense.blocks > 0 && forcing.held == nullptr && !forcing.pulled &&
-           model.closing_pins.empty();
+           model.loop_joints.empty();
 }
 
-// As evaluate_accelerations, but for the frame: its kinematics lack the geometry of the joints, it
-// is not factored and its response has only coordinates and spins (find_centers, complete_frame).
-// Where motors are implicit it has the inverse mass matrix.
+// Does what evaluate_accelerations does, with an incomplete cache: it has no geometry of the
+// joints, no factors, and a response of coordinates and spins only (find_centers, complete_cache).
+// With implicit motors it has the inverse mass matrix.
 void evaluate_dense(const PlanarModel& model, const Forcing& forcing, const Motion& motion,
-                    const EvaluationPoint& point, Frame& frame, MotionRate& rate);
+                    const EvaluationPoint& point, EvaluationCache& cache, MotionRate& rate);
 
 }  // namespace cambrian

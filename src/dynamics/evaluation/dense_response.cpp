@@ -5,8 +5,8 @@
 namespace cambrian {
 namespace {
 
-// Sum over all angles of their rates times the arms a quarter turn on, and less their squared spins
-// times the arms.
+// Sums over all angles the rates times the arms turned by a quarter, minus the squared spins times
+// the arms.
 template <int kBlocks, bool kSpins>
 CAMBRIAN_INLINE BodyVectors<kBlocks> sum_arms(const PlanarModel& model, const Kinematics& k,
                                               const double* rates, double x, double y) {
@@ -19,12 +19,12 @@ CAMBRIAN_INLINE BodyVectors<kBlocks> sum_arms(const PlanarModel& model, const Ki
         const double cosine = k.cosine[angle];
         const double sine = k.sine[angle];
         const double square = kSpins ? k.spin[angle] * k.spin[angle] : 0.0;
-        // (rate i - square) R, as a rotation that stretches.
+        // (rate i - square) R as a complex number.
         const double along = -square * cosine - rates[angle] * sine;
         const double across = rates[angle] * cosine - square * sine;
         for (int b = 0; b < kBlocks; ++b) {
-            const Lanes d_x = load_lanes(form.arm_x + angle * kLines + b * kLanes);
-            const Lanes d_y = load_lanes(form.arm_y + angle * kLines + b * kLanes);
+            const Simd4d d_x = load_lanes(form.arm_x + angle * kLines + b * kLanes);
+            const Simd4d d_y = load_lanes(form.arm_y + angle * kLines + b * kLanes);
             sum.x[b] += along * d_x - across * d_y;
             sum.y[b] += across * d_x + along * d_y;
         }
@@ -65,15 +65,15 @@ template <int kBlocks>
 CAMBRIAN_INLINE void store_jump(const PlanarModel& model, const BodyLanes<kBlocks>& turn, double x,
                                 double y, PerCoordinate& jump) {
     turn.store(jump);
-    store_lanes(jump + kBlocks * kLanes, Lanes{});
+    store_lanes(jump + kBlocks * kLanes, Simd4d{});
     jump[model.body_count] = x;
     jump[model.body_count + 1] = y;
 }
 
 template <int kBlocks>
-CAMBRIAN_INLINE void solve_impulse_blocks(const PlanarModel& model, const Frame& frame,
+CAMBRIAN_INLINE void solve_impulse_blocks(const PlanarModel& model, const EvaluationCache& cache,
                                           const Loads& impulses, PerCoordinate& jump) {
-    Levers<kBlocks> levers(model.dense, frame.kinematics);
+    Levers<kBlocks> levers(model.dense, cache.kinematics);
     double sum_x = 0.0;
     double sum_y = 0.0;
     for (int body = 0; body < model.body_count; ++body) {
@@ -90,18 +90,18 @@ CAMBRIAN_INLINE void solve_impulse_blocks(const PlanarModel& model, const Frame&
     for (int b = 0; b < kBlocks; ++b)
         torque[b] += levers.torque(b);
     const double share = 1.0 / model.total_mass;
-    store_jump(model, times_inverse(frame.inverse, model.body_count, torque), share * sum_x,
+    store_jump(model, times_inverse(cache.inverse, model.body_count, torque), share * sum_x,
                share * sum_y, jump);
 }
 
 template <int kBlocks>
-CAMBRIAN_INLINE void solve_efforts_blocks(const PlanarModel& model, const Frame& frame,
+CAMBRIAN_INLINE void solve_efforts_blocks(const PlanarModel& model, const EvaluationCache& cache,
                                           const PerBody& efforts, PerCoordinate& jump) {
     double own[std::size_t{kBlocks} * kLanes] = {};
     add_efforts(model, efforts, own);
     BodyLanes<kBlocks> torque;
     torque.load(own);
-    store_jump(model, times_inverse(frame.inverse, model.body_count, torque), 0.0, 0.0, jump);
+    store_jump(model, times_inverse(cache.inverse, model.body_count, torque), 0.0, 0.0, jump);
 }
 
 }  // namespace
@@ -123,20 +123,20 @@ void spread_dense_rates(const PlanarModel& model, const Kinematics& place,
         spread<2>(model, place, rates, spin, velocity_x, velocity_y);
 }
 
-void solve_dense_impulse(const PlanarModel& model, const Frame& frame, const Loads& impulses,
-                         PerCoordinate& jump) {
+void solve_dense_impulse(const PlanarModel& model, const EvaluationCache& cache,
+                         const Loads& impulses, PerCoordinate& jump) {
     if (model.dense.blocks == 1)
-        solve_impulse_blocks<1>(model, frame, impulses, jump);
+        solve_impulse_blocks<1>(model, cache, impulses, jump);
     else
-        solve_impulse_blocks<2>(model, frame, impulses, jump);
+        solve_impulse_blocks<2>(model, cache, impulses, jump);
 }
 
-void solve_dense_efforts(const PlanarModel& model, const Frame& frame, const PerBody& efforts,
-                         PerCoordinate& jump) {
+void solve_dense_efforts(const PlanarModel& model, const EvaluationCache& cache,
+                         const PerBody& efforts, PerCoordinate& jump) {
     if (model.dense.blocks == 1)
-        solve_efforts_blocks<1>(model, frame, efforts, jump);
+        solve_efforts_blocks<1>(model, cache, efforts, jump);
     else
-        solve_efforts_blocks<2>(model, frame, efforts, jump);
+        solve_efforts_blocks<2>(model, cache, efforts, jump);
 }
 
 }  // namespace cambrian

@@ -6,7 +6,7 @@
 namespace cambrian {
 
 double add_drag(const PlanarModel& model, const Medium& medium, const Kinematics& k, Loads& loads) {
-    Lanes power = {};
+    Simd4d power = {};
     for (int first = 0; first < model.part_count; first += kLanes) {
         CAMBRIAN_TICK_ASSERT(medium.drag_linear >= 0.0 && medium.drag_quadratic >= 0.0,
                              "drag resists");
@@ -15,7 +15,7 @@ double add_drag(const PlanarModel& model, const Medium& medium, const Kinematics
             medium, {part_axes(model, parts, first), part_velocities(model, k, parts, first),
                      gather(k.spin, model.part_body + first), load_lanes(model.half_length + first),
                      load_lanes(model.half_width + first)});
-        const Lanes torque = drag.moment + parts.arm.x * drag.force_y - parts.arm.y * drag.force_x;
+        const Simd4d torque = drag.moment + parts.arm.x * drag.force_y - parts.arm.y * drag.force_x;
         power += drag.power;
         const int end = first + kLanes < model.part_count ? kLanes : model.part_count - first;
         for (int lane = 0; lane < end; ++lane) {

@@ -1,8 +1,8 @@
 #pragma once
 
-// Resistance of the medium against the boxes' faces (physics.md 6).
+// Drag of the medium on the faces of the boxes (dynamics/README.md 7).
 
-#include "dynamics/articulated/elimination.h"
+#include "dynamics/articulated/articulated_body.h"
 #include "dynamics/model/forcing.h"
 
 namespace cambrian {

@@ -1,11 +1,11 @@
-// Critically damped position control with a cap on speed and on effort:
+// Critically damped position control with a limit on speed and on effort (dynamics/README.md 6):
 //     tau = clamp(kd (clamp(w/2 (y - phi), +-speed_limit) - phi'), +-max_effort),  kd = 2 I_eff w,
-// y the target, phi the joint's coordinate, w the drive's frequency, I_eff the joint's effective
-// inertia. Velocity mode asks for the rate y, torque mode for the share y of max_effort. All three
-// are one formula,
+// with the target y, the joint coordinate phi, the frequency w and the effective inertia I_eff. In
+// velocity mode y is the wanted rate, in torque mode the share of max_effort. All three modes are
+// one formula,
 //     wanted = clamp(tracking w (y - phi) + direct y, +-(rate_scale speed_limit + rate_floor))
 //     tau = clamp((stiffness w + strength) (wanted - damping phi'), +-max_effort),
-// with numbers that depend on the mode, so that four joints go at once.
+// with coefficients that depend on the mode, so four joints are computed at once.
 
 #include "dynamics/forces/motors.h"
 
@@ -33,14 +33,14 @@ void set_motor_law(PlanarModel& model, int body, double rate_scale) {
 MotorPower compute_motor_efforts(const PlanarModel& model, const MotorDrive& drive,
                                  double tick_share, const Kinematics& kinematics, PerBody& effort) {
     CAMBRIAN_TICK_ASSERT(tick_share >= 0.0 && tick_share <= 1.0 + 1e-9, "a moment of the tick");
-    Lanes net = {};
-    Lanes gross = {};
+    Simd4d net = {};
+    Simd4d gross = {};
     for (int i = 0; i < model.body_count; i += kLanes) {
-        const Lanes rate = load_lanes(kinematics.joint_rate + i);
-        const Lanes given = motor_efforts(model, drive, tick_share,
-                                          load_lanes(kinematics.joint_position + i), rate, i);
+        const Simd4d rate = load_lanes(kinematics.joint_rate + i);
+        const Simd4d given = motor_efforts(model, drive, tick_share,
+                                           load_lanes(kinematics.joint_position + i), rate, i);
         store_lanes(effort + i, given);
-        const Lanes power = given * rate;
+        const Simd4d power = given * rate;
         net += power;
         gross += magnitude(power);
     }

@@ -15,8 +15,8 @@ struct BogackiShampine {
 };
 
 void attempt_bogacki_shampine_step(const MotionSystem& system, const StepRequest& request,
-                                   Frame& frame, StepResult& result) {
-    EmbeddedStep<BogackiShampine>(system, request, frame, result).attempt();
+                                   EvaluationCache& cache, StepResult& result) {
+    EmbeddedStep<BogackiShampine>(system, request, cache, result).attempt();
 }
 
 }  // namespace

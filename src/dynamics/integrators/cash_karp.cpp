@@ -28,9 +28,9 @@ struct CashKarp {
                                           0.0};
 };
 
-void attempt_cash_karp_step(const MotionSystem& system, const StepRequest& request, Frame& frame,
-                            StepResult& result) {
-    EmbeddedStep<CashKarp>(system, request, frame, result).attempt();
+void attempt_cash_karp_step(const MotionSystem& system, const StepRequest& request,
+                            EvaluationCache& cache, StepResult& result) {
+    EmbeddedStep<CashKarp>(system, request, cache, result).attempt();
 }
 
 }  // namespace

@@ -23,8 +23,8 @@ struct DormandPrince {
 };
 
 void attempt_dormand_prince_step(const MotionSystem& system, const StepRequest& request,
-                                 Frame& frame, StepResult& result) {
-    EmbeddedStep<DormandPrince>(system, request, frame, result).attempt();
+                                 EvaluationCache& cache, StepResult& result) {
+    EmbeddedStep<DormandPrince>(system, request, cache, result).attempt();
 }
 
 }  // namespace

@@ -1,8 +1,8 @@
 #pragma once
 
-// Explicit Runge-Kutta pairs whose last stage is the step's end, so that it serves as the first
-// stage of the next step. A Tableau has kStages, the kNodes c, the kRows of a (the last one holds
-// the propagated weights b) and the kErrors b - b^.
+// Embedded pairs of explicit Runge-Kutta formulas. The last stage is the step's end, so it is the
+// first stage of the next step. A Tableau has kStages, the nodes c (kNodes), the rows of a (kRows;
+// the last one has the propagated weights b) and kErrors, b minus b^.
 
 #include "core/assert.h"
 #include "dynamics/stepping/integrator.h"
@@ -16,9 +16,9 @@ namespace cambrian {
 template <class Tableau>
 class EmbeddedStep {
 public:
-    EmbeddedStep(const MotionSystem& system, const StepRequest& request, Frame& frame,
+    EmbeddedStep(const MotionSystem& system, const StepRequest& request, EvaluationCache& cache,
                  StepResult& result)
-        : system_(system), request_(request), frame_(frame), result_(result) {
+        : system_(system), request_(request), cache_(cache), result_(result) {
         speeds_[0] = request.start.speed;
         accelerations_[0] = request.start_rate.acceleration;
         powers_[0] = request.start_rate.power;
@@ -29,8 +29,8 @@ public:
                              "a step takes time");
         run_stages(std::make_index_sequence<kLast>());
         constexpr auto all_stages = std::make_index_sequence<kStages>();
-        const Lanes work = Sum<kLast>(request_.length, powers_)
-                               .add(load_lanes(request_.start.work), 0, all_stages);
+        const Simd4d work = Sum<kLast>(request_.length, powers_)
+                                .add(load_lanes(request_.start.work), 0, all_stages);
         store_lanes(result_.end.work, work);
         result_.error = error(all_stages);
         result_.evaluations = kLast;
@@ -70,12 +70,12 @@ private:
         accelerations_[kStage] = rate.acceleration;
         powers_[kStage] = rate.power;
         system_.evaluate(motion, request_.time + Tableau::kNodes[kStage] * request_.length,
-                         is_end ? FrameDetail::kEverything : FrameDetail::kAccelerations, frame_,
-                         rate);
+                         is_end ? EvaluationDetail::kEverything : EvaluationDetail::kAccelerations,
+                         cache_, rate);
     }
 
-    // Adds h times the sum of a row's weights times the stages' values; a copy of all it needs,
-    // which stays in registers.
+    // Adds h times the weighted sum of the stages' values. It copies its input, which then stays in
+    // registers.
     template <std::size_t kRow>
     class Sum {
     public:
@@ -85,7 +85,7 @@ private:
         }
         // From slot c on.
         template <std::size_t... kJ>
-        CAMBRIAN_INLINE Lanes add(Lanes sum, int c, std::index_sequence<kJ...>) const {
+        CAMBRIAN_INLINE Simd4d add(Simd4d sum, int c, std::index_sequence<kJ...>) const {
             (add_term<kJ>(sum, c), ...);
             return sum;
         }
@@ -96,7 +96,7 @@ private:
             return j < kLast ? Tableau::kRows[kRow < kStages ? kRow : 0][j < kLast ? j : 0] : 0.0;
         }
         template <std::size_t kJ>
-        CAMBRIAN_INLINE void add_term(Lanes& sum, int c) const {
+        CAMBRIAN_INLINE void add_term(Simd4d& sum, int c) const {
             if constexpr (weight(kJ) != 0.0) sum += scaled_[kJ] * load_lanes(values_[kJ] + c);
         }
 
@@ -111,11 +111,11 @@ private:
         const int slots = coordinate_slots(system_.model);
         const Sum<kErrorRow> add_speeds(request_.length, speeds_);
         const Sum<kErrorRow> add_accelerations(request_.length, accelerations_);
-        Lanes sum = {};
+        Simd4d sum = {};
         for (int c = 0; c < slots; c += kLanes) {
-            const Lanes position = kPerPosition * add_speeds.add(Lanes{}, c, stages);
-            const Lanes size = 1.0 + magnitude(load_lanes(result_.end.speed + c));
-            const Lanes speed = add_accelerations.add(Lanes{}, c, stages) / size;
+            const Simd4d position = kPerPosition * add_speeds.add(Simd4d{}, c, stages);
+            const Simd4d size = 1.0 + magnitude(load_lanes(result_.end.speed + c));
+            const Simd4d speed = add_accelerations.add(Simd4d{}, c, stages) / size;
             sum += position * position + speed * speed;
         }
         const double mean = sum_of(sum) / (2.0 * coordinate_count(system_.model));
@@ -124,7 +124,7 @@ private:
 
     const MotionSystem& system_;
     const StepRequest& request_;
-    Frame& frame_;
+    EvaluationCache& cache_;
     StepResult& result_;
     Motion motions_[kLast];  // of the inner stages; [0] is unused
     MotionRate rates_[kLast];

@@ -1,6 +1,6 @@
-// The reference mode: every body has three coordinates of its own, the classical fourth-order
-// Runge-Kutta method moves them under constraint forces found by dense least squares, and at the
-// step's end what little the joints came apart is projected away, loops included.
+// The reference integrator (dynamics/README.md 18): every body has three coordinates. The classical
+// Runge-Kutta method of fourth order moves them under constraint forces found by dense least
+// squares. At the step's end the small gaps of joints and loops are projected away.
 
 #include "dynamics/articulated/least_squares_dynamics.h"
 #include "dynamics/articulated/loop_closure.h"
@@ -40,7 +40,7 @@ void place_bodies(Eigen::Index bodies, const FreeBodies& free, Kinematics& k) {
     }
 }
 
-// Length of a linear joint and its rate.
+// Length of a prismatic joint and its rate.
 void measure_slide(const PlanarModel& model, const Kinematics& k, int i, Motion& motion) {
     const int p = model.parent[i];
     const double axis_x = k.cosine[p] * model.axis_x[i] - k.sine[p] * model.axis_y[i];
@@ -66,7 +66,7 @@ void measure_slide(const PlanarModel& model, const Kinematics& k, int i, Motion&
         axis_x * rate_x + axis_y * rate_y + k.spin[p] * (axis_x * delta_y - axis_y * delta_x);
 }
 
-// The coordinates of bodies that may have come apart a little, and those of their joints.
+// Computes the coordinates of bodies whose joints may have small gaps.
 void join(const PlanarModel& model, Kinematics& k, Motion& motion) {
     for (int t = 0; t < model.tree_count; ++t) {
         const int center = center_of(model, t);
@@ -86,21 +86,21 @@ void join(const PlanarModel& model, Kinematics& k, Motion& motion) {
         motion.position[i] = k.angle[i];
         motion.speed[i] = k.spin[i];
         const int p = model.parent_slot[i];
-        const bool linear = model.motion[i] == JointMotion::kSlide;
-        if (linear) measure_slide(model, k, i, motion);
+        const bool is_prismatic = model.motion[i] == JointMotion::kSlide;
+        if (is_prismatic) measure_slide(model, k, i, motion);
         k.joint_position[i] =
-            linear ? motion.position[i] : k.angle[i] - k.angle[p] - model.rest_angle[i];
-        k.joint_rate[i] = linear ? motion.speed[i] : k.spin[i] - k.spin[p];
+            is_prismatic ? motion.position[i] : k.angle[i] - k.angle[p] - model.rest_angle[i];
+        k.joint_rate[i] = is_prismatic ? motion.speed[i] : k.spin[i] - k.spin[p];
     }
 }
 
 void attempt_least_squares_step(const MotionSystem& system, const StepRequest& request,
-                                Frame& frame, StepResult& result) {
+                                EvaluationCache& cache, StepResult& result) {
     const PlanarModel& model = system.model;
     const Eigen::Index bodies = model.body_count;
     const double h = request.length;
     LeastSquaresDynamics dynamics(model, kTimeConstant);
-    Frame stage = {};
+    EvaluationCache stage = {};
     compute_kinematics(model, request.start, stage.kinematics);
     const FreeBodies start = separate(bodies, stage.kinematics);
     FreeBodies rate{start.speed, Eigen::VectorXd::Zero(3 * bodies)};
@@ -125,12 +125,14 @@ void attempt_least_squares_step(const MotionSystem& system, const StepRequest& r
     place_bodies(bodies, {start.place + h * sum.place, start.speed + h * sum.speed},
                  stage.kinematics);
     join(model, stage.kinematics, result.end);
-    system.evaluate(result.end, request.time + h, FrameDetail::kEverything, frame, result.end_rate);
+    system.evaluate(result.end, request.time + h, EvaluationDetail::kEverything, cache,
+                    result.end_rate);
     result.error = 0.0;
     result.evaluations = 5;
-    if (model.closing_pins.empty()) return;
-    LoopClosure(model, frame.kinematics, frame.factors).close_drift(result.end);
-    system.evaluate(result.end, request.time + h, FrameDetail::kEverything, frame, result.end_rate);
+    if (model.loop_joints.empty()) return;
+    LoopClosure(model, cache.kinematics, cache.factors).close_drift(result.end);
+    system.evaluate(result.end, request.time + h, EvaluationDetail::kEverything, cache,
+                    result.end_rate);
     ++result.evaluations;
 }
 

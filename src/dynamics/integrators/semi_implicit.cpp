@@ -1,5 +1,5 @@
-// Semi-implicit (symplectic) Euler with a fixed step: v1 = v0 + h a0, q1 = q0 + h v1. First order
-// and without error control; a control for comparison and debugging, not for evolution.
+// Semi-implicit (symplectic) Euler with a fixed step: v1 = v0 + h a0, q1 = q0 + h v1. It is of
+// first order without error control, for comparison and debugging and not for evolution.
 
 #include "dynamics/integrators/builtin_integrators.h"
 
@@ -7,13 +7,14 @@ namespace cambrian {
 namespace {
 
 void attempt_semi_implicit_step(const MotionSystem& system, const StepRequest& request,
-                                Frame& frame, StepResult& result) {
+                                EvaluationCache& cache, StepResult& result) {
     const double h = request.length;
     for (int c = 0; c < coordinate_slots(system.model); ++c) {
         result.end.speed[c] = request.start.speed[c] + h * request.start_rate.acceleration[c];
         result.end.position[c] = request.start.position[c] + h * result.end.speed[c];
     }
-    system.evaluate(result.end, request.time + h, FrameDetail::kEverything, frame, result.end_rate);
+    system.evaluate(result.end, request.time + h, EvaluationDetail::kEverything, cache,
+                    result.end_rate);
     for (int w = 0; w < kWorkCount; ++w)
         result.end.work[w] = request.start.work[w] +
                              0.5 * h * (request.start_rate.power[w] + result.end_rate.power[w]);

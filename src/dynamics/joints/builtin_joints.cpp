@@ -5,8 +5,8 @@ namespace cambrian {
 JointRegistry builtin_joints() {
     JointRegistry joints;
     joints.add(rigid_joint());
-    joints.add(rotary_joint());
-    joints.add(linear_joint());
+    joints.add(revolute_joint());
+    joints.add(prismatic_joint());
     return joints;
 }
 

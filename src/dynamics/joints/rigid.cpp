@@ -1,4 +1,4 @@
-// Holds its part to the parent; both are one body.
+// A rigid joint: its part and the parent are one body.
 
 #include "dynamics/joints/builtin_joints.h"
 

@@ -1,9 +1,9 @@
 #pragma once
 
-// Loops over the blocks of kLanes columns of a matrix's lines are unrolled where there are few of
-// them: their number is then a constant.
+// Unrolls loops over the blocks of kLanes columns of a matrix: a small number of blocks becomes a
+// constant of the compiler.
 
-#include "dynamics/model/lanes.h"
+#include "dynamics/model/simd.h"
 
 #include <type_traits>
 
@@ -11,13 +11,13 @@ namespace cambrian {
 
 inline constexpr int kMaxFixedBlocks = 8;
 
-// kFixed is the number of blocks, or 0 where it is known at run time only.
+// kFixed: the number of blocks, or 0 if it is known at run time only.
 template <int kFixed>
 CAMBRIAN_INLINE int block_count(int blocks) {
     return kFixed > 0 ? kFixed : blocks;
 }
 
-// Calls work with the number of blocks as an integral_constant, or with 0 if there are many.
+// Calls work with the number of blocks as an integral_constant, or with 0 for many blocks.
 template <int kFixed = 1, class Work>
 CAMBRIAN_INLINE decltype(auto) with_fixed_blocks(int blocks, const Work& work) {
     if constexpr (kFixed > kMaxFixedBlocks) {

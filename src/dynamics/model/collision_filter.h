@@ -1,13 +1,13 @@
 #pragma once
 
-// Which boxes may ever touch each other (physics.md 3.4, evolution.md 2.4).
+// Which boxes may ever touch each other (dynamics/README.md 2).
 
 #include "dynamics/model/planar_model.h"
 
 namespace cambrian {
 
-// All pairs of boxes but those of one body, of bodies that share a joint, and those that overlap
-// or are nearer than 1 cm in the rest pose of the plan the model was built from.
+// Returns all pairs of boxes except three kinds: boxes of one body, boxes of bodies that share a
+// joint, and boxes that overlap or are nearer than 1 cm in the rest pose of the plan.
 std::vector<PartPair> find_colliding_pairs(const PlanarModel& model, const BodyPlan& plan);
 
 }  // namespace cambrian

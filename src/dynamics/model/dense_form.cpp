@@ -19,7 +19,7 @@ bool applies(const PlanarModel& model) {
     return true;
 }
 
-// From the root's centre along the path to every body's, then from the centre of mass.
+// Sums the arms from the root's centre to each body, then refers them to the centre of mass.
 void find_arms(const PlanarModel& model, Arms& arms) {
     for (int body = 0; body < model.body_count; ++body) {
         arms[body][body] = {-model.pivot_x[body], -model.pivot_y[body]};

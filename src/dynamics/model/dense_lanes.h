@@ -1,18 +1,18 @@
 #pragma once
 
-// Values of all bodies of a dense form side by side, and the sums over its arms.
+// Values of all bodies of a dense form side by side in vectors, and sums over its arms.
 
 #include "dynamics/model/kinematics.h"
 
 namespace cambrian {
 
-// Lane values of up to kBlocks * kLanes bodies.
+// Values of up to kBlocks * kLanes bodies.
 template <int kBlocks>
 struct BodyLanes {
-    Lanes block[std::size_t{kBlocks}];
+    Simd4d block[std::size_t{kBlocks}];
 
-    CAMBRIAN_INLINE Lanes& operator[](int b) { return block[b]; }
-    CAMBRIAN_INLINE const Lanes& operator[](int b) const { return block[b]; }
+    CAMBRIAN_INLINE Simd4d& operator[](int b) { return block[b]; }
+    CAMBRIAN_INLINE const Simd4d& operator[](int b) const { return block[b]; }
     CAMBRIAN_INLINE double at(int body) const { return block[body / kLanes][body % kLanes]; }
     CAMBRIAN_INLINE void add_at(int body, double value) {
         block[body / kLanes][body % kLanes] += value;
@@ -29,7 +29,7 @@ struct BodyLanes {
         for (int b = 0; b < kBlocks; ++b)
             store_lanes(to + b * kLanes, block[b]);
     }
-    // Without the spare bodies' values.
+    // Stores 0 for the padding.
     CAMBRIAN_INLINE void store_members(const PlanarModel& model, double* to) const {
         for (int b = 0; b < kBlocks; ++b)
             store_lanes(to + b * kLanes, load_lanes(model.membership[0] + b * kLanes) * block[b]);
@@ -42,21 +42,21 @@ struct BodyVectors {
     BodyLanes<kBlocks> x, y;
 };
 
-// Columns of the inverse mass matrix times a vector.
+// Multiplies the inverse mass matrix, given by columns, by a vector.
 template <int kBlocks>
 CAMBRIAN_INLINE BodyLanes<kBlocks> times_inverse(const double* inverse, int bodies,
                                                  const BodyLanes<kBlocks>& vector) {
     constexpr int kLines = kBlocks * kLanes;
     BodyLanes<kBlocks> product = {};
     for (int k = 0; k < (kBlocks == 1 ? kLanes : bodies); ++k) {
-        const Lanes value = all_lanes(vector.at(k));
+        const Simd4d value = all_lanes(vector.at(k));
         for (int b = 0; b < kBlocks; ++b)
             product[b] += load_lanes(inverse + k * kLines + b * kLanes) * value;
     }
     return product;
 }
 
-// What every angle feels of a force on a body's centre.
+// Generalised forces of all angles under forces on the bodies' centres.
 template <int kBlocks>
 class Levers {
 public:
@@ -68,15 +68,15 @@ public:
     CAMBRIAN_INLINE void add_force(int body, double x, double y) {
         constexpr int kLines = kBlocks * kLanes;
         for (int b = 0; b < kBlocks; ++b) {
-            const Lanes d_x = load_lanes(form_.lever_x + body * kLines + b * kLanes);
-            const Lanes d_y = load_lanes(form_.lever_y + body * kLines + b * kLanes);
+            const Simd4d d_x = load_lanes(form_.lever_x + body * kLines + b * kLanes);
+            const Simd4d d_y = load_lanes(form_.lever_y + body * kLines + b * kLanes);
             turning_[b] += d_x * y - d_y * x;
             stretching_[b] += d_x * x + d_y * y;
         }
     }
 
-    // N m, of all forces added.
-    CAMBRIAN_INLINE Lanes torque(int b) const {
+    // N m, of all forces that were added.
+    CAMBRIAN_INLINE Simd4d torque(int b) const {
         return cosine_[b] * turning_[b] - sine_[b] * stretching_[b];
     }
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// Everything besides the state that the accelerations depend on: the medium, the motors' targets
-// over the current tick, and the forces held constant during a step or tick.
+// Everything besides the state that the accelerations depend on: the medium, the targets of the
+// motors in the current tick, and forces that are constant during a step or tick.
 
 #include "dynamics/model/planar_model.h"
 
@@ -14,18 +14,18 @@ struct Medium {
     double drag_linear = 0.0, drag_quadratic = 0.0;  // of Environment
 };
 
-// How an evaluation treats the motors: their efforts as given, or their damping in it as well.
+// Whether an evaluation includes the damping of the motors in its equations (implicit) or not.
 enum class Motors { kExplicit, kImplicit };
 
-// The motor law's constants and every joint's target, ramped linearly over a tick.
+// Constants of the motor law, and the target of every joint, which ramps linearly over a tick.
 struct MotorDrive {
     double frequency = 0.0;        // rad/s
     double speed_limit = 0.0;      // rad/s
     PerBody start = {}, end = {};  // target at the tick's start and end
 };
 
-// A world force on a material point of body a; body b, if there is one, is pushed back at the same
-// world point.
+// A force in world axes on a material point of body a. Its reaction acts on body b, if there is
+// one, at the same position.
 struct HeldForce {
     int body_a = 0;
     int body_b = -1;                      // -1 is the ground
@@ -33,7 +33,7 @@ struct HeldForce {
     double force_x = 0.0, force_y = 0.0;  // N
 };
 
-// What contacts and stops exert, constant during a step.
+// Forces of contacts and joint limits, constant during a step.
 struct HeldForces {
     int contact_count = 0;
     HeldForce contacts[kMaxContacts];
@@ -44,7 +44,7 @@ struct HeldForces {
 struct Forcing {
     Medium medium;
     MotorDrive drive;
-    const HeldForces* held = nullptr;  // null: free of contact
+    const HeldForces* held = nullptr;  // null: no contact forces
     bool pulled = false;
     HeldForce pull;
 };

@@ -6,12 +6,12 @@
 namespace cambrian {
 namespace {
 
-// Bodies behind linear joints turn with their parents; their coordinates are lengths.
+// Bodies behind prismatic joints turn with their parents; their coordinates are lengths.
 CAMBRIAN_INLINE void turn_with_parents(const PlanarModel& model, Kinematics& k) {
     for (int i = 0; i < model.body_count; ++i) {
         if (model.motion[i] != JointMotion::kSlide) continue;
         const int p = model.parent[i];
-        CAMBRIAN_TICK_ASSERT(p >= 0 && p < i, "a parent stands before its children");
+        CAMBRIAN_TICK_ASSERT(p >= 0 && p < i, "a parent comes before its children");
         k.angle[i] = k.angle[p] + model.rest_angle[i];
         k.spin[i] = k.spin[p];
     }
@@ -41,18 +41,18 @@ CAMBRIAN_INLINE void compute_angles(const PlanarModel& model, const Motion& moti
 // from the parent's pivot to this one.
 CAMBRIAN_INLINE void turn_joints(const PlanarModel& model, Kinematics& k, int first) {
     const int* parents = model.parent_slot + first;
-    const Lanes parent_cosine = gather(k.cosine, parents);
-    const Lanes parent_sine = gather(k.sine, parents);
-    const Lanes parent_spin = gather(k.spin, parents);
-    const Lanes cosine = load_lanes(k.cosine + first);
-    const Lanes sine = load_lanes(k.sine + first);
-    const Lanes pivot_x = load_lanes(model.pivot_x + first);
-    const Lanes pivot_y = load_lanes(model.pivot_y + first);
-    const Lanes reach_x = load_lanes(model.reach_x + first);
-    const Lanes reach_y = load_lanes(model.reach_y + first);
-    const Lanes arm_x = parent_cosine * reach_x - parent_sine * reach_y;
-    const Lanes arm_y = parent_sine * reach_x + parent_cosine * reach_y;
-    const Lanes square = parent_spin * parent_spin;
+    const Simd4d parent_cosine = gather(k.cosine, parents);
+    const Simd4d parent_sine = gather(k.sine, parents);
+    const Simd4d parent_spin = gather(k.spin, parents);
+    const Simd4d cosine = load_lanes(k.cosine + first);
+    const Simd4d sine = load_lanes(k.sine + first);
+    const Simd4d pivot_x = load_lanes(model.pivot_x + first);
+    const Simd4d pivot_y = load_lanes(model.pivot_y + first);
+    const Simd4d reach_x = load_lanes(model.reach_x + first);
+    const Simd4d reach_y = load_lanes(model.reach_y + first);
+    const Simd4d arm_x = parent_cosine * reach_x - parent_sine * reach_y;
+    const Simd4d arm_y = parent_sine * reach_x + parent_cosine * reach_y;
+    const Simd4d square = parent_spin * parent_spin;
     store_lanes(k.s_x + first, sine * pivot_x + cosine * pivot_y);
     store_lanes(k.s_y + first, sine * pivot_y - cosine * pivot_x);
     store_lanes(k.z_x + first, -arm_y);
@@ -91,8 +91,8 @@ CAMBRIAN_INLINE void slide_joint(const PlanarModel& model, const Motion& motion,
     k.joint_rate[i] = rate;
 }
 
-// Every pivot holds its offset from the parent's: sums them down the trees, adds every centre's own
-// lever, and moves each tree so that its mean is the given centre.
+// Sums the offsets of the pivots from their parents' pivots down the trees, adds the lever of each
+// centre, and shifts each tree so that its mean is the given centre.
 CAMBRIAN_INLINE void sum_from_roots(const PlanarModel& model, const double* center,
                                     const double* lever_x, const double* lever_y, double* x,
                                     double* y) {
@@ -100,7 +100,7 @@ CAMBRIAN_INLINE void sum_from_roots(const PlanarModel& model, const double* cent
     for (int t = 0; t < model.tree_count; ++t) {
         for (int i = model.tree_begin[t] + 1; i < model.tree_begin[t + 1]; ++i) {
             CAMBRIAN_TICK_ASSERT(model.parent[i] >= 0 && model.parent[i] < i,
-                                 "a parent stands before its children");
+                                 "a parent comes before its children");
             const int p = model.parent[i];
             x[i] += x[p];
             y[i] += y[p];
@@ -112,25 +112,25 @@ CAMBRIAN_INLINE void sum_from_roots(const PlanarModel& model, const double* cent
     }
     for (int t = 0; t < model.tree_count; ++t) {
         const double* share = model.tree_share[t];
-        const Lanes shift_x = all_lanes(center[0] - lane_product(share, x, slots));
-        const Lanes shift_y = all_lanes(center[1] - lane_product(share, y, slots));
+        const Simd4d shift_x = all_lanes(center[0] - lane_product(share, x, slots));
+        const Simd4d shift_y = all_lanes(center[1] - lane_product(share, y, slots));
         center += 2;
         for (int i = 0; i < slots; i += kLanes) {
-            const Lanes member = load_lanes(model.membership[t] + i);
+            const Simd4d member = load_lanes(model.membership[t] + i);
             store_lanes(x + i, load_lanes(x + i) + member * shift_x);
             store_lanes(y + i, load_lanes(y + i) + member * shift_y);
         }
     }
 }
 
-// Pivots: v_i = v_p + w_p z, and + s' axis at linear joints; centres: + w_i s.
+// Pivots: v_i = v_p + w_p z, and + s' axis behind prismatic joints; centres: + w_i s.
 CAMBRIAN_INLINE void move_bodies(const PlanarModel& model, const Kinematics& k, const double* rates,
                                  const double* spins, double* velocity_x, double* velocity_y) {
     PerBody lever_x;
     PerBody lever_y;
     for (int i = 0; i < model.body_count; i += kLanes) {
-        const Lanes parent_spin = gather(spins, model.parent_slot + i);
-        const Lanes spin = load_lanes(spins + i);
+        const Simd4d parent_spin = gather(spins, model.parent_slot + i);
+        const Simd4d spin = load_lanes(spins + i);
         store_lanes(velocity_x + i, parent_spin * load_lanes(k.z_x + i));
         store_lanes(velocity_y + i, parent_spin * load_lanes(k.z_y + i));
         store_lanes(lever_x + i, spin * load_lanes(k.s_x + i));
@@ -200,9 +200,9 @@ void compute_kinematics(const PlanarModel& model, const Motion& motion, Kinemati
 }
 
 double limit_overrun(const PlanarModel& model, const Kinematics& k) {
-    Lanes overrun = {};
+    Simd4d overrun = {};
     for (int i = 0; i < model.body_count; i += kLanes) {
-        const Lanes position = load_lanes(k.joint_position + i);
+        const Simd4d position = load_lanes(k.joint_position + i);
         overrun = greater(overrun, load_lanes(model.limit_low + i) - position);
         overrun = greater(overrun, position - load_lanes(model.limit_high + i));
     }
@@ -211,11 +211,11 @@ double limit_overrun(const PlanarModel& model, const Kinematics& k) {
 }
 
 double kinetic_energy(const PlanarModel& model, const Kinematics& k) {
-    Lanes energy = {};
+    Simd4d energy = {};
     for (int i = 0; i < model.body_count; i += kLanes) {
-        const Lanes velocity_x = load_lanes(k.velocity_x + i);
-        const Lanes velocity_y = load_lanes(k.velocity_y + i);
-        const Lanes spin = load_lanes(k.spin + i);
+        const Simd4d velocity_x = load_lanes(k.velocity_x + i);
+        const Simd4d velocity_y = load_lanes(k.velocity_y + i);
+        const Simd4d spin = load_lanes(k.spin + i);
         energy += load_lanes(model.mass + i) * (velocity_x * velocity_x + velocity_y * velocity_y) +
                   load_lanes(model.inertia + i) * (spin * spin);
     }

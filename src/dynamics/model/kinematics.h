@@ -1,7 +1,7 @@
 #pragma once
 
-// Where every body is and how it moves, from the coordinates; and the geometry of the joints that
-// the elimination needs (physics.md 4.2, pass 1).
+// Forward kinematics: positions and velocities of all bodies from the coordinates, and the geometry
+// of the joints that the articulated body algorithm needs (dynamics/README.md 3).
 
 #include "dynamics/model/motion.h"
 
@@ -12,33 +12,34 @@ struct Kinematics {
     PerBody x, y;                    // m, centre of mass
     PerBody velocity_x, velocity_y;  // m/s
     PerBody spin;                    // rad/s
-    // A body's pivot is the joint to its parent, or its centre on roots and behind linear joints.
-    // How the centre moves with the body's spin about the pivot (s), how the pivot moves with the
-    // parent's spin about the parent's (z), and its acceleration at zero coordinate accelerations,
-    // seen from there (gamma). On linear joints also the world axis.
+    // A body's pivot is the joint to its parent, or its centre for roots and prismatic joints.
+    // s: velocity of the centre per unit spin of the body about its pivot. z: velocity of the pivot
+    // per unit spin of the parent about the parent's pivot. gamma: acceleration of the pivot
+    // relative to the parent's pivot at zero coordinate accelerations. axis: prismatic joints,
+    // world.
     PerBody s_x, s_y, z_x, z_y, gamma_x, gamma_y;
     PerBody axis_x, axis_y;
-    // Coordinate and rate of the joint as motors, limits and sensors see them: relative to rest.
+    // Coordinate and rate of the joint relative to the rest pose, for motors, limits and sensors.
     PerBody joint_position, joint_rate;  // rad or m, and a second
 };
 
-// All of it.
+// Fills all members.
 void compute_kinematics(const PlanarModel& model, const Motion& motion, Kinematics& kinematics);
 
-// Its parts: angles, spins and joints, which the others need; velocities; places.
+// Fill some members: angles, spins and joints come first, then velocities or positions.
 void compute_joints(const PlanarModel& model, const Motion& motion, Kinematics& kinematics);
-// The geometry of the joints (s, z, gamma) from angles and spins; rotary joints only.
+// Fills the geometry of the joints (s, z, gamma) from angles and spins; revolute joints only.
 void compute_joint_geometry(const PlanarModel& model, Kinematics& kinematics);
 void compute_velocities(const PlanarModel& model, const Motion& motion, Kinematics& kinematics);
 void compute_places(const PlanarModel& model, const Motion& motion, Kinematics& kinematics);
 
-// Spins that any rates of the coordinates mean.
+// Fills the spins of all bodies for any rates of the coordinates.
 void spread_spins(const PlanarModel& model, const PerCoordinate& rates, PerBody& spin);
-// The same, and velocities of the centres at a place.
+// Fills the spins and the velocities of the centres for any rates at the given positions.
 void spread_rates(const PlanarModel& model, const Kinematics& place, const PerCoordinate& rates,
                   PerBody& spin, PerBody& velocity_x, PerBody& velocity_y);
 
-// How far the worst joint is past its limits, rad or m; 0 if none is.
+// The largest overrun of a joint past its limits, rad or m; 0 if there is none.
 double limit_overrun(const PlanarModel& model, const Kinematics& kinematics);
 
 double kinetic_energy(const PlanarModel& model, const Kinematics& kinematics);  // J

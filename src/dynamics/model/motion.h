@@ -1,16 +1,16 @@
 #pragma once
 
-// The state of articulated bodies and its rate of change, as the integrators see them
-// (physics.md 2): coordinates (s_0 ... s_{n-1}, Cx and Cy of every tree) with s_i the ABSOLUTE
-// angle of a root or of a body behind a rotary joint, or the length of a linear one, and C the
-// centre of mass of a tree. Joints cannot come apart in these coordinates. Slots beyond the count,
-// up to whole lanes, are 0.
+// The state of articulated bodies and its rate of change (dynamics/README.md 1). The coordinates
+// are (s_0 ... s_{n-1}, Cx and Cy of every tree). s_i is the ABSOLUTE angle of a root or of a body
+// behind a revolute joint, or the length of a prismatic joint; C is the centre of mass of a tree.
+// Joints cannot come apart in these coordinates. Slots beyond the count, up to a multiple of the
+// vector width, are 0.
 
 #include "dynamics/model/planar_model.h"
 
 namespace cambrian {
 
-// Works integrated along with the motion, J.
+// Works that are integrated along with the motion, J.
 enum Work : int { kMotorWork, kGrossMotorWork, kDragWork, kPullWork, kWorkCount };
 
 struct Motion {
@@ -27,7 +27,7 @@ struct MotionRate {
 inline int coordinate_count(const PlanarModel& model) {
     return model.body_count + 2 * model.tree_count;
 }
-// The same, up to whole lanes.
+// The count rounded up to a multiple of the vector width.
 inline int coordinate_slots(const PlanarModel& model) {
     return round_up_to_lanes(coordinate_count(model));
 }

@@ -4,7 +4,7 @@ namespace cambrian {
 
 namespace {
 
-// Where every body is one box, the box is where the body is.
+// If every body is one box, positions of boxes are those of bodies.
 CAMBRIAN_INLINE void place_single_boxes(const PlanarModel& model, const Kinematics& k,
                                         PartPlaces& places) {
     for (int first = 0; first < model.part_count; first += kLanes) {
@@ -23,8 +23,8 @@ void place_parts(const PlanarModel& model, const Kinematics& k, PartPlaces& plac
     for (int first = 0; first < model.part_count; first += kLanes) {
         const int* bodies = model.part_body + first;
         const PartLanes parts = part_lanes(model, k, first);
-        const LanePair& offset = parts.offset;
-        const LanePair axis = part_axes(model, parts, first);
+        const Simd4dVector& offset = parts.offset;
+        const Simd4dVector axis = part_axes(model, parts, first);
         store_lanes(places.x + first,
                     gather(k.x, bodies) + parts.cosine * offset.x - parts.sine * offset.y);
         store_lanes(places.y + first,

@@ -2,11 +2,12 @@
 
 // What articulated bodies are, once built: masses, joints and boxes in flat arrays, never changed
 // while they move. Rigidly joined parts are one body. Bodies joined to each other form a tree; the
-// trees stand one after the other, each depth first from its root. Boxes keep the order of the
-// plan's parts. Slots beyond the counts are 0, so that loops may run on to whole lanes.
+// trees are numbered one after the other, each depth first from its root. Boxes keep the order of
+// the plan's parts. Slots beyond the counts are 0, so that loops may run to a multiple of the
+// vector width.
 
 #include "dynamics/model/dense_form.h"
-#include "dynamics/model/lanes.h"
+#include "dynamics/model/simd.h"
 #include "world/body_plan.h"
 
 #include <cstddef>
@@ -18,7 +19,7 @@ namespace cambrian {
 inline constexpr int kMaxBodies = 32;
 inline constexpr int kMaxParts = 64;
 inline constexpr int kMaxTrees = 8;
-inline constexpr int kMaxClosingPins = 64;
+inline constexpr int kMaxLoopJoints = 64;
 inline constexpr int kMaxCoordinates = kMaxBodies + 2 * kMaxTrees;
 
 using PerBody = double[kMaxBodies];
@@ -31,23 +32,24 @@ struct PartPair {
     std::uint8_t second = 0;
 };
 
-// Holds a point of one body to a point of another; both from the body's centre, in its frame.
-struct BodyPin {
+// A loop-closure joint: a point of body a coincides with a point of body b. Both are offsets from
+// the body's centre, in its frame.
+struct LoopJoint {
     int body_a = 0;
     int body_b = 0;
     double a_x = 0.0, a_y = 0.0;  // m
     double b_x = 0.0, b_y = 0.0;  // m
 };
 
-// The law of a motor as numbers, the same formula for every mode (motors.cpp); 0 on roots.
+// The coefficients of the motor law, one formula for all modes (motors.cpp); 0 on roots.
 struct MotorLaw {
-    PerBody tracking = {};    // share of the drive's frequency by which a target is approached
-    PerBody direct = {};      // share of the target that is the wanted rate itself
-    PerBody rate_scale = {};  // of the drive's speed limit: 1, or m (linear)
-    PerBody rate_floor = {};  // added to that
-    PerBody stiffness = {};   // kg m^2 or kg; times the drive's frequency is the gain
+    PerBody tracking = {};    // factor of the frequency, in the rate per distance to the target
+    PerBody direct = {};      // factor of the target in the wanted rate
+    PerBody rate_scale = {};  // factor of the speed limit: 1, or m for prismatic joints
+    PerBody rate_floor = {};  // added to the speed limit
+    PerBody stiffness = {};   // kg m^2 or kg; multiplied by the frequency it is the gain
     PerBody strength = {};    // N m or N; added to the gain
-    PerBody damping = {};     // share of the joint's rate held against the wanted one
+    PerBody damping = {};     // factor of the joint's rate, which is subtracted from the wanted one
 };
 
 inline constexpr double kReferenceGravity =
@@ -63,8 +65,8 @@ struct PlanarModel {
 
     int tree_begin[kMaxTrees + 1] = {};  // bodies of a tree: from its begin to the next one's
     PerTree tree_mass = {};              // kg
-    PerBody tree_share[kMaxTrees] = {};  // of the tree's mass, by body; 0 for others' bodies
-    PerBody membership[kMaxTrees] = {};  // 1 for a tree's bodies, 0 for others
+    PerBody tree_share[kMaxTrees] = {};  // of the tree's mass, by body; 0 outside the tree
+    PerBody membership[kMaxTrees] = {};  // 1 for bodies of the tree, 0 for others
 
     PerBody mass = {};     // kg
     PerBody inertia = {};  // kg m^2, about the body's centre of mass
@@ -73,22 +75,22 @@ struct PlanarModel {
     // The joint of a body to its parent; unused on roots.
     JointMotion motion[kMaxBodies] = {};
     bool has_slides = false;
-    int parent[kMaxBodies] = {};               // -1 on roots
-    int parent_slot[kMaxBodies] = {};          // as parent, but the own number of roots and spares
-    std::uint32_t roots = 0;                   // bit of every root
+    int parent[kMaxBodies] = {};       // -1 on roots
+    int parent_slot[kMaxBodies] = {};  // the parent, or the slot itself on roots and padding
+    std::uint32_t roots = 0;           // bit of every root
     std::uint32_t root_path[kMaxBodies] = {};  // bit of every body from this one to the root
     int joint_part[kMaxBodies] = {};           // plan part that carries this joint
     PerBody parent_anchor_x = {}, parent_anchor_y = {};  // m, in the parent's frame from its centre
     PerBody child_anchor_x = {}, child_anchor_y = {};    // m, in the body's frame from its centre
-    PerBody pivot_x = {}, pivot_y = {};       // m, child anchor of rotary joints, 0 otherwise
+    PerBody pivot_x = {}, pivot_y = {};       // m, child anchor of revolute joints, else 0
     PerBody reach_x = {}, reach_y = {};       // m, parent anchor from the parent's pivot
     PerBody pivot_inertia = {};               // kg m^2, about the pivot
     PerBody rest_angle = {};                  // rad, relative to the parent
-    PerBody axis_x = {}, axis_y = {};         // linear joints: unit, in the parent's frame
+    PerBody axis_x = {}, axis_y = {};         // prismatic joints: unit, in the parent's frame
     PerBody limit_low = {}, limit_high = {};  // rad or m
-    PerBody slides = {};                      // 1 on linear joints, else 0
+    PerBody slides = {};                      // 1 on prismatic joints, else 0
     PerBody max_effort = {};                  // N m or N
-    PerBody effective_inertia = {};  // kg m^2 or kg: what a lone effort at this joint feels at rest
+    PerBody effective_inertia = {};           // kg m^2 or kg, of this joint alone in the rest pose
     MotorMode motor_mode[kMaxBodies] = {};
     MotorLaw motor;
     DenseForm dense;
@@ -104,16 +106,16 @@ struct PlanarModel {
     double corner_y[4 * kMaxParts] = {};        // number is +x of the box, bit 1 is +y
     std::vector<PartPair> colliding_pairs;      // boxes of different bodies that may touch
 
-    std::vector<BodyPin> closing_pins;  // what the trees do not join; see loop_closure.h
+    std::vector<LoopJoint> loop_joints;  // loop-closure joints; see loop_closure.h
 
     PerTree rest_center_x = {}, rest_center_y = {};  // m, centres of mass in the plan's rest pose
     PerTree rest_root_angle = {};                    // rad
 };
 
-// Fills what follows from masses, inertias and joints.
+// Fills the members that follow from masses, inertias and joints.
 void derive_inertias(PlanarModel& model);
 
-// Multiplies all masses so that they belong to another density.
+// Scales all masses and inertias to another density.
 void change_density(PlanarModel& model, double density);
 
 }  // namespace cambrian

@@ -24,17 +24,17 @@ double mechanical_energy(const PlanarModel& model, const Medium& medium, const M
 }
 
 void note_speeds(const PlanarModel& model, const Kinematics& k, SceneAudit& audit) {
-    Lanes fastest = {};
+    Simd4d fastest = {};
     const bool single_boxes = model.part_count == model.body_count;
     for (int first = 0; first < model.part_count; first += kLanes) {
-        const LanePair velocity =
+        const Simd4dVector velocity =
             single_boxes
-                ? LanePair{load_lanes(k.velocity_x + first), load_lanes(k.velocity_y + first)}
+                ? Simd4dVector{load_lanes(k.velocity_x + first), load_lanes(k.velocity_y + first)}
                 : part_velocities(model, k, part_lanes(model, k, first), first);
         fastest = greater(fastest, velocity.x * velocity.x + velocity.y * velocity.y);
     }
     audit.max_part_speed = std::max(audit.max_part_speed, std::sqrt(largest_of(fastest)));
-    Lanes spin = {};
+    Simd4d spin = {};
     for (int i = 0; i < model.body_count; i += kLanes)
         spin = greater(spin, magnitude(load_lanes(k.spin + i)));
     audit.max_part_spin = std::max(audit.max_part_spin, largest_of(spin));
@@ -47,30 +47,29 @@ void note_depths(const ContactSet& contacts, double limit_overrun, SceneAudit& a
     audit.max_limit_overrun = std::max(audit.max_limit_overrun, limit_overrun);
 }
 
-void close_books(const PlanarModel& model, const Medium& medium, SceneMoment& moment) {
-    SceneAudit& audit = moment.audit;
-    const double* work = moment.motion.work;
+void update_audit(const PlanarModel& model, const Medium& medium, SimulationState& state) {
+    SceneAudit& audit = state.audit;
+    const double* work = state.motion.work;
     audit.motor_work = work[kMotorWork];
     audit.gross_motor_work = work[kGrossMotorWork];
     audit.drag_work = work[kDragWork];
     const double explained = work[kMotorWork] + work[kDragWork] + work[kPullWork] +
                              audit.contact_work + audit.limit_work + audit.impulse_work;
-    const double energy =
-        mechanical_energy(model, medium, moment.motion, moment.frame().kinematics);
-    audit.energy_residual = energy - moment.energy_reference - explained;
+    const double energy = mechanical_energy(model, medium, state.motion, state.cache().kinematics);
+    audit.energy_residual = energy - state.energy_reference - explained;
     const double gravity =
         std::sqrt(medium.gravity_x * medium.gravity_x + medium.gravity_y * medium.gravity_y);
     CAMBRIAN_TICK_ASSERT(!(audit.positive_work < 0.0), "what was given is not negative");
     audit.energy_scale = audit.gross_motor_work + model.total_mass * gravity * kScaleHeight;
 }
 
-void open_books(const PlanarModel& model, const Medium& medium, SceneMoment& moment) {
-    for (double& work : moment.motion.work)
+void start_audit(const PlanarModel& model, const Medium& medium, SimulationState& state) {
+    for (double& work : state.motion.work)
         work = 0.0;
-    moment.audit = {};
-    moment.energy_reference =
-        mechanical_energy(model, medium, moment.motion, moment.frame().kinematics);
-    close_books(model, medium, moment);
+    state.audit = {};
+    state.energy_reference =
+        mechanical_energy(model, medium, state.motion, state.cache().kinematics);
+    update_audit(model, medium, state);
 }
 
 }  // namespace cambrian

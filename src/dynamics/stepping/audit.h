@@ -1,25 +1,25 @@
 #pragma once
 
-// The energy books of a scene (physics.md 9).
+// The energy audit of a scene (dynamics/README.md 16).
 
 #include "dynamics/stepping/step_control.h"
 
 namespace cambrian {
 
-// J; kinetic and potential, 0 height at the origin.
+// Kinetic and potential energy, J; the potential is 0 at the origin.
 double mechanical_energy(const PlanarModel& model, const Medium& medium, const Motion& motion,
                          const Kinematics& kinematics);
 
-// Fastest part centre and spin at the moment, for the audit's maxima.
+// Raises the audit's maxima to the fastest centre of a part and the fastest spin.
 void note_speeds(const PlanarModel& model, const Kinematics& kinematics, SceneAudit& audit);
 
-// Deepest penetration and widest limit overrun.
+// Raises the audit's maxima to the deepest penetration and this overrun of a limit.
 void note_depths(const ContactSet& contacts, double limit_overrun, SceneAudit& audit);
 
-// Brings the works and the residual up to the moment, which must be current.
-void close_books(const PlanarModel& model, const Medium& medium, SceneMoment& moment);
+// Updates the works and the residual. The cache must be current.
+void update_audit(const PlanarModel& model, const Medium& medium, SimulationState& state);
 
-// Starts the books anew from the moment, which must be current.
-void open_books(const PlanarModel& model, const Medium& medium, SceneMoment& moment);
+// Restarts the audit at the present state. The cache must be current.
+void start_audit(const PlanarModel& model, const Medium& medium, SimulationState& state);
 
 }  // namespace cambrian

@@ -1,8 +1,8 @@
 #pragma once
 
-// The motion inside an accepted step, from the states and rates at its ends: quintic Hermite
-// polynomials for positions, cubic ones for speeds, and for works the quadratic power that has the
-// right values at both ends and the right integral.
+// The motion inside an accepted step, from the states and rates at its ends (dynamics/README.md
+// 14): quintic Hermite polynomials for positions, cubic ones for speeds, and for works the
+// quadratic power with the right values at both ends and the right integral.
 
 #include "dynamics/model/motion.h"
 
@@ -16,7 +16,7 @@ struct StepEnds {
     double length = 0.0;  // s
 };
 
-// slots: coordinates to fill. share: of the step, 0 to 1.
+// slots: number of coordinates. share: of the step, 0 to 1.
 void interpolate_motion(int slots, const StepEnds& step, double share, Motion& motion);
 
 }  // namespace cambrian

@@ -1,7 +1,7 @@
 #pragma once
 
-// The seam of integration methods: one attempt at a step, with an estimate of its error. Who
-// accepts and resizes steps is StepControl.
+// The interface of integrators: one attempt at a step, with an estimate of its error. StepControl
+// accepts steps and chooses their length.
 
 #include "dynamics/evaluation/accelerations.h"
 
@@ -16,10 +16,11 @@ struct MotionSystem {
     double tick_length = 0.0;  // s
 
     // time: s since the tick's start. implicit: as in EvaluationPoint.
-    void evaluate(const Motion& motion, double time, FrameDetail detail, Frame& frame,
-                  MotionRate& rate, const ImplicitStage* implicit = nullptr) const {
+    void evaluate(const Motion& motion, double time, EvaluationDetail detail,
+                  EvaluationCache& cache, MotionRate& rate,
+                  const ImplicitStage* implicit = nullptr) const {
         evaluate_accelerations(model, forcing, motion, {time / tick_length, detail, implicit},
-                               frame, rate);
+                               cache, rate);
     }
 };
 
@@ -31,7 +32,7 @@ struct StepRequest {
     double tolerance = 0.0;  // of SceneSettings
 };
 
-// Errors up to this share of the allowed one shorten no step of order 5 or less.
+// With an error up to this share of the tolerance the next step is not shorter (order 5 or less).
 inline constexpr double kCalmError = 0.59;
 
 struct StepResult {
@@ -43,13 +44,13 @@ struct StepResult {
 
 struct IntegratorKind {
     std::string id;
-    // One attempt; frame is left at the step's end, with everything.
-    void (*attempt)(const MotionSystem& system, const StepRequest& request, Frame& frame,
+    // Attempts one step; the cache is that of the step's end, with everything.
+    void (*attempt)(const MotionSystem& system, const StepRequest& request, EvaluationCache& cache,
                     StepResult& result) = nullptr;
     int error_order = 1;       // of the error in the step's length
     double max_step = 0.0;     // s
-    bool holds_loops = false;  // whether closing pins stay closed
-    // Whether steps under contact forces are midpoint steps (midpoint_step.h) instead.
+    bool holds_loops = false;  // whether it supports loop-closure joints
+    // Whether steps with contact forces are midpoint steps (midpoint_step.h) instead.
     bool rows_at_middle = false;
 };
 

@@ -10,14 +10,14 @@ namespace cambrian {
 namespace {
 
 constexpr double kPerPosition = 10.0;  // 1 / (0.1 m or rad)
-// An embedded pair goes on with its better formula, whose error is a fraction of the estimate; the
-// midpoint rule goes on with what the estimate is the error of.
+// Factor of the error estimate. An embedded pair continues with its better formula, whose error is
+// a fraction of the estimate; the midpoint rule continues with the formula that is estimated.
 constexpr double kCaution = 1.6;
 
 // Accelerations of the joints' coordinates, four at once.
-CAMBRIAN_INLINE Lanes joint_accelerations(const PlanarModel& model, const double* coordinate,
-                                          const double* spin, int first) {
-    const Lanes turning = all_lanes(1.0) - load_lanes(model.slides + first);
+CAMBRIAN_INLINE Simd4d joint_accelerations(const PlanarModel& model, const double* coordinate,
+                                           const double* spin, int first) {
+    const Simd4d turning = all_lanes(1.0) - load_lanes(model.slides + first);
     return load_lanes(coordinate + first) - turning * gather(spin, model.parent_slot + first);
 }
 
@@ -25,22 +25,22 @@ CAMBRIAN_INLINE Lanes joint_accelerations(const PlanarModel& model, const double
 CAMBRIAN_INLINE double error_norm(const PlanarModel& model, const Motion& end,
                                   const PerCoordinate& position_error,
                                   const PerCoordinate& speed_error) {
-    Lanes sum = {};
+    Simd4d sum = {};
     for (int c = 0; c < coordinate_slots(model); c += kLanes) {
-        const Lanes position = kPerPosition * load_lanes(position_error + c);
-        const Lanes size = 1.0 + magnitude(load_lanes(end.speed + c));
-        const Lanes speed = load_lanes(speed_error + c) / size;
+        const Simd4d position = kPerPosition * load_lanes(position_error + c);
+        const Simd4d size = 1.0 + magnitude(load_lanes(end.speed + c));
+        const Simd4d speed = load_lanes(speed_error + c) / size;
         sum += position * position + speed * speed;
     }
     return std::sqrt(sum_of(sum) / (2.0 * coordinate_count(model)));
 }
 
-// Where a motion is after a time of constant accelerations.
+// Computes the motion after a time of constant accelerations.
 CAMBRIAN_INLINE void accelerate(const PlanarModel& model, const Motion& start, double time,
                                 const PerCoordinate& acceleration, Motion& end) {
     for (int c = 0; c < coordinate_slots(model); c += kLanes) {
-        const Lanes change = time * load_lanes(acceleration + c);
-        const Lanes speed = load_lanes(start.speed + c);
+        const Simd4d change = time * load_lanes(acceleration + c);
+        const Simd4d speed = load_lanes(start.speed + c);
         store_lanes(end.speed + c, speed + change);
         store_lanes(end.position + c,
                     load_lanes(start.position + c) + time * (speed + 0.5 * change));
@@ -59,23 +59,23 @@ CAMBRIAN_INLINE void add_jumps(const PlanarModel& model, const PerCoordinate (&j
 
 bool MidpointStep::attempt(const MotionSystem& system, const ContactLaw& law,
                            const MidpointRequest& request, ContactSolver& contacts, WarmStart& warm,
-                           Frame& frame, StepResult& result) {
+                           EvaluationCache& cache, StepResult& result) {
     const PlanarModel& model = system.model;
     const StepRequest& step = request.step;
     const double half = 0.5 * step.length;
     CAMBRIAN_TICK_ASSERT(step.length > 0.0 && step.tolerance > 0.0, "a step takes time");
     accelerate(model, step.start, half, request.prediction, predicted_);
     const ImplicitStage stage{half, request.start.kinematics.joint_rate};
-    system.evaluate(predicted_, step.time + half, FrameDetail::kEverything, middle_, middle_rate_,
-                    &stage);
-    if (contacts.chosen().count > 0) find_centers(model, middle_);
+    system.evaluate(predicted_, step.time + half, EvaluationDetail::kEverything, middle_,
+                    middle_rate_, &stage);
+    if (contacts.selected().count > 0) find_centers(model, middle_);
     contacts.build_between(model, law, request.start.kinematics, middle_);
-    const bool solved = contacts.hold(model, law, step.length, warm);
+    const bool solved = contacts.solve_resting(model, law, step.length, warm);
     respond(model, contacts, step.length);
     accelerate(model, step.start, step.length, mean_rate_.acceleration, result.end);
-    system.evaluate(result.end, step.time + step.length, FrameDetail::kEverything, frame,
+    system.evaluate(result.end, step.time + step.length, EvaluationDetail::kEverything, cache,
                     result.end_rate);
-    keep_works(model, request, frame, result);
+    integrate_works(model, request, cache, result);
     result.error = estimate_error(model, law, step, contacts, result);
     result.evaluations = 2;
     CAMBRIAN_TICK_ASSERT(is_not_negative(result.error), "an error is not negative");
@@ -100,22 +100,22 @@ void MidpointStep::respond(const PlanarModel& model, const ContactSolver& contac
                     load_lanes(middle_rate_.acceleration + c) + load_lanes(held_.coordinate + c));
 }
 
-// The motors' work is exact, for their efforts are constant; that of drag and pull by Simpson's
-// rule.
-void MidpointStep::keep_works(const PlanarModel& model, const MidpointRequest& request,
-                              const Frame& frame, StepResult& result) {
+// Integrates the works. That of motors is exact, because their efforts are constant; those of drag
+// and pull use Simpson's rule.
+void MidpointStep::integrate_works(const PlanarModel& model, const MidpointRequest& request,
+                                   const EvaluationCache& cache, StepResult& result) {
     const StepRequest& step = request.step;
     PerBody spin;
     for (int i = 0; i < model.body_count; i += kLanes)
         store_lanes(spin + i, load_lanes(middle_.response.spin + i) + load_lanes(held_.spin + i));
-    Lanes net = {};
-    Lanes gross = {};
+    Simd4d net = {};
+    Simd4d gross = {};
     for (int i = 0; i < model.body_count; i += kLanes) {
-        const Lanes effort = load_lanes(middle_.motor_effort + i) -
-                             load_lanes(middle_.motor_damping + i) *
-                                 joint_accelerations(model, mean_rate_.acceleration, spin, i);
-        const Lanes work = effort * (load_lanes(frame.kinematics.joint_position + i) -
-                                     load_lanes(request.start.kinematics.joint_position + i));
+        const Simd4d effort = load_lanes(middle_.motor_effort + i) -
+                              load_lanes(middle_.motor_damping + i) *
+                                  joint_accelerations(model, mean_rate_.acceleration, spin, i);
+        const Simd4d work = effort * (load_lanes(cache.kinematics.joint_position + i) -
+                                      load_lanes(request.start.kinematics.joint_position + i));
         net += work;
         gross += magnitude(work);
     }
@@ -131,11 +131,11 @@ void MidpointStep::keep_works(const PlanarModel& model, const MidpointRequest& r
         mean_rate_.power[w] = (work[w] - before[w]) / step.length;
 }
 
-// How far the rule is from Simpson's for speeds and from Hermite's for positions: h/6 (a0 - 2 am +
-// a1) and h^2/12 (a1 - a0). The accelerations at both ends are free of contact, and so must the
-// middle one be taken; what contact forces would add at the ends is then projected away, for they
-// take up whatever change the rows that hold do not let happen. Motors that are implicit damp the
-// error as they damp the motion. What is small without the projection is not projected.
+// The error is the distance to Simpson's rule for speeds and to Hermite's rule for positions:
+// h/6 (a0 - 2 am + a1) and h^2/12 (a1 - a0) (dynamics/README.md 13). All three accelerations are
+// free of contact. The part that active rows would undo is projected away, because contact forces
+// absorb it. Implicit motors damp the error as they damp the motion. A small error is not
+// projected.
 double MidpointStep::estimate_error(const PlanarModel& model, const ContactLaw& law,
                                     const StepRequest& step, ContactSolver& contacts,
                                     const StepResult& result) const {
@@ -143,13 +143,13 @@ double MidpointStep::estimate_error(const PlanarModel& model, const ContactLaw& 
     PerCoordinate errors[2];   // of speeds and positions
     PerCoordinate changes[2];  // what the motors damp
     for (int c = 0; c < coordinate_slots(model); c += kLanes) {
-        const Lanes start = load_lanes(step.start_rate.acceleration + c);
-        const Lanes end = load_lanes(result.end_rate.acceleration + c);
-        const Lanes middle = load_lanes(middle_rate_.acceleration + c);
+        const Simd4d start = load_lanes(step.start_rate.acceleration + c);
+        const Simd4d end = load_lanes(result.end_rate.acceleration + c);
+        const Simd4d middle = load_lanes(middle_rate_.acceleration + c);
         store_lanes(errors[0] + c, (h / 6.0) * (start + end - 2.0 * middle));
         store_lanes(changes[0] + c,
                     (h / 6.0) * (start + end - 2.0 * load_lanes(mean_rate_.acceleration + c)));
-        const Lanes position = (h * h / 12.0) * (end - start);
+        const Simd4d position = (h * h / 12.0) * (end - start);
         store_lanes(errors[1] + c, position);
         store_lanes(changes[1] + c, position);
     }
@@ -161,7 +161,7 @@ double MidpointStep::estimate_error(const PlanarModel& model, const ContactLaw& 
     return scale * error_norm(model, result.end, errors[1], errors[0]);
 }
 
-// Takes from the errors the response to what implicit motors give less under changes of speeds.
+// Adds to the errors the response to the damping of implicit motors under changes of speeds.
 void MidpointStep::take_damping(const PlanarModel& model, const PerCoordinate (&changes)[2],
                                 PerCoordinate (&errors)[2]) const {
     if (middle_.is_inverted) {
@@ -183,7 +183,7 @@ void MidpointStep::take_damping(const PlanarModel& model, const PerCoordinate (&
     add_responses(model, loads, errors);
 }
 
-// Efforts of the motors' damping in the middle against changes of the coordinates' speeds.
+// Computes the efforts of the motors' damping against changes of the coordinates' speeds.
 CAMBRIAN_INLINE void MidpointStep::damp(const PlanarModel& model, const PerCoordinate& change,
                                         const double* spin, PerBody& efforts) const {
     for (int i = 0; i < model.body_count; i += kLanes)
@@ -211,7 +211,7 @@ void MidpointStep::take_absorbed(const PlanarModel& model, const ContactLaw& law
     add_responses(model, loads, errors);
 }
 
-// Adds what the loads do to the coordinates in the middle.
+// Adds the responses of the coordinates to the loads in the middle of the step.
 void MidpointStep::add_responses(const PlanarModel& model, const Loads (&loads)[2],
                                  PerCoordinate (&errors)[2]) const {
     PerCoordinate jumps[2];

@@ -14,11 +14,11 @@
 namespace cambrian {
 namespace {
 
-constexpr double kCollapseShare = 1.0 / 32;   // of the contact step
-constexpr double kCollapseStep = 1.0 / 1920;  // s; at most, at the usual tolerance
+constexpr double kUnderflowShare = 1.0 / 32;   // of the contact step
+constexpr double kUnderflowStep = 1.0 / 1920;  // s; at most, at the usual tolerance
 constexpr double kUsualTolerance = 4e-3;
-constexpr double kPatientShare = 1.0 / 16;  // of the contact step
-constexpr int kPatience = 4;                // collapses in a row before a step without held forces
+constexpr double kNoRowsShare = 1.0 / 16;  // of the contact step
+constexpr int kMaxUnderflows = 4;          // underflows in a row before a step without rows
 constexpr double kBudgetTime =
     1.0;  // s; of evaluations that may be spent before time pays for them
 constexpr double kHalvingStep = 1.0 / 960;   // s; shorter ones are not halved
@@ -45,10 +45,10 @@ double step_factor(double error, int order) {
     return std::clamp(factor, kShrinkMost, kGrowMost);
 }
 
-void note_touch(const Contact& contact, SceneMoment& moment) {
-    moment.touched[contact.part_a] |= static_cast<std::uint8_t>(1U << contact.face_a);
+void note_touch(const Contact& contact, SimulationState& state) {
+    state.touched[contact.part_a] |= static_cast<std::uint8_t>(1U << contact.face_a);
     if (contact.part_b >= 0)
-        moment.touched[contact.part_b] |= static_cast<std::uint8_t>(1U << contact.face_b);
+        state.touched[contact.part_b] |= static_cast<std::uint8_t>(1U << contact.face_b);
 }
 
 double deepest(const ContactSet& contacts) {
@@ -66,68 +66,68 @@ StepControl::StepControl(const IntegratorKind& integrator, const SceneSettings& 
       contact_step_(settings.contact_step),
       max_evaluations_(settings.max_evaluations) {
     const double share = inverse_root(kUsualTolerance / tolerance_, MidpointStep::kErrorOrder);
-    collapse_step_ = std::min(kCollapseShare * contact_step_, kCollapseStep * share);
+    underflow_step_ = std::min(kUnderflowShare * contact_step_, kUnderflowStep * share);
     CAMBRIAN_TICK_ASSERT(tolerance_ > 0.0 && contact_step_ > 0.0 && max_evaluations_ > 0.0,
                          "settings that were checked");
-    CAMBRIAN_TICK_ASSERT(collapse_step_ > 0.0, "a step to give up at");
+    CAMBRIAN_TICK_ASSERT(underflow_step_ > 0.0, "a step to give up at");
 }
 
 void StepControl::advance(const PlanarModel& model, const ContactLaw& law, Forcing& forcing,
-                          double duration, SceneMoment& moment) {
+                          double duration, SimulationState& state) {
     CAMBRIAN_TICK_ASSERT(duration > 0.0, "a tick takes time");
-    CAMBRIAN_TICK_ASSERT(moment.status == SceneStatus::kRunning, "only sound scenes go on");
-    CAMBRIAN_TICK_ASSERT(is_finite(model, moment.motion), "a tick starts from a finite motion");
-    CAMBRIAN_TICK_ASSERT(are_parents_before_children(model), "a parent stands before its children");
-    for (std::uint8_t& faces : moment.touched)
+    CAMBRIAN_TICK_ASSERT(state.status == SceneStatus::kRunning, "only sound scenes go on");
+    CAMBRIAN_TICK_ASSERT(is_finite(model, state.motion), "a tick starts from a finite motion");
+    CAMBRIAN_TICK_ASSERT(are_parents_before_children(model), "a parent comes before its children");
+    for (std::uint8_t& faces : state.touched)
         faces = 0;
-    if (model.measured_parts != 0) begin_forces(model, moment.frame().kinematics, moment.forces);
-    moment.evaluation_debt = std::max(0.0, moment.evaluation_debt - max_evaluations_ * duration);
-    Tick tick{model, law, forcing, moment, duration};
-    tick.collected = moment.frame_is_current && moment.collection == collection_;
+    if (model.measured_parts != 0) begin_forces(model, state.cache().kinematics, state.forces);
+    state.evaluation_debt = std::max(0.0, state.evaluation_debt - max_evaluations_ * duration);
+    Tick tick{model, law, forcing, state, duration};
+    tick.detected = state.cache_is_current && state.detection == detection_;
     Motion start;
-    copy_motion(model, moment.motion, start);
-    const SceneAudit books = moment.audit;
+    copy_motion(model, state.motion, start);
+    const SceneAudit audit_before = state.audit;
     while (tick.length - tick.time > kSliver) {
-        moment.status = step(tick);
-        if (moment.status != SceneStatus::kRunning) return take_back(tick, start, books);
+        state.status = step(tick);
+        if (state.status != SceneStatus::kRunning) return roll_back(tick, start, audit_before);
     }
     tick.time = tick.length;
     make_current(tick);
-    moment.status = status_of(tick);
-    if (moment.status != SceneStatus::kRunning) return take_back(tick, start, books);
-    moment.collection = tick.collected ? ++collection_ : 0;
-    moment.time += duration;
+    state.status = status_of(tick);
+    if (state.status != SceneStatus::kRunning) return roll_back(tick, start, audit_before);
+    state.detection = tick.detected ? ++detection_ : 0;
+    state.time += duration;
     remember_contacts(tick);
     if (model.measured_parts != 0)
-        end_forces(model, forcing.medium, moment.frame().kinematics, duration, moment.forces);
-    note_speeds(model, moment.frame().kinematics, moment.audit);
-    close_books(model, forcing.medium, moment);
+        end_forces(model, forcing.medium, state.cache().kinematics, duration, state.forces);
+    note_speeds(model, state.cache().kinematics, state.audit);
+    update_audit(model, forcing.medium, state);
 }
 
-// What no sound motion was found for leaves the moment as the tick began, but for the counters.
-void StepControl::take_back(Tick& tick, const Motion& start, const SceneAudit& books) {
-    SceneMoment& moment = tick.moment;
-    const SceneAudit spent = std::exchange(moment.audit, books);
-    CAMBRIAN_TICK_ASSERT(is_finite(tick.model, start), "a tick can be taken back");
-    copy_motion(tick.model, start, moment.motion);
-    moment.frame_is_current = false;
+// Restores the state of the tick's start except for the counters, after a step that failed.
+void StepControl::roll_back(Tick& tick, const Motion& start, const SceneAudit& audit_before) {
+    SimulationState& state = tick.state;
+    const SceneAudit spent = std::exchange(state.audit, audit_before);
+    CAMBRIAN_TICK_ASSERT(is_finite(tick.model, start), "a tick can be rolled back");
+    copy_motion(tick.model, start, state.motion);
+    state.cache_is_current = false;
     tick.time = 0.0;
     make_current(tick);
-    moment.audit.evaluations = spent.evaluations;
-    moment.audit.steps = spent.steps;
-    moment.audit.rejections = spent.rejections;
-    moment.audit.events = spent.events;
-    moment.audit.fallbacks = spent.fallbacks;
-    close_books(tick.model, tick.forcing.medium, moment);
+    state.audit.evaluations = spent.evaluations;
+    state.audit.steps = spent.steps;
+    state.audit.rejections = spent.rejections;
+    state.audit.events = spent.events;
+    state.audit.fallbacks = spent.fallbacks;
+    update_audit(tick.model, tick.forcing.medium, state);
 }
 
 // One accepted step or one impact.
 SceneStatus StepControl::step(Tick& tick) {
     CAMBRIAN_TICK_ASSERT(tick.time < tick.length, "something is left of the tick");
     make_current(tick);
-    if (!tick.collected) contacts_.collect(tick.model, tick.law, tick.moment.frame().kinematics);
+    if (!tick.detected) contacts_.detect(tick.model, tick.law, tick.state.cache().kinematics);
     if (tick.impacts < kMaxImpacts && contacts_.has_impact()) {
-        strike(tick, tick.law.elasticity);
+        apply_impact(tick, tick.law.restitution);
         return SceneStatus::kRunning;
     }
     bool has_rows = false;
@@ -137,92 +137,92 @@ SceneStatus StepControl::step(Tick& tick) {
             return SceneStatus::kInvalid;
         case Attempt::kOverBudget:
             return SceneStatus::kOverBudget;
-        case Attempt::kCollapsed:
+        case Attempt::kUnderflow:
             return SceneStatus::kRunning;
         case Attempt::kAccepted:
             break;
     }
-    Kinematics& end = tick.moment.spare_frame().kinematics;
+    Kinematics& end = tick.state.spare_cache().kinematics;
     const double depth = deepest(contacts_.near());
     if (tick.time == 0.0) tick.start_depth = depth;
-    contacts_.collect(tick.model, tick.law, end);
-    tick.collected = true;
+    contacts_.detect(tick.model, tick.law, end);
+    tick.detected = true;
     if (tick.impacts < kMaxImpacts && has_new_impact(contacts_)) {
-        const StepEnds ends{tick.moment.motion, *start_rate_, result_.end, *end_rate_, h};
+        const StepEnds ends{tick.state.motion, *start_rate_, result_.end, *end_rate_, h};
         Motion motion;
         const double share = find_impact(tick.model, tick.law, ends, contacts_, motion, end);
         copy_motion(tick.model, motion, result_.end);
-        tick.collapses = 0;
+        tick.underflows = 0;
         accept_part(tick, h, share);
     } else if (is_too_deep(tick, depth, h)) {
-        ++tick.moment.audit.rejections;
-        tick.moment.proposed_step = 0.5 * h;
-        tick.collected = false;
+        ++tick.state.audit.rejections;
+        tick.state.proposed_step = 0.5 * h;
+        tick.detected = false;
     } else {
-        tick.collapses = 0;
+        tick.underflows = 0;
         accept(tick, has_rows, h);
     }
     return SceneStatus::kRunning;
 }
 
-// Whether the deepest contact of the attempt's end is much deeper than at its start or the tick's.
+// Whether the deepest contact at the attempt's end is much deeper than at its start or the tick's.
 bool StepControl::is_too_deep(const Tick& tick, double start_depth, double h) const {
-    if (h <= kHalvingStep || tick.collapses >= kPatience) return false;
+    if (h <= kHalvingStep || tick.underflows >= kMaxUnderflows) return false;
     const double depth = deepest(contacts_.near());
     return depth > start_depth + kMaxDeepening || depth > tick.start_depth + kMaxTickDeepening;
 }
 
-// Contact-free accelerations at the moment, unless the last step left them.
+// Computes the accelerations without contact, unless the last step left them.
 void StepControl::make_current(Tick& tick) {
-    SceneMoment& moment = tick.moment;
-    if (moment.frame_is_current) return;
+    SimulationState& state = tick.state;
+    if (state.cache_is_current) return;
     tick.forcing.held = nullptr;
     const MotionSystem system{tick.model, tick.forcing, tick.length};
-    system.evaluate(moment.motion, tick.time, FrameDetail::kEverything, moment.frame(),
-                    moment.free_rate);
+    system.evaluate(state.motion, tick.time, EvaluationDetail::kEverything, state.cache(),
+                    state.free_rate);
     count_evaluations(tick, 1);
-    moment.frame_is_current = true;
+    state.cache_is_current = true;
 }
 
 void StepControl::count_evaluations(Tick& tick, int evaluations) {
     CAMBRIAN_TICK_ASSERT(evaluations > 0, "a step costs evaluations");
-    tick.moment.audit.evaluations += static_cast<std::uint64_t>(evaluations);
-    tick.moment.evaluation_debt += evaluations;
+    tick.state.audit.evaluations += static_cast<std::uint64_t>(evaluations);
+    tick.state.evaluation_debt += evaluations;
 }
 
-void StepControl::strike(Tick& tick, double elasticity) {
-    SceneMoment& moment = tick.moment;
-    complete_frame(tick.model, moment.frame());
+void StepControl::apply_impact(Tick& tick, double restitution) {
+    SimulationState& state = tick.state;
+    complete_cache(tick.model, state.cache());
     const ImpactResult impact =
-        contacts_.strike(tick.model, tick.law, elasticity, moment.frame(), moment.motion);
-    moment.audit.impulse_work += impact.work;
-    moment.audit.positive_work += std::max(0.0, impact.work);
-    moment.audit.fallbacks += impact.fell_back ? 1U : 0U;
-    ++row_tally_.impacts;
-    row_tally_.impacts_failed += impact.fell_back ? 1U : 0U;
-    ++moment.audit.events;
+        contacts_.solve_impact(tick.model, tick.law, restitution, state.cache(), state.motion);
+    state.audit.impulse_work += impact.work;
+    state.audit.positive_work += std::max(0.0, impact.work);
+    state.audit.fallbacks += impact.fell_back ? 1U : 0U;
+    ++solver_tally_.impacts;
+    solver_tally_.impacts_failed += impact.fell_back ? 1U : 0U;
+    ++state.audit.events;
     ++tick.impacts;
-    moment.frame_is_current = false;
-    moment.has_last_acceleration = false;
-    tick.collected = false;
-    const ContactSet& struck = contacts_.chosen();
-    CAMBRIAN_TICK_ASSERT(struck.count <= kMaxContacts, "contacts have room");
-    for (int c = 0; c < struck.count; ++c) {
-        note_touch(struck.items[c], moment);
+    state.cache_is_current = false;
+    state.has_last_acceleration = false;
+    tick.detected = false;
+    const ContactSet& touching = contacts_.selected();
+    CAMBRIAN_TICK_ASSERT(touching.count <= kMaxContacts, "contacts have room");
+    for (int c = 0; c < touching.count; ++c) {
+        note_touch(touching.items[c], state);
         if (tick.model.measured_parts != 0)
-            add_load(tick.model, struck.items[c], contacts_.struck_normal(c), moment.forces);
+            add_load(tick.model, touching.items[c], contacts_.normal_impulse_of(c), state.forces);
     }
 }
 
-// What is left of the tick is split evenly rather than leaving a sliver.
+// The rest of the tick is divided evenly, so that no tiny step remains.
 double StepControl::choose_length(Tick& tick, bool& has_rows) {
-    SceneMoment& moment = tick.moment;
-    double h = std::min(moment.proposed_step, integrator_->max_step);
-    has_rows = contacts_.choose(tick.model, moment.frame(), h);
+    SimulationState& state = tick.state;
+    double h = std::min(state.proposed_step, integrator_->max_step);
+    has_rows = contacts_.select_active(tick.model, state.cache(), h);
     if (has_rows) h = std::min(h, contact_step_);
-    if (tick.collapses >= kPatience) {
+    if (tick.underflows >= kMaxUnderflows) {
         has_rows = false;
-        h = std::min(h, kPatientShare * contact_step_);
+        h = std::min(h, kNoRowsShare * contact_step_);
     }
     const double rest = tick.length - tick.time;
     const double steps = std::ceil(rest / h * (has_rows ? 0.9 : 1.0 - 1e-9));
@@ -230,50 +230,50 @@ double StepControl::choose_length(Tick& tick, bool& has_rows) {
 }
 
 void StepControl::count_resting(Tick& tick, bool solved) {
-    ++row_tally_.resting;
+    ++solver_tally_.resting;
     if (solved) return;
-    ++row_tally_.resting_failed;
-    ++tick.moment.audit.fallbacks;
+    ++solver_tally_.resting_failed;
+    ++tick.state.audit.fallbacks;
 }
 
 StepControl::Attempt StepControl::attempt(Tick& tick, bool has_rows, double& h) {
-    SceneMoment& moment = tick.moment;
+    SimulationState& state = tick.state;
     const bool midpoint = is_midpoint(has_rows);
     const int order = midpoint ? MidpointStep::kErrorOrder : integrator_->error_order;
-    if (!has_rows) contacts_.let_go();
-    if (has_rows && !midpoint) contacts_.build(tick.model, tick.law, moment.frame());
+    if (!has_rows) contacts_.clear();
+    if (has_rows && !midpoint) contacts_.build(tick.model, tick.law, state.cache());
     for (;;) {
         if (midpoint)
             try_midpoint_step(tick, h);
         else
             try_step(tick, has_rows, h);
         count_evaluations(tick, result_.evaluations);
-        if (moment.evaluation_debt > kBudgetTime * max_evaluations_) return Attempt::kOverBudget;
+        if (state.evaluation_debt > kBudgetTime * max_evaluations_) return Attempt::kOverBudget;
         if (!(result_.error <= 1.0)) {
-            ++moment.audit.rejections;
+            ++state.audit.rejections;
             const double factor = step_factor(result_.error, order);
             h *= std::min(factor, 0.9);
-            moment.proposed_step = h;
+            state.proposed_step = h;
             if (h < kMinStep) {
                 return std::isfinite(result_.error) ? Attempt::kOverBudget : Attempt::kDiverged;
             }
-            if (!has_rows || h >= collapse_step_) continue;
-            ++tick.collapses;
-            strike(tick, 0.0);
-            moment.proposed_step = contact_step_;
-            return Attempt::kCollapsed;
+            if (!has_rows || h >= underflow_step_) continue;
+            ++tick.underflows;
+            apply_impact(tick, 0.0);
+            state.proposed_step = contact_step_;
+            return Attempt::kUnderflow;
         }
         if (must_halve(tick, h)) {
-            ++moment.audit.rejections;
+            ++state.audit.rejections;
             h *= 0.5;
             continue;
         }
-        propose_length(h, order, moment.proposed_step);
+        propose_length(h, order, state.proposed_step);
         return Attempt::kAccepted;
     }
 }
 
-// The next step's length after an accepted one, which may have been cut short.
+// Proposes the next step's length after an accepted step, which may have been truncated.
 void StepControl::propose_length(double h, int order, double& proposed) const {
     const double longest = integrator_->max_step;
     const bool truncated = h < proposed;
@@ -286,79 +286,77 @@ void StepControl::propose_length(double h, int order, double& proposed) const {
 }
 
 void StepControl::try_midpoint_step(Tick& tick, double h) {
-    SceneMoment& moment = tick.moment;
+    SimulationState& state = tick.state;
     tick.forcing.held = nullptr;
     const MotionSystem system{tick.model, tick.forcing, tick.length};
-    const StepRequest request{moment.motion, moment.free_rate, tick.time, h, tolerance_};
+    const StepRequest request{state.motion, state.free_rate, tick.time, h, tolerance_};
     const PerCoordinate& prediction =
-        moment.has_last_acceleration ? moment.last_acceleration : moment.free_rate.acceleration;
-    count_resting(tick, midpoint_.attempt(system, tick.law, {request, moment.frame(), prediction},
-                                          contacts_, moment.warm, moment.spare_frame(), result_));
+        state.has_last_acceleration ? state.last_acceleration : state.free_rate.acceleration;
+    count_resting(tick, midpoint_.attempt(system, tick.law, {request, state.cache(), prediction},
+                                          contacts_, state.warm, state.spare_cache(), result_));
     start_rate_ = &midpoint_.mean_rate();
     end_rate_ = start_rate_;
 }
 
-// With contact forces found at the start and held all the way.
+// Attempts a step with contact forces that are found at its start and constant over it.
 void StepControl::try_step(Tick& tick, bool has_rows, double h) {
-    SceneMoment& moment = tick.moment;
-    if (has_rows) count_resting(tick, contacts_.hold(tick.model, tick.law, h, moment.warm));
+    SimulationState& state = tick.state;
+    if (has_rows) count_resting(tick, contacts_.solve_resting(tick.model, tick.law, h, state.warm));
     tick.forcing.held = has_rows ? &contacts_.held() : nullptr;
-    start_rate_ = has_rows ? &held_start_rate(tick) : &moment.free_rate;
+    start_rate_ = has_rows ? &held_start_rate(tick) : &state.free_rate;
     end_rate_ = &result_.end_rate;
     const MotionSystem system{tick.model, tick.forcing, tick.length};
-    integrator_->attempt(system, {moment.motion, *start_rate_, tick.time, h, tolerance_},
-                         moment.spare_frame(), result_);
+    integrator_->attempt(system, {state.motion, *start_rate_, tick.time, h, tolerance_},
+                         state.spare_cache(), result_);
 }
 
-// What the held forces add to the moment's accelerations.
+// The accelerations that the constant forces add.
 void StepControl::respond_to_held(const Tick& tick, BodyResponse& response) const {
-    const Frame& frame = tick.moment.frame();
+    const EvaluationCache& cache = tick.state.cache();
     Loads loads;
     clear_loads(tick.model, loads);
-    add_held_forces(tick.model, contacts_.held(), frame.kinematics, loads);
-    solve_closed_impulse(tick.model, frame.kinematics, frame.factors, loads, response);
+    add_held_forces(tick.model, contacts_.held(), cache.kinematics, loads);
+    solve_closed_impulse(tick.model, cache.kinematics, cache.factors, loads, response);
 }
 
-// Accelerations at the start under the held forces: the contact-free ones and a response.
+// Accelerations at the start under the constant forces: those without contact and a response.
 const MotionRate& StepControl::held_start_rate(Tick& tick) {
     BodyResponse response;
     respond_to_held(tick, response);
-    copy_rate(tick.model, tick.moment.free_rate, held_rate_);
+    copy_rate(tick.model, tick.state.free_rate, held_rate_);
     for (int c = 0; c < coordinate_count(tick.model); ++c)
         held_rate_.acceleration[c] += response.coordinate[c];
     return held_rate_;
 }
 
-// What the held forces did up to the end in the spare frame, and how far joints are past stops
-// there.
-void StepControl::weigh_end(const Tick& tick) {
-    const Kinematics& end = tick.moment.spare_frame().kinematics;
-    work_ = contacts_.held_work(tick.model, tick.moment.frame().kinematics, end);
+// Computes the work of the constant forces up to the end in the spare cache, and the overrun there.
+void StepControl::check_step_end(const Tick& tick) {
+    const Kinematics& end = tick.state.spare_cache().kinematics;
+    work_ = contacts_.held_work(tick.model, tick.state.cache().kinematics, end);
     end_overrun_ = limit_overrun(tick.model, end);
 }
 
-// Contacts and stops that do work are a sign of a step too long for constant forces, and so is a
-// joint that runs past a stop nobody foresaw.
+// Positive work of contacts and limits shows that the step is too long for constant forces. So does
+// a joint that overruns a limit that was not selected.
 bool StepControl::must_halve(const Tick& tick, double h) {
-    weigh_end(tick);
+    check_step_end(tick);
     if (h <= kHalvingStep) return false;
     const double allowance = kStepWorkAllowance * tick.model.total_mass * kReferenceGravity;
     if (work_.positive > allowance) return true;
     return end_overrun_ > kMaxOverrun &&
-           end_overrun_ >
-               limit_overrun(tick.model, tick.moment.frame().kinematics) + kOverrunGrowth;
+           end_overrun_ > limit_overrun(tick.model, tick.state.cache().kinematics) + kOverrunGrowth;
 }
 
 void StepControl::accept(Tick& tick, bool has_rows, double h) {
-    SceneMoment& moment = tick.moment;
-    keep_books(tick, h);
-    copy_motion(tick.model, result_.end, moment.motion);
-    moment.current_frame = 1 - moment.current_frame;
-    copy_rate(tick.model, result_.end_rate, moment.free_rate);
-    moment.has_last_acceleration = is_midpoint(has_rows);
-    if (moment.has_last_acceleration) {
+    SimulationState& state = tick.state;
+    add_to_audit(tick, h);
+    copy_motion(tick.model, result_.end, state.motion);
+    state.current_cache = 1 - state.current_cache;
+    copy_rate(tick.model, result_.end_rate, state.free_rate);
+    state.has_last_acceleration = is_midpoint(has_rows);
+    if (state.has_last_acceleration) {
         for (int c = 0; c < coordinate_slots(tick.model); c += kLanes)
-            store_lanes(moment.last_acceleration + c,
+            store_lanes(state.last_acceleration + c,
                         load_lanes(midpoint_.mean_rate().acceleration + c));
     } else if (has_rows) {
         release_forces(tick);
@@ -366,69 +364,69 @@ void StepControl::accept(Tick& tick, bool has_rows, double h) {
     tick.time += h;
 }
 
-// Up to the impact found within the step; result_ and the spare frame hold the motion there.
+// Accepts the step up to an impact; result_ and the spare cache have the motion there.
 void StepControl::accept_part(Tick& tick, double h, double share) {
-    SceneMoment& moment = tick.moment;
-    weigh_end(tick);
-    keep_books(tick, share * h);
-    copy_motion(tick.model, result_.end, moment.motion);
-    moment.frame_is_current = false;
+    SimulationState& state = tick.state;
+    check_step_end(tick);
+    add_to_audit(tick, share * h);
+    copy_motion(tick.model, result_.end, state.motion);
+    state.cache_is_current = false;
     tick.time += share * h;
 }
 
-// Takes the held forces' response off the accelerations of the step's end.
+// Subtracts the response to the constant forces from the accelerations of the step's end.
 void StepControl::release_forces(Tick& tick) {
-    SceneMoment& moment = tick.moment;
-    complete_frame(tick.model, moment.frame());
+    SimulationState& state = tick.state;
+    complete_cache(tick.model, state.cache());
     BodyResponse response;
     respond_to_held(tick, response);
     for (int c = 0; c < coordinate_count(tick.model); ++c) {
-        moment.free_rate.acceleration[c] -= response.coordinate[c];
-        moment.frame().response.coordinate[c] -= response.coordinate[c];
+        state.free_rate.acceleration[c] -= response.coordinate[c];
+        state.cache().response.coordinate[c] -= response.coordinate[c];
     }
     for (int i = 0; i < tick.model.body_count; ++i) {
-        moment.frame().response.x[i] -= response.x[i];
-        moment.frame().response.y[i] -= response.y[i];
-        moment.frame().response.spin[i] -= response.spin[i];
+        state.cache().response.x[i] -= response.x[i];
+        state.cache().response.y[i] -= response.y[i];
+        state.cache().response.spin[i] -= response.spin[i];
     }
 }
 
 // Of a step that took `time` (s).
-void StepControl::keep_books(Tick& tick, double time) {
-    SceneMoment& moment = tick.moment;
-    SceneAudit& audit = moment.audit;
+void StepControl::add_to_audit(Tick& tick, double time) {
+    SimulationState& state = tick.state;
+    SceneAudit& audit = state.audit;
     audit.contact_work += work_.contact;
     audit.limit_work += work_.limit;
     audit.positive_work += work_.positive;
     ++audit.steps;
     note_depths(contacts_.near(), end_overrun_, audit);
-    const ContactSet& chosen = contacts_.chosen();
-    for (int c = 0; c < chosen.count; ++c) {
-        const Contact& contact = chosen.items[c];
+    const ContactSet& selected = contacts_.selected();
+    for (int c = 0; c < selected.count; ++c) {
+        const Contact& contact = selected.items[c];
         if (contact.gap >= kContactBand && contacts_.held_normal(c) <= 0.0) continue;
-        note_touch(contact, moment);
+        note_touch(contact, state);
         if (tick.model.measured_parts != 0)
-            add_load(tick.model, contact, time * contacts_.held_normal(c), moment.forces);
+            add_load(tick.model, contact, time * contacts_.held_normal(c), state.forces);
     }
 }
 
 void StepControl::remember_contacts(Tick& tick) {
-    SceneMoment& moment = tick.moment;
-    moment.held_count = 0;
-    const ContactSet& chosen = contacts_.chosen();
+    SimulationState& state = tick.state;
+    state.held_count = 0;
+    const ContactSet& selected = contacts_.selected();
     for (int c = 0; c < contacts_.held().contact_count; ++c) {
-        const Contact& contact = chosen.items[c];
+        const Contact& contact = selected.items[c];
         const double force = contacts_.held_normal(c);
         if (force <= 0.0) continue;
-        CAMBRIAN_TICK_ASSERT(moment.held_count < kMaxContacts, "held contacts have room");
-        moment.held[moment.held_count++] = {contact.body_a,   contact.point_x,  contact.point_y,
-                                            contact.normal_x, contact.normal_y, force};
+        CAMBRIAN_TICK_ASSERT(state.held_count < kMaxContacts, "held contacts have room");
+        state.held[state.held_count++] = {contact.body_a,   contact.point_x,  contact.point_y,
+                                          contact.normal_x, contact.normal_y, force};
     }
 }
 
 SceneStatus StepControl::status_of(const Tick& tick) {
-    const Motion& motion = tick.moment.motion;
-    LaneBits sound = Lanes{} <= Lanes{};
+    const Motion& motion = tick.state.motion;
+    Simd4i sound = Simd4d{} <= Simd4d{};
     for (int c = 0; c < coordinate_slots(tick.model); c += kLanes) {
         sound &= magnitude(load_lanes(motion.position + c)) <= all_lanes(kMaxDistance);
         sound &= magnitude(load_lanes(motion.speed + c)) <= all_lanes(kMaxSpeed);

@@ -1,7 +1,7 @@
 #pragma once
 
-// The time loop of one tick: contact forces, attempts of steps, acceptance, impacts, books
-// (physics.md 8).
+// The time loop of one tick: contact forces, attempts of steps, acceptance, impacts, energy audit
+// (dynamics/README.md 15).
 
 #include "dynamics/constraints/contact_solver.h"
 #include "dynamics/stepping/midpoint_step.h"
@@ -11,7 +11,7 @@
 
 namespace cambrian {
 
-// A contact as last solved, for display.
+// A contact of the last solved step, for display.
 struct HeldContact {
     int body_a = 0;
     double point_x = 0.0, point_y = 0.0;    // m, in body a's frame
@@ -19,21 +19,22 @@ struct HeldContact {
     double force = 0.0;                     // N
 };
 
-// Everything of a scene that changes while time passes; a copy is a saved moment.
-struct SceneMoment {
+// Everything of a scene that changes with time; a copy is a saved state.
+struct SimulationState {
     Motion motion = {};
     double time = 0.0;  // s
     SceneStatus status = SceneStatus::kRunning;
-    Frame frames[2] = {};  // one of the motion, with accelerations free of contact; one to work in
-    int current_frame = 0;
+    EvaluationCache caches[2] =
+        {};  // one belongs to the motion, free of contact forces; one is scratch
+    int current_cache = 0;
     MotionRate free_rate = {};  // of the motion, free of contact
-    bool frame_is_current = false;
-    std::uint64_t collection = 0;  // which collection of contacts was made at the motion; 0: none
+    bool cache_is_current = false;
+    std::uint64_t detection = 0;  // number of the detection that belongs to the motion; 0: none
     double proposed_step = 1.0 / 120;  // s
-    // Accelerations of the last step if it was a midpoint step with nothing sudden since.
+    // Accelerations of the last step, if it was a midpoint step and no impact followed.
     PerCoordinate last_acceleration = {};
     bool has_last_acceleration = false;
-    double evaluation_debt = 0.0;  // evaluations that the time passed has not yet paid for
+    double evaluation_debt = 0.0;  // evaluations above the allowance of the simulated time
     WarmStart warm;
     PerBody drive_start = {}, drive_end = {};  // motor targets
     std::uint8_t touched[kMaxParts] = {};      // bit of every Face that touched in the last tick
@@ -41,15 +42,15 @@ struct SceneMoment {
     int held_count = 0;
     HeldContact held[kMaxContacts];
     SceneAudit audit;
-    double energy_reference = 0.0;  // J, when the books began
+    double energy_reference = 0.0;  // J, at the start of the audit
 
-    Frame& frame() { return frames[current_frame]; }
-    const Frame& frame() const { return frames[current_frame]; }
-    Frame& spare_frame() { return frames[1 - current_frame]; }
+    EvaluationCache& cache() { return caches[current_cache]; }
+    const EvaluationCache& cache() const { return caches[current_cache]; }
+    EvaluationCache& spare_cache() { return caches[1 - current_cache]; }
 };
 
-// Row problems posed since the start, and those the row solver gave up on.
-struct RowTally {
+// Numbers of complementarity problems since the start, and of those the solver failed on.
+struct SolverTally {
     std::uint64_t resting = 0, resting_failed = 0;
     std::uint64_t impacts = 0, impacts_failed = 0;
 };
@@ -58,32 +59,32 @@ class StepControl {
 public:
     StepControl(const IntegratorKind& integrator, const SceneSettings& settings);
 
-    // Moves the moment on by one tick; its status tells whether that went well.
+    // Advances the state by one tick; its status says whether that succeeded.
     void advance(const PlanarModel& model, const ContactLaw& law, Forcing& forcing, double duration,
-                 SceneMoment& moment);
+                 SimulationState& state);
 
-    const RowTally& row_tally() const { return row_tally_; }
+    const SolverTally& solver_tally() const { return solver_tally_; }
 
 private:
     struct Tick {
         const PlanarModel& model;
         const ContactLaw& law;
         Forcing& forcing;
-        SceneMoment& moment;
+        SimulationState& state;
         double length = 0.0;       // s
         double time = 0.0;         // s, since its start
         double start_depth = 0.0;  // m; of the deepest contact
         int impacts = 0;
-        int collapses = 0;       // in a row
-        bool collected = false;  // contacts_ has looked at the moment
+        int underflows = 0;     // in a row
+        bool detected = false;  // contacts_ has detected the contacts of the present state
     };
-    enum class Attempt { kAccepted, kCollapsed, kDiverged, kOverBudget };
+    enum class Attempt { kAccepted, kUnderflow, kDiverged, kOverBudget };
 
     SceneStatus step(Tick& tick);
-    static void take_back(Tick& tick, const Motion& start, const SceneAudit& books);
+    static void roll_back(Tick& tick, const Motion& start, const SceneAudit& audit_before);
     static void make_current(Tick& tick);
     static void count_evaluations(Tick& tick, int evaluations);
-    void strike(Tick& tick, double elasticity);
+    void apply_impact(Tick& tick, double restitution);
     double choose_length(Tick& tick, bool& has_rows);
     void count_resting(Tick& tick, bool solved);
     Attempt attempt(Tick& tick, bool has_rows, double& h);
@@ -93,31 +94,31 @@ private:
     void try_step(Tick& tick, bool has_rows, double h);
     const MotionRate& held_start_rate(Tick& tick);
     void respond_to_held(const Tick& tick, BodyResponse& response) const;
-    void weigh_end(const Tick& tick);
+    void check_step_end(const Tick& tick);
     bool is_too_deep(const Tick& tick, double start_depth, double h) const;
     bool must_halve(const Tick& tick, double h);
     void accept(Tick& tick, bool has_rows, double h);
     void accept_part(Tick& tick, double h, double share);
     void release_forces(Tick& tick);
-    void keep_books(Tick& tick, double time);
+    void add_to_audit(Tick& tick, double time);
     void remember_contacts(Tick& tick);
     static SceneStatus status_of(const Tick& tick);
 
     const IntegratorKind* integrator_;
     double tolerance_;
     double contact_step_;     // s; longest step with active rows
-    double collapse_step_;    // s; shorter ones with active rows mean that forces have no limit
+    double underflow_step_;   // s; shorter steps with active rows count as an underflow
     double max_evaluations_;  // a simulated second
     ContactSolver contacts_;
     MidpointStep midpoint_;
-    std::uint64_t collection_ = 1;  // number of the contacts' last collection
+    std::uint64_t detection_ = 1;  // number of the last detection
     MotionRate held_rate_ = {};
-    const MotionRate* start_rate_ = nullptr;  // of the attempt under way, and
-    const MotionRate* end_rate_ = nullptr;    // at its end, both under its forces
-    RowTally row_tally_;
+    const MotionRate* start_rate_ = nullptr;  // of the present attempt, under its forces
+    const MotionRate* end_rate_ = nullptr;    // at its end
+    SolverTally solver_tally_;
     StepResult result_;
-    HeldWork work_;             // of the attempt under way
-    double end_overrun_ = 0.0;  // rad or m; of its end
+    HeldWork work_;             // of the present attempt
+    double end_overrun_ = 0.0;  // rad or m; at its end
 };
 
 }  // namespace cambrian

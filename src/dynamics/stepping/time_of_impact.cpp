@@ -9,7 +9,7 @@ namespace {
 
 constexpr int kMaxRounds = 40;
 
-// The deepest of the new contacts that close fast or are too deep.
+// The deepest new contact that closes fast or is too deep.
 struct NewContact {
     bool found = false;
     double gap = kContactMargin;
@@ -22,7 +22,7 @@ NewContact deepest_new_contact(const ContactSolver& contacts) {
     for (int c = 0; c < near.count; ++c) {
         const Contact& contact = near.items[c];
         const bool fast = contact.closing_speed > kRestingSpeed;
-        // The corner of a fast spinner goes in and is on its way out within one step.
+        // A fast spinning corner may enter the ground and leave it again within one step.
         const bool deep = contact.gap < -kContactBand;
         if (!(fast || deep) || contact.gap >= deepest.gap) continue;
         CAMBRIAN_TICK_ASSERT(!(contact.gap > kContactMargin), "a near contact");
@@ -32,7 +32,7 @@ NewContact deepest_new_contact(const ContactSolver& contacts) {
     return deepest;
 }
 
-// Next guess: where the contact seen last would be in the middle of the band at its speed, kept
+// The next guess puts the last contact into the middle of the band at its closing speed. It remains
 // well inside the bracket.
 double next_share(double low, double high, double from, const NewContact& seen, double length) {
     CAMBRIAN_TICK_ASSERT(low >= 0.0 && low <= high && high <= 1.0, "a bracket within the step");
@@ -58,7 +58,7 @@ double find_impact(const PlanarModel& model, const ContactLaw& law, const StepEn
     for (int round = 0; round < kMaxRounds; ++round) {
         interpolate_motion(coordinate_slots(model), step, share, motion);
         compute_kinematics(model, motion, kinematics);
-        contacts.collect(model, law, kinematics);
+        contacts.detect(model, law, kinematics);
         const NewContact deepest = deepest_new_contact(contacts);
         if (deepest.found && deepest.gap >= 0.0 && deepest.gap <= kContactBand) return share;
         (deepest.gap < 0.0 ? high : low) = share;
@@ -66,7 +66,7 @@ double find_impact(const PlanarModel& model, const ContactLaw& law, const StepEn
     }
     interpolate_motion(coordinate_slots(model), step, high, motion);
     compute_kinematics(model, motion, kinematics);
-    contacts.collect(model, law, kinematics);
+    contacts.detect(model, law, kinematics);
     return high;
 }
 

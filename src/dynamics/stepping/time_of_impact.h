@@ -1,19 +1,20 @@
 #pragma once
 
-// Where within a step a new contact is just made (physics.md 8; the step is bisected on its dense
-// output).
+// Time of impact: the share of a step at which a new contact is just made (dynamics/README.md 12).
+// The step is bracketed on its dense output.
 
 #include "dynamics/constraints/contact_solver.h"
 #include "dynamics/stepping/dense_output.h"
 
 namespace cambrian {
 
-// Whether something that was not chosen for the step penetrates at its end, closing fast. The
-// solver must have collected there.
+// Whether a contact that was not selected for the step penetrates at its end and closes fast. The
+// solver must have detected the contacts there.
 bool has_new_impact(const ContactSolver& contacts);
 
-// Share of the step, in (0, 1], at which nothing new penetrates and one new contact is inside the
-// touching band. motion and kinematics are left there, and the solver's collection.
+// Returns the share of the step, in (0, 1], at which nothing new penetrates and one new contact is
+// inside the touching band. Motion, kinematics and the solver's near contacts are those at this
+// share.
 double find_impact(const PlanarModel& model, const ContactLaw& law, const StepEnds& step,
                    ContactSolver& contacts, Motion& motion, Kinematics& kinematics);
 

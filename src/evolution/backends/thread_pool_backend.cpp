@@ -61,7 +61,7 @@ public:
     }
 
 private:
-    // For as long as a batch runs.
+    // Exists while a batch runs.
     class Busy {
     public:
         explicit Busy(std::atomic<bool>& flag) : flag_(flag) { flag_ = true; }

@@ -15,8 +15,8 @@ class EvaluationBackend;
 class ExperimentLog;
 struct SavedExperiment;
 
-// What may be asked of a running engine. Plain values; they take effect between generations,
-// pausing between trials.
+// Commands to a running engine, as plain values. They take effect between generations; a pause
+// takes effect between trials.
 struct PauseEvolution {};
 struct ResumeEvolution {};
 struct StepGeneration {};  // one more generation, then pause
@@ -26,26 +26,25 @@ struct ChangeSettings {
 struct InjectGenome {
     GenomePtr genome;
 };
-// A share (0 to 1) of the next offspring places goes, once, to new random creatures.
+// Gives a share (0 to 1) of the next offspring places, once, to random immigrants.
 struct AddNewcomers {
     double share = 0.2;
 };
-// Everyone is judged again in the present generation: the scores were given by a simulator that
-// moved them otherwise.
+// Evaluates the present generation again, because its scores come from another simulator version.
 struct RescorePopulation {};
-// Begins anew, paused, at generation 0.
+// Starts a new experiment, paused, at generation 0.
 struct StartExperiment {
     SettingsPtr settings;
     std::vector<GenomePtr> founders;               // empty: random
     std::shared_ptr<ExperimentLog> log = nullptr;  // to be kept there; null: nowhere
 };
-// Goes on, paused, where an experiment was left.
+// Continues an experiment where it ended; it starts paused.
 struct ContinueExperiment {
     std::shared_ptr<const SavedExperiment> saved;
     std::shared_ptr<ExperimentLog> log = nullptr;  // that it came from; null: not kept any more
 };
-// Evaluates elsewhere from now on, the rest of the generation in flight included; not null. What
-// evolves is the same.
+// Changes the back-end from now on, also for the rest of the present generation; not null. The
+// results do not depend on it.
 struct UseBackend {
     std::shared_ptr<EvaluationBackend> backend;
 };

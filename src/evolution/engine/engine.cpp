@@ -25,7 +25,7 @@ EvolutionEngine::~EvolutionEngine() {
 }
 
 bool EvolutionEngine::send(EngineCommand command) {
-    // Commands act between trials: whatever is running is interrupted, and goes on afterwards.
+    // Commands act between trials: a running batch is interrupted and continues afterwards.
     return inbox_.send(std::move(command));
 }
 
@@ -110,7 +110,7 @@ Status EvolutionEngine::keep_generation() {
     return log_ ? log_->record(*evolution_) : Status();
 }
 
-// Whether the command acts now; if so it is noted.
+// Returns whether the command acts now, and records it if it does.
 bool EvolutionEngine::steer(const SteeringCommand& command) {
     if (evolution_->evaluated()) {
         deferred_.push_back(command);
@@ -180,7 +180,7 @@ void EvolutionEngine::apply(UseBackend command) {
     backend_ = std::move(command.backend);
 }
 
-// Another experiment takes the place of the one before.
+// Replaces the experiment by another one.
 void EvolutionEngine::start_showing(std::shared_ptr<ExperimentLog> log) {
     log_ = std::move(log);
     unkept_notes_.clear();

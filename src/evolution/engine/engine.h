@@ -1,7 +1,8 @@
 #pragma once
 
-// The thread that evolves. Commands in, snapshots out; shares nothing mutable with its user but the
-// progress counters. send() and latest() belong to one thread, the user's.
+// The engine evolves on a thread of its own. It receives commands and publishes snapshots; it
+// shares no mutable data with its user except progress counters. Only one thread may call send()
+// and latest().
 
 #include "core/stopwatch.h"
 #include "core/threads/snapshot_channel.h"
@@ -22,8 +23,8 @@ namespace cambrian {
 
 class EvolutionEngine {
 public:
-    // Begins paused at generation 0 of the settings, which must pass check_settings. Without a log
-    // nothing is kept.
+    // Starts paused at generation 0 of the settings, which must pass check_settings. Without a log
+    // the experiment is not stored.
     EvolutionEngine(SettingsPtr settings, const EvolutionKinds& kinds,
                     std::shared_ptr<EvaluationBackend> backend,
                     std::shared_ptr<ExperimentLog> log = nullptr);
@@ -31,7 +32,7 @@ public:
     EvolutionEngine(const EvolutionEngine&) = delete;
     EvolutionEngine& operator=(const EvolutionEngine&) = delete;
 
-    // False if the inbox is full; try again next frame.
+    // Returns false if the inbox is full; try again in the next frame.
     bool send(EngineCommand command);
     // Newest snapshot; never null.
     const std::shared_ptr<const EvolutionSnapshot>& latest();
@@ -73,7 +74,8 @@ private:
     std::shared_ptr<ExperimentLog> log_;
     std::optional<StartExperiment> unkept_start_;  // until the log has taken it
     std::deque<NotedCommand> unkept_notes_;
-    // Given while an evaluated generation could not be kept; they are for the next one.
+    // Commands that arrived while an evaluated generation could not be stored; they apply to the
+    // next one.
     std::vector<SteeringCommand> deferred_;
 
     std::jthread thread_;  // last: started after, joined before everything else

@@ -16,13 +16,13 @@ void give(Evolution& evolution, const RescorePopulation& /*command*/) {
     evolution.rescore();
 }
 
-// Whether a command changes how the generation it was given to is judged.
+// Whether a command changes the evaluation of the generation in which it was given.
 bool concerns_judgement(const SteeringCommand& command) {
     return std::holds_alternative<ChangeSettings>(command) ||
            std::holds_alternative<RescorePopulation>(command);
 }
 
-// What was asked of the generation's children; it is judged already.
+// Applies the commands that concern children; the generation itself is already evaluated.
 void give_breeding_commands(Evolution& evolution, const std::vector<NotedCommand>& journal,
                             std::uint32_t generation) {
     for (const NotedCommand& noted : journal) {

@@ -1,7 +1,7 @@
 #pragma once
 
-// Where an experiment is kept while it runs, and what can be had back from there. Files are one
-// such place (persist/experiment/experiment_file.h).
+// The interface to the storage of a running experiment, and the data that can be loaded from it.
+// Files implement it (persist/experiment/experiment_file.h).
 
 #include "core/result.h"
 #include "evolution/engine/command.h"
@@ -16,25 +16,23 @@
 
 namespace cambrian {
 
-// What changes the course of an experiment once it has begun.
+// Commands that change the course of a running experiment.
 using SteeringCommand = std::variant<ChangeSettings, InjectGenome, AddNewcomers, RescorePopulation>;
 
-// A command, and the generation that was present when it was given: newly bred, not yet evaluated
-// to the end.
+// A command and the generation in which it was given: bred, but not yet completely evaluated.
 struct NotedCommand {
     std::uint32_t generation = 0;
     SteeringCommand command;
 };
 
-// All calls belong to the thread that evolves. A call that fails has changed nothing and may be
-// repeated.
+// Only the evolving thread calls it. A failed call changes nothing and may be repeated.
 class ExperimentLog {
 public:
     virtual ~ExperimentLog() = default;
-    // Generation 0 of these founders and settings; comes first, once.
+    // Stores generation 0 of these founders and settings; it is the first call, once.
     virtual Status begin(const SettingsPtr& settings, const std::vector<GenomePtr>& founders) = 0;
     virtual Status note(const NotedCommand& command) = 0;
-    // The generation just evaluated, before it is bred from.
+    // Stores a generation that was evaluated and not yet bred from.
     virtual Status record(const Evolution& evolution) = 0;
 };
 
@@ -44,7 +42,7 @@ struct SimulatorChange {
     std::string version;
 };
 
-// An experiment as it was kept.
+// A stored experiment.
 struct SavedExperiment {
     std::vector<SimulatorChange> simulators;  // in order; the first computed generation 0
     SettingsPtr settings;                     // at generation 0
@@ -55,16 +53,16 @@ struct SavedExperiment {
     std::optional<EvolutionState> latest;     // newest recorded generation
 };
 
-// Gives an evolution that has come to the generation the commands noted while it was present.
+// Applies to an evolution the commands that were given in its present generation.
 void give_commands(Evolution& evolution, const std::vector<NotedCommand>& journal,
                    std::uint32_t generation);
 
 // Where settings changed, generation 0 included.
 std::vector<JournalEntry> setting_changes(const SavedExperiment& saved);
 
-// The experiment from its beginning, as it was when generation 0 had not been evaluated.
+// The experiment at its start, with generation 0 not yet evaluated.
 Evolution begun_anew(const SavedExperiment& saved, const EvolutionKinds& kinds);
-// As it was when it was last kept: the generation after the newest recorded one.
+// The experiment at its end: the generation after the newest stored one.
 Evolution resumed(const SavedExperiment& saved, const EvolutionKinds& kinds);
 
 }  // namespace cambrian

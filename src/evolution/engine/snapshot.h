@@ -1,6 +1,6 @@
 #pragma once
 
-// What the engine shows of itself: immutable, shallow, published after every change.
+// The state of the engine for other threads: immutable, shallow, published after every change.
 
 #include "evolution/individual/judged_individual.h"
 #include "evolution/individual/statistics.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-// When an unattended run is over (evolution/README.md 3).
+// The end of an unattended run (evolution/README.md 3).
 
 #include "evolution/individual/statistics.h"
 #include "evolution/settings/experiment_settings.h"
@@ -10,7 +10,7 @@
 
 namespace cambrian {
 
-// Why: "target-fitness", "evaluations" or "generations"; empty while it goes on.
+// The reason: "target-fitness", "evaluations" or "generations"; empty while the run continues.
 std::string_view stop_reason(std::span<const GenerationStatistics> history,
                              const ExperimentSettings& settings);
 

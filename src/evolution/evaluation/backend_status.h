@@ -1,6 +1,6 @@
 #pragma once
 
-// Who evaluates, for people: plain data that nothing of a run's results depends on.
+// Which machines evaluate, for display. No result of a run depends on it.
 
 #include <algorithm>
 #include <cstdint>
@@ -57,12 +57,11 @@ struct BackendStatus {
     std::string failure;  // why no run can go on with this back-end; empty while it can
     std::vector<WorkerStatus> workers;  // the own cores first, then by name and id
     BackendCounts counts;
-    // Cores that the run can use: a core more than these would mostly wait for the others. 0 while
-    // unknown.
+    // Number of cores that the run can use; more cores would mostly wait. 0 while unknown.
     double useful_cores = 0.0;
 };
 
-// What workers that take part have together; those away or refused do not.
+// Sums over the workers that take part, without absent and refused ones.
 struct WorkerTotals {
     std::uint32_t machines = 0;
     std::uint32_t cores = 0;

@@ -10,7 +10,7 @@
 namespace cambrian {
 namespace {
 
-// Whether another trial could tell anything.
+// Whether another trial of the creature is useful.
 bool unconfirmed(const EvaluationResult& result) {
     return result.outcome == Outcome::kCompleted && result.fitness > 0.0 && result.scores.empty();
 }
@@ -35,7 +35,7 @@ bool Confirmation::confirm(std::vector<IndividualPtr>& ranked, const Survivors& 
     return true;
 }
 
-// A trial in each world for every phenotype among the creatures, but for those done before.
+// Requests a trial in each world for every phenotype, except trials that were run before.
 bool Confirmation::try_again(const std::vector<IndividualPtr>& creatures,
                              std::span<const Probe> probes, const ConfirmingTrials& trials) {
     std::vector<EvaluationRequest> requests;

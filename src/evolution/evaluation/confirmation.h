@@ -18,7 +18,7 @@
 
 namespace cambrian {
 
-// What confirming needs besides creatures.
+// The context of a confirmation.
 struct ConfirmingTrials {
     EvaluationBackend& backend;
     const ExperimentSettings& settings;
@@ -28,12 +28,12 @@ struct ConfirmingTrials {
 
 class Confirmation {
 public:
-    // Who would survive of a ranking, as indices into it.
+    // The survivors of a ranking, as indices into it.
     using Survivors =
         std::function<std::vector<std::size_t>(std::span<const IndividualPtr> ranked)>;
 
-    // Confirms survivors of the ranking, which is put in order again. False if stopped; trials done
-    // are remembered and the call may be repeated.
+    // Confirms the survivors of the ranking and sorts it again. Returns false if stopped; finished
+    // trials are kept and the call may be repeated.
     bool confirm(std::vector<IndividualPtr>& ranked, const Survivors& survivors,
                  std::span<const Probe> probes, const ConfirmingTrials& trials);
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// One evaluation, the pure function every back-end calls.
+// One evaluation: the pure function that every back-end calls.
 
 #include "evolution/evaluation/hopeless.h"
 #include "evolution/evaluation/probe.h"
@@ -25,30 +25,31 @@ struct EvaluationRequest {
     std::optional<Probe> probe = std::nullopt;  // to be tried in another world than the settings'
 };
 
-// One trial: expresses, simulates and scores. Never throws; failures are outcomes. When asked to
-// stop, a long trial ends with the outcome kInterrupted.
+// Runs one trial: it expresses, simulates and scores. It never throws; failures are outcomes. A
+// long trial that is asked to stop ends with the outcome kInterrupted.
 EvaluationResult evaluate(const EvaluationRequest& request, const ExperimentSettings& settings,
                           const EvolutionKinds& kinds, const std::stop_token& stop = {});
 
-// EvaluationResult::phenotype without a trial: creatures that have the same score the same.
+// Computes EvaluationResult::phenotype without a trial. Creatures with the same value have the same
+// score.
 std::uint64_t phenotype_of(const Genome& genome, const ExperimentSettings& settings,
                            const EvolutionKinds& kinds);
 
-// EvaluationResult::plan without a trial.
+// Computes EvaluationResult::plan without a trial.
 std::uint64_t plan_of(const Genome& genome, const ExperimentSettings& settings,
                       const EvolutionKinds& kinds);
 
-// Runs the first trial more finely (finer_settings) and scores it: what to know of a champion
-// before it is saved (simulator/README.md 4).
+// Runs and scores the first trial with finer settings (finer_settings), as for every champion that
+// is saved (simulator/README.md 4).
 FinerResult recompute(const Genome& genome, const ExperimentSettings& settings,
                       const EvolutionKinds& kinds, const std::stop_token& stop = {});
 
-// The first trial once more, a byte noted for each of its ticks.
+// Runs the first trial again and records one byte for each tick.
 struct NotedTrial {
     std::uint64_t digest = 0;  // of the motion
     TickChecks ticks;
 };
-// None if physics refuses the body or a stop was asked for meanwhile.
+// Returns nothing if physics refuses the body or a stop was requested.
 std::optional<NotedTrial> note_ticks(const Genome& genome, const ExperimentSettings& settings,
                                      const EvolutionKinds& kinds, const std::stop_token& stop = {});
 

@@ -13,7 +13,7 @@ constexpr double kSpeedUp = 1.5;
 constexpr double kSamplePeriod = kTicksPerSample * kBrainTick;  // s
 constexpr std::size_t kSecond = 10;                             // samples
 
-// Highest mean speed of the centre of mass over any second, or over all if it was shorter; m/s.
+// Highest mean speed of the centre of mass over any second, or over a shorter trial; m/s.
 double best_speed(const TrialRecord& record) {
     const auto& samples = record.samples;
     const std::size_t span = std::min(kSecond, samples.size() - 1);
@@ -26,7 +26,7 @@ double best_speed(const TrialRecord& record) {
     return best;
 }
 
-// The record as it would be if the creature ran on with the given velocity.
+// The record of the trial if the creature continued with the given velocity.
 TrialRecord ran_on(TrialRecord record, const Vec3& velocity) {
     const MotionSample last = record.samples.back();
     for (double time = kBrainTick; time < record.duration - last.time; time += kBrainTick) {
@@ -45,7 +45,7 @@ TrialRecord ran_on(TrialRecord record, const Vec3& velocity) {
     return record;
 }
 
-// Right, left, up, and on the way it has come.
+// Directions: right, left, up and that of the motion so far.
 std::array<Vec3, 4> promising_directions(const TrialRecord& record) {
     const Vec3 way = record.samples.back().center_of_mass - record.samples.front().center_of_mass;
     const double length = way.norm();

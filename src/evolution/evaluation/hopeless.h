@@ -1,8 +1,8 @@
 #pragma once
 
-// Gives up trials that cannot matter any more (evolution/README.md 4, P5). A heuristic: what stands
-// still for half its trial and then runs off at more than 1.5 times its best speed is misjudged,
-// which is why a share of the trials given up is finished anyway and counted.
+// Early termination of trials whose score cannot matter any more (evolution/README.md 4, P5). It is
+// a heuristic: it misjudges a creature that rests for half its trial and then runs at more than 1.5
+// times its best speed. Therefore a share of the terminated trials is finished anyway and counted.
 
 #include "evolution/settings/experiment_settings.h"
 #include "goals/goal.h"
@@ -14,7 +14,7 @@
 
 namespace cambrian {
 
-// When to give a trial up: halfway, if the most it could still score is no more than `score`.
+// Early-termination threshold: a trial ends halfway if it can score at most `score`.
 struct Bar {
     double score = 0.0;
     bool audited = false;  // is finished all the same
@@ -22,8 +22,8 @@ struct Bar {
     friend bool operator==(const Bar&, const Bar&) = default;
 };
 
-// Whether giving up can be trusted: not before 30 doomed trials were finished all the same, and
-// only while at most 1 in 1000 of those turned out a survivor.
+// Whether early termination is reliable. It is so after 30 terminated trials were finished anyway,
+// and as long as at most 1 in 1000 of them would have survived.
 struct BarAudit {
     static constexpr int kLeastFinished = 30;
 
@@ -40,19 +40,19 @@ struct BarredTrial {
     bool hopeless = false;  // given up, or audited and would have been
 };
 
-// The score if all of the trial that is still to come ran in the best of a few directions at 1.5
-// times the highest mean speed of any second so far.
+// The score if the rest of the trial moves in the best of a few directions, at 1.5 times the
+// highest mean speed of any second so far.
 double most_still_possible(const TrialRecord& so_far, const GoalKind& goal);
 
-// What may end a trial before its time.
+// Reasons to end a trial early.
 struct TrialEnds {
     const GoalKind& goal;
     const std::optional<Bar>& bar;
     const std::stop_token& stop;
 };
 
-// A whole trial, or as much of it as is worth computing; without a bar, all. One that has become
-// long gives up when asked to stop, as in run_trial().
+// Runs a trial to its end, or until its score cannot reach the bar; without a bar always to the
+// end. A long trial ends when asked to stop, as in run_trial().
 Result<BarredTrial> run_barred_trial(std::shared_ptr<const Phenotype> phenotype, const Kinds& kinds,
                                      const TrialWorld& world, const TrialEnds& ends);
 

@@ -1,7 +1,6 @@
 #pragma once
 
-// A world slightly different from the settings', in which a creature is tried again to tell merit
-// from luck.
+// A slightly changed world, in which a creature is evaluated again to tell merit from luck.
 
 #include "evolution/settings/experiment_settings.h"
 #include "genome/genome.h"
@@ -18,7 +17,7 @@ struct Probe {
     friend bool operator==(const Probe&, const Probe&) = default;
 };
 
-// A generation's worlds, the same for all of its creatures and new in each; the first one is finer.
+// The worlds of a generation, the same for all of its creatures. The first one has finer settings.
 std::vector<Probe> probes_of(const ExperimentSettings& settings, std::uint32_t generation,
                              int count);
 

@@ -22,7 +22,7 @@ EvaluationResult evaluate_jittered(const EvaluationRequest& request, const Jitte
     return evaluate(other, changed, kinds, stop);
 }
 
-// Of a result that stands for all trials so far and the next of them.
+// Combines the result of all trials so far with that of the next one.
 void combine(EvaluationResult& all, const EvaluationResult& next, bool minimum, double share) {
     Hash64 digest;
     digest.add(all.digest);

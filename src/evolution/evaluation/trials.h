@@ -1,6 +1,6 @@
 #pragma once
 
-// A creature judged by several trials, each a little different (simulator/README.md 1).
+// Evaluation of a creature in several slightly different trials (simulator/README.md 1).
 
 #include "evolution/evaluation/evaluation.h"
 
@@ -9,11 +9,11 @@
 
 namespace cambrian {
 
-// The seed of the jitter of all trials of an experiment; the same for everyone, so that scores can
-// be compared.
+// The seed of the jitter of all trials of an experiment. It is the same for all creatures, so their
+// scores can be compared.
 std::uint64_t trial_seed(const ExperimentSettings& settings);
 
-// The change that a trial makes to the world and the creature; none in trial 0.
+// The change of world and creature in a trial; trial 0 has none.
 struct Jitter {
     double friction_factor = 1.0;
     double tilt = 0.0;  // rad, added to the start pose
@@ -22,9 +22,9 @@ struct Jitter {
 };
 Jitter jitter_of(std::uint64_t trial_seed, int trial, const TrialSettings& settings);
 
-// evaluate() in each of the settings' trials. The score is their mean or minimum; one that fails
-// makes the whole a failure. A request's probe changes the world of all of them. What is told of
-// the body and its motion is of the first trial; the digest is of all.
+// Calls evaluate() for each of the settings' trials. The score is their mean or minimum; if one
+// fails, the evaluation fails. A request's probe changes the world of all trials. Descriptions of
+// body and motion belong to the first trial; the digest covers all.
 EvaluationResult evaluate_in_trials(const EvaluationRequest& request,
                                     const ExperimentSettings& settings, const EvolutionKinds& kinds,
                                     const std::stop_token& stop = {});

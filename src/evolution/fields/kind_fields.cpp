@@ -1,5 +1,4 @@
-// Which kinds of parts and links a body and a brain may be made of: one switch for each kind there
-// is.
+// Switches for the kinds of parts and links of bodies and brains, one for each kind.
 #include "evolution/fields/setting_table.h"
 #include "genome/founders/enabled_kinds.h"
 
@@ -27,7 +26,7 @@ bool always(const Entry& /*entry*/) {
     return true;
 }
 
-// Without any switch on there is nothing to draw from.
+// At least one switch must be on, or there is nothing to draw from.
 template <class Entry>
 Status check_any(const std::vector<Entry>& entries, const std::vector<std::uint8_t>& enabled,
                  const Flags& flags, const char* table) {
@@ -45,7 +44,7 @@ std::string joined_ids(const std::vector<SourceKind>& kinds) {
     return ids;
 }
 
-// What joints may follow: anything but constants.
+// The sources that joints may follow: all but constants.
 std::vector<SourceKind> changing_references(const FounderSettings& founders,
                                             const KindCatalog& catalog) {
     auto kinds = enabled_references(SourceScope::kPart, founders, catalog);

@@ -85,7 +85,7 @@ void add_tournament(TableBuilder& selection) {
     selection
         .flag(
             "tournament-of-all", "Tournaments of all",
-            "Contestants come from the whole generation instead of its survivors.",
+            "Contestants come from all of the generation instead of its survivors.",
             [](Settings & s) -> auto& { return s.selection.tournament_of_all; })
         .applies = with_method({"tournament"});
     selection

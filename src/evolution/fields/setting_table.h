@@ -1,7 +1,7 @@
 #pragma once
 
-// How the table of settings is written down: a builder of rows, and the parts of the table that
-// stand in files of their own.
+// The builder of the rows in the table of settings, and the parts of the table that have files of
+// their own.
 
 #include "evolution/fields/setting_field.h"
 

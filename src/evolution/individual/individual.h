@@ -38,8 +38,8 @@ struct EvaluationResult {
     double computed_time = 0.0;  // s of all its trials that were simulated
     std::uint64_t work = 0;      // evaluations of accelerations, about
     bool hopeless = false;       // its trial was given up, or could have been
-    // Of the world as it is and of those that confirmed it, whose median is the fitness; empty
-    // unless it was tried again (confirmation.h).
+    // Scores in the unchanged world and in those of the confirmation; their median is the fitness.
+    // Empty without confirmation (confirmation.h).
     std::vector<double> scores;
     std::string reason;                           // why it failed, for a person
     AuditVerdict verdict = AuditVerdict::kClean;  // of the trial, computed as the settings say
@@ -47,8 +47,8 @@ struct EvaluationResult {
     std::optional<FinerResult> finer;             // of suspects, and of champions to be saved
 };
 
-// A creature of one generation: its genotype, where it comes from and how it did. Immutable once
-// evaluated; shared between generations, snapshots and files.
+// A creature of one generation: its genotype, origin and result. It is immutable once evaluated,
+// and shared between generations, snapshots and files.
 struct Individual {
     std::uint64_t uid = 0;   // hash of (seed, generation born, child index)
     std::uint32_t born = 0;  // generation

@@ -6,7 +6,7 @@
 
 namespace cambrian {
 
-// The outermost link of a line lets go of all others, which only hand their parents to it.
+// The outermost link of a line releases all others, which only hand their parents to it.
 ParentLink::~ParentLink() {
     if (parent_ == nullptr) return;
     thread_local std::vector<IndividualPtr>* leaving = nullptr;

@@ -1,8 +1,7 @@
 #pragma once
 
-// From an individual to the one it was bred from, so that whoever lives keeps its line of descent,
-// and lines that died out are forgotten. Lines grow without limit: letting go of one does not
-// recurse.
+// The link from an individual to its parent. A living individual keeps its line of descent, and
+// lines that died out are freed. Lines grow without limit, so the destructor does not recurse.
 
 #include <memory>
 #include <utility>

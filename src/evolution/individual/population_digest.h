@@ -1,7 +1,7 @@
 #pragma once
 
-// One number for a whole evaluated generation: equal if and only if, for all practical purposes,
-// the same creatures did the same, to the bit.
+// One number for an evaluated generation. For all practical purposes, it is equal if and only if
+// the same creatures moved the same, to the bit.
 
 #include "core/hash.h"
 #include "evolution/individual/individual.h"

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kProgress = 0.01;  // rise of the best that counts
 constexpr int kPatience = 15;       // generations
-constexpr double kTimeSlack = 0.1;  // s; less is rounding to whole ticks
+constexpr double kTimeSlack = 0.1;  // s; less is rounding to ticks
 
 // Fitness at a share of the way from worst to best; ranked is best first.
 double quantile(std::span<const IndividualPtr> ranked, double share) {

@@ -35,7 +35,7 @@ Description describe(const Individual& individual) {
             static_cast<double>(result.behavior.movable_joints)};
 }
 
-// In standard deviations; a measure all agree in does not count.
+// Values in standard deviations; a measure that is equal for all is left out.
 void standardize(std::vector<Description>& all) {
     const double count = static_cast<double>(all.size());
     for (std::size_t measure = 0; measure < Description().size(); ++measure) {
@@ -64,7 +64,7 @@ std::vector<IndividualPtr> with_archive(std::span<const IndividualPtr> populatio
     return all;
 }
 
-// Novelty and local score of everyone in the population.
+// Novelty and local score of all creatures of the population.
 std::vector<ParetoPoint> judge_novelty(std::span<const IndividualPtr> population,
                                        const SelectionMemory& memory, int neighbors) {
     const std::vector<IndividualPtr> all = with_archive(population, memory);

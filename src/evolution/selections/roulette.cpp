@@ -22,7 +22,7 @@ std::vector<double> sigma_scaled(std::span<const IndividualPtr> wheel, std::size
     std::vector<double> weights(size, 0.0);
     for (std::size_t i = 0; i < wheel.size(); ++i)
         weights[i] = std::fmax(0.0, wheel[i]->result.fitness - mean + 2.0 * std::sqrt(variance));
-    // Without differences everybody on the wheel counts the same.
+    // Without differences all creatures have the same weight.
     if (std::all_of(weights.begin(), weights.end(), [](double w) { return !(w > 0.0); }))
         std::fill_n(weights.begin(), wheel.size(), 1.0);
     return weights;

@@ -1,6 +1,6 @@
 #pragma once
 
-// Who survives and who breeds how often (evolution/README.md 1).
+// Selection of survivors and parents (evolution/README.md 1).
 
 #include "core/random.h"
 #include "core/registry.h"
@@ -14,8 +14,8 @@
 
 namespace cambrian {
 
-// What a selection carries from one generation to the next besides the survivors. Begins empty, and
-// anew whenever scores are forgotten.
+// What a selection carries from one generation to the next besides the survivors. It starts empty,
+// and is emptied whenever scores are forgotten.
 struct SelectionMemory {
     std::vector<IndividualPtr> archive;  // creatures once novel; they need not live any more
     double threshold = 0.0;              // novelty above which a creature joins the archive
@@ -33,9 +33,9 @@ struct SelectionKind {
     std::string id;
     std::string label;
     std::string help;
-    // Share of the worst survivor's score that a creature has to reach to survive, so that a trial
-    // may be cut short once it cannot: 1 where who is worse than the worst survivor leaves no
-    // trace, less where that is likely only, 0 where the least fit may matter.
+    // Share of the worst survivor's score that a creature must reach to survive; a trial that
+    // cannot may end early. It is 1 if creatures below the worst survivor have no effect, less if
+    // that is only likely, and 0 if the least fit may matter.
     double (*bar)(const SelectionSettings& settings) = nullptr;
     // ranked: everyone evaluated, best first (by better()), not empty.
     SelectionResult (*select)(std::span<const IndividualPtr> ranked,

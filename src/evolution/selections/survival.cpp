@@ -82,7 +82,7 @@ private:
     std::map<std::uint64_t, std::size_t> of_plan_;
 };
 
-// Those that finished a trial; they are the first of the ranking.
+// The creatures that finished a trial; they are the first of the ranking.
 std::size_t completed(std::span<const IndividualPtr> ranked) {
     const auto end = std::find_if(ranked.begin(), ranked.end(), [](const IndividualPtr& one) {
         return one->result.outcome != Outcome::kCompleted;

@@ -1,6 +1,6 @@
 #pragma once
 
-// What selection methods have in common: who stays, and how many places that leaves.
+// Parts of several selection methods: survivors, and the places that remain for offspring.
 
 #include "evolution/selections/selection.h"
 
@@ -17,21 +17,21 @@ std::vector<std::size_t> first_of_ranking(std::span<const IndividualPtr> ranked,
 // How many survive truncation: the settings' share of the population, at least one.
 std::size_t truncated_size(const PopulationSettings& population);
 
-// The best that survive truncation. Of one founder's line and of one body plan no more survive than
-// the settings allow, unless there are too few others that have a score: then first the limit of
-// plans is lifted, next that of lines.
+// The survivors of truncation. The settings limit the survivors of one founder's line and of one
+// body plan. If too few others have a score, the limit of plans is lifted first, then that of
+// lines.
 std::vector<std::size_t> truncated(std::span<const IndividualPtr> ranked,
                                    const ExperimentSettings& settings);
 
-// SelectionKind::bar of truncation: 1 without limits of lines and plans. With them, who is worse
-// than the worst survivor may take a place that a line or a plan is denied; seldom one far worse.
+// SelectionKind::bar of truncation: 1 without limits of lines and plans. With limits, a creature
+// below the worst survivor may still survive, but rarely one far below.
 double bar_of_truncation(const SelectionSettings& settings);
 
 // Creatures of the ranking that were not disqualified; all of it if there are none. They are the
 // first of the ranking.
 std::span<const IndividualPtr> qualified(std::span<const IndividualPtr> ranked);
 
-// Offspring places, and those of newcomers, when `places` are to be filled.
+// The numbers of offspring and of random immigrants among `places`.
 struct Places {
     std::size_t offspring = 0;
     std::size_t newcomers = 0;
@@ -43,7 +43,7 @@ Places share_places(std::size_t places, const ExperimentSettings& settings);
 SelectionResult breed_by_weight(std::vector<std::size_t> survivors, std::vector<double> weights,
                                 const ExperimentSettings& settings, RandomStream& stream);
 
-// The same for methods in which everybody kept competes with a whole population of offspring.
+// Does the same for methods in which all survivors compete with a full population of offspring.
 SelectionResult breed_whole_batch(std::vector<std::size_t> survivors, std::vector<double> weights,
                                   const ExperimentSettings& settings, RandomStream& stream);
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// Everything that defines an experiment. A value: replaced whole, never edited in place once the
-// engine has it. Same settings, same results.
+// Everything that defines an experiment. The engine replaces settings and never edits them in
+// place. The same settings give the same results.
 
 #include "breeding/mutation_settings.h"
 #include "creature/phenotype.h"

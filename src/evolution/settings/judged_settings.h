@@ -4,8 +4,8 @@
 
 namespace cambrian {
 
-// Settings under which something judged once is judged again as it was; everything else is at its
-// default. Of whatever has a seed, goal, world and expression.
+// Settings that repeat an evaluation: seed, goal, world and expression are those of its record;
+// everything else is at its default.
 template <class Judged>
 ExperimentSettings settings_of(const Judged& judged) {
     ExperimentSettings settings;

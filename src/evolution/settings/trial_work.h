@@ -1,7 +1,7 @@
 #pragma once
 
-// What judging one creature may come to, whatever the settings: neither they nor a creature file
-// from anywhere hold the program up for hours.
+// The largest work of evaluating one creature with any settings. It keeps settings and creature
+// files of others from blocking the program for hours.
 
 #include "simulator/trial.h"
 
@@ -13,7 +13,7 @@ namespace cambrian {
 inline constexpr double kMostTrialTime = 1e4;  // s, in all trials of a creature
 inline constexpr double kMostTrialWork = 2e8;  // evaluations of the accelerations in them
 
-// What is too much of the trials and how much is allowed; nothing if they keep to both limits.
+// Returns which limit the trials exceed, and its value; nothing if they keep both.
 std::optional<std::string> trial_excess(const TrialWorld& world);
 
 }  // namespace cambrian

@@ -12,7 +12,7 @@ bool contains(const std::vector<std::uint8_t>& enabled, std::uint8_t index) {
     return std::find(enabled.begin(), enabled.end(), index) != enabled.end();
 }
 
-// Walks a genome and notes what is not enabled.
+// Visits a genome and lists the kinds that are not enabled.
 class Search {
 public:
     Search(const FounderSettings& settings, const KindCatalog& catalog)

@@ -1,7 +1,7 @@
 #pragma once
 
-// Which kinds of the catalog and which kinds of references the user lets random genomes and
-// mutation use.
+// Kinds of the catalog and kinds of references that the settings allow in random genomes and
+// mutation.
 
 #include "genome/founder_settings.h"
 #include "genome/kind_catalog.h"
@@ -12,17 +12,18 @@
 
 namespace cambrian {
 
-// Catalog indices in catalog order. Functions and joints are never none: settings that leave
-// nothing count as saying nothing (all joints, if the catalog has none of the usual).
+// Catalog indices in catalog order. Functions and joints are never empty: settings that exclude all
+// of them are ignored (all joints are allowed if the catalog has none of the usual ones).
 std::vector<std::uint8_t> enabled_functions(const FounderSettings& settings,
                                             const KindCatalog& catalog);
 std::vector<std::uint8_t> enabled_joints(const FounderSettings& settings,
                                          const KindCatalog& catalog);
-// Absolute channel numbers; may be none.
+// Absolute channel numbers; may be empty.
 std::vector<std::uint8_t> enabled_channels(const FounderSettings& settings,
                                            const KindCatalog& catalog);
 
-// Kinds new references within the scope may be of; may be none. Those to sensors need a channel.
+// Allowed kinds of new references within the scope; may be empty. References to sensors need a
+// channel.
 std::vector<SourceKind> enabled_references(SourceScope scope, const FounderSettings& settings,
                                            const KindCatalog& catalog);
 bool is_enabled(SourceKind kind, SourceScope scope, const FounderSettings& settings,

@@ -9,7 +9,7 @@
 namespace cambrian {
 namespace {
 
-// Collects complaints, each with the place it is about.
+// Collects violations, each with its place.
 class Validator {
 public:
     Validator(const Genome& genome, const KindCatalog& catalog)

@@ -1,7 +1,7 @@
 #pragma once
 
-// Creature cards, *.card.png: a picture of a creature that carries its whole creature file inside,
-// as a text chunk. Bytes from anywhere are safe to read.
+// Creature cards, *.card.png: a picture of a creature with its creature file inside, as a text
+// chunk. Any bytes are safe to read.
 
 #include "core/image.h"
 #include "core/result.h"

@@ -31,7 +31,7 @@ void read_scored(JsonReader& reader, ScoredRecord& scored, const EvolutionKinds&
     scored.goal = settings.goal;
 }
 
-// What kind of file this is and whether we know the version; only then is it worth reading on.
+// Checks the kind and version of the file; only a known version is read further.
 bool read_header(const JsonValue& root, JsonReader& reader, ErrorList& errors) {
     std::string format;
     if (!reader.has("format")) {
@@ -70,7 +70,7 @@ void read_document(JsonReader& reader, CreatureDocument& document, std::uint64_t
     reader.end();
 }
 
-// Removes what cannot be reached (W02) and compares the check (W03, unless 0).
+// Removes unreachable nodes (W02) and compares the stored hash (W03, unless 0).
 void finish_genome(Genome& genome, std::uint64_t check, const KindCatalog& catalog,
                    ErrorList& errors) {
     const bool unchanged = check == 0 || check == genome_hash(genome);
@@ -85,7 +85,7 @@ void finish_genome(Genome& genome, std::uint64_t check, const KindCatalog& catal
     if (!unchanged) {
         errors.warn("W03", "/check", "does not match: the creature was changed by hand");
     }
-    // Only should a gene have a rule the reader does not know.
+    // This happens only if a gene has a rule that the reader does not know.
     for (const std::string& fault : validate(genome, catalog))
         errors.error("E07", "", fault);
 }
@@ -98,7 +98,7 @@ std::vector<std::string> parents_of(const Individual& individual) {
     return parents;
 }
 
-// What describe_identity() writes of an individual.
+// The parents of an individual, as describe_identity() writes them.
 struct Identity {
     const Genome& genome;
     std::string uid;
@@ -107,7 +107,7 @@ struct Identity {
     std::optional<std::uint64_t> ancestry = {};
 };
 
-// Whether the trial noted moved as the one that was scored, as far as one trial can tell.
+// Whether the recorded trial has the motion of the scored one, as far as one trial tells.
 bool is_of(const ScoredRecord& scored, const NotedTrial& noted) {
     return scored.world.trial.trials > 1 || noted.digest == scored.trajectory;
 }
@@ -213,7 +213,7 @@ CreatureDocument creature_document(const Individual& individual, const Experimen
     document.parents = parents_of(individual);
     document.ancestry = ancestry_digest(individual);
     if (!individual.evaluated || individual.result.outcome == Outcome::kStoppedEarly)
-        return document;  // a trial given up is no score to stand by
+        return document;  // a trial that was terminated early has no final score
     document.scored = ScoredRecord{.world = settings.world,
                                    .expression = settings.expression,
                                    .goal = settings.goal,

@@ -1,7 +1,7 @@
 #pragma once
 
-// Creature files, *.creature.json (persist/README.md 1): one genotype, where it comes from and the
-// trial that scored it. Text from anywhere is safe to read: it gives a valid genome or a message.
+// Creature files, *.creature.json (persist/README.md 1): one genotype, its origin and the trial
+// that scored it. Any text is safe to read: the result is a valid genome or a message.
 
 #include "core/result.h"
 #include "evolution/individual/individual.h"
@@ -55,7 +55,7 @@ struct CreatureDocument {
     std::string method;                     // how it was bred
     std::optional<std::uint64_t> ancestry;  // ancestry_digest(), if its line is known
     std::optional<ScoredRecord> scored;
-    // Of reading only: what was odd but did no harm (W01 to W03).
+    // Warnings of reading, about harmless oddities (W01 to W03).
     std::vector<std::string> warnings;
 };
 
@@ -75,16 +75,16 @@ Result<CreatureDocument> parse_creature(std::string_view text, std::string_view 
 // The genome must be valid.
 std::string write_creature(const CreatureDocument& document, const EvolutionKinds& kinds);
 
-// What a genome uses that the experiment it is brought into has not enabled (W04), a message each.
+// Returns a message for each kind that a genome uses and an experiment has not enabled (W04).
 std::vector<std::string> foreign_kinds(const Genome& genome, const FounderSettings& settings,
                                        const EvolutionKinds& kinds);
 
-// What to save of an individual judged under the settings.
+// The document of an individual that was evaluated with these settings.
 CreatureDocument creature_document(const Individual& individual, const ExperimentSettings& settings,
                                    const EvolutionKinds& kinds);
 
-// Runs the scored trial once more to note its ticks, and once finer to keep what came out beside
-// the score (simulator/README.md 4), unless that was done before. If stopped, nothing is kept.
+// Runs the scored trial again to record its ticks, and once with finer settings to record that
+// score (simulator/README.md 4), unless the document has them. If stopped, it records nothing.
 void complete_score(CreatureDocument& document, const EvolutionKinds& kinds,
                     const std::stop_token& stop = {});
 

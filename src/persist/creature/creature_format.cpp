@@ -6,10 +6,10 @@ namespace cambrian::creature_format {
 namespace {
 
 constexpr std::array kScoreTables = {"goal", "environment", "simulation", "trial"};
-// Of [body]; the others are about founders.
+// Settings of the table [body]; the others concern founders.
 constexpr std::array kGrowthKeys = {"max-parts", "max-depth", "max-neurons", "strict-overlap"};
 
-// What the numbers in files of version 1 mean. Channels added since have no number.
+// The channels by their numbers in files of version 1. Newer channels have no number.
 constexpr std::array kChannelsOfVersion1 = {"joint", "contact-distal", "contact-left",
                                             "contact-proximal", "contact-right"};
 

@@ -1,8 +1,8 @@
 #pragma once
 
-// The creature file's format (persist/README.md 1), described once: the same calls read it through
-// a JsonReader, write it through a JsonWriter and tell its rules through a JsonSchemaWriter.
-// Objects are const when writing.
+// The format of creature files (persist/README.md 1), described once. The same calls read it with a
+// JsonReader, write it with a JsonWriter and write its schema with a JsonSchemaWriter. Objects are
+// const when writing.
 
 #include "genome/gene_fields.h"
 #include "genome/source_rules.h"
@@ -34,7 +34,7 @@ inline const std::vector<std::string> kReproductions(kReproductionNames.begin(),
                                                      kReproductionNames.end());
 inline const std::vector<std::string> kMirrorAxes = {"along", "across"};
 
-// The names of an enumeration's values up to the last one that files know.
+// The names of an enumeration's values up to the last one that files may have.
 template <class Choice>
 std::vector<std::string> names_to(Choice last, std::string_view (*name_of)(Choice)) {
     std::vector<std::string> names;
@@ -45,7 +45,7 @@ std::vector<std::string> names_to(Choice last, std::string_view (*name_of)(Choic
 inline const std::vector<std::string> kOutcomes = names_to(Outcome::kOverBudget, outcome_name);
 inline const std::vector<std::string> kVerdicts = names_to(AuditVerdict::kInvalid, verdict_name);
 
-// The ids of the kinds genes hold indices into.
+// The ids of the kinds; genes have indices into these lists.
 struct KindNames {
     std::vector<std::string> functions;
     std::vector<std::string> joints;
@@ -84,7 +84,7 @@ void describe_source(Archive& archive, Source& source, SourceScope scope, const 
         archive.named_or_numbered("ch", source.index, names.channels, "sensor channel");
 }
 
-// Effectors say "source" and "weight" where neurons' inputs say "from" and "w".
+// Effectors have the keys "source" and "weight", inputs of neurons "from" and "w".
 template <class Archive, class Input>
 void describe_input(Archive& archive, Input& input, SourceScope scope, const char* source_key,
                     const char* weight_key, const KindNames& names) {

@@ -1,7 +1,6 @@
 #pragma once
 
-// Genotypes as experiment files hold them: creature documents without a score, on few lines, made
-// small.
+// Genotypes in experiment files: compressed creature documents without a score.
 
 #include "core/result.h"
 #include "evolution/individual/individual.h"

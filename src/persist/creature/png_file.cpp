@@ -1,5 +1,5 @@
 // libpng reports errors by jumping out of its functions (setjmp, longjmp), which skips destructors.
-// So the functions that call it hold nothing that has any: the objects it fills and the last error
+// So functions that call it have no objects with destructors: the filled objects and the last error
 // belong to their callers.
 
 #include "persist/creature/png_file.h"
@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t kSignature = 8;  // bytes
 
-// The last error, of no size that could fail.
+// The last error, in a buffer of fixed size.
 struct Fault {
     std::array<char, 160> words{};
 };

@@ -18,7 +18,7 @@ struct PngText {
     std::string text;
 };
 
-// The bytes of a PNG file; the texts stand before the pixels, compressed.
+// The bytes of a PNG file; the texts come before the pixels, compressed.
 Result<std::string> encode_png(const Image& image, const std::vector<PngText>& texts = {});
 
 // Whether a file with these bytes at its start says that it is a PNG picture.
@@ -30,8 +30,8 @@ struct PngLimits {
     int chunks = 12;                     // texts and the like; bounds the memory they take
 };
 
-// All texts of a picture under a keyword. Reads the picture to its end: one that is cut off, is
-// damaged anywhere or goes beyond the limits fails, in libpng's words.
+// Returns all texts of a picture under a keyword. It reads the picture to its end, and fails with
+// libpng's message if that is truncated, damaged or beyond the limits.
 Result<std::vector<std::string>> png_texts(std::string_view bytes, std::string_view keyword,
                                            const PngLimits& limits = {});
 

@@ -10,7 +10,7 @@ namespace cambrian {
 
 namespace {
 
-// The generation in which everyone was judged the last time, up to some generation.
+// The last generation, up to a given one, in which all creatures were evaluated.
 std::uint32_t last_judgement(const SavedExperiment& saved, std::uint32_t until) {
     std::uint32_t generation = 0;
     SettingsPtr settings = saved.settings;
@@ -78,7 +78,7 @@ Result<CreatureDocument> rescored(CreatureDocument document, const EvolutionKind
                      std::string(outcome_name(result.outcome)) + ", " + result.reason + ")"};
     }
     ScoredRecord& scored = *document.scored;
-    // The other worlds' scores are of the motion that is replaced.
+    // Scores of other worlds belong to the old motion.
     if (scored.simulator != kSimulatorVersion || scored.trajectory != result.digest)
         scored.confirmed.reset();
     scored.fitness = result.fitness;

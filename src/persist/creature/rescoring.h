@@ -1,6 +1,6 @@
 #pragma once
 
-// Scores given by another version of the simulator: how to tell them, and how to replace them.
+// Finds and replaces scores of another version of the simulator.
 
 #include "evolution/engine/experiment_log.h"
 #include "persist/creature/creature_file.h"
@@ -15,13 +15,13 @@ namespace cambrian {
 std::optional<std::string> other_simulator(const ScoredRecord& scored);
 std::optional<std::string> other_simulator(const std::string& version);
 
-// The same for an experiment: whether its newest creatures may still have scores of another one.
+// Says the same of an experiment whose newest creatures may have scores of another version.
 std::optional<std::string> other_simulator(const SavedExperiment& saved);
 
-// The version that gave a creature, born in some generation, the score it has in another.
+// The simulator version that gave the score in one generation to a creature born in another.
 std::string scored_by(const SavedExperiment& saved, std::uint32_t born, std::uint32_t generation);
 
-// What the scored trial comes to in this program's simulator. The document must hold a score.
+// The result of the scored trial in this program's simulator. The document must have a score.
 EvaluationResult run_scored_trial(const CreatureDocument& document, const EvolutionKinds& kinds,
                                   const std::stop_token& stop = {});
 

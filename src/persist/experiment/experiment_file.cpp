@@ -27,8 +27,8 @@ constexpr const char* kOpening = "cannot open";
 
 }  // namespace
 
-// An open file. The lock outlives the connection: to close any descriptor of a file takes SQLite's
-// own locks on it away.
+// An open file. The lock outlives the connection, because closing any descriptor of a file releases
+// SQLite's own locks on it.
 struct ExperimentFile::Open {
     Open(std::filesystem::path name, FileLock held, Database database, const EvolutionKinds& kinds)
         : path(std::move(name)), lock(std::move(held)), writer(std::move(database), kinds) {}
@@ -89,8 +89,8 @@ Status ExperimentFile::keep_stars(const std::vector<JudgedIndividual>& stars) {
     return write([&](ExperimentWriter& writer) { writer.keep_stars(stars); });
 }
 
-// Also switched to the log that a file in use has: there is no moment at which a kill could leave
-// a file without it.
+// The new file already has the write-ahead log of a file in use, so a crash never leaves one
+// without it.
 Status ExperimentFile::copy_into(const std::filesystem::path& temporary) const {
     try {
         open_->writer.copy_to(temporary);
@@ -144,7 +144,7 @@ std::filesystem::path ExperimentFile::path() const {
 
 Result<OpenedExperiment> open_experiment(const std::filesystem::path& path,
                                          const EvolutionKinds& kinds) {
-    // A place for what comes to be beside it; before it is ours, for then it is not writable.
+    // SQLite needs to write the file and others beside it. This check would fail under the lock.
     if (Status writable = check_writable(path); !writable) return writable.error();
     Result<FileLock> lock = FileLock::take(path);
     if (!lock) return failure(kOpening, path, lock.error().message);

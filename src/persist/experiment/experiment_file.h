@@ -1,8 +1,8 @@
 #pragma once
 
-// Experiment files, *.cambrian: a whole experiment in an SQLite database (persist/README.md 3), one
-// transaction a generation, so that whatever happens at most the generation in flight is lost. The
-// tables are described in assets/help/experiment_file.md.
+// Experiment files, *.cambrian: an experiment in an SQLite database (persist/README.md 3). Each
+// generation is one transaction, so a crash loses at most the generation that is being evaluated.
+// assets/help/experiment_file.md describes the tables.
 
 #include "core/files/pending_file.h"
 #include "core/result.h"
@@ -22,8 +22,8 @@ struct OpenedExperiment;
 
 class ExperimentFile {
 public:
-    // A new experiment, generation 0 of these founders and settings, without a name: it vanishes
-    // with this object unless it is moved.
+    // Starts a new experiment with generation 0 of these founders and settings. It has no name, and
+    // its file is deleted with this object unless it was moved.
     static Result<std::shared_ptr<ExperimentFile>> create(const EvolutionKinds& kinds,
                                                           const SettingsPtr& settings,
                                                           const std::vector<GenomePtr>& founders);
@@ -37,8 +37,8 @@ public:
     Status keep_stars(const std::vector<JudgedIndividual>& stars);
 
     using Existing = PendingFile::Existing;
-    // The whole experiment as another file, there from one moment to the next; everything from now
-    // on goes there too. Any thread.
+    // Copies the experiment to another file, which appears atomically; later generations are
+    // written there. Any thread.
     Status move_to(const std::filesystem::path& path, Existing existing = Existing::kReplace);
     // Any thread; empty for one without a name.
     std::filesystem::path path() const;
@@ -59,7 +59,7 @@ private:
     std::unique_ptr<Open> open_;
 };
 
-// An experiment file to be gone on with.
+// An experiment file that was opened to continue it.
 struct OpenedExperiment {
     std::shared_ptr<ExperimentFile> file;
     SavedExperiment saved;
@@ -67,11 +67,11 @@ struct OpenedExperiment {
     std::vector<JudgedIndividual> stars;
 };
 
-// One of an older version is brought up to this program's. Fails, leaving the file as it is, if it
-// is damaged, of another kind or newer, or in use.
+// Opens an experiment and upgrades older versions. Fails without a change of the file if it is
+// damaged, of another kind, newer or in use.
 Result<OpenedExperiment> open_experiment(const std::filesystem::path& path,
                                          const EvolutionKinds& kinds);
-// To look at only; the file is not changed.
+// Loads an experiment to look at; the file does not change.
 Result<SavedExperiment> load_experiment(const std::filesystem::path& path,
                                         const EvolutionKinds& kinds);
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// What is read from an experiment file, of any version that can be read, without changing it.
+// Reads an experiment file of any readable version without changing it.
 
 #include "core/result.h"
 #include "persist/experiment/experiment_upgrade.h"
@@ -13,8 +13,8 @@
 
 namespace cambrian {
 
-// What `read(const Database&)`, a Result<Part>, makes of the tables as the newest version has them.
-// Read again if the file changed meanwhile (persist/sqlite/read_only_database.h).
+// Returns the Result<Part> of `read(const Database&)`, called with tables of the newest version. It
+// reads again if the file changed meanwhile (persist/sqlite/read_only_database.h).
 template <class Part, class Read>
 Result<Part> load_from_experiment(const std::filesystem::path& path, Read read) {
     const auto refusal = [&path](const std::string& reason) {

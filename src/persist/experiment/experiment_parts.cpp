@@ -45,7 +45,7 @@ Result<KeptChampion> load_champion(const std::filesystem::path& path,
             KeptChampion kept;
             kept.creature = read_champion(database, static_cast<std::uint32_t>(wanted), kinds);
             const auto only = read_only_simulator(database);
-            // Otherwise it depends on when everyone was evaluated the last time.
+            // Otherwise it depends on the last generation in which all creatures were evaluated.
             kept.simulator =
                 only ? *only
                      : scored_by(read_experiment(database, kinds).saved,

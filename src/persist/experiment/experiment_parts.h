@@ -1,7 +1,7 @@
 #pragma once
 
-// Single things out of an experiment file, read without the rest of it: neither the time nor the
-// memory they take grows with what else is in the file. The file is not changed.
+// Reads single parts of an experiment file. Time and memory do not grow with the rest of the file,
+// and the file does not change.
 
 #include "core/result.h"
 #include "evolution/engine/experiment_log.h"
@@ -15,7 +15,7 @@
 
 namespace cambrian {
 
-// Those in force at the end.
+// The settings at the end of the run.
 Result<SettingsPtr> load_last_settings(const std::filesystem::path& path,
                                        const EvolutionKinds& kinds);
 
@@ -32,7 +32,7 @@ Result<KeptChampion> load_champion(const std::filesystem::path& path,
                                    const std::optional<std::uint32_t>& generation,
                                    const EvolutionKinds& kinds);
 
-// The whole experiment as another file, of a name that is free. The experiment may be in use.
+// Copies an experiment to a file that does not exist yet. The experiment may be in use.
 Status copy_experiment(const std::filesystem::path& from, const std::filesystem::path& to);
 
 }  // namespace cambrian

@@ -29,7 +29,8 @@ std::size_t index_of(std::string_view name, const std::array<std::string_view, C
     return static_cast<std::size_t>(found - names.begin());
 }
 
-// More rows than a file of its size can hold; damaged tables can repeat theirs without end.
+// An upper bound of the number of rows in a file of this size. Damaged tables can repeat rows
+// endlessly.
 std::size_t most_rows(const Database& database) {
     const std::int64_t bytes =
         database.integer("PRAGMA page_count") * database.integer("PRAGMA page_size");
@@ -48,7 +49,7 @@ void check_order(const GenerationStatistics& statistics, std::size_t expected) {
         throw DatabaseError("generation " + std::to_string(expected) + " is missing");
 }
 
-// Births of every line into the history of generations that have none yet.
+// Adds the births of each line to the history of generations that have none yet.
 void read_births(const Database& database, std::vector<GenerationStatistics>& history) {
     Statement row =
         database.prepare("SELECT generation, line, births FROM births ORDER BY generation, line");
@@ -84,11 +85,11 @@ SettingsPtr read_settings(const Database& database, std::int64_t id, const Evolu
     return std::make_shared<const ExperimentSettings>(std::move(*parsed));
 }
 
-// How many creatures can be brought into each generation that a command changed; the rest of those
-// brought in has no place and no effect.
+// The number of injected creatures that each generation has places for; further ones have no
+// effect.
 class Places {
 public:
-    // In the journal's order.
+    // The commands come in the order of the journal.
     void change(std::uint32_t generation, const ExperimentSettings& settings) {
         places_[generation] = static_cast<std::size_t>(settings.population.size);
     }
@@ -180,7 +181,7 @@ private:
     }
 
     void read_places() {
-        // Every row is counted, so that a table without end is refused.
+        // Every row is counted, so that an endless table is refused.
         Statement row =
             database_.prepare("SELECT generation, command, settings FROM journal ORDER BY id");
         std::size_t commands = 0;
@@ -199,7 +200,7 @@ private:
         }
     }
 
-    // Whether one more creature brought in has a place; the first stays that of the champion.
+    // Whether one more injected creature has a place; the first place remains the champion's.
     bool has_place(std::uint32_t generation) {
         if (generation != injected_generation_) injected_ = 0;
         injected_generation_ = generation;
@@ -336,14 +337,14 @@ private:
         return *picks;
     }
 
-    // Where the person was.
+    // Reads the number of the present grid and its picks.
     void read_place() {
         const auto shown = fact("grid_on_show");
         PickingTree& tree = read_.picking.tree;
         std::uint32_t number = 0;
         const char* end = shown.data() + shown.size();
         if (std::from_chars(shown.data(), end, number).ptr != end || !tree.visit(number))
-            throw DatabaseError("the grid on show is missing");
+            throw DatabaseError("the displayed grid is missing");
         read_.picking.picks = picks(fact("picks_on_show"), tree.current().creatures.size());
     }
 

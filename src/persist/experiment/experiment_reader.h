@@ -1,7 +1,7 @@
 #pragma once
 
-// Reads an experiment from its tables, whoever wrote them: what it gives is whole and consistent.
-// Throws DatabaseError otherwise.
+// Reads an experiment from its tables, which any program may have written. The result is complete
+// and consistent; otherwise it throws DatabaseError.
 
 #include "evolution/engine/experiment_log.h"
 #include "persist/records/kept_individuals.h"

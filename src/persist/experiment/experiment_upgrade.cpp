@@ -17,8 +17,8 @@ void name_simulators(Database& database) {
         "INSERT INTO simulators VALUES (0, '1.0')");
 }
 
-// Version 2 did not name the founder that everybody descends from: it stands at the end of the
-// mothers, as far as they are known. Who bears has a lower row than who is born.
+// Version 2 did not name the founder of each line of descent. It is the last known mother of the
+// line. A mother has a lower row than her child.
 void trace_lines(Database& database) {
     std::map<std::int64_t, std::int64_t> lines;  // by row
     Statement row = database.prepare(

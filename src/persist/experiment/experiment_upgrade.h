@@ -1,6 +1,6 @@
 #pragma once
 
-// Experiments of older versions. Throws DatabaseError.
+// Upgrades experiments of older versions. Throws DatabaseError.
 
 #include "core/result.h"
 #include "persist/sqlite/database.h"
@@ -9,13 +9,13 @@
 
 namespace cambrian {
 
-// Brings the tables up to this program's version, a step a version, and checks them. Fails if it is
-// no experiment, too new or damaged. Belongs into a transaction that is committed only once what
-// the tables hold has been read.
+// Upgrades the tables to this program's version, one step for each version, and checks them. Fails
+// if the database is no experiment, too new or damaged. Call it in a transaction, and commit only
+// after the tables have been read.
 Status bring_up_to_date(Database& database);
 
-// The same for a database that is only to be read: a copy of an older one that was brought up to
-// date, none of one that is.
+// Does the same for a database that is only read: it returns an upgraded copy of an older one, or
+// nothing if the version is current.
 Result<std::optional<Database>> newer_copy(const Database& database);
 
 }  // namespace cambrian

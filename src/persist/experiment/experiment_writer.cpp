@@ -63,7 +63,7 @@ void ExperimentWriter::remember(const ReadExperiment& read) {
     known_.novel = latest.memory.archive;
 }
 
-// All of it, or nothing: neither in the file nor in what is known of it.
+// Runs work in a transaction. A failure changes neither the file nor the record of its contents.
 template <class Work>
 void ExperimentWriter::transact(Work work) {
     Transaction transaction(database_);
@@ -122,7 +122,7 @@ void ExperimentWriter::keep_stars(const std::vector<JudgedIndividual>& stars) {
     transact([&] { replace_kept("star", stars); });
 }
 
-// Creatures of the population keep their rows and scores; others get some of their own.
+// Creatures of the population keep their rows and scores; others get new ones.
 RowRef ExperimentWriter::keep_chosen(const IndividualPtr& individual) {
     const auto living = known_.individuals.find(individual->uid);
     if (living != known_.individuals.end() && living->second.individual == individual) {
@@ -157,7 +157,7 @@ void ExperimentWriter::replace_kept(const char* role,
     }
 }
 
-// This program's, if it is not known yet that it computes from this generation on.
+// Records this program's simulator version from this generation on, unless it is recorded.
 void ExperimentWriter::name_simulator(std::uint32_t generation) {
     if (known_.simulator == kSimulatorVersion) return;
     database_.prepare("INSERT OR REPLACE INTO simulators VALUES (?, ?)")
@@ -228,7 +228,8 @@ void ExperimentWriter::insert_population(const Evolution& evolution) {
     }
 }
 
-// Those that became novel when the last generation was bred; all if the memory begins anew.
+// Inserts the creatures that became novel when the last generation was bred, or all if the memory
+// was emptied.
 void ExperimentWriter::insert_novel(const SelectionMemory& memory) {
     const std::vector<IndividualPtr>& archive = memory.archive;
     std::size_t known = known_.novel.size();

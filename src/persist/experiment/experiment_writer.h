@@ -1,7 +1,7 @@
 #pragma once
 
-// Writes an experiment into its tables, a transaction a call. Throws DatabaseError; what failed has
-// changed nothing and may be tried again.
+// Writes an experiment into its tables, one transaction for each call. Throws DatabaseError; a
+// failed call changes nothing and may be repeated.
 
 #include "evolution/engine/experiment_log.h"
 #include "persist/experiment/experiment_reader.h"
@@ -25,7 +25,7 @@ public:
     ExperimentWriter(const ExperimentWriter&) = delete;
     ExperimentWriter& operator=(const ExperimentWriter&) = delete;
 
-    // What a database opened to be gone on with holds.
+    // Sets the contents of a database that was opened to continue its experiment.
     void remember(const ReadExperiment& read);
     // The database is a copy of the other's.
     void remember(const ExperimentWriter& other) { known_ = other.known_; }
@@ -33,13 +33,13 @@ public:
     void begin(const SettingsPtr& settings, const std::vector<GenomePtr>& founders);
     void note(const NotedCommand& noted);
     void record(const Evolution& evolution);
-    // Grids that are new, and where the person is among them.
+    // Writes new grids and the number of the present one.
     void keep_picking(const PickingRecord& picking);
     void keep_stars(const std::vector<JudgedIndividual>& stars);
     void copy_to(const std::filesystem::path& path) const;
 
 private:
-    // What is in the tables already.
+    // The contents of the tables.
     struct Known {
         KeptIndividuals::Knowledge individuals;
         SettingsPtr settings;  // written last

@@ -1,8 +1,7 @@
 #pragma once
 
-// Where the experiment of a window is kept: by itself in one file that is used again and again,
-// until the person gives it a file of its own. An experiment that has not been evolved leaves no
-// file.
+// The file of the experiment in a window. It is the autosave file until the person saves the
+// experiment under a name. An experiment that has not evolved leaves no file.
 
 #include "persist/experiment/experiment_file.h"
 
@@ -16,8 +15,8 @@ namespace cambrian {
 
 class KeptExperiment final : public ExperimentLog {
 public:
-    // A new experiment. autosave: its file from the first generation on; what is there then is
-    // kept beside it as the run before (previous_run()). Empty: a file that vanishes.
+    // Starts a new experiment. autosave: its file from the first generation on; an older file there
+    // is kept beside it as the previous run (previous_run()). Empty: a temporary file.
     KeptExperiment(std::filesystem::path autosave, const EvolutionKinds& kinds)
         : autosave_(std::move(autosave)), kinds_(kinds) {}
     // One that was opened.
@@ -51,7 +50,7 @@ private:
     std::vector<NotedCommand> notes_;  // before there was a file
 };
 
-// Where the run before the one in the file is.
+// The path of the previous run, beside the file.
 std::filesystem::path previous_run(const std::filesystem::path& autosave);
 
 }  // namespace cambrian

@@ -19,7 +19,7 @@ std::string range_message(double number, double low, double high, bool open = fa
            (open ? ")" : "]");
 }
 
-// To JSON 15 and 15.0 are the same number, so whole settings take either.
+// In JSON 15 and 15.0 are the same number, so integer settings take either.
 bool is_whole(const SettingRef& place) {
     return std::holds_alternative<int*>(place) || std::holds_alternative<std::uint64_t*>(place);
 }

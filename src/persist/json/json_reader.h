@@ -1,7 +1,7 @@
 #pragma once
 
-// Reads one JSON object field by field into places whose ranges it is told; what is wrong goes to
-// an ErrorList and the place keeps its value. Offers the calls JsonWriter offers.
+// Reads one JSON object field by field into variables with given ranges. Errors go to an ErrorList,
+// and the variable then keeps its value. It has the same calls as JsonWriter.
 
 #include "persist/json/json_value.h"
 #include "persist/text/setting_value.h"
@@ -23,17 +23,17 @@ public:
     JsonReader(const JsonValue& object, std::string pointer, ErrorList& errors)
         : object_(object), pointer_(std::move(pointer)), errors_(errors) {}
 
-    // Warns of keys nobody asked for (W01).
+    // Warns of keys that no call has read (W01).
     void end();
 
-    // The name of what is described; of interest to a schema only.
+    // The name of the described type; only a schema uses it.
     void type(const char* /*name*/) const {}
     bool has(const char* key) const { return object_.find(key) != nullptr; }
     void require(bool condition, const char* code, const char* key, const std::string& message) {
         if (!condition) errors_.error(code, place(key), message);
     }
 
-    // That the list read holds as many values as another field asks for.
+    // Checks that the list has as many values as another field demands.
     void require_count(const char* key, std::size_t found, std::size_t count, const char* code,
                        const std::string& message) {
         require(found == count, code, key, message);
@@ -56,7 +56,7 @@ public:
             value = static_cast<Integer>(*number);
     }
     void flag(const char* key, bool& value);
-    // The index of one of the names, which are those of `what`. False if it is none of them.
+    // Reads the index of one of the names of `what`. Returns false if the text is none of them.
     template <class Choice>
     bool choice(const char* key, Choice& value, std::span<const std::string> names,
                 const char* what) {
@@ -64,21 +64,21 @@ public:
         if (found) value = static_cast<Choice>(*found);
         return found.has_value();
     }
-    // A choice that is the first of the names unless the key is there.
+    // A choice that is the first of the names if the key is missing.
     template <class Choice>
     void optional_choice(const char* key, Choice& value, std::span<const std::string> names,
                          const char* what) {
         if (has(key)) choice(key, value, names, what);
     }
-    // The index of one of the names, which are those of `what`, or of a number's name; a number of
-    // none keeps out of the range of names.
+    // Reads the index of one of the names of `what`, or a number that older files have for it. An
+    // unknown number gives an index outside the range of names.
     template <class Integer>
     void named_or_numbered(const char* key, Integer& value, const NumberedNames& names,
                            const char* what) {
         if (const auto found = numbered_index(key, names, what))
             value = static_cast<Integer>(*found);
     }
-    // A choice on which it depends what other fields there are.
+    // A choice that determines which other fields exist.
     template <class Choice>
     bool variant(const char* key, Choice& value, std::span<const std::string> names,
                  const char* what) {
@@ -129,7 +129,7 @@ private:
     using Kind = JsonValue::Kind;
 
     std::string place(std::string_view key) const { return pointer_ + "/" + std::string(key); }
-    // The value of a key if it is there and of that kind; otherwise null, after an error.
+    // Returns the value of a key if it exists and is of that kind; otherwise null, after an error.
     const JsonValue* member(const char* key, Kind kind, const char* expected);
     const JsonValue* number_member(const char* key, const char* expected);
     const JsonValue* sized_list(const char* key, std::size_t low, std::size_t high);

@@ -11,7 +11,7 @@ namespace {
 
 using Json = JsonSchemaWriter::Json;
 
-// As a whole number where it is one, which is how people write ranges.
+// Returns an integer if the number is one, as people write ranges.
 Json bound(double number) {
     if (number == std::floor(number) && std::fabs(number) < 9e15)
         return static_cast<std::int64_t>(number);

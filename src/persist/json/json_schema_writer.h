@@ -1,8 +1,8 @@
 #pragma once
 
-// Tells a format's rules as a JSON Schema: the third way to run a description such as
-// creature_format.h, beside JsonReader and JsonWriter, whose calls it offers. Values are prototypes
-// that say nothing but their types.
+// Writes the rules of a format as a JSON Schema. It has the same calls as JsonReader and
+// JsonWriter, so one description such as creature_format.h serves all three. Values are prototypes:
+// only their types matter.
 
 #include "core/assert.h"
 #include "persist/json/json_value.h"
@@ -28,14 +28,14 @@ class JsonSchemaWriter {
 public:
     using Json = nlohmann::ordered_json;
 
-    // What a whole schema shares.
+    // What all parts of a schema share.
     struct Library {
-        // In words, of a key of a type.
+        // The meaning of a key of a type, in words.
         std::function<std::string(std::string_view type, std::string_view key)> meaning;
         Json definitions = Json::object();  // of the types, by name
     };
 
-    // The schema of the object that is described, its types' definitions left to the library.
+    // The schema of the described object; definitions of its types are in the library.
     template <class Describe>
     static Json object_schema(Library& library, Describe describe) {
         Variants variants;
@@ -52,7 +52,7 @@ public:
     }
 
     void type(const char* name) { type_ = name; }
-    // Whether a key is there is up to the file: what is asked for is optional.
+    // Keys are optional in a file, so the answer is that the key exists.
     bool has(const char* key) {
         optional_key_ = key;
         return true;

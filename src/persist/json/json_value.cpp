@@ -95,7 +95,7 @@ public:
 private:
     using Kind = JsonValue::Kind;
 
-    // Where the next value goes; null, after an error, if there are too many.
+    // The place of the next value; null, after an error, if there are too many.
     JsonValue* add(Kind kind) {
         if (++count_ > limits_.values) {
             errors_.error(
@@ -127,7 +127,7 @@ private:
         open_.pop_back();
         return true;
     }
-    // Of the value being read.
+    // The pointer of the present value.
     std::string pointer() const {
         std::string place;
         for (std::size_t i = 0; i < open_.size(); ++i) {
@@ -198,7 +198,7 @@ std::optional<JsonValue> parse_json(std::string_view text, const JsonLimits& lim
                      "this is not a JSON object, as creature files are");
         return std::nullopt;
     }
-    // The parser takes one for the end of the text.
+    // The parser treats a zero byte as the end of the text.
     if (const std::size_t nul = text.find('\0'); nul != std::string_view::npos) {
         errors.error("E01", line_and_column(text, nul + 1), "a byte of value 0, as no text has");
         return std::nullopt;

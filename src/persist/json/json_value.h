@@ -1,7 +1,7 @@
 #pragma once
 
-// JSON as plain values, kept in the order of the file. Strict and bounded: no duplicate keys, no
-// deep nesting, no more values than any file of ours needs.
+// JSON as plain values in the order of the file. The parser is strict and bounded: it refuses
+// duplicate keys, deep nesting and more values than any of our files needs.
 
 #include "persist/text/error_list.h"
 
@@ -47,8 +47,8 @@ struct JsonLimits {
     std::size_t keys = 256;  // of one object
 };
 
-// The document, or nothing if it cannot be read; `errors` says why (E01, E02, E07, E10), and which
-// keys a document that can be read holds twice (E13).
+// Returns the document, or nothing if it cannot be read; `errors` says why (E01, E02, E07, E10).
+// Duplicate keys of a readable document are errors too (E13).
 std::optional<JsonValue> parse_json(std::string_view text, const JsonLimits& limits,
                                     ErrorList& errors);
 

@@ -1,8 +1,7 @@
 #pragma once
 
-// Writes JSON: two-space indentation, small objects on one line, keys in the order they come.
-// Offers the calls JsonReader offers, so that one description of a format serves both ways
-// (creature_format.h).
+// Writes JSON: two-space indentation, small objects on one line, keys in the order of the calls. It
+// has the same calls as JsonReader, so one description of a format serves both (creature_format.h).
 
 #include "core/assert.h"
 #include "persist/json/json_value.h"

@@ -101,7 +101,7 @@ Result<std::int64_t> version_of_tables(const Database& database) {
     return version;
 }
 
-// Tables we do not know are not looked at.
+// Unknown tables are ignored.
 Status check_tables(const Database& database) {
     Database model({}, Database::Access::kCreate);
     model.execute(tables());

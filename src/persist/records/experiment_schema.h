@@ -14,12 +14,12 @@ namespace cambrian {
 
 // In the file's header, so that `file` and we know one: "Camb".
 inline constexpr std::int64_t kExperimentApplication = 0x43616d62;
-// Raised whenever a table changes; older files are brought up step by step.
+// The version rises whenever a table changes; older files are upgraded step by step.
 inline constexpr std::int64_t kExperimentVersion = 3;
 // Each is read and checked when the experiment is opened.
 inline constexpr std::int64_t kMostSettingsChanges = 5000;
 
-// What is known of an individual's score beside its words (outcome, verdict, finer trial).
+// The state of an individual's score besides the numbers (outcome, verdict, finer trial).
 inline constexpr std::array kResultColumns = {
     Column<EvaluationResult>{"fitness", &EvaluationResult::fitness},
     Column<EvaluationResult>{"reason", &EvaluationResult::reason},

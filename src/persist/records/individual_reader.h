@@ -1,7 +1,7 @@
 #pragma once
 
-// Creatures of an experiment file with their lines of descent. Throws DatabaseError for whatever is
-// missing or cannot be.
+// Reads creatures of an experiment file with their lines of descent. Throws DatabaseError if
+// anything is missing or impossible.
 
 #include "evolution/individual/individual.h"
 #include "persist/creature/genotype_text.h"

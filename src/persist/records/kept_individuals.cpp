@@ -128,7 +128,7 @@ void KeptIndividuals::insert_score(const Individual& individual, const RowRef& r
     insert_result_.finish();
 }
 
-// Judged anew, by other settings.
+// The individual was evaluated again with other settings.
 void KeptIndividuals::update_score(Entry& entry, const IndividualPtr& individual,
                                    std::int64_t judged) {
     if (!entry.score_held) delete_score(entry);

@@ -1,7 +1,7 @@
 #pragma once
 
-// The creatures an experiment file knows by row: who was written already, what of them is still
-// needed, and what can go. Throws DatabaseError.
+// The creatures of an experiment file by row: which ones were written, and which of their genotypes
+// and scores are still needed. Throws DatabaseError.
 
 #include "evolution/individual/individual.h"
 #include "evolution/kinds/evolution_kinds.h"
@@ -14,7 +14,7 @@
 
 namespace cambrian {
 
-// A creature's row and which of its scores is meant: that of a generation.
+// A creature's row and the generation of one of its scores.
 struct RowRef {
     std::int64_t individual = 0;
     std::int64_t judged = 0;
@@ -36,17 +36,18 @@ public:
     // `known` is what the file holds; it outlives this and is changed along with the file.
     KeptIndividuals(const Database& database, const EvolutionKinds& kinds, Knowledge& known);
 
-    // Takes one over that is in the file. survivor: its genotype stays for good.
+    // Registers an individual that is in the file. survivor: its genotype is never deleted.
     void remember(const IndividualPtr& individual, const RowRef& row, bool survivor);
     // The row of one that was kept or remembered.
     RowRef row_of(const Individual& individual) const;
 
-    // Writes what of it is not there yet: birth, genotype, score. judged: where the score is new.
+    // Writes birth, genotype and score, if the file does not have them. judged: the generation of a
+    // new score.
     RowRef keep(const IndividualPtr& individual, std::int64_t judged);
-    // Its genotype and this score stay for good.
+    // Marks its genotype and this score as never to be deleted.
     void hold_score(const IndividualPtr& individual);
-    // Lets go of everybody who is not among these and not held: of genotypes and scores in full;
-    // of those who bore or survived, of scores.
+    // Deletes genotypes and scores of all individuals that are neither in the population nor held.
+    // Parents and survivors lose their scores only.
     void drop_others(std::span<const IndividualPtr> population);
 
 private:

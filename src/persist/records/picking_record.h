@@ -1,6 +1,6 @@
 #pragma once
 
-// What of selection by hand is kept with an experiment: the whole path, and where the person is.
+// The part of selection by hand that an experiment file keeps: all grids and the present one.
 
 #include "picking/picking_snapshot.h"
 
@@ -15,7 +15,7 @@ namespace cambrian {
 
 struct PickingRecord {
     PickingTree tree;
-    std::vector<std::size_t> picks;  // in the grid on show
+    std::vector<std::size_t> picks;  // in the grid on display
     std::vector<JudgedIndividual> shelf;
 };
 

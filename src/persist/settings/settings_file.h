@@ -1,7 +1,7 @@
 #pragma once
 
-// Settings files, *.toml: every setting of an experiment as a person edits it, each with its unit,
-// range, default and help beside it. Which settings there are is said by setting_fields() alone.
+// Settings files, *.toml: every setting of an experiment for people to edit, each with its unit,
+// range, default and help. setting_fields() is the only list of settings.
 
 #include "core/result.h"
 #include "evolution/kinds/evolution_kinds.h"
@@ -14,13 +14,13 @@
 
 namespace cambrian {
 
-// The settings of a file that says no more than the goal (an id, or empty for the usual one): the
-// world is the one the goal makes sense in.
+// The settings of a file with only the goal (an id, or empty for the default). The world is the
+// usual one of this goal.
 ExperimentSettings default_settings(std::string_view goal, const EvolutionKinds& kinds);
 
-// Keys left out have their defaults, so an empty file is a valid experiment. Unknown keys, wrong
-// types and values out of range are errors; the message names the file, the line, the key and what
-// was expected, one line for each. What is loaded passes check_settings.
+// Missing keys have their defaults, so an empty file is a valid experiment. Unknown keys, wrong
+// types and values out of range are errors. The message has one line for each, with file, line, key
+// and the expected value. Loaded settings pass check_settings.
 Result<ExperimentSettings> load_settings(const std::filesystem::path& path,
                                          const EvolutionKinds& kinds);
 Status save_settings(const std::filesystem::path& path, const ExperimentSettings& settings,
@@ -30,8 +30,8 @@ Status save_settings(const std::filesystem::path& path, const ExperimentSettings
 Result<ExperimentSettings> parse_settings(std::string_view text, std::string_view source,
                                           const EvolutionKinds& kinds);
 
-// Settings in several texts, each of which says some of them: a later one replaces what an earlier
-// one says. A key that none has is at its default, which may go with the goal.
+// Merges settings of several texts; a later text replaces values of an earlier one. A key that no
+// text has is at its default, which may depend on the goal.
 struct SettingsText {
     std::string text;
     std::string source;  // names it in messages

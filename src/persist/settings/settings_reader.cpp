@@ -30,7 +30,7 @@ std::string joined(const std::string& table, const std::string& key) {
     return path;
 }
 
-// Walks the file's tables and stores what it finds in the settings.
+// Visits the tables of the file and stores their values in the settings.
 class SettingsReader {
 public:
     SettingsReader(const EvolutionKinds& kinds, ErrorList& errors, std::string_view goal)

@@ -1,8 +1,8 @@
 #pragma once
 
-// The TOML library, made fit for text from anywhere. It takes some of what a file may hold for
-// impossible and asserts, or in release builds assumes, that it does not occur: a table named
-// "[=]", or certain letters (U+FDFB) where none may stand. Without either it reports the error.
+// The TOML library, made safe for any text. Some errors of a file are assertions in the library, or
+// in release builds assumptions: a table named "[=]", or certain letters (U+FDFB) where none are
+// allowed. Without assertions and assumptions it reports the error.
 
 #define TOML_EXCEPTIONS 0
 #define TOML_ASSERT(condition) static_cast<void>(0)

@@ -57,8 +57,8 @@ int read_columns(const Statement& statement, int first, std::span<const Column<R
     return first;
 }
 
-// "best, fitness REAL, ..." for CREATE TABLE. Numbers that are not whole have no declared type:
-// with one, SQLite would store -0.0 as 0.0.
+// "best, fitness REAL, ..." for CREATE TABLE. Columns of doubles have no declared type, because
+// with one SQLite would store -0.0 as 0.0.
 template <class Row>
 std::string column_definitions(std::span<const Column<Row>> columns) {
     std::string text;

@@ -46,7 +46,7 @@ int flags_of(Database::Access access) {
     return SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE;
 }
 
-// With its folder, so that SQLite takes no name for a URI or for a database in memory.
+// Adds the folder, so that SQLite takes no name for a URI or for a database in memory.
 std::filesystem::path usable_name(const std::filesystem::path& path, Database::Access access) {
     if (path.empty()) return path;
     std::error_code unknown;
@@ -58,7 +58,7 @@ std::filesystem::path usable_name(const std::filesystem::path& path, Database::A
     return std::filesystem::absolute(path);
 }
 
-// As SQLite takes the name of a file that nobody changes.
+// The URI by which SQLite opens a file that does not change.
 std::string unchanging(const std::filesystem::path& path) {
     std::string name = "file:";
     for (const char letter : path.string()) {
@@ -190,7 +190,7 @@ void Database::open(const std::string& name, int flags) {
     if (code != SQLITE_OK) fail(connection, code);
 }
 
-// The file may come from anybody.
+// Protects against files of others, which may be malicious.
 void Database::distrust() {
     sqlite3* const connection = connection_.get();
     sqlite3_extended_result_codes(connection, 1);

@@ -98,11 +98,11 @@ public:
     // A copy in memory.
     Database copy() const;
 
-    // All of it as another file, which must be empty if it is there.
+    // Copies the database to another file, which must be empty if it exists.
     void copy_to(const std::filesystem::path& path) const;
 
-    // Readers do not wait for the writer; a commit is on the disk when it returns. Fails where the
-    // file cannot have a write-ahead log.
+    // Switches to a write-ahead log: readers do not wait for the writer, and a commit is on the
+    // disk when it returns. Fails if the file cannot have such a log.
     void make_durable();
 
     void execute(const std::string& sql);
@@ -120,7 +120,7 @@ private:
     std::unique_ptr<sqlite3, Close> connection_;
 };
 
-// Undone at the end of its scope unless committed.
+// A transaction; it rolls back at the end of its scope unless it was committed.
 class Transaction {
 public:
     explicit Transaction(Database& database);

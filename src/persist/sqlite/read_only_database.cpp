@@ -11,7 +11,7 @@ namespace fs = std::filesystem;
 
 constexpr int kMostAttempts = 5;
 
-// A file as far as it tells whether it is the same and unchanged; all 0 for none.
+// The identity and last change of a file; all 0 if there is none.
 struct FileFacts {
     ino_t inode = 0;
     off_t size = 0;
@@ -33,7 +33,7 @@ fs::path beside(const fs::path& path, const char* ending) {
     return path.string() + ending;
 }
 
-// The file and what SQLite keeps beside it.
+// The file and SQLite's files beside it.
 struct FilesOfDatabase {
     FileFacts file;
     FileFacts log;        // changes that are not in the file yet
@@ -82,7 +82,7 @@ void copy_if_there(const fs::path& from, const fs::path& to) {
     fs::permissions(to, fs::perms::owner_read | fs::perms::owner_write, failure);
 }
 
-// As it is once the program that left it so had come back.
+// Reads the state that recovery after a crash gives.
 Database recovered(const fs::path& path) {
     const PrivateFolder folder;
     const fs::path copy = folder.path() / "copy";

@@ -1,7 +1,7 @@
 #pragma once
 
-// Reads a database where it lies without leaving a trace: no write access is needed, and no file
-// comes to be beside it. What a killed program left beside it is taken into account.
+// Reads a database in place without write access and without creating files beside it. It includes
+// the log that a killed program may have left.
 
 #include "persist/sqlite/database.h"
 
@@ -10,8 +10,8 @@
 
 namespace cambrian {
 
-// Gives `read` the database as it is at one moment. It may be called again, should another program
-// have changed the file meanwhile; what it gave before does not count then. Throws DatabaseError.
+// Calls `read` with a consistent state of the database. It calls it again if another program
+// changed the file meanwhile, and drops the earlier result. Throws DatabaseError.
 void read_database(const std::filesystem::path& path,
                    const std::function<void(const Database&)>& read);
 

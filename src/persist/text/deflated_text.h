@@ -1,6 +1,6 @@
 #pragma once
 
-// Text made small, as in zlib streams (RFC 1950), which the sqlite3 shell reads with
+// Text compressed as zlib streams (RFC 1950), which the sqlite3 shell reads with
 // sqlar_uncompress().
 
 #include "core/result.h"

@@ -1,7 +1,7 @@
 #pragma once
 
-// What is wrong with one file: errors and warnings, each with its code, its place and what was
-// found and allowed (persist/README.md 2).
+// Errors and warnings of one file, each with its code, its place, and the found and allowed values
+// (persist/README.md 2).
 
 #include "core/result.h"
 
@@ -15,7 +15,7 @@ namespace cambrian {
 inline constexpr std::size_t kLongestQuote = 48;    // bytes
 inline constexpr std::size_t kLongestReason = 400;  // of another library's message
 
-// Text from a file made fit for a message: short, without control characters; and in quotes.
+// Text from a file for use in a message: short, without control characters, in quotes.
 std::string shown(std::string_view text, std::size_t longest = kLongestQuote);
 std::string in_quotes(std::string_view text);
 

@@ -1,9 +1,11 @@
 #include "persist/text/quoted_text.h"
 
+#include "persist/text/digest_text.h"
+
+#include <array>
+
 namespace cambrian {
 namespace {
-
-constexpr const char* kQuotedDigits = "0123456789abcdef";
 
 // The length of the UTF-8 character at the beginning, 0 if there is none.
 std::size_t utf8_length(std::string_view text) {
@@ -27,9 +29,7 @@ void append_ascii(std::string& result, char letter) {
         result += '\\';
         result += letter;
     } else if (code < 0x20 || code == 0x7f) {
-        result += "\\u00";
-        result += kQuotedDigits[code >> 4];
-        result += kQuotedDigits[code & 15];
+        result += "\\u00" + hex_pairs(std::array{std::uint8_t{code}});
     } else {
         result += letter;
     }

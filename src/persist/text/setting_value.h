@@ -1,7 +1,7 @@
 #pragma once
 
-// One setting as a typed value, whatever file it stands in: what settings files and the scores in
-// creature files have in common.
+// One setting as a typed value, independent of the file: settings files and the scores in creature
+// files share it.
 
 #include "evolution/fields/setting_field.h"
 

@@ -14,8 +14,8 @@ namespace cambrian {
 Exhibit exhibit_of(const CreatureDocument& document, const ExperimentSettings& otherwise,
                    ExhibitSource source, const std::filesystem::path& path);
 
-// What a file of the exhibit holds. `score` is that of the trial on display, or null; it replaces
-// for a result the creature does not have.
+// The creature file of an exhibit. `score` is that of the displayed trial, or null; it is used if
+// the creature has no result.
 CreatureDocument document_of(const Exhibit& exhibit, const ScoreReport* score,
                              const EvolutionKinds& kinds);
 

@@ -1,7 +1,6 @@
 #pragma once
 
-// Reading and writing files without the window waiting: tasks go to the background worker, what
-// came of them is collected as events.
+// Reads and writes files in the background, so the window does not wait. Results arrive as events.
 
 #include "core/image.h"
 #include "evolution/individual/statistics.h"
@@ -37,7 +36,7 @@ struct FileSaved {
     std::filesystem::path path;
     bool creature = false;  // that file is one, or a card
 };
-// A card of which all is known but its picture.
+// A card without its picture.
 struct PreparedCard {
     std::filesystem::path path;
     std::string text;  // of the creature file inside

@@ -216,7 +216,7 @@ void FilesController::save_picture(const std::filesystem::path& path, Image imag
 // Tells the person why a task has nothing to save.
 bool FilesController::may_open(FileTask task) {
     if (task == FileTask::kSaveCreature && subjects_.viewer.playback().empty()) {
-        services_.feedback.tell(NoticeKind::kProblem, "There is no creature on show to save.");
+        services_.feedback.tell(NoticeKind::kProblem, "There is no creature on display to save.");
         return false;
     }
     const bool of_run = task == FileTask::kSaveStatistics || task == FileTask::kSavePlot;

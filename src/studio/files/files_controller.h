@@ -1,7 +1,7 @@
 #pragma once
 
-// Owns files and samples: the file browser, what is read and written, and what happens to the other
-// subjects once a file is there.
+// Owns files and samples: the file browser, reading and writing, and the effects of a file on the
+// other subjects.
 
 #include "studio/experiment/generations_controller.h"
 #include "studio/files/file_desk.h"
@@ -33,7 +33,7 @@ public:
     // Everything that `services` names and `view` must outlive it.
     FilesController(const Services& services, ViewState& view, const FileSubjects& subjects);
 
-    // Once a frame: what reading and writing led to.
+    // Once a frame: handles the results of reading and writing.
     void update();
     void carry_out(const FilesRequest& request);
     FilesView facts() const { return {.browser = browser_, .samples = &samples_}; }
@@ -47,7 +47,7 @@ public:
     // Whether that is still being read.
     bool reopening() const { return reopening_; }
 
-    // What the window is to draw; asked once.
+    // The picture that the window must draw; returned once.
     PictureOrders take_orders() { return std::exchange(orders_, {}); }
     void save_card(const PreparedCard& card, Image picture);
     void save_picture(const std::filesystem::path& path, Image image);

@@ -16,7 +16,7 @@ constexpr const char* kFirstSteps = R"(# First steps
 Press **Evolve**: creatures are bred, tried in their world and selected, generation after
 generation. The best of the newest generation takes the stage.
 
-Change the world or the rules on the left at any time. The creature on show feels it at once, the
+Change the world or the rules on the left at any time. The creature on display feels it at once, the
 next generation evolves under it, and the timeline marks it.
 
 Take hold of a creature with the mouse; drag with the right button to look around, scroll to come
@@ -42,7 +42,7 @@ Creatures are directed graphs of parts, joints, sensors and neurons after Karl S
 Virtual Creatures*, SIGGRAPH 1994. Their physics is computed in two dimensions by articulated bodies
 with contact and friction; the same seed gives the same bits everywhere.
 
-Cambrian stands under the licence in its file `LICENSE`.
+The licence of Cambrian is in its file `LICENSE`.
 
 ## Made with
 

@@ -11,15 +11,16 @@ constexpr std::array kSteps = {
              "best. Press it again to pause."},
     TourStep{"panel experiment", "Experiment",
              "All rules are here and can be changed while creatures evolve. Drag the gravity and "
-             "the creature on show feels it at once."},
-    TourStep{"panel viewport", "Viewport",
-             "The creature on show moves exactly as when it was scored. Take hold of it with the "
-             "mouse, drag with the right button to look around, scroll to come closer."},
+             "the creature on display feels it at once."},
+    TourStep{
+        "panel viewport", "Viewport",
+        "The creature on display moves exactly as when it was scored. Take hold of it with the "
+        "mouse, drag with the right button to look around, scroll to come closer."},
     TourStep{"panel timeline", "Timeline",
              "Each generation adds its best, median and spread. Click to watch the champion of "
              "any past generation."},
     TourStep{"panel inspector", "Inspector",
-             "The body, brain and genes of the creature on show, live. Save what you like with "
+             "The body, brain and genes of the creature on display, live. Save what you like with "
              "Ctrl+S; F1 tells the rest."},
 };
 

@@ -6,7 +6,7 @@ namespace cambrian {
 namespace {
 
 constexpr std::array kOverlays = {
-    OverlayKind{"grid", "Grid", "Lines at whole metres or parts of them.", &OverlaysShown::grid},
+    OverlayKind{"grid", "Grid", "Lines at metres or parts of them.", &OverlaysShown::grid},
     OverlayKind{"trail", "Trail", "Where the centre of mass was in the last six seconds.",
                 &OverlaysShown::trail},
     OverlayKind{"contacts", "Touching faces",
@@ -16,14 +16,14 @@ constexpr std::array kOverlays = {
                 "A line from each touching point; as long as a third of a metre for a force of "
                 "the creature's weight.",
                 &OverlaysShown::forces},
-    OverlayKind{"center-of-mass", "Centre of mass", "The centre of mass of the whole body.",
+    OverlayKind{"center-of-mass", "Centre of mass", "The centre of mass of the body.",
                 &OverlaysShown::center_of_mass},
     OverlayKind{"torques", "Joint torques",
                 "An arc at each joint, the way its motor pushes; the longer and redder, the nearer "
                 "to the most it can.",
                 &OverlaysShown::torques},
     OverlayKind{"limits", "Joint limits",
-                "How far each joint may go, with a needle where it stands.",
+                "The range of each joint, with a needle at its present position.",
                 &OverlaysShown::limits},
     OverlayKind{"sensors", "Sensors",
                 "What the brain reads: a dot for each face it feels, lit while it touches, and an "

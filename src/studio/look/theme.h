@@ -1,7 +1,7 @@
 #pragma once
 
-// The one visual language: fonts and sizes, and colours for Dear ImGui. Sizes are given in units of
-// 1/96 inch and scaled by the display.
+// The theme of the studio: fonts, sizes and colours for Dear ImGui. Sizes are in units of 1/96 inch
+// and scale with the display.
 
 #include "pictures/canvas/palette.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// What every control needs besides Dear ImGui: theme, scale, and where controls ended up. It hangs
-// on ImGui's io.UserData, so that drawing code reaches it without globals of our own.
+// The context of all controls besides Dear ImGui: theme, scale and positions of controls. ImGui's
+// io.UserData points to it, so drawing code needs no other globals.
 
 #include "studio/look/theme.h"
 

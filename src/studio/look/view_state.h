@@ -18,7 +18,7 @@ enum class TimelineQuantity : unsigned char {
     kInvalid
 };
 
-// What the tiles of the population are sorted by; the first has most of it.
+// The quantity that sorts the tiles of the population, largest first.
 enum class TileOrder : unsigned char { kFitness, kAge, kParts, kMass, kDifference };
 
 // Speeds of playback offered; 1 is real time.

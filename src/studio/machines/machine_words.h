@@ -15,9 +15,9 @@ std::string state_words(const WorkerStatus& worker);
 std::string totals_words(const BackendStatus& status);
 // "This run can use about 40 cores"; empty while unknown.
 std::string useful_cores_words(const BackendStatus& status);
-// Everything the line under the panels tells; trouble first.
+// The text of the line under the panels; problems come first.
 std::string machines_words(const MachinesView& machines);
-// Whether those words tell of something a person may have to mend.
+// Whether that text has a problem that a person may have to solve.
 bool troubled(const MachinesView& machines);
 
 }  // namespace cambrian

@@ -1,6 +1,6 @@
 #pragma once
 
-// Where the energy of a trial went, read from its balance when played (simulator/README.md 4).
+// The energy balance of a trial over time, recorded while it is played (simulator/README.md 4).
 
 #include "world/physics_scene.h"
 

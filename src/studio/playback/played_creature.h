@@ -1,7 +1,7 @@
 #pragma once
 
-// The creature on display and its trial: the very one that judges it, tick by tick, with what the
-// person does to it meanwhile.
+// The creature on display and its trial, tick by tick. It is the same trial that scores it, with
+// the actions of the person.
 
 #include "core/result.h"
 #include "studio/playback/exhibit.h"

@@ -29,8 +29,8 @@ public:
     bool can_redo() const { return present_ + 1 < versions_.size(); }
     void undo();
     void redo();
-    // What is to be shown now: the original itself where nothing differs from it any more,
-    // otherwise its child by the method "edited". Only after edit().
+    // The creature to display: the original if no gene differs from it, otherwise its child by the
+    // method "edited". Only after edit().
     Exhibit exhibit() const;
 
 private:

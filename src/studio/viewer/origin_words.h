@@ -10,8 +10,8 @@
 
 namespace cambrian {
 
-// When it was born, how it was bred, its parents (by their rank, if they live) and its mutations, a
-// line each. population: best first.
+// Generation of birth, method of breeding, parents (by rank, if they live) and mutations, one line
+// each. population: best first.
 std::string origin_words(const Individual& individual, std::span<const IndividualPtr> population,
                          const EvolutionKinds& kinds);
 

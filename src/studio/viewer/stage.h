@@ -1,7 +1,6 @@
 #pragma once
 
-// What is shown and how it scores: the playback, and the same trial run once more in the
-// background for its score.
+// The playback of the displayed creature, and its score from the same trial in the background.
 
 #include "evolution/kinds/evolution_kinds.h"
 #include "studio/background/background_worker.h"

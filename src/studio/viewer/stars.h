@@ -7,17 +7,17 @@
 
 namespace cambrian {
 
-// Creatures a person keeps, each with the settings that judged it: they stay when their generation
-// has passed.
+// The starred creatures, each with the settings that evaluated it. They remain after their
+// generation has passed.
 class Stars {
 public:
     // In the order in which they were given.
     const std::vector<JudgedIndividual>& all() const { return all_; }
     bool has(const Individual& individual) const;
     void toggle(const JudgedIndividual& creature);
-    // Those of another experiment.
+    // Replaces the stars by those of another experiment.
     void replace(std::vector<JudgedIndividual> all);
-    // Gives back the star that was taken away last, if any was.
+    // Restores the star that was removed last, if there is one.
     void restore();
     bool can_restore() const { return !taken_.empty(); }
     std::uint64_t revision() const { return revision_; }  // counts changes

@@ -20,7 +20,7 @@ TEST_CASE("finding a setting brings the settings back into the window", "[studio
     CHECK(run.session.frame_context().experiment.find_asked == 1);
 }
 
-TEST_CASE("a new run can begin with the creature on show", "[studio][experiment]") {
+TEST_CASE("a new run can begin with the creature on display", "[studio][experiment]") {
     SessionRun run;
     run.ask(StartFromShown{});  // no creature is displayed, so nothing happens
     run.ask(RunOneGeneration{});
@@ -39,7 +39,7 @@ TEST_CASE("a new run can begin with the creature on show", "[studio][experiment]
                       [](const IndividualPtr& one) { return one->method == "imported"; }));
 }
 
-TEST_CASE("an edited world is felt on stage at once and by the engine once let go",
+TEST_CASE("an edited world acts on the viewer at once and on the engine when the edit ends",
           "[studio][experiment]") {
     SessionRun run;
     run.ask(RunOneGeneration{});

@@ -53,7 +53,7 @@ TEST_CASE("after a fast scrub the creature that stayed gets its score", "[studio
           shown_in(run).result()->digest);
 }
 
-TEST_CASE("the creature on show can have a star and is shown from it under its own settings",
+TEST_CASE("the creature on display can have a star and is shown from it under its own settings",
           "[studio][generations]") {
     SessionRun run;
     run.session.show_newcomer();
@@ -90,7 +90,7 @@ TEST_CASE("the score shown is the one the engine found, and the replay is verifi
     CHECK(frame.viewer.score->record.digest == result.digest);
 }
 
-TEST_CASE("a champion on show knows its line", "[studio][generations]") {
+TEST_CASE("a champion on display knows its line", "[studio][generations]") {
     SessionRun run;
     for (std::size_t i = 0; i < 4; ++i) {
         run.ask(RunOneGeneration{});

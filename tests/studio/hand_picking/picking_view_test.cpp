@@ -12,7 +12,7 @@ GridNode bred_from(std::vector<std::size_t> picks) {
     return grid;
 }
 
-TEST_CASE("every size of grid stands as near a square as it can", "[studio][picking]") {
+TEST_CASE("every size of grid is as near a square as it can be", "[studio][picking]") {
     CHECK(grid_columns(4) == 2);
     CHECK(grid_columns(6) == 3);
     CHECK(grid_columns(12) == 4);

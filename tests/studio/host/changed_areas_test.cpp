@@ -57,7 +57,7 @@ bool covers(const Rect& outer, const Rect& inner) {
            outer.high().y >= inner.high().y;
 }
 
-TEST_CASE("the first picture is painted whole, the same again not at all",
+TEST_CASE("the first picture is painted completely, the same again not at all",
           "[studio][changed_areas]") {
     Screen screen;
     CHECK(screen.paint({kLeft, kRight}) == kAll);

@@ -37,8 +37,7 @@ TEST_CASE("once its groups are open, every setting that applies has a control",
     }
 }
 
-TEST_CASE("an edit asks for the whole settings with that field changed",
-          "[studio][experiment_panel]") {
+TEST_CASE("an edit asks for all settings with that field changed", "[studio][experiment_panel]") {
     PanelRun run;
     run.click("environment.ground");
     const auto& edit = test::asked<EditSettings>(run.out);

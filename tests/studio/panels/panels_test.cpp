@@ -100,7 +100,7 @@ TEST_CASE("a click on a tile shows its creature", "[studio][population]") {
     CHECK(test::asked<ShowIndividual>(out).creature.individual == studio.snapshot().population[0]);
 }
 
-TEST_CASE("the viewport draws the creature on show and takes hold of it", "[studio][viewport]") {
+TEST_CASE("the viewport draws the creature on display and takes hold of it", "[studio][viewport]") {
     NullImGui gui;
     ViewportPanel panel(nullptr);
     test::StudioFixture studio;

@@ -174,7 +174,7 @@ TEST_CASE("the arrow keys move through the tiles in the order shown", "[studio][
     const auto shown_by = [&](ImGuiKey key) {
         return test::asked<ShowIndividual>(run.press_key(key)).creature.individual->uid;
     };
-    CHECK(shown_by(ImGuiKey_RightArrow) == 1);  // none on show: the first
+    CHECK(shown_by(ImGuiKey_RightArrow) == 1);  // none on display: the first
     show(run.studio, creature_at(run.studio, 0));
     CHECK(shown_by(ImGuiKey_RightArrow) == 2);
     CHECK(run.press_key(ImGuiKey_LeftArrow).all().empty());

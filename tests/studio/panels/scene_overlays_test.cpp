@@ -54,7 +54,7 @@ TEST_CASE("each overlay switches something of the picture on and off", "[studio]
     }
 }
 
-TEST_CASE("the needle of a joint's limits stands between them", "[studio][overlays]") {
+TEST_CASE("the needle of a joint's limits is between them", "[studio][overlays]") {
     OverlayRun run;
     const SceneFrame frame = run.drawn(add_joint_limits);
     CHECK(frame.shapes.size() >=

@@ -28,7 +28,8 @@ std::vector<std::uint32_t> generations(const std::vector<const JudgedIndividual*
     return numbers;
 }
 
-TEST_CASE("ghosts are the champions that were chosen, the one on show aside", "[studio][ghosts]") {
+TEST_CASE("ghosts are the champions that were chosen, without the one on display",
+          "[studio][ghosts]") {
     const auto champions = champions_of({1, 1, 3, 2, 4, 4, 5, 4.5});
     const Genome* shown = champions[6].individual->genome.get();
     using Numbers = std::vector<std::uint32_t>;
@@ -62,7 +63,7 @@ public:
     Ghosts ghosts{test::kinds().creature};
 };
 
-TEST_CASE("ghosts begin their test with the creature on show and follow it back",
+TEST_CASE("ghosts begin their test with the creature on display and follow it back",
           "[studio][ghosts]") {
     GhostRun run;
     for (int i = 0; i < 5; ++i)
@@ -79,7 +80,7 @@ TEST_CASE("ghosts begin their test with the creature on show and follow it back"
     }
 }
 
-TEST_CASE("ghosts feel the world as the creature on show does", "[studio][ghosts]") {
+TEST_CASE("ghosts feel the world as the creature on display does", "[studio][ghosts]") {
     GhostRun run;
     for (int i = 0; i < 5; ++i)
         run.update();

@@ -15,7 +15,7 @@ std::vector<TextFault> faults_of(const char* text, const ImVec2& at, const char*
     return find_text_faults();
 }
 
-TEST_CASE("text that stands free has no fault", "[studio][text_faults]") {
+TEST_CASE("text with room around it has no fault", "[studio][text_faults]") {
     CHECK(faults_of("Ground", {20, 20}, "Names").empty());
 }
 
@@ -39,11 +39,11 @@ TEST_CASE("a control partly outside its window is noted as cut, with the part th
           "[studio][text_faults]") {
     NullImGui gui(200, 100);
     gui.frame([] {
-        note_place("whole", {10, 10, 50, 20});
+        note_place("inside", {10, 10, 50, 20});
         note_place("over the edge", {180, 10, 50, 20});
     });
     const auto& places = ui().places;
-    CHECK_FALSE(places.at("whole").cut);
+    CHECK_FALSE(places.at("inside").cut);
     CHECK(places.at("over the edge").cut);
     CHECK(places.at("over the edge").seen.width == 20.0F);
 }

@@ -37,7 +37,7 @@ TEST_CASE("an edited gene is on stage at once, can be undone and made again", "[
     CHECK(run.log().find("gene undone") != std::string::npos);
 }
 
-TEST_CASE("an edited creature is scored anew and saved as edited", "[studio][viewer]") {
+TEST_CASE("an edited creature is scored again and saved as edited", "[studio][viewer]") {
     SessionRun run;
     run.ask(RunOneGeneration{});
     REQUIRE(run.frames_until([&] { return run.champions() == 1; }));
@@ -70,7 +70,7 @@ TEST_CASE("a gene outside its range is refused with a message", "[studio][viewer
     CHECK_FALSE(run.session.frame_context().can_undo());
 }
 
-TEST_CASE("with another creature on show, undo is of the settings again", "[studio][viewer]") {
+TEST_CASE("with another creature on display, undo is of the settings again", "[studio][viewer]") {
     SessionRun run;
     run.session.show_newcomer();
     const auto other =

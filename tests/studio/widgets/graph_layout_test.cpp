@@ -13,7 +13,7 @@
 namespace cambrian {
 namespace {
 
-TEST_CASE("every node stands below all that leads to it", "[studio][graph_layout]") {
+TEST_CASE("every node is below all nodes that lead to it", "[studio][graph_layout]") {
     const std::vector<GraphEdge> edges = {{0, 2}, {1, 2}, {2, 3}, {0, 3}, {3, 4}};
     const auto rows = graph_rows(5, edges);
     for (const GraphEdge& edge : edges)

@@ -21,7 +21,7 @@ TEST_CASE("a position under the mouse reads back as the value drawn there", "[st
         CHECK(kScale.x_from(kScale.x_at(x)) == Approx(x).margin(1e-4));
 }
 
-TEST_CASE("marks stand at round values inside the range", "[studio][plot]") {
+TEST_CASE("marks are at round values inside the range", "[studio][plot]") {
     CHECK(round_marks(0.0, 1.0, 5) ==
           std::vector<double>{0.0, 0.2, 0.4, 0.6000000000000001, 0.8, 1.0});
     CHECK(round_marks(3.0, 47.0, 5) == std::vector<double>{10.0, 20.0, 30.0, 40.0});

@@ -38,7 +38,7 @@ void draw_edit_menu(const FrameContext& frame, Requests& out) {
     if (menu_item("New run", nullptr)) out.ask(StartNewRun{false});
     const bool any = !frame.experiment.snapshot.population.empty();
     if (menu_item("New run from these creatures", nullptr, any)) out.ask(StartNewRun{true});
-    if (menu_item("New run from the creature on show", nullptr, !frame.viewer.playback.empty()))
+    if (menu_item("New run from the creature on display", nullptr, !frame.viewer.playback.empty()))
         out.ask(StartFromShown{});
 }
 

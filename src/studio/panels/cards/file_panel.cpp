@@ -16,7 +16,7 @@ const char* title_of(FileTask task) {
         case FileTask::kOpen:
             return "Open a creature, a card, an experiment or settings";
         case FileTask::kSaveCreature:
-            return "Save the creature on show";
+            return "Save the creature on display";
         case FileTask::kSaveExperiment:
             return "Save the experiment";
         case FileTask::kSaveSettings:
@@ -138,7 +138,7 @@ void FilePanel::write_name(const std::string& name) {
 }
 
 void FilePanel::draw_name(const FrameContext& frame, Requests& out) {
-    caption("File name, or a whole path");
+    caption("File name, or a path");
     if (focus_wanted_) ImGui::SetKeyboardFocusHere();
     focus_wanted_ = false;
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);

@@ -7,7 +7,7 @@
 
 namespace cambrian {
 
-// How a cluster is reached, and who works there.
+// The address of a cluster and its workers.
 class MachinesPanel final : public Panel {
 public:
     void draw(const FrameContext& frame, Requests& out) override;

@@ -4,7 +4,7 @@
 
 namespace cambrian {
 
-// One quiet line at the viewport's foot: what was done, or what went wrong and what to do next.
+// One line at the bottom of the viewport: what was done, or an error and what to do next.
 class NoticeStrip final : public Panel {
 public:
     void draw(const FrameContext& frame, Requests& out) override;

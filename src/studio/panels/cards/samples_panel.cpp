@@ -33,8 +33,7 @@ bool draw_tile(const Sample& sample, bool aimed) {
                  fit_text(sample.title, px(kSampleWidth - 28)).c_str());
     list.AddText(ui().fonts.small, px(13), {low.x + px(12), high.y - px(25)}, paint(colors().muted),
                  fit_text(sample.account, px(kSampleWidth - 24)).c_str());
-    tooltip(sample.title + ": " + sample.account +
-            "\nPuts it on show in the world it was scored in.");
+    tooltip(sample.title + ": " + sample.account + "\nDisplays it in the world it was scored in.");
     return pressed;
 }
 

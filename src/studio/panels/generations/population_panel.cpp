@@ -166,8 +166,8 @@ void PopulationPanel::draw(const FrameContext& frame, Requests& out) {
         ImGui::Dummy({0, px(2)});
         muted_text(frame.view.starred_only
                        ? "No creature has a star. Point at a tile and click its corner, or press K "
-                         "for the creature on show: it stays when its generation has passed."
-                       : "The creatures of the newest finished generation stand here, best first.");
+                         "for the creature on display: it stays when its generation has passed."
+                       : "The creatures of the newest finished generation are here, best first.");
         return;
     }
     bodies_.begin_frame(kMostGrown);

@@ -1,6 +1,6 @@
 #pragma once
 
-// Which creatures the population shows and in which order.
+// Which creatures the population displays and in which order.
 
 #include "evolution/engine/snapshot.h"
 #include "studio/look/view_state.h"

@@ -12,7 +12,7 @@ namespace cambrian {
 // One quantity over the generations, in the panel or in a picture.
 class TimelineChart {
 public:
-    // Takes over what is new; cheap if nothing is.
+    // Adds new generations; cheap if there are none.
     void gather(const EvolutionSnapshot& snapshot, TimelineQuantity quantity);
     bool empty() const { return generations_.empty(); }
     // Fits all generations and values into an area; not while empty.

@@ -155,7 +155,7 @@ std::string wall_time_words(const EvolutionSnapshot& snapshot, std::size_t row) 
     return "\nEvaluated in " + with_unit(snapshot.wall_times[row], "s");
 }
 
-// The row whose champion is on show, or -1.
+// The row whose champion is on display, or -1.
 int shown_row(const FrameContext& frame) {
     if (frame.viewer.playback.empty()) return -1;
     const Exhibit& exhibit = frame.viewer.playback.exhibit();
@@ -176,7 +176,7 @@ void draw_line(const PlotScale& scale, double generation, const Color& color) {
                                         px(1));
 }
 
-// The cursor: a line with a grip that names the generation on show.
+// The cursor: a line with a grip that names the generation on display.
 void draw_cursor(const PlotScale& scale, double generation, const std::string& words) {
     draw_line(scale, generation, colors().text);
     const WithFont font(ui().fonts.small);

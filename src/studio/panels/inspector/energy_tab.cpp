@@ -31,8 +31,8 @@ constexpr std::array kShares = {
                 "lives on what it had.",
                 &EnergySample::stored, [] { return colors().accent; }},
     EnergyShare{"Unexplained",
-                "What the books do not account for: rounding, or your hand if you pulled at the "
-                "creature.",
+                "What the energy audit does not account for: rounding, or your hand if you pulled "
+                "at the creature.",
                 &EnergySample::unexplained, [] { return colors().danger; }},
 };
 
@@ -139,7 +139,7 @@ std::string share_text(double work, double scale) {
 }
 
 void draw_audit(const FrameContext& frame) {
-    section("Audit of the whole trial");
+    section("Audit of the trial");
     if (frame.viewer.score == nullptr) return muted_text("The trial is being run again…");
     const SceneAudit& audit = frame.viewer.score->record.audit;
     draw_verdict(judge(frame.viewer.score->record));
@@ -168,7 +168,7 @@ void EnergyTab::draw(const FrameContext& frame, Requests&) {
         frame.viewer.playback.creature().readings().energy().samples();
     draw_plot(samples, frame.viewer.playback.trial().world().trial.duration);
     const EnergySample now = samples.empty() ? EnergySample{} : samples.back();
-    legend_row("Work of the muscles", "Net: what they gave less what they took back.",
+    legend_row("Work of the muscles", "Net: what they gave minus what they absorbed.",
                colors().text, now.muscles);
     for (const EnergyShare& share : kShares)
         legend_row(share.label, share.help, share.color(), now.*share.value);

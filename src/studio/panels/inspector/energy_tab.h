@@ -4,7 +4,7 @@
 
 namespace cambrian {
 
-// Where the energy goes while the creature moves, and whether its physics can be believed.
+// The energy balance of the moving creature, and the verdict of the energy audit.
 class EnergyTab final : public Panel {
 public:
     void draw(const FrameContext& frame, Requests& out) override;

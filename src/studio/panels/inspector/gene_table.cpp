@@ -194,7 +194,7 @@ void draw_part(GeneRows& rows, NodeGene& node, std::size_t index, const Kinds& k
     rows.whole(owner + "recursion limit", "Repeats at most", node.recursion_limit, 1,
                gene_range::kMaxRecursion);
     rows.flag(owner + "symmetric", "Mirror pairs", node.symmetric,
-              "Parts that grow twice from one parent stand as mirror images.");
+              "Parts that grow twice from one parent are mirror images.");
     static const std::array<std::string, 2> axes = {"Along", "Across"};
     rows.choice(owner + "mirror axis", "Mirror axis", node.mirror_axis, axes);
     if (index > 0) {

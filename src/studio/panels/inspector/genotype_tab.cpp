@@ -170,7 +170,7 @@ void GenotypeTab::draw_nodes(const FrameContext& frame, Requests& out) {
         ImGui::PopID();
         note_place("gene " + std::to_string(i));
         if (ImGui::IsItemHovered()) out.ask(ShowHighlight{{.node = static_cast<int>(i)}});
-        tooltip("Click to edit its genes and keep its parts lit; click again to let go.");
+        tooltip("Click to edit its genes and keep its parts lit; click again to stop.");
         BodyPart part;
         part.node = static_cast<std::uint8_t>(i);
         const bool grown = std::any_of(parts.begin(), parts.end(),
@@ -208,7 +208,7 @@ void GenotypeTab::draw_heading(const FrameContext& frame, Requests& out) const {
         return push_button(label, {.height = px(26), .enabled = enabled, .tooltip = help});
     };
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(px(4), px(4)));
-    if (button("Undo", "Take back the last edit of a gene (Ctrl+Z)", can_undo)) out.ask(UndoEdit{});
+    if (button("Undo", "Undo the last edit of a gene (Ctrl+Z)", can_undo)) out.ask(UndoEdit{});
     ImGui::SameLine();
     if (button("Redo", "Make it again (Ctrl+Shift+Z)", can_redo)) out.ask(RedoEdit{});
     ImGui::SameLine();

@@ -27,7 +27,7 @@ void InspectorPanel::draw(const FrameContext& frame, Requests& out) {
     if (pressed >= 0) chosen_ = pressed;
     ImGui::Dummy({0, px(2)});
     if (frame.viewer.playback.empty()) {
-        muted_text("Nothing on show yet. Open a creature (Ctrl+O) or press Evolve.");
+        muted_text("Nothing is displayed yet. Open a creature (Ctrl+O) or press Evolve.");
         return;
     }
     ImGui::BeginChild("tab", {0, 0}, false, ImGuiWindowFlags_NoBackground);

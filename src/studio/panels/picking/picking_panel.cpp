@@ -108,7 +108,7 @@ void draw_way_back(const PickingView& picking, Requests& out) {
                     any, half))
         out.ask(HandOverPicks{PicksUse::kInject});
     ImGui::SameLine();
-    if (wide_button("New run", "Generation 0 anew, with the picks among its founders", any))
+    if (wide_button("New run", "A new generation 0, with the picks among its founders", any))
         out.ask(HandOverPicks{PicksUse::kFound});
 }
 
@@ -131,7 +131,7 @@ void PickingPanel::draw(const FrameContext& frame, Requests& out) {
     draw_assistance(picking, out);
     draw_way_back(picking, out);
     ImGui::Dummy({0, px(3)});
-    if (wide_button("Grid from the creature on show",
+    if (wide_button("Grid from the creature on display",
                     "A grid of children of the creature last viewed or opened (Ctrl+O)",
                     !frame.viewer.playback.empty()))
         out.ask(AskPicking{StartFromCreatures{{frame.viewer.playback.exhibit().genome()}}});

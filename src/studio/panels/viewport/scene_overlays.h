@@ -1,6 +1,6 @@
 #pragma once
 
-// What cannot be seen of a creature, drawn over it: forces, torques, limits, sensors.
+// Overlays of invisible quantities on a creature: forces, torques, limits, sensors.
 
 #include "creature/creature.h"
 #include "pictures/scene/scene_builder.h"

@@ -14,7 +14,7 @@ struct GhostLine {
     const char* help;
 };
 constexpr std::array kGhostLines = {
-    GhostLine{"No ghosts", "The creature on show is alone."},
+    GhostLine{"No ghosts", "The creature on display is alone."},
     GhostLine{"Last three improvements",
               "The last three champions that were fitter than all before them."},
     GhostLine{"Every tenth generation", "The champions of the last six generations 0, 10, 20..."},

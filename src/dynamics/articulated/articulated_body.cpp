@@ -1,4 +1,4 @@
-#include "dynamics/articulated/elimination.h"
+#include "dynamics/articulated/articulated_body.h"
 
 #include "core/assert.h"
 #include "dynamics/model/forcing.h"
@@ -6,59 +6,59 @@
 namespace cambrian {
 namespace {
 
-// Inertia and load a body carries for its subtree, about its pivot: the symmetric matrix
-// [[A, h], [h', j]] and the load (f, t), by columns of (x, y, turn, -load); lane 2 of x and y is
-// not kept, for h is in turn.
-struct Carried {
-    Lanes x, y, turn;
+// Articulated inertia [[A, h], [h', j]] and bias force (f, t) of a subtree about the body's pivot.
+// Stored by columns with the components (x, y, turn, -load). Component 2 of x and y is unused,
+// because h is in turn.
+struct ArticulatedInertia {
+    Simd4d x, y, turn;
 };
 
-// How a row of the parent's acceleration and of the load follows from a child's: (0, 0, z, gamma);
-// and the effort of a rotary joint on the child, in the load's lane.
+// Transformation from a child's pivot to its parent's, (0, 0, z, gamma), and the effort of a
+// revolute joint on the child, in the component of the load.
 struct Lever {
-    Lanes x, y, effort;
+    Simd4d x, y, effort;
 };
 
-// Effort of rotary joints, which turns the child and its parent.
-CAMBRIAN_INLINE Lanes rotary_effort(const PlanarModel& model, const Loads& loads, int first) {
+// Effort of revolute joints, a torque on the child and its parent.
+CAMBRIAN_INLINE Simd4d revolute_effort(const PlanarModel& model, const Loads& loads, int first) {
     return (1.0 - load_lanes(model.slides + first)) * load_lanes(loads.effort + first);
 }
 
-// Own inertia and load: h = m s, f less the pull of the centre towards the pivot, t about the
-// pivot, with the effort of the body's own joint.
+// Sets the body's own inertia and load: h = m s, f with the centrifugal force of the centre about
+// the pivot, and t about the pivot with the effort of the body's joint.
 CAMBRIAN_INLINE void load_bodies(const PlanarModel& model, const Kinematics& k, const Loads& loads,
-                                 Carried* carried) {
+                                 ArticulatedInertia* inertias) {
     for (int first = 0; first < model.body_count; first += kLanes) {
         CAMBRIAN_TICK_ASSERT(model.mass[first] > 0.0 && model.pivot_inertia[first] > 0.0,
                              "a body has a mass");
-        const Lanes mass = load_lanes(model.mass + first);
-        const Lanes spin = load_lanes(k.spin + first);
-        const Lanes s_x = load_lanes(k.s_x + first);
-        const Lanes s_y = load_lanes(k.s_y + first);
-        const Lanes force_x = load_lanes(loads.force_x + first);
-        const Lanes force_y = load_lanes(loads.force_y + first);
-        const Lanes h_x = mass * s_x;
-        const Lanes h_y = mass * s_y;
-        const Lanes torque = load_lanes(loads.torque + first) + (s_x * force_x + s_y * force_y) +
-                             rotary_effort(model, loads, first);
-        const Lanes square = spin * spin;
-        Lanes x[kLanes] = {mass, Lanes{}, Lanes{}, -(force_x + square * h_y)};
-        Lanes y[kLanes] = {Lanes{}, mass, Lanes{}, -(force_y - square * h_x)};
-        Lanes turn[kLanes] = {h_x, h_y, load_lanes(model.pivot_inertia + first), -torque};
+        const Simd4d mass = load_lanes(model.mass + first);
+        const Simd4d spin = load_lanes(k.spin + first);
+        const Simd4d s_x = load_lanes(k.s_x + first);
+        const Simd4d s_y = load_lanes(k.s_y + first);
+        const Simd4d force_x = load_lanes(loads.force_x + first);
+        const Simd4d force_y = load_lanes(loads.force_y + first);
+        const Simd4d h_x = mass * s_x;
+        const Simd4d h_y = mass * s_y;
+        const Simd4d torque = load_lanes(loads.torque + first) + (s_x * force_x + s_y * force_y) +
+                              revolute_effort(model, loads, first);
+        const Simd4d square = spin * spin;
+        Simd4d x[kLanes] = {mass, Simd4d{}, Simd4d{}, -(force_x + square * h_y)};
+        Simd4d y[kLanes] = {Simd4d{}, mass, Simd4d{}, -(force_y - square * h_x)};
+        Simd4d turn[kLanes] = {h_x, h_y, load_lanes(model.pivot_inertia + first), -torque};
         transpose(x[0], x[1], x[2], x[3]);
         transpose(y[0], y[1], y[2], y[3]);
         transpose(turn[0], turn[1], turn[2], turn[3]);
         for (int lane = 0; lane < kLanes; ++lane)
-            carried[first + lane] = {x[lane], y[lane], turn[lane]};
+            inertias[first + lane] = {x[lane], y[lane], turn[lane]};
     }
 }
 
 CAMBRIAN_INLINE void place_levers(const PlanarModel& model, const Kinematics& k, const Loads& loads,
                                   Lever* levers) {
     for (int first = 0; first < model.body_count; first += kLanes) {
-        Lanes x[kLanes] = {{}, {}, load_lanes(k.z_x + first), load_lanes(k.gamma_x + first)};
-        Lanes y[kLanes] = {{}, {}, load_lanes(k.z_y + first), load_lanes(k.gamma_y + first)};
-        Lanes effort[kLanes] = {{}, {}, {}, rotary_effort(model, loads, first)};
+        Simd4d x[kLanes] = {{}, {}, load_lanes(k.z_x + first), load_lanes(k.gamma_x + first)};
+        Simd4d y[kLanes] = {{}, {}, load_lanes(k.z_y + first), load_lanes(k.gamma_y + first)};
+        Simd4d effort[kLanes] = {{}, {}, {}, revolute_effort(model, loads, first)};
         transpose(x[0], x[1], x[2], x[3]);
         transpose(y[0], y[1], y[2], y[3]);
         transpose(effort[0], effort[1], effort[2], effort[3]);
@@ -67,45 +67,45 @@ CAMBRIAN_INLINE void place_levers(const PlanarModel& model, const Kinematics& k,
     }
 }
 
-// A column as the parent sees it: its turn and load feel the pivot's acceleration.
-CAMBRIAN_INLINE Lanes as_parent_sees(const Lanes& column, const Lever& lever) {
+// Transforms a column to the parent's pivot.
+CAMBRIAN_INLINE Simd4d as_parent_sees(const Simd4d& column, const Lever& lever) {
     return column + column[0] * lever.x + column[1] * lever.y;
 }
 
-// A column with 0 for its turn.
-CAMBRIAN_INLINE Lanes without_turn(const Lanes& column) {
-    LaneBits bits;
+// Sets the component `turn` of a column to 0.
+CAMBRIAN_INLINE Simd4d without_turn(const Simd4d& column) {
+    Simd4i bits;
     std::memcpy(&bits, &column, sizeof(bits));
-    bits &= LaneBits{-1, -1, 0, -1};
-    Lanes result;
+    bits &= Simd4i{-1, -1, 0, -1};
+    Simd4d result;
     std::memcpy(&result, &bits, sizeof(result));
     return result;
 }
 
-// The first two columns, and the third but for what it has of its own.
-CAMBRIAN_INLINE void add_to_parent(const Lanes& x, const Lanes& y, const Lever& lever,
-                                   Carried& parent) {
-    const Lanes seen_x = as_parent_sees(x, lever);
-    const Lanes seen_y = as_parent_sees(y, lever);
+// Adds the first two columns to the parent, and their part of the third.
+CAMBRIAN_INLINE void add_to_parent(const Simd4d& x, const Simd4d& y, const Lever& lever,
+                                   ArticulatedInertia& parent) {
+    const Simd4d seen_x = as_parent_sees(x, lever);
+    const Simd4d seen_y = as_parent_sees(y, lever);
     parent.x += seen_x;
     parent.y += seen_y;
     parent.turn += lever.effort + (lever.x[2] * seen_x + lever.y[2] * seen_y);
 }
 
-// Both return u and leave to the parent what the joint does not take: all less the outer product of
-// the joint's row with itself, over d. With the effort tau - g (alpha - alpha_p), g the damping,
-// the row of a rotary joint is that of its body's turn, d = j + g, and the share g/d of it is left.
+// Both eliminate a joint (dynamics/README.md 4): they return u and add to the parent the
+// articulated inertia minus w w'/d. A revolute joint has w = h, and d = j + g with the damping g of
+// an implicit motor; the share g/d of its row goes to the parent.
 template <Motors kMotors>
-CAMBRIAN_INLINE double eliminate_rotary(int i, const Carried& c, const Lever& lever,
-                                        Factors& factors, Carried& parent) {
-    const Lanes row = c.turn;
+CAMBRIAN_INLINE double eliminate_revolute(int i, const ArticulatedInertia& c, const Lever& lever,
+                                          Factors& factors, ArticulatedInertia& parent) {
+    const Simd4d row = c.turn;
     const double damping = kMotors == Motors::kImplicit ? factors.damping[i] : 0.0;
     const double inverse_d = 1.0 / (kMotors == Motors::kImplicit ? row[2] + damping : row[2]);
-    const Lanes scaled = row * inverse_d;
-    Lanes x = without_turn(c.x - scaled * row[0]);
-    Lanes y = without_turn(c.y - scaled * row[1]);
+    const Simd4d scaled = row * inverse_d;
+    Simd4d x = without_turn(c.x - scaled * row[0]);
+    Simd4d y = without_turn(c.y - scaled * row[1]);
     if constexpr (kMotors == Motors::kImplicit) {
-        const Lanes left = damping * scaled;
+        const Simd4d left = damping * scaled;
         x[2] = left[0];
         y[2] = left[1];
         parent.turn += as_parent_sees(left, lever);
@@ -117,25 +117,26 @@ CAMBRIAN_INLINE double eliminate_rotary(int i, const Carried& c, const Lever& le
     return -row[3];
 }
 
-// With n the joint's axis the row is n A, n h and the load n f + F, and d = n A n + g.
+// With the axis n the row is (n A, n h), the load n f + F, and d = n A n + g.
 template <Motors kMotors>
-CAMBRIAN_INLINE double eliminate_linear(const Kinematics& k, double effort, int i, const Carried& c,
-                                        const Lever& lever, Factors& factors, Carried& parent) {
+CAMBRIAN_INLINE double eliminate_prismatic(const Kinematics& k, double effort, int i,
+                                           const ArticulatedInertia& c, const Lever& lever,
+                                           Factors& factors, ArticulatedInertia& parent) {
     const double n_x = k.axis_x[i];
     const double n_y = k.axis_y[i];
-    Lanes x = c.x;
-    Lanes y = c.y;
+    Simd4d x = c.x;
+    Simd4d y = c.y;
     x[2] = c.turn[0];
     y[2] = c.turn[1];
-    Lanes row = n_x * x + n_y * y;
+    Simd4d row = n_x * x + n_y * y;
     row[3] -= effort;
     const double along = n_x * row[0] + n_y * row[1];
     const double inverse_d =
         1.0 / (kMotors == Motors::kImplicit ? along + factors.damping[i] : along);
-    const Lanes scaled = row * inverse_d;
+    const Simd4d scaled = row * inverse_d;
     x -= scaled * row[0];
     y -= scaled * row[1];
-    const Lanes turn = c.turn - scaled * row[2];
+    const Simd4d turn = c.turn - scaled * row[2];
     add_to_parent(x, y, lever, parent);
     parent.turn += as_parent_sees(turn, lever);
     factors.w_x[i] = row[0];
@@ -145,8 +146,8 @@ CAMBRIAN_INLINE double eliminate_linear(const Kinematics& k, double effort, int 
     return -row[3];
 }
 
-// By cofactors.
-CAMBRIAN_INLINE RootInverse invert_root(const Carried& c) {
+// Inverts the root's inertia by cofactors.
+CAMBRIAN_INLINE RootInverse invert_root(const ArticulatedInertia& c) {
     const double xx = c.x[0];
     const double xy = c.x[1];
     const double yy = c.y[1];
@@ -161,9 +162,9 @@ CAMBRIAN_INLINE RootInverse invert_root(const Carried& c) {
             cofactor_xt * inverse, (xy * xt - xx * yt) * inverse, (xx * yy - xy * xy) * inverse};
 }
 
-// Accelerations or velocity jumps of the pivots; x and y are the response's, which hold the pivots'
+// Solves for the acceleration or velocity jump of a root's pivot. The response has values of pivots
 // until move_to_centers.
-CAMBRIAN_INLINE void solve_root(const RootInverse& inverse, int root, const Pair& f, double t,
+CAMBRIAN_INLINE void solve_root(const RootInverse& inverse, int root, const Simd2d& f, double t,
                                 BodyResponse& response) {
     response.x[root] = inverse.xx * f[0] + inverse.xy * f[1] + inverse.xt * t;
     response.y[root] = inverse.xy * f[0] + inverse.yy * f[1] + inverse.yt * t;
@@ -173,14 +174,14 @@ CAMBRIAN_INLINE void solve_root(const RootInverse& inverse, int root, const Pair
 
 enum class Load { kForce, kImpulse };
 
-// Body i's response from its parent's; gamma is 0 for impulses.
+// Computes a body's response from its parent's; gamma is 0 for impulses.
 template <Load kLoad, Motors kMotors>
 CAMBRIAN_INLINE void follow_parent(const PlanarModel& model, const Kinematics& k,
                                    const Factors& factors, const double* u, int i,
                                    BodyResponse& response) {
     const int p = model.parent[i];
     const double spin = response.spin[p];
-    CAMBRIAN_TICK_ASSERT(p >= 0 && p < i, "a parent stands before its children");
+    CAMBRIAN_TICK_ASSERT(p >= 0 && p < i, "a parent comes before its children");
     double x = response.x[p] + spin * k.z_x[i];
     double y = response.y[p] + spin * k.z_y[i];
     if constexpr (kLoad == Load::kForce) {
@@ -205,18 +206,18 @@ CAMBRIAN_INLINE void follow_parent(const PlanarModel& model, const Kinematics& k
     response.coordinate[i] = turn;
 }
 
-// a = a_pivot + alpha s, and - w^2 perp(s) under forces.
+// Moves the responses from pivots to centres: a_pivot + alpha s + w^2 perp(s), the last for forces.
 template <Load kLoad>
 CAMBRIAN_INLINE void move_to_centers(const PlanarModel& model, const Kinematics& k,
                                      BodyResponse& response) {
     for (int i = 0; i < model.body_count; i += kLanes) {
-        const Lanes s_x = load_lanes(k.s_x + i);
-        const Lanes s_y = load_lanes(k.s_y + i);
-        const Lanes turn = load_lanes(response.spin + i);
-        Lanes x = load_lanes(response.x + i) + turn * s_x;
-        Lanes y = load_lanes(response.y + i) + turn * s_y;
+        const Simd4d s_x = load_lanes(k.s_x + i);
+        const Simd4d s_y = load_lanes(k.s_y + i);
+        const Simd4d turn = load_lanes(response.spin + i);
+        Simd4d x = load_lanes(response.x + i) + turn * s_x;
+        Simd4d y = load_lanes(response.y + i) + turn * s_y;
         if constexpr (kLoad == Load::kForce) {
-            const Lanes spin = load_lanes(k.spin + i);
+            const Simd4d spin = load_lanes(k.spin + i);
             x -= spin * spin * s_y;
             y += spin * spin * s_x;
         }
@@ -225,7 +226,7 @@ CAMBRIAN_INLINE void move_to_centers(const PlanarModel& model, const Kinematics&
     }
 }
 
-// Centres of mass feel the explicit forces only.
+// Computes the accelerations of the trees' centres of mass from the external forces.
 CAMBRIAN_INLINE void move_centers(const PlanarModel& model, const Loads& loads,
                                   BodyResponse& response) {
     const int slots = round_up_to_lanes(model.body_count);
@@ -242,25 +243,25 @@ CAMBRIAN_INLINE void move_centers(const PlanarModel& model, const Loads& loads,
 template <Motors kMotors>
 CAMBRIAN_INLINE void solve(const PlanarModel& model, const Kinematics& kinematics,
                            const Loads& loads, Factors& factors, BodyResponse& response) {
-    Carried carried[kMaxBodies];
+    ArticulatedInertia inertias[kMaxBodies];
     Lever levers[kMaxBodies];
     PerBody u;
-    load_bodies(model, kinematics, loads, carried);
+    load_bodies(model, kinematics, loads, inertias);
     place_levers(model, kinematics, loads, levers);
     for (int tree = model.tree_count - 1; tree >= 0; --tree) {
         const int root = model.tree_begin[tree];
         const int end = model.tree_begin[tree + 1];
         CAMBRIAN_TICK_ASSERT(root < end && end <= model.body_count, "the bodies of a tree");
         for (int i = end - 1; i > root; --i) {
-            Carried& parent = carried[model.parent[i]];
+            ArticulatedInertia& parent = inertias[model.parent[i]];
             u[i] = model.motion[i] == JointMotion::kSlide
-                       ? eliminate_linear<kMotors>(kinematics, loads.effort[i], i, carried[i],
-                                                   levers[i], factors, parent)
-                       : eliminate_rotary<kMotors>(i, carried[i], levers[i], factors, parent);
+                       ? eliminate_prismatic<kMotors>(kinematics, loads.effort[i], i, inertias[i],
+                                                      levers[i], factors, parent)
+                       : eliminate_revolute<kMotors>(i, inertias[i], levers[i], factors, parent);
         }
-        factors.root[tree] = invert_root(carried[root]);
-        const Carried& all = carried[root];
-        solve_root(factors.root[tree], root, Pair{-all.x[3], -all.y[3]}, -all.turn[3], response);
+        factors.root[tree] = invert_root(inertias[root]);
+        const ArticulatedInertia& all = inertias[root];
+        solve_root(factors.root[tree], root, Simd2d{-all.x[3], -all.y[3]}, -all.turn[3], response);
         for (int i = root + 1; i < end; ++i)
             follow_parent<Load::kForce, kMotors>(model, kinematics, factors, u, i, response);
     }
@@ -273,7 +274,7 @@ CAMBRIAN_INLINE void solve(const PlanarModel& model, const Kinematics& kinematic
 void solve_accelerations(const PlanarModel& model, const Kinematics& kinematics, const Loads& loads,
                          Factors& factors, BodyResponse& response) {
     for (int i = 0; i < model.body_count; i += kLanes)
-        store_lanes(factors.damping + i, Lanes{});
+        store_lanes(factors.damping + i, Simd4d{});
     solve<Motors::kExplicit>(model, kinematics, loads, factors, response);
 }
 
@@ -294,12 +295,12 @@ void factorize(const PlanarModel& model, const Kinematics& kinematics, Factors& 
 
 void solve_impulse(const PlanarModel& model, const Kinematics& k, const Factors& factors,
                    const Loads& impulses, BodyResponse& response) {
-    Pair f[kMaxBodies];
+    Simd2d f[kMaxBodies];
     PerBody t;
     PerBody u;
     for (int i = 0; i < model.body_count; ++i) {
-        f[i] = Pair{impulses.force_x[i], impulses.force_y[i]};
-        t[i] = impulses.torque[i] + dot(Pair{k.s_x[i], k.s_y[i]}, f[i]);
+        f[i] = Simd2d{impulses.force_x[i], impulses.force_y[i]};
+        t[i] = impulses.torque[i] + dot(Simd2d{k.s_x[i], k.s_y[i]}, f[i]);
     }
     for (int tree = model.tree_count - 1; tree >= 0; --tree) {
         const int root = model.tree_begin[tree];
@@ -307,15 +308,16 @@ void solve_impulse(const PlanarModel& model, const Kinematics& k, const Factors&
         for (int i = end - 1; i > root; --i) {
             const int p = model.parent[i];
             const double effort = impulses.effort[i];
-            CAMBRIAN_TICK_ASSERT(p >= 0 && p < i, "a parent stands before its children");
-            const bool linear = model.motion[i] == JointMotion::kSlide;
-            const Pair w = {factors.w_x[i], factors.w_y[i]};
-            u[i] = effort + (linear ? dot(Pair{k.axis_x[i], k.axis_y[i]}, f[i]) : t[i]);
+            CAMBRIAN_TICK_ASSERT(p >= 0 && p < i, "a parent comes before its children");
+            const bool is_prismatic = model.motion[i] == JointMotion::kSlide;
+            const Simd2d w = {factors.w_x[i], factors.w_y[i]};
+            u[i] = effort + (is_prismatic ? dot(Simd2d{k.axis_x[i], k.axis_y[i]}, f[i]) : t[i]);
             const double share = u[i] * factors.inverse_d[i];
-            const Pair passed = f[i] - w * both(share);
+            const Simd2d passed = f[i] - w * both(share);
             f[p] += passed;
-            t[p] += dot(Pair{k.z_x[i], k.z_y[i]}, passed) +
-                    (linear ? t[i] - factors.w_3[i] * share : factors.damping[i] * share - effort);
+            t[p] += dot(Simd2d{k.z_x[i], k.z_y[i]}, passed) +
+                    (is_prismatic ? t[i] - factors.w_3[i] * share
+                                  : factors.damping[i] * share - effort);
         }
         solve_root(factors.root[tree], root, f[root], t[root], response);
         for (int i = root + 1; i < end; ++i)
@@ -327,10 +329,10 @@ void solve_impulse(const PlanarModel& model, const Kinematics& k, const Factors&
 
 void clear_loads(const PlanarModel& model, Loads& loads) {
     for (int i = 0; i < model.body_count; i += kLanes) {
-        store_lanes(loads.force_x + i, Lanes{});
-        store_lanes(loads.force_y + i, Lanes{});
-        store_lanes(loads.torque + i, Lanes{});
-        store_lanes(loads.effort + i, Lanes{});
+        store_lanes(loads.force_x + i, Simd4d{});
+        store_lanes(loads.force_y + i, Simd4d{});
+        store_lanes(loads.torque + i, Simd4d{});
+        store_lanes(loads.effort + i, Simd4d{});
     }
 }
 

@@ -1,8 +1,7 @@
-// With J what a unit impulse of each row does to the angles and F the force it leaves on all of the
-// creature,
+// With the generalised force J of each row's unit impulse on the angles and its total force F,
 //     W_rs = J_r M^-1 J_s' + F_r . F_s / mass.
 
-#include "dynamics/constraints/dense_row_matrix.h"
+#include "dynamics/constraints/dense_delassus_matrix.h"
 
 #include "core/assert.h"
 #include "dynamics/model/dense_lanes.h"
@@ -13,8 +12,9 @@ namespace {
 template <int kBlocks>
 class DenseRows {
 public:
-    CAMBRIAN_INLINE DenseRows(const PlanarModel& model, const Frame& frame, RowSystem& rows)
-        : model_(model), frame_(frame), rows_(rows) {}
+    CAMBRIAN_INLINE DenseRows(const PlanarModel& model, const EvaluationCache& cache,
+                              ConstraintSystem& rows)
+        : model_(model), cache_(cache), rows_(rows) {}
 
     CAMBRIAN_INLINE void fill() {
         for (int row = 0; row < rows_.count; ++row)
@@ -42,7 +42,7 @@ private:
         }
         const double x = rows_[row].dir_x;
         const double y = rows_[row].dir_y;
-        Levers<kBlocks> levers(model_.dense, frame_.kinematics);
+        Levers<kBlocks> levers(model_.dense, cache_.kinematics);
         levers.add_force(a, x, y);
         const int b = rows_[row].body_b;
         if (b >= 0) {
@@ -59,13 +59,13 @@ private:
 
     CAMBRIAN_INLINE void couple(int row) {
         const BodyLanes<kBlocks> turn =
-            times_inverse(frame_.inverse, model_.body_count, torque_[row]);
+            times_inverse(cache_.inverse, model_.body_count, torque_[row]);
         const double share = 1.0 / model_.total_mass;
-        const Lanes x = all_lanes(share * force_x_[row]);
-        const Lanes y = all_lanes(share * force_y_[row]);
+        const Simd4d x = all_lanes(share * force_x_[row]);
+        const Simd4d y = all_lanes(share * force_y_[row]);
         double* line = rows_.line(row);
         for (int column = 0; column < rows_.count; column += kLanes) {
-            Lanes product[kLanes];
+            Simd4d product[kLanes];
             for (int lane = 0; lane < kLanes; ++lane) {
                 product[lane] = turn[0] * torque_[column + lane][0];
                 for (int b = 1; b < kBlocks; ++b)
@@ -77,31 +77,32 @@ private:
     }
 
     // The sum over the lanes of each of the four.
-    CAMBRIAN_INLINE static Lanes sums_of(const Lanes (&of)[kLanes]) {
-        const Lanes first = __builtin_shufflevector(of[0], of[1], 0, 4, 2, 6) +
-                            __builtin_shufflevector(of[0], of[1], 1, 5, 3, 7);
-        const Lanes second = __builtin_shufflevector(of[2], of[3], 0, 4, 2, 6) +
-                             __builtin_shufflevector(of[2], of[3], 1, 5, 3, 7);
+    CAMBRIAN_INLINE static Simd4d sums_of(const Simd4d (&of)[kLanes]) {
+        const Simd4d first = __builtin_shufflevector(of[0], of[1], 0, 4, 2, 6) +
+                             __builtin_shufflevector(of[0], of[1], 1, 5, 3, 7);
+        const Simd4d second = __builtin_shufflevector(of[2], of[3], 0, 4, 2, 6) +
+                              __builtin_shufflevector(of[2], of[3], 1, 5, 3, 7);
         return __builtin_shufflevector(first, second, 0, 1, 4, 5) +
                __builtin_shufflevector(first, second, 2, 3, 6, 7);
     }
 
     const PlanarModel& model_;
-    const Frame& frame_;
-    RowSystem& rows_;
+    const EvaluationCache& cache_;
+    ConstraintSystem& rows_;
     BodyLanes<kBlocks> torque_[kMaxRows];
     double force_x_[kMaxRows], force_y_[kMaxRows];  // of all of the creature; 0 between its bodies
 };
 
 }  // namespace
 
-void fill_dense_row_matrix(const PlanarModel& model, const Frame& frame, RowSystem& rows) {
-    CAMBRIAN_TICK_ASSERT(frame.is_inverted, "the inverse is there");
+void fill_dense_delassus_matrix(const PlanarModel& model, const EvaluationCache& cache,
+                                ConstraintSystem& rows) {
+    CAMBRIAN_TICK_ASSERT(cache.is_inverted, "the inverse is there");
     CAMBRIAN_TICK_ASSERT(model.body_count <= kMaxDenseBodies, "few bodies");
     if (model.dense.blocks == 1)
-        DenseRows<1>(model, frame, rows).fill();
+        DenseRows<1>(model, cache, rows).fill();
     else
-        DenseRows<2>(model, frame, rows).fill();
+        DenseRows<2>(model, cache, rows).fill();
 }
 
 }  // namespace cambrian

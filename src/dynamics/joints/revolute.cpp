@@ -1,12 +1,12 @@
-// Turns its part about the anchor. Strength grows with the square of the narrower section of the
-// two parts, for a thicker muscle also pulls on a longer lever.
+// A revolute joint about the anchor. Strength is proportional to the square of the narrower section
+// of the two parts, because a thicker muscle also has a longer lever.
 
 #include "dynamics/joints/builtin_joints.h"
 
 namespace cambrian {
 namespace {
 
-void shape_rotary(const JointGenes& genes, PlannedPart& part) {
+void shape_revolute(const JointGenes& genes, PlannedPart& part) {
     const bool mirrored = genes.handedness < 0;
     part.limit_low = mirrored ? -genes.limit_high : genes.limit_low;
     part.limit_high = mirrored ? -genes.limit_low : genes.limit_high;
@@ -15,8 +15,9 @@ void shape_rotary(const JointGenes& genes, PlannedPart& part) {
 
 }  // namespace
 
-JointKind rotary_joint() {
-    return {.id = "rotary", .label = "Rotary", .motion = JointMotion::kTurn, .shape = shape_rotary};
+JointKind revolute_joint() {
+    return {
+        .id = "rotary", .label = "Rotary", .motion = JointMotion::kTurn, .shape = shape_revolute};
 }
 
 }  // namespace cambrian

@@ -5,7 +5,7 @@
 
 namespace cambrian::golden {
 
-// Adds every number of the books to a digest.
-void add_books(Hash64& hash, const SceneAudit& audit);
+// Adds every number of the energy audit to a digest.
+void add_audit(Hash64& hash, const SceneAudit& audit);
 
 }  // namespace cambrian::golden

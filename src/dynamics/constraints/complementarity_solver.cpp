@@ -1,4 +1,4 @@
-#include "dynamics/constraints/row_solver.h"
+#include "dynamics/constraints/complementarity_solver.h"
 
 #include "core/assert.h"
 #include "dynamics/model/block_count.h"
@@ -15,21 +15,23 @@ constexpr int kRounds = 12;
 constexpr int kSweeps = 40;
 constexpr double kSweepTolerance = 1e-3;  // m/s
 constexpr double kRateTolerance = 1e-9;   // m/s
-constexpr double kConeShare = 1e-9;       // of a cone's width; nearer to its edge is on it
+constexpr double kConeShare = 1e-9;       // of a cone's width; a nearer impulse is on its edge
 constexpr double kPivotTolerance = 1e-7;  // of the diagonal
 
-// Normal impulse that every friction row's cone stands on.
-void sum_loads(const RowSystem& rows, double* load) {
+// Sums the normal impulses that bound each friction row.
+void sum_loads(const ConstraintSystem& rows, double* load) {
     for (int row = 0; row < rows.stride; row += kLanes)
-        store_lanes(load + row, Lanes{});
+        store_lanes(load + row, Simd4d{});
     for (int row = 0; row < rows.count; ++row) {
         if (rows[row].friction_of >= 0) load[rows[row].friction_of] += rows.impulse[row];
     }
 }
 
-// Adds what an impulse does to all rates. The matrix is symmetric: a row's column is its line.
+// Adds the effect of an impulse to all rates. The matrix is symmetric, so a row's line is its
+// column.
 template <int kFixed>
-CAMBRIAN_INLINE void add_column(const RowSystem& rows, int row, double impulse, double* rates) {
+CAMBRIAN_INLINE void add_column(const ConstraintSystem& rows, int row, double impulse,
+                                double* rates) {
     const double* line = rows.line(row);
     for (int b = 0; b < block_count<kFixed>(rows.stride / kLanes); ++b)
         store_lanes(rates + b * kLanes,
@@ -38,7 +40,7 @@ CAMBRIAN_INLINE void add_column(const RowSystem& rows, int row, double impulse, 
 
 }  // namespace
 
-bool RowSolver::solve(RowSystem& rows, const double* bias, double friction) {
+bool ComplementaritySolver::solve(ConstraintSystem& rows, const double* bias, double friction) {
     CAMBRIAN_TICK_ASSERT(rows.count >= 0 && rows.count <= kMaxRows, "rows have room");
     CAMBRIAN_TICK_ASSERT(friction >= 0.0, "friction is not negative");
     find_rates(rows, bias);
@@ -51,7 +53,7 @@ bool RowSolver::solve(RowSystem& rows, const double* bias, double friction) {
         rows.impulse[row] = start_[row];
     find_rates(rows, bias);
     sweep(rows, friction, kSweeps);
-    // Iteration mostly finds the right states, though not the impulses' last digits.
+    // The iteration mostly finds the right states, but not accurate impulses.
     for (int row = 0; row < rows.count; ++row)
         start_[row] = rows.impulse[row];
     read_states(rows, bias, friction);
@@ -63,7 +65,8 @@ bool RowSolver::solve(RowSystem& rows, const double* bias, double friction) {
     return false;
 }
 
-void RowSolver::iterate_from_zero(RowSystem& rows, const double* bias, double friction) {
+void ComplementaritySolver::iterate_from_zero(ConstraintSystem& rows, const double* bias,
+                                              double friction) {
     CAMBRIAN_TICK_ASSERT(friction >= 0.0, "friction is not negative");
     for (int row = 0; row < rows.count; ++row)
         rows.impulse[row] = 0.0;
@@ -74,7 +77,8 @@ void RowSolver::iterate_from_zero(RowSystem& rows, const double* bias, double fr
     are_factors_valid_ = false;
 }
 
-void RowSolver::absorb(const RowSystem& rows, double friction, RowChanges& changes) {
+void ComplementaritySolver::absorb(const ConstraintSystem& rows, double friction,
+                                   RowChanges& changes) {
     for (auto& impulses : changes.impulses) {
         for (int row = 0; row < rows.count; ++row)
             impulses[row] = 0.0;
@@ -105,7 +109,7 @@ void RowSolver::absorb(const RowSystem& rows, double friction, RowChanges& chang
     }
 }
 
-void RowSolver::find_rates(const RowSystem& rows, const double* bias) {
+void ComplementaritySolver::find_rates(const ConstraintSystem& rows, const double* bias) {
     for (int row = 0; row < rows.count; ++row)
         rates_[row] = bias[row];
     for (int row = rows.count; row < rows.stride; ++row)
@@ -118,8 +122,8 @@ void RowSolver::find_rates(const RowSystem& rows, const double* bias) {
     sum_loads(rows, load_);
 }
 
-// A few projected Gauss-Seidel sweeps, fewer if the rates hardly change any more.
-void RowSolver::sweep(RowSystem& rows, double friction, int sweeps) {
+// Runs projected Gauss-Seidel sweeps until the rates hardly change.
+void ComplementaritySolver::sweep(ConstraintSystem& rows, double friction, int sweeps) {
     with_fixed_blocks(rows.stride / kLanes, [&](auto fixed) {
         double change = kSweepTolerance;
         for (int i = 0; i < sweeps && change >= kSweepTolerance; ++i)
@@ -127,9 +131,9 @@ void RowSolver::sweep(RowSystem& rows, double friction, int sweeps) {
     });
 }
 
-// The largest change of a row's rate, m/s.
+// Returns the largest change of a row's rate, m/s.
 template <int kFixed>
-double RowSolver::sweep_once(RowSystem& rows, double friction) {
+double ComplementaritySolver::sweep_once(ConstraintSystem& rows, double friction) {
     double largest = 0.0;
     for (int r = 0; r < rows.count; ++r) {
         const Row& row = rows[r];
@@ -152,8 +156,9 @@ double RowSolver::sweep_once(RowSystem& rows, double friction) {
     return largest;
 }
 
-// As the impulses have it.
-void RowSolver::read_states(const RowSystem& rows, const double* bias, double friction) {
+// Sets the states that belong to the impulses.
+void ComplementaritySolver::read_states(const ConstraintSystem& rows, const double* bias,
+                                        double friction) {
     sum_loads(rows, load_);
     for (int row = 0; row < rows.count; ++row) {
         const double impulse = rows.impulse[row];
@@ -165,8 +170,9 @@ void RowSolver::read_states(const RowSystem& rows, const double* bias, double fr
     match_frictions(rows, bias);
 }
 
-// As a few sweeps have left it; what closes is active too.
-void RowSolver::guess_states(const RowSystem& rows, const double* bias, double friction) {
+// Sets the states that belong to the impulses of the sweeps; rows that still close are active too.
+void ComplementaritySolver::guess_states(const ConstraintSystem& rows, const double* bias,
+                                         double friction) {
     for (int row = 0; row < rows.count; ++row) {
         const double impulse = rows.impulse[row];
         if (rows[row].kind == RowKind::kFriction)
@@ -177,12 +183,13 @@ void RowSolver::guess_states(const RowSystem& rows, const double* bias, double f
     match_frictions(rows, bias);
 }
 
-RowSolver::State RowSolver::sticking_or_sliding(double impulse, double cap) {
+ComplementaritySolver::State ComplementaritySolver::sticking_or_sliding(double impulse,
+                                                                        double cap) {
     if (impulse == 0.0 || std::fabs(impulse) < cap * (1.0 - kConeShare)) return State::kActive;
     return impulse > 0.0 ? State::kSlidePlus : State::kSlideMinus;
 }
 
-bool RowSolver::settle(RowSystem& rows, const double* bias, double friction) {
+bool ComplementaritySolver::settle(ConstraintSystem& rows, const double* bias, double friction) {
     are_factors_valid_ = false;
     for (int round = 0; round < kRounds; ++round) {
         if (!factorize(rows, bias, friction)) {
@@ -202,10 +209,11 @@ bool RowSolver::settle(RowSystem& rows, const double* bias, double friction) {
     return false;
 }
 
-// Equations of the active rows; sliding friction is folded into its normals' columns. False if a
-// pivot is lost: contacts that slide and wedge (Painleve), which the caller must not answer with a
-// solution.
-bool RowSolver::factorize(const RowSystem& rows, const double* bias, double friction) {
+// Builds and factorises the equations of the active rows, with sliding friction in the columns of
+// its normals. Returns false if a pivot fails: contacts that slide and wedge (Painleve), for which
+// the equations have no valid solution.
+bool ComplementaritySolver::factorize(const ConstraintSystem& rows, const double* bias,
+                                      double friction) {
     int count = 0;
     sliding_count_ = 0;
     for (int row = 0; row < rows.count; ++row) {
@@ -238,9 +246,9 @@ bool RowSolver::factorize(const RowSystem& rows, const double* bias, double fric
     return factors_.factorize(least_pivot_);
 }
 
-// Rows that stick never lose a pivot. What slides on the contact whose pivot is lost sticks
-// instead, or everything if that is not the cause. False if nothing slid.
-bool RowSolver::stop_slides(const RowSystem& rows) {
+// Sticking rows never cause a failed pivot. The friction of the contact with the failed pivot
+// sticks from now on, or all friction if that one did not slide. Returns false if nothing slid.
+bool ComplementaritySolver::stop_slides(const ConstraintSystem& rows) {
     CAMBRIAN_TICK_ASSERT(factors_.lost() >= 0 && factors_.lost() < factors_.count(),
                          "a pivot of the equations");
     const int mate = rows[active_[factors_.lost()]].friction_of;
@@ -253,11 +261,12 @@ bool RowSolver::stop_slides(const RowSystem& rows) {
     return sliding_count_ > 0;
 }
 
-void RowSolver::scatter_solution(RowSystem& rows, const double* bias, double friction) {
+void ComplementaritySolver::scatter_solution(ConstraintSystem& rows, const double* bias,
+                                             double friction) {
     factors_.substitute(solution_);
     for (int row = 0; row < rows.stride; row += kLanes) {
-        store_lanes(rows.impulse + row, Lanes{});
-        store_lanes(load_ + row, Lanes{});
+        store_lanes(rows.impulse + row, Simd4d{});
+        store_lanes(load_ + row, Simd4d{});
     }
     for (int i = 0; i < factors_.count(); ++i) {
         const int row = active_[i];
@@ -275,8 +284,9 @@ void RowSolver::scatter_solution(RowSystem& rows, const double* bias, double fri
         rows.response[sliding_[i]] = rows.product(sliding_[i]);
 }
 
-// Lists the rows whose impulse or rate breaks their law.
-int RowSolver::find_wrong(const RowSystem& rows, const double* bias, double friction) {
+// Lists the rows whose impulse or rate breaks their law; returns their number.
+int ComplementaritySolver::find_wrong(const ConstraintSystem& rows, const double* bias,
+                                      double friction) {
     int count = 0;
     for (int row = 0; row < rows.count; ++row) {
         wanted_[row] = rows[row].kind == RowKind::kFriction
@@ -287,15 +297,17 @@ int RowSolver::find_wrong(const RowSystem& rows, const double* bias, double fric
     return count;
 }
 
-RowSolver::State RowSolver::wanted_normal(const RowSystem& rows, const double* bias,
-                                          int row) const {
+ComplementaritySolver::State ComplementaritySolver::wanted_normal(const ConstraintSystem& rows,
+                                                                  const double* bias,
+                                                                  int row) const {
     if (state_[row] == State::kActive)
         return rows.impulse[row] < 0.0 ? State::kOff : State::kActive;
     return bias[row] + rows.product(row) < -kRateTolerance ? State::kActive : State::kOff;
 }
 
-RowSolver::State RowSolver::wanted_friction(const RowSystem& rows, const double* bias, int row,
-                                            double friction) const {
+ComplementaritySolver::State ComplementaritySolver::wanted_friction(const ConstraintSystem& rows,
+                                                                    const double* bias, int row,
+                                                                    double friction) const {
     const double impulse = rows.impulse[row];
     const double rate = bias[row] + rows.response[row];
     switch (state_[row]) {
@@ -312,9 +324,9 @@ RowSolver::State RowSolver::wanted_friction(const RowSystem& rows, const double*
     return State::kOff;
 }
 
-// Friction is off exactly while none of its normals is active. If friction that comes back stuck, a
-// normal that sticking pulls off would come and go: it slides.
-void RowSolver::match_frictions(const RowSystem& rows, const double* bias) {
+// Friction is off exactly while none of its normals is active. Friction that becomes active slides
+// first: if it stuck, a normal that sticking pulls off would alternate between on and off.
+void ComplementaritySolver::match_frictions(const ConstraintSystem& rows, const double* bias) {
     bool is_loaded[kMaxRows];
     for (int row = 0; row < rows.count; ++row)
         is_loaded[row] = false;

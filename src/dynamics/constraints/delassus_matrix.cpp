@@ -1,13 +1,13 @@
 // With every row's unit impulse eliminated from its bodies to the roots, u_i what arrives at joint
 // i and f what arrives at the root,
 //     W_rs = sum over joints of u_ri u_si / d_i  +  f_r Phi f_s,
-// Phi the inverse of the root's inertia: the squares that elimination completes (R. Featherstone,
-// Rigid Body Dynamics Algorithms, 2008, chapter 8: the factors of the joint-space inertia). Only
-// bodies between a row's own and their roots take part.
+// with the inverse Phi of the root's articulated inertia (R. Featherstone, Rigid Body Dynamics
+// Algorithms, 2008, chapter 8: the factors of the joint-space inertia). Only the bodies on the
+// paths from a row's bodies to their roots take part.
 
-#include "dynamics/constraints/row_matrix.h"
+#include "dynamics/constraints/delassus_matrix.h"
 
-#include "dynamics/constraints/dense_row_matrix.h"
+#include "dynamics/constraints/dense_delassus_matrix.h"
 #include "dynamics/constraints/invariants.h"
 
 #include <algorithm>
@@ -26,20 +26,20 @@ CAMBRIAN_INLINE int last_of(BodySet set) {
     return 31 - std::countl_zero(set);
 }
 
-// What four rows' unit impulses leave at the joints and roots on their way, and its share in the
-// rate of whatever else leaves something there.
+// The unit impulses of four rows as they arrive at joints and roots, and the same multiplied by 1/d
+// or by the root's inverse.
 struct Arrivals {
-    BodySet bodies;  // on the way of any of the four
-    Lanes joint[kMaxBodies], joint_share[kMaxBodies];
-    Lanes root[3 * kMaxTrees], root_share[3 * kMaxTrees];
+    BodySet bodies;  // on the paths of any of the four
+    Simd4d joint[kMaxBodies], joint_share[kMaxBodies];
+    Simd4d root[3 * kMaxTrees], root_share[3 * kMaxTrees];
 };
 
-// About the bodies' pivots.
+// Impulses about the bodies' pivots.
 struct Impulses {
-    Lanes f_x[kMaxBodies], f_y[kMaxBodies], t[kMaxBodies];
+    Simd4d f_x[kMaxBodies], f_y[kMaxBodies], t[kMaxBodies];
 };
 
-CAMBRIAN_INLINE BodySet bodies_of(const PlanarModel& model, const RowSystem& rows, int first,
+CAMBRIAN_INLINE BodySet bodies_of(const PlanarModel& model, const ConstraintSystem& rows, int first,
                                   int end) {
     BodySet bodies = 0;
     for (int row = first; row < end; ++row) {
@@ -52,9 +52,9 @@ CAMBRIAN_INLINE BodySet bodies_of(const PlanarModel& model, const RowSystem& row
 CAMBRIAN_INLINE void clear(BodySet bodies, Impulses& impulses) {
     for (; bodies != 0; bodies &= bodies - 1) {
         const int i = std::countr_zero(bodies);
-        impulses.f_x[i] = Lanes{};
-        impulses.f_y[i] = Lanes{};
-        impulses.t[i] = Lanes{};
+        impulses.f_x[i] = Simd4d{};
+        impulses.f_y[i] = Simd4d{};
+        impulses.t[i] = Simd4d{};
     }
 }
 
@@ -62,7 +62,7 @@ struct Wrench {
     double x, y, moment;
 };
 
-// A wrench about the body's centre, taken to its pivot.
+// Moves a wrench from the body's centre to its pivot.
 CAMBRIAN_INLINE void put_wrench(const Kinematics& k, int body, const Wrench& wrench, int lane,
                                 Impulses& impulses) {
     impulses.f_x[body][lane] = wrench.x;
@@ -70,7 +70,7 @@ CAMBRIAN_INLINE void put_wrench(const Kinematics& k, int body, const Wrench& wre
     impulses.t[body][lane] = wrench.moment + k.s_x[body] * wrench.x + k.s_y[body] * wrench.y;
 }
 
-// The effort of a joint as wrenches on its two bodies at the child's pivot.
+// Writes the effort of a joint as wrenches on its two bodies at the child's pivot.
 CAMBRIAN_INLINE void put_effort(const PlanarModel& model, const Kinematics& k, int body,
                                 double effort, int lane, Impulses& impulses) {
     const int p = model.parent[body];
@@ -100,8 +100,8 @@ CAMBRIAN_INLINE void put_unit_impulse(const PlanarModel& model, const Kinematics
     put_wrench(k, row.body_b, {-row.dir_x, -row.dir_y, -row.moment_b}, lane, impulses);
 }
 
-CAMBRIAN_INLINE void arrive_at_root(const RootInverse& inverse, const Lanes& x, const Lanes& y,
-                                    const Lanes& t, int channel, Arrivals& arrivals) {
+CAMBRIAN_INLINE void arrive_at_root(const RootInverse& inverse, const Simd4d& x, const Simd4d& y,
+                                    const Simd4d& t, int channel, Arrivals& arrivals) {
     arrivals.root[channel] = x;
     arrivals.root[channel + 1] = y;
     arrivals.root[channel + 2] = t;
@@ -110,27 +110,27 @@ CAMBRIAN_INLINE void arrive_at_root(const RootInverse& inverse, const Lanes& x, 
     arrivals.root_share[channel + 2] = inverse.xt * x + inverse.yt * y + inverse.tt * t;
 }
 
-// As solve_impulse's way up, for four impulses.
-template <bool kHasLinear>
-CAMBRIAN_INLINE void eliminate(const PlanarModel& model, const Frame& frame, Impulses& impulses,
-                               Arrivals& arrivals) {
-    const Kinematics& k = frame.kinematics;
-    const Factors& factors = frame.factors;
+// Does the first pass of solve_impulse, from the leaves to the root, for four impulses.
+template <bool kHasPrismatic>
+CAMBRIAN_INLINE void eliminate(const PlanarModel& model, const EvaluationCache& cache,
+                               Impulses& impulses, Arrivals& arrivals) {
+    const Kinematics& k = cache.kinematics;
+    const Factors& factors = cache.factors;
     const BodySet inner = arrivals.bodies & ~model.roots;
     for (BodySet left = inner; left != 0; left ^= BodySet{1} << last_of(left)) {
         const int i = last_of(left);
         const int p = model.parent[i];
-        CAMBRIAN_TICK_ASSERT(p >= 0 && p < i, "a parent stands before its children");
-        const Lanes f_x = impulses.f_x[i];
-        const Lanes f_y = impulses.f_y[i];
-        const Lanes t = impulses.t[i];
-        const bool linear = kHasLinear && model.motion[i] == JointMotion::kSlide;
-        const Lanes u = linear ? k.axis_x[i] * f_x + k.axis_y[i] * f_y : t;
-        const Lanes share = u * factors.inverse_d[i];
-        const Lanes passed_x = f_x - factors.w_x[i] * share;
-        const Lanes passed_y = f_y - factors.w_y[i] * share;
-        const Lanes left_over =
-            linear ? t - factors.w_3[i] * share : Lanes(factors.damping[i] * share);
+        CAMBRIAN_TICK_ASSERT(p >= 0 && p < i, "a parent comes before its children");
+        const Simd4d f_x = impulses.f_x[i];
+        const Simd4d f_y = impulses.f_y[i];
+        const Simd4d t = impulses.t[i];
+        const bool is_prismatic = kHasPrismatic && model.motion[i] == JointMotion::kSlide;
+        const Simd4d u = is_prismatic ? k.axis_x[i] * f_x + k.axis_y[i] * f_y : t;
+        const Simd4d share = u * factors.inverse_d[i];
+        const Simd4d passed_x = f_x - factors.w_x[i] * share;
+        const Simd4d passed_y = f_y - factors.w_y[i] * share;
+        const Simd4d left_over =
+            is_prismatic ? t - factors.w_3[i] * share : Simd4d(factors.damping[i] * share);
         impulses.f_x[p] += passed_x;
         impulses.f_y[p] += passed_y;
         impulses.t[p] += k.z_x[i] * passed_x + k.z_y[i] * passed_y + left_over;
@@ -140,23 +140,25 @@ CAMBRIAN_INLINE void eliminate(const PlanarModel& model, const Frame& frame, Imp
     for (int tree = 0; tree < model.tree_count; ++tree) {
         const int root = model.tree_begin[tree];
         const bool reached = ((arrivals.bodies >> root) & 1U) != 0;
-        const Lanes none = {};
+        const Simd4d none = {};
         arrive_at_root(factors.root[tree], reached ? impulses.f_x[root] : none,
                        reached ? impulses.f_y[root] : none, reached ? impulses.t[root] : none,
                        3 * tree, arrivals);
     }
 }
 
-// Adds what one channel has in common to a block of 4 x 4 rows.
-CAMBRIAN_INLINE void add_product(const Lanes& share, const Lanes& value, Lanes (&block)[kLanes]) {
+// Adds the product of one joint or root component to a block of 4 x 4 rows.
+CAMBRIAN_INLINE void add_product(const Simd4d& share, const Simd4d& value,
+                                 Simd4d (&block)[kLanes]) {
     for (int i = 0; i < kLanes; ++i)
         block[i] += share[i] * value;
 }
 
-// Rows from `first` on, columns from `second` on, and the same mirrored.
+// Fills the block of rows from `first` on and columns from `second` on, and its transpose.
 CAMBRIAN_INLINE void fill_block(const PlanarModel& model, const Arrivals& row,
-                                const Arrivals& column, int first, int second, RowSystem& rows) {
-    Lanes block[kLanes] = {};
+                                const Arrivals& column, int first, int second,
+                                ConstraintSystem& rows) {
+    Simd4d block[kLanes] = {};
     const BodySet common = row.bodies & column.bodies & ~model.roots;
     for (BodySet left = common; left != 0; left &= left - 1) {
         const int i = std::countr_zero(left);
@@ -172,11 +174,12 @@ CAMBRIAN_INLINE void fill_block(const PlanarModel& model, const Arrivals& row,
         store_lanes(rows.line(second + i) + first, block[i]);
 }
 
-// A contact on a body that the mechanism hardly lets move would answer a millimetre with a huge
-// impulse; the diagonal is kept above 2 % of that of the bodies set free. Friction rows are softer:
-// two parts that stick and a joint between them would leave their forces undetermined.
-CAMBRIAN_INLINE double regularization(const PlanarModel& model, const RowSystem& rows, int row,
-                                      double friction_softness) {
+// A contact in a direction in which the mechanism hardly moves would answer a millimetre with a
+// huge impulse. So the diagonal is at least 2 % of that of the same bodies without joints. Friction
+// rows are softer, because two sticking parts with a joint between them leave their forces
+// undetermined.
+CAMBRIAN_INLINE double regularization(const PlanarModel& model, const ConstraintSystem& rows,
+                                      int row, double friction_softness) {
     const double diagonal = rows.coupling(row, row);
     if (rows[row].kind == RowKind::kLimit) return kRelativeSoftness * diagonal;
     const int a = rows[row].body_a;
@@ -192,8 +195,9 @@ CAMBRIAN_INLINE double regularization(const PlanarModel& model, const RowSystem&
     return std::max(softness * free, kFreeShare * free - diagonal);
 }
 
-template <bool kHasLinear>
-void fill_row_matrix(const PlanarModel& model, const Frame& frame, RowSystem& rows) {
+template <bool kHasPrismatic>
+void fill_delassus_matrix(const PlanarModel& model, const EvaluationCache& cache,
+                          ConstraintSystem& rows) {
     Arrivals arrivals[kMaxGroups];
     for (int first = 0; first < rows.count; first += kLanes) {
         Arrivals& group = arrivals[first / kLanes];
@@ -203,8 +207,8 @@ void fill_row_matrix(const PlanarModel& model, const Frame& frame, RowSystem& ro
         Impulses impulses;
         clear(group.bodies, impulses);
         for (int lane = 0; lane < lanes; ++lane)
-            put_unit_impulse(model, frame.kinematics, rows[first + lane], lane, impulses);
-        eliminate<kHasLinear>(model, frame, impulses, group);
+            put_unit_impulse(model, cache.kinematics, rows[first + lane], lane, impulses);
+        eliminate<kHasPrismatic>(model, cache, impulses, group);
         for (int column = 0; column <= first; column += kLanes)
             fill_block(model, group, arrivals[column / kLanes], first, column, rows);
     }
@@ -212,15 +216,15 @@ void fill_row_matrix(const PlanarModel& model, const Frame& frame, RowSystem& ro
 
 }  // namespace
 
-void compute_row_matrix(const PlanarModel& model, const Frame& frame, double friction_softness,
-                        RowSystem& rows) {
+void compute_delassus_matrix(const PlanarModel& model, const EvaluationCache& cache,
+                             double friction_softness, ConstraintSystem& rows) {
     rows.stride = round_up_to_lanes(rows.count);
-    if (frame.is_inverted)
-        fill_dense_row_matrix(model, frame, rows);
+    if (cache.is_inverted)
+        fill_dense_delassus_matrix(model, cache, rows);
     else if (model.has_slides)
-        fill_row_matrix<true>(model, frame, rows);
+        fill_delassus_matrix<true>(model, cache, rows);
     else
-        fill_row_matrix<false>(model, frame, rows);
+        fill_delassus_matrix<false>(model, cache, rows);
     for (int row = 0; row < rows.count; ++row) {
         rows[row].regularization = regularization(model, rows, row, friction_softness);
         rows.line(row)[row] += rows[row].regularization;

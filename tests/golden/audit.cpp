@@ -1,8 +1,8 @@
-#include "golden/books.h"
+#include "golden/audit.h"
 
 namespace cambrian::golden {
 
-void add_books(Hash64& hash, const SceneAudit& audit) {
+void add_audit(Hash64& hash, const SceneAudit& audit) {
     for (const double number :
          {audit.motor_work, audit.gross_motor_work, audit.drag_work, audit.contact_work,
           audit.limit_work, audit.impulse_work, audit.positive_work, audit.energy_residual,

@@ -1,4 +1,4 @@
-#include "dynamics/articulated/elimination.h"
+#include "dynamics/articulated/articulated_body.h"
 
 #include "dynamics/articulated/least_squares_dynamics.h"
 #include "dynamics/articulated/paired_impulses.h"
@@ -38,7 +38,8 @@ RandomState random_state(RandomStream& random) {
 
 }  // namespace
 
-TEST_CASE("tree elimination agrees with dense least squares", "[dynamics][elimination]") {
+TEST_CASE("the articulated body algorithm agrees with dense least squares",
+          "[dynamics][articulated_body]") {
     RandomStream random(stream_seed({21}));
     for (int round = 0; round < 200; ++round) {
         const RandomState state = random_state(random);
@@ -56,7 +57,7 @@ TEST_CASE("tree elimination agrees with dense least squares", "[dynamics][elimin
 }
 
 TEST_CASE("accelerations are the impulse response of the loads at rest",
-          "[dynamics][elimination]") {
+          "[dynamics][articulated_body]") {
     RandomStream random(stream_seed({22}));
     for (int round = 0; round < 100; ++round) {
         RandomState state = random_state(random);
@@ -123,7 +124,7 @@ Eigen::VectorXd coordinates_of(const PlanarModel& model, const BodyResponse& res
 }  // namespace
 
 TEST_CASE("implicit damping agrees with a dense solve of the coordinates",
-          "[dynamics][elimination]") {
+          "[dynamics][articulated_body]") {
     RandomStream random(stream_seed({24}));
     for (int round = 0; round < 200; ++round) {
         const RandomState state = random_state(random);
@@ -151,7 +152,7 @@ TEST_CASE("implicit damping agrees with a dense solve of the coordinates",
     }
 }
 
-TEST_CASE("two impulses side by side do what each does alone", "[dynamics][elimination]") {
+TEST_CASE("two impulses side by side do what each does alone", "[dynamics][articulated_body]") {
     RandomStream random(stream_seed({24}));
     for (int round = 0; round < 100; ++round) {
         const RandomState state = random_state(random);
@@ -180,7 +181,7 @@ TEST_CASE("two impulses side by side do what each does alone", "[dynamics][elimi
 }
 
 TEST_CASE("the mean of the bodies' accelerations is that of the centre",
-          "[dynamics][elimination]") {
+          "[dynamics][articulated_body]") {
     RandomStream random(stream_seed({23}));
     for (int round = 0; round < 100; ++round) {
         const RandomState state = random_state(random);
@@ -195,7 +196,7 @@ TEST_CASE("the mean of the bodies' accelerations is that of the centre",
     }
 }
 
-TEST_CASE("the reference mode walks the same way", "[dynamics][elimination]") {
+TEST_CASE("the reference mode walks the same way", "[dynamics][articulated_body]") {
     BodyPlan plan = chain(4, 1.0);
     attach(plan, 1, Vec3(0.2, 0.0, 0.0), 0.5, kLinearJoint);
     plan.parts[4].limit_low = -0.1;

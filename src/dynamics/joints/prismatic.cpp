@@ -1,5 +1,6 @@
-// Slides its part along the part's length. Its genes count in lengths of the part, and a mirror
-// does not change them. Strength grows with the narrower section of the two parts.
+// A prismatic joint along the length of its part. Its genes are in lengths of the part, and
+// mirroring does not change them. Strength is proportional to the narrower section of the two
+// parts.
 
 #include "dynamics/joints/builtin_joints.h"
 
@@ -10,7 +11,7 @@ namespace {
 
 constexpr double kMaxExtension = 0.9;  // of the part's length, either way
 
-void shape_linear(const JointGenes& genes, PlannedPart& part) {
+void shape_prismatic(const JointGenes& genes, PlannedPart& part) {
     part.limit_low = std::fmax(genes.limit_low, -kMaxExtension) * genes.length;
     part.limit_high = std::fmin(genes.limit_high, kMaxExtension) * genes.length;
     part.max_effort = genes.muscle_strength * genes.width;
@@ -18,12 +19,12 @@ void shape_linear(const JointGenes& genes, PlannedPart& part) {
 
 }  // namespace
 
-JointKind linear_joint() {
+JointKind prismatic_joint() {
     return {.id = "linear",
             .label = "Linear",
             .motion = JointMotion::kSlide,
             .usual = false,
-            .shape = shape_linear};
+            .shape = shape_prismatic};
 }
 
 }  // namespace cambrian

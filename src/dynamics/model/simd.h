@@ -1,0 +1,93 @@
+#pragma once
+
+// Vectors of four doubles (four bodies, parts or coordinates) and of two (a planar vector). They
+// use only the four exactly rounded operations and fixed orders of summation, so the bits do not
+// depend on the vector width of the processor (dynamics/README.md 19).
+
+#include <cstdint>
+#include <cstring>
+
+// Marks functions with vectors as arguments or results. They are always inlined, because the
+// calling convention of vectors depends on the processor's instructions.
+#define CAMBRIAN_INLINE inline __attribute__((always_inline))
+
+namespace cambrian {
+
+inline constexpr int kLanes = 4;
+using Simd4d = double __attribute__((vector_size(kLanes * sizeof(double))));
+using Simd4i = std::int64_t __attribute__((vector_size(kLanes * sizeof(std::int64_t))));
+using Simd2d = double __attribute__((vector_size(2 * sizeof(double))));
+
+inline constexpr int round_up_to_lanes(int count) {
+    return (count + kLanes - 1) / kLanes * kLanes;
+}
+
+CAMBRIAN_INLINE Simd4d load_lanes(const double* from) {
+    Simd4d lanes;
+    std::memcpy(&lanes, from, sizeof(lanes));
+    return lanes;
+}
+CAMBRIAN_INLINE void store_lanes(double* to, const Simd4d& lanes) {
+    std::memcpy(to, &lanes, sizeof(lanes));
+}
+CAMBRIAN_INLINE Simd4d all_lanes(double value) {
+    return Simd4d{value, value, value, value};
+}
+CAMBRIAN_INLINE Simd4d gather(const double* from, const int* index) {
+    return Simd4d{from[index[0]], from[index[1]], from[index[2]], from[index[3]]};
+}
+CAMBRIAN_INLINE double sum_of(const Simd4d& lanes) {
+    return (lanes[0] + lanes[1]) + (lanes[2] + lanes[3]);
+}
+// Transposes the 4 x 4 matrix with these rows.
+CAMBRIAN_INLINE void transpose(Simd4d& a, Simd4d& b, Simd4d& c, Simd4d& d) {
+    const Simd4d even_ab = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const Simd4d odd_ab = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    const Simd4d even_cd = __builtin_shufflevector(c, d, 0, 4, 2, 6);
+    const Simd4d odd_cd = __builtin_shufflevector(c, d, 1, 5, 3, 7);
+    a = __builtin_shufflevector(even_ab, even_cd, 0, 1, 4, 5);
+    b = __builtin_shufflevector(odd_ab, odd_cd, 0, 1, 4, 5);
+    c = __builtin_shufflevector(even_ab, even_cd, 2, 3, 6, 7);
+    d = __builtin_shufflevector(odd_ab, odd_cd, 2, 3, 6, 7);
+}
+CAMBRIAN_INLINE Simd4d magnitude(const Simd4d& lanes) {
+    Simd4i bits;
+    std::memcpy(&bits, &lanes, sizeof(bits));
+    bits &= Simd4i{INT64_MAX, INT64_MAX, INT64_MAX, INT64_MAX};
+    Simd4d result;
+    std::memcpy(&result, &bits, sizeof(result));
+    return result;
+}
+CAMBRIAN_INLINE Simd4d lesser(const Simd4d& a, const Simd4d& b) {
+    return a < b ? a : b;
+}
+CAMBRIAN_INLINE Simd4d greater(const Simd4d& a, const Simd4d& b) {
+    return a > b ? a : b;
+}
+// Clamps value to [-size, size].
+CAMBRIAN_INLINE Simd4d clamp_size(const Simd4d& value, const Simd4d& size) {
+    return greater(lesser(value, size), -size);
+}
+CAMBRIAN_INLINE double largest_of(const Simd4d& lanes) {
+    const double low = lanes[0] > lanes[1] ? lanes[0] : lanes[1];
+    const double high = lanes[2] > lanes[3] ? lanes[2] : lanes[3];
+    return low > high ? low : high;
+}
+
+// The dot product of two arrays; count is a multiple of kLanes.
+CAMBRIAN_INLINE double lane_product(const double* first, const double* second, int count) {
+    Simd4d sum = {};
+    for (int i = 0; i < count; i += kLanes)
+        sum += load_lanes(first + i) * load_lanes(second + i);
+    return sum_of(sum);
+}
+
+CAMBRIAN_INLINE Simd2d both(double value) {
+    return Simd2d{value, value};
+}
+CAMBRIAN_INLINE double dot(const Simd2d& a, const Simd2d& b) {
+    const Simd2d product = a * b;
+    return product[0] + product[1];
+}
+
+}  // namespace cambrian
