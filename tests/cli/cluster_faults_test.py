@@ -243,31 +243,6 @@ class Faults(FaultTest):
         self.generations_until(run, lambda counts: counts["poisoned"] > 0)
         self.end_and_compare(run, "refuses", ENDLESS)
 
-    def test_a_unit_that_is_never_acknowledged_is_deleted(self):
-        server = self.start_server()
-        self.start_faulty(server.url, "silent")
-        run = self.evolve("silent", "--cluster", server.url, settings=ENDLESS)
-        client = self.messages_of(
-            server, "$JS.EVENT.ADVISORY.CONSUMER.MAX_DELIVERIES.cambrian-WORK.workers",
-            "$JS.API.STREAM.MSG.DELETE.cambrian-WORK")
-        self.generations_until(run, lambda counts: counts["units"] > 0)
-        self.deliver_again_after(server, 0.1)
-        given_up = set()
-
-        def deletes_what_was_given_up(subject, body):
-            message = json.loads(body)
-            if "MAX_DELIVERIES" in subject:
-                given_up.add(message["stream_seq"])
-                return False
-            return message["seq"] in given_up
-
-        self.wait_to_hear(client, deletes_what_was_given_up)
-        self.end_and_compare(run, "silent", ENDLESS)
-        after = server.client()
-        self.assertEqual(after.messages_in("cambrian-WORK"), 0)
-        self.assertEqual(after.messages_in("cambrian-RESULT"), 0)
-        after.close()
-
 
 if __name__ == "__main__":
     unittest.main()
