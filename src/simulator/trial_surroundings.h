@@ -14,7 +14,6 @@ public:
     void set_environment(const Environment& environment);
 
     Vec3 up() const override { return up_; }
-    Light light(const Vec3& /*point*/) const override { return {}; }
 
 private:
     Vec3 up_ = Vec3::Zero();

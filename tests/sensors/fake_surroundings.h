@@ -8,10 +8,8 @@ namespace cambrian {
 class FakeSurroundings final : public Surroundings {
 public:
     Vec3 up() const override { return upwards; }
-    Light light(const Vec3& /*point*/) const override { return seen; }
 
     Vec3 upwards = Vec3::UnitY();
-    Light seen;
 };
 
 }  // namespace cambrian
