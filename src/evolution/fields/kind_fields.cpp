@@ -7,23 +7,18 @@ namespace {
 
 using Flags = std::map<std::string, bool>;
 
-template <class Entries, class Standard>
+template <class Entries>
 void add_switches(std::vector<SettingField>& fields, std::string table, const Entries& entries,
-                  const std::string& help, Flags FounderSettings::*flags, Standard standard_of) {
+                  const std::string& help, Flags FounderSettings::*flags) {
     TableBuilder builder(fields, std::move(table));
     for (const auto& entry : entries) {
         const std::string id(entry.id);
         builder.flag(
             id, std::string(entry.label), help,
-            [ flags, id, standard = standard_of(entry) ](Settings & s) -> auto& {
-                return (s.founders.*flags).try_emplace(id, standard).first->second;
+            [ flags, id, usual = is_usual(entry) ](Settings & s) -> auto& {
+                return (s.founders.*flags).try_emplace(id, usual).first->second;
             });
     }
-}
-
-template <class Entry>
-bool always(const Entry& /*entry*/) {
-    return true;
 }
 
 // At least one switch must be on, or there is nothing to draw from.
@@ -76,17 +71,16 @@ void add_body_kinds(std::vector<SettingField>& fields, const EvolutionKinds& kin
     const KindCatalog& catalog = kinds.creature.catalog;
     add_switches(fields, "body.joints", catalog.joints,
                  "Whether random creatures and mutations may use this joint.",
-                 &FounderSettings::joints, [](const JointChoice& joint) { return joint.usual; });
+                 &FounderSettings::joints);
     add_switches(fields, "body.functions", catalog.functions,
                  "Whether random creatures and mutations may use this neuron.",
-                 &FounderSettings::functions, always<FunctionEntry>);
+                 &FounderSettings::functions);
     add_switches(fields, "body.sensors", catalog.channels,
                  "Whether random creatures and mutations may connect to this sensor.",
-                 &FounderSettings::channels,
-                 [](const ChannelEntry& channel) { return channel.usual; });
+                 &FounderSettings::channels);
     add_switches(fields, "body.references", source_rules(),
                  "Whether random creatures and mutations may connect to this.",
-                 &FounderSettings::references, always<SourceRule>);
+                 &FounderSettings::references);
 }
 
 Status check_body_kinds(const Settings& settings, const EvolutionKinds& kinds) {

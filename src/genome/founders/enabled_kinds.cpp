@@ -2,29 +2,20 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 #include <string>
 
 namespace cambrian {
 namespace {
 
-template <class Entry>
-bool always(const Entry& /*entry*/) {
-    return true;
-}
-
-template <class Entry>
-bool usual(const Entry& entry) {
-    return entry.usual;
-}
-
-// Indices of the entries whose flag is set; of those without one, the standard ones.
-template <class Entries, class Standard>
-std::vector<std::uint8_t> enabled(const Entries& entries, const std::map<std::string, bool>& flags,
-                                  Standard standard) {
+// Indices of the entries whose flag is set; of those without one, the usual ones.
+template <class Entries>
+std::vector<std::uint8_t> enabled(const Entries& entries,
+                                  const std::map<std::string, bool>& flags) {
     std::vector<std::uint8_t> indices;
     for (std::size_t i = 0; i < entries.size(); ++i) {
         const auto flag = flags.find(std::string(entries[i].id));
-        if (flag == flags.end() ? standard(entries[i]) : flag->second)
+        if (flag == flags.end() ? is_usual(entries[i]) : flag->second)
             indices.push_back(static_cast<std::uint8_t>(i));
     }
     return indices;
@@ -34,28 +25,31 @@ std::vector<std::uint8_t> enabled(const Entries& entries, const std::map<std::st
 
 std::vector<std::uint8_t> enabled_functions(const FounderSettings& settings,
                                             const KindCatalog& catalog) {
-    auto chosen = enabled(catalog.functions, settings.functions, always<FunctionEntry>);
-    return chosen.empty() ? enabled(catalog.functions, {}, always<FunctionEntry>) : chosen;
+    auto chosen = enabled(catalog.functions, settings.functions);
+    return chosen.empty() ? enabled(catalog.functions, {}) : chosen;
 }
 
 std::vector<std::uint8_t> enabled_joints(const FounderSettings& settings,
                                          const KindCatalog& catalog) {
-    auto chosen = enabled(catalog.joints, settings.joints, usual<JointChoice>);
-    if (chosen.empty()) chosen = enabled(catalog.joints, {}, usual<JointChoice>);
-    return chosen.empty() ? enabled(catalog.joints, {}, always<JointChoice>) : chosen;
+    auto chosen = enabled(catalog.joints, settings.joints);
+    if (chosen.empty()) chosen = enabled(catalog.joints, {});
+    if (chosen.empty()) {
+        chosen.resize(catalog.joints.size());
+        std::iota(chosen.begin(), chosen.end(), std::uint8_t{0});
+    }
+    return chosen;
 }
 
 std::vector<std::uint8_t> enabled_channels(const FounderSettings& settings,
                                            const KindCatalog& catalog) {
-    return enabled(catalog.channels, settings.channels, usual<ChannelEntry>);
+    return enabled(catalog.channels, settings.channels);
 }
 
 std::vector<SourceKind> enabled_references(SourceScope scope, const FounderSettings& settings,
                                            const KindCatalog& catalog) {
     const bool has_sensors = !enabled_channels(settings, catalog).empty();
     std::vector<SourceKind> kinds;
-    for (const std::uint8_t index :
-         enabled(source_rules(), settings.references, always<SourceRule>)) {
+    for (const std::uint8_t index : enabled(source_rules(), settings.references)) {
         const auto kind = SourceKind(index);
         const bool readable = has_sensors || source_rule(kind).reads != SourceReads::kSensor;
         if (readable && is_allowed(kind, scope)) kinds.push_back(kind);

@@ -12,6 +12,15 @@
 
 namespace cambrian {
 
+// Whether an entry of the catalog, or a kind of reference, is used where settings say nothing.
+template <class Entry>
+bool is_usual(const Entry& entry) {
+    if constexpr (requires { entry.usual; })
+        return entry.usual;
+    else
+        return true;
+}
+
 // Catalog indices in catalog order. Functions and joints are never empty: settings that exclude all
 // of them are ignored (all joints are allowed if the catalog has none of the usual ones).
 std::vector<std::uint8_t> enabled_functions(const FounderSettings& settings,
