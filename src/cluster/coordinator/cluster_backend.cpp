@@ -143,11 +143,7 @@ bool ClusterBackend::evaluate(std::span<const EvaluationRequest> requests,
                               const ExperimentSettings& settings, EvaluationProgress& progress,
                               std::stop_token stop) {
     const std::lock_guard one_at_a_time(evaluating_);
-    std::vector<std::size_t> open;
-    for (std::size_t i = 0; i < requests.size(); ++i) {
-        if (!results[i]) open.push_back(i);
-    }
-    put_longest_first(open, requests);
+    const std::vector<std::size_t> open = open_longest_first(requests, results);
     std::vector<EvaluationRequest> ordered;
     for (const std::size_t i : open)
         ordered.push_back(requests[i]);

@@ -25,11 +25,7 @@ public:
                   std::span<std::optional<EvaluationResult>> results,
                   const ExperimentSettings& settings, EvaluationProgress& progress,
                   std::stop_token stop) override {
-        std::vector<std::size_t> open;
-        for (std::size_t i = 0; i < requests.size(); ++i) {
-            if (!results[i]) open.push_back(i);
-        }
-        put_longest_first(open, requests);
+        const std::vector<std::size_t> open = open_longest_first(requests, results);
         progress.done = static_cast<std::uint32_t>(requests.size() - open.size());
         progress.total = static_cast<std::uint32_t>(requests.size());
         const Busy busy(evaluating_);

@@ -18,4 +18,15 @@ void put_longest_first(std::span<std::size_t> indices,
     });
 }
 
+std::vector<std::size_t> open_longest_first(
+    std::span<const EvaluationRequest> requests,
+    std::span<const std::optional<EvaluationResult>> results) {
+    std::vector<std::size_t> open;
+    for (std::size_t i = 0; i < requests.size(); ++i) {
+        if (!results[i]) open.push_back(i);
+    }
+    put_longest_first(open, requests);
+    return open;
+}
+
 }  // namespace cambrian
