@@ -1,6 +1,6 @@
-// Effort of the muscle of the joint to the parent, as a share of the most it has: -1 to 1. Sliding
-// has no handedness.
+// Effort of the muscle of the joint to the parent, as a share of the most it has: -1 to 1.
 
+#include "sensors/frames.h"
 #include "sensors/kinds.h"
 
 #include <algorithm>
@@ -11,8 +11,7 @@ namespace {
 double read_effort(const SensorSite& site, double& /*memory*/) {
     if (!(site.part.max_effort > 0.0)) return 0.0;
     const double share = site.body.joint_effort(site.index) / site.part.max_effort;
-    const bool slides = site.part.motion == JointMotion::kSlide;
-    return std::clamp(slides ? share : site.handedness * share, -1.0, 1.0);
+    return std::clamp(joint_sign(site) * share, -1.0, 1.0);
 }
 
 Vec3 effort_spot(std::size_t /*channel*/, int /*handedness*/) {

@@ -22,6 +22,12 @@ inline double component(const SensorSite& site, const Vec3& vector) {
     return site.handedness * (axis.x() * vector.y() - axis.y() * vector.x());
 }
 
+// The sign of what the joint to the parent does: that of the handedness, 1 where it slides, for
+// sliding has none.
+inline int joint_sign(const SensorSite& site) {
+    return site.part.motion == JointMotion::kSlide ? 1 : site.handedness;
+}
+
 // Spots of a pair of channels, the second on the part's left, `along` and `across` from the middle
 // as shares of the half extents.
 inline Vec3 paired_spot(std::size_t channel, int handedness, double along, double across) {
