@@ -5,15 +5,15 @@
 
 #include "sensors/frames.h"
 #include "sensors/kinds.h"
+#include "world/environment.h"
 
 namespace cambrian {
 namespace {
 
-constexpr double kUnit = 9.81;          // m/s^2
 constexpr double kTimeConstant = 0.05;  // s
 
 double read_acceleration(const SensorSite& site, double& memory) {
-    const double felt = component(site, site.body.part_specific_force(site.index)) / kUnit;
+    const double felt = component(site, site.body.part_specific_force(site.index)) / kEarthGravity;
     memory += (limited_reading(felt) - memory) * site.share;
     return memory;
 }

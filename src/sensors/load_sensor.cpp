@@ -2,14 +2,13 @@
 
 #include "sensors/frames.h"
 #include "sensors/kinds.h"
+#include "world/environment.h"
 
 namespace cambrian {
 namespace {
 
-constexpr double kEarth = 9.81;  // m/s^2
-
 double read_load(const SensorSite& site, double& /*memory*/) {
-    return limited_reading(site.body.part_load(site.index) / (site.body.mass() * kEarth));
+    return limited_reading(site.body.part_load(site.index) / (site.body.mass() * kEarthGravity));
 }
 
 Vec3 load_spot(std::size_t /*channel*/, int /*handedness*/) {

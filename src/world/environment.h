@@ -2,10 +2,12 @@
 
 namespace cambrian {
 
+inline constexpr double kEarthGravity = 9.81;  // m/s^2
+
 // The medium and ground a trial takes place in. Plain data, part of every experiment's settings and
 // saved with them. Knows nothing of physics engines.
 struct Environment {
-    double gravity = 9.81;             // m/s^2, 0 and up; size of the pull
+    double gravity = kEarthGravity;    // m/s^2, 0 and up; size of the pull
     double gravity_direction = -90.0;  // degrees from +x, counter-clockwise; -90 is down
     bool has_ground = true;            // the half-space y <= 0
     double friction = 0.8;             // Coulomb coefficient, 0 and up; ground and self-contact

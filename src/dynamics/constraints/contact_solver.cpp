@@ -2,6 +2,7 @@
 
 #include "dynamics/constraints/invariants.h"
 #include "dynamics/contact/ground_contacts.h"
+#include "world/environment.h"
 
 #include <algorithm>
 #include <cmath>
@@ -180,7 +181,7 @@ void ContactSolver::select_limits(const PlanarModel& model, const EvaluationCach
 void ContactSolver::set_resting_bias(const PlanarModel& model, double h, const WarmStart& warm) {
     CAMBRIAN_TICK_ASSERT(h > 0.0, "a step takes time");
     CAMBRIAN_TICK_ASSERT(warm.count <= kMaxContacts, "remembered forces have room");
-    const double most = kAnchorWeights * model.total_mass * kReferenceGravity * h;
+    const double most = kAnchorWeights * model.total_mass * kEarthGravity * h;
     WarmForces forces(warm);
     for (int r = 0; r < rows_.count; ++r) {
         const Row& row = rows_[r];
@@ -232,7 +233,7 @@ void ContactSolver::clear() {
 }
 
 bool ContactSolver::solve_rows(const PlanarModel& model, const ContactLaw& law, double h) {
-    const double allowance = kMiddleWorkAllowance * model.total_mass * kReferenceGravity;
+    const double allowance = kMiddleWorkAllowance * model.total_mass * kEarthGravity;
     bool solved = solver_.solve(rows_, bias_, law.friction);
     if (resting_work(h) <= allowance) return solved;
     solver_.iterate_from_zero(rows_, bias_, law.friction);

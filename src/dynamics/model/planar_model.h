@@ -52,9 +52,6 @@ struct MotorLaw {
     PerBody damping = {};     // factor of the joint's rate, which is subtracted from the wanted one
 };
 
-inline constexpr double kReferenceGravity =
-    9.81;  // m/s^2, by which allowances of energy are scaled
-
 struct PlanarModel {
     int tree_count = 0;
     int body_count = 0;

@@ -6,6 +6,7 @@
 #include "dynamics/stepping/dense_output.h"
 #include "dynamics/stepping/time_of_impact.h"
 #include "math/elementary.h"
+#include "world/environment.h"
 
 #include <algorithm>
 #include <cmath>
@@ -341,7 +342,7 @@ void StepControl::check_step_end(const Tick& tick) {
 bool StepControl::must_halve(const Tick& tick, double h) {
     check_step_end(tick);
     if (h <= kHalvingStep) return false;
-    const double allowance = kStepWorkAllowance * tick.model.total_mass * kReferenceGravity;
+    const double allowance = kStepWorkAllowance * tick.model.total_mass * kEarthGravity;
     if (work_.positive > allowance) return true;
     return end_overrun_ > kMaxOverrun &&
            end_overrun_ > limit_overrun(tick.model, tick.state.cache().kinematics) + kOverrunGrowth;

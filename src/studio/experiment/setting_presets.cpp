@@ -1,6 +1,7 @@
 #include "studio/experiment/setting_presets.h"
 
 #include "studio/experiment/settings_editor.h"
+#include "world/environment.h"
 
 #include <algorithm>
 #include <array>
@@ -76,7 +77,6 @@ void allow_sensors(Settings& settings, const EvolutionKinds& kinds,
     }
 }
 
-constexpr double kEarthGravity = 9.81;  // m/s^2
 constexpr double kMoonGravity = 1.62;
 
 constexpr std::string_view kEnvironment = "environment";
