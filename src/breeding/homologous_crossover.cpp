@@ -62,6 +62,7 @@ void add_homologous_crossover(BreedingRegistry& methods) {
                  .label = "Homologous crossover",
                  .parents = 2,
                  .default_share = 0.0,
+                 .heritable = false,
                  .breed = breed_homologous});
 }
 

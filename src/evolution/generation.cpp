@@ -53,21 +53,14 @@ std::size_t draw_partner(const Nursery& nursery, std::size_t first, RandomStream
     return partner;
 }
 
-// The kind that copies one parent, for children whose second parent could not be found.
-const BreedingKind& single_parent_kind(const BreedingRegistry& kinds) {
-    for (const BreedingKind& kind : kinds.all()) {
-        if (kind.parents == 1) return kind;
-    }
-    return kinds[0];
-}
-
 // The breeding method: that of the first parent's attribute if attributes decide, otherwise by
 // shares.
 const BreedingKind* method_of(const Nursery& nursery, std::size_t first,
                               const BreedingKind* by_share) {
     if (nursery.settings.breeding.choice != "attribute") return by_share;
-    const Reproduction reproduction = nursery.ranked[first]->genome->reproduction;
-    const BreedingKind* own = nursery.kinds.breeding.find(reproduction_name(reproduction));
+    const std::size_t reproduction = nursery.ranked[first]->genome->reproduction;
+    const BreedingKind* own =
+        nursery.kinds.breeding.find(nursery.kinds.creature.catalog.reproductions[reproduction]);
     return own == nullptr ? by_share : own;
 }
 
@@ -78,7 +71,7 @@ IndividualPtr breed_child(const Nursery& nursery, std::size_t child, std::size_t
     std::size_t second = first;
     if (method->parents > 1) {
         second = draw_partner(nursery, first, breeding);
-        if (second == first) method = &single_parent_kind(nursery.kinds.breeding);
+        if (second == first) method = &single_parent_method(nursery.kinds.breeding);
     }
     return make_child({nursery.ranked[first], nursery.ranked[second], *method}, nursery.settings,
                       nursery.kinds, nursery.generation, child, breeding);

@@ -3,9 +3,8 @@
 // The genes: plain structs with the fields, ranges and defaults of genome/README.md 1. Angles in
 // radians, lengths in metres.
 
-#include <array>
+#include <cstddef>
 #include <cstdint>
-#include <string_view>
 #include <vector>
 
 namespace cambrian {
@@ -101,13 +100,5 @@ struct NodeGene {
     // uid is not compared: it has no effect on the phenotype.
     friend bool operator==(const NodeGene& a, const NodeGene& b);
 };
-
-enum class Reproduction : std::uint8_t { kInherit, kAsexual, kCrossover, kGrafting };
-// In files, in words and, but for the first, the ids of breeding kinds; in that order.
-inline constexpr std::array<std::string_view, 4> kReproductionNames = {"inherit", "asexual",
-                                                                       "crossover", "grafting"};
-inline std::string_view reproduction_name(Reproduction reproduction) {
-    return kReproductionNames[static_cast<std::size_t>(reproduction)];
-}
 
 }  // namespace cambrian

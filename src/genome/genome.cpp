@@ -77,7 +77,7 @@ std::uint64_t genome_hash(const Genome& genome) {
         add_node(hash, node);
     add_neurons(hash, genome.brain);
     add_real(hash, genome.root_angle);
-    hash.add_byte(static_cast<std::uint8_t>(genome.reproduction));
+    hash.add_byte(genome.reproduction);
     return hash.value();
 }
 

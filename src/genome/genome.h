@@ -14,10 +14,10 @@
 namespace cambrian {
 
 struct Genome {
-    std::vector<NodeGene> nodes;    // 1 to 16; nodes[0] is the root
-    std::vector<NeuronGene> brain;  // central neurons, 0 to 16
-    double root_angle = 0.0;        // rad, [-pi, pi)
-    Reproduction reproduction = Reproduction::kInherit;
+    std::vector<NodeGene> nodes;               // 1 to 16; nodes[0] is the root
+    std::vector<NeuronGene> brain;             // central neurons, 0 to 16
+    double root_angle = 0.0;                   // rad, [-pi, pi)
+    std::uint8_t reproduction = kNoOwnMethod;  // index into KindCatalog::reproductions
     // Not expressed:
     double hue = 0.0;  // [0, 1), display colour
     std::string name;  // at most 64 bytes

@@ -43,11 +43,16 @@ struct EffectorEntry {
     std::string label;
 };
 
+// The entry of KindCatalog::reproductions that leaves the breeding method to the settings.
+inline constexpr std::uint8_t kNoOwnMethod = 0;
+
 struct KindCatalog {
     std::vector<FunctionEntry> functions;
     std::vector<JointChoice> joints;
     std::vector<EffectorEntry> effectors;
     std::vector<ChannelEntry> channels;  // absolute channel numbers
+    // "inherit", then the ids of the breeding methods that genes may name.
+    std::vector<std::string> reproductions = {"inherit"};
 };
 
 }  // namespace cambrian

@@ -160,7 +160,7 @@ TEST_CASE("the way of breeding mutates only where it is an attribute", "[breedin
         bool changed = false;
         for (int i = 0; i < 100; ++i) {
             mutate(genome, only("node-discrete"), mutations(), context, stream);
-            changed = changed || genome.reproduction != Reproduction::kInherit;
+            changed = changed || genome.reproduction != kNoOwnMethod;
         }
         return changed;
     };

@@ -327,7 +327,7 @@ TEST_CASE("where attributes decide, children are bred as their first parent asks
     RandomStream stream(3);
     for (int i = 0; i < 40; ++i) {
         Genome genome = random_genome(FounderSettings{}, kinds().creature.catalog, stream);
-        genome.reproduction = Reproduction::kGrafting;
+        genome.reproduction = 3;  // grafting
         founders.push_back(std::make_shared<const Genome>(std::move(genome)));
     }
     Evolution evolution(settings, kinds(), founders);
@@ -338,7 +338,7 @@ TEST_CASE("where attributes decide, children are bred as their first parent asks
         CHECK((one->born == 0 || one->method == "grafting"));
     EvaluationProgress progress;
     REQUIRE(evolution.evaluate(backend, progress, {}));
-    std::set<Reproduction> attributes;
+    std::set<int> attributes;
     for (int i = 0; i < 30; ++i) {
         evolution.breed();
         for (const IndividualPtr& one : evolution.population())

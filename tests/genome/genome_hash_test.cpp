@@ -31,7 +31,7 @@ TEST_CASE("hue, name and uids change neither hash nor equality", "[genome][hash]
 TEST_CASE("every gene changes hash and equality", "[genome][hash]") {
     const std::vector<std::function<void(Genome&)>> changes = {
         [](Genome& g) { g.root_angle += 0.1; },
-        [](Genome& g) { g.reproduction = Reproduction::kGrafting; },
+        [](Genome& g) { g.reproduction = 3; },
         [](Genome& g) {
             g.brain.push_back({2, {{}}});
         },

@@ -67,7 +67,7 @@ inline Genome garbage_genome(RandomStream& stream) {
         genome.nodes.push_back(garbage_node(stream));
     genome.brain = garbage_neurons(stream);
     genome.root_angle = garbage_real(stream);
-    genome.reproduction = Reproduction(stream.below(6));
+    genome.reproduction = static_cast<std::uint8_t>(stream.below(6));
     genome.hue = garbage_real(stream);
     genome.name = std::string(stream.below(100), 'x');
     return genome;

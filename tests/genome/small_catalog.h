@@ -21,6 +21,7 @@ inline KindCatalog small_catalog() {
                         {"contact-left", "Left"},
                         {"contact-proximal", "Proximal"},
                         {"contact-right", "Right"}};
+    catalog.reproductions = {"inherit", "asexual", "crossover", "grafting"};
     return catalog;
 }
 

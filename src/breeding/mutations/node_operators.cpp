@@ -9,7 +9,6 @@
 namespace cambrian {
 namespace {
 
-constexpr int kReproductionCount = static_cast<int>(Reproduction::kGrafting) + 1;
 constexpr double kReproductionShare = 0.1;  // of discrete changes, where breeding is an attribute
 
 template <class Gene>
@@ -73,20 +72,22 @@ void toggle_mirror_axis(NodeGene& node, MutationRecord& record) {
     record.to = was_along ? "across" : "along";
 }
 
-void change_reproduction(Genome& genome, RandomStream& stream, MutationRecord& record) {
+bool change_reproduction(Genome& genome, const std::vector<std::string>& methods,
+                         RandomStream& stream, MutationRecord& record) {
+    const int count = static_cast<int>(methods.size());
+    if (count < 2) return false;
     record.place = "reproduction";
-    record.from = reproduction_name(genome.reproduction);
-    const int next =
-        static_cast<int>(genome.reproduction) + stream.between(1, kReproductionCount - 1);
-    genome.reproduction = static_cast<Reproduction>(next % kReproductionCount);
-    record.to = reproduction_name(genome.reproduction);
+    record.from = methods[genome.reproduction];
+    const int next = genome.reproduction + stream.between(1, count - 1);
+    genome.reproduction = static_cast<std::uint8_t>(next % count);
+    record.to = methods[genome.reproduction];
+    return true;
 }
 
 bool mutate_node_discrete(Genome& genome, const MutationContext& context, RandomStream& stream,
                           MutationRecord& record) {
     if (context.mutate_reproduction && stream.chance(kReproductionShare)) {
-        change_reproduction(genome, stream, record);
-        return true;
+        return change_reproduction(genome, context.catalog.reproductions, stream, record);
     }
     const std::size_t index = stream.below(genome.nodes.size());
     NodeGene& node = genome.nodes[index];

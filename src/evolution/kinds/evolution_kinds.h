@@ -17,4 +17,9 @@ struct EvolutionKinds {
     SelectionRegistry selections;
 };
 
+// Also tells the catalog of genes which breeding methods there are.
+EvolutionKinds make_evolution_kinds(Kinds creature, MutationRegistry mutations,
+                                    BreedingRegistry breeding, GoalRegistry goals,
+                                    SelectionRegistry selections);
+
 }  // namespace cambrian

@@ -85,7 +85,7 @@ void repair(Genome& genome, const KindCatalog& catalog) {
         repair_node(node, genome.nodes.size(), catalog);
     repair_neurons(genome.brain, gene_range::kMaxBrainNeurons, SourceScope::kBrain, catalog);
     fit_fields(genome, genome_fields());
-    if (genome.reproduction > Reproduction::kGrafting) genome.reproduction = Reproduction::kInherit;
+    if (genome.reproduction >= catalog.reproductions.size()) genome.reproduction = kNoOwnMethod;
     if (!std::isfinite(genome.hue)) genome.hue = 0.0;
     genome.hue -= std::floor(genome.hue);
     if (genome.hue >= 1.0) genome.hue = 0.0;

@@ -19,7 +19,7 @@ public:
         check_size("/nodes", genome_.nodes.size(), 1, gene_range::kMaxNodes);
         check_size("/brain", genome_.brain.size(), 0, gene_range::kMaxBrainNeurons);
         check_fields("", genome_, genome_fields());
-        if (genome_.reproduction > Reproduction::kGrafting) {
+        if (genome_.reproduction >= catalog_.reproductions.size()) {
             complain("/reproduction", "is not a known method");
         }
         check_neurons("/brain", genome_.brain, SourceScope::kBrain);

@@ -59,8 +59,9 @@ bool read_header(const JsonValue& root, JsonReader& reader, ErrorList& errors) {
 
 void read_document(JsonReader& reader, CreatureDocument& document, std::uint64_t& check,
                    const EvolutionKinds& kinds) {
-    describe_identity(reader, document);
-    describe_genes(reader, document.genome, names_of(kinds.creature.catalog));
+    const KindNames names = names_of(kinds.creature.catalog);
+    describe_identity(reader, document, names);
+    describe_genes(reader, document.genome, names);
     if (reader.has("scored")) {
         reader.object("scored", Layout::kLines, [&](JsonReader& inner) {
             read_scored(inner, document.scored.emplace(), kinds);
@@ -129,7 +130,7 @@ void creature_format::write_genotype(std::string& text, const Individual& indivi
     begin_document(writer);
     const Identity identity{*individual.genome, hex_text(individual.uid), parents_of(individual),
                             individual.method};
-    describe_identity(writer, identity);
+    describe_identity(writer, identity, names);
     describe_genes(writer, *individual.genome, names);
     writer.digest("check", individual.genome_hash);
     writer.end();
@@ -160,8 +161,9 @@ std::string write_creature(const CreatureDocument& document, const EvolutionKind
     std::string text;
     JsonWriter writer(text);
     begin_document(writer);
-    describe_identity(writer, document);
-    describe_genes(writer, document.genome, names_of(kinds.creature.catalog));
+    const KindNames names = names_of(kinds.creature.catalog);
+    describe_identity(writer, document, names);
+    describe_genes(writer, document.genome, names);
     if (document.scored) {
         const ExperimentSettings settings = settings_of(*document.scored);
         writer.object("scored", Layout::kLines, [&](JsonWriter& inner) {

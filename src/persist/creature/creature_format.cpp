@@ -33,6 +33,7 @@ KindNames names_of(const KindCatalog& catalog) {
         names.effectors.push_back(effector.id);
     for (const ChannelEntry& channel : catalog.channels)
         names.channels.names.push_back(channel.id);
+    names.reproductions = catalog.reproductions;
     names.channels.numbered.assign(kChannelsOfVersion1.begin(), kChannelsOfVersion1.end());
     return names;
 }

@@ -30,8 +30,6 @@ inline const std::vector<std::string> kSources = [] {
         ids.emplace_back(rule.id);
     return ids;
 }();
-inline const std::vector<std::string> kReproductions(kReproductionNames.begin(),
-                                                     kReproductionNames.end());
 inline const std::vector<std::string> kMirrorAxes = {"along", "across"};
 
 // The names of an enumeration's values up to the last one that files may have.
@@ -52,6 +50,7 @@ struct KindNames {
     std::vector<std::string> effectors;
     std::vector<int> arities;  // one a function
     NumberedNames channels;
+    std::vector<std::string> reproductions;
 };
 
 KindNames names_of(const KindCatalog& catalog);
@@ -169,7 +168,7 @@ inline constexpr FieldRule kHue{
     .name = "hue", .key = "hue", .low = 0.0, .high = 1.0, .fallback = 0.0, .wraps = true};
 
 template <class Archive, class Document>
-void describe_identity(Archive& archive, Document& document) {
+void describe_identity(Archive& archive, Document& document, const KindNames& names) {
     archive.type("creature");
     auto& genome = document.genome;
     if (archive.has("name")) archive.text("name", genome.name, kMaxName);
@@ -179,7 +178,7 @@ void describe_identity(Archive& archive, Document& document) {
     archive.optional_digest("ancestry", document.ancestry);
     if (archive.has("hue")) archive.real("hue", genome.hue, kHue);
     if (archive.has("reproduction"))
-        archive.choice("reproduction", genome.reproduction, kReproductions, "breeding method");
+        archive.choice("reproduction", genome.reproduction, names.reproductions, "breeding method");
     if (archive.has("rootAngle"))
         archive.real("rootAngle", genome.root_angle, genome_fields().front().rule);
 }

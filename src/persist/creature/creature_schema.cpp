@@ -103,8 +103,9 @@ void describe_creature(JsonSchemaWriter& writer, CreatureDocument& document,
                        const EvolutionKinds& kinds) {
     writer.constant("format", kFormat);
     writer.integer("version", kVersion, 1, kVersion);
-    describe_identity(writer, document);
-    describe_genes(writer, document.genome, names_of(kinds.creature.catalog));
+    const KindNames names = names_of(kinds.creature.catalog);
+    describe_identity(writer, document, names);
+    describe_genes(writer, document.genome, names);
     ExperimentSettings settings;
     if (writer.has("scored")) {
         writer.object("scored", Layout::kLines, [&](JsonSchemaWriter& inner) {

@@ -1,21 +1,38 @@
 #include "picking/grid/grid_breeding.h"
 
 #include "evolution/generation.h"
+#include "evolution/selections/quotas.h"
 
-#include <string_view>
+#include <algorithm>
 #include <utility>
 
 namespace cambrian {
 namespace {
 
 constexpr std::size_t kCandidatesPerCell = 3;
-constexpr std::size_t kAsexualEach = 2;
+constexpr std::size_t kCopiesEach = 2;
 constexpr std::uint64_t kFirstImported = std::uint64_t{1} << 32;  // child index; none is bred so
 
 ExperimentSettings with_picking_seed(const ExperimentSettings& settings) {
     ExperimentSettings changed = settings;
     changed.seed = picking_seed(settings);
     return changed;
+}
+
+// The method of each of `count` children of two parents. Without a method of two parents, children
+// are copies.
+std::vector<const BreedingKind*> pairing_methods(const BreedingRegistry& methods,
+                                                 std::size_t count) {
+    std::vector<double> shares;
+    for (const BreedingKind& method : methods.all())
+        shares.push_back(method.parents > 1 && method.default_share > 0.0 ? 1.0 : 0.0);
+    if (std::none_of(shares.begin(), shares.end(), [](double share) { return share > 0.0; }))
+        return std::vector<const BreedingKind*>(count, &single_parent_method(methods));
+    const std::vector<std::size_t> counts = largest_remainder(shares, count);
+    std::vector<const BreedingKind*> chosen;
+    for (std::size_t i = 0; i < counts.size(); ++i)
+        chosen.insert(chosen.end(), counts[i], &methods[i]);
+    return chosen;
 }
 
 // Makes the candidates one after the other, each from streams of its own.
@@ -31,9 +48,9 @@ public:
 
     IndividualPtr copy(std::size_t parent) {
         RandomStream stream = breeding_stream();
-        return child(parent, parent, "asexual", stream);
+        return child(parent, parent, single_parent_method(kinds_.breeding), stream);
     }
-    IndividualPtr pair(std::string_view method) {
+    IndividualPtr pair(const BreedingKind& method) {
         RandomStream stream = breeding_stream();
         const std::size_t first = stream.below(order_.parents.size());
         const std::size_t other = stream.below(order_.parents.size() - 1);
@@ -48,12 +65,10 @@ private:
         return RandomStream(
             stream_seed(settings_.seed, order_.node, next_child_, Purpose::kPicking));
     }
-    IndividualPtr child(std::size_t first, std::size_t second, std::string_view method,
+    IndividualPtr child(std::size_t first, std::size_t second, const BreedingKind& method,
                         RandomStream& stream) {
-        const BreedingKind* kind = kinds_.breeding.find(method);
-        CAMBRIAN_ASSERT(kind != nullptr, "the three ways of breeding are always registered");
         return make_child(
-            {order_.parents[first], order_.parents[second], *kind, order_.extra_mutations},
+            {order_.parents[first], order_.parents[second], method, order_.extra_mutations},
             settings_, kinds_, order_.node, next_child_++, stream);
     }
 
@@ -70,12 +85,9 @@ BroodPlan plan_brood(std::size_t parents, int cells, int newcomer_cells) {
     if (parents == 0) return {.newcomers = all};
     const std::size_t newcomers = kCandidatesPerCell * static_cast<std::size_t>(newcomer_cells);
     const std::size_t offspring = all - newcomers;
-    if (parents == 1) return {.asexual = offspring, .newcomers = newcomers};
-    const std::size_t paired = offspring - kAsexualEach * parents;
-    return {.asexual = kAsexualEach,
-            .crossover = paired - paired / 2,
-            .grafting = paired / 2,
-            .newcomers = newcomers};
+    if (parents == 1) return {.copies = offspring, .newcomers = newcomers};
+    return {
+        .copies = kCopiesEach, .paired = offspring - kCopiesEach * parents, .newcomers = newcomers};
 }
 
 Brood breed_candidates(const BroodOrder& order, const ExperimentSettings& settings,
@@ -84,13 +96,11 @@ Brood breed_candidates(const BroodOrder& order, const ExperimentSettings& settin
     Breeder breeder(order, settings, kinds);
     Brood brood;
     for (std::size_t parent = 0; parent < order.parents.size(); ++parent) {
-        for (std::size_t i = 0; i < plan.asexual; ++i)
+        for (std::size_t i = 0; i < plan.copies; ++i)
             brood.offspring.push_back(breeder.copy(parent));
     }
-    for (std::size_t i = 0; i < plan.crossover; ++i)
-        brood.offspring.push_back(breeder.pair("crossover"));
-    for (std::size_t i = 0; i < plan.grafting; ++i)
-        brood.offspring.push_back(breeder.pair("grafting"));
+    for (const BreedingKind* method : pairing_methods(kinds.breeding, plan.paired))
+        brood.offspring.push_back(breeder.pair(*method));
     for (std::size_t i = 0; i < plan.newcomers; ++i)
         brood.newcomers.push_back(breeder.newcomer());
     return brood;

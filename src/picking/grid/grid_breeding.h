@@ -16,17 +16,15 @@ namespace cambrian {
 
 // How many candidates of which kind are bred at a time.
 struct BroodPlan {
-    std::size_t asexual = 0;  // each parent
-    std::size_t crossover = 0;
-    std::size_t grafting = 0;
+    std::size_t copies = 0;  // of each parent, mutated
+    std::size_t paired = 0;  // of two parents
     std::size_t newcomers = 0;
 
     friend bool operator==(const BroodPlan&, const BroodPlan&) = default;
 };
 
-// Three candidates a cell. One parent: all asexual. Two or more (up to kMostPicks): two asexual
-// each, of the rest half crossover and half grafting. No parents: all newcomers; otherwise three
-// for each of the newcomers' cells.
+// Three candidates a cell. One parent: all copies. Two or more (up to kMostPicks): two copies each,
+// the rest paired. No parents: all newcomers; otherwise three for each of the newcomers' cells.
 BroodPlan plan_brood(std::size_t parents, int cells, int newcomer_cells);
 
 struct Brood {
@@ -43,7 +41,8 @@ struct BroodOrder {
     int round = 0;           // of breeding for that grid
 };
 
-// Settings must pass check_settings.
+// Settings must pass check_settings. Copies are bred by the first method of one parent, pairs in
+// equal numbers by the methods of two parents that have a default share.
 Brood breed_candidates(const BroodOrder& order, const ExperimentSettings& settings,
                        const EvolutionKinds& kinds);
 
