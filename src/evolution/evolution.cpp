@@ -4,6 +4,7 @@
 #include "evolution/evaluation/trials.h"
 #include "evolution/generation.h"
 #include "evolution/individual/map_axis.h"
+#include "evolution/selections/survival.h"
 
 #include <algorithm>
 #include <cmath>
@@ -189,8 +190,8 @@ std::optional<Bar> Evolution::bar_for(const Individual& individual) const {
 // known. It also counts audited trials that survived although they would have been terminated.
 void Evolution::raise_bar(const std::vector<IndividualPtr>& next) {
     least_survivor_.reset();
-    const double share =
-        kinds_->selections.find(settings_->selection.method)->bar(settings_->selection);
+    const double share = termination_share(*kinds_->selections.find(settings_->selection.method),
+                                           settings_->selection);
     for (const IndividualPtr& individual : next) {
         if (!individual->evaluated) continue;
         if (individual->born + 1 == generation_ && individual->result.hopeless)

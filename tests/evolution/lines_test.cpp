@@ -84,12 +84,12 @@ TEST_CASE("giving trials up keeps a distance where lines and plans are limited",
           "[evolution][lines]") {
     const SelectionKind& truncation = *kinds().selections.find("truncation");
     SelectionSettings settings;
-    CHECK(truncation.bar(settings) == 0.5);
+    CHECK(termination_share(truncation, settings) == 0.5);
     settings.line_share = 1.0;
-    CHECK(truncation.bar(settings) == 0.5);
+    CHECK(termination_share(truncation, settings) == 0.5);
     settings.plan_copies = 0;
-    CHECK(truncation.bar(settings) == 1.0);
-    CHECK(kinds().selections.find("map-elites")->bar(settings) == 0.0);
+    CHECK(termination_share(truncation, settings) == 1.0);
+    CHECK(termination_share(*kinds().selections.find("map-elites"), settings) == 0.0);
 }
 
 TEST_CASE("a child belongs to its mother's line, founders and newcomers begin their own",

@@ -159,7 +159,7 @@ TEST_CASE("stopping hopeless trials contradicts methods that look at everyone, a
     }
     settings.selection.method = "tournament";
     CHECK(check_settings(settings, kinds()).has_value());
-    settings.selection.tournament_of_all = true;
+    settings.selection.own["tournament-of-all"] = true;
     CHECK_FALSE(check_settings(settings, kinds()));
     settings.selection.method = "rank";
     settings.world.trial.trials = 3;

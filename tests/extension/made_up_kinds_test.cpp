@@ -1,7 +1,7 @@
-// A joint, an effector, a sensor, a neuron function, a mutation, a breeding method, a selection and
-// a goal that no file but this one knows. An experiment that uses nothing else of their sorts
-// evolves, is saved, loaded and drawn; a list or a switch over known kinds anywhere on that way
-// makes a case fail.
+// A joint, an integrator, an effector, a sensor, a neuron function, a mutation, a breeding method,
+// a selection and a goal that no file but this one knows. An experiment that uses nothing else of
+// their sorts evolves, is saved, loaded and drawn; a list or a switch over known kinds anywhere on
+// that way makes a case fail.
 
 #include "evolution/backends/thread_pool_backend.h"
 #include "evolution/evolution.h"
@@ -24,6 +24,7 @@ namespace {
 // How often each made-up kind was asked for what it does.
 struct Calls {
     std::atomic<int> joint = 0;
+    std::atomic<int> integrator = 0;
     std::atomic<int> effector = 0;
     std::atomic<int> sensor = 0;
     std::atomic<int> function = 0;
@@ -40,6 +41,24 @@ void shape_stiff(const JointGenes& genes, PlannedPart& part) {
     part.limit_low = -0.3;
     part.limit_high = 0.3;
     part.max_effort = genes.muscle_strength * genes.width * genes.width;
+}
+
+// The physics with one more integrator, which halves the tolerance of the accurate one. Integrators
+// are compiled with the physics; the rest of the program knows them by the names a scene kind has.
+SceneKind with_halving(SceneKind scene) {
+    scene.integrators.emplace_back("halving");
+    scene.make = [inner = scene.make, accurate = scene.accurate_integrator](
+                     const BodyPlan& plan, const Environment& environment,
+                     const SceneSettings& settings) {
+        SceneSettings known = settings;
+        if (settings.integrator == "halving") {
+            ++calls.integrator;
+            known.integrator = accurate;
+            known.tolerance = 0.5 * settings.tolerance;
+        }
+        return inner(plan, environment, known);
+    };
+    return scene;
 }
 
 // Goes to one stop or the other.
@@ -74,17 +93,28 @@ Genome breed_second(const Genome& /*first*/, const Genome& second, const KindCat
     return second;
 }
 
-// The better half survives and breeds in turn.
-SelectionResult select_half(std::span<const IndividualPtr> ranked,
+constexpr KindParameter<int> kPart{"one-in", 2};
+
+void add_part_settings(SelectionRows& rows) {
+    rows.table
+        .number(
+            kPart.key, "One in", "", {1, 6}, "Of so many creatures one survives.",
+            [](ExperimentSettings & s) -> auto& { return kPart.in(s.selection.own); })
+        .applies = rows.in_force;
+}
+
+// The best survive and breed in turn.
+SelectionResult select_part(std::span<const IndividualPtr> ranked,
                             const ExperimentSettings& settings, SelectionMemory& /*memory*/,
                             RandomStream& /*stream*/) {
     ++calls.selection;
     SelectionResult result;
-    const std::size_t half = (ranked.size() + 1) / 2;
-    for (std::size_t i = 0; i < half; ++i)
+    const auto one_in = static_cast<std::size_t>(kPart.of(settings.selection.own));
+    const std::size_t kept = (ranked.size() + one_in - 1) / one_in;
+    for (std::size_t i = 0; i < kept; ++i)
         result.survivors.push_back(i);
-    for (std::size_t i = half; i < static_cast<std::size_t>(settings.population.size); ++i)
-        result.first_parents.push_back(i % half);
+    for (std::size_t i = kept; i < static_cast<std::size_t>(settings.population.size); ++i)
+        result.first_parents.push_back(i % kept);
     result.partner_weights.assign(ranked.size(), 1.0);
     return result;
 }
@@ -104,30 +134,34 @@ EvolutionKinds with_made_up_kinds() {
                  .read = read_height});
     EffectorRegistry effectors = builtin_effectors();
     effectors.add({.id = "flip", .label = "Flip", .drive = drive_flip});
-    SceneKind scene = test::kinds().creature.scene;
+    SceneKind scene = with_halving(test::kinds().creature.scene);
     scene.joints.add({.id = "stiff",
                       .label = "Stiff",
                       .motion = JointMotion::kTurn,
                       .usual = false,
                       .shape = shape_stiff});
-    EvolutionKinds kinds = test::kinds();
-    kinds.creature = make_kinds(std::move(functions), std::move(sensors), std::move(effectors),
-                                std::move(scene));
-    kinds.mutations.add({.id = "lean", .label = "Lean", .apply = lean});
-    kinds.breeding.add({.id = "second", .label = "Second", .parents = 2, .breed = breed_second});
-    kinds.selections.add({.id = "half",
-                          .label = "Half",
-                          .help = "The better half survives.",
-                          .bar = [](const SelectionSettings&) { return 0.0; },
-                          .select = select_half});
-    kinds.goals.add({.id = "heavy",
-                     .label = "Heavy",
-                     .unit = "kg",
-                     .help = "Mass.",
-                     .default_environment = [] { return Environment{}; },
-                     .mismatch = [](const Environment&) { return std::string(); },
-                     .score = score_mass});
-    return kinds;
+    MutationRegistry mutations = builtin_mutations();
+    mutations.add({.id = "lean", .label = "Lean", .apply = lean});
+    BreedingRegistry breeding = builtin_breeding();
+    breeding.add({.id = "second", .label = "Second", .parents = 2, .breed = breed_second});
+    SelectionRegistry selections = builtin_selections();
+    selections.add({.id = "part",
+                    .label = "Part",
+                    .help = "A part of them survives.",
+                    .add_settings = add_part_settings,
+                    .select = select_part});
+    GoalRegistry goals = builtin_goals();
+    goals.add({.id = "heavy",
+               .label = "Heavy",
+               .unit = "kg",
+               .help = "Mass.",
+               .default_environment = [] { return Environment{}; },
+               .mismatch = [](const Environment&) { return std::string(); },
+               .score = score_mass});
+    return make_evolution_kinds(make_kinds(std::move(functions), std::move(sensors),
+                                           std::move(effectors), std::move(scene)),
+                                std::move(mutations), std::move(breeding), std::move(goals),
+                                std::move(selections));
 }
 
 const EvolutionKinds& kinds() {
@@ -148,9 +182,11 @@ ExperimentSettings made_up_settings() {
     const KindCatalog& catalog = kinds().creature.catalog;
     ExperimentSettings settings = default_settings("heavy", kinds());
     settings.population.size = 12;
+    settings.world.scene.integrator = "halving";
     settings.world.trial.duration = 0.5;
     settings.world.trial.settle_limit = 0.5;
-    settings.selection.method = "half";
+    settings.selection.method = "part";
+    settings.selection.own["one-in"] = 3;
     settings.breeding.shares = only(kinds().breeding.all(), "second", 1.0, 0.0);
     settings.mutation.weights = only(kinds().mutations.all(), "lean", 1.0, 0.0);
     settings.founders.joints = only(catalog.joints, "stiff", true, false);
@@ -186,7 +222,8 @@ SavedExperiment saved_and_loaded() {
 
 TEST_CASE("settings that name made-up kinds are written and read", "[extension]") {
     const std::string text = write_settings(made_up_settings(), kinds());
-    for (const char* id : {"heavy", "half", "second", "lean", "stiff", "triple", "height-middle"})
+    for (const char* id : {"heavy", "halving", "part", "one-in = 3", "second", "lean", "stiff",
+                           "triple", "height-middle"})
         CHECK_THAT(text, Catch::Contains(id));
     const auto read = parse_settings(text, "made-up.toml", kinds());
     INFO((read ? "" : read.error().message));
@@ -196,11 +233,12 @@ TEST_CASE("settings that name made-up kinds are written and read", "[extension]"
 
 TEST_CASE("two generations are bred with nothing but made-up kinds", "[extension]") {
     for (std::atomic<int>* count :
-         {&calls.joint, &calls.effector, &calls.sensor, &calls.function, &calls.mutation,
-          &calls.breeding, &calls.selection, &calls.goal})
+         {&calls.joint, &calls.integrator, &calls.effector, &calls.sensor, &calls.function,
+          &calls.mutation, &calls.breeding, &calls.selection, &calls.goal})
         *count = 0;
     const SavedExperiment saved = saved_and_loaded();
     CHECK(calls.joint > 0);
+    CHECK(calls.integrator > 0);
     CHECK(calls.effector > 0);
     CHECK(calls.sensor > 0);
     CHECK(calls.function > 0);
@@ -211,6 +249,9 @@ TEST_CASE("two generations are bred with nothing but made-up kinds", "[extension
     REQUIRE(saved.latest);
     CHECK(saved.latest->generation == 2);
     CHECK(saved.latest->population.front()->result.fitness > 0.0);
+    CHECK(kPart.of(saved.latest->settings->selection.own) == 3);
+    CHECK(std::count_if(saved.latest->population.begin(), saved.latest->population.end(),
+                        [](const IndividualPtr& each) { return each->born < 2; }) == 4);
     CHECK(saved.digests.size() == 3);
     CHECK(std::any_of(saved.latest->population.begin(), saved.latest->population.end(),
                       [](const IndividualPtr& each) { return each->method == "second"; }));

@@ -1,63 +1,45 @@
 #include "evolution/fields/setting_table.h"
-#include "evolution/individual/map_axis.h"
-
-#include <algorithm>
 
 namespace cambrian::setting_table {
 namespace {
 
-std::vector<std::string> axis_ids() {
-    std::vector<std::string> ids;
-    for (const MapAxis& axis : map_axes())
-        ids.emplace_back(axis.id);
-    return ids;
-}
+using Applies = SelectionRows::Applies;
 
-bool everybody_breeds(const Settings& settings) {
-    const std::string& method = settings.selection.method;
-    return method == "roulette" || (method == "tournament" && settings.selection.tournament_of_all);
-}
-
-// A test of the method in force.
-auto with_method(std::vector<std::string> methods) {
-    return [methods = std::move(methods)](const Settings& settings) {
-        return std::find(methods.begin(), methods.end(), settings.selection.method) !=
-               methods.end();
+// Whether the method in force has that rule of survival.
+Applies survival_is(const SelectionRegistry& selections, SurvivalRule rule) {
+    return [&selections, rule](const Settings& settings) {
+        const SelectionKind* kind = selections.find(settings.selection.method);
+        return kind != nullptr && kind->survival_under(settings.selection) == rule;
     };
 }
 
-void add_truncation(TableBuilder& selection) {
+void add_survival(TableBuilder& selection, const SelectionRegistry& selections) {
+    const Applies best_share = survival_is(selections, SurvivalRule::kBestShare);
+    const Applies own_rule = survival_is(selections, SurvivalRule::kOwn);
     selection
         .number(
             "survival", "Survivors", "", Range{0.01, 1},
             "Share of a generation that survives and breeds; smaller is harsher.",
             [](Settings & s) -> auto& { return s.population.survival; })
-        .applies = [](const Settings& settings) {
-        return with_method({"truncation", "rank", "tournament"})(settings) &&
-               !everybody_breeds(settings);
-    };
+        .applies = best_share;
     selection
         .number(
             "max-clones", "Clones kept", "", Range{1, 1000},
             "Creatures with the same body and live brain that may survive together.",
             [](Settings & s) -> auto& { return s.population.max_clones; })
-        .applies = with_method({"truncation", "rank", "tournament", "roulette"});
-    const auto truncates = [](const Settings& settings) {
-        return with_method({"truncation", "rank", "tournament"})(settings) &&
-               !everybody_breeds(settings);
-    };
+        .applies = [own_rule](const Settings& settings) { return !own_rule(settings); };
     selection
         .number(
             "line-share", "Share of a line", "", Range{0.01, 1},
             "Share of the survivors that may descend from one founder, by mothers; 1 for no limit.",
             [](Settings & s) -> auto& { return s.selection.line_share; })
-        .applies = truncates;
+        .applies = best_share;
     selection
         .number(
             "plan-copies", "Copies of a body plan", "creatures", Range{0, 20000},
             "Survivors whose parts and joints form the same tree; 0 for no limit.",
             [](Settings & s) -> auto& { return s.selection.plan_copies; })
-        .applies = truncates;
+        .applies = best_share;
 }
 
 void add_confirmation(TableBuilder& selection) {
@@ -75,53 +57,16 @@ void add_confirmation(TableBuilder& selection) {
         .applies = [](const Settings& settings) { return settings.selection.confirmations > 0; };
 }
 
-void add_tournament(TableBuilder& selection) {
-    selection
-        .number(
-            "tournament-size", "Tournament size", "creatures", Range{1, 100},
-            "Contestants of a tournament; more are harsher.",
-            [](Settings & s) -> auto& { return s.selection.tournament_size; })
-        .applies = with_method({"tournament"});
-    selection
-        .flag(
-            "tournament-of-all", "Tournaments of all",
-            "Contestants come from all of the generation instead of its survivors.",
-            [](Settings & s) -> auto& { return s.selection.tournament_of_all; })
-        .applies = with_method({"tournament"});
-    selection
-        .number(
-            "elites", "Elites", "creatures", Range{1, 1000},
-            "The best that survive where everybody may breed.",
-            [](Settings & s) -> auto& { return s.selection.elites; })
-        .applies = everybody_breeds;
-}
-
-void add_map(TableBuilder& selection) {
-    const auto axis = [&](const char* key, const char* label, const char* help, auto at) {
-        selection.choice(key, label, axis_ids(), help, at).applies = with_method({"map-elites"});
-    };
-    axis(
-        "map-across", "Map, across", "What kinds of creatures differ in, one of two.",
-        [](Settings & s) -> auto& { return s.selection.map_across; });
-    axis(
-        "map-up", "Map, up", "What kinds of creatures differ in, the other of two.",
-        [](Settings & s) -> auto& { return s.selection.map_up; });
-}
-
-void add_novelty(TableBuilder& selection) {
-    selection
-        .number(
-            "novelty-neighbors", "Neighbors", "creatures", Range{1, 1000},
-            "The most similar creatures that novelty is measured against.",
-            [](Settings & s) -> auto& { return s.selection.novelty_neighbors; })
-        .applies = with_method({"novelty"});
-    selection
-        .number(
-            "novelty-threshold", "Novelty to be kept", "", Range{1e-3, 100},
-            "Distance from others, in standard deviations, from which a creature is remembered as "
-            "novel; only where it begins, since it adapts.",
-            [](Settings & s) -> auto& { return s.selection.novelty_threshold; })
-        .applies = with_method({"novelty"});
+void add_own_settings(TableBuilder& selection, const SelectionRegistry& selections) {
+    const Applies elites_only = survival_is(selections, SurvivalRule::kElitesOnly);
+    for (const SelectionKind& kind : selections.all()) {
+        if (kind.add_settings == nullptr) continue;
+        SelectionRows rows{
+            selection,
+            [id = kind.id](const Settings& settings) { return settings.selection.method == id; },
+            elites_only};
+        kind.add_settings(rows);
+    }
 }
 
 }  // namespace
@@ -131,11 +76,9 @@ void add_selection(std::vector<SettingField>& fields, const EvolutionKinds& kind
     selection.choice(
         "method", "Method", ids_of(kinds.selections), "Who survives and who breeds how often.",
         [](Settings & s) -> auto& { return s.selection.method; });
-    add_truncation(selection);
+    add_survival(selection, kinds.selections);
     add_confirmation(selection);
-    add_tournament(selection);
-    add_map(selection);
-    add_novelty(selection);
+    add_own_settings(selection, kinds.selections);
 }
 
 }  // namespace cambrian::setting_table

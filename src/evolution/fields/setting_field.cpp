@@ -2,6 +2,7 @@
 
 #include "core/text/number_text.h"
 #include "evolution/fields/setting_table.h"
+#include "evolution/selections/survival.h"
 #include "evolution/settings/trial_work.h"
 
 #include <algorithm>
@@ -346,7 +347,7 @@ Status check_order(double low, double high, const char* low_key, const char* hig
 Status check_stop_hopeless(const Settings& s, const EvolutionKinds& kinds) {
     if (!s.stop_hopeless) return {};
     const SelectionKind* selection = kinds.selections.find(s.selection.method);
-    if (selection != nullptr && !(selection->bar(s.selection) > 0.0)) {
+    if (selection != nullptr && !(termination_share(*selection, s.selection) > 0.0)) {
         return Error{"[run] stop-hopeless: not with [selection] method \"" + s.selection.method +
                      "\", where the least fit may matter; allowed with truncation, rank and "
                      "tournaments of survivors"};

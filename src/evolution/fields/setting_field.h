@@ -5,38 +5,14 @@
 
 #include "core/result.h"
 #include "evolution/kinds/evolution_kinds.h"
-#include "evolution/settings/experiment_settings.h"
+#include "evolution/settings/setting_builder.h"
 
-#include <cstdint>
-#include <functional>
 #include <string>
-#include <variant>
 #include <vector>
 
 namespace cambrian {
 
-// A place inside an ExperimentSettings.
-using SettingRef = std::variant<bool*, int*, std::uint64_t*, double*, std::string*>;
-
-struct SettingField {
-    std::string table;  // "environment"
-    std::string key;    // "gravity"
-    std::string label;  // "Gravity"
-    std::string unit;   // "m/s^2", or empty
-    std::string help;   // one sentence: what it does
-    double low = 0.0;   // range of numbers, ends included
-    double high = 0.0;
-    std::vector<std::string> choices;  // allowed texts, for text settings
-    bool logarithmic = false;          // better dragged on a logarithmic scale
-    // May change while an experiment runs; takes effect from the next generation. Otherwise it
-    // defines the run and a change starts a new one.
-    bool live = true;
-    // Whether it makes a difference under the other settings; empty: always.
-    std::function<bool(const ExperimentSettings&)> applies;
-    std::function<SettingRef(ExperimentSettings&)> at;
-};
-
-// All settings, grouped by table, in the order shown and written.
+// All settings, grouped by table, in the order shown and written. The kinds must outlive them.
 std::vector<SettingField> setting_fields(const EvolutionKinds& kinds);
 
 // The first setting outside its range or contradicting another, as "[table] key: ..."; success if

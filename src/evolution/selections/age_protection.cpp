@@ -37,11 +37,10 @@ SelectionResult select_by_age(std::span<const IndividualPtr> ranked,
 
 }  // namespace
 
-void register_age_protection(SelectionRegistry& selections) {
+void add_age_protection(SelectionRegistry& selections) {
     selections.add({.id = "age-protection",
                     .label = "Age protection",
                     .help = "The young compete with the young: new bodies get time to adapt.",
-                    .bar = [](const SelectionSettings&) { return 0.0; },
                     .select = select_by_age});
 }
 

@@ -2,23 +2,23 @@
 
 namespace cambrian {
 
-void register_truncation(SelectionRegistry& selections);
-void register_rank(SelectionRegistry& selections);
-void register_tournament(SelectionRegistry& selections);
-void register_roulette(SelectionRegistry& selections);
-void register_map_elites(SelectionRegistry& selections);
-void register_novelty(SelectionRegistry& selections);
-void register_age_protection(SelectionRegistry& selections);
+void add_truncation(SelectionRegistry& selections);
+void add_rank(SelectionRegistry& selections);
+void add_tournament(SelectionRegistry& selections);
+void add_roulette(SelectionRegistry& selections);
+void add_map_elites(SelectionRegistry& selections);
+void add_novelty(SelectionRegistry& selections);
+void add_age_protection(SelectionRegistry& selections);
 
 SelectionRegistry builtin_selections() {
     SelectionRegistry selections;
-    register_truncation(selections);
-    register_rank(selections);
-    register_tournament(selections);
-    register_roulette(selections);
-    register_map_elites(selections);
-    register_novelty(selections);
-    register_age_protection(selections);
+    add_truncation(selections);
+    add_rank(selections);
+    add_tournament(selections);
+    add_roulette(selections);
+    add_map_elites(selections);
+    add_novelty(selections);
+    add_age_protection(selections);
     return selections;
 }
 

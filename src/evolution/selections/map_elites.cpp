@@ -51,13 +51,30 @@ SelectionResult select_by_map(std::span<const IndividualPtr> ranked,
     return breed_whole_batch(std::move(elites), std::move(weights), settings, stream);
 }
 
+void add_map_settings(SelectionRows& rows) {
+    std::vector<std::string> axes;
+    for (const MapAxis& axis : map_axes())
+        axes.emplace_back(axis.id);
+    rows.table
+        .choice(
+            "map-across", "Map, across", axes, "What kinds of creatures differ in, one of two.",
+            [](ExperimentSettings & s) -> auto& { return s.selection.map_across; })
+        .applies = rows.in_force;
+    rows.table
+        .choice(
+            "map-up", "Map, up", axes, "What kinds of creatures differ in, the other of two.",
+            [](ExperimentSettings & s) -> auto& { return s.selection.map_up; })
+        .applies = rows.in_force;
+}
+
 }  // namespace
 
-void register_map_elites(SelectionRegistry& selections) {
+void add_map_elites(SelectionRegistry& selections) {
     selections.add({.id = "map-elites",
                     .label = "MAP-Elites",
                     .help = "Many kinds: the fittest of every kind of body survives and breeds.",
-                    .bar = [](const SelectionSettings&) { return 0.0; },
+                    .fills_map = true,
+                    .add_settings = add_map_settings,
                     .select = select_by_map});
 }
 

@@ -27,6 +27,9 @@ constexpr double kHarder = 1.2;
 constexpr int kQuiet = 10;  // generations
 constexpr double kEasier = 0.95;
 
+constexpr KindParameter<int> kNeighbors{"novelty-neighbors", 15};
+constexpr KindParameter<double> kThreshold{"novelty-threshold", 1.0};  // standard deviations
+
 using Description = std::array<double, 3>;
 
 Description describe(const Individual& individual) {
@@ -126,8 +129,8 @@ SelectionResult select_by_novelty(std::span<const IndividualPtr> ranked,
                                   const ExperimentSettings& settings, SelectionMemory& memory,
                                   RandomStream& stream) {
     const auto candidates = qualified(ranked);
-    const auto points = judge_novelty(candidates, memory, settings.selection.novelty_neighbors);
-    update_archive(candidates, points, settings.selection.novelty_threshold, memory);
+    const auto points = judge_novelty(candidates, memory, kNeighbors.of(settings.selection.own));
+    update_archive(candidates, points, kThreshold.of(settings.selection.own), memory);
     std::vector<std::size_t> survivors =
         most_novel(points, static_cast<std::size_t>(settings.population.size));
     std::vector<double> weights(ranked.size(), 0.0);
@@ -136,13 +139,29 @@ SelectionResult select_by_novelty(std::span<const IndividualPtr> ranked,
     return breed_whole_batch(std::move(survivors), std::move(weights), settings, stream);
 }
 
+void add_novelty_settings(SelectionRows& rows) {
+    rows.table
+        .number(
+            kNeighbors.key, "Neighbors", "creatures", {1, 1000},
+            "The most similar creatures that novelty is measured against.",
+            [](ExperimentSettings & s) -> auto& { return kNeighbors.in(s.selection.own); })
+        .applies = rows.in_force;
+    rows.table
+        .number(
+            kThreshold.key, "Novelty to be kept", "", {1e-3, 100},
+            "Distance from others, in standard deviations, from which a creature is remembered as "
+            "novel; only where it begins, since it adapts.",
+            [](ExperimentSettings & s) -> auto& { return kThreshold.in(s.selection.own); })
+        .applies = rows.in_force;
+}
+
 }  // namespace
 
-void register_novelty(SelectionRegistry& selections) {
+void add_novelty(SelectionRegistry& selections) {
     selections.add({.id = "novelty",
                     .label = "Novelty",
                     .help = "Those unlike the others and better than their neighbors survive.",
-                    .bar = [](const SelectionSettings&) { return 0.0; },
+                    .add_settings = add_novelty_settings,
                     .select = select_by_novelty});
 }
 

@@ -19,11 +19,11 @@ SelectionResult select_by_rank(std::span<const IndividualPtr> ranked,
 
 }  // namespace
 
-void register_rank(SelectionRegistry& selections) {
+void add_rank(SelectionRegistry& selections) {
     selections.add({.id = "rank",
                     .label = "Rank",
                     .help = "The best share survives and breeds by its place in the ranking alone.",
-                    .bar = bar_of_truncation,
+                    .survival = best_share,
                     .select = select_by_rank});
 }
 

@@ -37,13 +37,23 @@ SelectionResult select_by_roulette(std::span<const IndividualPtr> ranked,
         sigma_scaled(qualified(ranked), ranked.size()), settings, stream);
 }
 
+void add_roulette_settings(SelectionRows& rows) {
+    rows.table
+        .number(
+            "elites", "Elites", "creatures", {1, 1000},
+            "The best that survive where everybody may breed.",
+            [](ExperimentSettings & s) -> auto& { return s.selection.elites; })
+        .applies = rows.elites_only;
+}
+
 }  // namespace
 
-void register_roulette(SelectionRegistry& selections) {
+void add_roulette(SelectionRegistry& selections) {
     selections.add({.id = "roulette",
                     .label = "Roulette",
                     .help = "Everybody may breed, the fitter the more often; only elites survive.",
-                    .bar = [](const SelectionSettings&) { return 0.0; },
+                    .survival = [](const SelectionSettings&) { return SurvivalRule::kElitesOnly; },
+                    .add_settings = add_roulette_settings,
                     .select = select_by_roulette});
 }
 

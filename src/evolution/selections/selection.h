@@ -6,8 +6,11 @@
 #include "core/registry.h"
 #include "evolution/individual/individual.h"
 #include "evolution/settings/experiment_settings.h"
+#include "evolution/settings/setting_builder.h"
 
 #include <cstddef>
+#include <cstdint>
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -29,18 +32,39 @@ struct SelectionResult {
     std::vector<double> partner_weights;     // one an individual of the ranking
 };
 
+// Who survives, as far as several methods share it.
+enum class SurvivalRule : std::uint8_t {
+    kBestShare,   // truncated() of survival.h
+    kElitesOnly,  // the elites; everybody may breed
+    kOwn          // a rule of the method's own
+};
+
+// What a method adds its own settings to, and the conditions under which they make a difference.
+struct SelectionRows {
+    using Applies = std::function<bool(const ExperimentSettings&)>;
+
+    setting_table::TableBuilder& table;
+    Applies in_force;     // the settings select the method
+    Applies elites_only;  // the settings select any method with SurvivalRule::kElitesOnly
+};
+
 struct SelectionKind {
     std::string id;
     std::string label;
     std::string help;
-    // Share of the worst survivor's score that a creature must reach to survive; a trial that
-    // cannot may end early. It is 1 if creatures below the worst survivor have no effect, less if
-    // that is only likely, and 0 if the least fit may matter.
-    double (*bar)(const SelectionSettings& settings) = nullptr;
+    // Its rule under these settings; null for kOwn.
+    SurvivalRule (*survival)(const SelectionSettings& settings) = nullptr;
+    bool fills_map = false;  // whether the fittest of every cell of the map survives
+    // Adds its own settings; null if it has none.
+    void (*add_settings)(SelectionRows& rows) = nullptr;
     // ranked: everyone evaluated, best first (by better()), not empty.
     SelectionResult (*select)(std::span<const IndividualPtr> ranked,
                               const ExperimentSettings& settings, SelectionMemory& memory,
                               RandomStream& stream) = nullptr;
+
+    SurvivalRule survival_under(const SelectionSettings& settings) const {
+        return survival == nullptr ? SurvivalRule::kOwn : survival(settings);
+    }
 };
 
 using SelectionRegistry = Registry<SelectionKind>;

@@ -19,7 +19,7 @@ SelectionResult breed(std::size_t places, std::vector<std::size_t> survivors,
     return result;
 }
 
-constexpr double kBarWithLimits = 0.5;
+constexpr double kShareWithLimits = 0.5;
 constexpr std::size_t kNoLimit = static_cast<std::size_t>(-1);
 
 struct Limits {
@@ -116,9 +116,14 @@ std::vector<std::size_t> truncated(std::span<const IndividualPtr> ranked,
     return seats.survivors();
 }
 
-double bar_of_truncation(const SelectionSettings& settings) {
+SurvivalRule best_share(const SelectionSettings& /*settings*/) {
+    return SurvivalRule::kBestShare;
+}
+
+double termination_share(const SelectionKind& kind, const SelectionSettings& settings) {
+    if (kind.survival_under(settings) != SurvivalRule::kBestShare) return 0.0;
     const bool limited = settings.line_share < 1.0 || settings.plan_copies > 0;
-    return limited ? kBarWithLimits : 1.0;
+    return limited ? kShareWithLimits : 1.0;
 }
 
 std::span<const IndividualPtr> qualified(std::span<const IndividualPtr> ranked) {

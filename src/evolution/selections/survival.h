@@ -23,9 +23,13 @@ std::size_t truncated_size(const PopulationSettings& population);
 std::vector<std::size_t> truncated(std::span<const IndividualPtr> ranked,
                                    const ExperimentSettings& settings);
 
-// SelectionKind::bar of truncation: 1 without limits of lines and plans. With limits, a creature
-// below the worst survivor may still survive, but rarely one far below.
-double bar_of_truncation(const SelectionSettings& settings);
+// SelectionKind::survival of methods whose survivors are truncated().
+SurvivalRule best_share(const SelectionSettings& settings);
+
+// Share of the worst survivor's score that a creature must reach to survive; a trial that cannot
+// may end early. It is 1 if creatures below the worst survivor have no effect, less if that is only
+// likely (with limits of lines and plans), and 0 if the least fit may matter.
+double termination_share(const SelectionKind& kind, const SelectionSettings& settings);
 
 // Creatures of the ranking that were not disqualified; all of it if there are none. They are the
 // first of the ranking.

@@ -10,6 +10,9 @@
 namespace cambrian {
 namespace {
 
+constexpr KindParameter<int> kSize{"tournament-size", 3};
+constexpr KindParameter<bool> kOfAll{"tournament-of-all", false};
+
 // Chances of winning, from the best contestant on.
 std::vector<double> chances(std::size_t contestants, int size) {
     const auto all_below = [&](std::size_t place) {
@@ -39,7 +42,7 @@ SelectionResult select_by_tournament(std::span<const IndividualPtr> ranked,
     const auto size = static_cast<std::size_t>(settings.population.size);
     SelectionResult result;
     std::vector<std::size_t> contestants;
-    if (chosen.tournament_of_all) {
+    if (kOfAll.of(chosen.own)) {
         const auto elites = std::min(static_cast<std::size_t>(chosen.elites), size - 1);
         result.survivors = first_of_ranking(ranked, elites, max_clones);
         contestants.resize(qualified(ranked).size());
@@ -48,27 +51,45 @@ SelectionResult select_by_tournament(std::span<const IndividualPtr> ranked,
         result.survivors = truncated(ranked, settings);
         contestants = result.survivors;
     }
-    const std::vector<double> winning = chances(contestants.size(), chosen.tournament_size);
+    const int contest = kSize.of(chosen.own);
+    const std::vector<double> winning = chances(contestants.size(), contest);
     result.partner_weights.assign(ranked.size(), 0.0);
     for (std::size_t i = 0; i < contestants.size(); ++i)
         result.partner_weights[contestants[i]] = winning[i];
     const Places places = share_places(size - std::min(size, result.survivors.size()), settings);
     for (std::size_t i = 0; i < places.offspring; ++i)
-        result.first_parents.push_back(winner(contestants, chosen.tournament_size, stream));
+        result.first_parents.push_back(winner(contestants, contest, stream));
     result.newcomers = places.newcomers;
     return result;
 }
 
+SurvivalRule survival_rule(const SelectionSettings& settings) {
+    return kOfAll.of(settings.own) ? SurvivalRule::kElitesOnly : SurvivalRule::kBestShare;
+}
+
+void add_tournament_settings(SelectionRows& rows) {
+    rows.table
+        .number(
+            kSize.key, "Tournament size", "creatures", {1, 100},
+            "Contestants of a tournament; more are harsher.",
+            [](ExperimentSettings & s) -> auto& { return kSize.in(s.selection.own); })
+        .applies = rows.in_force;
+    rows.table
+        .flag(
+            kOfAll.key, "Tournaments of all",
+            "Contestants come from all of the generation instead of its survivors.",
+            [](ExperimentSettings & s) -> auto& { return kOfAll.in(s.selection.own); })
+        .applies = rows.in_force;
+}
+
 }  // namespace
 
-void register_tournament(SelectionRegistry& selections) {
+void add_tournament(SelectionRegistry& selections) {
     selections.add({.id = "tournament",
                     .label = "Tournament",
                     .help = "Each parent is the best of a few drawn at random.",
-                    .bar =
-                        [](const SelectionSettings& settings) {
-                            return settings.tournament_of_all ? 0.0 : bar_of_truncation(settings);
-                        },
+                    .survival = survival_rule,
+                    .add_settings = add_tournament_settings,
                     .select = select_by_tournament});
 }
 

@@ -38,11 +38,11 @@ SelectionResult select_by_truncation(std::span<const IndividualPtr> ranked,
 
 }  // namespace
 
-void register_truncation(SelectionRegistry& selections) {
+void add_truncation(SelectionRegistry& selections) {
     selections.add({.id = "truncation",
                     .label = "Truncation",
                     .help = "The best share survives and breeds in proportion to its success.",
-                    .bar = bar_of_truncation,
+                    .survival = best_share,
                     .select = select_by_truncation});
 }
 

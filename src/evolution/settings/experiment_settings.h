@@ -5,6 +5,7 @@
 
 #include "breeding/mutation_settings.h"
 #include "creature/phenotype.h"
+#include "evolution/settings/kind_parameter.h"
 #include "genome/founder_settings.h"
 #include "simulator/trial.h"
 
@@ -28,16 +29,13 @@ struct PopulationSettings {
 struct SelectionSettings {
     std::string method = "truncation";  // id of a registered selection
     int elites = 2;                     // that survive where everybody may breed
-    int tournament_size = 3;
-    bool tournament_of_all = false;  // contestants come from everyone, not from the survivors only
-    std::string map_across = "parts";  // ids of map axes, evolution/individual/map_axis.h
+    std::string map_across = "parts";   // ids of map axes, evolution/individual/map_axis.h
     std::string map_up = "mass";
-    int novelty_neighbors = 15;
-    double novelty_threshold = 1.0;  // at first, in standard deviations
     double line_share = 0.2;  // of the survivors, that one founder's line may have; 1 for no limit
     int plan_copies = 2;      // survivors of one body plan; 0 for no limit
     int confirmations = 2;    // further worlds in which survivors are evaluated again
     double confirm_jitter = 0.01;  // share of gravity, friction and drag by which they differ
+    ParameterValues own;           // of the methods; their files name and read them
 
     friend bool operator==(const SelectionSettings&, const SelectionSettings&) = default;
 };

@@ -12,7 +12,6 @@ namespace cambrian {
 namespace {
 
 constexpr double kNewcomerShare = 0.2;
-constexpr const char* kManyKinds = "map-elites";
 constexpr float kMarkReach = 5.0F;  // from a mark, within which its words are shown
 constexpr int kLongStride = 10;     // generations, with Shift
 
@@ -60,6 +59,13 @@ void draw_heading(const FrameContext& frame, Requests& out) {
         ImGui::OpenPopup("export");
 }
 
+// The first selection method that keeps the fittest of every kind of body.
+const SelectionKind* mapping_method(const SelectionRegistry& selections) {
+    const auto found = std::find_if(selections.all().begin(), selections.all().end(),
+                                    [](const SelectionKind& kind) { return kind.fills_map; });
+    return found == selections.all().end() ? nullptr : &*found;
+}
+
 // What may help where the best has not risen for long (evolution/README.md 3); suggestions only.
 void draw_stagnation(const FrameContext& frame, Requests& out) {
     const auto& history = frame.experiment.snapshot.history;
@@ -75,13 +81,14 @@ void draw_stagnation(const FrameContext& frame, Requests& out) {
                     {.height = height,
                      .tooltip = "Once, a fifth of the next generation is new random creatures."}))
         out.ask(AddNewcomers{kNewcomerShare});
-    if (draft.selection.method == kManyKinds) return;
+    const SelectionKind* mapped = mapping_method(frame.kinds.selections);
+    if (mapped == nullptr || draft.selection.method == mapped->id) return;
     ImGui::SameLine();
     if (push_button("Many kinds", {.height = height,
                                    .tooltip = "Keep the fittest of every kind of body: the "
                                               "selection method becomes MAP-Elites."})) {
         ExperimentSettings edited = draft;
-        edited.selection.method = kManyKinds;
+        edited.selection.method = mapped->id;
         out.ask(EditSettings{std::move(edited), "selection.method"});
         out.ask(FinishEdit{});
     }
