@@ -5,13 +5,11 @@
 #include "genome/founders/random_genome.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace cambrian {
 namespace {
 
-constexpr double kHueStep = 0.004;  // per mutation
 constexpr int kPartnerDraws = 5;
 
 // Data that all children of one generation share.
@@ -94,8 +92,6 @@ IndividualPtr make_child(const Mating& mating, const ExperimentSettings& setting
                 .founders = settings.founders,
                 .mutate_reproduction = settings.breeding.choice == "attribute"},
                mutation, mating.extra_mutations);
-    const double hue = mother.genome->hue + kHueStep * static_cast<double>(mutations.size());
-    genome.hue = hue - std::floor(hue);
     genome.name.clear();
     Individual individual = make_individual(std::make_shared<const Genome>(std::move(genome)),
                                             settings, generation, child, mating.method.id);
