@@ -21,8 +21,8 @@ void attempt_bogacki_shampine_step(const MotionSystem& system, const StepRequest
 
 }  // namespace
 
-IntegratorKind bogacki_shampine() {
-    return {"bogacki-shampine", attempt_bogacki_shampine_step, 3, 1.0 / 60, false, true};
+void add_bogacki_shampine(IntegratorRegistry& integrators) {
+    integrators.add({"bogacki-shampine", attempt_bogacki_shampine_step, 3, 1.0 / 60, false, true});
 }
 
 }  // namespace cambrian

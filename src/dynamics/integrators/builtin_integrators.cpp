@@ -2,15 +2,15 @@
 
 namespace cambrian {
 
-const Registry<IntegratorKind>& builtin_integrators() {
-    static const Registry<IntegratorKind> registry = [] {
-        Registry<IntegratorKind> kinds;
-        kinds.add(bogacki_shampine());
-        kinds.add(dormand_prince());
-        kinds.add(cash_karp());
-        kinds.add(semi_implicit());
-        kinds.add(least_squares());
-        return kinds;
+const IntegratorRegistry& builtin_integrators() {
+    static const IntegratorRegistry registry = [] {
+        IntegratorRegistry integrators;
+        add_bogacki_shampine(integrators);
+        add_dormand_prince(integrators);
+        add_cash_karp(integrators);
+        add_semi_implicit(integrators);
+        add_least_squares(integrators);
+        return integrators;
     }();
     return registry;
 }

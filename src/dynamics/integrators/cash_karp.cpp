@@ -35,8 +35,8 @@ void attempt_cash_karp_step(const MotionSystem& system, const StepRequest& reque
 
 }  // namespace
 
-IntegratorKind cash_karp() {
-    return {"cash-karp", attempt_cash_karp_step, 5, 1.0 / 60, false, true};
+void add_cash_karp(IntegratorRegistry& integrators) {
+    integrators.add({"cash-karp", attempt_cash_karp_step, 5, 1.0 / 60, false, true});
 }
 
 }  // namespace cambrian

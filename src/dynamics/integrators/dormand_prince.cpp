@@ -29,8 +29,8 @@ void attempt_dormand_prince_step(const MotionSystem& system, const StepRequest& 
 
 }  // namespace
 
-IntegratorKind dormand_prince() {
-    return {"dormand-prince", attempt_dormand_prince_step, 5, 1.0 / 60, false, true};
+void add_dormand_prince(IntegratorRegistry& integrators) {
+    integrators.add({"dormand-prince", attempt_dormand_prince_step, 5, 1.0 / 60, false, true});
 }
 
 }  // namespace cambrian

@@ -138,8 +138,8 @@ void attempt_least_squares_step(const MotionSystem& system, const StepRequest& r
 
 }  // namespace
 
-IntegratorKind least_squares() {
-    return {"least-squares", attempt_least_squares_step, 4, 1.0 / 240, true};
+void add_least_squares(IntegratorRegistry& integrators) {
+    integrators.add({"least-squares", attempt_least_squares_step, 4, 1.0 / 240, true});
 }
 
 }  // namespace cambrian

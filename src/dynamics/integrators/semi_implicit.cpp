@@ -24,8 +24,8 @@ void attempt_semi_implicit_step(const MotionSystem& system, const StepRequest& r
 
 }  // namespace
 
-IntegratorKind semi_implicit() {
-    return {"semi-implicit", attempt_semi_implicit_step, 1, 1.0 / 240};
+void add_semi_implicit(IntegratorRegistry& integrators) {
+    integrators.add({"semi-implicit", attempt_semi_implicit_step, 1, 1.0 / 240});
 }
 
 }  // namespace cambrian

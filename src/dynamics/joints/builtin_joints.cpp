@@ -4,9 +4,9 @@ namespace cambrian {
 
 JointRegistry builtin_joints() {
     JointRegistry joints;
-    joints.add(rigid_joint());
-    joints.add(revolute_joint());
-    joints.add(prismatic_joint());
+    add_rigid_joint(joints);
+    add_revolute_joint(joints);
+    add_prismatic_joint(joints);
     return joints;
 }
 

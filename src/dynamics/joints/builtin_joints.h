@@ -8,9 +8,9 @@
 namespace cambrian {
 
 // A new joint is one file in joints/ and one line in the registry's list.
-JointKind rigid_joint();
-JointKind revolute_joint();
-JointKind prismatic_joint();
+void add_rigid_joint(JointRegistry& joints);
+void add_revolute_joint(JointRegistry& joints);
+void add_prismatic_joint(JointRegistry& joints);
 
 // Digests of genes count joints in this order: new kinds go to the end.
 JointRegistry builtin_joints();

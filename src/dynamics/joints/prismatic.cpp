@@ -19,12 +19,12 @@ void shape_prismatic(const JointGenes& genes, PlannedPart& part) {
 
 }  // namespace
 
-JointKind prismatic_joint() {
-    return {.id = "linear",
-            .label = "Linear",
-            .motion = JointMotion::kSlide,
-            .usual = false,
-            .shape = shape_prismatic};
+void add_prismatic_joint(JointRegistry& joints) {
+    joints.add({.id = "linear",
+                .label = "Linear",
+                .motion = JointMotion::kSlide,
+                .usual = false,
+                .shape = shape_prismatic});
 }
 
 }  // namespace cambrian

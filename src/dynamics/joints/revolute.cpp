@@ -15,9 +15,9 @@ void shape_revolute(const JointGenes& genes, PlannedPart& part) {
 
 }  // namespace
 
-JointKind revolute_joint() {
-    return {
-        .id = "rotary", .label = "Rotary", .motion = JointMotion::kTurn, .shape = shape_revolute};
+void add_revolute_joint(JointRegistry& joints) {
+    joints.add(
+        {.id = "rotary", .label = "Rotary", .motion = JointMotion::kTurn, .shape = shape_revolute});
 }
 
 }  // namespace cambrian

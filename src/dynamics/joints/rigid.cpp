@@ -4,8 +4,8 @@
 
 namespace cambrian {
 
-JointKind rigid_joint() {
-    return {.id = "rigid", .label = "Rigid", .motion = JointMotion::kFixed};
+void add_rigid_joint(JointRegistry& joints) {
+    joints.add({.id = "rigid", .label = "Rigid", .motion = JointMotion::kFixed});
 }
 
 }  // namespace cambrian
