@@ -31,11 +31,11 @@ SORTS = {
 # the registration and the channels are looked for.
 COMMON_WORDS = {"joint", "contact", "effector", "weight", "source", "function", "root", "sum",
                 "product", "if"}
-# Sorts that an enumeration repeats: kGrafting is "grafting".
-ENUMERATED = {"breeding"}
+# Sorts that an enumeration could repeat: kGrafting is "grafting".
+ENUMERATED = {"breeding", "selection", "integrator"}
 COMMENT = re.compile(r"//.*")
 CHANNEL = re.compile(r'\{"([^"]+)", "[^"]+"(?:, \d+)?\}')
-REGISTRATION = re.compile(r"^(?:void|IntegratorKind|JointKind) (\w+)\(", re.MULTILINE)
+REGISTRATION = re.compile(r"^void ((?:add|register)_\w+)\(\w+Registry& ", re.MULTILINE)
 
 
 def kinds_of(src, sort):
