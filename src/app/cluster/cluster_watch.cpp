@@ -1,7 +1,7 @@
 #include "app/cluster/cluster_watch.h"
 
-#include "app/process/json_text.h"
 #include "core/text/counted.h"
+#include "persist/json/json_text.h"
 
 #include <chrono>
 #include <condition_variable>

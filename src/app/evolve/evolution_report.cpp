@@ -1,7 +1,7 @@
 #include "app/evolve/evolution_report.h"
 
-#include "app/process/json_text.h"
 #include "core/text/number_text.h"
+#include "persist/json/json_text.h"
 #include "persist/text/digest_text.h"
 #include "persist/text/quoted_text.h"
 

@@ -1,11 +1,11 @@
 #include "app/cluster/cluster_options.h"
-#include "app/process/json_text.h"
 #include "app/process/messages.h"
 #include "app/subcommands/subcommands.h"
 #include "cluster/connection/cluster_connection.h"
 #include "cluster/messages/hello_text.h"
 #include "core/text/counted.h"
 #include "core/text/number_text.h"
+#include "persist/json/json_text.h"
 #include "persist/text/digest_text.h"
 #include "persist/text/quoted_text.h"
 

@@ -1,8 +1,8 @@
 #include "app/trial/trial_report.h"
 
-#include "app/process/json_text.h"
 #include "core/sample_statistics.h"
 #include "core/text/number_text.h"
+#include "persist/json/json_text.h"
 #include "persist/text/digest_text.h"
 #include "persist/text/quoted_text.h"
 

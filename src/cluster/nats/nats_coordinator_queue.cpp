@@ -4,8 +4,9 @@
 #include "cluster/nats/nats_streams.h"
 #include "cluster/nats/nats_subjects.h"
 #include "cluster/nats/nats_subscription.h"
-#include "persist/json/json_value.h"
+#include "persist/json/json_text.h"
 #include "persist/text/digest_text.h"
+#include "persist/text/quoted_text.h"
 
 #include <algorithm>
 #include <charconv>
@@ -391,7 +392,7 @@ CoordinatorNews NatsCoordinatorQueue::poll(std::chrono::milliseconds longest) {
 
 void NatsCoordinatorQueue::purge(NatsSession& session, const std::string& stream,
                                  const std::string& subject) {
-    session.send("$JS.API.STREAM.PURGE." + stream, "{\"filter\": \"" + subject + "\"}");
+    session.send("$JS.API.STREAM.PURGE." + stream, json_object({{"filter", quoted_text(subject)}}));
 }
 
 // Tells workers to drop their units of a run, and deletes its messages.

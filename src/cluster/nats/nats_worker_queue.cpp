@@ -4,6 +4,7 @@
 #include "cluster/nats/nats_streams.h"
 #include "cluster/nats/nats_subjects.h"
 #include "cluster/nats/nats_subscription.h"
+#include "persist/json/json_text.h"
 #include "persist/text/digest_text.h"
 
 #include <algorithm>
@@ -42,7 +43,7 @@ public:
     void acknowledge(std::uint64_t ticket) override { answer(ticket, "+ACK", true); }
     void give_back(std::uint64_t ticket, std::chrono::milliseconds delay) override {
         const auto ns = std::chrono::nanoseconds(delay).count();
-        answer(ticket, "-NAK {\"delay\": " + std::to_string(ns) + "}", true);
+        answer(ticket, "-NAK " + json_object({{"delay", std::to_string(ns)}}), true);
     }
     void discard(std::uint64_t ticket) override { answer(ticket, "+TERM", true); }
     bool publish_result(const UnitMessage& result) override;

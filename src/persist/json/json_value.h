@@ -29,8 +29,14 @@ struct JsonValue {
     const char* kind_in_words() const;
 };
 
-// How an object or a list is written.
-enum class Layout : std::uint8_t { kLines, kCompact };
+// How an object or a list is written. Inside another one that is not kLines, its layout is that of
+// the other.
+enum class Layout : std::uint8_t {
+    kLines,    // an item a line, indented by two spaces
+    kCompact,  // { "a": 1, "b": 2 }
+    kLine,     // {"a": 1, "b": 2}
+    kDense     // {"a":1,"b":2}
+};
 
 // Names of values that older files number instead.
 struct NumberedNames {

@@ -1,10 +1,10 @@
 #pragma once
 
-// Writes JSON: two-space indentation, small objects on one line, keys in the order of the calls. It
-// has the same calls as JsonReader, so one description of a format serves both (creature_format.h).
+// Writes a document: small objects on one line, keys in the order of the calls. It has the same
+// calls as JsonReader, so one description of a format serves both (creature_format.h).
 
 #include "core/assert.h"
-#include "persist/json/json_value.h"
+#include "persist/json/json_text.h"
 #include "persist/text/quoted_text.h"
 #include "persist/text/setting_value.h"
 
@@ -23,10 +23,10 @@ struct FieldRule;
 class JsonWriter {
 public:
     // Writes one object into `text`: begin, calls, end.
-    explicit JsonWriter(std::string& text, Layout layout = Layout::kLines) : text_(text) {
-        open('{', layout);
+    explicit JsonWriter(std::string& text, Layout layout = Layout::kLines) : json_(text) {
+        json_.open('{', layout);
     }
-    void end() { close('}'); }
+    void end() { json_.close('}'); }
 
     void type(const char* /*name*/) const {}
     bool has(const char* /*key*/) const { return true; }
@@ -46,17 +46,17 @@ public:
     void plain_real(const char* key, double value);
     template <class Integer>
     void integer(const char* key, Integer value, double /*low*/, double /*high*/) {
-        item(key, std::to_string(value));
+        json_.item(key, std::to_string(value));
     }
     template <class Integer>
     void index(const char* key, Integer value, std::size_t /*count*/, const char* /*of_what*/) {
-        item(key, std::to_string(value));
+        json_.item(key, std::to_string(value));
     }
-    void flag(const char* key, bool value) { item(key, value ? "true" : "false"); }
+    void flag(const char* key, bool value) { json_.item(key, value ? "true" : "false"); }
     template <class Choice>
     bool choice(const char* key, Choice value, std::span<const std::string> names,
                 const char* /*what*/) {
-        item(key, quoted_text(names[static_cast<std::size_t>(value)]));
+        json_.item(key, quoted_text(names[static_cast<std::size_t>(value)]));
         return true;
     }
     // Only if it is not the first of the names.
@@ -69,8 +69,8 @@ public:
     void named_or_numbered(const char* key, Integer value, const NumberedNames& names,
                            const char* /*what*/) {
         const auto index = static_cast<std::size_t>(value);
-        item(key,
-             index < names.names.size() ? quoted_text(names.names[index]) : std::to_string(index));
+        json_.item(key, index < names.names.size() ? quoted_text(names.names[index])
+                                                   : std::to_string(index));
     }
     template <class Choice>
     bool variant(const char* key, Choice value, std::span<const std::string> names,
@@ -78,7 +78,7 @@ public:
         return choice(key, value, names, what);
     }
     void text(const char* key, std::string_view value, std::size_t /*max_bytes*/) {
-        item(key, quoted_text(value));
+        json_.item(key, quoted_text(value));
     }
     void texts(const char* key, const std::vector<std::string>& values, std::size_t max_count,
                std::size_t max_bytes);
@@ -91,15 +91,15 @@ public:
     void optional_bytes(const char* key, std::span<const std::uint8_t> bytes,
                         std::size_t line_bytes, std::size_t max_bytes);
     void setting(const SettingField& field, const ExperimentSettings& settings) {
-        item(field.key.c_str(), setting_text(value_of(field, settings)));
+        json_.item(field.key.c_str(), setting_text(value_of(field, settings)));
     }
 
     template <class Describe>
     void object(const char* key, Layout layout, Describe describe) {
-        begin_item(key);
-        open('{', layout);
+        json_.begin_item(key);
+        json_.open('{', layout);
         describe(*this);
-        close('}');
+        json_.close('}');
     }
     // Only if there is a value.
     template <class Value, class Describe>
@@ -112,29 +112,19 @@ public:
     template <class Items, class Describe>
     void list(const char* key, Items& items, std::size_t /*low*/, std::size_t /*high*/,
               Layout layout, Describe describe) {
-        begin_item(key);
-        open('[', Layout::kLines);
+        json_.begin_item(key);
+        json_.open('[', Layout::kLines);
         for (auto& each : items) {
-            begin_item("");
-            open('{', layout);
+            json_.begin_item("");
+            json_.open('{', layout);
             describe(*this, each);
-            close('}');
+            json_.close('}');
         }
-        close(']');
+        json_.close(']');
     }
 
 private:
-    struct Level {
-        Layout layout;
-        bool empty = true;
-    };
-    void open(char bracket, Layout layout);
-    void close(char bracket);
-    void begin_item(std::string_view key);
-    void item(std::string_view key, std::string_view value);
-
-    std::string& text_;
-    std::vector<Level> levels_;
+    JsonText json_;
 };
 
 }  // namespace cambrian

@@ -1,6 +1,6 @@
 #include "persist/records/mutation_text.h"
 
-#include "persist/json/json_value.h"
+#include "persist/json/json_text.h"
 #include "persist/text/quoted_text.h"
 
 #include <algorithm>
@@ -21,13 +21,13 @@ bool is_record(const JsonValue& value) {
 
 std::optional<std::string> mutations_text(std::span<const MutationRecord> mutations) {
     if (mutations.empty()) return std::nullopt;
-    std::string text = "[";
+    std::vector<std::string> records;
     for (const MutationRecord& each : mutations) {
-        text += text.size() > 1 ? ",[" : "[";
-        text += quoted_text(each.operator_id) + "," + quoted_text(each.place) + "," +
-                quoted_text(each.from) + "," + quoted_text(each.to) + "]";
+        records.push_back(json_list({quoted_text(each.operator_id), quoted_text(each.place),
+                                     quoted_text(each.from), quoted_text(each.to)},
+                                    Layout::kDense));
     }
-    return text + "]";
+    return json_list(records, Layout::kDense);
 }
 
 Result<std::vector<MutationRecord>> parse_mutations(std::string_view text) {

@@ -30,7 +30,4 @@ private:
     std::uint64_t frame_ = 0;
 };
 
-// The text as JSON writes it, quotes included.
-std::string json_text(const std::string& text);
-
 }  // namespace cambrian
