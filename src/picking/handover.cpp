@@ -19,8 +19,4 @@ std::vector<EngineCommand> injection_of(std::span<const IndividualPtr> picks) {
     return commands;
 }
 
-EngineCommand founding_of(std::span<const IndividualPtr> picks, SettingsPtr settings) {
-    return StartExperiment{std::move(settings), genomes_of(picks)};
-}
-
 }  // namespace cambrian

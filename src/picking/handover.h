@@ -16,7 +16,4 @@ std::vector<GenomePtr> genomes_of(std::span<const IndividualPtr> creatures);
 // worst.
 std::vector<EngineCommand> injection_of(std::span<const IndividualPtr> picks);
 
-// The command that begins a new experiment with the picks as founders.
-EngineCommand founding_of(std::span<const IndividualPtr> picks, SettingsPtr settings);
-
 }  // namespace cambrian

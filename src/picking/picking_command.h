@@ -76,11 +76,9 @@ struct PlacePinned {  // a new grid: this one with a pinned creature in the cell
     std::size_t cell = 0;
 };
 
-struct NoteSave {};  // a creature was saved to a file
-
 using PickingCommand =
     std::variant<ShowPopulation, StartFromCreatures, RestoreGrids, UseSettings, ChangeGrid,
                  TogglePick, ClearPicks, BreedPicks, ReplaceUnpicked, AskEvolution, CancelDecision,
-                 GoBack, GoForward, VisitGrid, PinCreature, UnpinCreature, PlacePinned, NoteSave>;
+                 GoBack, GoForward, VisitGrid, PinCreature, UnpinCreature, PlacePinned>;
 
 }  // namespace cambrian

@@ -18,14 +18,10 @@ PickingDesk::~PickingDesk() {
     thread_.join();
 }
 
-bool PickingDesk::send(PickingCommand command, double time) {
-    return inbox_.send({std::move(command), time});
-}
-
 void PickingDesk::run(const std::stop_token& stop) {
     while (!stop.stop_requested()) {
         const bool commanded = inbox_.drain(
-            [this](TimedCommand timed) { session_.apply(std::move(timed.command), timed.time); });
+            [this](PickingCommand command) { session_.apply(std::move(command)); });
         if (commanded) publish();
         if (session_.has_work()) {
             inbox_.work_until_command(

@@ -10,6 +10,7 @@
 
 #include <memory>
 #include <thread>
+#include <utility>
 
 namespace cambrian {
 
@@ -22,24 +23,19 @@ public:
     PickingDesk(const PickingDesk&) = delete;
     PickingDesk& operator=(const PickingDesk&) = delete;
 
-    // False if the inbox is full; try again next frame. time: s on the user's clock, for the log.
-    bool send(PickingCommand command, double time);
+    // False if the inbox is full; try again next frame.
+    bool send(PickingCommand command) { return inbox_.send(std::move(command)); }
     // Newest snapshot; never null.
     const std::shared_ptr<const PickingSnapshot>& latest() { return snapshots_.latest(); }
     const EvaluationProgress& progress() const { return progress_; }
 
 private:
-    struct TimedCommand {
-        PickingCommand command;
-        double time = 0.0;
-    };
-
     void run(const std::stop_token& stop);
     void work(const std::stop_token& interrupted);
     void publish();
 
     std::unique_ptr<EvaluationBackend> backend_;
-    WorkerInbox<TimedCommand, 256> inbox_;
+    WorkerInbox<PickingCommand, 256> inbox_;
     SnapshotChannel<PickingSnapshot> snapshots_;
     EvaluationProgress progress_;
     PickingSession session_;  // the desk's thread only

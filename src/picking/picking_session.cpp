@@ -50,8 +50,7 @@ PickingSession::PickingSession(SettingsPtr settings, const EvolutionKinds& kinds
     shown_.settings = std::move(settings);
 }
 
-void PickingSession::apply(PickingCommand command, double time) {
-    if (std::isfinite(time)) now_ = time;
+void PickingSession::apply(PickingCommand command) {
     const Status done = std::visit([this](auto& each) { return carry_out(each); }, command);
     shown_.message = done ? std::string() : done.error().message;
 }
@@ -61,7 +60,6 @@ void PickingSession::apply(PickingCommand command, double time) {
 Status PickingSession::carry_out(ShowPopulation& command) {
     if (!command.settings) return Error{"a population comes with its settings"};
     shown_.settings = std::move(command.settings);
-    shown_.log.shown_since = now_;
     GridOrder order = order_of({});
     order.pool = std::move(command.population);
     begin(draft_of(GridOrigin::kPopulation), std::move(order));
@@ -72,7 +70,6 @@ Status PickingSession::carry_out(ShowPopulation& command) {
 Status PickingSession::carry_out(StartFromCreatures& command) {
     if (Status valid = check_genomes(command.genomes, kinds_.creature.catalog); !valid)
         return valid;
-    shown_.log.shown_since = now_;
     GridOrder order = order_of(import_creatures(command.genomes, next_number(), *shown_.settings));
     if (!order.parents.empty()) order.kept.emplace(0, order.parents.front());
     begin(draft_of(GridOrigin::kCreatures), std::move(order));
@@ -89,7 +86,6 @@ Status PickingSession::carry_out(RestoreGrids& command) {
     shown_.tree = std::move(command.tree);
     shown_.picks = std::move(command.picks);
     shown_.shelf = std::move(command.shelf);
-    shown_.log.shown_since = now_;
     if (shown_.tree.empty()) return {};
     shown_.grid = shown_.tree.current().grid;
     breed_ahead();
@@ -187,7 +183,6 @@ Status PickingSession::carry_out(const CancelDecision& /*command*/) {
 Status PickingSession::carry_out(const GoBack& /*command*/) {
     const bool takes_back = deciding();
     if (!takes_back && !shown_.tree.back()) return Error{"this is the first grid"};
-    shown_.log.go_back(now_);
     if (!takes_back) recall_picks();
     breed_ahead();
     return {};
@@ -195,7 +190,6 @@ Status PickingSession::carry_out(const GoBack& /*command*/) {
 
 Status PickingSession::carry_out(const GoForward& /*command*/) {
     if (!shown_.tree.forward()) return Error{"no grid was bred from this one"};
-    shown_.log.shown_since = now_;
     recall_picks();
     breed_ahead();
     return {};
@@ -203,7 +197,6 @@ Status PickingSession::carry_out(const GoForward& /*command*/) {
 
 Status PickingSession::carry_out(const VisitGrid& command) {
     if (Status visited = shown_.tree.visit(command.node); !visited) return visited;
-    shown_.log.shown_since = now_;
     recall_picks();
     breed_ahead();
     return {};
@@ -234,13 +227,7 @@ Status PickingSession::carry_out(const PlacePinned& command) {
     node.generations = 0;
     node.creatures[command.cell] = scored_by(*node.settings, shown_.shelf[command.place].individual,
                                              *shown_.shelf[command.place].settings);
-    shown_.log.shown_since = now_;
     show_grid(std::move(node));
-    return {};
-}
-
-Status PickingSession::carry_out(const NoteSave& /*command*/) {
-    ++shown_.log.saves;
     return {};
 }
 
@@ -331,13 +318,10 @@ void PickingSession::begin(GridNode draft, GridOrder order) {
 
 // The work at hand becomes the next grid as soon as it is done.
 void PickingSession::decide() {
-    shown_.log.decide(now_, shown_.tree.next().has_value());
+    ++shown_.decisions;
+    if (shown_.tree.next()) ++shown_.branches;
     shown_.status = PickingStatus::kBreeding;
-    if (has_work()) {
-        ++shown_.log.waits;
-    } else {
-        finish_decision();
-    }
+    if (!has_work()) finish_decision();
 }
 
 void PickingSession::finish_decision() {

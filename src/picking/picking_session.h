@@ -22,8 +22,7 @@ public:
     // Settings must pass check_settings; kinds must outlive it. Begins without a grid.
     PickingSession(SettingsPtr settings, const EvolutionKinds& kinds);
 
-    // time: of the command, s on any steady clock of the user's.
-    void apply(PickingCommand command, double time);
+    void apply(PickingCommand command);
 
     // Whether a grid is wanted, now or ahead of the next decision.
     bool has_work() const;
@@ -61,7 +60,6 @@ private:
     Status carry_out(const PinCreature& command);
     Status carry_out(const UnpinCreature& command);
     Status carry_out(const PlacePinned& command);
-    Status carry_out(const NoteSave& command);
 
     bool deciding() const { return shown_.status != PickingStatus::kOpen; }
     Status check_open() const;
@@ -80,7 +78,6 @@ private:
 
     const EvolutionKinds& kinds_;
     PickingSnapshot shown_;
-    double now_ = 0.0;  // s, of the last command
     std::optional<Work> work_;
 };
 

@@ -4,7 +4,6 @@
 
 #include "picking/grid/grid_settings.h"
 #include "picking/picking_tree.h"
-#include "picking/session_log.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -25,7 +24,8 @@ struct PickingSnapshot {
     GridSettings grid;               // for the next one
     SettingsPtr settings;            // that judge the next one
     std::vector<JudgedIndividual> shelf;
-    SessionLog log;
+    int decisions = 0;  // so far: breeding, newcomers, assistance
+    int branches = 0;   // decisions where another one had been made before
     PickingStatus status = PickingStatus::kOpen;
     bool children_ready = false;  // of the picks: BreedPicks will be answered at once
     int generations_done = 0;     // while evolving

@@ -80,14 +80,3 @@ TEST_CASE("picks go back into an automatic population", "[picking][handover]") {
                             [&](const auto& each) { return each->genome == pick->genome; }) == 1);
     }
 }
-
-TEST_CASE("picks found a new experiment", "[picking][handover]") {
-    auto settings = std::make_shared<ExperimentSettings>();
-    const auto picks = test::strangers(2, 77);
-    const EngineCommand command = founding_of(picks, settings);
-    const auto& start = std::get<StartExperiment>(command);
-    CHECK(start.settings == settings);
-    const Evolution evolution(start.settings, kinds(), start.founders);
-    CHECK(evolution.population()[0]->genome == picks[0]->genome);
-    CHECK(evolution.population()[1]->genome == picks[1]->genome);
-}

@@ -31,7 +31,7 @@ public:
         obey(StartFromCreatures{{test::hopper()}});
     }
     void obey(PickingCommand command) {
-        session_.apply(std::move(command), 0.0);
+        session_.apply(std::move(command));
         REQUIRE(session_.snapshot().message.empty());
         while (session_.has_work())
             REQUIRE(session_.work(backend_, progress_, {}));

@@ -47,7 +47,6 @@ public:
 
     // The next creature that this machine must compute as a check; each is returned once.
     std::optional<std::size_t> next_check();
-    bool checks_waiting() const { return !checks_.empty(); }
     // Requests the check of the best finished creature, unless it is certain. Returns whether it
     // did.
     bool check_leader();

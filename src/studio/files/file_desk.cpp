@@ -16,11 +16,6 @@ FileEvent saved(const std::filesystem::path& path, const Status& status) {
     return FileFailed{path, status.error().message};
 }
 
-FileEvent saved_creature(const std::filesystem::path& path, const Status& status) {
-    if (status) return FileSaved{.path = path, .creature = true};
-    return saved(path, status);
-}
-
 FileEvent prepared(CardOrder order, const EvolutionKinds& kinds, const std::stop_token& stop) {
     complete_score(order.document, kinds, stop);
     auto subject = subject_of(order.document, order.settings, order.title, kinds);
@@ -75,7 +70,7 @@ void FileDesk::save_creature(const std::filesystem::path& path, CreatureDocument
     run([path, document = std::move(document),
          &kinds = kinds_](const std::stop_token& stop) mutable {
         complete_score(document, kinds, stop);
-        return saved_creature(path, cambrian::save_creature(path, document, kinds));
+        return saved(path, cambrian::save_creature(path, document, kinds));
     });
 }
 
@@ -88,7 +83,7 @@ void FileDesk::prepare_card(CardOrder order) {
 void FileDesk::save_card(const std::filesystem::path& path, Image picture, std::string document) {
     run([path, picture = std::move(picture),
          document = std::move(document)](const std::stop_token&) {
-        return saved_creature(path, cambrian::save_card(path, picture, document));
+        return saved(path, cambrian::save_card(path, picture, document));
     });
 }
 

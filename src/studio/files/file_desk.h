@@ -34,7 +34,6 @@ struct ExperimentLoaded {
 };
 struct FileSaved {
     std::filesystem::path path;
-    bool creature = false;  // that file is one, or a card
 };
 // A card without its picture.
 struct PreparedCard {

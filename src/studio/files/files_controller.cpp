@@ -161,7 +161,6 @@ struct FilesController::Receiver {
         log("saved", event.path);
         if (event.path.extension() == ".cambrian")
             self.subjects_.experiment.open().moved_to(event.path);
-        if (event.creature) self.subjects_.picking.note_save();
         feedback().tell(NoticeKind::kDone, "Saved " + event.path.string());
     }
     void operator()(CardPrepared& event) const { self.orders_.card = std::move(event.card); }

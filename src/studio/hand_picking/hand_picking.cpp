@@ -6,7 +6,7 @@
 
 namespace cambrian {
 
-void HandPicking::enter(const EvolutionSnapshot& evolution, const GenomePtr& on_show, double now) {
+void HandPicking::enter(const EvolutionSnapshot& evolution, const GenomePtr& on_show) {
     const bool first = desk_ == nullptr;
     if (first) {
         desk_ = std::make_unique<PickingDesk>(
@@ -17,21 +17,20 @@ void HandPicking::enter(const EvolutionSnapshot& evolution, const GenomePtr& on_
     }
     on_ = true;
     choices_.single = false;
-    use(evolution.settings, now);
+    use(evolution.settings);
     if (restored_) {
         PickingRecord record = *std::exchange(restored_, std::nullopt);
         const bool empty = record.tree.empty();
-        send(RestoreGrids{std::move(record.tree), std::move(record.picks), std::move(record.shelf)},
-             now);
+        send(RestoreGrids{std::move(record.tree), std::move(record.picks), std::move(record.shelf)});
         if (!empty) return;
     }
     const std::pair population = {evolution.experiment, evolution.history.size()};
     if (!evolution.population.empty() && (first || population != left_)) {
-        send(ShowPopulation{evolution.settings, evolution.population}, now);
+        send(ShowPopulation{evolution.settings, evolution.population});
     } else if (first) {
         StartFromCreatures start;
         if (on_show) start.genomes.push_back(on_show);
-        send(std::move(start), now);
+        send(std::move(start));
     }
 }
 
@@ -41,29 +40,28 @@ void HandPicking::leave(const EvolutionSnapshot& evolution) {
     left_ = {evolution.experiment, evolution.history.size()};
 }
 
-void HandPicking::restore(PickingRecord record, double now) {
+void HandPicking::restore(PickingRecord record) {
     if (desk_ == nullptr && record.tree.empty() && record.shelf.empty()) return;
     restored_ = std::move(record);
     if (!on_) return;
     PickingRecord present = *std::exchange(restored_, std::nullopt);
-    send(RestoreGrids{std::move(present.tree), std::move(present.picks), std::move(present.shelf)},
-         now);
+    send(RestoreGrids{std::move(present.tree), std::move(present.picks), std::move(present.shelf)});
 }
 
-void HandPicking::send(PickingCommand command, double now) {
-    unsent_.emplace_back(std::move(command), now);
+void HandPicking::send(PickingCommand command) {
+    unsent_.push_back(std::move(command));
     send_waiting();
 }
 
 void HandPicking::send_waiting() {
-    while (!unsent_.empty() && desk_->send(unsent_.front().first, unsent_.front().second))
+    while (!unsent_.empty() && desk_->send(unsent_.front()))
         unsent_.pop_front();
 }
 
-void HandPicking::use(const SettingsPtr& settings, double now) {
+void HandPicking::use(const SettingsPtr& settings) {
     if (!on_ || settings == used_) return;
     used_ = settings;
-    send(UseSettings{settings}, now);
+    send(UseSettings{settings});
 }
 
 void HandPicking::update(double elapsed, StatusLog& log) {

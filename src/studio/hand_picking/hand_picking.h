@@ -29,17 +29,17 @@ public:
 
     // With a grid of the population unless it is the one left last; without a population, of
     // children of the creature shown (null: of random ones).
-    void enter(const EvolutionSnapshot& evolution, const GenomePtr& on_show, double now);
+    void enter(const EvolutionSnapshot& evolution, const GenomePtr& on_show);
     void leave(const EvolutionSnapshot& evolution);
     // The grids of the experiment that was opened, to be gone on with at the next entry.
-    void restore(PickingRecord record, double now);
+    void restore(PickingRecord record);
     bool on() const { return on_; }
     // The creatures of the grid fill the viewport's place, rather than one of them.
     bool grid_shown() const { return on_ && !choices_.single; }
 
-    void send(PickingCommand command, double now);
+    void send(PickingCommand command);
     // The desk judges by other settings from now on.
-    void use(const SettingsPtr& settings, double now);
+    void use(const SettingsPtr& settings);
     // Once a frame: news of the desk, written to the log; `elapsed` seconds of motion.
     void update(double elapsed, StatusLog& log);
 
@@ -69,7 +69,7 @@ private:
     const EvolutionKinds& kinds_;
     std::size_t workers_;
     std::unique_ptr<PickingDesk> desk_;                     // from the first entry on
-    std::deque<std::pair<PickingCommand, double>> unsent_;  // the desk's inbox was full
+    std::deque<PickingCommand> unsent_;  // the desk's inbox was full
     std::shared_ptr<const PickingSnapshot> snapshot_;
     SettingsPtr used_;  // last told to the desk
     std::optional<PickingRecord> restored_;

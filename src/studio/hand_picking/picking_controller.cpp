@@ -43,7 +43,7 @@ struct PickingController::Handler {
     void operator()(const AskPicking& request) const {
         if (!self.picking_.on()) return;
         if (std::holds_alternative<VisitGrid>(request.command)) (*this)(ShowGrid{});
-        self.picking_.send(request.command, self.services_.feedback.now());
+        self.picking_.send(request.command);
     }
     void operator()(const FocusCell& request) const {
         self.picking_.choices().focus = request.cell;
@@ -67,7 +67,7 @@ PickingController::PickingController(const Services& services, ViewState& view,
       picking_(services.kinds, workers) {}
 
 void PickingController::update(double elapsed) {
-    picking_.use(experiment_.open().snapshot().settings, services_.feedback.now());
+    picking_.use(experiment_.open().snapshot().settings);
     picking_.update(elapsed * view_.speed, services_.feedback.log());
     facts_.reset();
     if (picking_.on()) facts_.emplace(picking_.view());
@@ -96,12 +96,8 @@ bool PickingController::show_cell(std::size_t cell) {
     return true;
 }
 
-void PickingController::note_save() {
-    if (picking_.on()) picking_.send(NoteSave{}, services_.feedback.now());
-}
-
 void PickingController::restore(PickingRecord record) {
-    picking_.restore(std::move(record), services_.feedback.now());
+    picking_.restore(std::move(record));
     kept_.reset();
 }
 
@@ -109,8 +105,7 @@ void PickingController::enter() {
     experiment_.suspend();
     const Playback& playback = viewer_.playback();
     picking_.enter(experiment_.open().snapshot(),
-                   playback.empty() ? nullptr : playback.exhibit().genome(),
-                   services_.feedback.now());
+                   playback.empty() ? nullptr : playback.exhibit().genome());
     services_.feedback.log().write("hand-picking", {{"on", true}});
 }
 

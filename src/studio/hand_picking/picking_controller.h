@@ -32,7 +32,6 @@ public:
     // A creature was loaded from a file: it has the viewport alone.
     void yield_viewport() { picking_.choices().single = picking_.on(); }
     // A creature was saved to a file.
-    void note_save();
     // The grids of an experiment that was opened.
     void restore(PickingRecord record);
 

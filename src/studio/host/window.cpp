@@ -36,12 +36,6 @@ GLFWwindow* create_window(int width, int height, const std::string& title) {
 
 }  // namespace
 
-bool display_available() {
-    if (glfwInit() != GLFW_TRUE) return false;
-    glfwTerminate();
-    return true;
-}
-
 Result<std::unique_ptr<Window>> Window::open(int width, int height, const std::string& title) {
     if (glfwInit() != GLFW_TRUE) {
         return Error{"no display to open a window on (" + last_glfw_error() +

@@ -14,9 +14,6 @@ struct GLFWwindow;
 
 namespace cambrian {
 
-// Whether a window can be opened at all.
-bool display_available();
-
 class Window {
 public:
     // Fails, saying so, without a display or without OpenGL 3.3. Sizes are in units of 1/96 inch.

@@ -54,10 +54,10 @@ void PickingTreePanel::draw(const FrameContext& frame, Requests& out) {
         const WithFont font(ui().fonts.small);
         const WithTextColor muted(colors().muted);
         ImGui::SameLine(0, px(10));
-        const SessionLog& log = frame.picking->snapshot.log;
-        const std::string counts = counted(static_cast<std::size_t>(log.decisions), "decision") +
-                                   ", " + std::to_string(log.branches) +
-                                   (log.branches == 1 ? " branch" : " branches");
+        const PickingSnapshot& picking = frame.picking->snapshot;
+        const std::string counts =
+            counted(static_cast<std::size_t>(picking.decisions), "decision") + ", " +
+            std::to_string(picking.branches) + (picking.branches == 1 ? " branch" : " branches");
         ImGui::TextUnformatted(counts.c_str());
     }
     bodies_.begin_frame(kTreeGrown);
