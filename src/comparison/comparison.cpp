@@ -119,7 +119,8 @@ std::vector<ComparedRun> Comparison::finished() const {
 // The champion first: a run in the table has one. The table's order does not depend on who ends
 // first.
 Status Comparison::keep(const PlannedRun& run, const FinishedRun& finished) {
-    CreatureDocument champion = creature_document(*finished.champion, *run.settings, *kinds_);
+    CreatureDocument champion =
+        creature_document({.individual = finished.champion, .settings = run.settings}, *kinds_);
     complete_score(champion, *kinds_);
     const auto path = folder_ / kChampions / file_name(finished.row);
     if (Status saved = save_creature(path, champion, *kinds_); !saved) return saved;

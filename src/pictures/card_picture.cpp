@@ -71,7 +71,7 @@ void add_heading(Easel& easel, const CardSpace& at, const Subject& subject,
     easel.add_text(at.x(kCardWidth - kCardMargin), at.y(822), subject.goal, goal, Align::kRight);
     // The colour of its lineage.
     easel.add_box(at.area({kCardMargin, 806, 72, 8}), 4.0 * unit,
-                  color_of_hue(subject.hue, 0.70, 0.12));
+                  color_of_hue(subject.hue(), 0.70, 0.12));
 }
 
 void add_facts(Easel& easel, const CardSpace& at, const Subject& subject, const Palette& palette) {

@@ -16,14 +16,18 @@ namespace {
 
 CreatureDocument random_document(RandomStream& stream) {
     const KindCatalog& catalog = kinds().creature.catalog;
-    CreatureDocument document;
+    Genome genome;
     if (stream.chance(0.5)) {
-        document.genome = random_genome(FounderSettings{}, catalog, stream);
+        genome = random_genome(FounderSettings{}, catalog, stream);
     } else {
-        document.genome = garbage_genome(stream);
-        repair(document.genome, catalog);
+        genome = garbage_genome(stream);
+        repair(genome, catalog);
     }
-    if (stream.chance(0.1)) document.scored.emplace().goal = "walking";
+    CreatureDocument document{unjudged(std::make_shared<const Genome>(std::move(genome)))};
+    if (stream.chance(0.1)) {
+        change_individual(document.creature,
+                          [](Individual& individual) { individual.evaluated = true; });
+    }
     return document;
 }
 

@@ -268,8 +268,8 @@ TEST_CASE("creatures of made-up kinds are saved, loaded and drawn", "[extension]
     REQUIRE(renderer);
     REQUIRE(lettering);
     for (const IndividualPtr& individual : saved.latest->population) {
-        const CreatureDocument document =
-            creature_document(*individual, *saved.latest->settings, kinds());
+        const CreatureDocument document = creature_document(
+            {.individual = individual, .settings = saved.latest->settings}, kinds());
         const std::string text = write_creature(document, kinds());
         std::erase_if(
             unseen, [&](const std::string& word) { return text.find(word) != std::string::npos; });
@@ -277,12 +277,13 @@ TEST_CASE("creatures of made-up kinds are saved, loaded and drawn", "[extension]
         INFO((read ? "" : read.error().message));
         REQUIRE(read);
         CHECK(read->warnings.empty());
-        CHECK(read->genome == *individual->genome);
+        CHECK(read->genome() == *individual->genome);
         CHECK(write_creature(*read, kinds()) == text);
     }
     CHECK(unseen.empty());
-    const CreatureDocument best =
-        creature_document(*saved.latest->population.front(), *saved.latest->settings, kinds());
+    const CreatureDocument best = creature_document(
+        {.individual = saved.latest->population.front(), .settings = saved.latest->settings},
+        kinds());
     const auto subject = subject_of(best, *saved.latest->settings, "Made up", kinds());
     INFO((subject ? "" : subject.error().message));
     REQUIRE(subject);

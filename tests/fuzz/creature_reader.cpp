@@ -20,8 +20,8 @@ void read_again(const CreatureDocument& document) {
     const std::string text = write_creature(document, kinds());
     const auto again = parse_creature(text, "again", kinds());
     promise(again.has_value(), "what is written can be read");
-    promise(again->genome == document.genome, "a genome is read as it was written");
-    promise(again->scored == document.scored, "a score is read as it was written");
+    promise(again->genome() == document.genome(), "a genome is read as it was written");
+    promise(same_score(*again, document), "a score is read as it was written");
     promise(write_creature(*again, kinds()) == text, "writing again gives the same bytes");
 }
 
@@ -33,12 +33,12 @@ TrialWorld brief(TrialWorld world) {
 }
 
 void live(const CreatureDocument& document) {
-    const ScoredRecord scored = document.scored.value_or(ScoredRecord{});
-    const TrialWorld world = brief(scored.world);
+    const ExpressionSettings& expression = document.settings().expression;
+    const TrialWorld world = brief(document.settings().world);
     const auto phenotype = std::make_shared<const Phenotype>(
-        express(document.genome, kinds().creature, scored.expression, world.scene));
+        express(document.genome(), kinds().creature, expression, world.scene));
     const std::size_t parts = phenotype->plan.parts.size();
-    promise(parts >= 1 && parts <= static_cast<std::size_t>(scored.expression.max_parts),
+    promise(parts >= 1 && parts <= static_cast<std::size_t>(expression.max_parts),
             "a body keeps to its limit of parts");
     const auto record = run_trial(phenotype, kinds().creature, world);
     promise(record.has_value() || !record.error().message.empty(),
@@ -53,7 +53,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
         promise(document.error().message.starts_with("input: E"), "a refusal has a code");
         return 0;
     }
-    promise(validate(document->genome, kinds().creature.catalog).empty(),
+    promise(validate(document->genome(), kinds().creature.catalog).empty(),
             "what is loaded is valid");
     read_again(*document);
     live(*document);

@@ -112,7 +112,7 @@ void TableEdits::change_genotype(Database& database, ByteSource& bytes) {
     if (founder) return;
     if (const auto document = parse_creature(text, "genotype", kinds()))
         database.prepare("UPDATE individuals SET genome_hash = ? WHERE id = ?")
-            .run(genome_hash(document->genome), id);
+            .run(genome_hash(document->genome()), id);
 }
 
 std::optional<std::string> TableEdits::words_at(const Database& database, const Place& cell) {

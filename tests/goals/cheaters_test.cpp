@@ -119,10 +119,9 @@ std::map<std::string, double> least_honest_scores() {
     for (const auto& file : std::filesystem::directory_iterator(kSamples)) {
         const auto sample = load_creature(file.path(), test::kinds());
         REQUIRE(sample);
-        REQUIRE(sample->scored);
-        const double honest =
-            score(std::make_shared<const Genome>(sample->genome), settings_of(*sample->scored));
-        double& place = least.try_emplace(sample->scored->goal, honest).first->second;
+        REQUIRE(sample->scored());
+        const double honest = score(sample->creature.individual->genome, sample->settings());
+        double& place = least.try_emplace(sample->settings().goal, honest).first->second;
         place = std::min(place, honest);
     }
     return least;

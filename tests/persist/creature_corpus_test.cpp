@@ -52,7 +52,7 @@ TEST_CASE("each kept creature file is refused with the code in its name, or load
             INFO((loaded ? "loads" : loaded.error().message));
             REQUIRE(loaded);
             auto warnings = loaded->warnings;
-            for (const auto& each : foreign_kinds(loaded->genome, FounderSettings{}, kinds()))
+            for (const auto& each : foreign_kinds(loaded->genome(), FounderSettings{}, kinds()))
                 warnings.push_back(each);
             REQUIRE(warnings.size() == (verdict == "sound" ? 0 : 1));
             if (verdict != "sound") CHECK_THAT(warnings.front(), Catch::StartsWith(verdict + " "));
@@ -68,12 +68,12 @@ TEST_CASE("W04: what an experiment has not enabled is told once, where it is use
     settings.functions["abs"] = false;
     for (const ChannelEntry& channel : kinds().creature.catalog.channels)
         settings.channels[channel.id] = false;
-    const auto messages = foreign_kinds(linear->genome, settings, kinds());
+    const auto messages = foreign_kinds(linear->genome(), settings, kinds());
     REQUIRE(messages.size() == 4);
     CHECK(messages[0] == "W04 /nodes/1/joint: joint \"linear\" is not enabled in this experiment");
     CHECK_THAT(messages[1], Catch::StartsWith("W04 /nodes/1/neurons/0/in/1/from/ch: sensor "));
     CHECK(messages[2] == "W04 /brain/0/fn: function \"abs\" is not enabled in this experiment");
     CHECK_THAT(messages[3], Catch::StartsWith("W04 /brain/0/in/0/from/ch: sensor "));
     settings.joints["linear"] = true;
-    CHECK(foreign_kinds(linear->genome, settings, kinds()).size() == 3);
+    CHECK(foreign_kinds(linear->genome(), settings, kinds()).size() == 3);
 }

@@ -46,7 +46,7 @@ std::string altered(std::string text, RandomStream& stream) {
 bool valid_or_explained(const std::string& text) {
     const auto loaded = parse_creature(text, "damaged", kinds());
     if (!loaded) return loaded.error().message.starts_with("damaged: E");
-    return validate(loaded->genome, kinds().creature.catalog).empty();
+    return validate(loaded->genome(), kinds().creature.catalog).empty();
 }
 
 }  // namespace
@@ -63,9 +63,9 @@ TEST_CASE("no damage to a creature file does more than fail to load", "[persist]
 TEST_CASE("no damage to a random creature's file does more than fail to load",
           "[persist][damage]") {
     RandomStream stream(72);
-    CreatureDocument document;
     for (int i = 0; i < 200; ++i) {
-        document.genome = random_genome(FounderSettings{}, kinds().creature.catalog, stream);
+        const CreatureDocument document{unjudged(std::make_shared<const Genome>(
+            random_genome(FounderSettings{}, kinds().creature.catalog, stream)))};
         const std::string text = write_creature(document, kinds());
         for (int j = 0; j < 10; ++j)
             REQUIRE(valid_or_explained(altered(damaged(text, stream) + " ", stream)));

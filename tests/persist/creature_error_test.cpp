@@ -111,16 +111,20 @@ TEST_CASE("E07: a number outside its range names the range", "[persist][creature
 TEST_CASE("E07: a creature whose trials ask for hours of computing is refused",
           "[persist][creature_error]") {
     CreatureDocument document = sample_document();
-    document.scored = ScoredRecord{};
-    document.scored->goal = "walking";
-    document.scored->world.trial.duration = 3000.0;
+    const auto set_trials = [&](int trials) {
+        change_settings(document.creature, [&](ExperimentSettings& settings) {
+            settings.world.trial.duration = 3000.0;
+            settings.world.trial.trials = trials;
+        });
+    };
+    set_trials(1);
     const auto load = [&] { return message_of_creature(write_creature(document, kinds())); };
     CHECK(load() == "no error");
-    document.scored->world.trial.trials = 4;
+    set_trials(4);
     CHECK(load() ==
           "some.creature.json: E07 /scored/trial: 4 trials of 3000 s, 12000 s in all; "
           "limit 10000 s");
-    document.scored->world.trial.trials = 3;
+    set_trials(3);
     CHECK_THAT(load(),
                Catch::Contains("E07 /scored/trial: 3 trials of 3000 s and 3 s of settling") &&
                    Catch::EndsWith(" in all; limit 200000000"));
@@ -213,7 +217,7 @@ TEST_CASE("W02: a node nobody can reach is removed with a warning", "[persist][c
     const std::string text = changed("\"target\": 1", "\"target\": 0");
     const auto loaded = parse_creature(text, "some.creature.json", kinds());
     REQUIRE(loaded);
-    CHECK(loaded->genome.nodes.size() == 1);
+    CHECK(loaded->genome().nodes.size() == 1);
     REQUIRE(loaded->warnings.size() == 2);
     CHECK(loaded->warnings[0] == "W02 /nodes: 1 node cannot be reached from the root, removed");
 }

@@ -8,6 +8,8 @@
 #include "support/creatures.h"
 #include "support/temporary_directory.h"
 
+#include <array>
+
 using namespace cambrian;
 using namespace cambrian::test;
 
@@ -17,68 +19,70 @@ TEST_CASE("a saved creature loads as it was", "[persist][creature_file]") {
     REQUIRE(save_creature(folder / "a.creature.json", saved, kinds()));
     const auto loaded = load_creature(folder / "a.creature.json", kinds());
     REQUIRE(loaded);
-    CHECK(loaded->genome == saved.genome);
-    CHECK(loaded->genome.name == saved.genome.name);
-    CHECK(loaded->genome.hue == saved.genome.hue);
-    CHECK(loaded->genome.nodes[1].uid == 2);
-    CHECK(loaded->uid == saved.uid);
-    CHECK(loaded->parents == saved.parents);
-    CHECK(loaded->method == saved.method);
-    CHECK(loaded->scored == saved.scored);
+    CHECK(loaded->genome() == saved.genome());
+    CHECK(loaded->genome().name == saved.genome().name);
+    CHECK(loaded->genome().hue == saved.genome().hue);
+    CHECK(loaded->genome().nodes[1].uid == 2);
+    CHECK(loaded->creature.individual->uid == saved.creature.individual->uid);
+    CHECK(loaded->creature.individual->parents == saved.creature.individual->parents);
+    CHECK(loaded->creature.individual->method == saved.creature.individual->method);
+    CHECK(loaded->scored());
+    CHECK(same_score(*loaded, saved));
     CHECK(loaded->warnings.empty());
 }
 
 TEST_CASE("random creatures are saved, loaded and saved again to the same bytes",
           "[persist][creature_file]") {
     RandomStream stream(61);
-    CreatureDocument document;
     for (int i = 0; i < 3000; ++i) {
-        document.genome = random_genome(FounderSettings{}, kinds().creature.catalog, stream);
+        const CreatureDocument document{unjudged(std::make_shared<const Genome>(
+            random_genome(FounderSettings{}, kinds().creature.catalog, stream)))};
         const std::string text = write_creature(document, kinds());
         const auto loaded = parse_creature(text, "test", kinds());
         REQUIRE(loaded);
         REQUIRE(loaded->warnings.empty());
-        REQUIRE(loaded->genome == document.genome);
+        REQUIRE(loaded->genome() == document.genome());
         REQUIRE(write_creature(*loaded, kinds()) == text);
     }
 }
 
 TEST_CASE("the settings of a score survive whatever they are", "[persist][creature_file]") {
     CreatureDocument document = sample_document();
-    document.scored->world.environment.gravity = 0.1 + 0.2;
-    document.scored->world.environment.has_ground = false;
-    document.scored->world.scene.tolerance = 3e-5;
-    document.scored->world.trial.duration = 7.5;
-    document.scored->expression.max_parts = 9;
-    document.scored->goal = "swimming";
+    change_settings(document.creature, [](ExperimentSettings& settings) {
+        settings.world.environment.gravity = 0.1 + 0.2;
+        settings.world.environment.has_ground = false;
+        settings.world.scene.tolerance = 3e-5;
+        settings.world.trial.duration = 7.5;
+        settings.expression.max_parts = 9;
+        settings.goal = "swimming";
+    });
     const auto loaded = parse_creature(write_creature(document, kinds()), "test", kinds());
     REQUIRE(loaded);
-    CHECK(loaded->scored == document.scored);
-    CHECK(settings_of(*loaded->scored).world == document.scored->world);
+    CHECK(same_score(*loaded, document));
+    CHECK(same_judgement(loaded->settings(), document.settings()));
 }
 
 TEST_CASE("a creature without a score or parents is complete", "[persist][creature_file]") {
     CreatureDocument document = sample_document();
-    document.scored.reset();
-    document.parents.clear();
+    drop_score(document);
+    change_individual(document.creature, [](Individual& individual) { individual.parents = {}; });
     const auto loaded = parse_creature(write_creature(document, kinds()), "test", kinds());
     REQUIRE(loaded);
-    CHECK_FALSE(loaded->scored);
-    CHECK(loaded->parents.empty());
+    CHECK_FALSE(loaded->scored());
+    CHECK(loaded->creature.individual->parents == std::array<std::uint64_t, 2>{0, 0});
 }
 
 TEST_CASE("a name may hold any text and comes back readable", "[persist][creature_file]") {
-    CreatureDocument document = sample_document();
-    for (const std::string name : {"", "\"\\/\n\t\x01", "žába 蛙", "🦎"}) {
-        document.genome.name = name;
-        const auto loaded = parse_creature(write_creature(document, kinds()), "test", kinds());
+    const auto saved_and_loaded = [](const std::string& name) {
+        const CreatureDocument named =
+            with_genome(sample_document(), [&](Genome& genome) { genome.name = name; });
+        const auto loaded = parse_creature(write_creature(named, kinds()), "test", kinds());
         REQUIRE(loaded);
-        CHECK(loaded->genome.name == name);
-    }
-    document.genome.name = "cut in a character \xe8";
-    const auto loaded = parse_creature(write_creature(document, kinds()), "test", kinds());
-    REQUIRE(loaded);
-    CHECK(loaded->genome.name == "cut in a character ?");
+        return loaded->genome().name;
+    };
+    for (const std::string name : {"", "\"\\/\n\t\x01", "žába 蛙", "🦎"})
+        CHECK(saved_and_loaded(name) == name);
+    CHECK(saved_and_loaded("cut in a character \xe8") == "cut in a character ?");
 }
 
 TEST_CASE("a failed save keeps the old file", "[persist][creature_file]") {
@@ -94,7 +98,7 @@ TEST_CASE("a failed save keeps the old file", "[persist][creature_file]") {
 TEST_CASE("an individual's file tells how it was bred and scored", "[persist][creature_file]") {
     Individual individual;
     individual.uid = 0xab;
-    individual.genome = std::make_shared<const Genome>(sample_document().genome);
+    individual.genome = sample_document().creature.individual->genome;
     individual.parents = {0xcd, 0};
     individual.method = "asexual";
     individual.evaluated = true;
@@ -103,54 +107,75 @@ TEST_CASE("an individual's file tells how it was bred and scored", "[persist][cr
     individual.result.finer = FinerResult{.score = 1.25};
     ExperimentSettings settings;
     settings.seed = 3;
-    const CreatureDocument document = creature_document(individual, settings, kinds());
-    CHECK(document.uid == "00000000000000ab");
-    CHECK(document.parents == std::vector<std::string>{"00000000000000cd"});
-    REQUIRE(document.scored);
-    CHECK(document.scored->fitness == 1.5);
-    CHECK(document.scored->unit == "BL/s");
-    CHECK(document.scored->trajectory == 99);
-    CHECK(document.scored->seed == 3);
-    CHECK(document.scored->finer == FinerResult{.score = 1.25});
+    const CreatureDocument document =
+        creature_document({.individual = std::make_shared<const Individual>(individual),
+                           .settings = std::make_shared<const ExperimentSettings>(settings)},
+                          kinds());
+    const std::string text = write_creature(document, kinds());
+    CHECK_THAT(text, Catch::Contains("\"uid\": \"00000000000000ab\""));
+    CHECK_THAT(text, Catch::Contains("\"parents\": [\"00000000000000cd\"]"));
+    const auto loaded = parse_creature(text, "test", kinds());
+    REQUIRE(loaded);
+    REQUIRE(loaded->scored());
+    CHECK(loaded->score() == 1.5);
+    CHECK(loaded->notes.unit == "BL/s");
+    CHECK(loaded->result().digest == 99);
+    CHECK(loaded->settings().seed == 3);
+    CHECK(loaded->result().finer == FinerResult{.score = 1.25});
 }
+
+namespace {
+
+// The crawler with the sample's score, for a trial of that length.
+CreatureDocument scored_crawler(double duration) {
+    CreatureDocument document = sample_document();
+    document.notes.ticks.clear();
+    change_settings(document.creature, [&](ExperimentSettings& settings) {
+        settings.world.trial.duration = duration;
+    });
+    change_individual(document.creature, [](Individual& individual) {
+        individual.genome = crawler(kinds().creature.catalog);
+    });
+    return document;
+}
+
+void set_finer(CreatureDocument& document, std::optional<FinerResult> finer) {
+    change_individual(document.creature,
+                      [&](Individual& individual) { individual.result.finer = finer; });
+}
+
+}  // namespace
 
 TEST_CASE("a score is recomputed more finely once, unless that is stopped",
           "[persist][creature_file]") {
-    CreatureDocument document = sample_document();
-    document.genome = *crawler(kinds().creature.catalog);
-    document.scored->finer.reset();
-    document.scored->world.trial.duration = 1.0;
-    const ExperimentSettings settings = settings_of(*document.scored);
-    const auto once = note_ticks(document.genome, settings, kinds());
+    CreatureDocument document = scored_crawler(1.0);
+    set_finer(document, std::nullopt);
+    const auto once = note_ticks(document.genome(), document.settings(), kinds());
     REQUIRE(once);
-    document.scored->trajectory = once->digest;
-    document.scored->ticks.clear();
+    change_individual(document.creature,
+                      [&](Individual& individual) { individual.result.digest = once->digest; });
     complete_score(document, kinds());
-    CHECK(document.scored->ticks == once->ticks);
-    CHECK(document.scored->ticks.size() > 60);
-    REQUIRE(document.scored->finer);
-    CHECK(document.scored->finer->outcome == Outcome::kCompleted);
-    CHECK(document.scored->finer->verdict == AuditVerdict::kClean);
-    document.scored->finer->score = 77.0;
+    CHECK(document.notes.ticks == once->ticks);
+    CHECK(document.notes.ticks.size() > 60);
+    REQUIRE(document.result().finer);
+    CHECK(document.result().finer->outcome == Outcome::kCompleted);
+    CHECK(document.result().finer->verdict == AuditVerdict::kClean);
+    set_finer(document, FinerResult{.score = 77.0});
     complete_score(document, kinds());
-    CHECK(document.scored->finer->score == 77.0);
+    CHECK(document.result().finer->score == 77.0);
 
-    document.scored->finer.reset();
-    document.scored->world.trial.duration = 1e4;
+    document = scored_crawler(1e4);
+    set_finer(document, std::nullopt);
     std::stop_source stop;
     stop.request_stop();
     complete_score(document, kinds(), stop.get_token());
-    CHECK_FALSE(document.scored->finer);
+    CHECK_FALSE(document.result().finer);
 }
 
 TEST_CASE("ticks of another motion than the one scored are not kept", "[persist][creature_file]") {
-    CreatureDocument document = sample_document();
-    document.genome = *crawler(kinds().creature.catalog);
-    document.scored->world.trial.duration = 0.5;
-    document.scored->trajectory ^= 1;
-    document.scored->ticks.clear();
+    CreatureDocument document = scored_crawler(0.5);
     complete_score(document, kinds());
-    CHECK(document.scored->ticks.empty());
+    CHECK(document.notes.ticks.empty());
 }
 
 namespace {
@@ -173,7 +198,7 @@ int central_channel(const std::string& text, const EvolutionKinds& all) {
     const auto document = parse_creature(text, "some.creature.json", all);
     INFO((document ? "" : document.error().message));
     REQUIRE(document);
-    return document->genome.brain[0].inputs[0].source.index;
+    return document->genome().brain[0].inputs[0].source.index;
 }
 
 // The program with its sensor channels registered in another order.

@@ -146,30 +146,32 @@ TEST_CASE("a creature of any version is loaded and moves as its simulator had it
     const auto document = load_creature(kVersions / version / "walker.creature.json", kinds());
     REQUIRE(document);
     CHECK(document->warnings.empty());
-    REQUIRE(document->scored);
+    REQUIRE(document->scored());
     const EvaluationResult result = run_scored_trial(*document, kinds());
-    const bool same = result.digest == document->scored->trajectory &&
-                      result.fitness == document->scored->fitness;
-    CHECK(same == (document->scored->simulator == kSimulatorVersion));
-    CHECK(same != other_simulator(*document->scored).has_value());
+    const bool same =
+        result.digest == document->result().digest && result.fitness == document->score();
+    CHECK(same == (document->notes.simulator == kSimulatorVersion));
+    CHECK(same != other_simulator(*document).has_value());
 }
 
 TEST_CASE("a creature scored by another simulator is scored by this one",
           "[persist][older_versions]") {
     const auto before = load_creature(kVersions / "older_simulator/walker.creature.json", kinds());
     REQUIRE(before);
-    CHECK(other_simulator(*before->scored) ==
+    CHECK(other_simulator(*before) ==
           "scored by simulator 0.9, this is " + std::string(kSimulatorVersion));
     const auto after = rescored(*before, kinds());
     REQUIRE(after);
-    CHECK_FALSE(other_simulator(*after->scored));
-    CHECK(after->scored->fitness != before->scored->fitness);
-    CHECK(after->scored->ticks != before->scored->ticks);
+    CHECK_FALSE(other_simulator(*after));
+    CHECK(after->score() != before->score());
+    CHECK(after->notes.ticks != before->notes.ticks);
     CreatureDocument expected = *before;
-    expected.scored = after->scored;
+    expected.notes = after->notes;
+    change_individual(expected.creature,
+                      [&](Individual& individual) { individual.result = after->result(); });
     CHECK(write_creature(*after, kinds()) == write_creature(expected, kinds()));
-    CHECK(after->scored->world == before->scored->world);
-    CHECK(rescored(*after, kinds())->scored == after->scored);
+    CHECK(same_judgement(after->settings(), before->settings()));
+    CHECK(same_score(*rescored(*after, kinds()), *after));
 }
 
 TEST_CASE("a score that cannot be replaced is left", "[persist][older_versions]") {
@@ -178,9 +180,11 @@ TEST_CASE("a score that cannot be replaced is left", "[persist][older_versions]"
     std::stop_source stopped;
     stopped.request_stop();
     CHECK(rescored(*document, kinds(), stopped.get_token()).error().message == "interrupted");
-    document->scored->world.scene.max_evaluations = 100.0;
+    change_settings(document->creature, [](ExperimentSettings& settings) {
+        settings.world.scene.max_evaluations = 100.0;
+    });
     CHECK_THAT(rescored(*document, kinds()).error().message, Catch::Contains("over-budget"));
-    document->scored.reset();
+    document->creature.individual = without_score(*document->creature.individual);
     CHECK_THAT(rescored(*document, kinds()).error().message, Catch::Contains("no score"));
 }
 

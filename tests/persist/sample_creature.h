@@ -29,29 +29,46 @@ inline CreatureDocument sample_document() {
         {.function = function("oscillate-wave"),
          .inputs = {{.source = {}, .weight = 1.1},
                     {.source = {.kind = SourceKind::kParentSensor, .index = 1}, .weight = 0.25}}}};
-    CreatureDocument document;
-    document.genome.nodes = {body, leg};
-    document.genome.brain = {
+    Genome genome;
+    genome.nodes = {body, leg};
+    genome.brain = {
         {.function = function("abs"),
          .inputs = {
              {.source = {.kind = SourceKind::kPartSensor, .index = 2, .node = 1, .instance = 1},
               .weight = -2.0}}}};
-    document.genome.name = "two-link crawler";
-    document.genome.hue = 0.31;
-    document.uid = "9f3c22a1d0b4e877";
-    document.parents = {"17aa040000000001", "88d1c00000000002"};
-    document.method = "crossover";
+    genome.name = "two-link crawler";
+    genome.hue = 0.31;
+    CreatureDocument document{unjudged(std::make_shared<const Genome>(genome))};
     document.ancestry = 0x0123456789abcdefULL;
-    ScoredRecord scored;
-    scored.goal = "walking";
-    scored.seed = 7;
-    scored.fitness = 0.412;
-    scored.unit = "BL/s";
-    scored.trajectory = 0x77e0123456789abcULL;
-    scored.ticks = {0x0a, 0xff, 0x00};
-    scored.finer = {.outcome = Outcome::kCheated, .score = 0.4, .verdict = AuditVerdict::kSuspect};
-    document.scored = scored;
+    document.notes.unit = "BL/s";
+    document.notes.ticks = {0x0a, 0xff, 0x00};
+    change_settings(document.creature, [](ExperimentSettings& settings) { settings.seed = 7; });
+    change_individual(document.creature, [](Individual& individual) {
+        individual.uid = 0x9f3c22a1d0b4e877ULL;
+        individual.parents = {0x17aa040000000001ULL, 0x88d1c00000000002ULL};
+        individual.method = "crossover";
+        individual.evaluated = true;
+        individual.result.fitness = 0.412;
+        individual.result.digest = 0x77e0123456789abcULL;
+        individual.result.finer = {
+            .outcome = Outcome::kCheated, .score = 0.4, .verdict = AuditVerdict::kSuspect};
+    });
     return document;
+}
+
+// The document with its genome edited.
+template <class Change>
+CreatureDocument with_genome(CreatureDocument document, Change change) {
+    change_individual(document.creature, [&](Individual& individual) {
+        Genome genome = *individual.genome;
+        change(genome);
+        individual.genome = std::make_shared<const Genome>(std::move(genome));
+    });
+    return document;
+}
+
+inline void drop_score(CreatureDocument& document) {
+    document.creature.individual = without_score(*document.creature.individual);
 }
 
 inline std::string sample_text() {

@@ -15,8 +15,7 @@ namespace cambrian {
 namespace {
 
 Subject crawler(double duration = 0.5) {
-    CreatureDocument document;
-    document.genome = *test::crawler(test::kinds().creature.catalog);
+    const CreatureDocument document{unjudged(test::crawler(test::kinds().creature.catalog))};
     ExperimentSettings settings;
     settings.world.trial.duration = duration;
     auto subject = subject_of(document, settings, "Crawler", test::kinds());
@@ -149,21 +148,24 @@ TEST_CASE("poses are spread evenly over the motion", "[pictures][moment]") {
 }
 
 TEST_CASE("a score is shown only beside the trial it was given for", "[pictures][subject]") {
-    CreatureDocument document;
-    document.genome = *test::crawler(test::kinds().creature.catalog);
     ExperimentSettings settings;
     settings.world.trial.duration = 0.5;
-    ScoredRecord& scored = document.scored.emplace();
-    scored.world = settings.world;
-    scored.expression = settings.expression;
-    scored.goal = settings.goal;
-    scored.fitness = 42.0;
-    scored.unit = "BL/s";
+    CreatureDocument document{unjudged(test::crawler(test::kinds().creature.catalog),
+                                       std::make_shared<const ExperimentSettings>(settings))};
+    document.notes.unit = "BL/s";
+    const auto score = [&](std::uint64_t digest) {
+        change_individual(document.creature, [&](Individual& individual) {
+            individual.evaluated = true;
+            individual.result.fitness = 42.0;
+            individual.result.digest = digest;
+        });
+    };
+    score(0);
     const auto own = subject_of(document, settings, "", test::kinds());
     REQUIRE(own);
     CHECK(own->fitness == "42 BL/s");
     CHECK(own->verified == false);
-    scored.trajectory = own->trial.record.digest;
+    score(own->trial.record.digest);
     CHECK(subject_of(document, settings, "", test::kinds()).value().verified == true);
     settings.world.environment.gravity *= 0.5;
     const auto elsewhere = subject_of(document, settings, "", test::kinds());

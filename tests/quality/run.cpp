@@ -120,14 +120,12 @@ void judge_champion(RunResult& result, const Individual& champion,
     result.late_travel = std::fabs(travelled) / record->body_length;
 }
 
-void save_champion(const RunSpec& spec, const Individual& champion,
-                   const ExperimentSettings& settings, const EvolutionKinds& kinds,
-                   const std::filesystem::path& folder) {
+void save_champion(const RunSpec& spec, const JudgedIndividual& champion,
+                   const EvolutionKinds& kinds, const std::filesystem::path& folder) {
     if (folder.empty()) return;
     const std::string name = spec.plan + "-" + spec.goal + "-" + spec.arm + "-" +
                              std::to_string(spec.seed) + ".creature.json";
-    const Status saved =
-        save_creature(folder / name, creature_document(champion, settings, kinds), kinds);
+    const Status saved = save_creature(folder / name, creature_document(champion, kinds), kinds);
     if (!saved) std::fprintf(stderr, "%s\n", saved.error().message.c_str());
 }
 
@@ -151,7 +149,8 @@ RunResult perform(const RunSpec& spec, const EvolutionKinds& kinds,
     observer.hash().add(champion.result.digest);
     RunResult result = observer.finish(*settings);
     judge_champion(result, champion, *settings, kinds);
-    save_champion(spec, champion, *settings, kinds, champions);
+    save_champion(spec, {.individual = evolution.population().front(), .settings = settings}, kinds,
+                  champions);
     result.seconds = thread_cpu_time() - begun;
     return result;
 }

@@ -56,8 +56,8 @@ Result<std::vector<GenomePtr>> founders_of(const EvolutionRun& run,
         Result<CreatureDocument> document = load_creature(file, kinds);
         if (!document) return document.error();
         say_of(file, document->warnings);
-        say_of(file, foreign_kinds(document->genome, settings.founders, kinds));
-        founders.push_back(std::make_shared<const Genome>(std::move(document->genome)));
+        say_of(file, foreign_kinds(document->genome(), settings.founders, kinds));
+        founders.push_back(document->creature.individual->genome);
     }
     return founders;
 }
@@ -236,10 +236,11 @@ ExitStatus report(const Course& course, const Harvest& harvest, const std::strin
                   const EvolutionKinds& kinds) {
     RunOutputs outputs = course.outputs;
     if (!outputs.champion.empty()) {
-        CreatureDocument champion = creature_document(*harvest.champion, *harvest.settings, kinds);
-        if (course.before && champion.scored) {
-            champion.scored->simulator = scored_by(*course.before, harvest.champion->born,
-                                                   course.evolution.history().back().generation);
+        CreatureDocument champion = creature_document(
+            {.individual = harvest.champion, .settings = harvest.settings}, kinds);
+        if (course.before) {
+            champion.notes.simulator = scored_by(*course.before, harvest.champion->born,
+                                                 course.evolution.history().back().generation);
         }
         complete_score(champion, kinds);
         const auto saved = save_champion(outputs.champion, champion, kinds);

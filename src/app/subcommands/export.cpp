@@ -72,9 +72,8 @@ private:
         const Result<KeptChampion> kept = load_champion(file_, generation_, kinds);
         if (!kept) return kept.error();
         const JudgedIndividual& champion = kept->creature;
-        CreatureDocument document =
-            creature_document(*champion.individual, *champion.settings, kinds);
-        if (document.scored) document.scored->simulator = kept->simulator;
+        CreatureDocument document = creature_document(champion, kinds);
+        document.notes.simulator = kept->simulator;
         work.begin("computing more finely", champion.settings->world.trial.duration);
         complete_score(document, kinds, work.stop());
         if (work.interrupted()) return Error{"interrupted; nothing was written"};

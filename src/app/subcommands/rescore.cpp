@@ -18,8 +18,9 @@ namespace cambrian {
 namespace {
 
 // "1.23 BL/s by simulator 1.0"
-std::string score_text(const ScoredRecord& scored) {
-    return short_text(scored.fitness) + " " + scored.unit + " by simulator " + scored.simulator;
+std::string score_text(const CreatureDocument& document) {
+    return short_text(document.score()) + " " + document.notes.unit + " by simulator " +
+           document.notes.simulator;
 }
 
 ExitStatus rescore_run(const std::string& file, const EvolutionKinds& kinds, LongWork& work) {
@@ -82,18 +83,18 @@ private:
         const std::string target = out_.empty() ? file : out_;
         if (const Status writable = check_writable(target); !writable)
             return fail(writable.error());
-        const TrialSettings& trial = before->scored->world.trial;
+        const TrialSettings& trial = before->settings().world.trial;
         work.begin("scoring " + file, trial.duration * trial.trials);
         const Result<CreatureDocument> after = rescored(asked_of(*before), kinds, work.stop());
         if (!after)
             return fail({file + ": left as it is: " + after.error().message}, ExitStatus::kFailed);
-        if (out_.empty() && before->scored == after->scored) {
-            return print_result_line(file + ": unchanged, " + score_text(*after->scored));
+        if (out_.empty() && same_score(*before, *after)) {
+            return print_result_line(file + ": unchanged, " + score_text(*after));
         }
         const Status written = save_creature(target, *after, kinds);
         if (!written) return fail(written.error(), ExitStatus::kFailed);
-        return print_result_line(target + ": " + score_text(*after->scored) + ", was " +
-                                 score_text(*before->scored));
+        return print_result_line(target + ": " + score_text(*after) + ", was " +
+                                 score_text(*before));
     }
 
     // The creature of a file whose score can be replaced.
@@ -108,18 +109,20 @@ private:
         Result<CreatureDocument> document = load_creature(file, kinds);
         if (!document) return document;
         say_of(file, document->warnings);
-        if (!document->scored) return Error{file + ": holds no score to replace"};
+        if (!document->scored()) return Error{file + ": holds no score to replace"};
         return document;
     }
 
     // The creature with the trial that is to score it.
     CreatureDocument asked_of(CreatureDocument document) const {
         if (!default_integration_) return document;
-        SceneSettings& scene = document.scored->world.scene;
-        const SceneSettings usual;
-        scene.integrator = usual.integrator;
-        scene.tolerance = usual.tolerance;
-        scene.contact_step = usual.contact_step;
+        change_settings(document.creature, [](ExperimentSettings& settings) {
+            SceneSettings& scene = settings.world.scene;
+            const SceneSettings usual;
+            scene.integrator = usual.integrator;
+            scene.tolerance = usual.tolerance;
+            scene.contact_step = usual.contact_step;
+        });
         return document;
     }
 

@@ -93,8 +93,8 @@ public:
         const Result<ExperimentSettings> settings = settings_for(options_, *document, kinds);
         if (!settings) return fail(settings.error());
         if (!options_.environment.empty())
-            say_of(options_.creature, foreign_kinds(document->genome, settings->founders, kinds));
-        const auto genome = std::make_shared<const Genome>(document->genome);
+            say_of(options_.creature, foreign_kinds(document->genome(), settings->founders, kinds));
+        const GenomePtr& genome = document->creature.individual->genome;
         LongWork work;
         if (!options_.trace.empty()) {
             const ExitStatus traced = write_trace(*genome, *settings, kinds.creature, work);

@@ -22,24 +22,23 @@ namespace {
 // The trial of the file, run again here and now; also more finely if that was kept.
 EvaluationResult replay(const CreatureDocument& document, const EvolutionKinds& kinds,
                         LongWork& work) {
-    const TrialSettings& trial = document.scored->world.trial;
+    const TrialSettings& trial = document.settings().world.trial;
     work.begin("replaying", trial.duration * trial.trials);
     EvaluationResult result = run_scored_trial(document, kinds, work.stop());
-    if (document.scored->finer && !result.finer) {
+    if (document.result().finer && !result.finer) {
         work.begin("computing more finely", trial.duration);
-        result.finer =
-            recompute(document.genome, settings_of(*document.scored), kinds, work.stop());
+        result.finer = recompute(document.genome(), document.settings(), kinds, work.stop());
     }
     return result;
 }
 
 // From which moment on the motion is another, if the file can tell.
 std::string where_different(const CreatureDocument& document, const EvolutionKinds& kinds) {
-    const ScoredRecord& scored = *document.scored;
-    if (scored.ticks.empty()) return {};
-    const auto noted = note_ticks(document.genome, settings_of(scored), kinds);
+    const TickChecks& ticks = document.notes.ticks;
+    if (ticks.empty()) return {};
+    const auto noted = note_ticks(document.genome(), document.settings(), kinds);
     if (!noted) return " before its first tick";
-    const auto tick = first_different_tick(noted->ticks, scored.ticks);
+    const auto tick = first_different_tick(noted->ticks, ticks);
     if (tick) return " from tick " + std::to_string(*tick) + " on";
     return noted->ticks.size() == kMostTickChecks
                ? " after tick " + std::to_string(kMostTickChecks)
@@ -50,27 +49,27 @@ ExitStatus verify(const std::string& file, const EvolutionKinds& kinds, LongWork
     const Result<CreatureDocument> document = load_creature(file, kinds);
     if (!document) return fail(document.error());
     say_of(file, document->warnings);
-    if (!document->scored) return fail({file + ": holds no score to verify"});
-    const ScoredRecord& scored = *document->scored;
+    if (!document->scored()) return fail({file + ": holds no score to verify"});
+    const EvaluationResult& scored = document->result();
+    const std::string& unit = document->notes.unit;
     say_of_simulator(file, *document);
     const EvaluationResult result = replay(*document, kinds, work);
     if (work.interrupted()) return fail({file + ": interrupted"}, ExitStatus::kFailed);
-    if (result.digest == scored.trajectory && result.fitness == scored.fitness) {
+    if (result.digest == scored.digest && result.fitness == document->score()) {
         if (scored.finer && result.finer != scored.finer)
-            return fail({file + ": computed more finely it differs: " +
-                         finer_text(*result.finer, scored.unit) + " instead of " +
-                         finer_text(*scored.finer, scored.unit)},
-                        ExitStatus::kFailed);
+            return fail(
+                {file + ": computed more finely it differs: " + finer_text(*result.finer, unit) +
+                 " instead of " + finer_text(*scored.finer, unit)},
+                ExitStatus::kFailed);
         std::string message = file + ": replay verified, " + short_text(result.fitness) + " " +
-                              scored.unit + ", " + std::string(verdict_name(result.verdict));
-        if (scored.finer)
-            message += "; computed more finely " + finer_text(*scored.finer, scored.unit);
+                              unit + ", " + std::string(verdict_name(result.verdict));
+        if (scored.finer) message += "; computed more finely " + finer_text(*scored.finer, unit);
         return print_result_line(message);
     }
     std::string message = file + ": the replay differs" + where_different(*document, kinds) + ": " +
-                          short_text(result.fitness) + " " + scored.unit + " with motion " +
-                          digest_text(result.digest) + " instead of " + short_text(scored.fitness) +
-                          " with " + digest_text(scored.trajectory);
+                          short_text(result.fitness) + " " + unit + " with motion " +
+                          digest_text(result.digest) + " instead of " +
+                          short_text(document->score()) + " with " + digest_text(scored.digest);
     return fail({message}, ExitStatus::kFailed);
 }
 

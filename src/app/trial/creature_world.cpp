@@ -7,7 +7,7 @@ namespace cambrian {
 Result<ExperimentSettings> world_of(const CreatureDocument& document,
                                     const std::string& environment, const EvolutionKinds& kinds) {
     if (!environment.empty()) return load_settings(environment, kinds);
-    return document.scored ? settings_of(*document.scored) : ExperimentSettings{};
+    return document.settings();
 }
 
 }  // namespace cambrian

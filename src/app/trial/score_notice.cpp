@@ -13,7 +13,7 @@ void say_other(const std::string& file, const std::optional<std::string>& other)
 }  // namespace
 
 void say_of_simulator(const std::string& file, const CreatureDocument& document) {
-    if (document.scored) say_other(file, other_simulator(*document.scored));
+    say_other(file, other_simulator(document));
 }
 
 void say_of_simulator(const std::string& file, const SavedExperiment& saved) {

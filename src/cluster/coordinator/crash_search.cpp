@@ -58,9 +58,7 @@ std::string CrashSearch::describe(const EvaluationRequest& request,
                                   const std::string& cause) const {
     const std::filesystem::path file =
         folder_ / ("crash-" + hex_text(genome_hash(*request.genome)) + ".creature.json");
-    CreatureDocument document;
-    document.genome = *request.genome;
-    const Status written = save_creature(file, document, kinds_);
+    const Status written = save_creature(file, {unjudged(request.genome)}, kinds_);
     return "the genome in " + file.string() + " ends the process that evaluates it (" + cause +
            "): a fault of this program, please report it with that file. The run stops here, since "
            "without this creature it would not be the same run." +

@@ -92,10 +92,10 @@ Result<GenomePtr> read_genome(std::string_view document, const Entry& entry,
                               const EvolutionKinds& kinds) {
     Result<CreatureDocument> creature = parse_creature(document, kUnitKind.format, kinds);
     if (!creature) return creature.error();
-    if (genome_hash(creature->genome) != entry.genome_hash)
+    if (creature->creature.individual->genome_hash != entry.genome_hash)
         return Error{kUnitKind.format + ": the genome of slot " + std::to_string(entry.slot) +
                      " is not the one that was sent"};
-    return std::make_shared<const Genome>(std::move(creature->genome));
+    return creature->creature.individual->genome;
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "persist/json/json_reader.h"
 #include "persist/text/digest_text.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -21,14 +22,12 @@ using namespace creature_format;
 
 constexpr std::size_t kMaxFormat = 4096;  // bytes; only to be quoted
 
-void read_scored(JsonReader& reader, ScoredRecord& scored, const EvolutionKinds& kinds) {
-    ExperimentSettings settings;
+void read_scored(JsonReader& reader, ScoreText& scored, ExperimentSettings& settings,
+                 const EvolutionKinds& kinds) {
     describe_scored(reader, scored, settings, score_tables(kinds));
+    settings.seed = scored.seed;
     const auto excess = trial_excess(settings.world);
     reader.require(!excess, "E07", "trial", excess.value_or(""));
-    scored.world = settings.world;
-    scored.expression = settings.expression;
-    scored.goal = settings.goal;
 }
 
 // Checks the kind and version of the file; only a known version is read further.
@@ -57,17 +56,17 @@ bool read_header(const JsonValue& root, JsonReader& reader, ErrorList& errors) {
     return errors.empty();
 }
 
-void read_document(JsonReader& reader, CreatureDocument& document, std::uint64_t& check,
+void read_document(JsonReader& reader, CreatureText& text, ExperimentSettings& settings,
                    const EvolutionKinds& kinds) {
     const KindNames names = names_of(kinds.creature.catalog);
-    describe_identity(reader, document, names);
-    describe_genes(reader, document.genome, names);
+    describe_identity(reader, text, names);
+    describe_genes(reader, text.genome, names);
     if (reader.has("scored")) {
         reader.object("scored", Layout::kLines, [&](JsonReader& inner) {
-            read_scored(inner, document.scored.emplace(), kinds);
+            read_scored(inner, text.scored.emplace(), settings, kinds);
         });
     }
-    if (reader.has("check")) reader.digest("check", check);
+    if (reader.has("check")) reader.digest("check", text.check);
     reader.end();
 }
 
@@ -91,15 +90,42 @@ void finish_genome(Genome& genome, std::uint64_t check, const KindCatalog& catal
         errors.error("E07", "", fault);
 }
 
-std::vector<std::string> parents_of(const Individual& individual) {
-    std::vector<std::string> parents;
-    for (const std::uint64_t parent : individual.parents) {
-        if (parent != 0) parents.push_back(hex_text(parent));
-    }
-    return parents;
+// The individual of a file: of its result, what the file tells.
+Individual individual_of(CreatureText text) {
+    Individual individual;
+    individual.uid = parse_hex(text.uid).value_or(0);
+    individual.genome_hash = genome_hash(text.genome);
+    individual.genome = std::make_shared<const Genome>(std::move(text.genome));
+    const std::size_t parents = std::min(text.parents.size(), individual.parents.size());
+    for (std::size_t i = 0; i < parents; ++i)
+        individual.parents[i] = parse_hex(text.parents[i]).value_or(0);
+    individual.method = std::move(text.method);
+    if (!text.scored) return individual;
+    individual.evaluated = true;
+    individual.result.fitness = text.scored->fitness;
+    individual.result.digest = text.scored->trajectory;
+    individual.result.finer = text.scored->finer;
+    return individual;
 }
 
-// The parents of an individual, as describe_identity() writes them.
+CreatureDocument document_of(CreatureText text, ExperimentSettings settings,
+                             std::vector<std::string> warnings) {
+    CreatureDocument document;
+    document.ancestry = text.ancestry;
+    if (ScoreText* scored = text.scored ? &*text.scored : nullptr) {
+        document.notes = {.confirmed = scored->confirmed,
+                          .unit = std::move(scored->unit),
+                          .ticks = std::move(scored->ticks),
+                          .simulator = std::move(scored->simulator)};
+    }
+    document.creature.individual =
+        std::make_shared<const Individual>(individual_of(std::move(text)));
+    document.creature.settings = std::make_shared<const ExperimentSettings>(std::move(settings));
+    document.warnings = std::move(warnings);
+    return document;
+}
+
+// An individual's origin, as describe_identity() writes it.
 struct Identity {
     const Genome& genome;
     std::string uid;
@@ -108,9 +134,28 @@ struct Identity {
     std::optional<std::uint64_t> ancestry = {};
 };
 
+Identity identity_of(const Individual& individual, std::string uid) {
+    Identity identity{*individual.genome, std::move(uid), {}, individual.method};
+    for (const std::uint64_t parent : individual.parents) {
+        if (parent != 0) identity.parents.push_back(hex_text(parent));
+    }
+    return identity;
+}
+
+ScoreText score_text(const CreatureDocument& document) {
+    return {.simulator = document.notes.simulator,
+            .seed = document.settings().seed,
+            .fitness = document.score(),
+            .unit = document.notes.unit,
+            .confirmed = document.notes.confirmed,
+            .trajectory = document.result().digest,
+            .ticks = document.notes.ticks,
+            .finer = document.result().finer};
+}
+
 // Whether the recorded trial has the motion of the scored one, as far as one trial tells.
-bool is_of(const ScoredRecord& scored, const NotedTrial& noted) {
-    return scored.world.trial.trials > 1 || noted.digest == scored.trajectory;
+bool is_of(const CreatureDocument& document, const NotedTrial& noted) {
+    return document.settings().world.trial.trials > 1 || noted.digest == document.result().digest;
 }
 
 std::optional<ConfirmedScore> confirmed_score(const EvaluationResult& result) {
@@ -128,8 +173,7 @@ void creature_format::write_genotype(std::string& text, const Individual& indivi
                                      const KindNames& names) {
     JsonWriter writer(text, Layout::kCompact);
     begin_document(writer);
-    const Identity identity{*individual.genome, hex_text(individual.uid), parents_of(individual),
-                            individual.method};
+    const Identity identity = identity_of(individual, hex_text(individual.uid));
     describe_identity(writer, identity, names);
     describe_genes(writer, *individual.genome, names);
     writer.digest("check", individual.genome_hash);
@@ -139,8 +183,6 @@ void creature_format::write_genotype(std::string& text, const Individual& indivi
 Result<CreatureDocument> parse_creature(std::string_view text, std::string_view source,
                                         const EvolutionKinds& kinds) {
     ErrorList errors;
-    CreatureDocument document;
-    std::uint64_t check = 0;
     const auto root = parse_json(text, {}, errors);
     if (!root) return errors.as_error(source);
     if (root->kind != JsonValue::Kind::kObject) {
@@ -149,12 +191,13 @@ Result<CreatureDocument> parse_creature(std::string_view text, std::string_view 
     }
     JsonReader reader(*root, "", errors);
     if (!read_header(*root, reader, errors)) return errors.as_error(source);
-    read_document(reader, document, check, kinds);
+    CreatureText read;
+    ExperimentSettings settings;
+    read_document(reader, read, settings, kinds);
     if (!errors.empty()) return errors.as_error(source);
-    finish_genome(document.genome, check, kinds.creature.catalog, errors);
+    finish_genome(read.genome, read.check, kinds.creature.catalog, errors);
     if (!errors.empty()) return errors.as_error(source);
-    document.warnings = errors.warnings();
-    return document;
+    return document_of(std::move(read), std::move(settings), errors.warnings());
 }
 
 std::string write_creature(const CreatureDocument& document, const EvolutionKinds& kinds) {
@@ -162,17 +205,27 @@ std::string write_creature(const CreatureDocument& document, const EvolutionKind
     JsonWriter writer(text);
     begin_document(writer);
     const KindNames names = names_of(kinds.creature.catalog);
-    describe_identity(writer, document, names);
-    describe_genes(writer, document.genome, names);
-    if (document.scored) {
-        const ExperimentSettings settings = settings_of(*document.scored);
+    const Individual& individual = *document.creature.individual;
+    Identity identity = identity_of(individual, uid_text(individual.uid));
+    identity.ancestry = document.ancestry;
+    describe_identity(writer, identity, names);
+    describe_genes(writer, document.genome(), names);
+    if (document.scored()) {
+        const ScoreText scored = score_text(document);
         writer.object("scored", Layout::kLines, [&](JsonWriter& inner) {
-            describe_scored(inner, *document.scored, settings, score_tables(kinds));
+            describe_scored(inner, scored, document.settings(), score_tables(kinds));
         });
     }
-    writer.digest("check", genome_hash(document.genome));
+    writer.digest("check", genome_hash(document.genome()));
     writer.end();
     return text + "\n";
+}
+
+bool same_score(const CreatureDocument& a, const CreatureDocument& b) {
+    if (!a.scored() || !b.scored()) return a.scored() == b.scored();
+    return same_judgement(a.settings(), b.settings()) && a.settings().seed == b.settings().seed &&
+           a.score() == b.score() && a.result().digest == b.result().digest &&
+           a.result().finer == b.result().finer && a.notes == b.notes;
 }
 
 Result<std::string> read_creature_text(const std::filesystem::path& path) {
@@ -206,40 +259,29 @@ std::vector<std::string> foreign_kinds(const Genome& genome, const FounderSettin
     return messages;
 }
 
-CreatureDocument creature_document(const Individual& individual, const ExperimentSettings& settings,
-                                   const EvolutionKinds& kinds) {
+CreatureDocument creature_document(JudgedIndividual creature, const EvolutionKinds& kinds) {
     CreatureDocument document;
-    document.genome = *individual.genome;
-    document.uid = hex_text(individual.uid);
-    document.method = individual.method;
-    document.parents = parents_of(individual);
-    document.ancestry = ancestry_digest(individual);
-    if (!individual.evaluated || individual.result.outcome == Outcome::kStoppedEarly)
-        return document;  // a trial that was terminated early has no final score
-    document.scored = ScoredRecord{.world = settings.world,
-                                   .expression = settings.expression,
-                                   .goal = settings.goal,
-                                   .seed = settings.seed,
-                                   .fitness = unconfirmed_score(individual.result),
-                                   .confirmed = confirmed_score(individual.result),
-                                   .unit = goal_unit(settings.goal, kinds.goals),
-                                   .trajectory = individual.result.digest,
-                                   .finer = individual.result.finer};
+    document.ancestry = ancestry_digest(*creature.individual);
+    const EvaluationResult& result = creature.individual->result;
+    document.notes.confirmed = confirmed_score(result);
+    document.notes.unit = goal_unit(creature.settings->goal, kinds.goals);
+    const bool unfinished = result.outcome == Outcome::kStoppedEarly;  // it has no final score
+    if (unfinished) creature.individual = without_score(*creature.individual);
+    document.creature = std::move(creature);
     return document;
 }
 
 void complete_score(CreatureDocument& document, const EvolutionKinds& kinds,
                     const std::stop_token& stop) {
-    if (!document.scored) return;
-    ScoredRecord& scored = *document.scored;
-    const ExperimentSettings settings = settings_of(scored);
-    if (scored.ticks.empty()) {
-        auto noted = note_ticks(document.genome, settings, kinds, stop);
-        if (noted && is_of(scored, *noted)) scored.ticks = std::move(noted->ticks);
+    if (!document.scored()) return;
+    if (document.notes.ticks.empty()) {
+        auto noted = note_ticks(document.genome(), document.settings(), kinds, stop);
+        if (noted && is_of(document, *noted)) document.notes.ticks = std::move(noted->ticks);
     }
-    if (scored.finer) return;
-    const FinerResult finer = recompute(document.genome, settings, kinds, stop);
-    if (finer.outcome != Outcome::kInterrupted) scored.finer = finer;
+    if (document.result().finer) return;
+    const FinerResult finer = recompute(document.genome(), document.settings(), kinds, stop);
+    if (finer.outcome == Outcome::kInterrupted) return;
+    change_individual(document.creature, [&](Individual& each) { each.result.finer = finer; });
 }
 
 }  // namespace cambrian

@@ -4,10 +4,8 @@
 // that scored it. Any text is safe to read: the result is a valid genome or a message.
 
 #include "core/result.h"
-#include "evolution/individual/individual.h"
+#include "evolution/individual/judged_individual.h"
 #include "evolution/kinds/evolution_kinds.h"
-#include "evolution/settings/experiment_settings.h"
-#include "evolution/settings/judged_settings.h"
 #include "simulator/simulator_version.h"
 #include "simulator/tick_checks.h"
 
@@ -31,33 +29,35 @@ struct ConfirmedScore {
     friend bool operator==(const ConfirmedScore&, const ConfirmedScore&) = default;
 };
 
-// The trial that scored the creature: all that is needed to run it again.
-struct ScoredRecord {
-    TrialWorld world;
-    ExpressionSettings expression;
-    std::string goal;        // id
-    std::uint64_t seed = 0;  // of the experiment
-    double fitness = 0.0;    // in `unit`, of the trial itself
-    std::optional<ConfirmedScore> confirmed;
-    std::string unit;              // of the goal's score: "BL/s"
-    std::uint64_t trajectory = 0;  // digest of the motion
-    TickChecks ticks = {};         // of the first trial, if they were noted
-    std::optional<FinerResult> finer;
+// What a file tells of a score besides the individual's result.
+struct ScoreNotes {
+    std::optional<ConfirmedScore> confirmed = {};
+    std::string unit = {};  // of the goal's score: "BL/s"
+    TickChecks ticks = {};  // of the first trial, if they were noted
     std::string simulator{kSimulatorVersion};
 
-    friend bool operator==(const ScoredRecord&, const ScoredRecord&) = default;
+    friend bool operator==(const ScoreNotes&, const ScoreNotes&) = default;
 };
 
+// A creature with what its file tells of it. The individual is evaluated if there is a score; the
+// settings, as far as they decide it, are then those of its trial.
 struct CreatureDocument {
-    Genome genome;
-    std::string uid;                        // 16 hexadecimal digits, or empty
-    std::vector<std::string> parents;       // uids, at most 2
-    std::string method;                     // how it was bred
-    std::optional<std::uint64_t> ancestry;  // ancestry_digest(), if its line is known
-    std::optional<ScoredRecord> scored;
+    JudgedIndividual creature;
+    std::optional<std::uint64_t> ancestry = {};  // ancestry_digest(), if its line is known
+    ScoreNotes notes = {};                       // of the score, if there is one
     // Warnings of reading, about harmless oddities (W01 to W03).
-    std::vector<std::string> warnings;
+    std::vector<std::string> warnings = {};
+
+    bool scored() const { return creature.individual->evaluated; }
+    // Of the trial itself, in the notes' unit.
+    double score() const { return unconfirmed_score(creature.individual->result); }
+    const EvaluationResult& result() const { return creature.individual->result; }
+    const Genome& genome() const { return creature.genome(); }
+    const ExperimentSettings& settings() const { return *creature.settings; }
 };
+
+// Whether both have the same score of the same trial, or neither has one.
+bool same_score(const CreatureDocument& a, const CreatureDocument& b);
 
 // The JSON of a creature file, or of the one inside a card (creature_card.h).
 Result<std::string> read_creature_text(const std::filesystem::path& path);
@@ -79,9 +79,8 @@ std::string write_creature(const CreatureDocument& document, const EvolutionKind
 std::vector<std::string> foreign_kinds(const Genome& genome, const FounderSettings& settings,
                                        const EvolutionKinds& kinds);
 
-// The document of an individual that was evaluated with these settings.
-CreatureDocument creature_document(const Individual& individual, const ExperimentSettings& settings,
-                                   const EvolutionKinds& kinds);
+// The document of a creature; with its score unless its trial was terminated early.
+CreatureDocument creature_document(JudgedIndividual creature, const EvolutionKinds& kinds);
 
 // Runs the scored trial again to record its ticks, and once with finer settings to record that
 // score (simulator/README.md 4), unless the document has them. If stopped, it records nothing.

@@ -55,6 +55,29 @@ struct KindNames {
 
 KindNames names_of(const KindCatalog& catalog);
 
+// The keys of "scored" besides the settings.
+struct ScoreText {
+    std::string simulator{kSimulatorVersion};
+    std::uint64_t seed = 0;
+    double fitness = 0.0;
+    std::string unit;
+    std::optional<ConfirmedScore> confirmed;
+    std::uint64_t trajectory = 0;
+    TickChecks ticks = {};
+    std::optional<FinerResult> finer;
+};
+
+// The keys of a creature file as they are read.
+struct CreatureText {
+    Genome genome;
+    std::string uid;
+    std::vector<std::string> parents;
+    std::string method;
+    std::optional<std::uint64_t> ancestry;
+    std::optional<ScoreText> scored;
+    std::uint64_t check = 0;
+};
+
 template <class Gene>
 const FieldRule& rule_of(std::span<const GeneField<Gene>> fields, std::string_view key) {
     const auto found = std::find_if(fields.begin(), fields.end(),

@@ -99,7 +99,7 @@ std::string meaning_of(std::string_view type, std::string_view key) {
     return std::string(found->text);
 }
 
-void describe_creature(JsonSchemaWriter& writer, CreatureDocument& document,
+void describe_creature(JsonSchemaWriter& writer, CreatureText& document,
                        const EvolutionKinds& kinds) {
     writer.constant("format", kFormat);
     writer.integer("version", kVersion, 1, kVersion);
@@ -119,7 +119,7 @@ void describe_creature(JsonSchemaWriter& writer, CreatureDocument& document,
 
 std::string creature_schema(const EvolutionKinds& kinds) {
     JsonSchemaWriter::Library library{.meaning = meaning_of};
-    CreatureDocument document;
+    CreatureText document;
     document.genome.nodes.resize(gene_range::kMaxNodes);  // so that all targets are possible
     const Json reference = JsonSchemaWriter::object_schema(
         library, [&](JsonSchemaWriter& writer) { describe_creature(writer, document, kinds); });

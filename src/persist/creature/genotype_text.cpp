@@ -26,7 +26,7 @@ Result<GenomePtr> GenotypeReader::read(std::string_view bytes, std::size_t size)
     if (!text) return text.error();
     Result<CreatureDocument> document = parse_creature(*text, "genotype", kinds_);
     if (!document) return document.error();
-    return std::make_shared<const Genome>(std::move(document->genome));
+    return document->creature.individual->genome;
 }
 
 }  // namespace cambrian

@@ -33,8 +33,8 @@ std::optional<std::string> other_simulator(const std::string& version) {
     return "scored by simulator " + version + ", this is " + std::string(kSimulatorVersion);
 }
 
-std::optional<std::string> other_simulator(const ScoredRecord& scored) {
-    return other_simulator(scored.simulator);
+std::optional<std::string> other_simulator(const CreatureDocument& document) {
+    return document.scored() ? other_simulator(document.notes.simulator) : std::nullopt;
 }
 
 std::optional<std::string> other_simulator(const SavedExperiment& saved) {
@@ -61,32 +61,28 @@ std::string scored_by(const SavedExperiment& saved, std::uint32_t born, std::uin
 
 EvaluationResult run_scored_trial(const CreatureDocument& document, const EvolutionKinds& kinds,
                                   const std::stop_token& stop) {
-    CAMBRIAN_ASSERT(document.scored.has_value(), "only a scored creature has a trial to run");
-    const ExperimentSettings settings = settings_of(*document.scored);
-    const EvaluationRequest request{.genome = std::make_shared<const Genome>(document.genome),
-                                    .trial_seed = trial_seed(settings)};
-    return evaluate_in_trials(request, settings, kinds, stop);
+    CAMBRIAN_ASSERT(document.scored(), "only a scored creature has a trial to run");
+    const EvaluationRequest request{.genome = document.creature.individual->genome,
+                                    .trial_seed = trial_seed(document.settings())};
+    return evaluate_in_trials(request, document.settings(), kinds, stop);
 }
 
 Result<CreatureDocument> rescored(CreatureDocument document, const EvolutionKinds& kinds,
                                   const std::stop_token& stop) {
-    if (!document.scored) return Error{"holds no score to replace"};
+    if (!document.scored()) return Error{"holds no score to replace"};
     const EvaluationResult result = run_scored_trial(document, kinds, stop);
     if (result.outcome == Outcome::kInterrupted) return Error{"interrupted"};
     if (result.outcome != Outcome::kCompleted) {
         return Error{"its trial is not finished by this simulator (" +
                      std::string(outcome_name(result.outcome)) + ", " + result.reason + ")"};
     }
-    ScoredRecord& scored = *document.scored;
     // Scores of other worlds belong to the old motion.
-    if (scored.simulator != kSimulatorVersion || scored.trajectory != result.digest)
-        scored.confirmed.reset();
-    scored.fitness = result.fitness;
-    scored.unit = kinds.goals.find(scored.goal)->unit;
-    scored.trajectory = result.digest;
-    scored.simulator = kSimulatorVersion;
-    scored.ticks.clear();
-    scored.finer = result.finer;
+    if (other_simulator(document) || document.result().digest != result.digest)
+        document.notes.confirmed.reset();
+    document.notes.unit = kinds.goals.find(document.settings().goal)->unit;
+    document.notes.simulator = kSimulatorVersion;
+    document.notes.ticks.clear();
+    change_individual(document.creature, [&](Individual& each) { each.result = result; });
     complete_score(document, kinds, stop);
     if (stop.stop_requested()) return Error{"interrupted"};
     return document;

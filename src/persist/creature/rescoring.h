@@ -12,7 +12,7 @@
 namespace cambrian {
 
 // "scored by simulator 0.9, this is 1.0"; nothing if this program's simulator gave the score.
-std::optional<std::string> other_simulator(const ScoredRecord& scored);
+std::optional<std::string> other_simulator(const CreatureDocument& document);
 std::optional<std::string> other_simulator(const std::string& version);
 
 // Says the same of an experiment whose newest creatures may have scores of another version.

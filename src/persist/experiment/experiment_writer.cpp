@@ -81,7 +81,7 @@ void ExperimentWriter::begin(const SettingsPtr& settings, const std::vector<Geno
     transact([&] {
         insert_command("start", 0, row_of(settings), std::nullopt);
         for (const GenomePtr& founder : founders)
-            insert_genotype("founder", 0, *founder);
+            insert_genotype("founder", 0, founder);
         name_simulator(0);
     });
 }
@@ -188,10 +188,8 @@ void ExperimentWriter::insert_command(const char* command, std::uint32_t generat
 }
 
 void ExperimentWriter::insert_genotype(const char* command, std::uint32_t generation,
-                                       const Genome& genome) {
-    CreatureDocument document;
-    document.genome = genome;
-    const std::string text = write_creature(document, kinds_);
+                                       const GenomePtr& genome) {
+    const std::string text = write_creature({unjudged(genome)}, kinds_);
     insert_command_.bind(generation, command, std::nullopt, std::nullopt,
                          std::uint64_t{text.size()});
     insert_command_.bind_bytes(deflater_.deflate(text));
@@ -208,7 +206,7 @@ void ExperimentWriter::insert(std::uint32_t generation, const ChangeSettings& co
 }
 
 void ExperimentWriter::insert(std::uint32_t generation, const InjectGenome& command) {
-    insert_genotype("inject", generation, *command.genome);
+    insert_genotype("inject", generation, command.genome);
 }
 
 void ExperimentWriter::insert(std::uint32_t generation, const AddNewcomers& command) {

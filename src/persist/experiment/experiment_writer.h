@@ -57,7 +57,7 @@ private:
     std::int64_t row_of(const SettingsPtr& settings);
     void insert_command(const char* command, std::uint32_t generation,
                         std::optional<std::int64_t> settings, std::optional<double> share);
-    void insert_genotype(const char* command, std::uint32_t generation, const Genome& genome);
+    void insert_genotype(const char* command, std::uint32_t generation, const GenomePtr& genome);
     void insert(std::uint32_t generation, const ChangeSettings& command);
     void insert(std::uint32_t generation, const InjectGenome& command);
     void insert(std::uint32_t generation, const AddNewcomers& command);

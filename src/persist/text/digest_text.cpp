@@ -18,6 +18,10 @@ std::string hex_text(std::uint64_t number) {
     return text;
 }
 
+std::string uid_text(std::uint64_t uid) {
+    return uid == 0 ? std::string() : hex_text(uid);
+}
+
 std::optional<std::uint64_t> parse_hex(std::string_view text) {
     std::uint64_t number = 0;
     const char* const end = text.data() + text.size();

@@ -12,6 +12,8 @@ namespace cambrian {
 
 // 16 hexadecimal digits, as uids are written.
 std::string hex_text(std::uint64_t number);
+// The same of a creature's uid; empty for 0, which is nobody's.
+std::string uid_text(std::uint64_t uid);
 std::optional<std::uint64_t> parse_hex(std::string_view text);  // 1 to 16 digits
 
 // Bytes as pairs of lower-case hexadecimal digits.

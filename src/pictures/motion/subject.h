@@ -12,18 +12,19 @@
 namespace cambrian {
 
 struct Subject {
-    std::string name;
-    double hue = 0.0;                         // of its lineage, in turns
+    JudgedIndividual creature;                // with the settings of the trial shown
+    std::string name;                         // its own, or the title
     std::string goal;                         // "Walking"
     std::string fitness;                      // with its unit; empty without one
     std::optional<std::uint32_t> generation;  // it was born in
     RecordedTrial trial;
-    Environment environment;
     double mass = 0.0;  // kg
     // Whether the trial, run again, moved as it did when it scored the creature; only if the
     // document tells and this is the trial it tells of.
     std::optional<bool> verified;
 
+    double hue() const { return creature.genome().hue; }  // of its lineage, in turns
+    const Environment& environment() const { return creature.settings->world.environment; }
     const RecordedMotion& motion() const { return trial.motion; }
     const Phenotype& phenotype() const { return *trial.motion.phenotype; }
 };

@@ -23,11 +23,11 @@ Vec2 size_of_body(const RecordedMotion& motion, const MotionFrame& frame) {
 SceneFrame scene_of(const Subject& subject, const Moment& moment, const Camera& camera,
                     const Viewport& viewport, const MomentStyle& style) {
     const MotionFrame& shown = moment.frame;
-    const CreatureLook look{subject.phenotype(), shown.poses, shown.touched, subject.hue, {}};
+    const CreatureLook look{subject.phenotype(), shown.poses, shown.touched, subject.hue(), {}};
     SceneFrame scene;
     scene.background = style.palette.sky;
     add_grid(scene, style.palette, camera, viewport);
-    if (subject.environment.has_ground) {
+    if (subject.environment().has_ground) {
         add_ground(scene, style.palette, camera, viewport);
         add_shadow(scene, look);
     }
@@ -100,7 +100,7 @@ void add_moment(Easel& easel, const Area& area, const Subject& subject, const Mo
     const Viewport viewport{area.width, area.height};
     Camera camera;
     camera.pixels_per_metre = style.pixels_per_metre;
-    const bool ground = subject.environment.has_ground;
+    const bool ground = subject.environment().has_ground;
     const Vec3 center = moment.frame.center_of_mass;
     camera.center = follow_center(center.head<2>(), ground, camera, viewport);
     easel.add_scene(scene_of(subject, moment, camera, viewport, style), camera, area);

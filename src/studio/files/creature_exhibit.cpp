@@ -1,46 +1,22 @@
 #include "studio/files/creature_exhibit.h"
 
 #include "core/text/pretty_text.h"
-#include "persist/text/digest_text.h"
 
-#include <algorithm>
 #include <utility>
 
 namespace cambrian {
 namespace {
 
-// As good as the file tells it: of its score, what replays are compared with.
-Individual individual_of(const CreatureDocument& document) {
-    Individual individual;
-    individual.uid = parse_hex(document.uid).value_or(0);
-    individual.genome = std::make_shared<const Genome>(document.genome);
-    individual.genome_hash = genome_hash(document.genome);
-    const std::size_t parents = std::min(document.parents.size(), individual.parents.size());
-    for (std::size_t i = 0; i < parents; ++i)
-        individual.parents[i] = parse_hex(document.parents[i]).value_or(0);
-    individual.method = document.method;
-    individual.evaluated = document.scored.has_value();
-    if (!document.scored) return individual;
-    individual.result.fitness = document.scored->fitness;
-    individual.result.digest = document.scored->trajectory;
-    individual.result.finer = document.scored->finer;
-    return individual;
-}
-
-// The score of the one trial on display.
-ScoredRecord scored_on_display(const ExperimentSettings& settings, const ScoreReport& score,
-                               const std::string& unit) {
-    ScoredRecord scored{.world = settings.world,
-                        .expression = settings.expression,
-                        .goal = settings.goal,
-                        .seed = settings.seed,
-                        .fitness = score.score.value,
-                        .confirmed = {},
-                        .unit = unit,
-                        .trajectory = score.record.digest,
-                        .finer = {}};
-    scored.world.trial.trials = 1;
-    return scored;
+// The creature with the score of the one trial on display.
+JudgedIndividual scored_on_display(JudgedIndividual creature, const ScoreReport& score) {
+    change_individual(creature, [&](Individual& individual) {
+        individual.evaluated = true;
+        individual.result = {};
+        individual.result.fitness = score.score.value;
+        individual.result.digest = score.record.digest;
+    });
+    change_settings(creature, [](ExperimentSettings& each) { each.world.trial.trials = 1; });
+    return creature;
 }
 
 }  // namespace
@@ -48,28 +24,27 @@ ScoredRecord scored_on_display(const ExperimentSettings& settings, const ScoreRe
 Exhibit exhibit_of(const CreatureDocument& document, const ExperimentSettings& otherwise,
                    ExhibitSource source, const std::filesystem::path& path) {
     const std::string stem = path.filename().string();
+    const std::string& name = document.genome().name;
     Exhibit exhibit;
-    exhibit.creature.individual = std::make_shared<const Individual>(individual_of(document));
-    exhibit.creature.settings = std::make_shared<const ExperimentSettings>(
-        document.scored ? settings_of(*document.scored) : otherwise);
+    exhibit.creature = document.creature;
     exhibit.source = source;
-    exhibit.title = document.genome.name.empty() ? capitalized(stem.substr(0, stem.find('.')))
-                                                 : document.genome.name;
+    if (!document.scored())
+        exhibit.creature.settings = std::make_shared<const ExperimentSettings>(otherwise);
+    exhibit.title = name.empty() ? capitalized(stem.substr(0, stem.find('.'))) : name;
     exhibit.ancestry = document.ancestry;
-    if (document.scored) exhibit.ticks = document.scored->ticks;
+    exhibit.ticks = document.notes.ticks;
     return exhibit;
 }
 
 CreatureDocument document_of(const Exhibit& exhibit, const ScoreReport* score,
                              const EvolutionKinds& kinds) {
-    CreatureDocument document = creature_document(exhibit.individual(), exhibit.settings(), kinds);
-    document.uid = uid_text(exhibit.individual().uid);
+    CreatureDocument document = creature_document(exhibit.creature, kinds);
     document.ancestry = exhibit.ancestry;
-    const GoalKind* goal = kinds.goals.find(exhibit.settings().goal);
-    if (document.scored) {
-        document.scored->ticks = exhibit.ticks;
-    } else if (goal != nullptr && score != nullptr) {
-        document.scored = scored_on_display(exhibit.settings(), *score, goal->unit);
+    const bool known = kinds.goals.find(exhibit.settings().goal) != nullptr;
+    if (document.scored()) {
+        document.notes.ticks = exhibit.ticks;
+    } else if (known && score != nullptr) {
+        document.creature = scored_on_display(std::move(document.creature), *score);
     }
     return document;
 }

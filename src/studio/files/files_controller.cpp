@@ -126,7 +126,7 @@ struct FilesController::Receiver {
         std::vector<std::string> warnings = event.document.warnings;
         const ExperimentSettings& draft = self.subjects_.experiment.open().editor().draft();
         for (std::string& each :
-             foreign_kinds(event.document.genome, draft.founders, self.services_.kinds))
+             foreign_kinds(event.document.genome(), draft.founders, self.services_.kinds))
             warnings.push_back(std::move(each));
         feedback().tell(NoticeKind::kDone, opened_words(event.path, warnings));
     }

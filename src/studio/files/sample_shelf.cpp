@@ -13,10 +13,11 @@ namespace {
 constexpr std::string_view kEnding = ".creature.json";
 
 std::string account_of(const CreatureDocument& document, const EvolutionKinds& kinds) {
-    if (!document.scored) return "Not scored yet";
-    const GoalKind* goal = kinds.goals.find(document.scored->goal);
-    const std::string name = goal == nullptr ? capitalized(document.scored->goal) : goal->label;
-    return name + ", " + measured(document.scored->fitness, document.scored->unit);
+    if (!document.scored()) return "Not scored yet";
+    const std::string& id = document.settings().goal;
+    const GoalKind* goal = kinds.goals.find(id);
+    const std::string name = goal == nullptr ? capitalized(id) : goal->label;
+    return name + ", " + measured(document.score(), document.notes.unit);
 }
 
 Sample read_sample(const std::filesystem::path& path, const EvolutionKinds& kinds) {
@@ -30,12 +31,13 @@ Sample read_sample(const std::filesystem::path& path, const EvolutionKinds& kind
         sample.account = document.error().message;
         return sample;
     }
-    if (!document->genome.name.empty()) sample.title = document->genome.name;
+    const Genome& genome = document->genome();
+    const ExperimentSettings& settings = document->settings();
+    if (!genome.name.empty()) sample.title = genome.name;
     sample.account = account_of(*document, kinds);
-    sample.hue = document->genome.hue;
-    const ScoredRecord scored = document->scored.value_or(ScoredRecord{});
+    sample.hue = genome.hue;
     sample.phenotype = std::make_shared<const Phenotype>(
-        express(document->genome, kinds.creature, scored.expression, scored.world.scene));
+        express(genome, kinds.creature, settings.expression, settings.world.scene));
     return sample;
 }
 

@@ -3,6 +3,7 @@
 #include "creature/phenotype.h"
 #include "evolution/individual/judged_individual.h"
 #include "goals/goal.h"
+#include "persist/text/digest_text.h"
 #include "simulator/tick_checks.h"
 #include "simulator/trial.h"
 
@@ -44,13 +45,7 @@ struct ScoreReport {
     std::uint64_t digest = 0;  // of the motion in all trials its world asks for
 };
 
-// A uid as sixteen hexadecimal digits; empty for 0, which is no uid.
-std::string uid_text(std::uint64_t uid);
-
 // A creature of a generation or of a grid, with a title that says which.
 Exhibit exhibit_of(JudgedIndividual creature, ExhibitSource source);
-
-// A creature that was never judged, under the settings that are to judge it.
-JudgedIndividual unjudged(GenomePtr genome, SettingsPtr settings, const std::string& method);
 
 }  // namespace cambrian

@@ -70,7 +70,10 @@ TEST_CASE("a creature judged by several trials is verified by as many, tick by t
     judged.result = evaluate_in_trials(
         {.genome = judged.genome, .trial_seed = trial_seed(settings)}, settings, test::kinds());
     judged.evaluated = true;
-    CreatureDocument document = creature_document(judged, settings, test::kinds());
+    CreatureDocument document =
+        creature_document({.individual = std::make_shared<const Individual>(judged),
+                           .settings = std::make_shared<const ExperimentSettings>(settings)},
+                          test::kinds());
     complete_score(document, test::kinds());
     const auto path = run.folder.path() / "robust.creature.json";
     REQUIRE(save_creature(path, document, test::kinds()));
@@ -79,7 +82,7 @@ TEST_CASE("a creature judged by several trials is verified by as many, tick by t
     const FrameContext frame = run.session.frame_context();
     CHECK(frame.viewer.score->digest == judged.result.digest);
     CHECK(frame.viewer.score->digest != frame.viewer.score->record.digest);
-    CHECK_FALSE(first_different_tick(frame.viewer.score->ticks, document.scored->ticks));
+    CHECK_FALSE(first_different_tick(frame.viewer.score->ticks, document.notes.ticks));
 
     const auto copy = run.folder.path() / "copy.creature.json";
     run.ask(SaveCreatureFile{copy});
@@ -87,7 +90,7 @@ TEST_CASE("a creature judged by several trials is verified by as many, tick by t
     const auto copied = load_creature(copy, test::kinds());
     REQUIRE(copied);
     CHECK(copied->ancestry == document.ancestry);
-    CHECK(copied->scored == document.scored);
+    CHECK(same_score(*copied, document));
 }
 
 TEST_CASE("what a loaded creature uses that the experiment has not enabled is told",

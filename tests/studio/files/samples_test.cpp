@@ -12,8 +12,7 @@ namespace {
 TEST_CASE("samples are listed by title, damaged files last with their reason",
           "[studio][samples]") {
     const TemporaryDirectory folder;
-    CreatureDocument document;
-    document.genome = *test::crawler(test::kinds().creature.catalog);
+    const CreatureDocument document{unjudged(test::crawler(test::kinds().creature.catalog))};
     for (const char* name : {"small-walker", "crawler"}) {
         const std::string file = std::string(name) + ".creature.json";
         REQUIRE(save_creature(folder.path() / file, document, test::kinds()));

@@ -158,7 +158,7 @@ TEST_CASE("a creature of the grid is shown alone and saved", "[studio][session][
     REQUIRE(run.frames_until([&] { return std::filesystem::exists(path); }));
     const auto saved = load_creature(path, test::kinds());
     REQUIRE(saved);
-    CHECK(saved->genome == *genome);
+    CHECK(saved->genome() == *genome);
 }
 
 TEST_CASE("a world changed while picking is felt in the grid and judges the next one",

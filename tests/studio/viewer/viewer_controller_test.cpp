@@ -54,7 +54,7 @@ TEST_CASE("an edited creature is scored again and saved as edited", "[studio][vi
     REQUIRE(saved);
     CHECK(saved->method == "edited");
     CHECK(saved->parents == std::vector<std::string>{parent});
-    CHECK(saved->genome.nodes[0].length == 1.2);
+    CHECK(saved->genome().nodes[0].length == 1.2);
 }
 
 TEST_CASE("a gene outside its range is refused with a message", "[studio][viewer]") {
