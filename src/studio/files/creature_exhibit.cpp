@@ -9,7 +9,8 @@
 namespace cambrian {
 namespace {
 
-// As good as the file tells it: of its score, what replays are compared with.
+// Restores the individual as far as the file describes it. Of its result, the file has the fitness
+// and what replays are compared with.
 Individual individual_of(const CreatureDocument& document) {
     Individual individual;
     individual.uid = parse_hex(document.uid).value_or(0);
@@ -27,7 +28,7 @@ Individual individual_of(const CreatureDocument& document) {
     return individual;
 }
 
-// The score of the one trial on display.
+// Returns the record of a score that was computed from the displayed trial alone.
 ScoredRecord scored_on_display(const ExperimentSettings& settings, const ScoreReport& score,
                                const std::string& unit) {
     ScoredRecord scored{.world = settings.world,

@@ -78,7 +78,7 @@ void HandPicking::update(double elapsed, StatusLog& log) {
     motion_.advance(choices_.playing && !choices_.single ? elapsed : 0.0);
 }
 
-// The grid shown moves in the world that judged it, with the environment of the present.
+// The displayed grid moves in the world that evaluated it, but with the present environment.
 void HandPicking::follow_grid(StatusLog& log) {
     if (snapshot_->tree.empty()) return;
     const GridNode& grid = snapshot_->tree.current();
