@@ -10,7 +10,8 @@ namespace {
 
 constexpr std::size_t kCandidatesPerCell = 3;
 constexpr std::size_t kAsexualEach = 2;
-constexpr std::uint64_t kFirstImported = std::uint64_t{1} << 32;  // child index; none is bred so
+// Child index of the first imported creature; larger than that of any bred one.
+constexpr std::uint64_t kFirstImported = std::uint64_t{1} << 32;
 
 ExperimentSettings with_picking_seed(const ExperimentSettings& settings) {
     ExperimentSettings changed = settings;
@@ -18,7 +19,7 @@ ExperimentSettings with_picking_seed(const ExperimentSettings& settings) {
     return changed;
 }
 
-// Makes the candidates one after the other, each from streams of its own.
+// Makes the candidates one after the other, each from its own random streams.
 class Breeder {
 public:
     Breeder(const BroodOrder& order, const ExperimentSettings& settings,
