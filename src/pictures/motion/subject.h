@@ -1,6 +1,6 @@
 #pragma once
 
-// Whom a picture shows and what is written beside it.
+// The creature in a picture and the facts written beside it.
 
 #include "persist/creature/creature_file.h"
 #include "pictures/motion/recorded_motion.h"
@@ -13,23 +13,23 @@ namespace cambrian {
 
 struct Subject {
     std::string name;
-    double hue = 0.0;                         // of its lineage, in turns
+    double hue = 0.0;                         // hue of its lineage, in turns
     std::string goal;                         // "Walking"
-    std::string fitness;                      // with its unit; empty without one
-    std::optional<std::uint32_t> generation;  // it was born in
+    std::string fitness;                      // with its unit; empty if it has no score
+    std::optional<std::uint32_t> generation;  // generation of its birth
     RecordedTrial trial;
     Environment environment;
     double mass = 0.0;  // kg
-    // Whether the trial, run again, moved as it did when it scored the creature; only if the
-    // document tells and this is the trial it tells of.
+    // Whether the trial, when repeated, had the same motion as when it was scored. Empty if the
+    // document does not record the motion or describes another trial.
     std::optional<bool> verified;
 
     const RecordedMotion& motion() const { return trial.motion; }
     const Phenotype& phenotype() const { return *trial.motion.phenotype; }
 };
 
-// Runs the creature's trial under the settings; `title` names one without a name. Fails as
-// record_trial() does.
+// Runs the creature's trial with the settings. `title` is used for a creature without a name. Fails
+// under the same conditions as record_trial().
 Result<Subject> subject_of(const CreatureDocument& document, const ExperimentSettings& settings,
                            const std::string& title, const EvolutionKinds& kinds,
                            const TrialWatch& watch = {});
