@@ -1,6 +1,6 @@
 #pragma once
 
-// The objects of --json reports, on one line.
+// JSON objects on one line, for the --json reports.
 
 #include <string>
 #include <vector>
@@ -9,7 +9,7 @@ namespace cambrian {
 
 struct JsonMember {
     std::string key;
-    std::string value;  // as it is in the text: quoted if it is one
+    std::string value;  // JSON text of the value; strings include their quotes
 };
 using JsonMembers = std::vector<JsonMember>;
 

@@ -8,7 +8,7 @@
 
 namespace cambrian {
 
-// Cells that get a badge; a cell is empty if no creature has that distinction. Hints are not scores
+// Cells that get a badge; empty if no creature has that distinction. Hints are not scores
 // (picking/README.md 1).
 struct GridHints {
     std::optional<std::size_t> fastest;  // creature that moved the greatest distance from its start
