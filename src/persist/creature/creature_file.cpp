@@ -19,7 +19,7 @@ namespace {
 
 using namespace creature_format;
 
-constexpr std::size_t kMaxFormat = 4096;  // bytes; only to be quoted
+constexpr std::size_t kMaxFormat = 4096;  // bytes; only used in a message
 
 void read_scored(JsonReader& reader, ScoredRecord& scored, const EvolutionKinds& kinds) {
     ExperimentSettings settings;
@@ -98,7 +98,7 @@ std::vector<std::string> parents_of(const Individual& individual) {
     return parents;
 }
 
-// The parents of an individual, as describe_identity() writes them.
+// The identity and parents of an individual, as describe_identity() writes them.
 struct Identity {
     const Genome& genome;
     std::string uid;

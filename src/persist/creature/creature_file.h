@@ -36,12 +36,12 @@ struct ScoredRecord {
     TrialWorld world;
     ExpressionSettings expression;
     std::string goal;        // id
-    std::uint64_t seed = 0;  // of the experiment
-    double fitness = 0.0;    // in `unit`, of the trial itself
+    std::uint64_t seed = 0;  // seed of the experiment
+    double fitness = 0.0;    // in `unit`; score of the trial itself
     std::optional<ConfirmedScore> confirmed;
-    std::string unit;              // of the goal's score: "BL/s"
+    std::string unit;              // unit of the goal's score: "BL/s"
     std::uint64_t trajectory = 0;  // digest of the motion
-    TickChecks ticks = {};         // of the first trial, if they were noted
+    TickChecks ticks = {};         // of the first trial, if they were recorded
     std::optional<FinerResult> finer;
     std::string simulator{kSimulatorVersion};
 
@@ -52,24 +52,24 @@ struct CreatureDocument {
     Genome genome;
     std::string uid;                        // 16 hexadecimal digits, or empty
     std::vector<std::string> parents;       // uids, at most 2
-    std::string method;                     // how it was bred
-    std::optional<std::uint64_t> ancestry;  // ancestry_digest(), if its line is known
+    std::string method;                     // breeding method
+    std::optional<std::uint64_t> ancestry;  // ancestry_digest(), if the ancestors are known
     std::optional<ScoredRecord> scored;
     // Warnings of reading, about harmless oddities (W01 to W03).
     std::vector<std::string> warnings;
 };
 
-// The JSON of a creature file, or of the one inside a card (creature_card.h).
+// Reads the JSON text of a creature file or card (creature_card.h).
 Result<std::string> read_creature_text(const std::filesystem::path& path);
 
-// A creature file or a card, whatever its name. The message names the file and the first error;
-// further ones follow, a line each.
+// Loads a creature file or card, whatever its name. The error message names the file and the first
+// error; further errors follow, one per line.
 Result<CreatureDocument> load_creature(const std::filesystem::path& path,
                                        const EvolutionKinds& kinds);
 Status save_creature(const std::filesystem::path& path, const CreatureDocument& document,
                      const EvolutionKinds& kinds);
 
-// The same for text; source names it in messages.
+// Does the same for text; `source` names it in messages.
 Result<CreatureDocument> parse_creature(std::string_view text, std::string_view source,
                                         const EvolutionKinds& kinds);
 // The genome must be valid.
@@ -79,7 +79,7 @@ std::string write_creature(const CreatureDocument& document, const EvolutionKind
 std::vector<std::string> foreign_kinds(const Genome& genome, const FounderSettings& settings,
                                        const EvolutionKinds& kinds);
 
-// The document of an individual that was evaluated with these settings.
+// Returns the document of an individual that was evaluated with these settings.
 CreatureDocument creature_document(const Individual& individual, const ExperimentSettings& settings,
                                    const EvolutionKinds& kinds);
 
