@@ -1,6 +1,7 @@
 #pragma once
 
-// A way to make one child of one or two parents (breeding/README.md 6), before mutation.
+// A breeding method, which makes one child of one or two parents, before mutation
+// (breeding/README.md 6).
 
 #include "core/random.h"
 #include "core/registry.h"
@@ -14,9 +15,9 @@ struct BreedingKind {
     std::string id;  // "asexual", "crossover", "grafting"
     std::string label;
     int parents = 1;             // 1 or 2
-    double default_share = 0.0;  // of a generation's offspring
-    // The parents are valid and unchanged; the child is valid. second is the first parent again for
-    // one-parent methods.
+    double default_share = 0.0;  // share of a generation's offspring
+    // The parents are valid and are not changed; the child is valid. Methods of one parent get it
+    // as `second` too.
     Genome (*breed)(const Genome& first, const Genome& second, const KindCatalog& catalog,
                     RandomStream& stream) = nullptr;
 };
