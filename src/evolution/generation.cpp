@@ -11,7 +11,7 @@
 namespace cambrian {
 namespace {
 
-constexpr double kHueStep = 0.004;  // per mutation
+constexpr double kHueStep = 0.004;  // change of hue per mutation, in turns
 constexpr int kPartnerDraws = 5;
 
 // Data that all children of one generation share.
@@ -44,7 +44,8 @@ std::vector<const BreedingKind*> assign_methods(const Nursery& nursery, std::siz
     return methods;
 }
 
-// Another individual than the first parent, or the first parent itself if five draws find none.
+// Draws another individual than the first parent; after five failed draws, returns the first
+// parent.
 std::size_t draw_partner(const Nursery& nursery, std::size_t first, RandomStream& stream) {
     std::size_t partner = first;
     for (int draw = 0; draw <= kPartnerDraws && partner == first; ++draw) {
@@ -53,7 +54,7 @@ std::size_t draw_partner(const Nursery& nursery, std::size_t first, RandomStream
     return partner;
 }
 
-// The kind that copies one parent, for children whose second parent could not be found.
+// Returns a breeding method of one parent, for children for whom no second parent was found.
 const BreedingKind& single_parent_kind(const BreedingRegistry& kinds) {
     for (const BreedingKind& kind : kinds.all()) {
         if (kind.parents == 1) return kind;
@@ -61,8 +62,8 @@ const BreedingKind& single_parent_kind(const BreedingRegistry& kinds) {
     return kinds[0];
 }
 
-// The breeding method: that of the first parent's attribute if attributes decide, otherwise by
-// shares.
+// Returns the breeding method: the first parent's gene if the settings say so, otherwise
+// `by_share`.
 const BreedingKind* method_of(const Nursery& nursery, std::size_t first,
                               const BreedingKind* by_share) {
     if (nursery.settings.breeding.choice != "attribute") return by_share;

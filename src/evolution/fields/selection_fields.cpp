@@ -18,7 +18,7 @@ bool everybody_breeds(const Settings& settings) {
     return method == "roulette" || (method == "tournament" && settings.selection.tournament_of_all);
 }
 
-// A test of the method in force.
+// Returns a condition that is true while one of these methods is selected.
 auto with_method(std::vector<std::string> methods) {
     return [methods = std::move(methods)](const Settings& settings) {
         return std::find(methods.begin(), methods.end(), settings.selection.method) !=

@@ -1,7 +1,7 @@
 #pragma once
 
-// The one description of every setting: where it is stored, its name in files, its label, unit,
-// range and help. Settings files, the studio's controls and the documentation all read this table.
+// The table of all settings: where each is stored, its name in files, its label, unit, range and
+// help. Settings files, the studio's controls and the documentation all read this table.
 
 #include "core/result.h"
 #include "evolution/kinds/evolution_kinds.h"
@@ -15,7 +15,7 @@
 
 namespace cambrian {
 
-// A place inside an ExperimentSettings.
+// A pointer to a member of an ExperimentSettings.
 using SettingRef = std::variant<bool*, int*, std::uint64_t*, double*, std::string*>;
 
 struct SettingField {
@@ -23,27 +23,27 @@ struct SettingField {
     std::string key;    // "gravity"
     std::string label;  // "Gravity"
     std::string unit;   // "m/s^2", or empty
-    std::string help;   // one sentence: what it does
-    double low = 0.0;   // range of numbers, ends included
+    std::string help;   // one sentence
+    double low = 0.0;   // range of numbers, both ends included
     double high = 0.0;
-    std::vector<std::string> choices;  // allowed texts, for text settings
-    bool logarithmic = false;          // better dragged on a logarithmic scale
-    // May change while an experiment runs; takes effect from the next generation. Otherwise it
-    // defines the run and a change starts a new one.
+    std::vector<std::string> choices;  // allowed values of a text
+    bool logarithmic = false;          // whether a slider should be logarithmic
+    // Whether it may change during a run, from the next generation on. Otherwise it defines the run
+    // and a change starts a new one.
     bool live = true;
-    // Whether it makes a difference under the other settings; empty: always.
+    // Returns whether the setting has an effect under the other settings; null means always.
     std::function<bool(const ExperimentSettings&)> applies;
     std::function<SettingRef(ExperimentSettings&)> at;
 };
 
-// All settings, grouped by table, in the order shown and written.
+// Returns all settings, grouped by table, in the order in which they are displayed and written.
 std::vector<SettingField> setting_fields(const EvolutionKinds& kinds);
 
-// The first setting outside its range or contradicting another, as "[table] key: ..."; success if
-// none.
+// Returns an error for the first setting that is out of range or contradicts another, as "[table]
+// key: ...".
 Status check_settings(const ExperimentSettings& settings, const EvolutionKinds& kinds);
 
-// What is allowed but makes little sense, a sentence each.
+// Returns a sentence for each setting that is allowed but makes little sense.
 std::vector<std::string> setting_warnings(const ExperimentSettings& settings,
                                           const EvolutionKinds& kinds);
 

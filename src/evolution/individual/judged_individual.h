@@ -7,13 +7,13 @@
 
 namespace cambrian {
 
-// One creature with the settings that judge it and the generation it was judged in. Champions,
-// starred creatures, creatures on display and cells of a grid are this and what only they know.
-// Immutable: copies share the individual and the settings.
+// A creature with the settings that evaluate it and the generation of the evaluation. Champions,
+// starred creatures, exhibits and cells of a grid contain one. It is immutable; copies share the
+// individual and the settings.
 struct JudgedIndividual {
     std::uint32_t generation = 0;
-    IndividualPtr individual;  // never null once made
-    SettingsPtr settings;      // likewise
+    IndividualPtr individual;  // never null after construction
+    SettingsPtr settings;      // never null after construction
 };
 
 }  // namespace cambrian

@@ -14,30 +14,31 @@
 
 namespace cambrian {
 
-// What a selection carries from one generation to the next besides the survivors. It starts empty,
-// and is emptied whenever scores are forgotten.
+// The state that a selection carries from one generation to the next besides the survivors. It is
+// empty at first, and emptied whenever scores are discarded.
 struct SelectionMemory {
-    std::vector<IndividualPtr> archive;  // creatures once novel; they need not live any more
-    double threshold = 0.0;              // novelty above which a creature joins the archive
-    int quiet_generations = 0;           // since one last did
+    // Creatures that were novel once; they need not live any more.
+    std::vector<IndividualPtr> archive;
+    double threshold = 0.0;     // novelty above which a creature enters the archive
+    int quiet_generations = 0;  // generations since the last one entered
 };
 
 struct SelectionResult {
-    std::vector<std::size_t> survivors;      // indices into the ranking; pass unchanged
-    std::vector<std::size_t> first_parents;  // one an offspring place, indices into the ranking
-    std::size_t newcomers = 0;               // places for new random creatures
-    std::vector<double> partner_weights;     // one an individual of the ranking
+    std::vector<std::size_t> survivors;      // indices into the ranking; they remain unchanged
+    std::vector<std::size_t> first_parents;  // one per offspring, indices into the ranking
+    std::size_t newcomers = 0;               // number of random immigrants
+    std::vector<double> partner_weights;     // one per individual of the ranking
 };
 
 struct SelectionKind {
     std::string id;
     std::string label;
     std::string help;
-    // Share of the worst survivor's score that a creature must reach to survive; a trial that
-    // cannot may end early. It is 1 if creatures below the worst survivor have no effect, less if
-    // that is only likely, and 0 if the least fit may matter.
+    // Returns the share of the worst survivor's score that a creature must reach to survive. A
+    // trial that cannot reach it may end early. The share is 1 if creatures below the worst
+    // survivor have no effect, less if that is only likely, and 0 if the least fit may matter.
     double (*bar)(const SelectionSettings& settings) = nullptr;
-    // ranked: everyone evaluated, best first (by better()), not empty.
+    // `ranked` has all evaluated creatures, best first by better(); it is not empty.
     SelectionResult (*select)(std::span<const IndividualPtr> ranked,
                               const ExperimentSettings& settings, SelectionMemory& memory,
                               RandomStream& stream) = nullptr;
@@ -47,8 +48,9 @@ using SelectionRegistry = Registry<SelectionKind>;
 
 SelectionRegistry builtin_selections();
 
-// Stochastic universal sampling: `count` picks, index i exactly floor or ceiling of its share of
-// the weights (Baker 1987). Order shuffled. If no weight is positive, all count the same.
+// Stochastic universal sampling (Baker 1987). Returns `count` picks in random order; each index
+// occurs as often as its share of the weights, rounded up or down. If no weight is positive, all
+// are equal.
 std::vector<std::size_t> universal_sampling(std::span<const double> weights, std::size_t count,
                                             RandomStream& stream);
 

@@ -4,8 +4,8 @@
 
 namespace cambrian {
 
-// Settings that repeat an evaluation: seed, goal, world and expression are those of its record;
-// everything else is at its default.
+// Returns settings that repeat an evaluation: seed, goal, world and expression are those of its
+// record. All others have their default.
 template <class Judged>
 ExperimentSettings settings_of(const Judged& judged) {
     ExperimentSettings settings;
