@@ -4,7 +4,7 @@
 
 namespace cambrian {
 
-// Every concrete kind of everything; the only place that names the physics.
+// Returns all built-in kinds. Only this function names the implementation of physics.
 EvolutionKinds builtin_kinds();
 
 }  // namespace cambrian

@@ -17,7 +17,7 @@
 namespace cambrian {
 namespace {
 
-constexpr const char* kStandard = "studio";  // without a subcommand
+constexpr const char* kStandard = "studio";  // the subcommand that runs if none is given
 
 struct Offered {
     CLI::App* options;
@@ -28,7 +28,7 @@ constexpr const char* kProgram = "cambrian";
 constexpr const char* kSummary =
     "Cambrian: evolve creatures in two dimensions. Without a subcommand: the studio.";
 
-// Declares everything the program can be asked on its command line.
+// Declares all subcommands and options of the program.
 std::vector<Offered> offer_all(CLI::App& app) {
     app.set_version_flag("--version", "cambrian " CAMBRIAN_VERSION, "Tell the version and exit");
     app.require_subcommand(0, 1);
@@ -54,7 +54,7 @@ Subcommand* chosen(const std::vector<Offered>& offered) {
     return nullptr;
 }
 
-// What was asked for instead of a run, help or the version; or what is wrong with the command.
+// Prints help, the version or the error that parsing found.
 ExitStatus answer(const CLI::App& app, const CLI::ParseError& error) {
     std::ostringstream text;
     if (app.exit(error, text, text) == 0) return print_result(text.str());
@@ -64,7 +64,7 @@ ExitStatus answer(const CLI::App& app, const CLI::ParseError& error) {
     return fail({std::string(error.what()) + "; `" + command + " --help` explains"});
 }
 
-// An option that was given must say something; only a folder can be none.
+// Checks that no option has an empty value; only folders may be empty.
 Status check_names(const CLI::App& app) {
     for (const CLI::App* subcommand : app.get_subcommands()) {
         for (const CLI::Option* option : subcommand->get_options()) {

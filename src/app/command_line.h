@@ -4,7 +4,7 @@
 
 namespace cambrian {
 
-// Parses, runs the subcommand asked for (the studio if none is) and says what went wrong.
+// Parses the command line, runs the subcommand (the studio by default) and prints errors.
 ExitStatus run_command_line(int argc, char** argv);
 
 }  // namespace cambrian

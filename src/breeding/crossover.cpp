@@ -11,7 +11,8 @@
 namespace cambrian {
 namespace {
 
-constexpr std::array<double, 3> kSwitchShares = {0.6, 0.3, 0.1};  // of 1, 2, 3 switch points
+// Probabilities of 1, 2 and 3 switch points.
+constexpr std::array<double, 3> kSwitchShares = {0.6, 0.3, 0.1};
 
 std::vector<NodeGene> spliced_nodes(const Genome& first, const Genome& second,
                                     const std::vector<std::size_t>& switches) {

@@ -1,6 +1,6 @@
 #pragma once
 
-// Places in a genome that mutation picks from, each with its name in words.
+// The places in a genome that mutation chooses among, each with its description.
 
 #include "core/random.h"
 #include "genome/genome.h"
@@ -15,7 +15,7 @@ namespace cambrian {
 // A list of neurons and its owner: a node or the central brain.
 struct NeuronListSite {
     SourceScope scope = SourceScope::kPart;
-    std::size_t node = 0;  // of parts
+    std::size_t node = 0;  // for SourceScope::kPart
 
     std::vector<NeuronGene>& in(Genome& genome) const;
     std::size_t limit() const;
@@ -32,9 +32,9 @@ struct NeuronSite {
 
 // A weighted link into a neuron or an effector.
 struct InputSite {
-    NeuronListSite list;  // the reader's neighbours
+    NeuronListSite list;  // neurons of the part or brain that has the link
     bool effector = false;
-    std::size_t neuron = 0;  // of other inputs
+    std::size_t neuron = 0;  // unless it is an effector's
     std::size_t input = 0;
 
     InputGene& in(Genome& genome) const;
@@ -53,7 +53,7 @@ std::vector<NeuronSite> neuron_sites(const Genome& genome);
 std::vector<InputSite> input_sites(const Genome& genome);
 std::vector<EdgeSite> edge_sites(const Genome& genome);
 
-// Nodes that can take one more edge.
+// Returns the nodes that have room for another edge.
 std::vector<std::size_t> nodes_with_room(const Genome& genome);
 
 }  // namespace cambrian

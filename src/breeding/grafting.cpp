@@ -1,6 +1,6 @@
 // Grafting (breeding/README.md 8): a random edge of the first parent leads to a copy of a random
-// part of the second with all that grows from it. The edge keeps its place, so the new organ grows
-// where the old one was; what nothing leads to any more is dropped.
+// node of the second and of all nodes that can be reached from it. The edge's own genes stay, so
+// the new limb grows where the old one was. Nodes that can no longer be reached are removed.
 
 #include "breeding/gene_sites.h"
 #include "breeding/methods.h"
@@ -11,7 +11,8 @@
 namespace cambrian {
 namespace {
 
-// Appends the nodes of the donor reachable from one of them and returns the index of its copy.
+// Appends copies of the donor's nodes that can be reached from `start`; returns the index of the
+// copy of `start`.
 std::size_t append_section(Genome& child, const Genome& donor, std::size_t start) {
     Genome section = donor;
     keep_nodes(section, breadth_first(donor, start));

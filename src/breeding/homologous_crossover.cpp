@@ -1,5 +1,5 @@
-// Crossover of what corresponds (breeding/README.md 7, option): the second parent's nodes are put
-// first into the order of the first's, by uid and, where no uid agrees, by position.
+// Homologous crossover (breeding/README.md 7, option): the second parent's nodes are first put into
+// the order of the first's, by equal uid or else by position.
 
 #include "breeding/methods.h"
 #include "core/assert.h"
@@ -10,7 +10,7 @@
 namespace cambrian {
 namespace {
 
-// Old indices of the second parent's nodes in their new order. Roots stay roots.
+// Returns the old indices of the second parent's nodes in their new order. The root stays first.
 std::vector<std::size_t> aligned_order(const Genome& first, const Genome& second) {
     std::vector<std::size_t> waiting;
     for (std::size_t i = 1; i < second.nodes.size(); ++i)

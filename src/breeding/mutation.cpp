@@ -10,8 +10,8 @@
 namespace cambrian {
 namespace {
 
-constexpr int kTries = 30;          // of one operator to make a difference
-constexpr double kHueStep = 0.004;  // of the display colour, a mutation
+constexpr int kTries = 30;          // attempts of one operator to change the genome
+constexpr double kHueStep = 0.004;  // change of the display hue per mutation, in turns
 
 // Draws operators by weight and applies them in the order of their phases.
 class Mutating {
@@ -40,13 +40,13 @@ public:
     }
 
 private:
-    // Operators are applied by phase, those of the outer graph first, then in the order of the
-    // registry.
+    // Operators are applied by phase, and within a phase in the order of the registry.
     bool applies_before(std::size_t a, std::size_t b) const {
         return std::pair(kinds_[a].phase, a) < std::pair(kinds_[b].phase, b);
     }
 
-    // One of the given phase or a later one, if any is enabled; otherwise any.
+    // Draws an operator of the given phase or a later one; if none of these is enabled, any
+    // operator.
     void draw_operator(MutationPhase earliest) {
         std::vector<double> weights = weights_;
         for (std::size_t i = 0; i < weights.size(); ++i) {
@@ -66,7 +66,7 @@ private:
                             [](double weight) { return weight > 0.0; });
     }
 
-    // An operator that cannot make a difference is not drawn again; another takes its place.
+    // If an operator cannot change the genome, another one is drawn in its place.
     void apply_next() {
         CAMBRIAN_TICK_ASSERT(!pending_.empty(), "an operator waits");
         const std::size_t next = pending_.front();
@@ -78,7 +78,7 @@ private:
         draw_operator(kinds_[next].phase);
     }
 
-    // A mutation counts if it changes the genome and does not just undo the ones before.
+    // A mutation counts if it changes the genome and does not merely undo earlier ones.
     bool try_apply(const MutationKind& kind) {
         MutationRecord record;
         record.operator_id = kind.id;
@@ -100,9 +100,9 @@ private:
     const MutationContext& context_;
     RandomStream& stream_;
     std::uint64_t first_hash_;
-    std::uint64_t hash_;                // of the genome at present
-    std::vector<double> weights_;       // of each operator; 0 once it cannot apply
-    std::vector<std::size_t> pending_;  // in order of application
+    std::uint64_t hash_;                // of the present genome
+    std::vector<double> weights_;       // of each operator; 0 if it cannot be applied
+    std::vector<std::size_t> pending_;  // operators in the order of application
     std::vector<MutationRecord> records_;
 };
 

@@ -1,5 +1,6 @@
-// How many mutations an offspring gets: none, one, more with 1/4, 1/2, 1/4 (breeding/README.md 1).
-// Independent chances a gene cannot give these three numbers, whatever their scale.
+// Draws the number of mutations of an offspring: none, one, or more with probability 1/4, 1/2, 1/4
+// (breeding/README.md 1). An independent probability per gene cannot give these three values for
+// any rate.
 
 #include "breeding/mutation.h"
 #include "core/assert.h"
@@ -13,7 +14,7 @@ namespace {
 constexpr int kMaxCount = 12;
 constexpr double kOneMoreShare = 1.0 / 3.0;
 
-// The count first: 0, 1, or 2 and on with a geometric tail.
+// Draws the count itself: 0, 1, or at least 2 with a geometric distribution.
 int draw_count_first(RandomStream& stream) {
     const double u = stream.uniform();
     if (u < 0.25) return 0;
@@ -24,8 +25,9 @@ int draw_count_first(RandomStream& stream) {
     return count;
 }
 
-// Exactly one with probability g, otherwise Poisson(lambda): (1 - g) e^-lambda = 1/4 and
-// g + (1 - g) lambda e^-lambda = 1/2, solved by e^lambda = lambda + 2, g = 1/2 - lambda / 4.
+// Draws exactly one with probability g, otherwise Poisson(lambda). The equations (1 - g)
+// e^-lambda = 1/4 and g + (1 - g) lambda e^-lambda = 1/2 have the solution e^lambda = lambda + 2, g
+// = 1/2 - lambda / 4.
 constexpr double kLambda = 1.1461932206205825;
 constexpr double kExactlyOneShare = 0.5 - kLambda / 4.0;
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// A mutation operator (breeding/README.md 3) and the list of them.
+// A mutation operator (breeding/README.md 3) and the registry of them.
 
 #include "core/random.h"
 #include "core/registry.h"
@@ -12,7 +12,7 @@
 
 namespace cambrian {
 
-// The order in which the operators of one offspring are applied.
+// The order in which operators are applied to one offspring.
 enum class MutationPhase : std::uint8_t { kParameters, kGrowth, kConnections };
 
 // What an operator changes: parts with their joints and attachments, or neurons and references.
@@ -21,11 +21,11 @@ enum class MutationSubject : std::uint8_t { kBody, kBrain };
 // The context of an operator besides the genome.
 struct MutationContext {
     const KindCatalog& catalog;
-    const FounderSettings& founders;  // enabled kinds, ranges of new material
+    const FounderSettings& founders;  // enabled kinds, ranges of new genes
     bool mutate_reproduction = false;
 };
 
-// One change in words: which operator, where, from what, to what.
+// The description of one change: the operator, the place, the old and the new value.
 struct MutationRecord {
     std::string operator_id;
     std::string place;  // "part 2 length", "part 1 neuron 0 input 1"
@@ -39,8 +39,8 @@ struct MutationKind {
     MutationPhase phase = MutationPhase::kParameters;
     MutationSubject subject = MutationSubject::kBody;
     double default_weight = 1.0;
-    // Changes the genome at one place and says what; false if it cannot apply here. Need not
-    // repair.
+    // Changes the genome at one place and describes the change. Returns false if it cannot be
+    // applied here. The genome is repaired afterwards.
     bool (*apply)(Genome& genome, const MutationContext& context, RandomStream& stream,
                   MutationRecord& record) = nullptr;
 };

@@ -63,7 +63,7 @@ private:
         }
     }
 
-    // Non-empty lists that a reference may refer to, in some body.
+    // Returns the non-empty lists of neurons that a reference may address in some body.
     std::vector<std::size_t> addressed(std::size_t reader, const SourceRef& source) const {
         std::vector<std::size_t> lists;
         for (std::size_t list = 0; list < lists_.size(); ++list) {
@@ -82,7 +82,7 @@ private:
         }
     }
 
-    // All references whose meaning must not change.
+    // Returns all references whose meaning must not change.
     std::vector<Reading> readings() const {
         std::vector<Reading> all;
         for (std::size_t node = 0; node < genome_.nodes.size(); ++node)
@@ -97,7 +97,7 @@ private:
         return all;
     }
 
-    // The smallest number that names the same neurons once one is gone.
+    // Returns the smallest index that addresses the same neurons after one is removed.
     std::optional<std::uint8_t> renumbered(const Reading& reading, std::size_t from_list,
                                            std::size_t removed) const {
         const std::vector<std::size_t> lists = addressed(reading.reader, *reading.source);
@@ -133,8 +133,8 @@ private:
     }
 
     Genome& genome_;
-    std::vector<NeuronListSite> lists_;     // of every node, then the brain
-    std::vector<std::vector<bool>> heard_;  // each neuron, by list
+    std::vector<NeuronListSite> lists_;     // one per node, then the brain's
+    std::vector<std::vector<bool>> heard_;  // whether each neuron is read, by list
 };
 
 }  // namespace

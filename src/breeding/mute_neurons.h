@@ -1,6 +1,6 @@
 #pragma once
 
-// Removes disconnected neurons, which no effector reads (breeding/README.md 5).
+// Removal of disconnected neurons, which no effector reads (breeding/README.md 5).
 
 #include "genome/genome.h"
 

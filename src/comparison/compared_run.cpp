@@ -21,12 +21,14 @@ namespace cambrian {
 namespace {
 
 constexpr int kJudgingWorlds = 10;
-constexpr double kJudgingJitter = 0.01;    // share by which these worlds differ
-constexpr std::uint64_t kJudging = 1'000;  // keeps them apart from those that choose survivors
+// Relative change of the environments that confirm the champion.
+constexpr double kJudgingJitter = 0.01;
+// Index that keeps their random streams apart from those of survivor selection.
+constexpr std::uint64_t kJudging = 1'000;
 constexpr double kFineTolerance = 1e-6;
-constexpr double kFineContactStep = 0.25;  // of the settings'
-constexpr double kFineWork = 100.0;        // may cost so many times as much
-constexpr std::size_t kBest = 20;          // survivors whose body plans are counted
+constexpr double kFineContactStep = 0.25;  // times the contact step of the settings
+constexpr double kFineWork = 100.0;  // most computing work, as a multiple of the usual trial's
+constexpr std::size_t kBest = 20;    // number of survivors whose body plans are counted
 
 double confirmed_score(const GenomePtr& genome, ExperimentSettings settings,
                        const EvolutionKinds& kinds) {

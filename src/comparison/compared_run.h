@@ -1,6 +1,6 @@
 #pragma once
 
-// One evolution of a comparison: what it was, and what it came to after so many trials.
+// One run of a comparison: its plan, its result and the course of its best score.
 
 #include "evolution/evaluation/evaluation_backend.h"
 #include "evolution/individual/individual.h"
@@ -17,17 +17,17 @@
 namespace cambrian {
 
 struct CurvePoint {
-    int trials = 0;      // since the beginning
-    double score = 0.0;  // of the best creature
+    int trials = 0;      // trials run since the start
+    double score = 0.0;  // score of the best creature so far
 
     friend bool operator==(const CurvePoint&, const CurvePoint&) = default;
 };
 
 struct PlannedRun {
-    std::string world;     // name of what the arms are compared in
-    std::string arm;       // name of what is compared
-    SettingsPtr settings;  // with the run's seed
-    int trials = 0;        // distinct ones, after which the result is taken
+    std::string world;     // name of the world
+    std::string arm;       // name of the arm
+    SettingsPtr settings;  // settings with the run's seed
+    int trials = 0;        // number of different trials after which the run ends
 };
 
 // A row of the table of runs. Scores are in the goal's unit.
@@ -35,23 +35,25 @@ struct ComparedRun {
     std::string world;
     std::string arm;
     std::uint64_t seed = 0;
-    int trials = 0;            // as planned
-    std::string settings;      // digest of all of them
-    std::string simulator;     // its version
-    double score = 0.0;        // of the champion, as its settings judge it
-    double confirmed = 0.0;    // median of the champion's scores in ten slightly different worlds
-    double finer = 0.0;        // of the champion, with fine steps of an accurate integrator
-    double jump_height = 0.0;  // m, v^2 / (2 g) of the champion's speed at the take-off of its best
-    int parts = 0;             // of the champion
-    int lines = 0;             // founders that the survivors of the last generation descend from
-    int plans = 0;             // body plans among its best 20 survivors
+    int trials = 0;          // planned number of trials
+    std::string settings;    // digest of all settings
+    std::string simulator;   // version of the simulator
+    double score = 0.0;      // score of the champion by the run's own settings
+    double confirmed = 0.0;  // median of the champion's scores in ten slightly different worlds
+    double finer = 0.0;      // score of the champion with an accurate integrator and fine steps
+    // M, v^2 / (2 g) for the take-off speed v of the champion's best jump.
+    double jump_height = 0.0;
+    int parts = 0;  // parts of the champion
+    int lines = 0;  // founders from whom the survivors of the last generation descend
+    int plans = 0;  // different body plans among the best 20 survivors
     int generations = 0;
-    int evaluations = 0;            // trials run
-    int audited = 0;                // trials found hopeless and finished all the same
-    int survivors = 0;              // of those, that would have survived
-    double time_saved = 0.0;        // share of the simulated time, mean of all generations
-    double seconds = 0.0;           // of one core, besides what was evaluated elsewhere
-    std::vector<CurvePoint> curve;  // a point a generation
+    int evaluations = 0;  // trials run
+    int audited = 0;      // trials that were run to their end although early termination applied
+    int survivors = 0;    // creatures among these that would have survived
+    // Share of simulated time saved by early termination, mean over all generations.
+    double time_saved = 0.0;
+    double seconds = 0.0;           // computing time of one core of this machine
+    std::vector<CurvePoint> curve;  // one point per generation
 
     friend bool operator==(const ComparedRun&, const ComparedRun&) = default;
 };
@@ -61,12 +63,13 @@ struct FinishedRun {
     IndividualPtr champion;
 };
 
-// The run's row as far as it is known beforehand; a finished one of the same need not be run again.
+// Returns the row of a run with the values that are known in advance. is_row_of() tells whether a
+// finished row has the same plan, so that the run need not be repeated.
 ComparedRun planned_row(const PlannedRun& run, const EvolutionKinds& kinds);
 bool is_row_of(const ComparedRun& finished, const ComparedRun& planned);
 
-// Evolves until so many trials are run. None if stopped, or if the back-end cannot go on. `done`
-// grows by every trial.
+// Evolves until the planned number of trials has been run. Returns nothing if it was stopped or if
+// the back-end cannot continue. `done` is incremented after every trial.
 std::optional<FinishedRun> perform(const PlannedRun& run, const EvolutionKinds& kinds,
                                    EvaluationBackend& backend, std::atomic<std::uint64_t>& done,
                                    const std::stop_token& stop);

@@ -27,7 +27,7 @@ const ComparedRun* row_of(const std::vector<ComparedRun>& table, const PlannedRu
     return found == table.end() ? nullptr : &*found;
 }
 
-// A name that any file may have.
+// Returns a name that is valid on every file system.
 std::string file_name(const ComparedRun& row) {
     std::string name = row.world + "-" + row.arm + "-seed" + std::to_string(row.seed);
     for (char& letter : name) {
@@ -83,7 +83,7 @@ Status Comparison::run(std::size_t at_a_time, const BackendMaking& make,
     std::stop_source failed;
     const std::stop_callback pass_on(stop, [&failed] { failed.request_stop(); });
     ThreadPool pool(at_a_time);
-    std::vector<std::unique_ptr<EvaluationBackend>> backends(at_a_time);  // one a thread
+    std::vector<std::unique_ptr<EvaluationBackend>> backends(at_a_time);  // one per thread
     pool.parallel_for(
         missing_.size(),
         [&](std::size_t index, std::size_t thread) {
@@ -116,8 +116,8 @@ std::vector<ComparedRun> Comparison::finished() const {
     return rows;
 }
 
-// The champion first: a run in the table has one. The table's order does not depend on who ends
-// first.
+// Saves the champion before the row, so that every run in the table has one. The order of rows does
+// not depend on which run ends first.
 Status Comparison::keep(const PlannedRun& run, const FinishedRun& finished) {
     CreatureDocument champion =
         creature_document({.individual = finished.champion, .settings = run.settings}, *kinds_);

@@ -1,6 +1,6 @@
 #pragma once
 
-// A comparison under way in a folder: runs side by side, one a core, each kept as it ends.
+// A comparison in a folder: several runs at a time, each on one core and saved when it ends.
 
 #include "comparison/compared_run.h"
 #include "core/result.h"
@@ -17,35 +17,35 @@
 
 namespace cambrian {
 
-// What a thread of a comparison evaluates with, on one core of its own besides any elsewhere.
+// Makes the back-end of one thread of a comparison, which uses one core of this machine.
 using BackendMaking = std::function<Result<std::unique_ptr<EvaluationBackend>>()>;
 
 class Comparison {
 public:
-    // In a folder that is there. Runs that its table has already, of the same settings and
-    // simulator, are not run again; others of the table are kept as they are.
+    // Opens an existing folder. Runs that are already in its table, with the same settings and
+    // simulator, are not repeated. Other rows of the table are kept.
     static Result<std::unique_ptr<Comparison>> open(const std::filesystem::path& folder,
                                                     std::vector<PlannedRun> runs,
                                                     const EvolutionKinds& kinds);
 
-    // Runs what is missing, so many at a time, writing the table and the champion of each as it
-    // ends and then calling `told` with it, one at a time. Each of the threads that run makes
-    // itself one back-end with `make`. Fails at the first that cannot be written, made or gone on
-    // with. When stopped, runs under way are lost.
+    // Runs what is missing, at most `at_a_time` runs at once. Each thread makes one back-end with
+    // `make`. When a run ends, its row and its champion are written, then `told` is called with the
+    // row, by one thread at a time. Fails at the first run that cannot be written, made or
+    // continued. If stopped, unfinished runs are lost.
     Status run(std::size_t at_a_time, const BackendMaking& make,
                const std::function<void(const ComparedRun&)>& told, const std::stop_token& stop);
 
-    // May be asked while it runs.
+    // May be called while run() works.
     double share_done() const;
     std::size_t missing() const { return missing_.size(); }
 
-    // Those of the plan that have finished, in its order.
+    // Returns the finished runs of the plan, in its order.
     std::vector<ComparedRun> finished() const;
 
 private:
     Comparison(std::filesystem::path folder, std::vector<PlannedRun> runs,
                std::vector<ComparedRun> table, const EvolutionKinds& kinds);
-    // One of the missing runs, with a back-end that is made if there is none yet.
+    // Performs one of the missing runs; makes its back-end if there is none yet.
     Result<std::optional<FinishedRun>> perform_missing(std::size_t index,
                                                        std::unique_ptr<EvaluationBackend>& backend,
                                                        const BackendMaking& make,
@@ -56,9 +56,10 @@ private:
     std::vector<PlannedRun> runs_;
     std::vector<ComparedRun> table_;
     const EvolutionKinds* kinds_;
-    std::vector<std::size_t> missing_;  // runs to do when opened
+    // Indices of the runs that were missing when the comparison was opened.
+    std::vector<std::size_t> missing_;
     std::atomic<std::uint64_t> done_ = 0;
-    std::uint64_t planned_ = 0;  // trials of these
+    std::uint64_t planned_ = 0;  // trials of the missing runs
 };
 
 }  // namespace cambrian

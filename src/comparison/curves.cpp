@@ -7,7 +7,7 @@
 namespace cambrian {
 namespace {
 
-// The score when so many trials were done; none before the first generation.
+// Returns the score after so many trials; nothing before the first generation.
 std::optional<double> score_at(const std::vector<CurvePoint>& curve, double trials) {
     const auto later = std::upper_bound(
         curve.begin(), curve.end(), trials,
@@ -16,7 +16,7 @@ std::optional<double> score_at(const std::vector<CurvePoint>& curve, double tria
     return std::prev(later)->score;
 }
 
-// Between the values of a sorted sample where the share falls between two.
+// Returns the quantile of a sorted sample, interpolated linearly between its values.
 double quantile(const std::vector<double>& sorted, double share) {
     const double place = share * static_cast<double>(sorted.size() - 1);
     const auto below = static_cast<std::size_t>(std::floor(place));

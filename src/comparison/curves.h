@@ -1,6 +1,6 @@
 #pragma once
 
-// How runs of an arm went: their middle and how far they lie apart, along the trials.
+// The median and the quartiles of the runs of an arm, as functions of the number of trials.
 
 #include "comparison/compared_run.h"
 
@@ -8,7 +8,7 @@
 
 namespace cambrian {
 
-// One point for each number of trials; scores are quartiles of the runs.
+// A curve with one point for each number of trials; lower and upper are quartiles of the runs.
 struct CurveBand {
     std::vector<double> trials;
     std::vector<double> lower;
@@ -16,8 +16,9 @@ struct CurveBand {
     std::vector<double> upper;
 };
 
-// At so many numbers of trials, evenly up to the most that any planned; from the first at which
-// every run had finished a generation. Empty without runs.
+// Returns the band at `points` numbers of trials, evenly spaced up to the largest planned number.
+// It starts at the first number at which every run had finished a generation. Without runs it is
+// empty.
 CurveBand band_of(const std::vector<ComparedRun>& runs, int points);
 
 }  // namespace cambrian

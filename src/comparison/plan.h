@@ -1,6 +1,6 @@
 #pragma once
 
-// Which runs make up a comparison: arms x seeds in every world.
+// The runs of a comparison: every arm with every seed in every world.
 
 #include "comparison/compared_run.h"
 #include "core/result.h"
@@ -12,28 +12,30 @@
 
 namespace cambrian {
 
-// Settings with the name that tables show.
+// Settings with a name, which tables show.
 struct NamedSettings {
     std::string name;
-    std::vector<SettingsText> texts;  // merge_settings()
+    // Settings texts in the order in which merge_settings() applies them.
+    std::vector<SettingsText> texts;
 };
 
 struct ComparisonPlan {
-    // What arms are compared in. None: each arm says its world itself, and all say the same goal.
+    // The worlds in which arms are compared. If there are none, each arm's settings contain its
+    // world, and all arms must have the same goal.
     std::vector<NamedSettings> worlds = {};
-    // What is compared; in a world, an arm says only what it changes there. The first is what the
-    // others are measured against.
+    // The arms that are compared. In a world, an arm needs only the settings that it changes. The
+    // other arms are measured against the first one.
     std::vector<NamedSettings> arms = {};
-    bool random_search = false;  // one more arm: the first one's with new random creatures only
+    bool random_search = false;  // adds an arm like the first one that breeds random creatures only
     std::vector<std::uint64_t> seeds = {};
-    int trials = 0;  // of each run
+    int trials = 0;  // trials per run
 };
 
 inline constexpr const char* kRandomSearch = "random-search";
 
-// All runs, ordered so that what is known after a part of them is as balanced as can be. Fails for
-// settings that are wrong, for two of a name, for an arm that changes a world's goal or environment
-// and, without worlds, for arms of several goals.
+// Returns all runs, ordered so that a finished part of them is as balanced as possible. Fails for
+// invalid settings, for equal names and for an arm that changes a world's goal or environment.
+// Without worlds, it also fails for arms with different goals.
 Result<std::vector<PlannedRun>> planned_runs(const ComparisonPlan& plan,
                                              const EvolutionKinds& kinds);
 

@@ -10,7 +10,8 @@
 namespace cambrian {
 namespace {
 
-constexpr double kAgrees = 0.1;  // share by which a finer score may differ
+// Largest relative difference of a finer score that counts as agreement.
+constexpr double kAgrees = 0.1;
 
 std::string rounded(double value) {
     return format("%.3g", value);
@@ -34,7 +35,7 @@ std::vector<std::string> distinct(const std::vector<ComparedRun>& runs,
     return names;
 }
 
-// "0.73": of the medians of two samples; "" where there is none.
+// Returns the ratio of two medians, as in "0.73"; empty if it does not exist.
 std::string ratio_text(double ours, double theirs) {
     return theirs > 0.0 ? rounded(ours / theirs) : "";
 }
@@ -80,7 +81,7 @@ constexpr const char* kHead =
     "audited survivors |\n"
     "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n";
 
-// Of the medians' ratios to the first arm over all worlds in which both were run.
+// Reports the mean of each arm's ratio to the first arm over all worlds in which both were run.
 std::string overall(const std::vector<ComparedRun>& runs) {
     const std::vector<std::string> arms = arms_of(runs);
     std::string text;

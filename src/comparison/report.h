@@ -1,6 +1,6 @@
 #pragma once
 
-// What the runs of a comparison say, as text for a person.
+// The result of a comparison as text.
 
 #include "comparison/compared_run.h"
 
@@ -9,16 +9,17 @@
 
 namespace cambrian {
 
-// The finished runs of one arm in one world.
+// Returns the finished runs of one arm in one world.
 std::vector<ComparedRun> runs_of(const std::vector<ComparedRun>& runs, const std::string& world,
                                  const std::string& arm);
-// Names in the order in which they first occur.
+// Return the names in order of first occurrence.
 std::vector<std::string> worlds_of(const std::vector<ComparedRun>& runs);
 std::vector<std::string> arms_of(const std::vector<ComparedRun>& runs);
 
-// A table in Markdown for each world: every arm's median of the confirmed scores, its bootstrap
-// interval, the worst run, the ratio to the first arm, whether chance explains that
-// (Mann-Whitney), and what else was measured. Last the ratios' geometric means over all worlds.
+// Returns a Markdown table for each world. For every arm it has the median of the confirmed scores
+// with its bootstrap interval, the worst run, and the ratio to the first arm with its p-value
+// (Mann-Whitney). Further columns have the other measurements. The last table has the geometric
+// means of the ratios over all worlds.
 std::string comparison_report(const std::vector<ComparedRun>& runs);
 
 }  // namespace cambrian

@@ -73,10 +73,10 @@ bool read_cell(std::string_view cell, Number& number) {
     return read_number(cell, number);
 }
 bool read_cell(std::string_view /*cell*/, bool& /*flag*/) {
-    return false;  // no column is one
+    return false;  // no column is a flag
 }
 
-// What comes before the separator, which is taken off the text with it.
+// Returns the text before the separator and removes both from `text`.
 std::string_view take(std::string_view& text, char separator) {
     const std::size_t end = std::min(text.find(separator), text.size());
     const std::string_view first = text.substr(0, end);

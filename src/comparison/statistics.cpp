@@ -11,7 +11,7 @@ namespace {
 constexpr int kSamples = 10'000;
 constexpr double kTail = 0.05;
 
-// Twice the midrank of every value, which is an integer.
+// Returns twice the midrank of every value. Twice a midrank is an integer.
 std::vector<std::size_t> doubled_ranks(const std::vector<double>& values) {
     std::vector<std::size_t> ranks;
     ranks.reserve(values.size());
@@ -53,7 +53,7 @@ RankTest mann_whitney(const std::vector<double>& a, const std::vector<double>& b
     std::size_t largest = 0;
     for (const std::size_t rank : ranks)
         largest += rank;
-    // ways[k][s]: of choosing k values whose doubled ranks sum to s.
+    // ways[k][s] counts the ways to choose k values whose doubled ranks sum to s.
     std::vector<std::vector<double>> ways(a.size() + 1, std::vector<double>(largest + 1, 0.0));
     ways[0][0] = 1.0;
     for (const std::size_t rank : ranks) {

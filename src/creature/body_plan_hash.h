@@ -1,6 +1,6 @@
 #pragma once
 
-// Which creatures are built alike, whatever their sizes.
+// A hash of the body plan, which is the same for creatures that differ only in sizes.
 
 #include "creature/phenotype.h"
 
@@ -8,8 +8,8 @@
 
 namespace cambrian {
 
-// Over the tree of parts and the kinds of their joints, whatever the parts' sizes, places and
-// order. Different trees have the same with probability 2^-64.
+// Hashes the tree of parts and the kinds of their joints. Sizes, positions and order of the parts
+// have no influence. Different trees have equal hashes with probability 2^-64.
 std::uint64_t body_plan_hash(const Phenotype& phenotype);
 
 }  // namespace cambrian

@@ -33,7 +33,7 @@ SensorSite Creature::site_of(const WiredSensor& sensor, const BodyView& body,
             share};
 }
 
-// What depends on a tick's length alone.
+// Computes what depends only on a tick's length.
 void Creature::use_tick(double dt) {
     if (dt == tick_) return;
     tick_ = dt;

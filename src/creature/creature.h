@@ -1,6 +1,7 @@
 #pragma once
 
-// A living phenotype: its brain and effectors' memory, acting on a scene. One owner, one thread.
+// A phenotype with its present state (brain, sensors, effectors), acting on a scene. It has one
+// owner and is used by one thread.
 
 #include "brain/brain.h"
 #include "creature/phenotype.h"
@@ -15,21 +16,22 @@ public:
     // The phenotype, kinds and settings must outlive the creature.
     Creature(const Phenotype& phenotype, const Kinds& kinds, const SceneSettings& settings);
 
-    // As at birth: sensors, brain and effectors forget.
+    // Restores the initial state: clears the memory of sensors, brain and effectors.
     void reset();
-    // One tick of control: read sensors, think, drive the joints' targets. Allocates nothing.
+    // Advances control by one tick: reads sensors, evaluates the brain, sets the joints' targets.
+    // Allocates nothing.
     void act(PhysicsScene& scene, const Surroundings& surroundings, double dt);
-    // All joints told to keep their rest coordinate; the brain stays off.
+    // Sets the target of every joint to its rest coordinate, without evaluating the brain.
     void hold_rest(PhysicsScene& scene) const;
 
     const Phenotype& phenotype() const { return *phenotype_; }
     const Brain& brain() const { return brain_; }
     Brain& brain() { return brain_; }
-    // What a wired sensor reads at this moment, in its own unit, without time passing.
+    // Returns the present reading of a wired sensor in its own unit; no time passes.
     double reading(std::size_t sensor, const BodyView& body,
                    const Surroundings& surroundings) const;
 
-    // Everything that changes while it lives, for stepping back in a replay.
+    // All state that changes during a trial, for going back in a replay.
     struct State {
         Brain brain;
         std::vector<double> sensor_memory;
@@ -43,7 +45,7 @@ public:
     }
 
 private:
-    // How a sensor is read and how far smoothing goes in a tick.
+    // How a sensor is read, and the time constant of its smoothing.
     struct Reader {
         SensorKind::Read read = nullptr;
         double time_constant = 0.0;  // s
@@ -57,13 +59,13 @@ private:
 
     const Phenotype* phenotype_;
     const SceneSettings* settings_;
-    double tick_ = 0.0;             // s; the last one acted in
-    double smoothing_share_ = 0.0;  // of that
+    double tick_ = 0.0;             // s; length of the last tick
+    double smoothing_share_ = 0.0;  // share of the smoothing done in a tick of that length
     Brain brain_;
-    std::vector<Reader> readers_;              // one a wired sensor
-    std::vector<double> sensor_memory_;        // the same
-    std::vector<EffectorKind::Drive> drives_;  // one an effector part
-    std::vector<double> effector_memory_;      // the same
+    std::vector<Reader> readers_;              // one per wired sensor
+    std::vector<double> sensor_memory_;        // one per wired sensor
+    std::vector<EffectorKind::Drive> drives_;  // one per effector part
+    std::vector<double> effector_memory_;      // one per effector part
 };
 
 }  // namespace cambrian

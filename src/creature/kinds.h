@@ -1,7 +1,7 @@
 #pragma once
 
-// Every registry a phenotype can draw from; filled once by the application before any thread
-// starts, then shared by const reference for the life of the program.
+// All registries on which a phenotype depends. The application fills them before any thread starts;
+// afterwards they are shared by const reference.
 
 #include "brain/neuron_function.h"
 #include "effectors/effector.h"
@@ -16,10 +16,10 @@ struct Kinds {
     SensorRegistry sensors;
     EffectorRegistry effectors;
     SceneKind scene;
-    KindCatalog catalog;  // of the above, for genes
+    KindCatalog catalog;  // the kinds of the registries above, as genes use them
 };
 
-// Fills the catalog from the registries.
+// Returns the registries with a catalog filled from them.
 Kinds make_kinds(NeuronFunctionRegistry functions, SensorRegistry sensors,
                  EffectorRegistry effectors, SceneKind scene);
 

@@ -12,14 +12,14 @@
 namespace cambrian {
 namespace {
 
-// What only growth needs to know of a part.
+// Data of a part that is needed only during growth.
 struct Growing {
     double scale = 1.0;
-    // Copies of each node on the path from the root, itself included.
+    // Number of copies of each node on the path from the root, the part itself included.
     std::array<std::uint8_t, gene_range::kMaxNodes> occurrences{};
 };
 
-// A part that may be placed.
+// A part that may be added to the body.
 struct Bud {
     BodyPart part;
     PlannedPart body;
@@ -78,7 +78,7 @@ private:
         return edges;
     }
 
-    // Terminal edges are followed where no normal edge leads back to this node.
+    // Terminal-only edges are followed if no normal edge leads back to this node.
     void sprout(std::size_t parent) {
         const Edges normal = followable(parent, false);
         const std::uint8_t node = phenotype_.parts[parent].node;
@@ -89,8 +89,8 @@ private:
         if (!recursed) follow(parent, followable(parent, true));
     }
 
-    // Edges to a symmetric node are taken in pairs, both at the place of the first; the last of an
-    // odd number is taken alone.
+    // Edges to a symmetric node are followed in pairs, both at the position of the first. The last
+    // edge of an odd number is followed alone.
     void follow(std::size_t parent, const Edges& edges) {
         std::vector<bool> paired(edges.size(), false);
         for (std::size_t i = 0; i < edges.size(); ++i) {
@@ -109,7 +109,7 @@ private:
         }
     }
 
-    // The next edge to the same node; edges.size() if none.
+    // Returns the next edge to the same node, or edges.size() if there is none.
     static std::size_t partner_of(std::size_t first, const Edges& edges) {
         std::size_t next = first + 1;
         while (next < edges.size() && edges[next]->target != edges[first]->target)
@@ -143,7 +143,7 @@ private:
         return bud;
     }
 
-    // All or none.
+    // Adds all of the parts or none.
     void try_add(std::span<const Bud> buds) {
         if (!has_room(buds)) return;
         for (std::size_t i = 0; i < buds.size(); ++i) {
@@ -210,9 +210,9 @@ private:
     MotorMode motor_mode_;
     Phenotype& phenotype_;
     Reachability reaches_;
-    std::vector<Growing> growing_;  // one a part
+    std::vector<Growing> growing_;  // one per part
     std::array<std::uint8_t, gene_range::kMaxNodes> instances_{};
-    std::size_t neurons_;  // expressed so far, central ones included
+    std::size_t neurons_;  // number of neurons so far, central ones included
 };
 
 }  // namespace

@@ -6,7 +6,7 @@
 
 namespace cambrian {
 
-// Parts and body plan of a valid genome; neurons are left to the wiring.
+// Adds the parts and body plan of a valid genome to the phenotype; wire() adds the neurons.
 void grow(const Genome& genome, const Kinds& kinds, const ExpressionSettings& settings,
           const SceneSettings& scene, Phenotype& phenotype);
 

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kTouching = 1e-9;  // m
 
-// Whether the boxes keep apart along an axis of the first.
+// Returns whether an axis of the first box separates the two boxes.
 bool apart_along_axes(const PlannedPart& a, const PlannedPart& b) {
     const SineCosine turn = sine_cosine(a.rest_angle);
     const SineCosine other = sine_cosine(b.rest_angle);

@@ -4,8 +4,8 @@
 
 namespace cambrian {
 
-// Whether any two parts that no joint ties together overlap at rest (creature/README.md 4, option
-// strictOverlap). Touching is not overlapping.
+// Returns whether any two parts that are not connected by a joint overlap at rest
+// (creature/README.md 4, option strictOverlap). Touching parts do not overlap.
 bool overlaps_itself(const BodyPlan& plan);
 
 }  // namespace cambrian

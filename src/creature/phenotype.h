@@ -1,7 +1,7 @@
 #pragma once
 
-// What a genotype grows into: parts (with the gene each came from), a body plan for physics and a
-// compiled network. Immutable once expressed; shared by any number of trials.
+// The phenotype that a genotype grows into: parts with the gene of each, a body plan for physics
+// and a compiled network. It is immutable and can be shared by any number of trials.
 
 #include "brain/network.h"
 #include "creature/kinds.h"
@@ -17,56 +17,58 @@ namespace cambrian {
 
 struct ExpressionSettings {
     int max_parts = 16;  // 2 to 32
-    int max_depth = 10;  // joints from the root
+    int max_depth = 10;  // largest number of joints between a part and the root
     int max_neurons = 256;
-    bool strict_overlap = false;  // reject bodies whose parts overlap where no joint ties them
+    bool strict_overlap = false;  // reject bodies in which parts overlap that no joint connects
 
     friend bool operator==(const ExpressionSettings&, const ExpressionSettings&) = default;
 };
 
 struct BodyPart {
-    std::uint8_t node = 0;      // gene it was expressed from
-    std::uint8_t instance = 0;  // which copy of that node, in order of creation
+    std::uint8_t node = 0;      // index of the gene node it was expressed from
+    std::uint8_t instance = 0;  // number of this copy of the node, in order of creation
     int parent = -1;
     int depth = 0;
-    int handedness = 1;   // -1 on mirrored parts
+    int handedness = 1;   // -1 for mirrored parts
     double length = 0.0;  // m, after scaling
     double width = 0.0;
-    std::uint32_t first_neuron = 0;  // its neurons in the network
+    std::uint32_t first_neuron = 0;  // index of its first neuron in the network
     std::uint32_t neuron_count = 0;
 };
 
-// A sensor channel some live neuron or effector reads; entry i fills network sensor slot i with
-// scale times the reading.
+// A sensor channel that a connected neuron or an effector reads. Entry i sets the network's sensor
+// slot i to `scale` times the reading.
 struct WiredSensor {
     std::uint16_t part = 0;
-    std::uint8_t kind = 0;     // index in the sensor registry
-    std::uint8_t channel = 0;  // of that kind
-    int handedness = 1;        // the part's, or +1 for a sliding joint, which no mirror turns round
-    double scale = 1.0;        // 1 / length of the part for a sliding joint, else 1
+    std::uint8_t kind = 0;     // index into the sensor registry
+    std::uint8_t channel = 0;  // channel of that kind
+    // Handedness of the part; +1 for a sliding joint, whose sign mirroring does not change.
+    int handedness = 1;
+    double scale = 1.0;  // 1 / length of the part for a sliding joint, otherwise 1
 };
 
 struct Phenotype {
     std::vector<BodyPart> parts;
-    BodyPlan plan;  // plan.parts[i] is parts[i]'s body
+    BodyPlan plan;  // plan.parts[i] is the body of parts[i]
     std::vector<WiredSensor> sensors;
-    // Output j drives the joint of part effector_parts[j]; its weight is the effector gene's,
-    // turned round on mirrored parts and, for sliding joints, from lengths of the part into m.
+    // Output j drives the joint of part effector_parts[j]. Its weight is that of the effector gene,
+    // with the opposite sign for mirrored parts. For sliding joints it also converts from lengths
+    // of the part to m.
     Network network;
     std::vector<std::uint16_t> effector_parts;  // parts whose joint moves, in part order
-    std::vector<std::uint8_t> effector_kinds;   // index in the effector registry, one an effector
-    std::uint32_t first_brain_neuron = 0;       // central neurons follow the parts' ones
+    std::vector<std::uint8_t> effector_kinds;  // index into the effector registry, one per effector
+    std::uint32_t first_brain_neuron = 0;      // central neurons follow those of the parts
 
-    // Whether any joint can move, and whether any effector hears more than constants: without
-    // either a creature scores 0 by definition (simulator/README.md 1).
+    // Whether any joint can move, and whether any effector reads more than constants. Without
+    // either, the score is 0 by definition (simulator/README.md 1).
     bool can_move() const { return !effector_parts.empty(); }
     bool has_live_control = false;
 
     double mass(double density) const;  // kg
-    double rest_length() const;         // greatest corner-to-corner distance at rest, m
+    double rest_length() const;         // m, greatest distance between two corners at rest
 };
 
-// Grows a valid genome (creature/README.md 1). Never fails; limits cut the body off evenly.
+// Grows a valid genome (creature/README.md 1). Never fails; limits truncate the body evenly.
 Phenotype express(const Genome& genome, const Kinds& kinds, const ExpressionSettings& settings,
                   const SceneSettings& scene);
 

@@ -36,7 +36,7 @@ void add_sensor(Hash64& hash, const WiredSensor& sensor) {
     hash.add(sensor.scale);
 }
 
-// Adds live neurons under the number of their turn in the order of evaluation.
+// Adds connected neurons to the hash, numbered in the order of evaluation.
 class NetworkReader {
 public:
     NetworkReader(const Network& network, Hash64& hash)
@@ -84,7 +84,7 @@ std::uint64_t phenotype_hash(const Phenotype& phenotype) {
     NetworkReader(phenotype.network, hash).read();
     for (const std::uint16_t part : phenotype.effector_parts)
         add_integer(hash, part);
-    // The first kind adds nothing: hashes are older than effectors of several kinds.
+    // The first kind adds nothing, so that hashes of creatures with it stay as in earlier versions.
     for (std::size_t i = 0; i < phenotype.effector_kinds.size(); ++i) {
         if (phenotype.effector_kinds[i] == 0) continue;
         add_integer(hash, static_cast<std::int64_t>(i));

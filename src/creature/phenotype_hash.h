@@ -1,6 +1,6 @@
 #pragma once
 
-// Which creatures are the same although their genes differ.
+// A hash of the phenotype, which is the same for creatures that differ only in unused genes.
 
 #include "creature/phenotype.h"
 
@@ -8,10 +8,11 @@
 
 namespace cambrian {
 
-// Over all that a trial can depend on: the body, what it senses, and the neurons that any effector
-// hears, however they are numbered. Genotypes that differ only in genes that come to nothing (mute
-// neurons, say) have the same; different phenotypes have the same with probability 2^-64. Depends
-// on the settings the phenotype was expressed under where these show in it.
+// Hashes all that a trial can depend on: the body, the sensors, and the neurons that any effector
+// reads, independent of their numbering. Genotypes that differ only in genes without effect, such
+// as disconnected neurons, have the same hash. Different phenotypes have equal hashes with
+// probability 2^-64. The hash depends on the settings of expression as far as they change the
+// phenotype.
 std::uint64_t phenotype_hash(const Phenotype& phenotype);
 
 }  // namespace cambrian

@@ -9,7 +9,8 @@
 namespace cambrian {
 namespace {
 
-constexpr double kFaceShare = 0.9;  // of a face that carries children; corners stay free
+// Share of a face to which children can attach; corners stay free.
+constexpr double kFaceShare = 0.9;
 constexpr double kBurialShare = 0.7;
 constexpr double kBurialAngle = to_radians(17.0);
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// The planar geometry of growing one part from another (creature/README.md 2, 4): the only file of
-// morphogenesis that a body of three dimensions replaces.
+// The planar geometry of attaching a part to another (creature/README.md 2, 4). A version in three
+// dimensions would replace only this file of morphogenesis.
 
 #include "genome/gene.h"
 #include "math/types.h"
@@ -9,27 +9,29 @@
 
 namespace cambrian {
 
-// Where and in which direction a child leaves its parent, in the parent's frame before handedness.
+// The point and direction at which a child is attached, in the parent's frame before mirroring.
 struct Attachment {
     Vec2 point = Vec2::Zero();  // m
-    double angle = 0.0;         // rad, of the child's long axis
+    double angle = 0.0;         // rad, direction of the child's long axis
 };
 
-// On the outline of a parent of the given size (m).
+// Returns the attachment on the outline of a parent of the given size (m).
 Attachment attachment(const EdgeGene& edge, double parent_length, double parent_width);
 
-// Of the mirror partner.
+// Returns the attachment of the mirror partner.
 Attachment mirrored(const Attachment& original, MirrorAxis axis);
 
-// The root, of the given size (m), centred at the origin, its long axis at the angle (rad).
+// Returns the root of the given size (m), centred at the origin, with its long axis at the angle
+// (rad).
 PlannedPart place_root(double length, double width, double angle);
 
-// A child of the given size at rest; handedness is its parent's. Sets size, poses and anchors.
+// Returns a child of the given size at rest, with poses and anchors. The handedness is the
+// parent's.
 PlannedPart place_child(const PlannedPart& parent, int parent_handedness,
                         const Attachment& attachment, double length, double width);
 
-// Whether a part lies within another, almost parallel to it: its centre within the middle 70 % both
-// ways and the long axes within 17 degrees.
+// Returns whether a part lies inside another and almost parallel to it: its centre is within the
+// middle 70 % in both directions, and the long axes differ by less than 17 degrees.
 bool is_buried(const PlannedPart& part, const PlannedPart& other);
 
 }  // namespace cambrian

@@ -8,11 +8,11 @@
 namespace cambrian {
 namespace {
 
-constexpr std::size_t kBrain = static_cast<std::size_t>(-1);    // a reader that is no part
-constexpr std::size_t kNowhere = static_cast<std::size_t>(-2);  // a part that does not exist
+constexpr std::size_t kBrain = static_cast<std::size_t>(-1);    // the reader is the central brain
+constexpr std::size_t kNowhere = static_cast<std::size_t>(-2);  // the part does not exist
 
-// While references are resolved, every channel of every part has a sensor slot; the unheard ones
-// are taken out at the end.
+// While references are resolved, every channel of every part has a sensor slot. Slots that are not
+// read are removed at the end.
 class Wiring {
 public:
     Wiring(const Genome& genome, const Kinds& kinds, Phenotype& phenotype)
@@ -170,8 +170,8 @@ private:
         return sensor;
     }
 
-    // Renumbers the slots so that only sensors a live neuron or an effector hears have one; what
-    // silent neurons read of the others becomes 0.
+    // Renumbers the slots so that only sensors read by a connected neuron or an effector have one.
+    // References of disconnected neurons to other sensors become 0.
     void keep_heard_sensors() {
         const std::vector<bool> heard = heard_slots();
         const std::size_t old_count = network_.sensor_count;

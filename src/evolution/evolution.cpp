@@ -15,9 +15,9 @@ namespace cambrian {
 namespace {
 
 constexpr std::size_t kNoRequest = static_cast<std::size_t>(-1);
-constexpr std::uint64_t kAuditedOneIn = 10;  // of trials found hopeless
-constexpr std::size_t kChampions = 20;       // survivors of whom one may be called champion
-constexpr int kChampionWorlds = 10;          // in which these are tried again
+constexpr std::uint64_t kAuditedOneIn = 10;  // one terminated trial in so many is finished anyway
+constexpr std::size_t kChampions = 20;       // best survivors among whom the champion is chosen
+constexpr int kChampionWorlds = 10;          // number of worlds in which these are evaluated again
 
 }  // namespace
 
@@ -91,7 +91,7 @@ bool Evolution::evaluate(EvaluationBackend& backend, EvaluationProgress& progres
     return true;
 }
 
-// The survivors if the generation were bred now.
+// Returns the survivors if the generation were bred now.
 std::vector<std::size_t> Evolution::survivors_of(std::span<const IndividualPtr> ranked) const {
     return cambrian::survivors_of(ranked, *settings_, *kinds_, generation_ + 1, memory_);
 }
@@ -114,7 +114,7 @@ IndividualPtr Evolution::confirmed_champion(EvaluationBackend& backend,
         std::iota(places.begin(), places.end(), std::size_t{0});
         return places;
     };
-    // The first worlds of a generation chose the survivors; these are others.
+    // The first worlds of a generation were used to choose survivors; these are different ones.
     const std::vector<Probe> probes =
         probes_of(*settings_, generation_, settings_->selection.confirmations + kChampionWorlds);
     const auto others = std::span(probes).last(kChampionWorlds);
@@ -150,7 +150,7 @@ void Evolution::record_generation() {
 // Makes one request for each new phenotype; creatures with the same phenotype share its score.
 void Evolution::plan_evaluations() {
     if (!request_of_slot_.empty()) return;
-    std::map<std::uint64_t, std::size_t> requested;  // phenotype to request
+    std::map<std::uint64_t, std::size_t> requested;  // request of each phenotype
     request_of_slot_.assign(population_.size(), kNoRequest);
     for (std::size_t slot = 0; slot < population_.size(); ++slot) {
         const Individual& individual = *population_[slot];
@@ -173,7 +173,7 @@ bool Evolution::score_as_known(std::size_t slot, std::uint64_t phenotype) {
     if (known == known_results_.end()) return false;
     Individual scored = *population_[slot];
     scored.result = known->second;
-    scored.result.hopeless = false;  // audited once
+    scored.result.hopeless = false;  // it was audited when it was first evaluated
     scored.evaluated = true;
     population_[slot] = std::make_shared<const Individual>(std::move(scored));
     ++known_scores_;
@@ -255,7 +255,7 @@ void Evolution::replace_settings(SettingsPtr settings) {
     const bool keeps_scores = same_judgement(*settings_, *settings);
     const bool keeps_bars = settings_->stop_hopeless == settings->stop_hopeless;
     settings_ = std::move(settings);
-    // A plan is one of the settings in the end, whenever they came.
+    // The plan must depend only on the present settings, not on when they were set.
     if (!keeps_bars) forget_plan();
     if (!keeps_scores) rescore();
 }
@@ -268,7 +268,7 @@ void Evolution::rescore() {
     known_scores_ = 0;
     known_results_.clear();
     if (evaluated_) {
-        scores_outdated_ = true;  // they still decide who breeds
+        scores_outdated_ = true;  // the old scores still decide which creatures breed
     } else {
         forget_scores(population_);
     }

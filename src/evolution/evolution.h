@@ -1,7 +1,7 @@
 #pragma once
 
-// The evolutionary loop without threads: a population that is evaluated and bred generation by
-// generation. The command line runs one directly, the studio in the engine's thread.
+// Evolution without threads: a population that is evaluated and bred, generation by generation. The
+// command line uses it directly, the studio through the engine's thread.
 
 #include "evolution/evaluation/confirmation.h"
 #include "evolution/evaluation/evaluation_backend.h"
@@ -17,9 +17,9 @@
 
 namespace cambrian {
 
-// The state of a run after a generation was evaluated and before it is bred from.
+// The state of a run after a generation was evaluated and before the next is bred.
 struct EvolutionState {
-    SettingsPtr settings;  // that judged it
+    SettingsPtr settings;  // settings that evaluated the generation
     std::uint32_t generation = 0;
     std::vector<IndividualPtr> population;  // all evaluated, best first; not empty
     std::vector<GenerationStatistics> history;
@@ -29,8 +29,9 @@ struct EvolutionState {
 
 class Evolution {
 public:
-    // Settings must pass check_settings. founders: genomes of generation 0. The settings say
-    // whether their mutants or random creatures take the remaining places. Empty: all random.
+    // The settings must pass check_settings(). `founders` are genomes of generation 0. The settings
+    // say whether their mutants or random creatures take the remaining places. Without founders,
+    // all are random.
     Evolution(SettingsPtr settings, const EvolutionKinds& kinds,
               const std::vector<GenomePtr>& founders = {});
     // Continues from a state.
@@ -40,29 +41,31 @@ public:
     // call may be repeated.
     bool evaluate(EvaluationBackend& backend, EvaluationProgress& progress, std::stop_token stop);
 
-    // After evaluate(): the best of the survivors after confirmation in ten more slightly changed
-    // worlds. Without confirmation in the settings, or if stopped, the best by its score.
+    // Returns the best of the survivors, confirmed in ten more slightly changed worlds. Without
+    // confirmation in the settings, or if stopped, it is the best by score. Must be called after
+    // evaluate().
     IndividualPtr confirmed_champion(EvaluationBackend& backend, EvaluationProgress& progress,
                                      std::stop_token stop) const;
 
-    // After evaluate(): survivors and offspring become the next generation.
+    // Replaces the generation by survivors and offspring. Must be called after evaluate().
     void breed();
 
-    // From the next breed() or evaluate() on. A change of world or goal forgets all scores.
+    // Changes the settings from the next breed() or evaluate() on. A change of world or goal
+    // discards all scores.
     void replace_settings(SettingsPtr settings);
     // Discards all scores: the next evaluate() evaluates all creatures again. Scores of a
     // generation that is already evaluated still decide who breeds.
     void rescore();
-    // Puts a creature in the place of the worst in the next generation.
+    // Replaces the worst creature of the next generation by this one.
     void inject(GenomePtr genome);
-    // Gives a share (0 to 1) of the next offspring places, once, to new random creatures.
+    // Gives a share (0 to 1) of the next offspring places, once, to random immigrants.
     void add_newcomers(double share);
 
     const ExperimentSettings& settings() const { return *settings_; }
     SettingsPtr shared_settings() const { return settings_; }
     std::uint32_t generation() const { return generation_; }
     bool evaluated() const { return evaluated_; }
-    // Best first once evaluated; in slot order before.
+    // Sorted best first after evaluate(); in the order of slots before.
     const std::vector<IndividualPtr>& population() const { return population_; }
     const std::vector<GenerationStatistics>& history() const { return history_; }
     const SelectionMemory& selection_memory() const { return memory_; }
@@ -86,22 +89,25 @@ private:
     const EvolutionKinds* kinds_;
     std::uint32_t generation_ = 0;
     bool evaluated_ = false;
-    bool scores_outdated_ = false;  // the settings that judged the population were replaced
-    bool judged_anew_ = false;      // this generation's scores cannot be compared with the last's
+    bool scores_outdated_ = false;  // the settings that evaluated the population were replaced
+    // This generation's scores cannot be compared with those of the last.
+    bool judged_anew_ = false;
     SelectionMemory memory_;
     std::vector<IndividualPtr> population_;
     std::vector<GenomePtr> injected_;
-    double newcomer_share_ = 0.0;  // of the next generation bred, besides the settings' immigrants
+    // Share of the next offspring, besides the immigrants of the settings.
+    double newcomer_share_ = 0.0;
     std::vector<GenerationStatistics> history_;
 
-    std::optional<double> least_survivor_;  // fitness that may be enough to survive, if it is known
+    std::optional<double> least_survivor_;  // fitness that may suffice to survive, if known
     BarAudit bar_audit_;
-    std::map<std::uint64_t, EvaluationResult> known_results_;  // of the last one, by phenotype
-    int known_scores_ = 0;  // of this generation, that creatures of the last one had already
+    // Results of the last generation, by phenotype.
+    std::map<std::uint64_t, EvaluationResult> known_results_;
+    int known_scores_ = 0;  // number of creatures of this generation with such a result
 
-    // The present generation's plan of evaluation; empty outside of it.
+    // The present generation's evaluations; empty when there are none to do.
     std::vector<EvaluationRequest> requests_;
-    std::vector<std::optional<EvaluationResult>> results_;  // one a request
+    std::vector<std::optional<EvaluationResult>> results_;  // one per request
     std::vector<std::size_t> request_of_slot_;
     Confirmation confirmation_;
 };

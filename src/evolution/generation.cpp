@@ -42,7 +42,8 @@ std::vector<const BreedingKind*> assign_methods(const Nursery& nursery, std::siz
     return methods;
 }
 
-// Another individual than the first parent, or the first parent itself if five draws find none.
+// Draws another individual than the first parent; after five failed draws, returns the first
+// parent.
 std::size_t draw_partner(const Nursery& nursery, std::size_t first, RandomStream& stream) {
     std::size_t partner = first;
     for (int draw = 0; draw <= kPartnerDraws && partner == first; ++draw) {
@@ -51,8 +52,8 @@ std::size_t draw_partner(const Nursery& nursery, std::size_t first, RandomStream
     return partner;
 }
 
-// The breeding method: that of the first parent's attribute if attributes decide, otherwise by
-// shares.
+// Returns the breeding method: the first parent's gene if the settings say so, otherwise
+// `by_share`.
 const BreedingKind* method_of(const Nursery& nursery, std::size_t first,
                               const BreedingKind* by_share) {
     if (nursery.settings.breeding.choice != "attribute") return by_share;

@@ -9,39 +9,40 @@
 
 namespace cambrian {
 
-// Makes the next generation of a ranked one: unchanged survivors, then offspring, then random
-// immigrants. It is a pure function of its arguments except for the selection's memory, which it
+// Makes the next generation from a ranked one: unchanged survivors, then offspring, then random
+// immigrants. `generation` is the number of the new one. It is a pure function except for the
+// selection's memory, which it updates.
 // updates. generation: number of the new one.
 std::vector<IndividualPtr> next_generation(std::span<const IndividualPtr> ranked,
                                            const ExperimentSettings& settings,
                                            const EvolutionKinds& kinds, std::uint32_t generation,
                                            SelectionMemory& memory);
 
-// The creatures of the ranking that survive in that generation, as ascending indices.
+// Returns the creatures of the ranking that survive in that generation, as ascending indices.
 std::vector<std::size_t> survivors_of(std::span<const IndividualPtr> ranked,
                                       const ExperimentSettings& settings,
                                       const EvolutionKinds& kinds, std::uint32_t generation,
                                       SelectionMemory memory);
 
-// Parents of a child and the method of breeding.
+// The parents of a child and its breeding method.
 struct Mating {
     const IndividualPtr& first;
-    const IndividualPtr& second;  // not looked at by methods of one parent
+    const IndividualPtr& second;  // ignored by methods of one parent
     const BreedingKind& method;
-    int extra_mutations = 0;  // besides those the settings draw
+    int extra_mutations = 0;  // besides those that the settings draw
 };
 
-// The child for a place in a generation: bred and mutated, not yet evaluated. Random numbers come
-// from `breeding`.
+// Returns the child for a place in a generation, bred and mutated but not evaluated. Random numbers
+// come from `breeding`.
 IndividualPtr make_child(const Mating& mating, const ExperimentSettings& settings,
                          const EvolutionKinds& kinds, std::uint32_t generation, std::uint64_t child,
                          RandomStream& breeding);
 
-// A random creature for a place in a generation.
+// Returns a random creature for a place in a generation.
 IndividualPtr make_newcomer(const ExperimentSettings& settings, const EvolutionKinds& kinds,
                             std::uint32_t generation, std::uint64_t child);
 
-// A creature of a given genome for a place in a generation.
+// Returns a creature with a given genome for a place in a generation.
 Individual make_individual(GenomePtr genome, const ExperimentSettings& settings,
                            std::uint32_t generation, std::uint64_t child, std::string method);
 

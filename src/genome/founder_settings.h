@@ -5,7 +5,7 @@
 
 namespace cambrian {
 
-// What the user allows in random genomes (genome/README.md 4) and, as far as enabled, in mutation.
+// Limits of random genomes (genome/README.md 4). Mutation uses them to see which kinds are enabled.
 struct FounderSettings {
     int min_nodes = 2;
     int max_nodes = 5;
@@ -13,13 +13,14 @@ struct FounderSettings {
     double max_length = 1.2;
     double min_width = 0.1;  // m
     double max_width = 0.5;
-    double rotary_share = 0.8;  // of joints that move, against rigid ones
+    double rotary_share = 0.8;  // share of rotary joints among those that move
     double symmetric_share = 0.5;
     int max_node_neurons = 3;
     int max_brain_neurons = 2;
     int max_recursion = 4;
-    // Whether a kind may be used, by id. Of kinds not named all functions and kinds of references
-    // may, and the usual joints and sensor channels (genome/kind_catalog.h).
+    // Whether a kind may be used, by id. Functions and kinds of references that are not listed may
+    // be used. Of joints and sensor channels that are not listed, the usual ones may
+    // (genome/kind_catalog.h).
     std::map<std::string, bool> functions = {};
     std::map<std::string, bool> joints = {};
     std::map<std::string, bool> channels = {};

@@ -42,9 +42,9 @@ enum class SourceKind : std::uint8_t {
     kPartSensor,
 };
 
-// Where a value comes from (genome/README.md 2). Which fields count depends on the kind: neuron k
-// or channel `index`; `child` for the e-th expressed child; `node` and `instance` for part sources.
-// Numbers are resolved modulo what is available, so a reference can be useless but never invalid.
+// The source of a value (genome/README.md 2). The kind determines which fields are used: `index` is
+// a neuron k or a channel, `child` the e-th expressed child, `node` and `instance` name a part.
+// Numbers are reduced modulo what is available, so a reference can be useless but never invalid.
 struct SourceRef {
     SourceKind kind = SourceKind::kConstant;
     std::uint8_t index = 0;     // k or channel
@@ -57,7 +57,7 @@ struct SourceRef {
 
 struct InputGene {
     SourceRef source;
-    double weight = 1.0;  // [-4, 4]; of a constant, the value itself
+    double weight = 1.0;  // [-4, 4]; for a constant, its value
 
     friend bool operator==(const InputGene&, const InputGene&) = default;
 };
@@ -75,7 +75,7 @@ struct EdgeGene {
     double angle = 0.0;          // [-1.4, 1.4] from the outward normal
     double scale = 1.0;          // [0.4, 1.5]; multiplies the child's subtree
     bool reflect = false;        // flips handedness of the child's subtree
-    bool terminal_only = false;  // follow only where recursion has ended
+    bool terminal_only = false;  // edge is followed only where recursion has ended
 
     friend bool operator==(const EdgeGene&, const EdgeGene&) = default;
 };
@@ -92,10 +92,10 @@ struct NodeGene {
     bool symmetric = false;   // several edges from one parent become mirror pairs
     MirrorAxis mirror_axis = MirrorAxis::kAlong;
     std::uint8_t effector_kind = 0;  // index into KindCatalog::effectors
-    InputGene effector;              // what it hears; it drives this part's joint
+    InputGene effector;              // its source drives this part's joint
     std::vector<NeuronGene> neurons;
     std::vector<EdgeGene> edges;
-    std::uint32_t uid = 0;  // stable through copying; display and alignment only
+    std::uint32_t uid = 0;  // kept in copies; used only for display and alignment
 
     // uid is not compared: it has no effect on the phenotype.
     friend bool operator==(const NodeGene& a, const NodeGene& b);

@@ -15,7 +15,7 @@ double log_uniform(double low, double high, RandomStream& stream) {
     return low * power(high / low, stream.uniform());
 }
 
-// The distributions of genome/README.md 4.
+// Founders' distributions are those of genome/README.md 4.
 double draw_length(const FounderSettings& settings, RandomStream& stream) {
     return log_uniform(settings.min_length, settings.max_length, stream);
 }
@@ -71,7 +71,7 @@ constexpr std::array<GeneField<NodeGene>, 4> kNodeFields = {{
      &NodeGene::limit_high},
 }};
 
-// A position's step is absolute: 0.06 of the outline, in one case of five 0.25.
+// Steps of a position are absolute: 0.06 of the outline or, in one case of five, 0.25.
 constexpr GeneStep kPositionStep = {0.06, 1.0, 0.25 / 0.06, 0.2};
 
 constexpr std::array<GeneField<EdgeGene>, 3> kEdgeFields = {{

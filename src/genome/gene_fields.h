@@ -1,8 +1,8 @@
 #pragma once
 
 // The only table of the genes' scalar fields, with range, mutation step and distribution in
-// founders. Validation, repair, random genomes and mutation use it and name no field, so three
-// dimensions need only a few more rows.
+// founders. Validation, repair, random genomes and mutation use it and name no field. Three
+// dimensions would need only a few more rows.
 
 #include "core/random.h"
 #include "genome/founder_settings.h"
@@ -22,12 +22,12 @@ struct GeneStep {
 };
 
 struct FieldRule {
-    const char* name;    // in words: "low limit"
+    const char* name;    // in messages: "low limit"
     const char* key;     // in files, below its gene: "limits/0"
     double low;          // range, both ends included
     double high;         // excluded if the field wraps
-    double fallback;     // replaces what is not a number
-    bool wraps = false;  // the range is a circle: reduce modulo its width instead of reflecting
+    double fallback;     // value that replaces a number that is not finite
+    bool wraps = false;  // reduced modulo the width of the range instead of reflected
     GeneStep step = {};
     double (*draw)(const FounderSettings& settings, RandomStream& stream) = nullptr;
     const char* unit = "";  // "m", "rad" or a plain number
@@ -46,10 +46,11 @@ std::span<const GeneField<Genome>> genome_fields();    // the root's angle
 
 bool in_range(double x, const FieldRule& rule);
 
-// x itself if in range; otherwise reflected or wrapped into it; the fallback if not finite.
+// Returns x if it is in range; otherwise x reflected or wrapped into it, or the fallback if not
+// finite.
 double fit(double x, const FieldRule& rule);
 
-// One mutation step from x, inside the range.
+// Returns x after one mutation step, inside the range.
 double perturb(double x, const FieldRule& rule, const GeneStep& step, RandomStream& stream);
 
 }  // namespace cambrian

@@ -5,7 +5,7 @@
 namespace cambrian {
 namespace {
 
-// Adding 0 makes -0 and 0, which are equal genes, one.
+// Adding 0 maps -0 to 0, since these are equal genes.
 void add_real(Hash64& hash, double number) {
     hash.add(number + 0.0);
 }

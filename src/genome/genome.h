@@ -1,7 +1,8 @@
 #pragma once
 
-// The genotype: a directed graph of part nodes, each holding a graph of neurons, and a central
-// brain (genome/README.md 1). A value; immutable once it is an individual's (GenomePtr).
+// The genotype: a directed graph of part nodes, each with its own neurons, and a central brain
+// (genome/README.md 1). It has value semantics; it is immutable once an individual has it
+// (GenomePtr).
 
 #include "genome/gene.h"
 #include "genome/kind_catalog.h"
@@ -18,23 +19,26 @@ struct Genome {
     std::vector<NeuronGene> brain;             // central neurons, 0 to 16
     double root_angle = 0.0;                   // rad, [-pi, pi)
     std::uint8_t reproduction = kNoOwnMethod;  // index into KindCatalog::reproductions
-    // Not expressed:
+    // The following fields are not expressed.
     double hue = 0.0;  // [0, 1), display colour
     std::string name;  // at most 64 bytes
 
-    // Same phenotype: everything but hue, name and node uids.
+    // Compares all that is expressed: everything but hue, name and the nodes' uids.
     friend bool operator==(const Genome& a, const Genome& b);
 };
 
 using GenomePtr = std::shared_ptr<const Genome>;
 
-// FNV-1a over the canonical binary form of all fields that affect the phenotype (and breeding).
+// Returns the FNV-1a hash of the canonical binary form of all fields that affect phenotype or
+// breeding.
 std::uint64_t genome_hash(const Genome& genome);
 
-// What is wrong, one sentence each, with JSON-pointer-like places; empty if valid (V1 to V11).
+// Returns all faults, one sentence each, with places like JSON pointers; empty if valid (V1 to
+// V11).
 std::vector<std::string> validate(const Genome& genome, const KindCatalog& catalog);
 
-// Makes any genome valid by the steps of genome/README.md 3; idempotent. All operators end with it.
+// Makes any genome valid by the steps of genome/README.md 3. It is idempotent; every operator ends
+// with it.
 void repair(Genome& genome, const KindCatalog& catalog);
 
 }  // namespace cambrian

@@ -1,8 +1,8 @@
 #pragma once
 
-// A plain table of the kinds genes may use, filled from the registries of the layers that own them,
-// in registration order. Genes store indices into it, and digests of genes count them; files store
-// the ids.
+// A table of the kinds that genes may use, filled from the registries of the layers that own them,
+// in the order of registration. Genes store indices into it, which digests of genes include; files
+// store the ids.
 
 #include <cstdint>
 #include <string>
@@ -10,8 +10,9 @@
 
 namespace cambrian {
 
-// What a founder's constant input is drawn from, for inputs that only make sense in a range (an
-// oscillator's frequency, say): with the probability, a constant uniform in [low, high].
+// The distribution of a founder's constant input, for inputs that are useful only in a range, such
+// as an oscillator's frequency. With the probability, the input is a constant, uniform in [low,
+// high].
 struct FounderConstant {
     double probability = 0.0;
     double low = 0.0;
@@ -22,20 +23,20 @@ struct FunctionEntry {
     std::string id;
     std::string label;
     int arity = 1;                                // 1 to 3
-    std::vector<FounderConstant> founder_inputs;  // one an input, or empty
+    std::vector<FounderConstant> founder_inputs;  // one per input, or empty
 };
 
 struct JointChoice {
     std::string id;
     std::string label;
     int degrees_of_freedom = 0;
-    bool usual = true;  // whether it is used unless settings say otherwise
+    bool usual = true;  // enabled by default
 };
 
 struct ChannelEntry {
     std::string id;  // "joint", "contact-distal", ...
     std::string label;
-    bool usual = true;  // whether it is used unless settings say otherwise
+    bool usual = true;  // enabled by default
 };
 
 struct EffectorEntry {
@@ -50,7 +51,7 @@ struct KindCatalog {
     std::vector<FunctionEntry> functions;
     std::vector<JointChoice> joints;
     std::vector<EffectorEntry> effectors;
-    std::vector<ChannelEntry> channels;  // absolute channel numbers
+    std::vector<ChannelEntry> channels;  // indexed by channel number
     // "inherit", then the ids of the breeding methods that genes may name.
     std::vector<std::string> reproductions = {"inherit"};
 };

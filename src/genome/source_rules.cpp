@@ -10,7 +10,8 @@ namespace {
 constexpr SourceReads kNeuron = SourceReads::kNeuron;
 constexpr SourceReads kSensor = SourceReads::kSensor;
 
-// In the order of SourceKind: id, label, reads, in parts, in brain, child, instance.
+// In the order of SourceKind. The columns are id, label, reads, in parts, in brain, child,
+// instance.
 constexpr std::array<SourceRule, kSourceKindCount> kRules = {{
     {"const", "Constant", SourceReads::kConstant, true, true, false, false},
     {"localNeuron", "Neuron of the same part", kNeuron, true, false, false, false},

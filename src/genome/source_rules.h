@@ -1,6 +1,6 @@
 #pragma once
 
-// What each kind of SourceRef reads, which of its fields count and where it is allowed
+// For each kind of SourceRef: what it reads, which of its fields are used and where it is allowed
 // (genome/README.md 2).
 
 #include "genome/gene.h"
@@ -11,7 +11,7 @@
 
 namespace cambrian {
 
-// The reader of a reference: a part's neurons and effector, or neurons of the central brain.
+// The reader of a reference: neurons and effector of a part, or neurons of the central brain.
 enum class SourceScope : std::uint8_t { kPart, kBrain };
 
 enum class SourceReads : std::uint8_t { kConstant, kNeuron, kSensor };
@@ -23,7 +23,7 @@ struct SourceRule {
     bool in_parts = true;
     bool in_brain = true;
     bool uses_child = false;
-    bool uses_instance = false;  // node and instance
+    bool uses_instance = false;  // uses the fields node and instance
 };
 
 inline constexpr int kSourceKindCount = 10;
@@ -35,16 +35,16 @@ inline bool is_known(SourceKind kind) {
 // In the order of SourceKind.
 std::span<const SourceRule, kSourceKindCount> source_rules();
 
-// The rule of a known kind.
+// Returns the rule of a known kind.
 SourceRule source_rule(SourceKind kind);
 
 bool is_allowed(SourceKind kind, SourceScope scope);
 
-// Returns the reference in canonical form: unused fields are 0, the others from 0 to 15 (channels
+// Returns the reference in canonical form. Unused fields are 0, the others from 0 to 15 (channels
 // keep their number). Kinds that are unknown or not allowed in the scope become constants.
 SourceRef canonical(const SourceRef& source, SourceScope scope);
 
-// The reference, from within a list of neurons, to the neuron of that same list.
+// Returns the reference to a neuron from within its own list.
 SourceRef own_neuron(SourceScope scope, std::size_t neuron);
 inline SourceKind own_neuron_kind(SourceScope scope) {
     return scope == SourceScope::kPart ? SourceKind::kLocalNeuron : SourceKind::kBrainNeuron;

@@ -1,6 +1,6 @@
 #pragma once
 
-// Genes and numbers in short words, for messages and mutation records.
+// Genes and numbers as short text, for messages and mutation records.
 
 #include "genome/gene.h"
 #include "genome/kind_catalog.h"
@@ -9,10 +9,12 @@
 
 namespace cambrian {
 
-// At most four significant digits, the same on every machine: "0.62", "-1.571", "1e-05".
+// Formats with at most four significant digits, identical on every machine: "0.62", "-1.571",
+// "1e-05".
 std::string in_words(double number);
 
-// "constant", "local neuron 3", "parent sensor contact-left", "part 2 instance 0 neuron 1".
+// Examples: "constant", "local neuron 3", "parent sensor contact-left", "part 2 instance 0 neuron
+// 1".
 std::string in_words(const SourceRef& source, const KindCatalog& catalog);
 
 }  // namespace cambrian

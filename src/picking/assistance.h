@@ -1,7 +1,8 @@
 #pragma once
 
-// "Run 10 generations from these picks": automatic evolution of a small population of the picks and
-// their mutants under the current goal, to choose the next grid from (picking/README.md 1).
+// Carries out "Run 10 generations from these picks": evolves a small population of the picks and
+// their mutants under the present goal. The next grid is chosen from its best (picking/README.md
+// 1).
 
 #include "evolution/evolution.h"
 
@@ -17,21 +18,22 @@ inline constexpr int kMostAssistedGenerations = 1000;
 
 class Assistance {
 public:
-    // At least one pick; generations from 1 to kMostAssistedGenerations; settings must pass
-    // check_settings. node: number of the grid it is for.
+    // Needs at least one pick, generations from 1 to kMostAssistedGenerations, and settings that
+    // pass check_settings(). `node` is the number of the grid to be made.
     Assistance(std::span<const IndividualPtr> picks, int generations, std::uint32_t node,
                const ExperimentSettings& settings, const EvolutionKinds& kinds);
 
-    // Evaluates a generation: at first that of the founders, then one bred from the last. False if
-    // stopped; the call may be repeated to go on.
+    // Evaluates one generation: the founders at first, then offspring of the last generation.
+    // Returns false if it was stopped; it may then be called again to continue.
     bool step(EvaluationBackend& backend, EvaluationProgress& progress,
               const std::stop_token& stop);
-    int generations() const { return generations_; }  // asked for
-    int generations_done() const { return done_; }    // bred and evaluated
+    int generations() const { return generations_; }  // number requested
+    int generations_done() const { return done_; }    // number bred and evaluated
     bool done() const { return evolution_.evaluated() && done_ == generations_; }
 
-    // The better half of the last generation, best first; once done. Without their scores where
-    // these depend on the seed, which was another than the experiment's.
+    // Returns the better half of the last generation, best first; may be called when done.
+    // Creatures whose score depends on the seed have no score, since the experiment has another
+    // seed.
     std::vector<IndividualPtr> elites() const;
 
 private:

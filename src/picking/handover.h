@@ -1,6 +1,6 @@
 #pragma once
 
-// From selection by hand back to automatic evolution.
+// The way from selection by hand back to automatic evolution.
 
 #include "evolution/engine/command.h"
 #include "evolution/individual/individual.h"
@@ -12,8 +12,8 @@ namespace cambrian {
 
 std::vector<GenomePtr> genomes_of(std::span<const IndividualPtr> creatures);
 
-// Commands that put the picks into the next generation of a running experiment, in place of its
-// worst.
+// Returns commands that put the picks into the next generation of a running experiment, in place of
+// its worst creatures.
 std::vector<EngineCommand> injection_of(std::span<const IndividualPtr> picks);
 
 }  // namespace cambrian

@@ -1,7 +1,7 @@
 #pragma once
 
-// What a person may ask for while picking. Plain values. One that makes no sense is refused: it
-// changes nothing but the snapshot's message.
+// The commands of selection by hand, as plain values. A command that cannot be carried out is
+// refused: it changes only the snapshot's message.
 
 #include "evolution/individual/individual.h"
 #include "evolution/settings/experiment_settings.h"
@@ -15,54 +15,56 @@
 
 namespace cambrian {
 
-// A grid of creatures of an automatic population, from then on under its settings; evaluated ones
-// are shown at once.
+// Shows a grid chosen from an automatic population, whose settings apply from then on. Creatures
+// that are already evaluated are shown at once.
 struct ShowPopulation {
     SettingsPtr settings;  // must pass check_settings
     std::vector<IndividualPtr> population;
 };
-// A grid of given creatures' children, the first in cell 1; of random ones if none is given.
+// Shows a grid with given creatures, the first in cell 1, and their children. Without given
+// creatures it shows random ones.
 struct StartFromCreatures {
     std::vector<GenomePtr> genomes;  // at most kMostPicks
 };
-// The grids of another time, and where the person was among them.
+// Restores the grids of a saved experiment and the user's place among them.
 struct RestoreGrids {
-    PickingTree tree;                // empty: new tree
-    std::vector<std::size_t> picks;  // cells of the grid shown
+    PickingTree tree;                // empty for a new tree
+    std::vector<std::size_t> picks;  // cells of the displayed grid
     std::vector<JudgedIndividual> shelf;
 };
-// Grids bred from now on are judged by other settings, which must pass check_settings.
+// Evaluates future grids with other settings, which must pass check_settings().
 struct UseSettings {
     SettingsPtr settings;
 };
 struct ChangeGrid {
-    GridSettings grid;  // for the next one
+    GridSettings grid;  // options for the next grid
 };
 
-// node: the grid that the person saw; a click on one no longer shown must not pick in another.
+// `node` is the grid that the user saw, so that a late click does not pick a creature of another
+// grid.
 struct TogglePick {
     std::uint32_t node = 0;
     std::size_t cell = 0;
 };
 struct ClearPicks {};
 
-// Decisions. The next grid is shown when it is ready; meanwhile the present one stays.
+// The decisions. The next grid is shown when it is ready; until then the present one stays.
 struct BreedPicks {};
-struct ReplaceUnpicked {};  // by newcomers
+struct ReplaceUnpicked {};  // replaces creatures that are not picked by random ones
 struct AskEvolution {
     int generations = 10;  // 1 to kMostAssistedGenerations
 };
-struct CancelDecision {};  // while its grid is not ready
+struct CancelDecision {};  // cancels a decision whose grid is not ready
 
-// Through the tree; what was picked there is picked again. While a decision is not ready, GoBack
-// takes it back and stays; the others drop it.
+// Moves through the tree; the picks of the grid shown become the picks again. While a decision is
+// not ready, GoBack only cancels it; the others cancel it and move.
 struct GoBack {};
 struct GoForward {};
 struct VisitGrid {
     std::uint32_t node = 0;
 };
 
-// The shelf: creatures kept aside, to be put into any grid.
+// The shelf holds creatures that the user kept; they can be put into any grid.
 struct PinCreature {
     std::uint32_t node = 0;
     std::size_t cell = 0;
@@ -70,7 +72,7 @@ struct PinCreature {
 struct UnpinCreature {
     std::size_t place = 0;
 };
-struct PlacePinned {  // a new grid: this one with a pinned creature in the cell
+struct PlacePinned {  // makes a new grid: the displayed one with a pinned creature in the cell
     std::size_t place = 0;
     std::uint32_t node = 0;
     std::size_t cell = 0;

@@ -20,8 +20,8 @@ PickingDesk::~PickingDesk() {
 
 void PickingDesk::run(const std::stop_token& stop) {
     while (!stop.stop_requested()) {
-        const bool commanded = inbox_.drain(
-            [this](PickingCommand command) { session_.apply(std::move(command)); });
+        const bool commanded =
+            inbox_.drain([this](PickingCommand command) { session_.apply(std::move(command)); });
         if (commanded) publish();
         if (session_.has_work()) {
             inbox_.work_until_command(

@@ -1,7 +1,7 @@
 #pragma once
 
-// The thread that breeds while a person looks. Commands in, snapshots out; shares nothing mutable
-// with its user but the progress counters. send() and latest() belong to one thread, the user's.
+// The thread that breeds grids while the user looks at one. It receives commands and publishes
+// snapshots; only progress counters are shared. send() and latest() must be called by one thread.
 
 #include "core/threads/snapshot_channel.h"
 #include "core/threads/worker_inbox.h"
@@ -16,10 +16,10 @@ namespace cambrian {
 
 class PickingDesk {
 public:
-    // Settings must pass check_settings; kinds must outlive it.
+    // The settings must pass check_settings(); `kinds` must outlive the object.
     PickingDesk(SettingsPtr settings, const EvolutionKinds& kinds,
                 std::unique_ptr<EvaluationBackend> backend);
-    ~PickingDesk();  // stops within one trial
+    ~PickingDesk();  // stops the thread within the duration of one trial
     PickingDesk(const PickingDesk&) = delete;
     PickingDesk& operator=(const PickingDesk&) = delete;
 
@@ -38,8 +38,8 @@ private:
     WorkerInbox<PickingCommand, 256> inbox_;
     SnapshotChannel<PickingSnapshot> snapshots_;
     EvaluationProgress progress_;
-    PickingSession session_;  // the desk's thread only
-    std::jthread thread_;     // last: started after, joined before everything else
+    PickingSession session_;  // used by the thread only
+    std::jthread thread_;     // last member, so that it is joined before the others are destroyed
 };
 
 }  // namespace cambrian

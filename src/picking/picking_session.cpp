@@ -9,7 +9,8 @@
 namespace cambrian {
 namespace {
 
-// Picks keep their cells; those beyond a grid that became smaller take the first free ones.
+// Returns the picks by cell. Picks keep their cells; those beyond the end of a smaller grid take
+// the first free cells.
 std::map<std::size_t, IndividualPtr> kept_in_place(const std::vector<std::size_t>& picks,
                                                    const std::vector<IndividualPtr>& creatures,
                                                    std::size_t cells) {
@@ -26,7 +27,8 @@ std::map<std::size_t, IndividualPtr> kept_in_place(const std::vector<std::size_t
     return kept;
 }
 
-// A creature that was judged by some settings, without its score if others would not give it.
+// Returns a creature that was evaluated with `settings`; it loses its score if `judged_by` would
+// score it differently.
 IndividualPtr scored_by(const ExperimentSettings& settings, const IndividualPtr& creature,
                         const ExperimentSettings& judged_by) {
     return same_judgement(settings, judged_by) ? creature : without_score(*creature);
@@ -55,7 +57,7 @@ void PickingSession::apply(PickingCommand command) {
     shown_.message = done ? std::string() : done.error().message;
 }
 
-// --- where grids start
+// --- first grids
 
 Status PickingSession::carry_out(ShowPopulation& command) {
     if (!command.settings) return Error{"a population comes with its settings"};
@@ -92,7 +94,7 @@ Status PickingSession::carry_out(RestoreGrids& command) {
     return {};
 }
 
-// --- what the next grid depends on
+// --- settings of the next grid
 
 Status PickingSession::carry_out(UseSettings& command) {
     if (!command.settings) return Error{"there are no settings to use"};
@@ -136,7 +138,7 @@ Status PickingSession::carry_out(const ClearPicks& /*command*/) {
 Status PickingSession::carry_out(const BreedPicks& /*command*/) {
     if (Status open = check_open(); !open) return open;
     if (shown_.picks.empty()) return Error{"pick at least one creature to breed"};
-    if (!work_) breed_ahead();  // it had failed
+    if (!work_) breed_ahead();  // work is missing if breeding ahead failed
     decide();
     return {};
 }
@@ -178,7 +180,7 @@ Status PickingSession::carry_out(const CancelDecision& /*command*/) {
     return {};
 }
 
-// --- through the tree
+// --- navigation in the tree
 
 Status PickingSession::carry_out(const GoBack& /*command*/) {
     const bool takes_back = deciding();
@@ -281,7 +283,7 @@ std::uint32_t PickingSession::next_number() const {
     return static_cast<std::uint32_t>(shown_.tree.size());
 }
 
-// The picks, without scores that the present settings do not give.
+// Returns the picks as parents; scores that the present settings would not give are removed.
 std::vector<IndividualPtr> PickingSession::parents() const {
     std::vector<IndividualPtr> picked = picked_creatures(shown_);
     for (IndividualPtr& creature : picked)
@@ -316,7 +318,7 @@ void PickingSession::begin(GridNode draft, GridOrder order) {
     shown_.children_ready = false;
 }
 
-// The work at hand becomes the next grid as soon as it is done.
+// Makes the present work the next grid, which is shown when it is done.
 void PickingSession::decide() {
     ++shown_.decisions;
     if (shown_.tree.next()) ++shown_.branches;
@@ -330,7 +332,7 @@ void PickingSession::finish_decision() {
     show_grid(std::move(node));
 }
 
-// The children of the picks, so that they are there when asked for.
+// Breeds the children of the picks in advance, so that they are ready when requested.
 void PickingSession::breed_ahead() {
     stop_work();
     if (shown_.picks.empty()) return;
@@ -351,7 +353,7 @@ void PickingSession::show_grid(GridNode node) {
     recall_picks();
 }
 
-// What was picked when the grid shown was left last.
+// Restores the picks that the displayed grid had when it was left.
 void PickingSession::recall_picks() {
     const std::optional<std::uint32_t> child = shown_.tree.next();
     shown_.picks.clear();

@@ -1,8 +1,8 @@
 #pragma once
 
-// Selection by hand without threads: commands change it, work() makes the grids they ask for. The
-// same commands with the same work between them give the same grids, whoever evaluates; and grids
-// depend only on picks, settings and their number, not on what was bred ahead in vain.
+// Selection by hand without threads: commands change its state, work() makes the requested grids.
+// The same sequence of commands and work gives the same grids with every back-end. A grid depends
+// only on picks, settings and its number, not on grids bred in advance and discarded.
 
 #include "evolution/evaluation/evaluation_backend.h"
 #include "evolution/kinds/evolution_kinds.h"
@@ -19,27 +19,29 @@ namespace cambrian {
 
 class PickingSession {
 public:
-    // Settings must pass check_settings; kinds must outlive it. Begins without a grid.
+    // The settings must pass check_settings(); `kinds` must outlive the object. There is no grid at
+    // first.
     PickingSession(SettingsPtr settings, const EvolutionKinds& kinds);
 
     void apply(PickingCommand command);
 
-    // Whether a grid is wanted, now or ahead of the next decision.
+    // Whether there is a grid to make, for a decision or in advance.
     bool has_work() const;
-    // Goes on making it, at most to the end of a generation. False if stopped.
+    // Continues making it, at most to the end of a generation. Returns false if stopped.
     bool work(EvaluationBackend& backend, EvaluationProgress& progress,
               const std::stop_token& stop);
-    // Gives up what is being made, and says why.
+    // Cancels the grid that is being made and reports the reason.
     void fail(std::string message);
 
     const PickingSnapshot& snapshot() const { return shown_; }
 
 private:
-    // A grid being made.
+    // A grid that is being made.
     struct Work {
-        GridNode draft;  // as it will be in the tree, but for its creatures
+        GridNode draft;  // the grid for the tree, without its creatures
         GridOrder order;
-        std::optional<Assistance> assistance;  // first, for the order's pool
+        // Evolution that runs first and fills the order's pool.
+        std::optional<Assistance> assistance;
         std::optional<GridMaking> making;
     };
 

@@ -12,12 +12,12 @@
 namespace cambrian {
 namespace {
 
-constexpr double kCardMargin = 44.0;     // of a card of the usual size
-constexpr double kPortraitShare = 0.76;  // of the large picture filled by the creature
+constexpr double kCardMargin = 44.0;     // pixels, for a card of the usual size
+constexpr double kPortraitShare = 0.76;  // share of the large picture that the creature fills
 constexpr double kStripShare = 0.82;
 constexpr int kStripPoses = 5;
 
-// A card of any size: the usual one scaled, in the middle.
+// Maps the usual card, scaled and centred, to a card of any size.
 class CardSpace {
 public:
     explicit CardSpace(const Easel& easel)
@@ -69,7 +69,7 @@ void add_heading(Easel& easel, const CardSpace& at, const Subject& subject,
     easel.add_text(at.x(kCardWidth - kCardMargin), at.y(782), subject.fitness, score,
                    Align::kRight);
     easel.add_text(at.x(kCardWidth - kCardMargin), at.y(822), subject.goal, goal, Align::kRight);
-    // The colour of its lineage.
+    // The colour of the creature's lineage.
     easel.add_box(at.area({kCardMargin, 806, 72, 8}), 4.0 * unit,
                   color_of_hue(subject.hue(), 0.70, 0.12));
 }

@@ -8,11 +8,11 @@
 namespace cambrian {
 namespace {
 
-constexpr double kClipWidth = 1280.0;  // pixels, of a clip laid out as it is
+constexpr double kClipWidth = 1280.0;  // pixels; width at which the layout has scale 1
 constexpr double kClipHeight = 720.0;
-constexpr double kLeastUnit = 0.6;       // smaller words could not be read
-constexpr double kClipBodyShare = 0.42;  // of the picture filled by the creature
-constexpr std::size_t kTrail = 90;       // dots
+constexpr double kLeastUnit = 0.6;       // least scale of text, below which it could not be read
+constexpr double kClipBodyShare = 0.42;  // share of the picture that the creature fills
+constexpr std::size_t kTrail = 90;       // points of the trail
 
 }  // namespace
 

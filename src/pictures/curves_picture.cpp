@@ -9,19 +9,19 @@
 namespace cambrian {
 namespace {
 
-// Laid out for a picture of this height and scaled to the one asked for.
+// The layout is made for a picture of this height and scaled to the requested one.
 constexpr double kCurvesHeight = 900.0;  // pixels
 constexpr double kCurvesMargin = 40.0;
-constexpr double kCurvesHeader = 150.0;  // title and what is below it
-constexpr double kLeft = 120.0;          // of the axis
+constexpr double kCurvesHeader = 150.0;  // height of the title and the line below it
+constexpr double kLeft = 120.0;          // left end of the horizontal axis
 constexpr double kBottom = 96.0;
-constexpr double kLegend = 40.0;       // a line of it
-constexpr std::size_t kOneColumn = 4;  // curves whose names are in one column
-constexpr std::size_t kColumns = 3;    // of more
+constexpr double kLegend = 40.0;       // height of a line of the legend
+constexpr std::size_t kOneColumn = 4;  // most curves whose names fit in one column
+constexpr std::size_t kColumns = 3;    // columns of the legend for more curves
 constexpr int kMostTicks = 6;
 constexpr float kBandShade = 0.22F;
 
-// Okabe & Ito's colour-blind-safe set, without black.
+// The colour-blind-safe set of Okabe & Ito, without black.
 constexpr std::array<unsigned, 7> kColors = {0xE69F00, 0x56B4E9, 0x009E73, 0xCC79A7,
                                              0xD55E00, 0x0072B2, 0xF0E442};
 
@@ -29,7 +29,8 @@ Color color_of_curve(std::size_t curve) {
     return color_of(kColors[curve % kColors.size()]);
 }
 
-// A round distance between ticks of an axis from 0 to the number: 1, 2 or 5 times a power of ten.
+// Returns a round interval between the ticks of an axis from 0 to `most`: 1, 2 or 5 times a power
+// of ten.
 double tick_step(double most) {
     const double power = std::pow(10.0, std::floor(std::log10(most / kMostTicks)));
     for (const double step : {1.0, 2.0, 5.0}) {
@@ -110,7 +111,7 @@ private:
                         Align::kRight);
     }
 
-    // A column for every pixel, between the edges where it is.
+    // Fills one column of pixels at a time between the two edges.
     void add_band(const BandedCurve& curve, const Color& color) {
         for (std::size_t i = 1; i < curve.x.size(); ++i) {
             const double from = std::floor(at(curve.x[i - 1], 0.0).x());
@@ -150,9 +151,9 @@ private:
     const std::vector<BandedCurve>& curves_;
     const Palette& palette_;
     double unit_;
-    double width_;  // of the axes, in the curves' units
+    double width_;  // width of the axes, in the curves' units
     double height_;
-    std::size_t columns_ = 1;  // of the legend
+    std::size_t columns_ = 1;  // columns of the legend
     Area area_;
 };
 

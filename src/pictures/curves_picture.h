@@ -1,6 +1,7 @@
 #pragma once
 
-// Curves with a band around each, on one pair of axes that begin at 0: how several searches went.
+// Plots curves with a band around each, on axes that begin at 0. Comparisons use it for the course
+// of several runs.
 
 #include "pictures/canvas/easel.h"
 
@@ -11,7 +12,7 @@ namespace cambrian {
 
 struct BandedCurve {
     std::string name;
-    // One value of each a point; x ascending.
+    // One value per point in each vector; x ascends.
     std::vector<double> x;
     std::vector<double> lower;
     std::vector<double> middle;
@@ -20,12 +21,12 @@ struct BandedCurve {
 
 struct CurvesLabels {
     std::string title;
-    std::string below;  // a line under the title
-    std::string x;      // what the axes show, with units
+    std::string below;  // line below the title
+    std::string x;      // names of the axes, with units
     std::string y;
 };
 
-// A curve that has no point is in the legend only.
+// Draws the curves. A curve without points appears only in the legend.
 void draw_curves(Easel& easel, const std::vector<BandedCurve>& curves, const CurvesLabels& labels,
                  const Palette& palette);
 

@@ -9,22 +9,22 @@
 namespace cambrian {
 namespace {
 
-// Everything is laid out for a sheet of this size and scaled to the one asked for.
+// The layout is made for a sheet of this size and scaled to the requested one.
 constexpr double kSheetWidth = 1600.0;  // pixels
 constexpr double kSheetHeight = 900.0;
 constexpr double kSheetMargin = 36.0;
 constexpr double kSheetHeader = 104.0;
 constexpr double kGap = 14.0;
-constexpr double kCaption = 30.0;     // under each pose
-constexpr double kBestAspect = 1.35;  // width over height of a pose
-constexpr double kPoseShare = 0.7;    // of a pose filled by the creature
+constexpr double kCaption = 30.0;     // height of the text below each pose
+constexpr double kBestAspect = 1.35;  // preferred width over height of a pose
+constexpr double kPoseShare = 0.7;    // share of a pose's cell that the creature fills
 
 struct Grid {
     int columns = 1;
     int rows = 1;
 };
 
-// The division into cells of nearest the best aspect, with few empty ones.
+// Chooses the division into cells that is nearest to the preferred aspect and has few empty cells.
 Grid choose_grid(int poses, const Area& room, double gap, double caption) {
     Grid best;
     double least = 1e9;

@@ -7,7 +7,7 @@ namespace cambrian {
 
 inline constexpr int kMostPoses = 48;
 
-// The creature in motion: so many poses (1 to kMostPoses) over its trial, all to one scale.
+// Draws a sheet of the creature in motion: 1 to kMostPoses poses over its trial, all to one scale.
 void draw_sheet(Easel& easel, const Subject& subject, const Palette& palette, int poses);
 
 }  // namespace cambrian

@@ -1,7 +1,7 @@
 #pragma once
 
-// Which part of the world is seen. Screen coordinates are pixels from the top left of the viewport,
-// y down.
+// The visible part of the world. Screen coordinates are pixels from the top left of the viewport, y
+// down.
 
 #include "math/types.h"
 
@@ -21,21 +21,21 @@ struct Camera {
     static constexpr double kMinScale = 4.0;
     static constexpr double kMaxScale = 4000.0;
 
-    Vec2 center = Vec2::Zero();       // m, shown in the middle
-    double pixels_per_metre = 100.0;  // kMinScale to kMaxScale
+    Vec2 center = Vec2::Zero();       // m; world point in the middle of the viewport
+    double pixels_per_metre = 100.0;  // from kMinScale to kMaxScale
 
-    double pixel() const { return 1.0 / pixels_per_metre; }  // m
+    double pixel() const { return 1.0 / pixels_per_metre; }  // m; size of a pixel
     Vec2 to_screen(const Vec2& world, const Viewport& viewport) const;
     Vec2 to_world(const Vec2& screen, const Viewport& viewport) const;
     WorldWindow window(const Viewport& viewport) const;
 
-    // The world point under the cursor stays there; factor over 1 comes closer.
+    // Zooms so that the world point under the cursor stays there. A factor over 1 magnifies.
     void zoom_about(const Vec2& cursor, double factor, const Viewport& viewport);
-    // Moves the world along with a drag of so many pixels.
+    // Moves the view by a drag of so many pixels.
     void pan(const Vec2& pixels);
-    // Shows all of a world rectangle filling at most `share` of the viewport.
+    // Shows a rectangle of the world so that it fills at most `share` of the viewport.
     void fit(const WorldWindow& target, double share, const Viewport& viewport);
-    // Moves towards a point, reaching 63 % of the way in `lag` seconds.
+    // Moves towards a point; covers 63 % of the distance in `lag` seconds.
     void approach(const Vec2& target, double elapsed, double lag);
 };
 

@@ -25,7 +25,7 @@ Color mix(const Color& a, const Color& b, float share) {
     return {blend(a.r, b.r), blend(a.g, b.g), blend(a.b, b.b), blend(a.a, b.a)};
 }
 
-// OKLCH to OKLab to cone responses (cubed) to linear sRGB; the matrices are Ottosson's.
+// Converts OKLCH to OKLab, to cone responses (cubed), to linear sRGB. The matrices are Ottosson's.
 Color color_of_hue(double hue, double lightness, double chroma) {
     const SineCosine turn = sine_cosine(2.0 * kPi * hue);
     const double a = chroma * turn.cosine;

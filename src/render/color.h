@@ -4,7 +4,7 @@
 
 namespace cambrian {
 
-// Straight (not premultiplied) sRGB, each 0 to 1.
+// sRGB with straight (not premultiplied) alpha, each component in [0, 1].
 struct Color {
     float r = 0.0F;
     float g = 0.0F;
@@ -14,7 +14,7 @@ struct Color {
     friend bool operator==(const Color&, const Color&) = default;
 };
 
-// 0xRRGGBB.
+// Returns the colour 0xRRGGBB.
 constexpr Color color_of(std::uint32_t rgb, float alpha = 1.0F) {
     return {static_cast<float>((rgb >> 16U) & 0xFFU) / 255.0F,
             static_cast<float>((rgb >> 8U) & 0xFFU) / 255.0F,
@@ -26,14 +26,14 @@ constexpr Color with_alpha(Color color, float alpha) {
     return color;
 }
 
-// share 0 gives a, 1 gives b.
+// Interpolates linearly: share 0 gives a, 1 gives b.
 Color mix(const Color& a, const Color& b, float share);
 
-// A colour of equal perceived lightness for every hue: OKLCH (Ottosson 2020), clipped to sRGB.
-// lightness 0 to 1, chroma 0 (grey) to about 0.2, hue in turns.
+// Returns a colour whose perceived lightness does not depend on the hue: OKLCH (Ottosson 2020),
+// clipped to sRGB. Lightness is in [0, 1], chroma from 0 (grey) to about 0.2, hue in turns.
 Color color_of_hue(double hue, double lightness, double chroma);
 
-// Four bytes, red lowest: the layout of vertex colours here and in Dear ImGui.
+// Returns the colour as four bytes, red lowest, as in vertex colours here and in Dear ImGui.
 std::uint32_t pack(const Color& color);
 
 }  // namespace cambrian

@@ -8,7 +8,8 @@
 namespace cambrian {
 namespace {
 
-constexpr unsigned kMarks = 8;  // divides 256; more than the framebuffers any driver takes in turns
+// Divides 256; more than the number of framebuffers that any driver alternates.
+constexpr unsigned kMarks = 8;
 
 bool paints_in_software() {
     const auto* name = reinterpret_cast<const char*>(glGetString(GL_RENDERER));

@@ -6,22 +6,22 @@
 
 namespace cambrian {
 
-// Tells whether the window's framebuffer still holds the picture of the frame before, by a mark in
-// its lower left pixel that no eye sees. Drivers that paint in software keep it and gain most from
-// painting less; of others it is not asked, for that would make them wait. Needs a current OpenGL
+// Detects whether the window's framebuffer still holds the last frame, by an invisible mark in its
+// lower left pixel. Software drivers keep the framebuffer and gain most from painting less. With
+// other drivers it does not look, since reading a pixel would stall them. Needs a current OpenGL
 // context.
 class PictureStamp {
 public:
     PictureStamp();
 
-    // Before painting: true if all is as the last frame left it.
+    // Must be called before painting; returns true if the framebuffer holds the last frame.
     bool found() const;
-    // After painting, where the corner is of this colour.
+    // Must be called after painting; `background` is the colour at the corner.
     void put(const Color& background);
 
 private:
     bool in_software_;
-    std::array<unsigned char, 3> mark_{};  // red, green and blue of the last frame
+    std::array<unsigned char, 3> mark_{};  // red, green and blue in the last frame
     unsigned frame_ = 0;
 };
 

@@ -16,7 +16,7 @@ struct Span {
     int length = 0;
 };
 
-// Of the pixels 0 .. count-1, by the distance of the box's centre from their middle.
+// Returns the pixels of 0 .. count-1 that a box covers; `center` is relative to their middle.
 Span pixels_along(double center, double half_extent, int count) {
     const double length = std::fmax(1.0, std::round(2.0 * half_extent));
     const double from = std::round(0.5 * count + center - 0.5 * length);

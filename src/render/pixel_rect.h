@@ -17,9 +17,9 @@ struct PixelRect {
     friend bool operator==(const PixelRect&, const PixelRect&) = default;
 };
 
-// The pixels of a shape that is an opaque upright box with sharp corners and no outline, at least
-// one pixel wide and high: those of the target nearest to it, or a rectangle without any if it is
-// outside. Nothing for any other shape.
+// Returns the pixels of an opaque upright box with sharp corners and no outline, rounded to pixels
+// of the target. It is at least one pixel wide and high; outside the target it is empty. Returns
+// nothing for any other shape.
 std::optional<PixelRect> pixels_of_box(const Shape& shape, const Camera& camera,
                                        const PixelRect& target);
 

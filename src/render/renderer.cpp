@@ -57,7 +57,7 @@ void main() {
 }
 )";
 
-// A margin, in pixels, around shapes that decides whether they are seen at all.
+// pixels around a shape that still count as visible
 constexpr double kMargin = 2.0;
 
 bool visible(const Shape& shape, const WorldWindow& window, double pixel) {
@@ -67,7 +67,7 @@ bool visible(const Shape& shape, const WorldWindow& window, double pixel) {
            shape.center.y() + reach > window.low.y() && shape.center.y() - reach < window.high.y();
 }
 
-// Lines and dots thinner than a pixel would flicker; they are drawn a pixel wide and fainter.
+// Lines and dots thinner than a pixel would flicker, so they are drawn one pixel wide and fainter.
 ShapeInstance instance_of(const Shape& shape, const Camera& camera) {
     const Vec2 at = shape.center - camera.center;
     const double least = 0.5 * camera.pixel();
@@ -93,8 +93,8 @@ void fill(const PixelRect& pixels, const Color& color) {
     glClear(GL_COLOR_BUFFER_BIT);
 }
 
-// Ground and grid, with which a frame begins, are most of what is painted. Renderers in software
-// fill rectangles many times faster than they run a shader over them. Returns how many there were.
+// Fills the boxes with which a frame begins and returns their number. Ground and grid are most of
+// what is painted, and software renderers fill rectangles many times faster than they run a shader.
 std::size_t fill_boxes(std::span<const Shape> shapes, const Camera& camera,
                        const PixelRect& target) {
     std::size_t count = 0;

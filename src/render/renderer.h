@@ -17,11 +17,11 @@ namespace cambrian {
 
 class Renderer {
 public:
-    // Needs a current OpenGL 3.3 context from here to its death.
+    // Needs a current OpenGL 3.3 context throughout its lifetime.
     static Result<std::unique_ptr<Renderer>> create();
 
-    // Clears the rectangle and draws the frame into it. Boxes that the frame begins with are
-    // rounded to pixels if they are opaque, upright and sharp. Blending and scissoring remain on.
+    // Clears the rectangle and draws the frame into it. Boxes at the start of the frame are rounded
+    // to pixels if they are opaque, upright and sharp. Blending and scissoring remain enabled.
     void draw(const SceneFrame& frame, const Camera& camera, const PixelRect& target);
 
 private:

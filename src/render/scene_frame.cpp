@@ -35,7 +35,7 @@ void SceneFrame::add_ring(const Vec2& center, double radius, double width, const
 
 void SceneFrame::add_arc(const Vec2& center, double radius, const std::array<double, 2>& angles,
                          double width, const Color& color) {
-    constexpr double longest = 0.2;  // rad, of a straight piece
+    constexpr double longest = 0.2;  // rad; longest arc drawn as a straight line
     const double turn = angles[1] - angles[0];
     const int pieces = std::max(1, static_cast<int>(std::ceil(std::fabs(turn) / longest)));
     const auto point = [&](int i) {

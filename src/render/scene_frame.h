@@ -1,7 +1,7 @@
 #pragma once
 
-// What to draw this frame. Everything is one primitive, a rounded box: a circle is one whose radius
-// fills it, a line one that is thin. World units are metres, y up.
+// The shapes to draw in a frame. All are rounded boxes: a circle is a box whose corner radius is
+// its half extent, a line a thin box. World units are metres, y up.
 
 #include "math/types.h"
 #include "render/color.h"
@@ -18,23 +18,23 @@ struct Shape {
     double angle = 0.0;                // rad, counter-clockwise
     double radius = 0.0;               // m, of the corners
     double outline_width = 0.0;        // m, inside the edge
-    double blur = 0.0;                 // m, over which the edge fades; 0 is one pixel
+    double blur = 0.0;                 // m, width over which the edge fades; 0 means one pixel
     Color fill = {};
     Color outline = {};
 };
 
 struct SceneFrame {
     Color background;
-    std::vector<Shape> shapes;  // back to front
+    std::vector<Shape> shapes;  // from back to front
 
     void add_box(const Vec2& center, const Vec2& half_extents, const Color& fill);
     void add_line(const Vec2& from, const Vec2& to, double width, const Color& color);
     void add_circle(const Vec2& center, double radius, const Color& fill);
     void add_ring(const Vec2& center, double radius, double width, const Color& color);
-    // Part of a ring, from the first angle to the second (rad).
+    // Adds an arc from the first angle to the second (rad).
     void add_arc(const Vec2& center, double radius, const std::array<double, 2>& angles,
                  double width, const Color& color);
-    // Dots along a path, older ones fainter; points oldest first.
+    // Adds dots along a path, older ones fainter; the oldest point is first.
     void add_trail(std::span<const Vec2> points, double dot_radius, const Color& color);
     void clear() { shapes.clear(); }
 };

@@ -13,8 +13,8 @@ constexpr float kFootHeight = 28.0F;
 
 struct SizeLimits {
     float least;
-    float usual_most;  // when following the window
-    float most;        // when set by hand
+    float usual_most;  // the most when it follows the window's size
+    float most;        // the most when set by the user
 };
 
 float panel_size(bool shown, float by_hand, float usual, const SizeLimits& limits, float scale) {
@@ -26,7 +26,8 @@ float panel_size(bool shown, float by_hand, float usual, const SizeLimits& limit
     return std::clamp(usual, limits.least, limits.usual_most);
 }
 
-// A strip that can be dragged along one axis; the pixels it was dragged.
+// A strip that can be dragged along one axis. Returns the distance dragged in this frame, in
+// pixels.
 float drag_strip(const char* name, const Rect& strip, bool sideways) {
     if (strip.width < 1.0F || strip.height < 1.0F) return 0.0F;
     ImGui::SetNextWindowPos(strip.low());

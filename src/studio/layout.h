@@ -15,25 +15,26 @@ struct Layout {
     Rect inspector;   // right
     Rect timeline;    // bottom left
     Rect population;  // bottom right
-    Rect foot;        // one line along the bottom, if it is wanted
+    Rect foot;        // an optional line along the bottom
 };
 
-// Hidden panels get no width. Sizes shrink with small windows so that the viewport keeps room.
+// Divides the window among the panels. Hidden panels get no width. In small windows panels shrink
+// so that the viewport keeps enough room.
 Layout divide_window(float width, float height, const ViewState& view, float scale,
                      bool with_foot = false);
 
-// The layout in which the viewport and its transport fill the window.
+// Returns the layout in which only the viewport and its transport bar fill the window.
 Layout viewer_layout(float width, float height, float scale);
 
-// Lets the gaps between panels be dragged; true if the view was changed.
+// Resizes panels when the gaps between them are dragged; returns true if the view changed.
 bool drag_gaps(const Layout& layout, ViewState& view);
 
 // Draws the gaps between the panels.
 void draw_gaps(const Layout& layout);
 
-// Opens the window of a place; everything until end_place() is inside. Negative padding is the
-// style's. The window's framebuffer already has the panels' colour, so that no panel paints its
-// background: on software renderers, every pixel counts.
+// Begins the ImGui window of a panel, which ends at end_place(). A negative padding means the
+// style's. The window's framebuffer is already cleared with the panels' colour, so no panel paints
+// its background. This saves time on software renderers.
 void begin_place(const char* name, const Rect& rect, float padding_x = -1.0F,
                  float padding_y = -1.0F);
 void end_place();

@@ -28,12 +28,12 @@ const Rect& area_of(const Layout& layout, PanelArea area) {
     return layout.viewport;
 }
 
-// Negative lengths mean the style's.
+// Converts a length to pixels; a negative one means the style's and is kept.
 float length(float units) {
     return units < 0.0F ? units : px(units);
 }
 
-// Draws a soft shadow around the window being drawn, which sets it off from what it covers.
+// Draws a soft shadow around a card, to set it off from the panels under it.
 void draw_shadow(const Rect& rect, float rounding) {
     constexpr int rings = 14;
     const Color edge =
@@ -50,7 +50,7 @@ void draw_shadow(const Rect& rect, float rounding) {
     list.PopClipRect();
 }
 
-// Opens a window over the panels.
+// Begins the ImGui window of a card, which lies over the panels.
 void begin_card(const char* name, const Rect& rect, const PanelPlace& place) {
     const float rounding = px(place.rounding);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, rounding);

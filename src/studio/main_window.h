@@ -1,6 +1,6 @@
 #pragma once
 
-// All panels in their places.
+// Draws all panels in their places.
 
 #include "studio/frame/panel.h"
 #include "studio/layout.h"
@@ -13,10 +13,10 @@ namespace cambrian {
 
 class MainWindow {
 public:
-    // `kinds` must outlive it.
+    // `kinds` must outlive the object.
     MainWindow(std::span<const PanelKind> kinds, Renderer* renderer);
 
-    // Between the host's begin_frame and end_frame.
+    // May be called only between the host's begin_frame() and end_frame().
     void draw(const FrameContext& frame, Requests& out);
 
 private:
@@ -24,7 +24,7 @@ private:
     void draw_cards(const FrameContext& frame, const Layout& layout, Requests& out);
 
     std::span<const PanelKind> kinds_;
-    std::vector<std::unique_ptr<Panel>> panels_;  // one a kind
+    std::vector<std::unique_ptr<Panel>> panels_;  // one panel per kind
 };
 
 }  // namespace cambrian

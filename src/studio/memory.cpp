@@ -6,7 +6,7 @@
 namespace cambrian {
 namespace {
 
-constexpr double kInterval = 2.0;  // s
+constexpr double kInterval = 2.0;  // s between two looks for changes
 
 }  // namespace
 

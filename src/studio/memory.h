@@ -18,9 +18,9 @@ public:
     void use(const std::filesystem::path& folder) { folder_ = folder; }
     // The experiment to continue, empty if there is none.
     std::filesystem::path last_experiment() const;
-    // The file of the experiment as last remembered.
+    // The file of the experiment that was stored last.
     const std::string& experiment() const { return kept_.experiment; }
-    // Whether it is time to look for changes again; `now` is in seconds.
+    // Returns whether it is time to look for changes again; `now` is in seconds.
     bool due(double now) const;
     // Writes the present state in the background if it changed.
     void keep(const Remembered& present, const Services& services);
@@ -28,7 +28,7 @@ public:
 private:
     std::filesystem::path folder_;
     Remembered kept_;
-    double kept_at_ = 0.0;  // s
+    double kept_at_ = 0.0;  // s; time at which changes were looked for last
 };
 
 }  // namespace cambrian

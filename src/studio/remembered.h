@@ -18,7 +18,7 @@ namespace cambrian {
 struct Remembered {
     ViewState view;
     ExperimentSettings settings;
-    std::string experiment;  // file of the one that is open; empty: the folder's own
+    std::string experiment;  // file of the open experiment; empty for the folder's own
     ClusterMemory cluster;
 
     friend bool operator==(const Remembered&, const Remembered&) = default;
@@ -30,13 +30,13 @@ Remembered recall(const std::filesystem::path& folder, const EvolutionKinds& kin
 Status remember(const std::filesystem::path& folder, const Remembered& remembered,
                 const EvolutionKinds& kinds);
 
-// Where the experiment of a folder is kept that has no file of its own.
+// Returns the path in a folder of the experiment that has no file of its own.
 std::filesystem::path own_experiment(const std::filesystem::path& folder);
 
 // The arrangement as text, one "name = value" on each line. Unknown lines are ignored.
 std::string write_view(const ViewState& view);
 ViewState parse_view(std::string_view text);
-// The cluster, in the same way; values may contain spaces.
+// The cluster in the same format; values may contain spaces.
 std::string write_cluster(const ClusterMemory& cluster);
 ClusterMemory parse_cluster(std::string_view text);
 

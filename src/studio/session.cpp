@@ -8,7 +8,7 @@
 
 namespace cambrian {
 
-// Which controller carries out the requests of a subject.
+// Forwards the requests of each subject to its controller.
 struct Session::Router {
     Session& self;
 

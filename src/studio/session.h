@@ -16,29 +16,30 @@ namespace cambrian {
 
 class Session {
 public:
-    // kinds must outlive it.
+    // `kinds` must outlive the session.
     Session(const Remembered& remembered, const EvolutionKinds& kinds,
             const MachineOptions& machines, const std::filesystem::path& status_log);
 
-    // Keeps arrangement, settings and experiment in a folder from now on, whenever they change.
+    // Stores arrangement, settings and experiment in a folder from now on, whenever they change.
     void remember_in(const std::filesystem::path& folder);
-    // Goes on, in the background, with the experiment that was open when the folder was last used.
+    // Reopens, in the background, the experiment that was open when the folder was last used.
     void reopen_last();
     void keep_memory();
-    // Help pages and samples come from this folder.
+    // Sets the folder of the help pages and samples.
     void use_assets(const std::filesystem::path& folder);
     // Displays a random creature, so that the viewport is never empty.
     void show_newcomer() { experiment_.show_random_creature(); }
 
-    // Once a frame, before drawing: news of engine and files, then `elapsed` seconds of playback.
-    // `now` is in seconds of the window's clock.
+    // Must be called once a frame, before drawing. Handles results of the engine and of files, then
+    // plays on by `elapsed` seconds. `now` is in seconds of the window's clock.
     void update(double now, double elapsed);
     void carry_out(Requests& requests);
     FrameContext frame_context() const;
 
     const ViewState& view() const { return view_; }
-    bool animating() const;  // whether the next frame differs even without input
-    double playback_seconds() const { return playback_seconds_; }  // spent in the last update
+    bool animating() const;  // whether the next frame differs without input
+    // S; time spent on playback in the last update.
+    double playback_seconds() const { return playback_seconds_; }
     WindowController& window() { return window_; }
     GuideController& guide() { return guide_; }
     FilesController& files() { return files_; }

@@ -154,7 +154,7 @@ void ask_desk(const FrameContext&, Requests& out) {
     out.ask(AskPicking{Asked{}});
 }
 
-// The cells of the grid shown; 0 before there is one.
+// Returns the number of cells of the displayed grid; 0 before there is one.
 std::size_t cells(const FrameContext& frame) {
     const PickingTree& tree = frame.picking->snapshot.tree;
     return tree.empty() ? 0 : tree.current().creatures.size();
@@ -174,7 +174,7 @@ void pick_focused(const FrameContext& frame, Requests& out) {
     pick(frame.picking->focus, frame, out);
 }
 
-// So many cells to the right and down, if there is one.
+// Moves the focus so many cells to the right and down, if there is such a cell.
 template <int right, int down>
 void move_focus(const FrameContext& frame, Requests& out) {
     const auto count = static_cast<int>(cells(frame));
@@ -204,7 +204,7 @@ void ask_evolution(const FrameContext& frame, Requests& out) {
     out.ask(AskPicking{AskEvolution{frame.picking->options.assisted_generations}});
 }
 
-// The keys of the first twelve cells; the table below names them in one line.
+// The keys of the first twelve cells. The table below names them in one line.
 constexpr std::array kCellKeys = {GLFW_KEY_1, GLFW_KEY_2, GLFW_KEY_3,     GLFW_KEY_4,
                                   GLFW_KEY_5, GLFW_KEY_6, GLFW_KEY_7,     GLFW_KEY_8,
                                   GLFW_KEY_9, GLFW_KEY_0, GLFW_KEY_MINUS, GLFW_KEY_EQUAL};
@@ -235,12 +235,12 @@ constexpr std::array kPickingShortcuts = {
     Shortcut{{GLFW_KEY_K}, "K", "Keep the creature in focus on the shelf", pin_focused},
 };
 
-// What a viewer has on top of those of the studio that make sense there.
+// The shortcuts of the viewer, besides those of the studio that make sense there.
 constexpr std::array kViewerShortcuts = {
     Shortcut{{GLFW_KEY_SPACE}, "Space", "Play or pause the creature", simply<TogglePlayback>, true},
 };
 
-// Whether the key is one of the table's.
+// Makes the request of a key and returns true if the table has the key.
 bool press_in(std::span<const Shortcut> table, const KeyPress& press, const FrameContext& frame,
               Requests& out) {
     const auto found = std::find_if(table.begin(), table.end(), [&](const Shortcut& each) {

@@ -21,9 +21,10 @@
 namespace cambrian {
 namespace {
 
-constexpr double kFrameTime = 1.0 / 60.0;  // s, where the display does not set the pace
+constexpr double kFrameTime = 1.0 / 60.0;  // s; used where the display does not set the frame rate
 constexpr double kIdleSleep = 0.25;        // s between frames while nothing moves
-constexpr int kSettledFrames = 3;          // frames after the last activity, for hover and layout
+// Frames drawn after the last activity, for hover effects and layout.
+constexpr int kSettledFrames = 3;
 
 class Studio {
 public:
@@ -95,7 +96,7 @@ private:
         }
     }
 
-    // Displays pace the loop by themselves where they can; elsewhere this does.
+    // Waits for the next frame where the display does not set the frame rate.
     void wait_for_frame(const Stopwatch& clock, double last_start) {
         if (window_.take_activity() || session_.animating()) quiet_frames_ = 0;
         const bool idle = ++quiet_frames_ > kSettledFrames;

@@ -1,7 +1,6 @@
 #pragma once
 
-// The window program: a person sets up a world, watches creatures evolve and keeps the ones they
-// like.
+// The window program, in which a person sets up a world, watches creatures evolve and saves them.
 
 #include "core/result.h"
 #include "evolution/kinds/evolution_kinds.h"
@@ -16,24 +15,26 @@
 namespace cambrian {
 
 struct StudioOptions {
-    std::filesystem::path open_file;        // creature or settings; empty for none
+    std::filesystem::path open_file;        // creature or settings file; empty for none
     std::filesystem::path assets;           // folder of help pages and samples
-    std::filesystem::path sample_creature;  // shown at first unless open_file is one
-    std::filesystem::path frame_log;        // CSV of frame times; empty for none
-    std::filesystem::path status_log;       // a JSON line for each event, appended; or empty
-    std::filesystem::path screenshot;       // PNG of the window at the end; or empty
-    double quit_after = 0.0;                // s; 0 stays open
-    bool viewer = false;                    // the viewport and its transport alone
-    std::optional<ThemeKind> theme;         // instead of the one remembered
-    bool evolve = false;                    // begins evolving at once
-    int width = 1280;                       // of the window, in units of 1/96 inch
+    std::filesystem::path sample_creature;  // displayed at the start unless open_file is a creature
+    std::filesystem::path frame_log;        // CSV file of frame times; empty for none
+    // File to which events are appended as JSON lines; empty for none.
+    std::filesystem::path status_log;
+    std::filesystem::path screenshot;  // PNG file of the window at the end; empty for none
+    double quit_after = 0.0;           // s; 0 keeps the window open
+    bool viewer = false;               // shows only the viewport and its transport bar
+    std::optional<ThemeKind> theme;    // replaces the stored theme
+    bool evolve = false;               // starts evolution at once
+    int width = 1280;                  // size of the window, in units of 1/96 inch
     int height = 800;
-    double scale = 0.0;  // of everything drawn; 0 is the display's
+    double scale = 0.0;  // pixels per 1/96 inch; 0 takes the display's
     MachineOptions machines;
-    std::filesystem::path state_dir;  // what is remembered between runs; empty remembers nothing
+    // Folder of the state stored between runs; empty stores nothing.
+    std::filesystem::path state_dir;
 };
 
-// Returns when the window is closed. Fails, in one line, without a display or OpenGL.
+// Runs until the window is closed. Fails without a display or OpenGL; the error has one line.
 Status run_studio(const StudioOptions& options, const EvolutionKinds& kinds);
 
 }  // namespace cambrian

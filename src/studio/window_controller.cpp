@@ -4,7 +4,7 @@
 
 namespace cambrian {
 
-// One operator for each request.
+// Has one overload for each kind of request.
 struct WindowController::Handler {
     WindowController& self;
 

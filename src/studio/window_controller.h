@@ -1,6 +1,6 @@
 #pragma once
 
-// Owns what concerns the window itself: where the keyboard goes, and when the program ends.
+// Owns what concerns the window itself: the keyboard focus, and the end of the program.
 
 #include "studio/background/feedback.h"
 #include "studio/frame/window_contract.h"
@@ -9,12 +9,12 @@ namespace cambrian {
 
 class WindowController {
 public:
-    // Both must outlive it.
+    // Both references must outlive the controller.
     WindowController(Feedback& feedback, ViewState& view) : feedback_(feedback), view_(view) {}
 
-    // Shows one creature and offers nothing else.
+    // Displays one creature and offers no evolution.
     void be_viewer() { facts_.viewer_only = true; }
-    // Before a frame's requests: the keyboard is sent to a place only once.
+    // Must be called before a frame's requests, since a move of the focus lasts one frame.
     void clear_focus() { facts_.focus = Place::kNone; }
     void carry_out(const WindowRequest& request);
     WindowView facts() const;

@@ -1,7 +1,7 @@
-// cambrian_bench_accuracy: what our physics is worth besides its speed, on the creatures that
-// engines are compared on: joints that stay together, momentum that stays, joint angles against an
-// exact computation, the energy contacts and stops give, mirror images, and what all this costs in
-// steps. A row a figure, as CSV.
+// cambrian_bench_accuracy: the accuracy of our physics on the creatures used to compare engines. It
+// measures gaps at joints, conservation of momentum, joint angles against a precise computation,
+// the energy that contacts and stops add, mirror images, and the steps needed. The output is CSV
+// with one row per figure.
 
 #include "bench/engine_kinds.h"
 #include "bench/joint_angles.h"
@@ -33,7 +33,7 @@ struct Options {
     std::vector<std::size_t> bodies = {3, 6, 12, 24};
     std::size_t creatures = 20;
     double seconds = 10.0;
-    double accuracy_seconds = 0.5;  // after which joint angles are compared
+    double accuracy_seconds = 0.5;  // s after which joint angles are compared
     std::uint64_t seed = 1;
     std::size_t threads = 1;
     std::string csv_path;
@@ -43,7 +43,7 @@ std::size_t ticks_in(double seconds) {
     return static_cast<std::size_t>(std::lround(seconds / kTestTick));
 }
 
-// What the function says of each creature, on all threads.
+// Returns the function's value for each creature, computed on all threads.
 template <class Function>
 auto of_creatures(const Options& options, std::size_t bodies, double seconds, Function value_of) {
     std::vector<decltype(value_of(BenchCreature()))> values(options.creatures);
@@ -53,7 +53,7 @@ auto of_creatures(const Options& options, std::size_t bodies, double seconds, Fu
     return values;
 }
 
-// One number of each.
+// Returns one number of each item.
 template <class Each, class Number>
 std::vector<double> values_of(const std::vector<Each>& all, Number number_of) {
     std::vector<double> values;
@@ -80,7 +80,7 @@ private:
     std::string csv_ = "measure,workload,bodies,figure,value\n";
 };
 
-// --- audit: what the energy audit of a run says -----------------------------------------------
+// --- audit: the energy audit of a run ---------------------------------------------------------
 
 SceneAudit audit_of(const BenchCreature& creature, const Environment& environment,
                     std::size_t ticks) {
@@ -121,7 +121,7 @@ void measure_audits(const Options& options, Table& table) {
     }
 }
 
-// --- joints: the widest gap of all creatures at all ticks --------------------------------------
+// --- joints: the widest gap of all creatures and ticks -----------------------------------------
 
 double widest_gap(const BenchCreature& creature, const Environment& environment,
                   std::size_t ticks) {
@@ -141,11 +141,11 @@ void measure_gaps(const Options& options, Table& table) {
     }
 }
 
-// --- momentum: muscles in empty space move nothing ---------------------------------------------
+// --- momentum: it must not change when muscles work in empty space -----------------------------
 
 struct Momentum {
     double angular = 0.0;  // kg m^2/s, about the centre of mass
-    double gross = 0.0;    // the same if all parts turned the same way
+    double gross = 0.0;    // the same with the absolute values of all parts
 };
 
 Momentum momentum_of(const PhysicsScene& scene, const BodyPlan& plan, double density) {
@@ -167,8 +167,8 @@ Momentum momentum_of(const PhysicsScene& scene, const BodyPlan& plan, double den
 }
 
 struct Drift {
-    double center = 0.0;   // m, that the centre of mass strayed
-    double angular = 0.0;  // angular momentum that arose, as a share of the parts' greatest
+    double center = 0.0;   // m, displacement of the centre of mass
+    double angular = 0.0;  // change of angular momentum, relative to the greatest gross value
 };
 
 Drift drift_of(const BenchCreature& creature, std::size_t ticks) {
@@ -200,7 +200,7 @@ void measure_momentum(const Options& options, Table& table) {
     }
 }
 
-// --- angles: joints against an exact computation -----------------------------------------------
+// --- angles: joint angles against a precise computation ----------------------------------------
 
 void measure_angles(const Options& options, Table& table) {
     const std::size_t ticks = ticks_in(options.accuracy_seconds);
@@ -220,7 +220,7 @@ void measure_angles(const Options& options, Table& table) {
 
 // --- mirror images -----------------------------------------------------------------------------
 
-// m, of the part that is farthest from where the mirror shows it, at the end.
+// Returns the greatest distance, in m, of a part at the end from its place in the mirror image.
 double mirror_difference(const BenchCreature& creature, const Environment& environment, Flip flip) {
     const BenchCreature image = mirror_image(creature, flip);
     const auto scene = make_planar_scene(creature.plan, environment);

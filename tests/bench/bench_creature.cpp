@@ -8,8 +8,8 @@
 namespace cambrian::bench {
 namespace {
 
-constexpr double kMuscleStress = 20.0;     // N m of torque a metre of section
-constexpr double kBranchShare = 1.0 / 3;   // of attachments
+constexpr double kMuscleStress = 20.0;     // N m of torque per metre of section
+constexpr double kBranchShare = 1.0 / 3;   // share of parts attached to a side
 constexpr double kGroundClearance = 0.02;  // m
 
 PlannedPart random_rectangle(RandomStream& stream) {
@@ -47,7 +47,7 @@ void lift_above_ground(BodyPlan& plan) {
         part.rest_pose.position.y() += kGroundClearance - lowest;
 }
 
-// Sweeps the full range of a joint.
+// Makes a joint swing over its full range.
 void add_swing(BenchCreature& creature, std::size_t part, RandomStream& stream) {
     const PlannedPart& moved = creature.plan.parts[part];
     const double frequency = stream.uniform(0.3, 2.0);  // Hz
@@ -89,7 +89,7 @@ BenchCreature random_creature(std::size_t bodies, std::uint64_t seed, std::size_
 BenchCreature passive_chain(std::size_t bodies, std::size_t ticks) {
     constexpr double half_length = 0.2;        // m
     constexpr double half_width = 0.03;        // m
-    constexpr double free_range = 100.0;       // rad; limits it never meets
+    constexpr double free_range = 100.0;       // rad; limits that are never reached
     constexpr std::size_t twisted_ticks = 12;  // 0.2 s
     BenchCreature creature;
     creature.targets.assign(ticks * bodies, 0.0);
@@ -100,7 +100,7 @@ BenchCreature passive_chain(std::size_t bodies, std::size_t ticks) {
         part.motor_mode = MotorMode::kTorque;
         part.limit_low = -free_range;
         part.limit_high = free_range;
-        // Folded flat: parts that overlap at rest never collide.
+        // The chain is folded, since parts that overlap at rest never collide.
         if (i > 0)
             join(creature.plan, part, static_cast<int>(i) - 1, Vec3(half_length, 0.0, 0.0),
                  i % 2 == 1 ? kPi : -kPi);

@@ -1,6 +1,6 @@
 #pragma once
 
-// Bodies to time: the same ones for every engine, drawn from a seed.
+// Bodies for the benchmarks, drawn from a seed so that every engine gets the same ones.
 
 #include "world/body_plan.h"
 
@@ -10,22 +10,22 @@
 
 namespace cambrian::bench {
 
-// A body and what its motors are asked for.
+// A body and the targets of its motors.
 struct BenchCreature {
     BodyPlan plan;
-    std::vector<double> targets;  // [tick * parts + part], in the units of the part's motor mode
+    std::vector<double> targets;  // [tick * parts + part], in the unit of the part's motor mode
 
     double target(std::size_t tick, std::size_t part) const {
         return targets[tick * plan.parts.size() + part];
     }
 };
 
-// A tree of rectangles joined by rotary joints, one third of them branching off a side, whose
-// motors swing their joints between the limits at 0.3 to 2 Hz. It starts just above the ground.
+// Returns a tree of rectangles with rotary joints, one third of which are attached to a side. The
+// motors swing the joints between their limits at 0.3 to 2 Hz. It starts just above the ground.
 BenchCreature random_creature(std::size_t bodies, std::uint64_t seed, std::size_t ticks);
 
-// A folded chain without friction, limits or springs; its joints are twisted, each by its own
-// torque, during the first 0.2 s, and left alone from then on.
+// Returns a folded chain without friction, limits or springs. Each joint is driven by a different
+// torque during the first 0.2 s and by none afterwards.
 BenchCreature passive_chain(std::size_t bodies, std::size_t ticks);
 
 }  // namespace cambrian::bench

@@ -1,6 +1,6 @@
-// Box2D 2.4.1: single precision, maximal coordinates, sequential impulses. Motors are its joint
-// motors, told a rate every step, or torques; drag and torques are external forces held for one
-// step.
+// Box2D 2.4.1: single precision, maximal coordinates, sequential impulses. Its motors are its own
+// joint motors with a new speed every step, or torques. Drag and torques are external forces,
+// constant during a step.
 
 #include "bench/drag_law.h"
 #include "bench/engine_kinds.h"
@@ -20,7 +20,7 @@
 namespace cambrian::bench {
 namespace {
 
-constexpr double kRestingSpeed = 0.3;  // m/s; bounces start above it, as in ours
+constexpr double kRestingSpeed = 0.3;  // m/s; collisions bounce above it, as in our physics
 
 float narrow(double value) {
     return static_cast<float>(value);
@@ -48,7 +48,8 @@ private:
     std::uintptr_t ground_;
 };
 
-// kg m^2, what a lone effort at each part's joint feels; 0 for the root.
+// Returns the inertia, in kg m^2, against which an effort at each part's joint acts; 0 for the
+// root.
 std::vector<double> joint_inertias(const BodyPlan& plan, double density) {
     const Result<PlanarModel> model = build_planar_model(plan, density);
     CAMBRIAN_ASSERT(model.has_value(), "benchmark bodies are valid");
@@ -221,8 +222,8 @@ private:
         }
     }
 
-    // Work of forces and impulses on velocities is exact with the mean of before and after; the
-    // engine does not tell the contacts' impulses with their velocities, so they are left out.
+    // With the mean of the velocities before and after, the work of forces and impulses is exact.
+    // Contacts are left out, since the engine does not report their impulses with velocities.
     void add_works() {
         read_motion(after_);
         for (std::size_t i = 0; i < bodies_.size(); ++i) {
@@ -252,8 +253,8 @@ private:
     std::vector<b2Body*> bodies_;
     std::vector<b2RevoluteJoint*> joints_;  // joint of part i at i - 1
     std::vector<double> targets_, previous_targets_;
-    std::vector<double> inertia_;  // kg m^2, of each part's joint; empty if its motors drive it
-    std::vector<double> torque_;   // N m, applied from outside during this step
+    std::vector<double> inertia_;  // kg m^2, at each part's joint; empty if Box2D's motors drive it
+    std::vector<double> torque_;   // N m, external torque during this step
     std::vector<PlanarWrench> drag_;
     std::vector<PartMotion> before_, after_;
     double work_ = 0.0;  // J

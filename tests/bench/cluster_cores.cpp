@@ -1,7 +1,7 @@
-// How well a cluster of many cores is used, tried on one machine: the coordinator and the server
-// are real, the cores of the workers sleep for as long as reading a unit and evaluating it takes
-// and then answer with what was computed before. Prints the share of the cores' time that the
-// evaluations of a generation fill, as a Markdown table.
+// Measures on one machine how well a cluster of many cores is used. The coordinator and the server
+// are real. The workers' cores sleep for the time that reading and evaluating a unit takes, then
+// answer with results computed before. Prints a Markdown table of the share of time the cores spend
+// on evaluations.
 #include "app/builtin_kinds.h"
 #include "cluster/connection/cluster_connection.h"
 #include "cluster/coordinator/cluster_backend.h"
@@ -38,11 +38,11 @@ namespace {
 
 constexpr int kCoresOfMachine = 8;
 
-// An evaluation that was made once.
+// The result of an evaluation that was made in advance.
 struct Answer {
     EvaluationResult result;
-    double seconds = 0.0;  // of a core, to evaluate
-    double reading = 0.0;  // s of a core, to read the creature from a unit
+    double seconds = 0.0;  // core-seconds to evaluate
+    double reading = 0.0;  // core-seconds to read the creature from a unit
 };
 using Question = std::pair<std::uint64_t, std::uint64_t>;  // genome and seed
 using Answers = std::map<Question, Answer>;                // of one batch
@@ -51,7 +51,7 @@ Question question_of(const EvaluationRequest& request) {
     return {genome_hash(*request.genome), request.trial_seed};
 }
 
-// Evaluates on this thread, and remembers the largest batch with its answers.
+// Evaluates on this thread and keeps the largest batch with its results.
 class Rehearsal final : public EvaluationBackend {
 public:
     explicit Rehearsal(const EvolutionKinds& kinds) : kinds_(kinds) {}
@@ -78,7 +78,7 @@ private:
     const EvolutionKinds& kinds_;
 };
 
-// A worker whose cores sleep.
+// A worker whose cores sleep instead of evaluating.
 class SleepingMachine {
 public:
     SleepingMachine(std::unique_ptr<WorkerQueue> queue, const Answers& answers, int cores,
@@ -135,8 +135,8 @@ private:
             --in_hand_;
         }
     }
-    // Creatures are told by the unit's first line; their documents are left unread, for two cores
-    // cannot read for hundreds.
+    // Creatures are identified by the unit's first line. Their documents are not read, since two
+    // cores cannot read for hundreds.
     void answer(const Delivery& delivery) {
         const std::string& body = delivery.unit.body;
         const auto line = nlohmann::json::parse(body.substr(0, body.find('\n')));
@@ -168,15 +168,16 @@ private:
     std::condition_variable_any changed_;
     std::deque<Delivery> waiting_;
     std::size_t in_hand_ = 0;
-    std::vector<std::jthread> threads_;  // last: use everything above
+    std::vector<std::jthread> threads_;  // last member, since they use the others
 };
 
 struct Bench {
     std::string server;
     std::string settings;
     int population = 300;
-    double mean_ms = 0.0;  // that an evaluation of a worker takes; 0 for what it took here
-    int warm_up = 12;      // generations before, in which many results of new workers are checked
+    double mean_ms = 0.0;  // mean duration of a worker's evaluation; 0 for the one measured here
+    // Generations before the measurement, in which many results of new workers are checked.
+    int warm_up = 12;
     int generations = 10;
     std::vector<int> cores = {16, 64, 256};
 };
@@ -192,7 +193,7 @@ double mean_ms(const Rehearsal& rehearsal) {
     return 1e3 * core_seconds(rehearsal) / static_cast<double>(rehearsal.batch.size());
 }
 
-// A later generation of a run, in which the work of each creature can be guessed from its parents'.
+// Evaluates a later generation of a run, in which parents' work predicts each creature's.
 Rehearsal rehearse(const ExperimentSettings& settings, double asked_mean_ms,
                    const EvolutionKinds& kinds) {
     Rehearsal rehearsal(kinds);
@@ -226,7 +227,7 @@ bool wait_for(const EvaluationBackend& backend, int cores) {
     return false;
 }
 
-// A row of the table. cores: in all, one of them the coordinator's own.
+// Adds a row to the table. `cores` includes the coordinator's own.
 Status measure(const Bench& bench, int cores, const ExperimentSettings& settings,
                const Rehearsal& rehearsal, const EvolutionKinds& kinds) {
     const Result<ClusterAddress> address = cluster_address({.servers = bench.server});

@@ -1,6 +1,5 @@
-// cambrian_bench_engines: the same creatures in every engine, interleaved in one thread. Prints CPU
-// time a simulated second and how often as much each engine takes as ours, with the accuracy each
-// gives for it.
+// cambrian_bench_engines: runs the same creatures in every engine, interleaved on one thread.
+// Prints CPU time per simulated second, the ratio of each engine's time to ours, and its accuracy.
 
 #include "bench/engine_kinds.h"
 #include "bench/runs.h"
@@ -38,14 +37,14 @@ struct Options {
     std::size_t ticks() const { return static_cast<std::size_t>(std::lround(seconds / kTestTick)); }
 };
 
-// One engine on one workload with one number of bodies.
+// The figures of one engine for one workload and number of bodies.
 struct Cell {
-    double micros = 0.0;        // CPU time of a creature's simulated second
-    double build_micros = 0.0;  // CPU time of building a creature
-    double ratio = 1.0;         // of micros, to the first engine's
-    double joint_gap = 0.0;     // m, widest of all creatures
-    double residual = 0.0;      // J, mean size
-    double kinetic = 0.0;       // J, mean of the creatures' greatest
+    double micros = 0.0;        // CPU time of a creature's simulated second, in microseconds
+    double build_micros = 0.0;  // CPU time of building a creature, in microseconds
+    double ratio = 1.0;         // `micros` relative to the first engine
+    double joint_gap = 0.0;     // m, widest of all creatures and ticks
+    double residual = 0.0;      // J, mean of the absolute values
+    double kinetic = 0.0;       // J, mean of the creatures' greatest kinetic energies
 };
 
 std::vector<BenchCreature> draw_creatures(const Options& options, std::size_t bodies) {
@@ -55,13 +54,13 @@ std::vector<BenchCreature> draw_creatures(const Options& options, std::size_t bo
     return creatures;
 }
 
-// CPU seconds of one round, by engine.
+// CPU seconds of one round, indexed by engine.
 struct RoundTimes {
     std::vector<double> build;
     std::vector<double> advance;
 };
 
-// Every creature in every engine; which engine goes first changes from creature to creature.
+// Runs every creature in every engine. The engine that goes first alternates between creatures.
 RoundTimes time_round(const std::vector<EngineKind>& engines,
                       const std::vector<BenchCreature>& creatures, const Environment& environment,
                       std::size_t ticks) {
@@ -115,7 +114,7 @@ void measure_accuracy(const Options& options, const std::vector<EngineKind>& eng
             cells[e].residual += std::fabs(accuracy.energy_residual) / count;
             cells[e].kinetic += accuracy.greatest_kinetic_energy / count;
         }
-        // Impacts with the ground are most of what goes unbooked.
+        // Without the work of contacts, impacts with the ground would dominate the residual.
         if (!engines[e].audits_contacts && workload.environment.has_ground)
             cells[e].residual = std::numeric_limits<double>::quiet_NaN();
     }
@@ -166,7 +165,7 @@ int compare(const Options& options) {
     return write_table(options.csv_path, csv);
 }
 
-// Each creature once in each engine and nothing else, for instruction counters.
+// Runs each creature once in each engine and measures nothing, for instruction counters.
 int advance_only(const Options& options) {
     for (const Workload& workload : select_kinds(all_workloads(), options.workloads)) {
         for (const std::size_t bodies : options.bodies)

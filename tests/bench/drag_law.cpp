@@ -5,8 +5,8 @@
 namespace cambrian::bench {
 namespace {
 
-// Integrals over a face [-half, half] of the normal pressure, and of it times the station, by
-// three-point Gauss-Legendre; the normal speed there is speed + slope * station.
+// Integrals over a face [-half, half] of the normal pressure and of its moment, by three-point
+// Gauss-Legendre quadrature. The normal speed at a station is speed + slope * station.
 struct FaceLoad {
     double force;
     double moment;

@@ -1,6 +1,6 @@
 #pragma once
 
-// The drag of our dynamics on one rectangle, for engines that have no such force of their own.
+// The drag of our physics on one rectangle, for engines without such a force.
 
 #include "bench/bench_engine.h"
 #include "math/types.h"

@@ -3,7 +3,7 @@
 namespace cambrian::bench {
 
 std::vector<EngineKind> all_engines() {
-    constexpr int fewest_mujoco_steps = 3;  // a tick; its users seldom go beyond 5 ms
+    constexpr int fewest_mujoco_steps = 3;  // per tick; its users seldom use steps over 5 ms
     return {planar_engine("cambrian", {}), box2d_engine("box2d", {}),
             box2d_engine("box2d-torques", {.motors = Box2dMotors::kTorques}),
             mujoco_engine("mujoco", {}),

@@ -1,7 +1,7 @@
 #pragma once
 
-// The engines compared. Box2D and MuJoCo know no planar articulated creature in a medium, so their
-// adapters apply motors and drag once a step, as their users must.
+// The engines that are compared. Box2D and MuJoCo have no planar articulated creatures in a medium,
+// so their adapters apply motors and drag once per step, as their users would.
 
 #include "bench/bench_engine.h"
 #include "world/scene_settings.h"
@@ -13,11 +13,11 @@ namespace cambrian::bench {
 
 EngineKind planar_engine(std::string id, const SceneSettings& settings);
 
-// What drives Box2D's joints: its own joint motors, told a rate, or torques by our law.
+// How Box2D's joints are driven: by its own joint motors or by torques from our motor law.
 enum class Box2dMotors { kJointMotors, kTorques };
 struct Box2dSettings {
     int steps_per_tick = 1;
-    int velocity_iterations = 8;  // the manual's suggestion, with 3 for positions
+    int velocity_iterations = 8;  // suggested by the manual, with 3 for positions
     int position_iterations = 3;
     Box2dMotors motors = Box2dMotors::kJointMotors;
 };
@@ -30,8 +30,9 @@ struct MujocoSettings {
 };
 EngineKind mujoco_engine(std::string id, const MujocoSettings& settings);
 
-// Ours first; ratios are to it. The others as their manuals suggest, and as cheap as they go:
-// torques instead of Box2D's joint motors, MuJoCo with steps of 5.6 ms.
+// Returns all engines; ours is first, since ratios are relative to it. Others are run as their
+// manuals suggest and in their cheapest form: torques instead of Box2D's joint motors, MuJoCo with
+// steps of 5.6 ms.
 std::vector<EngineKind> all_engines();
 
 }  // namespace cambrian::bench

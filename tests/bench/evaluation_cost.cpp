@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kClearance = 0.02;  // m
 
-// The motor targets of every tick of a trial, one an effector part, ticks one after the other.
+// Returns the motor targets of a trial, tick after tick, one per effector part.
 std::vector<double> recorded_targets(const std::shared_ptr<const Phenotype>& phenotype,
                                      const Kinds& kinds, const TrialWorld& world) {
     std::vector<double> targets;
@@ -23,12 +23,12 @@ std::vector<double> recorded_targets(const std::shared_ptr<const Phenotype>& phe
     return targets;
 }
 
-// Moves the same body by the same targets and does nothing else.
+// Moves the same body with the same targets and does nothing else.
 void move(const Phenotype& phenotype, const Kinds& kinds, const TrialWorld& world,
           const std::vector<double>& targets) {
     const auto scene = kinds.scene.make(phenotype.plan, world.environment, world.scene);
     if (!scene) return;
-    // Onto the ground, as a trial does.
+    // Places the body on the ground, as a trial does.
     if (world.environment.has_ground)
         (*scene)->translate(Vec3(0.0, kClearance - (*scene)->bounds().low.y(), 0.0));
     for (auto target = targets.begin(); target != targets.end();) {

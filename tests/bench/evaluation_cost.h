@@ -1,18 +1,18 @@
 #pragma once
 
-// Where the time of one evaluation goes. The trial is run twice: as evolution does, and as bare
-// physics that gets the same motor targets; the difference is control and bookkeeping.
+// The CPU time of the parts of one evaluation. The trial is run twice: as evolution does, and as
+// bare physics with the same motor targets. The difference is the time of control and records.
 
 #include "evolution/kinds/evolution_kinds.h"
 #include "evolution/settings/experiment_settings.h"
 
 namespace cambrian::bench {
 
-// CPU time of one thread, s.
+// CPU time on one thread, in s.
 struct EvaluationCost {
     double expression = 0.0;
-    double trial = 0.0;    // physics, control and bookkeeping
-    double physics = 0.0;  // building the scene and moving it
+    double trial = 0.0;    // physics, control and records
+    double physics = 0.0;  // building and advancing the scene
     double scoring = 0.0;
 
     double control() const { return trial - physics; }
@@ -20,7 +20,7 @@ struct EvaluationCost {
     EvaluationCost& operator+=(const EvaluationCost& other);
 };
 
-// Of a valid genome that completes its trial.
+// The genome must be valid and complete its trial.
 EvaluationCost measure_cost(const Genome& genome, const ExperimentSettings& settings,
                             const EvolutionKinds& kinds);
 

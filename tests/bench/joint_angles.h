@@ -1,7 +1,7 @@
 #pragma once
 
-// How far off the joints of a creature are after a while, against a computation that is exact for
-// this purpose.
+// The error of a creature's joint angles after some time, against a computation whose own error is
+// negligible.
 
 #include "bench/bench_creature.h"
 #include "world/environment.h"
@@ -13,18 +13,18 @@
 
 namespace cambrian::bench {
 
-// Dormand-Prince at a tolerance of 1e-7 with contact steps of 1/1920 s.
+// Returns settings for Dormand-Prince with a tolerance of 1e-7 and contact steps of 1/1920 s.
 SceneSettings reference_settings();
 
 struct JointRun {
-    std::vector<double> angles;     // rad, one a joint, at the end
-    std::uint64_t evaluations = 0;  // of the accelerations, in all
+    std::vector<double> angles;     // rad, one per joint, at the end
+    std::uint64_t evaluations = 0;  // evaluations of the accelerations
 };
 
 JointRun run_joints(const BenchCreature& creature, const Environment& environment,
                     const SceneSettings& settings, std::size_t ticks);
 
-// rad
+// Returns the root mean square of the differences, in rad.
 double root_mean_square_difference(const std::vector<double>& a, const std::vector<double>& b);
 
 }  // namespace cambrian::bench

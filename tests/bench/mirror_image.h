@@ -1,6 +1,6 @@
 #pragma once
 
-// A bench creature seen in a mirror, its targets too.
+// The mirror image of a bench creature, with its targets.
 
 #include "bench/bench_creature.h"
 #include "support/mirror_image.h"

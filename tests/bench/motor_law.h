@@ -1,6 +1,6 @@
 #pragma once
 
-// What our motors ask of their joints, for engines whose motors are to do the same.
+// The law of our joint motors, for engines whose motors are to follow it.
 
 #include "world/body_plan.h"
 #include "world/scene_settings.h"
@@ -9,7 +9,7 @@
 
 namespace cambrian::bench {
 
-// rad/s, of a joint in position or velocity mode.
+// Returns the wanted rate, in rad/s, of a joint in position or velocity mode.
 inline double wanted_rate(MotorMode mode, double target, double coordinate) {
     const SceneSettings motors;
     const double rate = mode == MotorMode::kVelocity
@@ -18,7 +18,7 @@ inline double wanted_rate(MotorMode mode, double target, double coordinate) {
     return std::clamp(rate, -motors.motor_speed_limit, motors.motor_speed_limit);
 }
 
-// N m; inertia (kg m^2) is what a lone effort at this joint feels.
+// Returns the torque in N m; `inertia` (kg m^2) is that against which an effort at this joint acts.
 inline double motor_torque(const PlannedPart& part, double inertia, double wanted, double rate) {
     const double gain = 2.0 * inertia * SceneSettings{}.motor_frequency;
     return std::clamp(gain * (wanted - rate), -part.max_effort, part.max_effort);

@@ -1,5 +1,5 @@
-// MuJoCo 2.2: double precision, joint coordinates (so joints cannot come apart), soft contacts.
-// Motors are velocity actuators with our gains; drag is an external force held for one step.
+// MuJoCo 2.2: double precision, joint coordinates (so that joints have no gaps), soft contacts.
+// Motors are velocity actuators with our gains; drag is an external force, constant during a step.
 
 #include "bench/drag_law.h"
 #include "bench/motor_law.h"
@@ -14,7 +14,7 @@ namespace cambrian::bench {
 namespace {
 
 class MujocoEngine;
-thread_local const MujocoEngine* driven_engine = nullptr;  // the one advancing
+thread_local const MujocoEngine* driven_engine = nullptr;  // the engine that advances now
 
 class MujocoEngine final : public BenchEngine {
 public:
@@ -66,7 +66,7 @@ public:
     double explained_work() const override { return work_; }
 
 private:
-    // MuJoCo asks for controls through one callback of the process, at every stage of a step.
+    // MuJoCo asks for controls through one global callback, at every stage of a step.
     static void drive_motors(const mjModel*, mjData* data) {
         const MujocoEngine& engine = *driven_engine;
         const double share = (data->time - engine.tick_start_) / kTestTick;
@@ -93,7 +93,7 @@ private:
         const auto body = static_cast<std::size_t>(body_[part]);
         const mjtNum* position = data_->xpos + 3 * body;
         const mjtNum* orientation = data_->xquat + 4 * body;
-        // Velocities are those of the body's point at the centre of mass of its tree.
+        // Velocities are those of the point of the body at the centre of mass of its tree.
         const auto root = static_cast<std::size_t>(model_->body_rootid[body]);
         const mjtNum* velocity = data_->cvel + 6 * body;
         const mjtNum* reference = data_->subtree_com + 3 * root;
@@ -117,7 +117,8 @@ private:
         }
     }
 
-    // All generalized forces but those of gravity and of velocities, which qfrc_bias holds.
+    // Sums the work of all generalized forces except gravity and inertial forces, which are in
+    // qfrc_bias.
     void add_works() {
         for (std::size_t j = 0; j < before_.size(); ++j) {
             const double force =

@@ -14,9 +14,9 @@
 namespace cambrian::bench {
 namespace {
 
-constexpr double kHalfDepth = 0.05;        // m; of boxes, out of the plane
-constexpr const char* kAxis = "0 -1 0";    // counter-clockwise as seen with x right and z up
-constexpr const char* kFile = "body.xml";  // in MuJoCo's virtual file system
+constexpr double kHalfDepth = 0.05;      // m; depth of boxes out of the plane
+constexpr const char* kAxis = "0 -1 0";  // counter-clockwise seen with x to the right and z upwards
+constexpr const char* kFile = "body.xml";  // name in MuJoCo's virtual file system
 
 const char* integrator_name(MujocoIntegrator integrator) {
     switch (integrator) {
@@ -60,14 +60,13 @@ private:
               << environment_.gravity * std::sin(direction) << "'/>";
     }
 
-    // Contacts have no coefficient of restitution in MuJoCo: its soft contacts stay at their
-    // default.
+    // MuJoCo has no coefficient of restitution, so its soft contacts keep their default.
     void write_surfaces() {
         text_ << "<default><geom friction='" << environment_.friction
               << " 0.005 0.0001'/></default>";
     }
 
-    // Position of the part and its turn, relative to its parent's frame at rest.
+    // Writes the part's position and rotation relative to its parent's frame at rest.
     void write_body(std::size_t index) {
         const PlannedPart& part = plan_.parts[index];
         const Vec3 world = part.rest_pose.position;
@@ -135,7 +134,7 @@ private:
     std::ostringstream text_;
 };
 
-// effort = 2 I_eff w (wanted rate - rate), or max_effort * share in torque mode.
+// Sets effort = 2 I_eff w (wanted rate - rate), or max_effort * share in torque mode.
 void set_gains(const BodyPlan& plan, mjModel& model) {
     const SceneSettings motors;
     for (std::size_t i = 1; i < plan.parts.size(); ++i) {

@@ -1,7 +1,8 @@
 #pragma once
 
 // A body plan as a MuJoCo model: a tree of hinges in the x-z plane under a root with two slides and
-// a hinge, as MuJoCo's own planar walkers are built; boxes of even depth, velocity actuators.
+// a hinge, like MuJoCo's own planar walkers. Parts are boxes of equal depth with velocity
+// actuators.
 
 #include "bench/engine_kinds.h"
 
@@ -19,7 +20,7 @@ struct MujocoDeleter {
 using MujocoModel = std::unique_ptr<mjModel, MujocoDeleter>;
 using MujocoData = std::unique_ptr<mjData, MujocoDeleter>;
 
-// Of the body, the hinge and the box of a part.
+// Returns the common name of a part's body, hinge and box.
 std::string mujoco_name(std::size_t part);
 
 // The actuator of part i is number i - 1.

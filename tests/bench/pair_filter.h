@@ -1,6 +1,6 @@
 #pragma once
 
-// Which parts may touch, by the rules of our own physics, for the others to follow.
+// The pairs of parts that may collide by the rules of our physics, for the other engines.
 
 #include "world/body_plan.h"
 

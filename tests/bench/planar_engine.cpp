@@ -1,4 +1,4 @@
-// Our own engine. The energy audit is part of every trial, so it always runs.
+// Our own physics. The energy audit is part of every trial, so it is always on.
 
 #include "bench/engine_kinds.h"
 #include "bench/planar_runs.h"

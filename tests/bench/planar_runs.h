@@ -1,6 +1,6 @@
 #pragma once
 
-// A bench creature in our own scene.
+// A bench creature in a scene of our own physics.
 
 #include "bench/bench_creature.h"
 #include "world/environment.h"
@@ -12,12 +12,12 @@
 
 namespace cambrian::bench {
 
-// The plan must be one that physics takes.
+// Physics must accept the plan.
 std::unique_ptr<PhysicsScene> make_planar_scene(const BodyPlan& plan,
                                                 const Environment& environment,
                                                 const SceneSettings& settings = {});
 
-// One tick under the creature's targets of that tick.
+// Advances one tick with the creature's targets of that tick.
 void advance_planar_scene(PhysicsScene& scene, const BenchCreature& creature, std::size_t tick);
 
 }  // namespace cambrian::bench

@@ -1,5 +1,5 @@
-// cambrian_bench_robustness: many random creatures under violent motors, or told to hold a pose:
-// how many simulations fail, what they cost, how honest they are.
+// cambrian_bench_robustness: simulates many random creatures with violent motors or at a fixed
+// pose. It reports how many simulations fail, their cost and the verdicts of their energy audits.
 
 #include "bench/write_table.h"
 #include "core/assert.h"
@@ -26,14 +26,14 @@ namespace {
 constexpr int kLeastBodies = 3;
 constexpr int kMostBodies = 32;
 constexpr double kLinearShare = 0.2;
-constexpr double kGentlest = 20.0;           // N
-constexpr double kMostViolent = 100.0;       // N
-constexpr double kSlowest = 2.0;             // Hz
-constexpr double kFastest = 6.0;             // Hz
-constexpr double kPoseStrength = 20.0;       // N
-constexpr double kAtRest = 1e-3;             // m/s
-constexpr std::uint64_t kSwimEvery = 4;      // one creature in so many swims
-constexpr std::size_t kStragglersShown = 8;  // a size
+constexpr double kGentlest = 20.0;           // N, least motor strength
+constexpr double kMostViolent = 100.0;       // N, greatest motor strength
+constexpr double kSlowest = 2.0;             // Hz, least frequency of the targets
+constexpr double kFastest = 6.0;             // Hz, greatest frequency of the targets
+constexpr double kPoseStrength = 20.0;       // N, motor strength while holding a pose
+constexpr double kAtRest = 1e-3;             // m/s, speed below which a body is at rest
+constexpr std::uint64_t kSwimEvery = 4;      // every so many creatures, one is in water
+constexpr std::size_t kStragglersShown = 8;  // creatures listed per size that did not come to rest
 
 struct Options {
     std::size_t creatures = 0;
@@ -42,7 +42,7 @@ struct Options {
     std::size_t threads = ThreadPool::default_workers();
     std::string csv_path;
     bool pose = false;
-    std::vector<int> bodies = {3, 6, 12, 24};  // of pose holders
+    std::vector<int> bodies = {3, 6, 12, 24};  // numbers of bodies for holding a pose
     double pose_seconds = 20.0;
     SceneSettings settings;
 };
@@ -85,7 +85,7 @@ Challenge challenge_of(std::uint64_t seed) {
 
 struct Outcome {
     SceneStatus status = SceneStatus::kRunning;
-    double time = 0.0;  // s, got to
+    double time = 0.0;  // s, time reached
     SceneAudit audit;
     bool finite = true;
 
@@ -120,7 +120,7 @@ Outcome run_violently(const Challenge& challenge, const SceneSettings& settings,
 struct Trial {
     Challenge challenge;
     Outcome outcome;
-    std::optional<Outcome> finer;  // of suspects
+    std::optional<Outcome> finer;  // outcome with finer steps, for suspect trials
 
     AuditVerdict final_verdict() const { return (finer ? *finer : outcome).verdict(); }
 };
@@ -283,9 +283,9 @@ std::string survey_violence(const Options& options) {
 
 // --- holding a pose ---------------------------------------------------------------------------
 
-// What the fastest part did at its fastest.
+// The greatest motion in a window of time.
 struct Stir {
-    double speed = 0.0;  // m/s
+    double speed = 0.0;  // m/s, of the fastest part
     std::size_t part = 0;
     double spin = 0.0;           // rad/s, of that part
     double center_speed = 0.0;   // m/s, of the creature
@@ -297,7 +297,7 @@ struct Stir {
 
 struct Rest {
     bool completed = true;
-    Stir early, late;  // second 10, the last 5 s
+    Stir early, late;  // second 10, and the last 5 s
 };
 
 void note_stir(const PhysicsScene& scene, Stir& stir) {
@@ -331,7 +331,7 @@ Stir watch(PhysicsScene& scene, double from, double to) {
     return stir;
 }
 
-// Dropped from 2 cm, told to hold a pose anywhere in the middle half of every joint's range.
+// Drops a body from 2 cm and holds a pose within the middle half of every joint's range.
 Rest hold_pose(std::uint64_t seed, int bodies, const Options& options) {
     RandomStream random(stream_seed({seed, static_cast<std::uint64_t>(bodies), 92}));
     const BodyPlan plan = random_tree(random, bodies, 0.0, kPoseStrength, 0.0);

@@ -1,5 +1,5 @@
-// cambrian_bench_rows: how often the complementarity solver fails on walkers and leaves a problem
-// to sweeps, resting problems and impacts apart.
+// cambrian_bench_rows: how often the complementarity solver fails on walkers, so that a problem is
+// left to Gauss-Seidel sweeps. Resting contacts and impacts are counted separately.
 
 #include "bench/bench_creature.h"
 #include "core/threads/thread_pool.h"
@@ -18,7 +18,7 @@ namespace {
 
 struct Options {
     std::vector<std::size_t> bodies = {3, 6, 12, 24};
-    std::size_t creatures = 40;  // of each size
+    std::size_t creatures = 40;  // number of creatures of each size
     std::uint64_t first_seed = 1;
     double seconds = 10.0;
     std::size_t threads = ThreadPool::default_workers();
@@ -31,7 +31,7 @@ Environment walking_ground() {
     return {};
 }
 
-// Runs one trial of a walker.
+// Runs one trial of a walker and returns the solver's counts.
 SolverTally tally_of(std::size_t bodies, std::uint64_t seed, double seconds) {
     const auto ticks = static_cast<std::size_t>(seconds / kTestTick);
     const BenchCreature creature = random_creature(bodies, seed, ticks);

@@ -1,6 +1,6 @@
 #pragma once
 
-// One creature in one engine from start to end, timed or watched.
+// One creature in one engine from start to end, either timed or measured.
 
 #include "bench/bench_engine.h"
 
@@ -10,8 +10,8 @@
 
 namespace cambrian::bench {
 
-// The two parts of a run whose instructions are counted; never inlined, so that a profiler can name
-// them.
+// The two parts of a run whose instructions are counted. They are never inlined, so that a profiler
+// can name them.
 std::unique_ptr<BenchEngine> build_scene(const EngineKind& kind, const BodyPlan& plan,
                                          const Environment& environment, WorkAudit audit);
 void advance_scene(BenchEngine& engine, const BenchCreature& creature, std::size_t first_tick,
@@ -19,19 +19,19 @@ void advance_scene(BenchEngine& engine, const BenchCreature& creature, std::size
 
 struct Accuracy {
     double greatest_joint_gap = 0.0;       // m, over all ticks
-    double energy_residual = 0.0;          // J; change of energy that no booked work explains
-    double greatest_kinetic_energy = 0.0;  // J, over all ticks; what the residual compares to
+    double energy_residual = 0.0;          // J; change of energy that no recorded work explains
+    double greatest_kinetic_energy = 0.0;  // J, over all ticks; reference for the residual
 };
 
 Accuracy watch_run(const EngineKind& kind, const BenchCreature& creature,
                    const Environment& environment, std::size_t ticks);
 
-// J, kinetic and in gravity.
+// Returns kinetic and potential energy, in J.
 double mechanical_energy(const BodyPlan& plan, const Environment& environment,
                          const std::vector<PartMotion>& parts);
 double kinetic_energy(const BodyPlan& plan, double density, const std::vector<PartMotion>& parts);
 
-// m; the widest distance between the two points a joint should hold together.
+// Returns the greatest distance, in m, between the two points that a joint connects.
 double widest_joint_gap(const BodyPlan& plan, const std::vector<PartMotion>& parts);
 
 }  // namespace cambrian::bench

@@ -1,5 +1,5 @@
-// Micro-benchmarks of one tick of our scene: workload x bodies. The digest of the motion is printed
-// as a counter, so that a faster wrong answer shows.
+// Micro-benchmarks of one tick of our scene: workload x bodies. A counter shows the digest of the
+// motion, which reveals a faster but wrong result.
 
 #include "bench/planar_runs.h"
 #include "support/body_plans.h"
@@ -10,9 +10,9 @@
 namespace cambrian::bench {
 namespace {
 
-constexpr std::size_t kTicks = 600;  // a trial of 10 s, over and over
+constexpr std::size_t kTicks = 600;  // a trial of 10 s, which is repeated
 
-// 32 bits of the digest, which a double prints without rounding.
+// Returns 32 bits of the digest, which a double represents exactly.
 double short_digest(const PhysicsScene& scene) {
     Hash64 digest;
     scene.add_to_digest(digest);
@@ -40,7 +40,7 @@ void advance_scene_tick(benchmark::State& state) {
     }
     state.SetLabel(workload.id);
     state.counters["digest"] = digest;
-    // Per simulated second of the last finished trial; 0 if there is none.
+    // Rates per simulated second of the last finished trial; 0 if there is none.
     const double seconds = static_cast<double>(kTicks) * kTestTick;
     state.counters["evaluations"] = static_cast<double>(audit.evaluations) / seconds;
     state.counters["steps"] = static_cast<double>(audit.steps) / seconds;

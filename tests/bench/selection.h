@@ -6,7 +6,7 @@
 
 namespace cambrian::bench {
 
-// Those of the kinds whose ids were asked for; all if none was.
+// Returns the kinds with the given ids; all if there are no ids.
 template <class Kind>
 std::vector<Kind> select_kinds(std::vector<Kind> kinds, const std::vector<std::string>& ids) {
     if (ids.empty()) return kinds;

@@ -13,12 +13,12 @@ constexpr double kWidth = 760, kHeight = 470;  // pixels
 constexpr double kLeft = 76, kRight = 520, kTop = 48, kBottom = 410;
 constexpr double kLegendX = 544, kLegendStep = 26;
 
-// Okabe & Ito's palette, safe for colour-blind readers; markers tell the curves apart as well.
+// Okabe & Ito's palette, safe for colour-blind readers. Markers distinguish the curves as well.
 constexpr std::array<const char*, 9> kColors = {"#0072B2", "#D55E00", "#009E73",
                                                 "#CC79A7", "#56B4E9", "#E69F00",
                                                 "#000000", "#8C8C00", "#767676"};
 
-// Decades from low to high, on pixels.
+// An axis of decades from `low` to `high` and its position in pixels.
 struct Axis {
     int low;
     int high;

@@ -1,6 +1,6 @@
 #pragma once
 
-// A small picture of curves on two logarithmic axes, as SVG text.
+// Plots curves on two logarithmic axes as SVG text.
 
 #include <string>
 #include <vector>
@@ -21,7 +21,7 @@ struct Plot {
     std::string title;
     std::string x_label;
     std::string y_label;
-    std::vector<PlotSeries> series;  // colour and marker together tell up to 45 apart
+    std::vector<PlotSeries> series;  // colours and markers distinguish up to 45
 };
 
 std::string to_svg(const Plot& plot);

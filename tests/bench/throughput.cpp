@@ -1,5 +1,5 @@
-// How fast evolution goes: evaluations an hour and core, how long cores wait for each other at the
-// end of a generation, and what an evaluation costs besides physics.
+// The speed of evolution: evaluations per hour and core, the time that cores wait for one another
+// at the end of a generation, and the cost of an evaluation besides physics.
 #include "app/builtin_kinds.h"
 #include "bench/evaluation_cost.h"
 #include "bench/write_table.h"
@@ -22,7 +22,7 @@ using namespace cambrian;
 
 namespace {
 
-// The production back-end's way of working, with the clock on every worker.
+// Works like the production back-end and measures the time of every worker.
 class TimedBackend final : public EvaluationBackend {
 public:
     TimedBackend(const EvolutionKinds& kinds, std::size_t workers)
@@ -60,7 +60,7 @@ public:
 private:
     const EvolutionKinds& kinds_;
     ThreadPool pool_;
-    std::vector<double> busy_;  // s, one a worker
+    std::vector<double> busy_;  // s, one per worker
     std::atomic<double> longest_ = 0.0;
     double wall_ = 0.0;
     std::size_t evaluations_ = 0;

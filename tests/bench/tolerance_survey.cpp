@@ -15,10 +15,10 @@ namespace {
 
 constexpr std::array kTolerances = {3e-2, 1e-2, 4e-3, 2e-3, 1e-3, 3e-4, 1e-4, 3e-5, 1e-5};
 
-// Of one creature, one entry a tolerance.
+// The figures of one creature, one entry per tolerance.
 struct Measured {
     std::array<double, kTolerances.size()> error = {};        // rad
-    std::array<double, kTolerances.size()> evaluations = {};  // a simulated second
+    std::array<double, kTolerances.size()> evaluations = {};  // per simulated second
 };
 
 Measured measure(const BenchCreature& creature, const Environment& environment, std::size_t ticks) {

@@ -1,7 +1,7 @@
 #pragma once
 
-// What the tolerance of our physics comes to on creatures: the error of their joint angles and the
-// cost, in air, in water and on the ground. One number is to mean the same in all of them.
+// The error of joint angles and the cost at several tolerances of our physics, for creatures in
+// air, in water and on the ground. One tolerance should give similar errors in all of them.
 
 #include "bench/svg_plot.h"
 
@@ -13,14 +13,14 @@ namespace cambrian::bench {
 
 struct ToleranceSurvey {
     std::vector<std::size_t> bodies = {6, 12};
-    std::size_t creatures = 20;  // of each size; medians are told
-    double seconds = 0.5;        // after which joints are compared with an exact computation
+    std::size_t creatures = 20;  // number of each size; the survey reports medians
+    double seconds = 0.5;        // s after which joints are compared with a precise computation
     std::size_t threads = 1;
 };
 
 struct SurveyedTolerances {
     std::string csv;
-    Plot plot;  // error against tolerance, a curve a workload and size
+    Plot plot;  // error against tolerance, one curve per workload and size
 };
 
 SurveyedTolerances survey_tolerances(const ToleranceSurvey& survey);

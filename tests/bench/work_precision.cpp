@@ -1,7 +1,7 @@
-// cambrian_bench_precision: cost against error of every integrator of ours and of the other
-// engines, on a passive chain that tumbles in empty space. The error is how far its parts stray
-// from where they truly are; truth is the best of our integrators at a tolerance nobody needs.
-// Or, with --creatures, what our tolerance comes to on creatures in every world.
+// cambrian_bench_precision: cost against error of all our integrators and of the other engines, on
+// a passive chain that tumbles in empty space. The error is the distance of the parts from a
+// reference, which is our best integrator at a very small tolerance. With --creatures, it surveys
+// the tolerance of our physics on creatures in every world instead.
 
 #include "bench/engine_kinds.h"
 #include "bench/runs.h"
@@ -25,7 +25,7 @@ namespace {
 
 constexpr std::size_t kBodies = 6;
 constexpr double kFinestTolerance = 1e-12;
-constexpr int kFinestSteps = 256;  // a tick; of the second opinion on the reference
+constexpr int kFinestSteps = 256;  // per tick; for the engine that checks the reference
 
 struct Options {
     double seconds = 2.0;
@@ -36,14 +36,14 @@ struct Options {
     std::string svg_path;
 };
 
-// One curve: the same method, made more precise from entry to entry.
+// One curve: the same method with increasing precision.
 struct Method {
     std::string label;
-    std::vector<EngineKind> settings;  // labelled by what makes them precise
+    std::vector<EngineKind> settings;  // labelled by the parameter that sets the precision
 };
 
 struct Outcome {
-    double micros = 0.0;  // CPU time of a simulated second, least of the repeats
+    double micros = 0.0;  // CPU time of a simulated second in microseconds, least of the repeats
     double error = 0.0;   // m, root mean square over the parts, greatest of all ticks
     double gap = 0.0;     // m, widest of all ticks
 };
@@ -105,7 +105,7 @@ std::vector<Method> all_methods() {
     return methods;
 }
 
-// Where the parts are at every tick's end.
+// The motion of all parts at the end of every tick.
 using Track = std::vector<std::vector<PartMotion>>;
 
 Track track_run(const EngineKind& kind, const BenchCreature& chain, std::size_t ticks) {
@@ -126,7 +126,7 @@ double root_mean_square_distance(const std::vector<PartMotion>& a,
     return std::sqrt(sum / static_cast<double>(a.size()));
 }
 
-// Greatest of all ticks: at a single moment an error may pass through 0.
+// Returns the greatest distance of all ticks, since at a single tick an error may pass through 0.
 double distance(const Track& a, const Track& b) {
     double greatest = 0.0;
     for (std::size_t tick = 0; tick < a.size(); ++tick)
@@ -153,8 +153,8 @@ Outcome measure(const EngineKind& kind, const BenchCreature& chain, const Track&
     return outcome;
 }
 
-// The integrator whose results come closest to a second opinion: the other double-precision engine,
-// with very small steps.
+// Returns the run of the integrator that is closest to an independent one: the other
+// double-precision engine, with very small steps.
 Track find_truth(const BenchCreature& chain, std::size_t ticks) {
     const Track opinion = track_run(
         mujoco_engine("mujoco", {kFinestSteps, MujocoIntegrator::kRungeKutta4}), chain, ticks);
@@ -197,7 +197,8 @@ int run_chain(const Options& options) {
         PlotSeries series{method.label, {}};
         for (const EngineKind& setting : method.settings) {
             const Outcome outcome = measure(setting, chain, truth, options);
-            // Steps of fixed or greatest length: the setting changed nothing.
+            // Methods with fixed or limited steps give equal errors where the setting has no
+            // effect.
             if (!series.points.empty() && outcome.error == series.points.back().y) continue;
             char row[256];
             std::snprintf(row, sizeof row, "\"%s\",%s,%.4g,%.4g,%.4g\n", method.label.c_str(),

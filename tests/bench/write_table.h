@@ -9,7 +9,7 @@
 
 namespace cambrian::bench {
 
-// Writes what a program measured, unless no file was asked for; the status to end with.
+// Writes the results to a file, if one was requested. Returns the exit status.
 inline int write_table(const std::filesystem::path& path, const std::string& text) {
     if (path.empty()) return EXIT_SUCCESS;
     const Status written = write_file(path, text);

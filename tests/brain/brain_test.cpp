@@ -33,7 +33,7 @@ Network random_network(RandomStream& stream) {
     return network;
 }
 
-// A ring of sums, each hearing the one before; the first also hears the constant.
+// Returns a ring of sums, each of which reads the one before; the first also reads the constant.
 Network ring(std::size_t size) {
     Network network;
     network.neurons.resize(size);

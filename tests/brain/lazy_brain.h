@@ -1,7 +1,7 @@
 #pragma once
 
-// The reference semantics of a brain (brain/README.md 3): evaluated on request, each neuron once a
-// tick; a neuron already being evaluated answers with its value of the tick before.
+// The reference semantics of a brain (brain/README.md 3): neurons are evaluated on demand, once per
+// tick. A neuron that is being evaluated answers with its value of the tick before.
 
 #include "brain/network.h"
 
@@ -33,7 +33,7 @@ public:
         const NetworkInput& output = network_.outputs[index];
         return limit_signal(output.weight * values_[output.slot]);
     }
-    // How often a neuron was asked for while its own evaluation was still going on.
+    // Number of reads of a neuron during its own evaluation.
     std::size_t cycle_reads() const { return cycle_reads_; }
 
 private:

@@ -7,7 +7,7 @@
 
 namespace cambrian {
 
-// A brain of one neuron whose inputs are sensors, asked with the given readings tick by tick.
+// A brain of one neuron whose inputs are sensors with given readings, evaluated tick by tick.
 class SingleNeuron {
 public:
     explicit SingleNeuron(std::string_view function)

@@ -1,4 +1,4 @@
-// The tests of breeding/README.md 6. Nodes are told apart by uid, which breeding copies.
+// The tests of breeding/README.md 6. Nodes are identified by uid, which breeding copies.
 
 #include "breeding/corpora.h"
 #include "breeding/methods.h"
@@ -39,7 +39,7 @@ std::vector<Genome> with_three_nodes(std::vector<Genome> corpus) {
     return corpus;
 }
 
-// Share of children with nodes of both parents.
+// Returns the share of children with nodes of both parents.
 double mixed_share(const std::string& method, const std::vector<Genome>& corpus) {
     constexpr std::size_t pairs = 1000;
     RandomStream stream = test_stream(31);
@@ -150,7 +150,7 @@ TEST_CASE("a graft onto a single part gives it an edge", "[breeding][grafting]")
 }
 
 TEST_CASE("homologous crossover takes corresponding genes from any place", "[breeding]") {
-    // The same three limbs on one body, in another order.
+    // The parents have the same three limbs on one body, in different orders.
     Genome first = founder_corpus(1)[0];
     NodeGene body = first.nodes[0];
     body.edges.clear();
@@ -172,5 +172,5 @@ TEST_CASE("homologous crossover takes corresponding genes from any place", "[bre
         CHECK(uids(breed("homologous-crossover", first, second, i)).size() == 4);
         mixed_up += uids(breed("crossover", first, second, i)).size() < 4 ? 1 : 0;
     }
-    CHECK(mixed_up > 50);  // aligned by position the same limb comes twice
+    CHECK(mixed_up > 50);  // alignment by position duplicates a limb
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-// Genomes to breed in tests: founders, single parts and the descendants of many mutations.
+// Genomes to breed from in tests: founders, single parts and descendants after many mutations.
 
 #include "brain/neuron_function.h"
 #include "breeding/breeding_kind.h"
@@ -61,7 +61,7 @@ inline std::vector<Genome> single_part_corpus(std::size_t count) {
     return genomes;
 }
 
-// Founders after many rounds of mutation.
+// Returns founders after many rounds of mutation.
 inline std::vector<Genome> evolved_corpus(std::size_t count, int rounds = 60) {
     const MutationRegistry mutations = builtin_mutations();
     std::vector<Genome> genomes = founder_corpus(count);

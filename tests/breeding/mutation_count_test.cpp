@@ -1,4 +1,4 @@
-// The exact scheme of breeding/README.md 1: of all offspring a quarter is not mutated, a half once.
+// The scheme of breeding/README.md 1: a quarter of all offspring is not mutated, a half once.
 
 #include "breeding/corpora.h"
 #include "support/catch.h"
@@ -10,9 +10,9 @@ using namespace cambrian;
 namespace {
 
 constexpr int kDraws = 20000;
-constexpr double kCritical = 18.42;  // chi-square, 2 degrees of freedom, p = 1e-4
+constexpr double kCritical = 18.42;  // quantile of chi-square for 2 degrees of freedom, p = 1e-4
 
-// Sum over {0, 1, more} of (seen - expected)^2 / expected.
+// Returns the sum over {0, 1, more} of (seen - expected)^2 / expected.
 double chi_square(const std::array<int, 3>& seen) {
     constexpr std::array<double, 3> expected = {0.25 * kDraws, 0.5 * kDraws, 0.25 * kDraws};
     double sum = 0.0;

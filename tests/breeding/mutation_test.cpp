@@ -76,7 +76,7 @@ TEST_CASE("each operator's share of mutations follows its weight", "[breeding][m
     }
     for (const MutationKind& kind : mutations().all()) {
         INFO(kind.id);
-        // Weights add up to 110; operators without a place to apply give theirs away.
+        // The weights add up to 110. Operators that cannot be applied are replaced by others.
         CHECK(seen[kind.id] == Approx(total * kind.default_weight / 110.0).epsilon(0.25));
     }
 }

@@ -1,4 +1,4 @@
-// What single operators of breeding/README.md 3 do to hand-made genomes.
+// The effect of single operators of breeding/README.md 3 on hand-made genomes.
 
 #include "breeding/corpora.h"
 #include "support/catch.h"
@@ -36,7 +36,7 @@ Genome body_and_limb() {
     return genome;
 }
 
-// Neurons 0 to 2 of the root hear a sensor, neuron 0 and neuron 1; its effector hears neuron 2.
+// Neurons 0 to 2 of the root read a sensor, neuron 0 and neuron 1; its effector reads neuron 2.
 Genome chain_of_neurons() {
     Genome genome;
     genome.nodes.resize(1);
@@ -92,7 +92,7 @@ TEST_CASE("a new neuron takes over a link and mostly passes its source on",
         REQUIRE(root.effector.source == local(0));
         passed_on += root.neurons[0].inputs[0].source == genome.nodes[0].effector.source;
     }
-    // 0.7, and what chance alone draws.
+    // The expected share is 0.7, plus what a random draw gives by chance.
     CHECK(passed_on == Approx(700).margin(60));
 }
 

@@ -21,7 +21,7 @@ FounderSettings only(const std::set<SourceKind>& kinds) {
     return settings;
 }
 
-// At random, but so that parts and the brain each have something to read.
+// Returns random settings under which parts and the brain each have something to read.
 FounderSettings random_settings(RandomStream& stream) {
     const KindCatalog& catalog = full_catalog();
     while (true) {
@@ -37,7 +37,7 @@ FounderSettings random_settings(RandomStream& stream) {
     }
 }
 
-// The kinds of all references, joined over the genomes.
+// Adds the kinds of all references to a set.
 void collect(Genome genome, std::set<SourceKind>& seen) {
     for (const InputSite& site : input_sites(genome))
         seen.insert(site.in(genome).source.kind);

@@ -1,5 +1,5 @@
-// Prints the files of so many random creatures as one JSON list: founders, and genomes repaired
-// from garbage, which are at the ends of their ranges.
+// Prints the files of several random creatures as one JSON list. Some are founders, the others
+// genomes repaired from garbage, whose values are at the ends of their ranges.
 
 #include "genome/founders/random_genome.h"
 #include "genome/random_garbage.h"

@@ -8,7 +8,7 @@
 namespace cambrian::test {
 namespace {
 
-constexpr int kOneIn = 50;  // results
+constexpr int kOneIn = 50;  // one result of so many is changed
 
 }  // namespace
 

@@ -1,16 +1,16 @@
 #pragma once
 
-// A worker whose arithmetic is wrong now and then.
+// A worker whose arithmetic is occasionally wrong.
 
 #include "cluster/messages/work_queue.h"
 
 namespace cambrian::test {
 
-// Flips the lowest bit of the fitness of one result in 50, the first one among them. That one is
-// checked for certain; of later ones some would pass (trust.h).
+// Flips the lowest bit of the fitness of one result in 50, including the first one. The first one
+// is always checked; later ones might pass unchecked (trust.h).
 class BitFlipper {
 public:
-    // Whether one of the unit's results was changed.
+    // Returns whether a result of the unit was changed.
     bool change(UnitMessage& unit);
 
 private:

@@ -15,7 +15,7 @@ namespace {
 
 using std::chrono::milliseconds;
 
-// A queue between a worker and the real one; it can vanish.
+// A queue between a worker and the real one, which can disappear.
 class MortalQueue final : public WorkerQueue {
 public:
     using Flag = std::shared_ptr<std::atomic<bool>>;
@@ -53,7 +53,7 @@ public:
     bool publish_result(const UnitMessage& result) override {
         for (milliseconds slept{0}; slept < habits_.slow && !*dead_; slept += milliseconds(5))
             std::this_thread::sleep_for(milliseconds(5));
-        if (*dead_) return true;  // nobody is left to repeat it
+        if (*dead_) return true;  // no worker is left to repeat it
         if (*cut_off_) return false;
         UnitMessage message = result;
         if (habits_.changes) habits_.changes(message);
@@ -76,7 +76,7 @@ private:
     WorkerHabits habits_;
 };
 
-// s; builds with assertions and sanitizers are slow enough to have much on its way at any time.
+// s of a trial. Builds with assertions and sanitizers are slow, so that shorter trials suffice.
 #ifdef NDEBUG
 constexpr double kDuration = 3.0;
 #else

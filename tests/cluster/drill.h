@@ -1,7 +1,7 @@
 #pragma once
 
-// A run over a cluster whose server is in memory and whose workers are threads, any of which can be
-// made to vanish. Its digests are compared with those of the same run on one thread of one machine.
+// A run on a cluster whose server is in memory and whose workers are threads. Any worker can be
+// made to disappear. The run's digests are compared with those of the same run on one thread.
 
 #include "cluster/coordinator/cluster_backend.h"
 #include "cluster/memory_work_queue.h"
@@ -18,24 +18,24 @@
 
 namespace cambrian::test {
 
-// 12 generations of 60 creatures that walk for a few seconds.
+// Returns settings of 12 generations with 60 creatures that walk for a few seconds.
 ExperimentSettings drill_settings();
 
-// Of each generation.
+// One digest per generation.
 using Digests = std::vector<std::uint64_t>;
 Digests local_digests(const ExperimentSettings& settings);
 
-// The digests of that run with another back-end; fewer if an evaluation fails. between: called
-// before each generation with its number.
+// Returns the digests of that run with another back-end; fewer if an evaluation fails. `between` is
+// called before each generation with its number.
 Digests digests_of_run(const ExperimentSettings& settings, EvaluationBackend& backend,
                        const std::function<void(int)>& between = {});
 
 struct WorkerHabits {
-    // Whether it vanishes with this unit in hand, as a process that is killed does.
+    // Whether the worker disappears with this unit in hand, like a killed process.
     std::function<bool(const UnitMessage&)> dies_of;
-    // Before a result is published.
+    // Called before a result is published.
     std::function<void(UnitMessage&)> changes;
-    std::chrono::milliseconds slow{0};  // a unit
+    std::chrono::milliseconds slow{0};  // delay per unit
 };
 
 class DrillWorker {
@@ -43,12 +43,13 @@ public:
     DrillWorker(MemoryServer& server, std::uint64_t id, WorkerHabits habits = {});
     ~DrillWorker();
 
-    // Vanishes without another word.
+    // The worker disappears without a message.
     void kill();
     bool dead() const { return *dead_; }
-    // Its messages do not come through, and come through again.
+    // Blocks the worker's messages, or lets them pass again.
     void cut_off(bool off) { *cut_off_ = off; }
-    // How it ended: empty, or why a coordinator refused it. Waits for its end, 20 s at most.
+    // Waits for the worker's end, for at most 20 s. Returns why a coordinator refused it, or an
+    // empty text.
     std::string end();
     std::vector<std::string> said() const;
 
@@ -60,10 +61,10 @@ private:
     std::jthread thread_;
 };
 
-// Of a coordinator with one own core.
+// Returns options of a coordinator with one core of its own.
 ClusterOptions drill_options();
 
-// Waits until so many workers take part, 20 s at most; whether they do.
+// Waits until so many workers take part, for at most 20 s; returns whether they do.
 bool wait_for_workers(const EvaluationBackend& backend, std::size_t workers);
 
 }  // namespace cambrian::test

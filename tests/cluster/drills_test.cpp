@@ -1,4 +1,4 @@
-// Failures of every kind: each run ends with the digests of the run on one machine.
+// Runs with every kind of failure end with the digests of the run on one machine.
 
 #include "cluster/bit_flipper.h"
 #include "cluster/drill.h"
@@ -109,7 +109,7 @@ TEST_CASE("workers that are killed cost no bit", "[cluster][threads]") {
         cluster.add_worker();
     };
     CHECK(cluster.run(kill_one) == expected());
-    // No creature is evaluated for ever: a unit is delivered at most five times.
+    // No creature is evaluated endlessly: a unit is delivered at most five times.
     CHECK(cluster.server.deliveries() <= 5 * cluster.counts().units);
 }
 
@@ -149,7 +149,7 @@ TEST_CASE("a server that goes away and comes back is used again", "[cluster][thr
 }
 
 TEST_CASE("a server that stops in mid-generation holds no one up", "[cluster][threads]") {
-    int units = 0;  // longer lived than the workers that count it
+    int units = 0;  // outlives the workers that count it
     Cluster cluster(0);
     const auto stop_server = [&](UnitMessage&) {
         if (++units == 4) cluster.server.set_running(false);
@@ -179,7 +179,7 @@ TEST_CASE("a slow worker holds up a generation little", "[cluster][threads]") {
     REQUIRE(wait_for_workers(*cluster.backend, 2));
     CHECK(cluster.run() == expected());
     CHECK(cluster.counts().overdue_at_home > 0);
-    // Its results never come: it sleeps for longer than the run takes.
+    // Its results never arrive: it sleeps for longer than the run takes.
     for (const WorkerStatus& worker : cluster.backend->status().workers) {
         if (worker.name == "worker 101") CHECK(worker.share == 0.0);
     }
@@ -187,8 +187,8 @@ TEST_CASE("a slow worker holds up a generation little", "[cluster][threads]") {
 }
 
 TEST_CASE("a worker that flips a bit of a result is refused", "[cluster][threads]") {
-    std::atomic<int> present = 0;  // generation
-    std::atomic<int> began = -1;   // the first one with a false result
+    std::atomic<int> present = 0;  // present generation
+    std::atomic<int> began = -1;   // generation of the first false result
     BitFlipper flipper;
     Cluster cluster(1);
     const auto flip = [&](UnitMessage& message) {
@@ -232,7 +232,7 @@ TEST_CASE("a genome that ends its workers is found and written down", "[cluster]
     const TemporaryDirectory folder;
     std::mutex mutex;
     std::string poison;  // hash of the genome, as units say it
-    // The first creature of the first unit is the poison.
+    // The first creature of the first unit crashes the worker.
     const auto dies = [&](const UnitMessage& unit) {
         const std::lock_guard lock(mutex);
         const std::size_t place = unit.body.find("\"genome\": ");
@@ -327,7 +327,7 @@ TEST_CASE("garbage on every subject is counted and changes no bit", "[cluster][t
     };
     CHECK(cluster.run(inject) == expected());
     CHECK(cluster.counts().malformed >= 2 * injected);
-    // None of them is redelivered for ever.
+    // None of them is redelivered endlessly.
     for (int tried = 0; tried < 500 && cluster.server.stored_units() > 0; ++tried)
         std::this_thread::sleep_for(milliseconds(10));
     CHECK(cluster.server.stored_units() == 0);

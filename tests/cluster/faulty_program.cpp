@@ -5,8 +5,8 @@
 //   refuses a process of its own ends with a message instead of computing a unit
 //   dies    a genome ends every process that evaluates it. Its hash is in the file `poison` of the
 //           folder it runs in; the first worker that gets a unit writes there the unit's first.
-// Everything else is as in the program itself: `worker URL --name NAME`, with one thread, and
-// every other subcommand.
+// Everything else is as in the program itself: `worker URL --name NAME`, with one thread, and all
+// other subcommands.
 
 #include "app/command_line.h"
 #include "app/process/messages.h"
@@ -39,7 +39,7 @@ using std::chrono::milliseconds;
 
 namespace {
 
-// A queue as it is; each fault changes some of it.
+// A queue without faults. Each fault overrides some of its functions.
 class SoundQueue : public WorkerQueue {
 public:
     explicit SoundQueue(std::unique_ptr<WorkerQueue> inner) : inner_(std::move(inner)) {}
@@ -83,7 +83,7 @@ private:
     BitFlipper flipper_;
 };
 
-constexpr double kSlowness = 20.0;  // times as long
+constexpr double kSlowness = 20.0;  // times as slow
 
 class SlowQueue final : public SoundQueue {
 public:
@@ -110,13 +110,13 @@ std::string poison() {
     return text ? *text : "";
 }
 
-// Ends the process if the message has the poison.
+// Ends the process if the message contains the poison.
 void swallow(std::string_view message) {
     const std::string hash = poison();
     if (!hash.empty() && message.find(hash) != std::string_view::npos) std::abort();
 }
 
-// One of several processes succeeds, and none of them ever sees a part of the file.
+// Of several processes one succeeds, and the others never read an incomplete file.
 void choose_poison(std::string_view unit) {
     UnitReader reader(kinds());
     const Result<Unit> read = reader.read(unit);

@@ -1,4 +1,4 @@
-// Who has what, sizes, trust and presence, with a clock that the test says.
+// The ledgers of units, their sizes, trust and presence, with a clock that the test sets.
 
 #include "cluster/coordinator/answers.h"
 #include "cluster/coordinator/batch.h"
@@ -22,7 +22,7 @@ TEST_CASE("units shrink as less is left", "[cluster]") {
     CHECK(unit_seconds(1'000.0, {.own = 1, .remote = 7}) == 2.0);
     CHECK(unit_seconds(12.0, {.own = 1, .remote = 7}) == 0.5);
     CHECK(unit_seconds(0.032, {.own = 1, .remote = 7}) == 0.01);
-    // A batch of 6 ms on two cores: half of it stays at home.
+    // Half of a batch of 6 ms on two cores stays with the coordinator.
     CHECK(unit_seconds(0.006, {.own = 1, .remote = 1}) == Approx(0.003));
     double left = 80.0;
     int units = 0;
@@ -50,7 +50,7 @@ TEST_CASE("costs are learnt, and unknown ones are the median", "[cluster]") {
     model.learn(1, 0, 1.0);
     model.learn(1, 5, 0.0);
     CHECK(model.seconds_of(requests) == seconds);
-    // A creature that was rejected at once says little of those that are not.
+    // A creature that was rejected at once is no basis for an estimate of the others.
     for (int i = 0; i < 100; ++i) {
         model.learn(1, 1'000, 0.5);
         model.learn(1, 1, 0.01);
@@ -127,7 +127,7 @@ TEST_CASE("the first answer counts and later ones are compared with it", "[clust
     CHECK(answers.settled(0));
     CHECK_FALSE(answers.claim(0, 2, with_fitness(1.0), false).first);
     CHECK(answers.settled(0));
-    // Another answer: the own cores decide.
+    // The answers differ, so the coordinator's own cores decide.
     CHECK_FALSE(answers.claim(0, 3, with_fitness(1.5), false).first);
     CHECK_FALSE(answers.settled(0));
     CHECK(answers.next_check() == 0U);
@@ -138,7 +138,7 @@ TEST_CASE("the first answer counts and later ones are compared with it", "[clust
     CHECK_FALSE(comparisons[1].equal);
     CHECK(comparisons[2].equal);
     CHECK(answers.result(0)->fitness == 1.5);
-    // What comes still later is compared with the truth.
+    // A later answer is compared with the coordinator's own result.
     const auto late = answers.claim(0, 4, with_fitness(1.0), false);
     REQUIRE(late.comparison);
     CHECK_FALSE(late.comparison->equal);
@@ -190,7 +190,7 @@ TEST_CASE("new workers are checked much, proven ones a little", "[cluster]") {
     CHECK(first == 16);
     CHECK(later > 700);
     CHECK(later < 1'100);
-    // Another secret checks others.
+    // Another secret selects other answers to check.
     Trust same(42);
     Trust other(43);
     std::set<std::uint32_t> of_same;
@@ -234,7 +234,8 @@ TEST_CASE("only workers that are heard and compute the same bits count", "[clust
     roll.hear(odd, 103.0);
     CHECK(roll.cores(104.0, trust) == 12);
     CHECK(roll.cores(106.5, trust) == 4);
-    // A late unit makes those who have been silent since doubtful until they are heard.
+    // After a late unit, workers that have been silent since then are in doubt until they send a
+    // message.
     roll.hear(hello_of(1, 8), 106.6);
     roll.doubt_silent(106.5);
     CHECK(roll.cores(106.7, trust) == 8);

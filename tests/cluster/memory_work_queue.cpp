@@ -21,8 +21,8 @@ using std::chrono::milliseconds;
 struct StoredUnit {
     std::string body;
     int times = 0;
-    Clock::time_point not_before = Clock::now();  // when it is to be delivered next
-    std::uint64_t ticket = 0;                     // of the last delivery
+    Clock::time_point not_before = Clock::now();  // earliest time of the next delivery
+    std::uint64_t ticket = 0;                     // number of the last delivery
 };
 
 struct StoredResult {
@@ -59,7 +59,7 @@ struct MemoryServer::State {
         changed.notify_all();
     }
 
-    // Moves results whose time has come to the coordinator's news.
+    // Moves the results that are due to the coordinator's news.
     void deliver_results() {
         for (auto each = results.begin(); each != results.end();) {
             if (each->not_before > Clock::now()) {
@@ -79,7 +79,7 @@ struct MemoryServer::State {
         });
     }
 
-    // A unit to be delivered now; those delivered too often are told instead.
+    // Returns a unit that is due; units that were delivered too often are reported instead.
     std::map<UnitId, StoredUnit>::iterator next_unit() {
         std::vector<std::map<UnitId, StoredUnit>::iterator> ready;
         for (auto unit = units.begin(); unit != units.end(); ++unit) {
@@ -250,7 +250,8 @@ public:
     }
 
 private:
-    // False if there is none. A lost delivery counts: the server believes it has been made.
+    // Returns false if there is no unit. A lost delivery counts, since the server believes it was
+    // made.
     bool deliver(std::vector<Delivery>& deliveries) {
         const auto unit = state_->next_unit();
         if (unit == state_->units.end()) return false;

@@ -1,7 +1,7 @@
 #pragma once
 
-// A message queue in this process, which loses, delays, repeats and reorders messages on command,
-// as decided by a seed. Times are short: what takes a server ten seconds takes it a fifth of one.
+// A message queue in this process that loses, delays, repeats and reorders messages; a seed decides
+// which. Its times are 50 times shorter than a server's: ten seconds become a fifth of one.
 
 #include "cluster/messages/work_queue.h"
 
@@ -15,13 +15,13 @@ namespace cambrian::test {
 
 struct Faults {
     std::uint64_t seed = 1;
-    double lost_delivery = 0.0;  // share of units sent to a worker that does not get them
+    double lost_delivery = 0.0;  // share of units whose delivery to a worker is lost
     double repeated_delivery = 0.0;
-    double lost_result = 0.0;  // share of results that the coordinator never gets
+    double lost_result = 0.0;  // share of results that are lost
     double repeated_result = 0.0;
     bool reorders = false;
-    std::chrono::milliseconds longest_delay{0};  // of a result
-    std::chrono::milliseconds patience{200};     // until a unit is delivered again
+    std::chrono::milliseconds longest_delay{0};  // greatest delay of a result
+    std::chrono::milliseconds patience{200};     // time until a unit is delivered again
     int most_deliveries = 5;
     std::size_t most_bytes = 1'000'000;  // of a message
     std::size_t most_units = 1'000;      // stored
@@ -35,19 +35,19 @@ public:
     std::unique_ptr<CoordinatorQueue> coordinator();
     std::unique_ptr<WorkerQueue> worker();
 
-    // While it is down nobody is connected; what is stored stays.
+    // While the server is down, nobody is connected; stored messages remain.
     void set_running(bool running);
-    // What a worker's result becomes on its way.
+    // Changes the results of workers on their way.
     void change_results(std::function<void(std::string& body)> change);
 
-    // Messages from nobody in particular.
+    // Adds messages without a sender.
     void inject_unit(const UnitMessage& unit);
     void inject_result(const UnitMessage& result);
     void inject_hello(const std::string& text);
 
     std::size_t stored_units() const;
-    std::size_t deliveries() const;  // so far
-    std::uint64_t run() const;       // the last one begun
+    std::size_t deliveries() const;  // number of deliveries so far
+    std::uint64_t run() const;       // number of the run begun last
 
     struct State;
 

@@ -11,7 +11,7 @@ using namespace cambrian;
 
 namespace {
 
-// Any bits at all: also infinities, numbers that are none, and the smallest ones.
+// Returns any bits, including infinities, not-a-number and the smallest numbers.
 double any_real(RandomStream& random) {
     static const std::vector<double> kOdd = {0.0,
                                              -0.0,
@@ -26,7 +26,7 @@ double any_real(RandomStream& random) {
 }
 
 std::uint64_t any_count(RandomStream& random) {
-    return random.bits() >> 11;  // as large as whole numbers are exact
+    return random.bits() >> 11;  // doubles represent integers up to this size exactly
 }
 
 void fill(Behavior& behavior, RandomStream& random) {
@@ -75,7 +75,7 @@ EvaluationResult any_result(RandomStream& random) {
     return result;
 }
 
-// Field by field, which result_text() is not asked about.
+// Collects the fields one by one, independent of result_text().
 std::vector<std::uint64_t> bits_of(const EvaluationResult& result) {
     std::vector<std::uint64_t> bits;
     const auto real = [&](double number) { bits.push_back(std::bit_cast<std::uint64_t>(number)); };

@@ -34,7 +34,7 @@ Result<std::unique_ptr<EvaluationBackend>> own_core() {
     return make_thread_pool_backend(kinds(), 1);
 }
 
-// All but the time that it took.
+// Returns the run without the time it took.
 ComparedRun timeless(ComparedRun run) {
     run.seconds = 0.0;
     return run;
@@ -102,7 +102,7 @@ TEST_CASE("the champion of every run is kept and scores what the table says", "[
             row.world + "-" + row.arm + "-seed" + std::to_string(row.seed) + ".creature.json";
         const auto champion = load_creature(folder / "champions" / name, kinds());
         REQUIRE(champion);
-        CHECK(champion->scored->fitness == row.score);  // swimming is not confirmed
+        CHECK(champion->scored->fitness == row.score);  // swimming has no confirmation
     }
 }
 

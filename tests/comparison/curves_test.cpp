@@ -19,7 +19,8 @@ TEST_CASE("a band is the quartiles of the runs at equal trials", "[comparison]")
     const CurveBand band = band_of({run_with({{50, 1.0}, {110, 5.0}}), run_with({{50, 2.0}}),
                                     run_with({{20, 0.0}, {100, 3.0}})},
                                    4);
-    CHECK(band.trials == std::vector<double>{50, 75, 100});  // not every run had begun at 25
+    // At 25, not every run has a generation yet.
+    CHECK(band.trials == std::vector<double>{50, 75, 100});
     CHECK(band.middle == std::vector<double>{1.0, 1.0, 2.0});
     CHECK(band.lower == std::vector<double>{0.5, 0.5, 1.5});
     CHECK(band.upper == std::vector<double>{1.5, 1.5, 2.5});

@@ -43,7 +43,7 @@ TEST_CASE("every arm is run in every world with every seed", "[comparison]") {
     const PlannedRun& random = (*runs)[2];
     CHECK(random.arm == kRandomSearch);
     CHECK(random.settings->population.immigrants == random.settings->population.size);
-    // What goes with a goal comes from the world's.
+    // Settings that follow from a goal follow from the world's goal.
     CHECK((*runs)[0].settings->selection.confirmations == 2);
     CHECK((*runs)[3].settings->selection.confirmations == 0);
     CHECK((*runs)[3].settings->goal == "swimming");

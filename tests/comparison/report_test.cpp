@@ -35,11 +35,12 @@ TEST_CASE("the report sets every arm against the first", "[comparison]") {
     append(runs, runs_with("walking", "new", 4.0));
     append(runs, runs_with("jumping", "old", 1.0));
     append(runs, runs_with("jumping", "new", 1.0));
-    runs.back().finer = 2.0;  // of 3
+    runs.back().finer = 2.0;  // with a score of 3
     const std::string report = comparison_report(runs);
     CHECK(holds(report, "**walking**"));
     CHECK(holds(report, "| old | 3 | 2 | 1 to 3 | 0.5 |  |  |  | 2 | 3 |"));
-    // 8 against 2; 4, 8, 12 all above 1, 2, 3: once in 20 splits, either way round.
+    // The medians are 8 and 2. All of 4, 8, 12 exceed all of 1, 2, 3: 1 of 20 splits, in either
+    // direction.
     CHECK(holds(report, "| new | 3 | 8 | 4 to 12 | 0.5 | 4 | 0.1 | 1 | 8 | 3 |"));
     CHECK(holds(report, "| new | 3 | 2 | 1 to 3 | 0.5 | 1 | 1 | 0.5 | 2 | 2 |"));
     CHECK(holds(report, "- new against old: 2, geometric mean over 2 worlds"));

@@ -12,7 +12,7 @@ using namespace cambrian;
 
 namespace {
 
-// No file may grow beyond the limit while this lives: a full disk, as far as a writer can tell.
+// Limits the size of files during its lifetime. For a writer, this is the same as a full disk.
 class FullDisk {
 public:
     explicit FullDisk(rlim_t bytes) {
@@ -67,7 +67,7 @@ TEST_CASE("only regular files are read", "[core][file_io]") {
 TEST_CASE("a file above the limit is refused before it is read", "[core][file_io]") {
     const TemporaryDirectory folder;
     put_text(folder / "huge", "");
-    std::filesystem::resize_file(folder / "huge", 100'000'000'000);  // sparse: 100 GB of nothing
+    std::filesystem::resize_file(folder / "huge", 100'000'000'000);  // a sparse file of 100 GB
     const auto read = read_file(folder / "huge", 4'000'000);
     REQUIRE_FALSE(read);
     CHECK_THAT(read.error().message, Catch::Contains("too large: 100000.0 MB, limit 4.0 MB"));
@@ -117,7 +117,7 @@ TEST_CASE("a replaced file is a new one, so a reader of the old keeps all of it"
 
 TEST_CASE("a device is written to, not replaced", "[core][file_io]") {
     const TemporaryDirectory folder;
-    // A link leads to the device: were the target renamed over, the link would become a file.
+    // The link leads to a device. If write_file() renamed over the link, it would become a file.
     std::filesystem::create_symlink("/dev/null", folder / "device");
     CHECK(write_file(folder / "device", "x"));
     CHECK(std::filesystem::is_symlink(folder / "device"));

@@ -15,7 +15,7 @@ using namespace cambrian;
 
 namespace {
 
-// The number of a process that has ended.
+// Returns the id of a process that has ended.
 pid_t gone_process() {
     const pid_t child = ::fork();
     if (child == 0) ::_exit(0);
@@ -68,7 +68,7 @@ TEST_CASE("what a process that is gone left of a file is taken away", "[core][pe
     CHECK_FALSE(std::filesystem::exists(folder / (stale + "23")));
     CHECK_FALSE(std::filesystem::exists(folder / own_of_before));
     CHECK(std::filesystem::exists(folder / living));
-    CHECK(folder.size() == 6);  // with the four of others
+    CHECK(folder.size() == 6);  // with the four of other processes
 }
 
 TEST_CASE("a file that is written to elsewhere, out of sight, is not taken away",

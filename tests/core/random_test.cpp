@@ -39,7 +39,7 @@ Moments moments_of(Draw draw) {
     return moments;
 }
 
-// The authors' reference code, written independently of ours.
+// The authors' reference algorithm, implemented independently.
 std::uint64_t reference_split_mix(std::uint64_t& x) {
     std::uint64_t z = (x += 0x9e3779b97f4a7c15);
     z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9;
@@ -69,7 +69,7 @@ TEST_CASE("gauss has mean 0, variance 1 and stays within 3.47", "[core][random]"
 
 TEST_CASE("a uniform number never reaches the range's upper end", "[core][random]") {
     RandomStream stream(3);
-    // Only two doubles lie in this range, the upper end being one of them.
+    // Only two doubles are in this range, one of them its upper end.
     const double low = 1e16;
     const double high = std::nextafter(low, 2e16);
     for (int i = 0; i < 1000; ++i)
@@ -90,7 +90,7 @@ TEST_CASE("choices among n are even for any n", "[core][random]") {
 }
 
 TEST_CASE("a choice among 2^63 + 1 is as often above the middle as below", "[core][random]") {
-    // Taking the remainder alone would return the lower half twice as often.
+    // The remainder alone would give the lower half twice as often.
     RandomStream stream(5);
     const std::size_t count = (std::size_t{1} << 63) + 1;
     int upper = 0;
@@ -189,7 +189,7 @@ TEST_CASE("the streams of an experiment never overlap", "[core][random]") {
 }
 
 TEST_CASE("the same seed gives the same numbers on every machine", "[core][random]") {
-    // Every evolution rests on these; they never change.
+    // All evolution depends on these values; they never change.
     RandomStream stream(1);
     CHECK(stream.bits() == 0xb3f2af6d0fc710c5ULL);
     CHECK(stream.bits() == 0x853b559647364ceaULL);

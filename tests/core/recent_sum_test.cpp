@@ -12,7 +12,7 @@ TEST_CASE("RecentSum forgets what is older than a minute", "[core]") {
     CHECK(sum.sum(59.9) == 5.0);
     CHECK(sum.sum(60.0) == 3.0);
     CHECK(sum.sum(70.9) == 0.0);
-    sum.add(1.0, 70.9);  // takes the place of the same second of the minute before
+    sum.add(1.0, 70.9);  // replaces the same second of the minute before
     CHECK(sum.sum(70.9) == 1.0);
     CHECK(sum.sum(1e6) == 0.0);
 }

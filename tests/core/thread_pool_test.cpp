@@ -25,7 +25,8 @@ TEST_CASE("every index is worked on exactly once", "[core][thread_pool][threads]
 
 TEST_CASE("a worker's number is its own while it works", "[core][thread_pool][threads]") {
     ThreadPool pool(4);
-    std::vector<std::size_t> scratch(pool.workers());  // unguarded on purpose: tsan would tell
+    // Unguarded on purpose, so that the thread sanitizer detects sharing.
+    std::vector<std::size_t> scratch(pool.workers());
     pool.parallel_for(5000, [&](std::size_t, std::size_t worker) { ++scratch[worker]; });
     CHECK(scratch[0] + scratch[1] + scratch[2] + scratch[3] == 5000);
 }

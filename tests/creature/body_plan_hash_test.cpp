@@ -10,7 +10,7 @@ constexpr JointMotion kFixed = JointMotion::kFixed;
 constexpr JointMotion kTurn = JointMotion::kTurn;
 constexpr JointMotion kSlide = JointMotion::kSlide;
 
-// Parts by (parent, joint), in this order.
+// Returns the hash of parts given by (parent, joint), in this order.
 std::uint64_t hash_of(const std::vector<std::pair<int, JointMotion>>& parts, double size = 1.0) {
     Phenotype phenotype;
     for (const auto& [parent, joint] : parts) {
@@ -27,7 +27,7 @@ std::uint64_t hash_of(const std::vector<std::pair<int, JointMotion>>& parts, dou
 
 TEST_CASE("a body plan is its tree of parts and joints, whatever sizes and order",
           "[creature][body_plan]") {
-    // A root with a limb of two and a limb of one.
+    // The plan has a root with one limb of two parts and one of one part.
     const auto plan = hash_of({{-1, kFixed}, {0, kTurn}, {1, kTurn}, {0, kSlide}});
     CHECK(plan == hash_of({{-1, kFixed}, {0, kTurn}, {1, kTurn}, {0, kSlide}}, 0.3));
     CHECK(plan ==

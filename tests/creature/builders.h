@@ -31,7 +31,7 @@ inline EdgeGene edge_to(std::size_t target, double position = 0.125, double angl
     return {.target = static_cast<std::uint8_t>(target), .position = position, .angle = angle};
 }
 
-// Its edges lead to the given nodes, from the middle of the far end, straight on.
+// Returns a node whose edges lead to the given nodes, straight from the middle of the far end.
 inline NodeGene node_with(std::initializer_list<EdgeGene> edges, int recursion_limit = 1) {
     NodeGene node;
     node.edges = edges;
@@ -46,7 +46,7 @@ inline Genome genome_of(std::initializer_list<NodeGene> nodes) {
     return genome;
 }
 
-// A body with a pair of legs beating about it: creature/README.md 3, example (c).
+// Returns a body with a pair of beating legs: creature/README.md 3, example (c).
 inline Genome two_legs() {
     NodeGene leg;
     leg.symmetric = true;

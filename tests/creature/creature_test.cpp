@@ -19,7 +19,7 @@ InputGene local_sensor(int channel, double weight = 1.0) {
     return {{SourceKind::kLocalSensor, static_cast<std::uint8_t>(channel)}, weight};
 }
 
-// The target of the last part after the creature acted for a while on a scene that rests.
+// Returns the last part's target after the creature acted for a while on a scene at rest.
 double final_target(const Genome& genome, FakeScene& scene) {
     const Phenotype phenotype = express(genome);
     const SceneSettings settings;

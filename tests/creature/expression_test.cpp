@@ -1,4 +1,4 @@
-// Properties every expressed genome has, over founders and their descendants.
+// Properties of every expressed genome, tested on founders and their descendants.
 
 #include "brain/lazy_brain.h"
 #include "breeding/mutation.h"
@@ -52,7 +52,7 @@ void check_limits(const Phenotype& body, const ExpressionSettings& limits) {
     }
 }
 
-// Live cycles met; both brains must agree bit for bit on any sensor readings.
+// Checks that both brains agree bit for bit on random readings. Returns whether they met a cycle.
 bool agrees_with_lazy(const Phenotype& body, int ticks, RandomStream& stream) {
     Brain brain(body.network, kinds().functions);
     LazyBrain lazy(body.network, kinds().functions);
@@ -67,7 +67,7 @@ bool agrees_with_lazy(const Phenotype& body, int ticks, RandomStream& stream) {
     return lazy.cycle_reads() > 0;
 }
 
-// The genome's body on the far end of a new root, reflected or not.
+// Returns the genome's body at the far end of a new root, reflected or not.
 Genome carried(const Genome& genome, bool reflect) {
     Genome carrier = genome;
     for (NodeGene& node : carrier.nodes) {
@@ -97,7 +97,7 @@ void check_mirrored(const Phenotype& body, const Phenotype& mirrored) {
     }
 }
 
-// Both act on random readings, mirrored for the second.
+// Both bodies act on random readings, which are mirrored for the second.
 void check_mirrored_motion(const Phenotype& body, const Phenotype& mirrored, RandomStream& stream) {
     const SceneSettings settings;
     Creature left(body, kinds(), settings);

@@ -8,7 +8,7 @@
 
 namespace cambrian {
 
-// A scene without physics: parts and joints are wherever a test puts them, targets are remembered.
+// A scene without physics: tests set the positions of parts and joints; targets are stored.
 class FakeScene final : public PhysicsScene {
 public:
     explicit FakeScene(std::size_t parts)

@@ -22,7 +22,8 @@ TEST_CASE("parts overlap if no joint ties them and no line keeps them apart", "[
     CHECK_FALSE(overlaps_itself({{box(0, 0, 0, -1), box(0.5, 0, 0, 0)}}));
     CHECK(overlaps_itself({{box(0, 0, 0, -1), box(0, 3, 0, 0), box(0.5, 0, 0, 1)}}));
     CHECK_FALSE(overlaps_itself({{box(0, 0, 0, -1), box(0, 3, 0, 0), box(1.01, 0, 0, 1)}}));
-    // Crossed at a right angle, and beside each other at a slant: only the boxes around overlap.
+    // The first pair crosses at a right angle. The second is side by side at a slant, where only
+    // the bounding boxes overlap.
     CHECK(overlaps_itself({{box(0, 0, 0, -1), box(0, 3, 0, 0), box(0, 0.2, 1.57, 1)}}));
     CHECK_FALSE(overlaps_itself({{box(0, 0, 0.785, -1), box(0, 3, 0, 0), box(0.4, 0, 0.785, 1)}}));
 }

@@ -11,8 +11,8 @@ SourceRef reference(SourceKind kind, int index, int child = 0, int node = 0, int
             static_cast<std::uint8_t>(node), static_cast<std::uint8_t>(instance)};
 }
 
-// A root and two arms, in order of creation; part p's neuron k answers 10 p + k, times 1/100.
-// `heard` is what the first arm's effector listens to.
+// Returns a root and two arms, in order of creation. Neuron k of part p has the value (10 p + k) /
+// 100. The first arm's effector reads `heard`.
 Genome two_arms(const SourceRef& heard) {
     const auto teller = [](int part, int neuron) {
         const double value = (10.0 * part + neuron) / 100.0;
@@ -30,7 +30,7 @@ Genome two_arms(const SourceRef& heard) {
     return genome;
 }
 
-// What the effector of a part hears in the first tick.
+// Returns the value that a part's effector reads in the first tick.
 double heard_by(std::size_t part, const Genome& genome) {
     const Phenotype phenotype = express(genome);
     Brain brain(phenotype.network, kinds().functions);
@@ -91,7 +91,7 @@ TEST_CASE("the parent of the root, missing neurons and unknown channels read 0",
 TEST_CASE("only sensors somebody hears are read", "[creature][wiring]") {
     Genome genome = two_arms(reference(SourceKind::kLocalSensor, 3));
     genome.nodes[2].neurons[0].inputs[0] = {reference(SourceKind::kLocalSensor, 1), 1.0};
-    const Phenotype phenotype = express(genome);  // nobody listens to part 2's neuron
+    const Phenotype phenotype = express(genome);  // no effector reads part 2's neuron
     REQUIRE(phenotype.sensors.size() == 2);
     CHECK(phenotype.sensors[0].part == 1);
     CHECK(phenotype.sensors[1].part == 3);

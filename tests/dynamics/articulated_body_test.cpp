@@ -79,7 +79,7 @@ TEST_CASE("accelerations are the impulse response of the loads at rest",
 
 namespace {
 
-// Inertia matrix of the coordinates: what kinetic energy unit rates of them have together.
+// Returns the inertia matrix of the coordinates: the matrix of the kinetic energy for unit rates.
 Eigen::MatrixXd inertia_matrix(const PlanarModel& model, const Kinematics& place) {
     const int count = coordinate_count(model);
     Eigen::MatrixXd rates(3 * model.body_count, count);
@@ -99,7 +99,8 @@ Eigen::MatrixXd inertia_matrix(const PlanarModel& model, const Kinematics& place
     return rates.transpose() * masses.asDiagonal() * rates;
 }
 
-// Joints lose effort by a damping times their acceleration: what that adds to the inertia matrix.
+// Returns the matrix that damping adds to the inertia matrix. Joints lose effort by a damping times
+// their acceleration.
 Eigen::MatrixXd damping_matrix(const PlanarModel& model, const PerBody& damping) {
     const int count = coordinate_count(model);
     Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(count, count);
@@ -107,7 +108,7 @@ Eigen::MatrixXd damping_matrix(const PlanarModel& model, const PerBody& damping)
         Eigen::VectorXd joint = Eigen::VectorXd::Zero(count);
         joint(i) = 1.0;
         if (model.motion[i] == JointMotion::kTurn) {
-            int turning = model.parent[i];  // which coordinate turns the parent
+            int turning = model.parent[i];  // the coordinate that turns the parent
             while (model.motion[turning] == JointMotion::kSlide)
                 turning = model.parent[turning];
             joint(turning) = -1.0;

@@ -1,6 +1,6 @@
 #pragma once
 
-// Scenes of small bodies for the tests of physics.
+// Scenes with small bodies for the tests of physics.
 
 #include "dynamics/planar_scene.h"
 #include "support/body_plans.h"

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kHalf = 0.1;  // m
 
-// Heights of a box's first apexes above its resting place, dropped flat from 1 m.
+// Returns the heights of a box's first apexes above its resting place when dropped flat from 1 m.
 std::vector<double> apexes(double restitution, std::size_t count, SceneAudit* audit = nullptr) {
     Environment environment;
     environment.elasticity = restitution;
@@ -21,7 +21,7 @@ std::vector<double> apexes(double restitution, std::size_t count, SceneAudit* au
     for (int tick = 0; tick < 60 * 30 && heights.size() < count; ++tick) {
         if (scene->advance(1.0 / 480) != SceneStatus::kRunning) break;
         const double speed = scene->center_of_mass_velocity().y();
-        // The apex of the current parabola, from the state.
+        // The height of the next apex follows from the present position and speed.
         const double apex = scene->center_of_mass().y() - kHalf + speed * speed / (2 * 9.81);
         if (rising && speed < 0.0) heights.push_back(highest);
         if (speed > 0.0) highest = apex;
@@ -73,7 +73,8 @@ TEST_CASE("a corner that sticks stops exactly and bounces exactly", "[dynamics][
         if (!contacts.has_impact()) continue;
         contacts.solve_impact(rig.model, rig.law, environment.elasticity, rig.state.cache(),
                               motion);
-        if (contacts.selected().count != 1) continue;  // the others of a group hold each other up
+        // Contacts of a larger group support each other.
+        if (contacts.selected().count != 1) continue;
         const Contact& corner = contacts.selected().items[0];
         const PointSpeeds before = speeds_at(corner, k);
         compute_kinematics(rig.model, motion, k);

@@ -28,7 +28,7 @@ Evaluation evaluated(const PlanarModel& model, const Forcing& forcing, const Mot
     return evaluation;
 }
 
-// Of the values, relative to the largest of them.
+// Returns the largest difference of the values, relative to the largest value.
 double difference(const double* first, const double* second, int count) {
     double scale = 1.0;
     double widest = 0.0;
@@ -39,7 +39,8 @@ double difference(const double* first, const double* second, int count) {
     return widest / scale;
 }
 
-// A creature of up to kMaxDenseBodies bodies, every fourth box welded on if asked for.
+// Returns a creature of at most kMaxDenseBodies bodies; with `welds`, every fourth box has a fixed
+// joint.
 PlanarModel creature(RandomStream& random, bool welds) {
     BodyPlan plan = random_tree(random, random.between(1, kMaxDenseBodies), 0.0, 20.0, 0.0);
     for (std::size_t part = 3; welds && part < plan.parts.size(); part += 4)
@@ -62,7 +63,7 @@ Forcing random_forcing(RandomStream& random, const PlanarModel& model) {
     return forcing;
 }
 
-// A creature in the middle of a step with implicit motors, in both forms.
+// A creature in the middle of a step with implicit motors, in dense and in recursive form.
 struct ImplicitStages {
     ImplicitStages(RandomStream& random, bool welds)
         : model(creature(random, welds)), tree_model(model), motion(random_motion(random, model)) {
@@ -83,7 +84,8 @@ struct ImplicitStages {
     Evaluation dense, tree;
 };
 
-// Two points of every body on the ground, some pressed together in pairs, and all stops.
+// Returns contacts at two points of every body on the ground, contacts between some pairs, and all
+// stops.
 ContactSet scattered_contacts(RandomStream& random, const PlanarModel& model) {
     ContactSet contacts;
     for (int i = 0; i < 2 * model.body_count; ++i) {

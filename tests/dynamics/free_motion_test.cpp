@@ -7,7 +7,7 @@ using namespace cambrian;
 
 namespace {
 
-// Limbs that never meet a stop, with mixed spins of 8 rad/s.
+// Returns a chain that never reaches a stop, with spins of 8 rad/s of both signs.
 Rig spinning_chain(const std::string& integrator, double tolerance) {
     Rig rig(chain(6, 1e6), empty_space(), integrator, tolerance);
     rig.model.colliding_pairs.clear();
@@ -17,7 +17,7 @@ Rig spinning_chain(const std::string& integrator, double tolerance) {
     return rig;
 }
 
-// Greatest over all ticks: at a single moment a drift may pass through 0.
+// The greatest drift of all ticks, since at a single tick a drift may pass through 0.
 struct Drift {
     double energy = 0.0;
     double momentum = 0.0;

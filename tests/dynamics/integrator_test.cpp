@@ -8,7 +8,7 @@ using namespace cambrian;
 
 namespace {
 
-// A bar that swings in a field of drag: smooth, and not a polynomial.
+// Returns the start of a bar that swings in drag. Its motion is smooth but not a polynomial.
 Motion start_of(const PlanarModel& model) {
     Motion motion = rest_motion(model);
     for (int c = 0; c < coordinate_count(model); ++c)
@@ -16,7 +16,7 @@ Motion start_of(const PlanarModel& model) {
     return motion;
 }
 
-// Largest coordinate error after 0.1 s in equal steps, against very small ones.
+// Returns the largest error of a coordinate after 0.1 s in equal steps, against very small ones.
 double error_of(const IntegratorKind& kind, int steps) {
     const PlanarModel model = *build_planar_model(chain(3, 1e6), 1.0);
     Forcing forcing;

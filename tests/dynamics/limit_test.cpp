@@ -19,8 +19,8 @@ TEST_CASE("a joint thrown against its stop stays there", "[dynamics][limit]") {
     CHECK(scene->audit().max_limit_overrun < 1e-2);
 }
 
-// A stop takes a joint's speed within two contact steps, with forces that hold for one; the error
-// of its work is in proportion to them: 1.9 % at 1/60 s, 0.9 % at 1/120 s, 0.17 % at 1/480 s.
+// A stop removes a joint's speed within two contact steps, each with a constant force. The error of
+// its work is proportional to the step: 1.9 % at 1/60 s, 0.9 % at 1/120 s, 0.17 % at 1/480 s.
 TEST_CASE("stops take energy and never give any", "[dynamics][limit]") {
     BodyPlan plan = chain(2, 0.5);
     plan.parts[1].max_effort = 0.05;

@@ -1,4 +1,4 @@
-// Closed loops, which only the reference integrator holds.
+// Closed loops, which only the reference integrator supports.
 
 #include "dynamics/articulated/least_squares_dynamics.h"
 #include "dynamics/articulated/loop_closure.h"
@@ -18,11 +18,11 @@ namespace {
 
 constexpr double kHalfLength = 0.5;  // m
 constexpr double kHalfWidth = 0.05;  // m
-constexpr double kFree = 1e6;        // rad; stops nobody meets
+constexpr double kFree = 1e6;        // rad; stops that are never reached
 const std::string kReference = "least-squares";
 const Vec3 kDistal(kHalfLength, 0.0, 0.0);
 
-// Rods end to end, each turned against the one before; joints at the ends' centres.
+// Returns rods end to end, each at an angle to the one before; the joints are at the ends' centres.
 BodyPlan rods(const std::vector<double>& turns, double angle, double limit, double height,
               JointMotion joint = kRotaryJoint) {
     BodyPlan plan = one_box(kHalfLength, kHalfWidth, 0.0, height, angle);
@@ -35,7 +35,7 @@ BodyPlan rods(const std::vector<double>& turns, double angle, double limit, doub
     return plan;
 }
 
-// The same with the last rod's free end pinned to the first one's.
+// Returns the same rods with the last one's free end pinned to the first one's.
 BodyPlan ring(const std::vector<double>& turns, double angle = 0.0, double limit = kFree,
               double height = 0.0) {
     BodyPlan plan = rods(turns, angle, limit, height);
@@ -43,7 +43,7 @@ BodyPlan ring(const std::vector<double>& turns, double angle = 0.0, double limit
     return plan;
 }
 
-// Four equal rods, at the angles -opening, opening, pi - opening, pi + opening.
+// Returns four equal rods at the angles -opening, opening, pi - opening, pi + opening.
 BodyPlan rhombus(double opening, double limit = kFree) {
     return ring({2.0 * opening, kPi - 2.0 * opening, 2.0 * opening}, -opening, limit);
 }
@@ -58,7 +58,7 @@ Environment airless(double gravity) {
     return environment;
 }
 
-// The rhombus opens at this rate.
+// Makes the rhombus open at this rate.
 void flap(Rig& rig, double rate) {
     for (int i = 0; i < 4; ++i)
         rig.state.motion.speed[i] = i % 2 == 0 ? -rate : rate;
@@ -113,7 +113,7 @@ TEST_CASE("accelerations of loops agree with dense least squares", "[dynamics][l
     }
 }
 
-// T = 2 (m a^2 + I) rate^2 whatever the opening, so that the rate stays.
+// The kinetic energy is T = 2 (m a^2 + I) rate^2 for any opening, so the rate is constant.
 TEST_CASE("a free rhombus opens at a constant rate", "[dynamics][loops]") {
     const double opening = 0.4;
     const double rate = 0.5;
@@ -154,8 +154,8 @@ TEST_CASE("a loop keeps energy and angular momentum", "[dynamics][loops]") {
     CHECK(rig.angular_momentum() == Approx(momentum).epsilon(1e-4));
 }
 
-// A third bar from rod 0 to rod 2, parallel to rods 1 and 3: half of what its pin says is
-// redundant. Pinned twice, everything is.
+// A third bar connects rods 0 and 2, parallel to rods 1 and 3, which makes half of its pin's
+// constraints redundant. With two pins, all of the second one's are redundant.
 TEST_CASE("redundant pins do no harm", "[dynamics][loops]") {
     BodyPlan once = rhombus(0.6);
     const Vec3 aside(0.15, 0.0, 0.0);
@@ -223,7 +223,7 @@ TEST_CASE("one joint limit stops all of the loop", "[dynamics][loops]") {
     CHECK(std::fabs(rig.state.audit.energy_residual) < 1e-3 * energy);
 }
 
-// Friction, impacts and rest included: the pin is the joint that the tree has.
+// With friction, impacts and rest, a pin acts in the same way as the joint of a tree.
 TEST_CASE("a pin between two trees is a joint", "[dynamics][loops]") {
     SceneSettings settings;
     settings.integrator = kReference;
@@ -244,8 +244,8 @@ TEST_CASE("a pin between two trees is a joint", "[dynamics][loops]") {
     CHECK(two->audit().energy_residual == Approx(one->audit().energy_residual).margin(1e-4));
 }
 
-// Three pinned rods cannot move against each other. Without friction, whose softness depends on the
-// body touched.
+// Three pinned rods cannot move relative to each other. The test has no friction, since its
+// softness depends on the body touched.
 TEST_CASE("a pinned triangle bounces like a welded one", "[dynamics][loops]") {
     const double turn = 2.0 * kPi / 3.0;
     Environment environment;
@@ -291,7 +291,7 @@ TEST_CASE("a ring drops on the ground and comes to rest", "[dynamics][loops]") {
 TEST_CASE("pinned parts never collide", "[dynamics][loops]") {
     BodyPlan plan = rhombus(0.6);
     const std::size_t across = build_planar_model(plan, 1.0)->colliding_pairs.size();
-    CHECK(across == 2);  // rods 0 and 2, 1 and 3
+    CHECK(across == 2);  // pairs of rods 0 and 2, 1 and 3
     const Vec3 middle = transform(plan.parts[2].rest_pose, Vec3::Zero());
     const Vec3 in_first = plan.parts[0].rest_pose.orientation.conjugate() *
                           (middle - plan.parts[0].rest_pose.position);

@@ -1,5 +1,5 @@
-// A creature and its mirror image must do the same. What differs depends on the order of rows,
-// corners or pairs instead of on the physics.
+// A creature and its mirror image must move in the same way. A difference shows that the result
+// depends on the order of rows, corners or pairs.
 
 #include "dynamics/bodies.h"
 #include "support/catch.h"
@@ -15,8 +15,8 @@ namespace {
 
 enum class Sense : bool { kSame, kMirrored };
 
-// m, by which the parts of two flailing creatures, one of them perhaps in the mirror, are apart
-// after 10 s.
+// Returns the distance, in m, between the parts of two flailing creatures after 10 s. One of them
+// may be mirrored.
 double distance_between(const BodyPlan& plan, const BodyPlan& other, Sense sense,
                         const Environment& environment) {
     const double sign = sense == Sense::kMirrored ? -1.0 : 1.0;
@@ -46,8 +46,8 @@ double distance_from_image(const BodyPlan& plan, const Environment& environment,
     return distance_between(plan, mirror_image(plan, flip), Sense::kMirrored, environment);
 }
 
-// What the rounding of angles alone comes to: the image of the image is the creature itself, with
-// angles that differ in the last digit.
+// Returns the distance that rounding of angles alone causes. The image of the image is the creature
+// itself, with angles that differ in the last digit.
 double distance_from_rounded(const BodyPlan& plan, const Environment& environment, Flip flip) {
     return distance_between(plan, mirror_image(mirror_image(plan, flip), flip), Sense::kSame,
                             environment);
@@ -55,7 +55,7 @@ double distance_from_rounded(const BodyPlan& plan, const Environment& environmen
 
 using Distance = double (*)(const BodyPlan& plan, const Environment& environment, Flip flip);
 
-// Of several creatures, sorted.
+// Returns the distances of several creatures, sorted.
 std::vector<double> distances(Distance distance, int parts, int creatures,
                               const Environment& environment, Flip flip) {
     std::vector<double> all;
@@ -70,8 +70,8 @@ std::vector<double> distances(Distance distance, int parts, int creatures,
 
 }  // namespace
 
-// Angles reversed give the same numbers but for signs. Half turns minus angles are rounded; what
-// knocks together often makes more of that, in the mirror as without one.
+// Negating angles changes only signs, without rounding. Half a turn minus an angle is rounded;
+// frequent collisions amplify the difference, mirrored or not.
 TEST_CASE("without ground mirror images do the same", "[dynamics][mirror]") {
     Environment air;
     air.has_ground = false;

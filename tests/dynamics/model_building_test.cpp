@@ -27,7 +27,7 @@ TEST_CASE("rigid joints weld parts into one body", "[dynamics][model]") {
     const auto model = build_planar_model(plan, 2.0);
     REQUIRE(model);
     REQUIRE(model->body_count == 1);
-    // Two boxes end to end are one box of twice the length.
+    // Two welded boxes end to end are equal to one box of twice the length.
     CHECK(model->mass[0] == Approx(2.0 * 0.8 * 0.2));
     CHECK(model->inertia[0] == Approx(model->mass[0] * (0.4 * 0.4 + 0.1 * 0.1) / 3.0));
     CHECK(model->rest_center_x[0] == Approx(1.2));
@@ -69,10 +69,10 @@ TEST_CASE("jointed, overlapping and welded boxes never collide", "[dynamics][mod
     attach(plan, 0, Vec3(0.0, 0.05, 0.0), 0.0, kRotaryJoint, 0.3, 0.04);
     const auto model = build_planar_model(plan, 1.0);
     REQUIRE(model);
-    CHECK(!may_collide(*model, 0, 1));  // share a joint
-    CHECK(may_collide(*model, 0, 2));   // one apart
+    CHECK(!may_collide(*model, 0, 1));  // they share a joint
+    CHECK(may_collide(*model, 0, 2));   // they share no joint
     CHECK(may_collide(*model, 0, 3));
-    CHECK(!may_collide(*model, 1, 4));  // lie over each other
+    CHECK(!may_collide(*model, 1, 4));  // they overlap at rest
     plan.parts[3].motion = kRigidJoint;
     const auto welded = build_planar_model(plan, 1.0);
     CHECK(!may_collide(*welded, 1, 3));  // now one body with part 2

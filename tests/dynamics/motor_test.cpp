@@ -19,7 +19,7 @@ BodyPlan base_and_link(double max_effort, MotorMode mode = MotorMode::kPosition)
     return plan;
 }
 
-// kg m^2: what the joint of two bodies hinged at distances along one line feels.
+// Returns the inertia, in kg m^2, against which the joint of two hinged bodies in line acts.
 double effective_inertia(const PlanarModel& model) {
     const double reduced = model.mass[0] * model.mass[1] / model.total_mass;
     const double a = model.parent_anchor_x[1];
@@ -102,10 +102,11 @@ TEST_CASE("targets of position motors stay inside the limits", "[dynamics][motor
 
 TEST_CASE("a link swings with the period of its own pendulum and its base's recoil",
           "[dynamics][motor]") {
-    // A free pair under a force field does not swing; a base on the ground with a hanging link
-    // does. The base is so heavy and frictionless that it recoils freely: w^2 = m g b / (I + mu
-    // b^2), mu the reduced mass. The ground gives all that swings the link, and only the contact
-    // step limits the error of that: 8.8e-5 rad at 1/60 s, 1.2e-5 at 1/120 s, 1.9e-6 at 1/240 s.
+    // The period is tested on a link that hangs from a base on the ground, since a free pair does
+    // not swing in a uniform field. The base is so heavy and frictionless that it recoils freely:
+    // w^2 = m g b / (I + mu b^2), where mu is the reduced mass. The swinging force comes from the
+    // ground, so the contact step limits the error: 8.8e-5 rad at 1/60 s, 1.2e-5 at 1/120 s, 1.9e-6
+    // at 1/240 s.
     BodyPlan plan = one_box(0.5, 0.3, 0.0, 0.3 + kRestingGap);
     PlannedPart& link =
         attach(plan, 0, Vec3(0.0, 0.2, 0.0), -kPi / 2 + 0.01, kRotaryJoint, 0.08, 0.02);

@@ -6,7 +6,7 @@
 
 namespace cambrian {
 
-// A creature in the middle of a movement: bent anyhow, with speeds of some m/s and rad/s.
+// Returns a creature in motion: random joint angles, and speeds of some m/s and rad/s.
 inline Motion random_motion(RandomStream& random, const PlanarModel& model) {
     Motion motion = rest_motion(model);
     for (int c = 0; c < coordinate_count(model); ++c) {

@@ -1,6 +1,6 @@
 #pragma once
 
-// Whether a body plan is refused for a reason.
+// Checks that physics rejects a body plan for a given reason.
 
 #include "dynamics/model_building.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// Physics without the scene around it, so that tests can choose speeds.
+// The physics without its scene, so that tests can set speeds.
 
 #include "dynamics/bodies.h"
 #include "dynamics/integrators/builtin_integrators.h"
@@ -14,7 +14,7 @@ struct Rig {
         const std::string& integrator = "bogacki-shampine", double tolerance = 1e-3,
         double contact_step = SceneSettings{}.contact_step);
 
-    // Works and energies are counted from here.
+    // Starts the energy audit.
     void begin();
     bool run(double duration);
 

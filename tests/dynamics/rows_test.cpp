@@ -11,7 +11,7 @@ using namespace cambrian;
 
 namespace {
 
-// One corner of every body on the ground, and every stop.
+// Contacts at one corner of every body on the ground, and every stop.
 struct Sources {
     ContactSet contacts;
     LimitSet limits;

@@ -14,14 +14,14 @@ PlacedBox random_box(RandomStream& random) {
             random.uniform(0.05, 0.4), random.uniform(0.05, 0.4)};
 }
 
-// How far a point is inside a box; negative outside.
+// Returns the depth of a point in a box; negative outside.
 double depth_in(const PlacedBox& box, double x, double y) {
     const double along = box.axis_x * (x - box.x) + box.axis_y * (y - box.y);
     const double across = box.axis_x * (y - box.y) - box.axis_y * (x - box.x);
     return std::fmin(box.half_length - std::fabs(along), box.half_width - std::fabs(across));
 }
 
-// A bar with two arms that a motor claps together over it.
+// Returns a bar with two arms that a motor claps together above it.
 BodyPlan clapper() {
     BodyPlan plan = one_box(0.3, 0.05, 0.0, 0.0);
     for (const double side : {-1.0, 1.0}) {
@@ -96,8 +96,8 @@ TEST_CASE("arms that clap touch and do not pass through each other", "[dynamics]
     CHECK(scene->joint_coordinate(1) > -1.3);
 }
 
-// The integrator turns it, in proportion to the tolerance to the power of 2/3: by up to 1.5e-4 kg
-// m^2/s at 1e-6, 3.5e-5 at 1e-7.
+// The integrator's error turns the creature, in proportion to the tolerance to the power of 2/3: by
+// up to 1.5e-4 kg m^2/s at 1e-6 and 3.5e-5 at 1e-7.
 TEST_CASE("touching itself does not move or turn a creature in empty space",
           "[dynamics][self_contact]") {
     for (std::uint64_t seed = 0; seed < 10; ++seed) {

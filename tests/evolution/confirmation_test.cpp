@@ -1,4 +1,5 @@
-// Survivors are evaluated again in slightly different worlds, which tells merit from luck.
+// Survivors are evaluated again in slightly different worlds, which reduces the influence of
+// chance.
 #include "evolution/evaluation/confirmation.h"
 
 #include "evolution/backends/thread_pool_backend.h"
@@ -27,7 +28,7 @@ std::shared_ptr<ExperimentSettings> of_twenty() {
     return settings;
 }
 
-// Nine in ten of a creature's score is luck that another world takes away.
+// Only a tenth of the score remains in another world; the rest was chance.
 double luck_lost(double fitness, const Probe&) {
     return 0.1 * fitness;
 }
@@ -111,7 +112,7 @@ TEST_CASE("who was lucky makes way for who was not, and is not tried twice",
     FakeBackend backend;
     backend.in_probe = luck_lost;
     const Evolution evolution = evolved(of_twenty(), backend, 4);
-    // All that lost their luck rank behind the others only if everybody was tried.
+    // Creatures that lost their lucky score rank last only if all were evaluated again.
     for (const IndividualPtr& one : evolution.population()) {
         if (one->result.fitness > 0.0 && one->born < evolution.generation())
             CHECK(tried_again(*one));
@@ -165,7 +166,7 @@ TEST_CASE("the champion is the best of the survivors in ten more worlds",
     EvaluationProgress progress;
     const Evolution evolution = evolved(of_twenty(), backend, 2);
     const IndividualPtr best = evolution.population().front();
-    // The best of them was lucky in the worlds that chose it.
+    // The best creature's score is halved in the other worlds.
     backend.in_probe = [&](double fitness, const Probe&) {
         return fitness == best->result.fitness ? 0.5 * fitness : fitness;
     };

@@ -23,7 +23,7 @@ SettingsPtr settings_of(int size) {
     return settings;
 }
 
-// Waits for a snapshot that satisfies the condition; gives up after a minute.
+// Waits up to a minute for a snapshot that satisfies the condition.
 template <class Condition>
 std::shared_ptr<const EvolutionSnapshot> wait_for(EvolutionEngine& engine, Condition condition) {
     for (int i = 0; i < 60000; ++i) {
@@ -39,8 +39,8 @@ bool finished(const EvolutionSnapshot& snapshot, std::size_t generations) {
     return snapshot.history.size() >= generations;
 }
 
-// Where a back-end in the middle of its work meets the test that sends another; either gives up
-// after a minute.
+// A meeting point for a back-end in the middle of its work and the test that replaces it. Each
+// waits for the other up to a minute.
 class HandOver {
 public:
     void wait_for_another() {
@@ -111,7 +111,8 @@ TEST_CASE("another back-end takes over in mid-generation without a change of wha
     static constexpr std::size_t kGenerations = 6;
     static constexpr int kJudgedByEach = 5;
     const auto champions_of = [](std::size_t changes) {
-        // Every back-end but the last judges a few creatures and waits until another one is sent.
+        // Every back-end but the last evaluates a few creatures and waits until the next one is in
+        // use.
         std::vector<std::unique_ptr<HandOver>> hand_overs;
         std::vector<std::shared_ptr<FakeBackend>> backends;
         for (std::size_t i = 0; i <= changes; ++i) {

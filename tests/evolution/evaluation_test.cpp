@@ -1,4 +1,4 @@
-// What settings make of one and the same creature.
+// The evaluation of the same creature with different settings.
 #include "evolution/evaluation/evaluation.h"
 
 #include "support/catch.h"
@@ -15,7 +15,7 @@ EvaluationResult judge(const GenomePtr& genome, const ExperimentSettings& settin
     return evaluate({.genome = genome}, settings, kinds());
 }
 
-// Two legs in the same place.
+// Returns a creature with two legs in the same place.
 GenomePtr crossed_legs() {
     CreatureBuilder builder(test::kind_catalog());
     const auto body = builder.part(0.8, 0.2);

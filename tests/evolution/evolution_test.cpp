@@ -29,7 +29,7 @@ void run(Evolution& evolution, EvaluationBackend& backend, int generations) {
     }
 }
 
-// Two generations of simple creatures, bred in one way only.
+// Breeds two generations of simple creatures by one method only.
 void check_size_is_kept(int size, const std::string& selection, const std::string& way,
                         const std::string& choice) {
     CAPTURE(size, selection, way, choice);
@@ -273,7 +273,7 @@ TEST_CASE("founders given by hand fill a population with their mutants", "[evolu
     const auto all = hashes(evolution);
     const std::set<std::uint64_t> distinct(all.begin(), all.end());
     CHECK(distinct.size() > 10);
-    CHECK(distinct.size() < 30);  // a quarter of the mutants are copies
+    CHECK(distinct.size() < 30);  // a quarter of the mutants are unchanged copies
 }
 
 TEST_CASE("random creatures fill up beside given founders if the settings say so", "[evolution]") {
@@ -345,7 +345,7 @@ TEST_CASE("where attributes decide, children are bred as their first parent asks
             attributes.insert(one->genome->reproduction);
         REQUIRE(evolution.evaluate(backend, progress, {}));
     }
-    CHECK(attributes.size() > 1);  // it mutates
+    CHECK(attributes.size() > 1);  // the gene mutates
 }
 
 TEST_CASE("offspring name their parents, method and mutations", "[evolution]") {

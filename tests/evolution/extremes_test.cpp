@@ -1,4 +1,4 @@
-// Settings at the ends of their ranges: whatever is asked for, a trial ends with a verdict.
+// Settings at the ends of their ranges. Every trial must end with a verdict.
 
 #include "core/random.h"
 #include "evolution/backends/thread_pool_backend.h"
@@ -41,7 +41,7 @@ EvaluationResult judged(const GenomePtr& genome, const ExperimentSettings& setti
     CHECK(is_finite(result));
     CHECK(result.outcome != Outcome::kInterrupted);
     CHECK((result.outcome == Outcome::kCompleted) == result.reason.empty());
-    // A trial may begin with a second's worth unspent, and what is over budget ends at once.
+    // The budget includes one extra second, and the step that exceeds it is finished.
     const double seconds = settings.world.trial.duration + settings.world.trial.settle_limit + 1;
     CHECK(static_cast<double>(result.audit.evaluations) <=
           settings.world.scene.max_evaluations * seconds + 10);
@@ -52,7 +52,7 @@ GenomePtr random_creature(RandomStream& random, const FounderSettings& founders)
     return std::make_shared<const Genome>(random_genome(founders, test::kind_catalog(), random));
 }
 
-// Of the world and the physics; what is only about breeding cannot hurt a trial.
+// Returns the settings of world and physics; those of breeding have no influence on a trial.
 std::vector<SettingField> fields_of_trials() {
     std::vector<SettingField> fields = setting_fields(kinds());
     const std::set<std::string> tables = {"environment", "simulation", "trial"};
@@ -66,7 +66,7 @@ void put(const SettingField& field, ExperimentSettings& settings, double value) 
     if (auto* const* flag = std::get_if<bool*>(&ref)) **flag = value != 0.0;
 }
 
-// An integrator, or a number at either end of its range or as it is.
+// Sets a random choice, or a number at either end of its range or at its default.
 void put_extreme(const SettingField& field, ExperimentSettings& settings, RandomStream& random) {
     if (field.choices.empty()) {
         const std::size_t end = random.below(3);
@@ -88,7 +88,7 @@ TEST_CASE("every setting of the physics at either end of its range gives a verdi
                 ExperimentSettings settings;
                 settings.world.trial.duration = 0.5;
                 settings.world.trial.settle_limit = 0.5;
-                const double longest = 60.0;  // s; longer trials are no harder, only longer
+                const double longest = 60.0;  // s; longer trials would only take longer
                 put(field, settings, field.key == "duration" ? std::min(value, longest) : value);
                 INFO(field.key << " = " << value << ", creature " << creature);
                 judged(creature == 0 ? test::crawler(test::kind_catalog())

@@ -1,4 +1,4 @@
-// Founder lines and body plans: who belongs to which, and how many of each survive.
+// Founder lines and body plans: membership, and limits on how many creatures of each survive.
 #include "evolution/evaluation/evaluation.h"
 #include "evolution/evolution.h"
 #include "evolution/generation.h"
@@ -15,7 +15,7 @@ using test::kinds;
 
 namespace {
 
-// Creatures best first, of the given lines and plans.
+// Returns creatures of the given lines and plans, best first.
 std::vector<IndividualPtr> ranking(const std::vector<std::uint64_t>& lines,
                                    const std::vector<std::uint64_t>& plans) {
     std::vector<double> fitness;
@@ -35,7 +35,7 @@ ExperimentSettings half_of_ten() {
     ExperimentSettings settings;
     settings.population.size = 10;
     settings.population.survival = 0.5;
-    settings.selection.line_share = 0.4;  // 2 of 5
+    settings.selection.line_share = 0.4;  // 2 of 5 survivors
     settings.selection.plan_copies = 0;
     return settings;
 }
@@ -50,7 +50,7 @@ TEST_CASE("of one founder's line no more survive than its share", "[evolution][l
     CHECK(truncated(ranked, settings) == Kept{0, 1, 4, 5, 7});
     settings.selection.line_share = 1.0;
     CHECK(truncated(ranked, settings) == Kept{0, 1, 2, 3, 4});
-    settings.selection.line_share = 0.01;  // one at least
+    settings.selection.line_share = 0.01;  // at least one survivor
     CHECK(truncated(ranked, settings) == Kept{0, 1, 4, 7, 9});
 }
 
@@ -65,7 +65,7 @@ TEST_CASE("places that limits leave empty go to the best of the others", "[evolu
     ExperimentSettings settings = half_of_ten();
     settings.selection.plan_copies = 1;
     const auto alike = ranking({1, 1, 1, 1, 1, 2, 2, 2, 2, 2}, {1, 1, 1, 1, 1, 1, 1, 1, 1, 1});
-    // One plan, then two of each line, then the best.
+    // The one plan first, then two of each line, then the best.
     CHECK(truncated(alike, settings) == Kept{0, 1, 2, 5, 6});
 }
 

@@ -1,4 +1,4 @@
-// Operators change what they are listed under, the body or the brain.
+// Every operator changes only what it is listed under: the body or the brain.
 
 #include "evolution/individual/individual.h"
 #include "genome/founders/random_genome.h"

@@ -26,7 +26,7 @@ IndividualPtr line_of(int length) {
     return last;
 }
 
-// A population of so many after so many generations, judged by a formula.
+// Returns a population of that size after so many generations, with fitness from a formula.
 Evolution evolved(int size, int generations) {
     auto settings = std::make_shared<ExperimentSettings>();
     settings->population.size = size;

@@ -13,7 +13,7 @@ bool dominates(const ParetoPoint& a, const ParetoPoint& b) {
     return a.first >= b.first && a.second >= b.second && (a.first > b.first || a.second > b.second);
 }
 
-// By the definition, one front peeled off after the other.
+// Computes the fronts by their definition, one after the other.
 std::vector<std::size_t> peeled_fronts(const std::vector<ParetoPoint>& points) {
     std::vector<std::size_t> fronts(points.size(), points.size());
     for (std::size_t front = 0; front < points.size(); ++front) {
@@ -50,5 +50,5 @@ TEST_CASE("the extremes of a front come first, then those with room around them"
     CHECK(std::min(order[0], order[1]) == 1);
     CHECK(std::max(order[0], order[1]) == 3);
     CHECK(order.back() == 5);
-    CHECK(order[order.size() - 2] == 2);  // the most crowded of the first front
+    CHECK(order[order.size() - 2] == 2);  // the most crowded point of the first front
 }

@@ -1,5 +1,6 @@
-// Random genomes through everything: mutate, breed, express, live one second. By default a few;
-// CAMBRIAN_RANDOM_GENOMES=100000 in the environment sets the number, as for a release.
+// Random genomes are mutated, bred, expressed and simulated for a second. A few are tested by
+// default; the environment variable CAMBRIAN_RANDOM_GENOMES=100000 sets the number, for example
+// before a release.
 #include "breeding/mutation.h"
 #include "core/threads/thread_pool.h"
 #include "genome/founders/random_genome.h"
@@ -20,7 +21,7 @@ using test::kinds;
 namespace {
 
 constexpr std::size_t kUsually = 400;
-constexpr int kRounds = 10;  // of mutation before and after breeding
+constexpr int kRounds = 10;  // rounds of mutation, before and after breeding
 
 std::size_t wanted_count() {
     // Read before any thread starts.
@@ -28,7 +29,7 @@ std::size_t wanted_count() {
     return text == nullptr ? kUsually : std::strtoul(text, nullptr, 10);
 }
 
-// All kinds of joints, big and small bodies.
+// Settings with all kinds of joints, and with small and large bodies.
 const FounderSettings& any_founders() {
     static const FounderSettings settings = [] {
         FounderSettings made;
@@ -62,7 +63,7 @@ Genome descendant(std::size_t number) {
     return child;
 }
 
-// Ground, water and space in turn.
+// Returns ground, water or space in turn.
 TrialWorld world_of(std::size_t number) {
     TrialWorld world;
     world.trial.duration = 1.0;
@@ -83,8 +84,8 @@ bool finite(const TrialRecord& record) {
 
 struct Tally {
     std::atomic<std::size_t> invalid = 0;
-    std::atomic<std::size_t> refused = 0;   // by physics
-    std::atomic<std::size_t> infinite = 0;  // a number of a completed trial
+    std::atomic<std::size_t> refused = 0;   // bodies that physics rejected
+    std::atomic<std::size_t> infinite = 0;  // completed trials with a number that is not finite
     std::array<std::atomic<std::size_t>, 16> outcomes = {};
 };
 
@@ -126,7 +127,7 @@ TEST_CASE("random genomes mutate, breed, grow and live a second without a fault"
     CHECK(tally.invalid == 0);
     CHECK(tally.refused == 0);
     CHECK(tally.infinite == 0);
-    // Guards end some; the physics itself hardly ever gives up.
+    // Guards end some trials; physics itself almost never fails.
     const std::size_t diverged = tally.outcomes[static_cast<std::size_t>(Outcome::kDiverged)];
     CHECK(1000 * diverged <= count);
 }

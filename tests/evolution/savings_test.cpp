@@ -1,4 +1,4 @@
-// What is not computed must not change who survives (evolution/README.md 4).
+// Saving evaluations must not change which creatures survive (evolution/README.md 4).
 #include "evolution/backends/thread_pool_backend.h"
 #include "evolution/evaluation/longest_first.h"
 #include "evolution/evaluation/trials.h"
@@ -21,7 +21,7 @@ std::shared_ptr<ExperimentSettings> short_walks(int size) {
     return settings;
 }
 
-// The survivors of every generation, and what was saved.
+// The survivors of every generation, and the statistics of what was saved.
 struct History {
     std::vector<std::vector<std::uint64_t>> survivors;
     std::vector<GenerationStatistics> statistics;

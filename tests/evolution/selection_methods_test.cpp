@@ -1,4 +1,4 @@
-// The schemes of evolution/README.md 2, each by what sets it apart.
+// The methods of evolution/README.md 2, each tested by what distinguishes it.
 #include "evolution/individual/map_axis.h"
 #include "evolution/selections/selection.h"
 #include "support/catch.h"
@@ -130,7 +130,7 @@ TEST_CASE("by rank, the best of S breeds S times as often as the worst, whatever
         REQUIRE(result.survivors.size() == 20);
         for (std::size_t i = 0; i < 20; ++i)
             CHECK(result.partner_weights[i] == Approx(20.0 - static_cast<double>(i)));
-        // 80 places over a sum of 210
+        // 80 places are distributed over a sum of ranks of 210.
         CHECK(children_of(result, 0) >= 7);
         CHECK(children_of(result, 0) <= 8);
         CHECK(children_of(result, 19) <= 1);
@@ -155,7 +155,7 @@ TEST_CASE("tournaments of three are won as often as chance has it", "[evolution]
         chi_square += off * off / expected;
         CHECK(result.partner_weights[i] == Approx(above - below));
     }
-    CHECK(chi_square < 33.72);  // 9 degrees of freedom, p = 1e-4
+    CHECK(chi_square < 33.72);  // quantile for 9 degrees of freedom, p = 1e-4
 }
 
 TEST_CASE("tournaments of all keep only the elites and let anybody breed",
@@ -200,7 +200,7 @@ TEST_CASE("MAP-Elites keeps the fittest of every cell and breeds a full batch",
     const auto settings = with("map-elites", 96);
     const auto result = select(ranked, settings);
     CHECK(result.survivors.size() == 16);
-    CHECK(result.survivors.back() == 15);  // the first of each cell, since fitness falls
+    CHECK(result.survivors.back() == 15);  // the first creature of each cell, since fitness falls
     CHECK(result.first_parents.size() == 96);
     CHECK(result.partner_weights[0] == Approx(1.1));
     CHECK(result.partner_weights[15] == Approx(0.1 + 985.0 / 1000.0));
@@ -210,7 +210,7 @@ TEST_CASE("only a strictly fitter creature takes over a cell", "[evolution][sele
     const auto ranked = ranked_by(
         2, [](double) { return 1.0; },
         [](Individual& individual, std::size_t place) {
-            individual.born = place == 0 ? 5 : 2;  // the older one was there first
+            individual.born = place == 0 ? 5 : 2;  // the older creature took the cell first
         });
     CHECK(select(ranked, with("map-elites", 2)).survivors == std::vector<std::size_t>{1});
 }
@@ -245,7 +245,7 @@ TEST_CASE("the novelty archive gains the novel and adapts its threshold",
     const std::size_t kept = memory.archive.size();
     CHECK(first >= 1.0);  // the standard threshold
     for (std::uint32_t born = 1; born <= 10; ++born)
-        generation(born, 0.0);  // all alike: nothing new
+        generation(born, 0.0);  // all equal, so nothing is novel
     CHECK(memory.archive.size() == kept);
     CHECK(memory.threshold == Approx(0.95 * first));
     memory.threshold = 1e-3;
@@ -256,7 +256,7 @@ TEST_CASE("the novelty archive gains the novel and adapts its threshold",
 
 TEST_CASE("age protection keeps what no younger creature beats", "[evolution][selection]") {
     const auto ranked = ranked_by(60, falling, [](Individual& individual, std::size_t place) {
-        individual.body_born = place < 50 ? 1 : 9;  // ten new bodies, all worse
+        individual.body_born = place < 50 ? 1 : 9;  // ten new bodies, all less fit
     });
     const auto result = select(ranked, with("age-protection", 20));
     CHECK(result.survivors.size() == 20);

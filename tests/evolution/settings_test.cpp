@@ -185,7 +185,7 @@ TEST_CASE("a goal in a world where it makes no sense warns and is allowed",
         return warnings.size() == 1 && warnings[0].find("[goal] behavior: " + settings.goal) == 0;
     };
     ExperimentSettings settings;
-    settings.goal = "swimming";  // with ground and no viscosity
+    settings.goal = "swimming";  // its world has ground and no viscosity
     CHECK(warned(settings));
     settings.world.environment = kinds().goals.find("swimming")->default_environment();
     settings.world.environment.gravity = 9.81;

@@ -76,7 +76,7 @@ TEST_CASE("fifteen generations without a rise of 1 percent are stagnation",
     CHECK_FALSE(stagnant(history.back()));
     add(1.009);
     CHECK(stagnant(history.back()));
-    add(1.0101);  // slow progress adds up
+    add(1.0101);  // slow progress accumulates
     CHECK_FALSE(stagnant(history.back()));
     CHECK(history.back().generations_without_progress == 0);
 }

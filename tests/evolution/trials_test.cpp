@@ -1,4 +1,4 @@
-// Several trials with jitter, simulator/README.md 1.
+// Several trials with jitter (simulator/README.md 1).
 #include "evolution/evaluation/trials.h"
 
 #include "support/catch.h"
@@ -31,7 +31,7 @@ EvaluationResult judge(const ExperimentSettings& settings) {
         settings, kinds());
 }
 
-// Scores of the trials one by one, by hand.
+// Returns the score of each trial, computed one by one.
 std::vector<double> scores(const ExperimentSettings& settings) {
     std::vector<double> all;
     for (int trial = 0; trial < settings.world.trial.trials; ++trial) {

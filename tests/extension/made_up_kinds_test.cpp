@@ -1,7 +1,6 @@
-// A joint, an integrator, an effector, a sensor, a neuron function, a mutation, a breeding method,
-// a selection and a goal that no file but this one knows. An experiment that uses nothing else of
-// their sorts evolves, is saved, loaded and drawn; a list or a switch over known kinds anywhere on
-// that way makes a case fail.
+// A joint, an effector, a sensor, a neuron function, a mutation, a breeding method, a selection and
+// a goal that only this file knows. An experiment that uses only these kinds evolves and is saved,
+// loaded and drawn. A list of known kinds or a switch over them anywhere makes a test fail.
 
 #include "evolution/backends/thread_pool_backend.h"
 #include "evolution/evolution.h"
@@ -21,7 +20,7 @@
 namespace cambrian {
 namespace {
 
-// How often each made-up kind was asked for what it does.
+// The number of calls of each made-up kind.
 struct Calls {
     std::atomic<int> joint = 0;
     std::atomic<int> integrator = 0;
@@ -35,7 +34,7 @@ struct Calls {
 };
 Calls calls;
 
-// A hinge that no gene makes turn far.
+// A hinge with narrow limits, whatever the genes are.
 void shape_stiff(const JointGenes& genes, PlannedPart& part) {
     ++calls.joint;
     part.limit_low = -0.3;
@@ -177,7 +176,7 @@ std::map<std::string, Value> only(const Kinds& kinds, std::string_view id, Value
     return values;
 }
 
-// Of every sort only the made-up kind.
+// Returns settings that enable only the made-up kinds.
 ExperimentSettings made_up_settings() {
     const KindCatalog& catalog = kinds().creature.catalog;
     ExperimentSettings settings = default_settings("heavy", kinds());
@@ -195,7 +194,7 @@ ExperimentSettings made_up_settings() {
     return settings;
 }
 
-// Three generations, each kept.
+// Returns the file of a run of three generations.
 std::shared_ptr<ExperimentFile> evolved() {
     const auto settings = std::make_shared<const ExperimentSettings>(made_up_settings());
     auto file = ExperimentFile::create(kinds(), settings, {});

@@ -1,6 +1,6 @@
 #pragma once
 
-// Choices taken from the bytes of an input; zeros once they are used up.
+// Takes random choices from the bytes of an input; after the last byte, all are zero.
 
 #include <algorithm>
 #include <cstddef>
@@ -16,7 +16,7 @@ public:
 
     bool empty() const { return bytes_.empty(); }
 
-    // Its bits as they lie.
+    // Returns a number with the bits of the next bytes.
     template <class Number>
     Number number() {
         Number number{};
@@ -24,7 +24,7 @@ public:
         std::memcpy(&number, part.data(), part.size());
         return number;
     }
-    // count: at least 1.
+    // `count` must be at least 1.
     std::size_t below(std::size_t count) { return number<std::uint16_t>() % count; }
     std::string_view text() { return take(number<std::uint16_t>()); }
 

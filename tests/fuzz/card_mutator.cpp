@@ -1,6 +1,6 @@
-// How libFuzzer changes a card: most often inside one of its chunks, whose length and checksum are
-// set right again, and inside the compressed text of a chunk that has one. Otherwise hardly any
-// change would come further than to the first checksum.
+// The mutator of cards for libFuzzer. Most changes are inside a chunk, whose length and checksum
+// are corrected, or inside a chunk's compressed text. Otherwise nearly every change would fail at
+// the first checksum.
 
 #include "persist/text/deflated_text.h"
 
@@ -22,10 +22,11 @@ extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t s
 
 namespace {
 
-constexpr std::size_t kSignature = 8;           // bytes
-constexpr std::size_t kFrame = 12;              // bytes of a chunk besides its contents
-constexpr std::size_t kMostText = 1'000'000;    // bytes that are inflated to be changed
-constexpr std::size_t kMostContents = 100'000;  // bytes that a change may come to
+constexpr std::size_t kSignature = 8;  // bytes
+constexpr std::size_t kFrame = 12;     // bytes of a chunk besides its content
+// Largest text that is inflated to be changed, in bytes.
+constexpr std::size_t kMostText = 1'000'000;
+constexpr std::size_t kMostContents = 100'000;  // largest content after a change, in bytes
 
 struct Chunk {
     std::string type;
@@ -75,7 +76,7 @@ std::string mutated(std::string bytes) {
     return bytes;
 }
 
-// Where the compressed part of a chunk begins.
+// Returns the offset of the compressed part of a chunk.
 std::optional<std::size_t> compressed_start(const Chunk& chunk) {
     if (chunk.type == "IDAT") return 0;
     const std::size_t keyword = chunk.contents.find('\0');
@@ -102,7 +103,7 @@ std::optional<std::string> inflated(std::string_view bytes) {
     return text;
 }
 
-// Changes what the chunk holds compressed; false if it holds nothing of the kind.
+// Changes the compressed part of a chunk; returns false if there is none.
 bool mutate_compressed(Chunk& chunk) {
     const auto start = compressed_start(chunk);
     if (!start || *start >= chunk.contents.size()) return false;

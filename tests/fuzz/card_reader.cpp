@@ -1,5 +1,5 @@
-// Creature cards: the text inside a picture, or a message. What is found fits into another card as
-// it is, and is then read as a creature file.
+// Fuzzes creature cards: the reader gives the text inside a picture, or a message. The text is
+// written into another card unchanged, and then read as a creature file.
 
 #include "fuzz/fuzz_target.h"
 #include "persist/creature/creature_card.h"

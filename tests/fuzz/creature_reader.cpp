@@ -1,5 +1,6 @@
-// Creature files: a valid genome or a message; what is loaded is written and read again as it was,
-// can be grown, and moves for a tenth of a second within the work it is allowed.
+// Fuzzes creature files: the reader gives a valid genome or a message. A loaded creature is written
+// and read again without change, is expressed, and moves for a tenth of a second within the limit
+// of work.
 
 #include "fuzz/fuzz_target.h"
 #include "persist/creature/creature_file.h"
@@ -14,7 +15,7 @@ using namespace cambrian::test;
 namespace {
 
 constexpr double kDuration = 0.1;         // s
-constexpr double kMostEvaluations = 2e3;  // a simulated second
+constexpr double kMostEvaluations = 2e3;  // per simulated second
 
 void read_again(const CreatureDocument& document) {
     const std::string text = write_creature(document, kinds());

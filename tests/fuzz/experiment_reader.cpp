@@ -1,8 +1,8 @@
 // Fuzzes experiment files: the reader gives a complete experiment that can continue, or a message.
 //
-// Most files are refused for their first bytes, so an input that begins with E is a list of edits
-// of the tables of a sound experiment, one that begins with P replaces bytes of its pages, and any
-// other is a file of its own.
+// Most files are rejected at their first bytes. An input that begins with E is therefore a list of
+// edits to the tables of a valid experiment, and one that begins with P replaces bytes of its
+// pages. Any other input is a file.
 
 #include "persist/experiment/experiment_reader.h"
 
@@ -24,16 +24,16 @@ namespace {
 
 constexpr std::size_t kPage = 512;  // bytes
 constexpr int kMostPatches = 32;
-constexpr std::size_t kWrittenOneIn = 61;  // of the edited tables, to a file
+constexpr std::size_t kWrittenOneIn = 61;  // one of so many edited experiments is written to a file
 constexpr int kMostBred = 100;             // creatures
 
-// In memory, where there is such a folder.
+// Returns a folder in memory if there is one.
 std::filesystem::path scratch() {
     const std::filesystem::path memory = "/dev/shm";
     return std::filesystem::exists(memory) ? memory : std::filesystem::temp_directory_path();
 }
 
-// The sample stays open, so that its tables need not be made out each time.
+// The sample remains open, so that its tables need not be created each time.
 struct Workplace {
     TemporaryDirectory folder{scratch()};
     std::filesystem::path path = folder / "input.cambrian";
@@ -45,7 +45,7 @@ struct Workplace {
     Workplace() { database.execute("PRAGMA journal_mode = MEMORY; PRAGMA synchronous = OFF"); }
 };
 
-// Writes the digest of the population in the file, if that is complete.
+// Writes the digest of the population if the file has all of it.
 void renew_digest(Database& database) {
     std::vector<IndividualPtr> population;
     IndividualReader individuals(database, kinds());
@@ -87,7 +87,7 @@ void look_at(const IndividualPtr& individual) {
 }
 
 void look_at(const SettingsPtr& settings) {
-    static ExperimentSettings sound;  // the last that were
+    static ExperimentSettings sound;  // the last valid ones
     promise(settings != nullptr, "there are settings");
     if (*settings == sound) return;
     promise(check_settings(*settings, kinds()).has_value(), "all settings pass their check");
@@ -137,7 +137,7 @@ void look_at(const PickingRecord& picking) {
         promise(pick < picking.tree.current().creatures.size(), "only what is there is picked");
 }
 
-// Whether it could be read.
+// Returns whether the file could be read.
 bool read_file_at(const std::filesystem::path& path) {
     const auto saved = load_experiment(path, kinds());
     promise(saved || saved.error().message.find(path.string()) != std::string::npos,
@@ -146,7 +146,7 @@ bool read_file_at(const std::filesystem::path& path) {
     return saved.has_value();
 }
 
-// What is read by opening is kept as it was.
+// Checks that an experiment stays the same when it is opened to be continued.
 void keep_on(const std::filesystem::path& path) {
     const auto opened = open_experiment(path, kinds());
     promise(opened.has_value(), "what can be looked at can be gone on with");
@@ -166,7 +166,7 @@ void read_tables(const Database& database) {
     }
 }
 
-// As a file of its own.
+// Reads the edited experiment as a file.
 void read_committed(Workplace& at) {
     at.database.execute("COMMIT");
     std::filesystem::copy_file(at.edited, at.path,

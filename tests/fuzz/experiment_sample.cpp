@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::uint32_t kGenerations = 2;
 
-// Two bars and a neuron: small, because it is read each time.
+// Returns a small genome, two bars and a neuron, because it is read each time.
 GenomePtr founder() {
     Genome genome;
     genome.nodes.resize(2);
@@ -25,7 +25,7 @@ GenomePtr founder() {
     return std::make_shared<const Genome>(std::move(genome));
 }
 
-// Short, for the same reason.
+// The settings are short for the same reason.
 constexpr const char* kSettings =
     "run.seed = 5\npopulation.size = 2\nselection.method = \"novelty\"\n"
     "trial.duration = 0.1\ntrial.settle-limit = 0.1\n";
@@ -53,7 +53,7 @@ void write_commands(const SettingsPtr& settings, ExperimentFile& file) {
             "commands can be kept");
 }
 
-// Two grids, the second bred from the first, a shelf and a star.
+// Writes two grids, the second bred from the first, a shelf and a star.
 void write_choices(const Evolution& evolution, ExperimentFile& file) {
     PickingRecord record;
     GridNode node;

@@ -1,13 +1,13 @@
 #pragma once
 
-// The experiment that fuzzing damages: small, but with something in every table.
+// The experiment that is edited by fuzzing: small, with rows in every table.
 
 #include <filesystem>
 #include <string>
 
 namespace cambrian::test {
 
-// The bytes of its file, in small pages so that there are many. folder: to make it in.
+// Returns the bytes of its file, which has many small pages. The file is made in `folder`.
 std::string sample_experiment(const std::filesystem::path& folder);
 
 }  // namespace cambrian::test

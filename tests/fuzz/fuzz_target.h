@@ -1,7 +1,7 @@
 #pragma once
 
-// What every fuzz target is made of: one function, called with bytes from anywhere, that ends the
-// program if a reader breaks a promise. libFuzzer and replay.cpp call it.
+// The interface of every fuzz target: one function, called with any bytes, that aborts if a reader
+// breaks a promise. libFuzzer and replay.cpp call it.
 
 #include <cstddef>
 #include <cstdint>

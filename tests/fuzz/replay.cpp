@@ -1,5 +1,5 @@
-// Calls a fuzz target with every file of the folders named, without libFuzzer: any compiler, any
-// sanitizer.
+// Calls a fuzz target with every file in the given folders, without libFuzzer. It works with any
+// compiler and any sanitizer.
 
 #include "core/files/file_io.h"
 #include "fuzz/fuzz_target.h"
@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t kMostBytes = 100'000'000;
 
-// How many files were replayed.
+// Returns the number of files.
 int replay_folder(const std::filesystem::path& folder) {
     int replayed = 0;
     for (const auto& entry : std::filesystem::directory_iterator(folder)) {

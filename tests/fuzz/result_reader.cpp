@@ -1,4 +1,5 @@
-// Results of a cluster's units and what its members say of themselves: values, or a message.
+// Fuzzes results of a cluster's units and its members' announcements: the reader gives values or a
+// message.
 
 #include "cluster/messages/hello_text.h"
 #include "cluster/messages/result_text.h"

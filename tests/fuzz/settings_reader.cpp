@@ -1,5 +1,5 @@
-// Settings files: settings that pass their check, or a message; what is loaded is written and read
-// again as it was.
+// Fuzzes settings files: the reader gives settings that pass their check, or a message. Loaded
+// settings are written and read again without change.
 
 #include "evolution/fields/setting_field.h"
 #include "fuzz/fuzz_target.h"

@@ -20,7 +20,7 @@ std::string list(const std::vector<std::string>& names) {
     return text;
 }
 
-// A part of the text gives way to another.
+// Replaces a part of the text.
 std::string spliced(std::string text, ByteSource& bytes) {
     const std::size_t at = bytes.below(text.size() + 1);
     const std::size_t removed = bytes.number<std::uint8_t>();

@@ -1,7 +1,7 @@
 #pragma once
 
-// Edits of any table of an experiment, chosen by bytes: cells of every type, rows, and genotypes
-// with all that says how long they are and whose.
+// Edits of any table of an experiment, chosen by the input's bytes: cells of every type, rows, and
+// genotypes with their lengths and owners.
 
 #include "fuzz/byte_source.h"
 #include "persist/sqlite/database.h"
@@ -15,27 +15,27 @@ namespace cambrian::test {
 
 class TableEdits {
 public:
-    // sample: knows the tables and how many rows they have.
+    // `sample` gives the tables and their numbers of rows.
     explicit TableEdits(const Database& sample);
 
-    // As many as there are bytes for, up to some limit. One that the database refuses changes
-    // nothing.
+    // Makes edits while there are bytes, up to a limit. An edit that the database rejects has no
+    // effect.
     void apply(Database& database, ByteSource& bytes);
 
 private:
     struct Table {
         std::string name;
         std::vector<std::string> columns;
-        std::string key;  // its columns, with commas between
+        std::string key;  // its columns, separated by commas
         std::size_t rows = 0;
     };
-    // A cell, as the SQL of an update.
+    // A cell, in the form of an SQL update.
     struct Place {
         std::string table, column, row;
     };
 
     Place place(ByteSource& bytes) const;
-    // The value of a text.
+    // Returns the text in a cell, if it has one.
     static std::optional<std::string> words_at(const Database& database, const Place& cell);
     void apply_one(Database& database, ByteSource& bytes);
     void copy_row(Database& database, ByteSource& bytes) const;

@@ -1,6 +1,6 @@
-// Units of a cluster: requests that can be evaluated, or a message. Bytes that follow the line are
-// tried as they are and deflated, since hardly any change of deflated bytes gets past the first
-// check. What a process of its own is asked holds a unit too.
+// Fuzzes units of a cluster: the reader gives requests that can be evaluated, or a message. Bytes
+// after the first line are tried as they are and deflated, since nearly every change of deflated
+// bytes fails at the first check. Messages to a separate process contain a unit, too.
 
 #include "cluster/messages/unit_text.h"
 #include "cluster/units/unit_child.h"

@@ -1,5 +1,5 @@
-// The arrangement the studio remembers: any text gives one that is written and read again as it
-// was.
+// Fuzzes the stored arrangement of the studio: any text gives an arrangement that is written and
+// read again without change.
 
 #include "fuzz/fuzz_target.h"
 #include "studio/remembered.h"

@@ -29,7 +29,7 @@ TEST_CASE("a perturbation's spread is relative to the value, with a floor", "[ge
     RandomStream stream(stream_seed(3, 0, 0, Purpose::kTest));
     const FieldRule wide = {"", "", -1e6, 1e6, 0.0};
     const GeneStep step = {.relative = 0.2, .floor = 0.1, .long_factor = 4.0, .long_share = 0.15};
-    // Mean square of m is 0.85 + 0.15 * 16 = 3.25.
+    // The mean square of m is 0.85 + 0.15 * 16 = 3.25.
     for (const double x : {0.0, 0.05, 10.0}) {
         double squares = 0.0;
         for (int i = 0; i < 40000; ++i) {

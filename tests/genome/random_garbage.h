@@ -60,7 +60,7 @@ inline NodeGene garbage_node(RandomStream& stream) {
     return node;
 }
 
-// A genome with no regard to any rule.
+// Returns a genome that violates any rules.
 inline Genome garbage_genome(RandomStream& stream) {
     Genome genome;
     for (std::size_t i = stream.below(25); i > 0; --i)

@@ -21,7 +21,7 @@ std::vector<Genome> founders(const FounderSettings& settings, int count) {
     return genomes;
 }
 
-// Flags that leave only the named kinds.
+// Returns flags that enable only the named kinds.
 template <class Entry>
 std::map<std::string, bool> only(const std::vector<Entry>& entries,
                                  const std::vector<std::string>& ids) {

@@ -4,7 +4,8 @@
 
 namespace cambrian {
 
-// Functions of every arity, one with founders' ranges, the planar joints and channels.
+// Returns a catalog with functions of every arity, one of them with a founder's range, and the
+// planar joints and channels.
 inline KindCatalog small_catalog() {
     KindCatalog catalog;
     catalog.functions = {

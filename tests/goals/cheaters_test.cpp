@@ -1,5 +1,5 @@
-// A zoo of cheaters. In every goal there is, each of them must score below every honest sample of
-// that goal; and each must truly play the trick that it is named after.
+// Creatures that cheat. In every goal, each must score less than every honest sample of that goal,
+// and each must really perform the trick that it is named after.
 #include "support/cheaters.h"
 
 #include "evolution/evaluation/evaluation.h"
@@ -28,15 +28,15 @@ ExperimentSettings world_for(const GoalKind& goal) {
     return settings;
 }
 
-// What a creature did, whatever it was asked for.
+// Measures of what a creature did, independent of the goal.
 struct Deed {
-    double clearance = 0.0;  // m, the highest that its lowest point was
-    double rise = 0.0;       // m, the highest of its centre of mass above where it began
-    double fall = 0.0;       // m, the lowest of its centre of mass below where it began
-    double edge = 0.0;       // m, how far its rear edge came, forwards or backwards
-    double way = 0.0;        // m, its centre of mass from start to end
-    double walked = 0.0;     // m, the same along its path
-    double shaking = 0.0;    // Hz, of its busiest joint
+    double clearance = 0.0;  // m, greatest height of its lowest point
+    double rise = 0.0;       // m, greatest rise of its centre of mass above the start
+    double fall = 0.0;       // m, greatest fall of its centre of mass below the start
+    double edge = 0.0;       // m, displacement of its rear edge
+    double way = 0.0;        // m, displacement of its centre of mass from start to end
+    double walked = 0.0;     // m, path length of its centre of mass
+    double shaking = 0.0;    // Hz, of the joint with the highest frequency
 };
 
 Deed deed_of(const GenomePtr& genome, const TrialWorld& world) {
@@ -69,7 +69,7 @@ Deed deed_of(const GenomePtr& genome, const TrialWorld& world) {
 
 struct Cheater {
     const char* name;
-    const char* goal;  // in whose world it plays its trick
+    const char* goal;  // goal in whose world it performs its trick
     std::function<GenomePtr(const KindCatalog&)> build;
     std::function<bool(const Deed&)> plays_its_trick;
 };
@@ -113,7 +113,7 @@ double score(const GenomePtr& genome, const ExperimentSettings& settings) {
     return result.fitness;
 }
 
-// The lowest score of the samples of each goal, each in the trial that its file names.
+// Returns the lowest score of each goal's samples, each in the trial of its file.
 std::map<std::string, double> least_honest_scores() {
     std::map<std::string, double> least;
     for (const auto& file : std::filesystem::directory_iterator(kSamples)) {

@@ -21,7 +21,7 @@ TEST_CASE("a ballistic jump scores its height and its capped speed", "[goals][ju
             return Vec3(0.0, 0.1 + (flight > 0.0 && height > 0.0 ? height : 0.0), 0.0);
         });
     };
-    // The greatest mean speed over 0.1 s is that of the first.
+    // The greatest mean speed over 0.1 s is that of the first 0.1 s.
     CHECK(jumping_score(jump_at(2.0)) ==
           Approx(4.0 / 19.62 + 0.02 * (2.0 - 0.05 * 9.81)).epsilon(0.01));
     CHECK(jumping_score(jump_at(5.0)) == Approx(25.0 / 19.62 + 0.05).epsilon(0.01));

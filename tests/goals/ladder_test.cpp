@@ -1,4 +1,5 @@
-// The ladders of goals/README.md 1 to 3: what only looks like it must not pay, what does it must.
+// The ladders of goals/README.md 1 to 3: imitations of the behaviour must score low, real progress
+// high.
 #include "evolution/evaluation/evaluation.h"
 #include "support/catch.h"
 #include "support/creatures.h"
@@ -14,7 +15,7 @@ EvaluationResult walk(const GenomePtr& genome) {
     return evaluate({.genome = genome}, ExperimentSettings{}, test::kinds());
 }
 
-// In the world the goal makes sense in.
+// Evaluates in the goal's default world.
 EvaluationResult attempt(const char* goal, const GenomePtr& genome) {
     ExperimentSettings settings;
     settings.goal = goal;
@@ -59,8 +60,8 @@ TEST_CASE("a creature that kicks itself off once scores below 0.05 in walking", 
     }
 }
 
-// Twice the size with everything in proportion (Froude scaling): times longer by the root of two,
-// speeds of joints slower by it, muscles stronger with the weight.
+// The body is twice as large with everything in proportion (Froude scaling): times are longer and
+// joint speeds lower by the square root of two, muscles are stronger with the weight.
 TEST_CASE("walking is scored alike at another scale", "[goals][ladder]") {
     const double root = std::sqrt(2.0);
     const EvaluationResult small = walk(test::crawler(catalog()));
@@ -103,7 +104,7 @@ TEST_CASE("raising an arm is not jumping, kicking off the Moon is", "[goals][lad
     CHECK(jump(test::rigid_tower(catalog())).fitness == 0.0);
 }
 
-// One body that beats its wings the faster and wider, the higher it jumps, on the Moon.
+// The same body beats its wings faster and wider, so that it jumps higher, on the Moon.
 TEST_CASE("standing still, raising wings, a small jump and a bigger one score in that order",
           "[goals][ladder]") {
     ExperimentSettings moon;

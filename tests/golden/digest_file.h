@@ -7,11 +7,11 @@
 
 namespace cambrian::golden {
 
-// A line a digest: its name and 16 hexadecimal digits.
+// Writes one line per digest: its name and 16 hexadecimal digits.
 std::string text_of(const Digests& digests);
 
-// What of the recorded text is not as computed here, a line each: digests that differ, that are
-// missing from the record, or that are recorded and unknown.
+// Returns one line for each difference between the recorded text and the digests: different values,
+// missing records, and unknown records.
 std::vector<std::string> differences(const std::string& recorded, const Digests& digests);
 
 }  // namespace cambrian::golden

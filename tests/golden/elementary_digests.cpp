@@ -18,7 +18,7 @@ constexpr int kPatterns = 20000;
 struct Function {
     const char* name;
     double (*evaluate)(double);
-    double low, high;  // of the grid
+    double low, high;  // range of the grid
 };
 
 double power_of_three_halves(double x) {
@@ -47,12 +47,12 @@ constexpr std::array kFunctions = {
     Function{"reflect", reflected, -10.0, 10.0},
 };
 
-// The payload and sign of what is not a number are the processor's own choice.
+// Processors choose payload and sign of not-a-number freely, so these do not count.
 void add_number(Hash64& hash, double number) {
     hash.add(std::isnan(number) ? std::numeric_limits<double>::quiet_NaN() : number);
 }
 
-// Any finite number, of any size.
+// Returns any finite number with a random bit pattern.
 double random_pattern(RandomStream& random) {
     double number = 0.0;
     do {
@@ -75,7 +75,7 @@ std::uint64_t digest_of(const Function& function) {
     return hash.value();
 }
 
-// As physics calls it: over an array, by as many lanes as the compiler likes.
+// Calls the function over an array, as physics does, so that the compiler may vectorise it.
 std::uint64_t digest_of_reduced_sines() {
     std::array<double, 1024> sums{};
     Hash64 hash;

@@ -12,7 +12,7 @@ namespace {
 constexpr std::uint32_t kGenerations = 20;
 constexpr double kTrialOfRun = 3.0;  // s
 
-// Those of run.toml, under which the program itself is run (tests/cli/same_bits_test.py).
+// Returns the settings of run.toml, with which tests/cli/same_bits_test.py runs the program.
 SettingsPtr settings() {
     auto made = std::make_shared<ExperimentSettings>();
     made->seed = 31;

@@ -4,7 +4,7 @@
 
 namespace cambrian::golden {
 
-// Founders with joints of every kind.
+// Settings and founders with joints of every kind.
 FounderSettings all_joints();
 Genome founder(int number);
 

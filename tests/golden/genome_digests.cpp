@@ -9,7 +9,7 @@ namespace cambrian::golden {
 namespace {
 
 constexpr int kFounders = 200;
-constexpr int kMutations = 12;  // rounds
+constexpr int kMutations = 12;  // rounds of mutation
 
 std::uint64_t digest_of(const std::vector<Genome>& genomes) {
     Hash64 hash;

@@ -1,8 +1,8 @@
 #pragma once
 
 // Digests of everything that must have the same bits on every machine, compiler, optimisation level
-// and number of threads. What the values are is recorded in digests.txt; everywhere.sh shows that
-// they are the same elsewhere.
+// and number of threads. digests.txt has the recorded values; everywhere.sh compares them with
+// those computed on other processors.
 
 #include <cstdint>
 #include <string>
@@ -17,18 +17,19 @@ struct Digest {
 
 using Digests = std::vector<Digest>;
 
-// The elementary functions over grids, random bit patterns and the ends of their domains; and
-// random draws.
+// Covers the elementary functions over grids, random bit patterns and the ends of their domains,
+// and random draws.
 void add_elementary_digests(Digests& digests);
-// Every kind of neuron, fed with ordinary and special values.
+// Covers every neuron function, with ordinary and special values.
 void add_neuron_digests(Digests& digests);
-// Founders, their bodies, mutants and children by every method.
+// Covers founders, their bodies, mutants, and children by every breeding method.
 void add_genome_digests(Digests& digests);
-// Random trees in air, water and on the ground by every integrator, and parts that hit each other.
+// Covers random trees in air, water and on the ground with every integrator, and parts that
+// collide.
 void add_physics_digests(Digests& digests);
-// Trials of every goal: motion, energy audit and score.
+// Covers trials of every goal: motion, energy audit and score.
 void add_trial_digests(Digests& digests);
-// A small evolution on 1, 2 and 7 threads.
+// Covers a small evolution on 1, 2 and 7 threads.
 void add_evolution_digests(Digests& digests);
 
 }  // namespace cambrian::golden

@@ -12,7 +12,7 @@ constexpr std::array kInputs = {-10.0, -3.1, -1.0, -0.25, -1e-300, -0.0,
                                 0.0,   1e-9, 0.4,  1.0,   2.7,     10.0};
 constexpr double kTick = 1.0 / 60;  // s
 
-// All triples of inputs one after the other through the same memory.
+// Evaluates all triples of inputs in turn with the same memory.
 std::uint64_t digest_of(const NeuronFunctionKind& kind) {
     Hash64 hash;
     std::vector<double> memory(static_cast<std::size_t>(kind.memory_size), 0.0);

@@ -6,8 +6,8 @@
 namespace cambrian::golden {
 namespace {
 
-// How many random trees of a size an integrator moves, and for how long; the cost of the reference
-// mode grows with the cube of the size.
+// The number of random trees of a size and their duration. The reference integrator gets less,
+// since its cost grows with the cube of the size.
 struct Share {
     int parts;
     int trees;
@@ -48,7 +48,7 @@ std::uint64_t digest_of_trees(const Environment& environment, const SceneSetting
     return hash.value();
 }
 
-// A chain that rolls itself up until its parts lie on each other.
+// Simulates a chain that curls up until its parts lie on each other.
 std::uint64_t digest_of_curling(const std::string& integrator) {
     BodyPlan plan = chain(8, 1.4);
     for (PlannedPart& part : plan.parts)

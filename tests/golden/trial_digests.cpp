@@ -25,7 +25,7 @@ void add_record(Hash64& hash, const TrialRecord& record) {
     add_audit(hash, record.audit);
 }
 
-// The founders that can move, from a number of their own for each goal.
+// Runs founders that can move, from a different first number for each goal.
 std::uint64_t digest_of_trials(const GoalKind& goal, int first) {
     TrialWorld world;
     world.environment = goal.default_environment();

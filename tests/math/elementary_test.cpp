@@ -18,7 +18,7 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 using Function = double (*)(double);
 using Reference = long double (*)(long double);
 
-// Largest error against long double libm over random points and their neighbourhood of 0.
+// The largest errors against libm in long double, over random points and points near 0.
 struct Errors {
     long double absolute = 0;
     long double relative = 0;
@@ -56,7 +56,7 @@ long double exact_hyperbolic_tangent(long double x) {
     return std::tanh(x);
 }
 
-// Hash of a function's bits over a grid.
+// Returns the hash of a function's bits over a grid.
 std::uint64_t bits_of(Function function, double low, double high) {
     Hash64 hash;
     for (int i = 0; i <= 10000; ++i)
@@ -114,7 +114,7 @@ TEST_CASE("the exponential ends in 0 and infinity", "[math][elementary]") {
     CHECK(exponential(-746.0) == 0.0);
     CHECK(exponential(-kInfinity) == 0.0);
     CHECK(exponential(709.78) == Approx(std::exp(709.78)).epsilon(1e-15));
-    // Below the normal range only the last bit of the result may differ.
+    // Below the normal range, the result may differ in its last bit.
     CHECK(std::fabs(exponential(-745.0) - std::exp(-745.0)) <=
           std::numeric_limits<double>::denorm_min());
 }
@@ -162,7 +162,7 @@ TEST_CASE("what is not a number stays not a number", "[math][elementary]") {
 }
 
 TEST_CASE("the elementary functions give the same bits on every machine", "[math][elementary]") {
-    // Every evolved creature's score rests on these bits; they change only when a formula does.
+    // All scores depend on these bits; they change only when a formula changes.
     CHECK(bits_of(sine, -100.0, 100.0) == 0xf1099b1808aeb28cULL);
     CHECK(bits_of(cosine, -100.0, 100.0) == 0xa949fa72ad794d19ULL);
     CHECK(bits_of(arc_tangent, -20.0, 20.0) == 0xc54287635597892bULL);

@@ -1,5 +1,5 @@
-// The kept creature files of tests/persist/creatures: the first word of a file's name says what
-// must come of it.
+// Reads the creature files of tests/persist/creatures. The first word of each name says what the
+// result must be.
 
 #include "core/files/file_io.h"
 #include "persist/creature/creature_file.h"
@@ -16,7 +16,7 @@ namespace {
 
 const std::filesystem::path kFolder = CAMBRIAN_SOURCE_DIR "/tests/persist/creatures";
 
-// "E07", "W01" or "sound".
+// Returns the files by first word: "E07", "W01" or "sound".
 std::map<std::string, std::vector<std::filesystem::path>> files_by_verdict() {
     std::map<std::string, std::vector<std::filesystem::path>> files;
     for (const auto& entry : std::filesystem::directory_iterator(kFolder)) {

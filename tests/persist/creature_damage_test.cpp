@@ -1,4 +1,4 @@
-// Whatever the bytes are, the loader gives a valid genome or a message.
+// For any bytes, the loader gives a valid genome or a message.
 
 #include "core/random.h"
 #include "evolution/fields/setting_field.h"
@@ -12,7 +12,7 @@ using namespace cambrian::test;
 
 namespace {
 
-// One to four bytes changed, inserted, removed or doubled; or the end cut off.
+// Changes, inserts, removes or doubles one to four bytes, or cuts off the end.
 std::string damaged(std::string text, RandomStream& stream) {
     if (stream.chance(0.2)) return text.substr(0, stream.below(text.size()));
     const int changes = stream.between(1, 4);
@@ -36,7 +36,7 @@ std::string damaged(std::string text, RandomStream& stream) {
     return text;
 }
 
-// A digit, a letter or a mark put in the place of another, so that most results are still JSON.
+// Replaces one character by a digit, letter or mark, so that most results are still JSON.
 std::string altered(std::string text, RandomStream& stream) {
     constexpr std::string_view kLikely = "0123456789-.e\"[]{},:abcnNtf ";
     text[stream.below(text.size())] = kLikely[stream.below(kLikely.size())];

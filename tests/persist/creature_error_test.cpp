@@ -1,4 +1,4 @@
-// One case a code of persist/README.md 2: what is wrong with the file and how the message says so.
+// One test per code of persist/README.md 2: a fault of a file and its message.
 
 #include "persist/sample_creature.h"
 #include "support/catch.h"
@@ -13,7 +13,7 @@ using namespace cambrian::test;
 
 namespace {
 
-// The sample with the first occurrence of one text replaced by another.
+// Returns the sample with the first occurrence of one text replaced by another.
 std::string changed(std::string_view from, std::string_view to) {
     std::string text = sample_text();
     const std::size_t place = text.find(from);

@@ -180,7 +180,7 @@ TEST_CASE("ticks of another motion than the one scored are not kept", "[persist]
 
 namespace {
 
-// The sample as version 1 wrote it, with its central neuron's channel as a number.
+// Returns the sample as version 1 wrote it, with the central neuron's channel as a number.
 std::string numbered_sample(const std::string& number) {
     std::string text = sample_text();
     for (const auto& [from, to] :
@@ -201,14 +201,14 @@ int central_channel(const std::string& text, const EvolutionKinds& all) {
     return document->genome().brain[0].inputs[0].source.index;
 }
 
-// The program with its sensor channels registered in another order.
+// Returns kinds whose sensor channels are registered in reverse order.
 EvolutionKinds with_reversed_channels() {
     EvolutionKinds all = kinds();
     std::reverse(all.creature.catalog.channels.begin(), all.creature.catalog.channels.end());
     return all;
 }
 
-// The channel registered last.
+// Returns the number of the channel registered last.
 int last_channel() {
     return static_cast<int>(kinds().creature.catalog.channels.size()) - 1;
 }
@@ -238,7 +238,7 @@ TEST_CASE("the order in which sensors are registered does not matter to files",
 
 TEST_CASE("a number of no sensor channel stays one that nothing has", "[persist][creature_file]") {
     CHECK(central_channel(numbered_sample("200"), kinds()) == 200);
-    // Version 1 had five channels; a number beyond them must not become a later one.
+    // Version 1 had five channels. A larger number must not become the number of a later channel.
     CHECK(central_channel(numbered_sample("5"), kinds()) == 255);
     EvolutionKinds fewer = kinds();
     fewer.creature.catalog.channels.resize(5);

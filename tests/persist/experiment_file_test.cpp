@@ -24,7 +24,7 @@ SettingsPtr shared(const ExperimentSettings& settings) {
 
 using Existing = ExperimentFile::Existing;
 
-// A new one under a name, or without.
+// Creates an experiment file; an empty path gives a file without a name.
 std::shared_ptr<ExperimentFile> new_file(const std::filesystem::path& path,
                                          const SettingsPtr& settings,
                                          const std::vector<GenomePtr>& founders = {}) {
@@ -34,7 +34,7 @@ std::shared_ptr<ExperimentFile> new_file(const std::filesystem::path& path,
     return *file;
 }
 
-// A file of a run of so many generations; closed again.
+// Writes and closes the file of a run of so many generations.
 void write_run(const std::filesystem::path& path, const ExperimentSettings& settings,
                std::size_t generations, const std::vector<NotedCommand>& steering = {}) {
     const auto file = new_file(path, shared(settings));
@@ -42,7 +42,7 @@ void write_run(const std::filesystem::path& path, const ExperimentSettings& sett
     run_on(evolution, *file, generations, steering);
 }
 
-// A run that goes on, kept in a file, or in one without a name.
+// A run with its open file; an empty name gives a file without a name.
 struct KeptRun {
     explicit KeptRun(const std::string& name = "a.cambrian")
         : path(name.empty() ? std::filesystem::path() : folder / name) {}
@@ -248,7 +248,8 @@ TEST_CASE("a star keeps each score it was given, although its individual is drop
     ExperimentSettings moon = *run.settings;
     moon.world.environment.gravity = 1.62;
     run_on(run.evolution, *run.file, 3,
-           {{2, ChangeSettings{shared(moon)}}});  // survivors are evaluated again
+           // A change of world, after which survivors are evaluated again.
+           {{2, ChangeSettings{shared(moon)}}});
     star_all();
     run_on(run.evolution, *run.file, 9);
     const auto path = run.folder / "b.cambrian";

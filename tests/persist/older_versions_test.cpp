@@ -1,4 +1,4 @@
-// Files kept from each version of the formats: tests/persist/versions/VERSION/.
+// Reads files of each earlier version of the formats, from tests/persist/versions/VERSION/.
 
 #include "core/files/file_io.h"
 #include "persist/creature/creature_file.h"
@@ -28,8 +28,8 @@ std::int64_t version_in(const std::filesystem::path& path) {
     return Database(path, Database::Access::kRead).integer("PRAGMA user_version");
 }
 
-// What every version's run.cambrian holds: four generations of eight, steered in the third, two
-// grids, a star and a shelf of one.
+// Checks the contents of every version's run.cambrian: four generations of eight creatures, with
+// commands in the third, two grids, a star and a shelf with one creature.
 void check_run(const SavedExperiment& saved) {
     REQUIRE(saved.latest);
     CHECK(saved.latest->generation == 3);
@@ -110,7 +110,7 @@ TEST_CASE("an experiment tells scores of another simulator until everyone was ju
     saved->simulators = {{0, "0.9"}};
     const std::string words = "scored by simulator 0.9, this is " + current;
     CHECK(other_simulator(*saved) == words);
-    // Gone on with by this one, survivors keep their scores.
+    // When this version continues the run, survivors keep their scores.
     saved->simulators = {{0, "0.9"}, {3, current}};
     CHECK(other_simulator(*saved) == words);
     saved->journal.push_back({3, RescorePopulation{}});

@@ -14,7 +14,7 @@ Image colorful(int width, int height) {
     return image;
 }
 
-// By libpng's own simple reader.
+// Decodes with libpng's simplified reader.
 Image decode(const std::string& bytes) {
     png_image reading{};
     reading.version = PNG_IMAGE_VERSION;

@@ -7,7 +7,7 @@
 
 namespace cambrian::test {
 
-// A creature that uses every field of the format: two nodes, a central neuron, a score.
+// Returns a creature that uses every field of the format: two nodes, a central neuron, a score.
 inline CreatureDocument sample_document() {
     const KindCatalog& catalog = kinds().creature.catalog;
     const auto function = [&](std::string_view id) {

@@ -1,5 +1,5 @@
-// What can be wrong with a settings file: each message names the file, the line, the key, what was
-// expected and, where there is one, the nearest known name.
+// The errors of a settings file. Each message names the file, the line, the key, what was expected
+// and the nearest known name, if there is one.
 
 #include "evolution/fields/setting_field.h"
 #include "persist/settings/settings_file.h"
@@ -20,7 +20,7 @@ std::string with_value(const SettingField& field, const std::string& value) {
     return "[" + field.table + "]\n" + field.key + " = " + value + "\n";
 }
 
-// "run.toml: line 2, [table] key: "
+// Returns the start of a message: "run.toml: line 2, [table] key: ".
 std::string place_of(const SettingField& field) {
     return "run.toml: line 2, [" + field.table + "] " + field.key + ": ";
 }

@@ -15,7 +15,7 @@ using namespace cambrian::test;
 
 namespace {
 
-// A value of the field's type within its range.
+// Sets a random value of the field's type within its range.
 void randomize(const SettingField& field, ExperimentSettings& settings, RandomStream& stream) {
     std::visit(
         [&](auto* at) {
@@ -31,7 +31,7 @@ void randomize(const SettingField& field, ExperimentSettings& settings, RandomSt
         field.at(settings));
 }
 
-// Random shares that add up to 1, as they must.
+// Sets random shares with the sum 1.
 void share_out(std::map<std::string, double>& shares) {
     double sum = 0.0;
     for (const auto& [way, share] : shares)
@@ -57,8 +57,8 @@ TEST_CASE("whatever the settings, they are read back and written to the same byt
         for (const SettingField& field : setting_fields(kinds()))
             randomize(field, settings, stream);
         share_out(settings.breeding.shares);
-        settings.world.trial.duration *= 1e-4;             // or nearly all ask for too much work
-        if (!check_settings(settings, kinds())) continue;  // they contradict one another
+        settings.world.trial.duration *= 1e-4;  // keeps most of them within the limit of work
+        if (!check_settings(settings, kinds())) continue;  // the settings contradict one another
         ++checked;
         const std::string text = write_settings(settings, kinds());
         const auto loaded = parse_settings(text, "run.toml", kinds());

@@ -1,6 +1,6 @@
 #pragma once
 
-// What the reader of settings says of a text.
+// Returns the message of the settings reader for a text.
 
 #include "persist/settings/settings_file.h"
 #include "support/kinds.h"

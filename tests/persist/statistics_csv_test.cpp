@@ -28,8 +28,8 @@ std::vector<std::vector<std::string>> table_of(const std::string& text) {
     return rows;
 }
 
-// A row in which every field has a value of its own. It does not compile when a field is added, so
-// that none is forgotten here and in the file.
+// Returns a row in which every field has a different value. It does not compile when a field is
+// added, as a reminder to test and write that field.
 GenerationStatistics numbered_row() {
     GenerationStatistics row;
     auto& [generation, size, evaluations, confirmations, best, lowest, highest, upper, median,
@@ -61,7 +61,7 @@ TEST_CASE("every field of the statistics has a named column", "[persist][statist
     for (std::size_t i = 0; i + 2 < table[1].size(); ++i)
         found.push_back(std::strtod(table[1][i].c_str(), nullptr));
     std::sort(found.begin(), found.end());
-    CHECK(found.front() == 1.0);  // yes
+    CHECK(found.front() == 1.0);  // true
     for (std::size_t i = 1; i < found.size(); ++i)
         CHECK(found[i] == 100.0 + static_cast<double>(i));
 }

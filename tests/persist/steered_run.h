@@ -1,6 +1,6 @@
 #pragma once
 
-// A small evolution that is steered on its way, kept in a log.
+// A small evolution with commands during the run, saved in a log.
 
 #include "evolution/backends/thread_pool_backend.h"
 #include "evolution/engine/experiment_log.h"
@@ -37,7 +37,7 @@ inline std::vector<NotedCommand> some_steering(const ExperimentSettings& setting
             {4, RescorePopulation{}}};
 }
 
-// Evaluates and records up to `generations` in all.
+// Evaluates and records until there are `generations` in total.
 template <class Log>
 void run_on(Evolution& evolution, Log& log, std::size_t generations,
             const std::vector<NotedCommand>& steering = {}) {

@@ -1,6 +1,6 @@
 #pragma once
 
-// Evaluation without physics: bodies are grown and measured at rest; nothing moves.
+// A back-end without physics: bodies are expressed and measured at rest.
 
 #include "creature/phenotype_hash.h"
 #include "evolution/evaluation/evaluation_backend.h"
@@ -23,7 +23,7 @@ inline double rest_height(const Phenotype& phenotype) {
 
 class BodyBackend final : public EvaluationBackend {
 public:
-    // May change what a creature's body alone says.
+    // Adjusts the result that the body alone gives.
     std::function<void(const Genome&, EvaluationResult&)> adjust = [](const Genome&,
                                                                       EvaluationResult&) {};
     int evaluations = 0;

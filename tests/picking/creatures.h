@@ -13,7 +13,7 @@ inline SettingsPtr default_settings() {
     return std::make_shared<const ExperimentSettings>();
 }
 
-// Two parts, a body and a leg that swings.
+// Returns a creature of two parts: a body and a leg that swings.
 inline GenomePtr hopper() {
     CreatureBuilder builder(kinds().creature.catalog);
     const auto body = builder.part(0.6, 0.2);
@@ -23,7 +23,7 @@ inline GenomePtr hopper() {
     return builder.build();
 }
 
-// Random creatures, not evaluated.
+// Returns random creatures that are not evaluated.
 inline std::vector<IndividualPtr> strangers(std::size_t count, std::uint64_t seed = 1) {
     ExperimentSettings settings;
     settings.seed = seed;

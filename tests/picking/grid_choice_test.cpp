@@ -15,7 +15,7 @@ namespace {
 
 using Creatures = std::vector<IndividualPtr>;
 
-// A living creature of the given place in descriptor space.
+// Returns a living creature with the given descriptors.
 Individual creature(std::uint64_t id, double travel, double height, double fitness = 0.0) {
     Individual each;
     Genome genome;
@@ -49,7 +49,7 @@ Creatures random_creatures(std::size_t count, RandomStream& stream) {
     return all;
 }
 
-// The definition, evaluated without any shortcut.
+// Computes the choice by its definition, without optimisation.
 std::vector<std::size_t> by_definition(const Creatures& candidates, const Creatures& shown,
                                        std::size_t count, double w) {
     Creatures all = candidates;
@@ -125,7 +125,7 @@ TEST_CASE("descriptors are what a person sees, scaled by their range", "[picking
     CHECK(scaled[0] == GridDescriptor{0, 0, 0, 0, 0});
     CHECK(scaled[1] == GridDescriptor{0, 0, 0, 0, 1});
     CHECK(scaled[2][4] == Approx(0.25));
-    CHECK(describe_for_grid({})[2] == 0.0);  // no length, no mass
+    CHECK(describe_for_grid({})[2] == 0.0);  // without a length and a mass
 }
 
 TEST_CASE("the choice is the one defined, for any dial", "[picking][choice]") {
@@ -141,7 +141,7 @@ TEST_CASE("the choice is the one defined, for any dial", "[picking][choice]") {
 }
 
 TEST_CASE("what is chosen is spread at least half as well as can be", "[picking][choice]") {
-    // Gonzalez (1985): the greedy choice is within a factor of two of the best.
+    // Gonzalez (1985): the greedy choice is within a factor of two of the optimum.
     RandomStream stream(8);
     for (int i = 0; i < 100; ++i) {
         const Creatures candidates = random_creatures(8, stream);

@@ -21,7 +21,7 @@ SettingsPtr short_trials(double seconds = 1.0) {
     return settings;
 }
 
-// The children of the given parents, the first one in cell 1.
+// Returns an order for children of the given parents, with the first parent in cell 1.
 GridOrder children_of(std::vector<IndividualPtr> parents, int cells = 12) {
     GridOrder order;
     order.node = 5;
@@ -53,7 +53,7 @@ std::size_t distinct(const std::vector<IndividualPtr>& creatures) {
     return std::set<std::uint64_t>(all.begin(), all.end()).size();
 }
 
-// Everyone but the first lives and is like no other.
+// Returns whether all creatures but the first are alive and different from each other.
 bool all_alive(const std::vector<IndividualPtr>& grid) {
     const auto grades = grade_candidates(std::span(grid).subspan(1), {grid.front()->genome_hash});
     return std::all_of(grades.begin(), grades.end(),

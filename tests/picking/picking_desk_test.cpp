@@ -16,7 +16,7 @@ using test::kinds;
 
 namespace {
 
-// Waits for a snapshot that satisfies the condition; gives up after a minute.
+// Waits up to a minute for a snapshot that satisfies the condition.
 template <class Condition>
 std::shared_ptr<const PickingSnapshot> wait_for(PickingDesk& desk, Condition condition) {
     for (int i = 0; i < 60000; ++i) {
@@ -32,7 +32,7 @@ std::shared_ptr<const PickingSnapshot> wait_for_grids(PickingDesk& desk, std::si
     return wait_for(desk, [&](const PickingSnapshot& shown) { return shown.tree.size() == count; });
 }
 
-// Every evaluation takes 20 ms.
+// Returns a back-end whose evaluations take 20 ms each.
 std::unique_ptr<BodyBackend> slow_backend() {
     auto backend = std::make_unique<BodyBackend>();
     backend->adjust = [](const Genome&, EvaluationResult&) {

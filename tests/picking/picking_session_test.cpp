@@ -15,7 +15,7 @@ using test::kinds;
 
 namespace {
 
-// A person at a session; what is asked for is made at once unless `lazy`.
+// A user of a session. Requested grids are made at once unless `lazy`.
 class Person {
 public:
     BodyBackend backend;
@@ -191,7 +191,7 @@ TEST_CASE("newcomers take the place of whom nobody picked", "[picking][session]"
         CHECK((person.grid().creatures[cell] == before.creatures[cell]) == stays);
         CHECK((person.grid().creatures[cell]->method == "random") == !stays);
     }
-    CHECK(person.obey(ReplaceUnpicked{}));  // all of them
+    CHECK(person.obey(ReplaceUnpicked{}));  // replaces all creatures
     CHECK(person.grid().creatures[4]->method == "random");
 }
 
@@ -208,7 +208,7 @@ TEST_CASE("picks find a place in a grid that becomes smaller", "[picking][sessio
     CHECK(person.grid().creatures[1] == low);
     for (std::size_t cell = 0; cell < 4; ++cell)
         CHECK(person.pick(cell));
-    CHECK_FALSE(person.obey(ReplaceUnpicked{}));  // nobody is left to replace
+    CHECK_FALSE(person.obey(ReplaceUnpicked{}));  // no creature is left to replace
     CHECK(person.obey(BreedPicks{}));
     CHECK(person.grid().creatures.size() == 4);
 }
@@ -318,7 +318,7 @@ TEST_CASE("a population can be picked from, and automatic runs taken turns with"
     const auto better_ones =
         std::count_if(evolution.population().begin(), evolution.population().end(),
                       [&](const IndividualPtr& each) { return each->result.fitness > worst; });
-    CHECK(better_ones < 14);  // the twelve fittest, but for dead ones
+    CHECK(better_ones < 14);  // the twelve fittest, except creatures that cannot move
 }
 
 TEST_CASE("under other settings the parent is evaluated again", "[picking][session]") {

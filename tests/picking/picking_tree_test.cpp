@@ -18,7 +18,7 @@ GridNode grid(std::vector<std::size_t> picks = {}) {
     return node;
 }
 
-// Does one random thing.
+// Performs one random operation.
 void wander(PickingTree& tree, RandomStream& stream) {
     switch (stream.below(4)) {
         case 0:
@@ -35,7 +35,7 @@ void wander(PickingTree& tree, RandomStream& stream) {
     }
 }
 
-// What identifies a grid and its creatures, and where it hangs.
+// The identity of a grid and its creatures, and its parent.
 struct Trace {
     const GridNode* node;
     std::optional<std::uint32_t> parent;
@@ -129,7 +129,7 @@ TEST_CASE("a visit makes its way the way forward", "[picking][tree]") {
     tree.add(grid());
     tree.add(grid());
     REQUIRE(tree.visit(0));
-    tree.add(grid());  // a branch, now the way forward
+    tree.add(grid());  // a branch, to which forward() now leads
     REQUIRE(tree.visit(2));
     REQUIRE(tree.back());
     REQUIRE(tree.back());

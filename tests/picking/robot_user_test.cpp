@@ -1,4 +1,4 @@
-// The scripted users of picking/README.md 2: whether selection by hand really steers.
+// The scripted users of picking/README.md 2 test whether selection by hand steers evolution.
 #include "picking/body_backend.h"
 #include "picking/creatures.h"
 #include "picking/picking_session.h"
@@ -40,7 +40,7 @@ public:
         return taste(session_.snapshot().tree.node(0).creatures[0]->result);
     }
     double best(const Taste& taste) const { return taste(creatures()[favourite(taste)]->result); }
-    // Picks the creature it likes best, and breeds.
+    // Picks its favourite creature and breeds.
     void decide(const Taste& taste) {
         const std::uint32_t node = session_.snapshot().tree.current().number;
         obey(TogglePick{node, favourite(taste)});
@@ -69,7 +69,7 @@ private:
     PickingSession session_;
 };
 
-// Decisions until the grid shows what is wanted.
+// Returns the number of decisions until the grid has a creature of the wanted quality.
 int decisions_until(Robot& robot, const Taste& taste, double wanted) {
     int decisions = 0;
     for (; robot.best(taste) < wanted && decisions < kMostDecisions; ++decisions)
@@ -115,7 +115,7 @@ TEST_CASE("who likes tall creatures has one six times as tall after at most 8 de
 }
 
 TEST_CASE("who does not care gets nowhere: it is the picking that steers", "[picking][robot]") {
-    const Taste any = [](const EvaluationResult&) { return 0.0; };  // the first cell, always
+    const Taste any = [](const EvaluationResult&) { return 0.0; };  // always picks the first cell
     const Spread most_parts = spread_of([&](std::uint64_t seed) {
         Robot robot(seed);
         for (int i = 0; i < 10; ++i)

@@ -1,6 +1,6 @@
 #pragma once
 
-// Ways of searching that the benchmark compares; each changes the usual settings in one respect.
+// Search methods that the benchmark compares; each changes the default settings in one respect.
 
 #include "evolution/settings/experiment_settings.h"
 
@@ -9,24 +9,24 @@
 
 namespace cambrian::quality {
 
-// What is evolved for; most arms are run for the first alone.
+// The goals of evolution. Most arms are run for the first one only.
 inline constexpr const char* kGoals[] = {"walking", "swimming", "jumping"};
 
 struct Arm {
     std::string_view id;
-    std::string_view what;  // for a person
+    std::string_view what;  // description
     void (*change)(ExperimentSettings& settings);
 };
 
 std::span<const Arm> all_arms();
-const Arm& arm_of(std::string_view id);  // of a known id
+const Arm& arm_of(std::string_view id);  // the id must be known
 
 inline constexpr std::string_view kEvolution = "evolution";
 inline constexpr std::string_view kRepeated = "evolution-again";
 inline constexpr std::string_view kRandomSearch = "random-search";
 inline constexpr std::string_view kNoMutation = "no-mutation";
 inline constexpr std::string_view kMapElites = "map-elites";
-// Arms of a single breeding method have its id.
+// Arms with a single breeding method have its id.
 inline constexpr std::string_view kBreedingArms[] = {"asexual", "crossover", "grafting"};
 
 }  // namespace cambrian::quality

@@ -21,15 +21,15 @@ Criterion judged(std::string id, std::string asked, std::string found, bool hold
             holds ? Finding::kHolds : Finding::kFails};
 }
 
-// Evolution, or a variant, against random search or another arm.
+// A comparison of evolution, or of a variant, with random search or another arm.
 struct Duel {
     const char* id;
     std::string_view plan;
     std::string_view goal;
     std::string_view arm;
     std::string_view against;
-    double least_ratio;  // of medians
-    double most_p;       // of the U test
+    double least_ratio;  // least ratio of medians
+    double most_p;       // largest p value of the U test
 };
 
 Criterion fight(const std::vector<RunResult>& runs, const Duel& duel) {

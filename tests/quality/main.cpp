@@ -1,5 +1,6 @@
-// cambrian_bench_quality: how well evolution searches (quality/README.md). Runs the evolutions of a
-// plan, one a thread, and keeps each as it ends; what is there already is not run again.
+// cambrian_bench_quality: measures how well evolution searches (quality/README.md). It performs the
+// runs of a plan, one per thread, and saves each when it ends. Runs that are already saved are not
+// repeated.
 
 #include "app/builtin_kinds.h"
 #include "core/files/file_io.h"
@@ -51,7 +52,7 @@ std::vector<RunSpec> still_to_run(const std::string& plan, const std::vector<Run
     return runs;
 }
 
-// Two files that grow by a run at a time.
+// Two files to which one run at a time is added.
 class RunTables {
 public:
     explicit RunTables(const std::filesystem::path& folder)

@@ -1,6 +1,6 @@
 #pragma once
 
-// Which runs make up a benchmark (quality/README.md 1 and 3).
+// The runs of a benchmark (quality/README.md 1 and 3).
 
 #include "quality/run.h"
 
@@ -8,9 +8,10 @@
 
 namespace cambrian::quality {
 
-// "standard": every arm on 3000 evaluations, seeds 1 to 9. "long": evolution against random search
-// on 20 000, seeds 1 to 5. "quick": the same on 900, seeds 1 to 9. Empty for another name. Ordered
-// so that what is known after a part of it is as balanced as can be.
+// Returns the runs of a plan. "standard" has every arm with 3000 evaluations and seeds 1 to 9.
+// "long" compares evolution with random search, with 20 000 evaluations and seeds 1 to 5; "quick"
+// does so with 900 and seeds 1 to 9. For other names it is empty. A finished part of the plan is as
+// balanced as possible.
 std::vector<RunSpec> plan_of(std::string_view name);
 
 }  // namespace cambrian::quality

@@ -1,6 +1,6 @@
 #pragma once
 
-// The runs and what they say as a page of Markdown.
+// The runs and their criteria as a Markdown page.
 
 #include "quality/criteria.h"
 
@@ -10,7 +10,7 @@
 namespace cambrian::quality {
 
 std::string criteria_table(const std::vector<Criterion>& criteria);
-// Every arm of every goal of a plan that was run.
+// Returns a table for each goal with every arm of a plan that was run.
 std::string arm_tables(const std::vector<RunResult>& runs, std::string_view plan);
 
 }  // namespace cambrian::quality

@@ -5,7 +5,7 @@
 
 namespace cambrian::quality {
 
-// Three digits are all that runs which vary so much deserve.
+// Formats with three digits, since runs vary widely.
 inline std::string rounded(double value) {
     char text[32];
     std::snprintf(text, sizeof text, "%.3g", value);

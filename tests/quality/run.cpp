@@ -18,7 +18,7 @@
 namespace cambrian::quality {
 namespace {
 
-constexpr double kLate = 0.7;  // share of the test after which a walker must still walk
+constexpr double kLate = 0.7;  // share of the test after which a walker must still move
 
 SettingsPtr settings_of(const RunSpec& spec, const EvolutionKinds& kinds) {
     auto settings = std::make_shared<ExperimentSettings>(default_settings(spec.goal, kinds));
@@ -28,7 +28,7 @@ SettingsPtr settings_of(const RunSpec& spec, const EvolutionKinds& kinds) {
     return settings;
 }
 
-// Watches an evolution from generation to generation.
+// Collects measurements of an evolution after each generation.
 class Observer {
 public:
     explicit Observer(const RunSpec& spec) { result_.spec = spec; }
@@ -102,7 +102,7 @@ private:
     RunResult result_;
     bool budget_used_ = false;
     Hash64 hash_;
-    std::map<std::uint64_t, double> fitness_;  // of the generation before, by uid
+    std::map<std::uint64_t, double> fitness_;  // fitness in the generation before, by uid
     std::map<MapCell, IndividualPtr> archive_;
 };
 

@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t kMaxBytes = 64'000'000;
 constexpr const char* kMethods[] = {"asexual", "crossover", "grafting", "homologous-crossover"};
 
-// Writes a column, or reads it.
+// Writes or reads one column.
 class Column {
 public:
     virtual ~Column() = default;

@@ -1,7 +1,7 @@
 #pragma once
 
-// Finished runs as CSV, a line each, so that a benchmark that was interrupted can be finished, and
-// anybody can do other statistics.
+// Finished runs as CSV, one line each. An interrupted benchmark can thus be continued, and others
+// can compute their own statistics.
 
 #include "core/result.h"
 #include "quality/run.h"
@@ -15,8 +15,8 @@ std::string run_line(const RunResult& result);
 std::string curve_header();
 std::string curve_lines(const RunResult& result);
 
-// Reads runs without curves. An incomplete line is left out, so its run is done again. A file that
-// does not exist has no lines.
+// Reads runs without curves. An incomplete line is left out, so that its run is repeated. A file
+// that does not exist has no runs.
 Result<std::vector<RunResult>> read_runs(const std::filesystem::path& path);
 
 }  // namespace cambrian::quality

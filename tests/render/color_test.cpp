@@ -5,7 +5,7 @@
 namespace cambrian {
 namespace {
 
-// Relative luminance of sRGB, roughly: enough to compare hues.
+// Returns the approximate relative luminance of sRGB, which suffices to compare hues.
 double brightness(const Color& color) {
     return 0.2126 * static_cast<double>(color.r * color.r) +
            0.7152 * static_cast<double>(color.g * color.g) +

@@ -5,7 +5,7 @@
 namespace cambrian {
 namespace {
 
-// 100 pixels a metre, the origin in the middle.
+// A target with 100 pixels per metre and the origin in the middle.
 const PixelRect kTarget{.x = 30, .y = 40, .width = 200, .height = 100};
 
 Shape box(const Vec2& center, const Vec2& half_extents) {

@@ -4,7 +4,7 @@
 
 namespace cambrian {
 
-// Tells what a test puts into it, the same everywhere.
+// Surroundings with values that a test sets, the same everywhere.
 class FakeSurroundings final : public Surroundings {
 public:
     Vec3 up() const override { return upwards; }

@@ -22,7 +22,7 @@ double read(const FakeScene& scene, std::size_t kind, std::size_t channel, int h
     return sensors()[kind].read({scene, surroundings, part, 0, channel, handedness}, memory);
 }
 
-// One part alone, as a table of expected readings needs it.
+// A single part whose readings are compared with a table.
 struct Bench {
     FakeScene scene{1};
     FakeSurroundings surroundings;
@@ -42,7 +42,7 @@ struct Bench {
         FAIL("no channel " << channel_id);
         return 0.0;
     }
-    // After a long time of the same.
+    // Returns the reading after a long time in the same state.
     double read_at_last(std::string_view channel_id) {
         for (int tick = 0; tick < 200; ++tick)
             read(channel_id);
@@ -50,7 +50,7 @@ struct Bench {
     }
 };
 
-// Eight directions of a part, with the cosine and the sine of its angle.
+// A direction of a part's axis with its cosine and sine.
 struct Direction {
     double angle, cosine, sine;
 };
@@ -181,7 +181,7 @@ TEST_CASE("effort reads the share of the muscle's most", "[sensors]") {
 TEST_CASE("load reads normal forces in units of the creature's weight", "[sensors]") {
     Bench bench;
     CHECK(bench.read("load") == 0.0);
-    bench.scene.loads[0] = 0.5 * 9.81;  // of a creature of 1 kg
+    bench.scene.loads[0] = 0.5 * 9.81;  // for a creature of 1 kg
     CHECK(bench.read("load") == Approx(0.5));
     bench.scene.loads[0] = 1e4;
     CHECK(bench.read("load") == 10.0);

@@ -29,7 +29,8 @@ TEST_CASE("a trial allocates nothing from its first tick to its last", "[simulat
         while ((*trial)->tick()) {
         }
         const std::size_t after = allocation_count();
-        if ((*trial)->record().outcome != Outcome::kCompleted) continue;  // the reason is a text
+        // Failed trials allocate the text of the reason.
+        if ((*trial)->record().outcome != Outcome::kCompleted) continue;
         REQUIRE(after == before);
         ++completed;
     }

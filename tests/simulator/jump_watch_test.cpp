@@ -24,7 +24,7 @@ JumpWatch watched(double duration, const std::function<Heights(double)>& motion)
     return jumps;
 }
 
-// Thrown upwards at a time with a speed.
+// Returns the height of a body thrown upwards with a speed.
 double ballistic(double time, double speed, double gravity = 9.81) {
     return time > 0.0 ? std::max(0.0, speed * time - 0.5 * gravity * time * time) : 0.0;
 }

@@ -1,4 +1,4 @@
-// The trial of what has come to rest is not computed to its end (evolution/README.md 4, P4).
+// A trial ends early when its creature has come to rest (evolution/README.md 4, P4).
 #include "simulator/trial.h"
 #include "support/catch.h"
 #include "support/creatures.h"
@@ -20,7 +20,7 @@ TrialRecord run(const GenomePtr& genome, bool stop_at_rest) {
     return *record;
 }
 
-// A body with an arm that hears one neuron.
+// Returns a body with an arm whose effector reads one neuron.
 GenomePtr listener(const std::string& function, const std::vector<double>& inputs, double weight) {
     CreatureBuilder builder(test::creature_kinds().catalog);
     const auto body = builder.part(0.6, 0.2);
@@ -68,7 +68,8 @@ TEST_CASE("one move and then rest gives the motion of the complete trial", "[sim
 }
 
 TEST_CASE("a brain that has not made up its mind keeps the trial going", "[simulator][rest]") {
-    // A clock of 40 s whose alarm comes after 9 s of stillness, and a charge that builds up slowly.
+    // The first creature has a clock of 40 s and falls after 9 s at rest; the second has a signal
+    // that rises slowly.
     CHECK(run(test::falling_tower(test::creature_kinds().catalog, 9.0), true).computed_time ==
           Approx(15.0));
     CHECK(run(listener("oscillate-saw", {1e-5, 0.0}, 0.0), true).computed_time == Approx(15.0));

@@ -25,7 +25,7 @@ TEST_CASE("a joint swinging at f Hz reverses 2 f times a second", "[simulator][r
 
 TEST_CASE("swings below 0.05 rad do not count", "[simulator][reversals]") {
     CHECK(reversals_of_sine(0.02, 10.0, 10.0) == 0);
-    CHECK(reversals_of_sine(0.03, 5.0, 10.0) > 0);  // 0.06 rad from end to end
+    CHECK(reversals_of_sine(0.03, 5.0, 10.0) > 0);  // an amplitude of 0.03 rad
 }
 
 TEST_CASE("a joint that only turns one way never reverses", "[simulator][reversals]") {

@@ -1,4 +1,4 @@
-// What creatures with every sensor feel in a trial.
+// Readings of creatures with every sensor during a trial.
 
 #include "genome/founders/random_genome.h"
 #include "simulator/trial.h"
@@ -25,7 +25,7 @@ Phenotype random_senser(RandomStream& stream) {
                    SceneSettings{});
 }
 
-// The same creature with left and right exchanged; its joints must all turn.
+// Returns the mirror image of a creature whose joints are all rotary.
 Phenotype mirror_twin(Phenotype creature) {
     creature.plan = mirror_image(creature.plan, Flip::kWidth);
     for (BodyPart& part : creature.parts)
@@ -55,7 +55,7 @@ bool touches_alike(const PhysicsScene& scene, const PhysicsScene& mirrored) {
     return true;
 }
 
-// The largest difference of two creatures' readings at this moment.
+// Returns the largest difference of the present readings of two creatures.
 double difference(Trial& trial, Trial& mirrored) {
     const auto here = trial.creature().brain().sensors();
     const auto there = mirrored.creature().brain().sensors();
@@ -75,7 +75,7 @@ TrialWorld long_trial(bool has_ground) {
 
 }  // namespace
 
-// Rounded angles tip a threshold in a brain now and then.
+// The rounding of angles occasionally changes the result of a threshold in a brain.
 TEST_CASE("mirror twins feel the same until their contacts differ", "[simulator][senses]") {
     RandomStream stream(stream_seed({18, 73}));
     for (const bool has_ground : {false, true}) {

@@ -9,7 +9,7 @@ using namespace cambrian::test;
 
 namespace {
 
-// Of a second, with a push at a tick unless that is 0.
+// Returns the check bytes of a trial of 1 s, with a push at a tick unless that is 0.
 TickChecks checks_of(std::uint64_t pushed_at) {
     TrialWorld world;
     world.trial.duration = 1.0;
@@ -37,7 +37,7 @@ TEST_CASE("the tick that differs is found", "[simulator][tick_checks]") {
     const auto tick = first_different_tick(checks, checks_of(pushed_at));
     REQUIRE(tick);
     CHECK(*tick >= pushed_at);
-    CHECK(*tick <= pushed_at + 1);  // one byte in 256 agrees by chance
+    CHECK(*tick <= pushed_at + 1);  // one byte in 256 is equal by chance
 }
 
 TEST_CASE("motions of different lengths differ after the shorter one", "[simulator][tick_checks]") {

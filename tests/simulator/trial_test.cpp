@@ -54,7 +54,7 @@ TEST_CASE("without ground a trial starts at once", "[simulator]") {
     const TrialRecord record = run(test::crawler(test::creature_kinds().catalog), space);
     CHECK(record.settle_time == 0.0);
     CHECK(record.samples.front().center_of_mass.norm() < 1e-12);
-    // No outside force: the centre of mass stays where it is.
+    // Without external forces the centre of mass does not move.
     CHECK(record.samples.back().center_of_mass.norm() < 1e-9);
 }
 

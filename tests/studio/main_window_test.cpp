@@ -12,7 +12,7 @@
 namespace cambrian {
 namespace {
 
-// The main window, with the crawler on display.
+// The main window with the crawler displayed.
 struct WindowRun {
     NullImGui gui{1280, 720};
     MainWindow window{builtin_panels(), nullptr};
@@ -25,7 +25,7 @@ struct WindowRun {
         gui.bare_frame([&] { window.draw(frame, out); });
     }
     void draw() { draw(studio.frame()); }
-    // Presses a control that the last frame drew.
+    // Clicks a control that the last frame drew.
     void click(const std::string& name, const FrameContext& frame) {
         gui.move_to(gui.place(name).center());
         draw(frame);
@@ -162,7 +162,7 @@ TEST_CASE("one creature of the grid has the viewport and leads back",
     CHECK(test::was_asked<ShowGrid>(run.out));
 }
 
-// A panel that the program does not know.
+// A panel that the program does not have.
 class MadeUpPanel final : public Panel {
 public:
     void draw(const FrameContext&, Requests& out) override {

@@ -1,6 +1,6 @@
 #pragma once
 
-// Presses of a person in a single panel, and the requests of the panel.
+// Mouse and keyboard input to a single panel, and the panel's requests.
 
 #include "studio/frame/panel.h"
 #include "studio_fixture.h"
@@ -18,7 +18,7 @@ inline Requests click(NullImGui& gui, Panel& panel, const StudioFixture& studio,
     return out;
 }
 
-// A key held for one frame, with the keyboard in the panel.
+// Holds a key for one frame while the panel has the keyboard focus.
 inline Requests press_key(NullImGui& gui, Panel& panel, const StudioFixture& studio, ImGuiKey key) {
     Requests out;
     const auto draw = [&] {
@@ -33,7 +33,7 @@ inline Requests press_key(NullImGui& gui, Panel& panel, const StudioFixture& stu
     return out;
 }
 
-// A panel alone in a window of its own; `out` gathers all that it asked for.
+// A panel in a window of its own; `out` collects its requests.
 template <class Kind>
 struct PanelRun {
     NullImGui gui;
@@ -46,7 +46,7 @@ struct PanelRun {
     void frame() {
         gui.frame([this] { panel.draw(studio.frame(), out); });
     }
-    // What this click asked for; gathered too.
+    // Returns the requests of this click, which are also collected.
     Requests click(const std::string& name, int button = 0) {
         Requests asked = test::click(gui, panel, studio, name, button);
         for (const StudioRequest& request : asked.all())

@@ -1,6 +1,6 @@
 #pragma once
 
-// Whether a rectangle of the layout is within a window of that size.
+// Checks whether a rectangle of the layout is inside a window of that size.
 
 #include "studio/layout.h"
 

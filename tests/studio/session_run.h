@@ -1,6 +1,6 @@
 #pragma once
 
-// A session without its window, whose frames a test runs.
+// A session without a window, whose frames are run by a test.
 
 #include "studio/session.h"
 #include "studio_fixture.h"
@@ -35,7 +35,7 @@ public:
         requests.ask(std::move(action));
         session.carry_out(requests);
     }
-    // Frames until something holds; gives up after many.
+    // Runs frames until a condition holds; gives up after 20 000.
     bool frames_until(const std::function<bool()>& holds) {
         for (int i = 0; i < 20'000; ++i) {
             session.update(0.001 * i, 0.001);

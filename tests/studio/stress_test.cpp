@@ -1,5 +1,5 @@
-// A session used at random, as fast as frames come: every thread of the studio at work while the
-// window asks for this and that. Meant for the thread sanitizer most of all:
+// A session with random requests, as fast as frames can follow. All threads of the studio work
+// meanwhile. It is meant mainly for the thread sanitizer:
 //
 //   cmake --preset tsan && cmake --build build/tsan --target studio_tests
 //   CAMBRIAN_STRESS_FRAMES=40000 CAMBRIAN_STRESS_SEED=2 build/tsan/bin/studio_tests '[stress]'
@@ -126,7 +126,7 @@ private:
     RandomStream chance_;
 };
 
-// Files that are there can be read, whatever was going on when they were written.
+// Every file that exists can be read, whatever happened when it was written.
 void check_files(const SessionRun& run) {
     std::error_code none;
     const auto creature = run.folder.path() / "one.creature.json";
@@ -141,7 +141,7 @@ void check_files(const SessionRun& run) {
     }
 }
 
-// After all that it does what it is asked to, once what is under way has come to its end.
+// Afterwards the session still works, once its pending tasks are done.
 void check_still_evolving(SessionRun& run) {
     int calm = 0;
     REQUIRE(run.frames_until([&] { return ++calm == 500; }));

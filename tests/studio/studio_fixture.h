@@ -1,6 +1,6 @@
 #pragma once
 
-// What panels see, put together without an engine: settings, an empty history, a creature.
+// What panels see, made without an engine: settings, an empty history, a creature.
 
 #include "evolution/engine/snapshot.h"
 #include "evolution/generation.h"
@@ -18,7 +18,7 @@
 
 namespace cambrian::test {
 
-// The crawler on display, to walk in the world of the settings.
+// Returns the crawler as an exhibit that walks in the world of the settings.
 inline Exhibit crawler_exhibit(ExperimentSettings settings = {}) {
     settings.goal = "walking";
     return {.creature = unjudged(crawler(kinds().creature.catalog),
@@ -33,9 +33,9 @@ public:
         snapshot_.journal.push_back({0, snapshot_.settings});
     }
 
-    // The crawler takes the stage.
+    // Displays the crawler.
     void show_crawler() { REQUIRE(playback_.show(crawler_exhibit())); }
-    // One more finished generation whose best scored so much.
+    // Adds a finished generation with this best score.
     void finish_generation(double best) {
         auto champion = std::make_shared<Individual>();
         champion->genome = crawler(kinds().creature.catalog);
@@ -50,7 +50,7 @@ public:
         snapshot_.champions.push_back({row.generation, champion, snapshot_.settings});
         snapshot_.population = {champion};
     }
-    // Selection by hand is on, with one more grid of so many creatures.
+    // Turns selection by hand on and adds a grid of so many creatures.
     void show_grid(std::size_t cells, GridOrigin origin = GridOrigin::kPopulation) {
         GridNode grid;
         grid.origin = origin;
@@ -119,7 +119,7 @@ private:
     MachinesView machines_;
 };
 
-// The request itself if it is of this kind, else null.
+// Returns the request if it is of this kind, otherwise null.
 template <class Kind>
 const Kind* request_if(const StudioRequest& request) {
     return std::visit(
@@ -137,7 +137,7 @@ const Kind* request_if(const StudioRequest& request) {
         request);
 }
 
-// The last request of a kind; fails the test if there is none.
+// Returns the last request of a kind; the test fails if there is none.
 template <class Kind>
 const Kind& asked(const Requests& requests) {
     const Kind* found = nullptr;
@@ -155,7 +155,7 @@ bool was_asked(const Requests& requests) {
         [](const StudioRequest& request) { return request_if<Kind>(request) != nullptr; });
 }
 
-// The last command of a kind for the picking engine; fails the test if there is none.
+// Returns the last command of a kind for the picking engine; the test fails if there is none.
 template <class Command>
 const Command& asked_desk(const Requests& requests) {
     const Command* found = nullptr;

@@ -4,8 +4,9 @@
 
 namespace cambrian::test {
 
-// Allocations by the calling thread so far. A program that links this has its operator new replaced
-// by one that counts; sanitizers bring their own, so suites leave such tests out under them.
+// Returns the number of allocations by the calling thread so far. Programs that link this file have
+// an operator new that counts. Sanitizers replace operator new themselves, so such tests are left
+// out with them.
 std::size_t allocation_count();
 
 }  // namespace cambrian::test

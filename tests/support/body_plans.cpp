@@ -49,7 +49,7 @@ BodyPlan chain(int parts, double limit, double x, double y) {
 
 BodyPlan random_tree(RandomStream& random, int parts, double linear_share, double strength,
                      double height) {
-    // Each draw in a statement of its own: compilers evaluate arguments in different orders.
+    // Each draw is a separate statement, since compilers evaluate arguments in different orders.
     const auto half_width = [&] { return random.uniform(0.03, 0.1); };
     const auto half_length = [&] { return random.uniform(0.1, 0.35); };
     const double root_width = half_width();

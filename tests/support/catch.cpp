@@ -1,2 +1,2 @@
-// Carries the precompiled header the suites share.
+// Compiles the precompiled header that all suites share.
 #include "support/catch.h"

@@ -1,4 +1,4 @@
 #pragma once
 
-// The only include of the test framework.
+// Includes the test framework. No other file includes it.
 #include <catch2/catch.hpp>

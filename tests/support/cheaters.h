@@ -1,13 +1,13 @@
 #pragma once
 
-// Hand-made creatures that earned scores without the deed; each builder makes one trick.
+// Hand-made creatures that once scored without the behaviour that the goal rewards, one trick each.
 
 #include "support/creatures.h"
 
 namespace cambrian::test {
 
-// A body on two long legs that it pulls up beside itself, once, `delay` seconds after birth: it
-// drops, with its feet in the air.
+// Returns a body on two long legs that it pulls up beside itself once, `delay` seconds after birth.
+// It then falls with its feet in the air.
 inline GenomePtr feet_puller(const KindCatalog& catalog, double delay) {
     CreatureBuilder builder(catalog);
     const auto body = builder.part(0.5, 0.3);
@@ -20,12 +20,13 @@ inline GenomePtr feet_puller(const KindCatalog& catalog, double delay) {
     return builder.build();
 }
 
-// A body that gets up on two wings and down again, without ever leaving the ground.
+// Returns a body that rises on two wings and sinks again without leaving the ground.
 inline GenomePtr stander_up(const KindCatalog& catalog) {
     return flapper(catalog, 0.2, 1.4);
 }
 
-// A body that throws a long arm from behind over to its front, once, `delay` seconds after birth.
+// Returns a body that throws a long arm from its back to its front once, `delay` seconds after
+// birth.
 inline GenomePtr limb_thrower(const KindCatalog& catalog, double delay) {
     CreatureBuilder builder(catalog);
     const auto body = builder.part(0.5, 0.4);
@@ -36,7 +37,8 @@ inline GenomePtr limb_thrower(const KindCatalog& catalog, double delay) {
     return builder.build();
 }
 
-// A body that draws in a long tail all the trial long, so that its rear end creeps forward.
+// Returns a body that slowly draws in a long tail during the trial, so that its rear end moves
+// forward.
 inline GenomePtr slow_sinker(const KindCatalog& catalog) {
     CreatureBuilder builder(catalog);
     const auto body = builder.part(0.6, 0.5);
@@ -53,19 +55,19 @@ inline GenomePtr slow_sinker(const KindCatalog& catalog) {
     return builder.build();
 }
 
-// The fish with its tail held to one side: it swims in circles.
+// Returns the fish with its tail bent to one side, so that it swims in circles.
 inline GenomePtr circler(const KindCatalog& catalog) {
     return fish(catalog, 0.7);
 }
 
-// A body that shivers with two wings far faster than joints can be expected to go.
+// Returns a body that shakes two wings much faster than joints should move.
 inline GenomePtr vibrator(const KindCatalog& catalog) {
     CreatureBuilder builder(catalog);
     const auto body = builder.part(0.6, 0.4);
     for (const double side : {-1.0, 1.0}) {
         const auto wing = builder.part(0.3, 0.3);
         builder.attach(body, wing, 0.375 - 0.25 * side);
-        // The product of two waves a quarter apart has twice their frequency.
+        // The product of two waves that differ by a quarter period has twice their frequency.
         std::vector<InputGene> waves;
         for (const double phase : {0.0, 0.25}) {
             waves.push_back(CreatureBuilder::from(builder.neuron(
@@ -77,8 +79,8 @@ inline GenomePtr vibrator(const KindCatalog& catalog) {
     return builder.build();
 }
 
-// A spiral of boxes, stiff but for an arm that tips it over, `delay` seconds after birth: it rolls
-// down its own shape.
+// Returns a spiral of boxes with rigid joints and one arm that tips it over, `delay` seconds after
+// birth. It then rolls along its own shape.
 inline GenomePtr roller(const KindCatalog& catalog, double delay) {
     CreatureBuilder builder(catalog);
     const auto foot = builder.part(0.5, 0.14);
@@ -95,7 +97,7 @@ inline GenomePtr roller(const KindCatalog& catalog, double delay) {
     return builder.build();
 }
 
-// A heavy arm that swings to and fro on a body that stays where it is.
+// Returns a body that stays in place while a heavy arm swings to and fro.
 inline GenomePtr rocker(const KindCatalog& catalog) {
     CreatureBuilder builder(catalog);
     const auto body = builder.part(0.8, 0.4);

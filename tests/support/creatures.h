@@ -14,7 +14,7 @@ class CreatureBuilder {
 public:
     explicit CreatureBuilder(const KindCatalog& catalog) : catalog_(catalog) {}
 
-    // A part; the first is the root. Returns its node index.
+    // Adds a part and returns its node index; the first part is the root.
     std::uint8_t part(double length, double width, std::string_view joint = "rotary") {
         NodeGene node;
         node.length = length;
@@ -30,18 +30,18 @@ public:
         edge.angle = angle;
         genome_.nodes[parent].edges.push_back(edge);
     }
-    // A neuron in a part with constant inputs; returns its index there.
+    // Adds a neuron with constant inputs to a part and returns its index there.
     std::uint8_t neuron(std::uint8_t node, std::string_view function,
                         std::vector<InputGene> inputs) {
         auto& neurons = genome_.nodes[node].neurons;
         neurons.push_back({index_of(catalog_.functions, function), std::move(inputs)});
         return static_cast<std::uint8_t>(neurons.size() - 1);
     }
-    // The part's joint follows a neuron of its own.
+    // The part's joint follows one of its own neurons.
     void drive(std::uint8_t node, std::uint8_t neuron, double weight) {
         genome_.nodes[node].effector = {from(neuron).source, weight};
     }
-    // The part's joint swings like a sine.
+    // The part's joint follows a sine.
     void swing(std::uint8_t node, double frequency, double phase, double amplitude) {
         drive(node, neuron(node, "oscillate-wave", {constant(frequency), constant(phase)}),
               amplitude);
@@ -79,7 +79,7 @@ private:
 
 constexpr double kHalfPi = 1.5707963267948966;
 
-// A body with a sine-driven leg at either end, a quarter turn out of phase.
+// Returns a body with a sine-driven leg at each end, a quarter period apart.
 inline GenomePtr crawler(const KindCatalog& catalog) {
     CreatureBuilder builder(catalog);
     const auto body = builder.part(0.8, 0.2);
@@ -92,7 +92,7 @@ inline GenomePtr crawler(const KindCatalog& catalog) {
     return builder.build();
 }
 
-// Two boxes, one on the other, that cannot move.
+// Returns two boxes, one on the other, with a rigid joint.
 inline GenomePtr rigid_tower(const KindCatalog& catalog) {
     CreatureBuilder builder(catalog);
     const auto base = builder.part(1.2, 0.2);
@@ -102,9 +102,10 @@ inline GenomePtr rigid_tower(const KindCatalog& catalog) {
     return builder.build();
 }
 
-// Neurons of a part that give 0 until a moment after birth (0 to 15 s) and `value` from then on.
+// Adds neurons that give 0 until `delay` seconds after birth (0 to 15) and `value` from then on.
+// Returns the last one's index.
 inline std::uint8_t alarm(CreatureBuilder& builder, std::uint8_t node, double delay, double value) {
-    const double frequency = 1.0 / 40.0;  // a slow saw tooth is a clock
+    const double frequency = 1.0 / 40.0;  // a slow saw tooth serves as a clock
     const auto clock =
         builder.neuron(node, "oscillate-saw",
                        {CreatureBuilder::constant(frequency), CreatureBuilder::constant(0)});
@@ -116,7 +117,7 @@ inline std::uint8_t alarm(CreatureBuilder& builder, std::uint8_t node, double de
                            CreatureBuilder::constant(0.0)});
 }
 
-// A tall tower that tips itself over with an arm, `delay` seconds after birth (0 to 15).
+// Returns a tall tower that tips itself over with an arm, `delay` seconds after birth (0 to 15).
 inline GenomePtr falling_tower(const KindCatalog& catalog, double delay) {
     CreatureBuilder builder(catalog);
     const auto tower = builder.part(1.6, 0.14);
@@ -128,7 +129,7 @@ inline GenomePtr falling_tower(const KindCatalog& catalog, double delay) {
     return builder.build();
 }
 
-// A body on two legs folded beside it that it kicks down by an angle (rad), once, `delay` seconds
+// Returns a body with two folded legs that it kicks down by an angle (rad) once, `delay` seconds
 // after birth.
 inline GenomePtr kicker(const KindCatalog& catalog, double delay, double angle = 1.35) {
     CreatureBuilder builder(catalog);
@@ -142,7 +143,7 @@ inline GenomePtr kicker(const KindCatalog& catalog, double delay, double angle =
     return builder.build();
 }
 
-// A flat body that lifts an arm and stays on the ground.
+// Returns a flat body that lifts an arm and stays on the ground.
 inline GenomePtr arm_raiser(const KindCatalog& catalog) {
     CreatureBuilder builder(catalog);
     const auto body = builder.part(1.0, 0.3);
@@ -153,7 +154,7 @@ inline GenomePtr arm_raiser(const KindCatalog& catalog) {
     return builder.build();
 }
 
-// A body with two heavy wings that lie on the ground beside it and beat together.
+// Returns a body with two heavy wings on the ground beside it that beat together.
 inline GenomePtr flapper(const KindCatalog& catalog, double frequency, double amplitude) {
     CreatureBuilder builder(catalog);
     const auto body = builder.part(0.6, 0.6);
@@ -166,7 +167,7 @@ inline GenomePtr flapper(const KindCatalog& catalog, double frequency, double am
     return builder.build();
 }
 
-// A body with a tail of two links that beat one after the other.
+// Returns a body with a tail of two links that beat one after the other.
 inline GenomePtr fish(const KindCatalog& catalog, double bend = 0.0) {
     CreatureBuilder builder(catalog);
     const auto body = builder.part(0.6, 0.16);
@@ -179,7 +180,7 @@ inline GenomePtr fish(const KindCatalog& catalog, double bend = 0.0) {
     return builder.build();
 }
 
-// The fish's body with a tail that beats once, 1 s after birth, and then holds still.
+// Returns the fish's body with a tail that beats once, 1 s after birth, and then stays still.
 inline GenomePtr drifter(const KindCatalog& catalog) {
     CreatureBuilder builder(catalog);
     const auto body = builder.part(0.6, 0.16);
@@ -190,7 +191,7 @@ inline GenomePtr drifter(const KindCatalog& catalog) {
     return builder.build();
 }
 
-// One box with an arm that never gets a changing signal.
+// Returns one box with an arm whose signal never changes.
 inline GenomePtr dreamer(const KindCatalog& catalog) {
     CreatureBuilder builder(catalog);
     const auto body = builder.part(0.5, 0.2);

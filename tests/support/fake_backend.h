@@ -1,7 +1,7 @@
 #pragma once
 
-// An evaluation back-end without physics: fitness is a formula of the genome, and the work can be
-// made to stop after a number of evaluations.
+// An evaluation back-end without physics. Fitness is a formula of the genome; the work can be made
+// to stop after a number of evaluations.
 
 #include "evolution/evaluation/evaluation_backend.h"
 #include "evolution/evolution.h"
@@ -23,13 +23,13 @@ inline double total_length(const Genome& genome) {
 class FakeBackend final : public EvaluationBackend {
 public:
     std::function<double(const Genome&)> fitness = total_length;
-    // The fitness in a slightly different world.
+    // Computes the fitness in a slightly different world.
     std::function<double(double fitness, const Probe&)> in_probe = [](double plain, const Probe&) {
         return plain;
     };
-    int stop_after = -1;   // evaluations of the next call; -1 never
-    int most_a_call = -1;  // evaluations of every call; -1 for all
-    std::string failure;   // why it cannot go on; told, no more
+    int stop_after = -1;   // evaluations in the next call; -1 for all
+    int most_a_call = -1;  // evaluations in every call; -1 for all
+    std::string failure;   // reported as the reason why it cannot continue; has no other effect
     int evaluations = 0;
 
     bool evaluate(std::span<const EvaluationRequest> requests,
@@ -60,7 +60,7 @@ public:
     }
 };
 
-// An evolution whose last generation of so many is evaluated.
+// Returns an evolution after so many generations, all of them evaluated.
 inline Evolution evolved(const SettingsPtr& settings, EvaluationBackend& backend, int generations) {
     Evolution evolution(settings, kinds());
     EvaluationProgress progress;

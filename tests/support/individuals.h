@@ -7,7 +7,8 @@
 
 namespace cambrian::test {
 
-// Creatures with the given fitness, in that order, each of a genome and a phenotype of its own.
+// Returns creatures with the given fitness, in that order, each with a different genome and
+// phenotype.
 inline std::vector<IndividualPtr> individuals(const std::vector<double>& fitness) {
     std::vector<IndividualPtr> all;
     for (std::size_t i = 0; i < fitness.size(); ++i) {

@@ -1,6 +1,6 @@
 #pragma once
 
-// All kinds the program knows, as the application fills them.
+// All kinds of the program, as the application registers them.
 
 #include "app/builtin_kinds.h"
 
@@ -11,7 +11,7 @@ inline const EvolutionKinds& kinds() {
     return all;
 }
 
-// What grows and moves a creature.
+// Returns the kinds that a creature's growth and motion need.
 inline const Kinds& creature_kinds() {
     return kinds().creature;
 }

@@ -1,7 +1,7 @@
 #pragma once
 
-// Dear ImGui without a window or graphics card, with a synthetic mouse: draw something, press a
-// control by the name it noted, look at what came out.
+// Dear ImGui without a window or graphics card, with a synthetic mouse. Tests draw something, click
+// a control by the name it recorded, and check the result.
 
 #include "studio/look/ui_context.h"
 #include "support/catch.h"
@@ -36,7 +36,7 @@ public:
     NullImGui(const NullImGui&) = delete;
     NullImGui& operator=(const NullImGui&) = delete;
 
-    // One frame of `draw`, inside a window that fills the display.
+    // Runs one frame of `draw` inside a window that fills the display.
     template <class Draw>
     void frame(Draw draw) {
         bare_frame([&draw] {
@@ -47,7 +47,7 @@ public:
             ImGui::End();
         });
     }
-    // One frame of `draw`, which opens windows of its own.
+    // Runs one frame of `draw`, which opens its own windows.
     template <class Draw>
     void bare_frame(Draw draw) {
         ImGui::NewFrame();
@@ -55,7 +55,7 @@ public:
         ImGui::Render();
     }
 
-    // The frames of a click on a named control; `draw` sees its press in the last of them.
+    // Runs the frames of a click on a named control; `draw` sees the click in the last one.
     template <class Draw>
     void click(const std::string& name, Draw draw, int button = 0) {
         frame(draw);

@@ -1,6 +1,6 @@
 #pragma once
 
-// Trial records made by formula, for tests of scoring.
+// Trial records computed by a formula, for tests of scoring.
 
 #include "simulator/trial_record.h"
 #include "simulator/trial_settings.h"
@@ -9,8 +9,8 @@
 
 namespace cambrian::test {
 
-// A box of the given size whose centre follows the path over `duration` seconds, sampled every 0.1
-// s and watched for jumps every tick.
+// Returns the record of a box whose centre follows a path for `duration` seconds. It is sampled
+// every 0.1 s and watched for jumps every tick.
 inline TrialRecord moving_box(double duration, double length, double height,
                               const std::function<Vec3(double time)>& path) {
     TrialRecord record;

@@ -9,7 +9,7 @@
 
 namespace cambrian {
 
-// A new empty folder, removed with all it holds at the end of the scope.
+// A new empty folder, which is removed with its contents at the end of the scope.
 class TemporaryDirectory {
 public:
     explicit TemporaryDirectory(
@@ -37,7 +37,7 @@ private:
     std::filesystem::path path_;
 };
 
-// Plainly, without the code under test.
+// Writes a file without the code under test.
 inline void put_text(const std::filesystem::path& path, std::string_view text) {
     std::ofstream(path, std::ios::binary)
         .write(text.data(), static_cast<std::streamsize>(text.size()));

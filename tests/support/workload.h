@@ -1,6 +1,6 @@
 #pragma once
 
-// The three settings creatures are timed and compared in.
+// The three worlds in which creatures are timed and compared.
 
 #include "world/environment.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// How a command says which cluster it means.
+// Command-line options that name a cluster.
 
 #include "app/command_line/command_files.h"
 #include "cluster/connection/cluster_address.h"
@@ -11,15 +11,15 @@ class App;
 
 namespace cambrian {
 
-// The cluster's address as what the command is about.
+// Adds the cluster's address as a positional argument of a command that needs one.
 void add_cluster_address(CLI::App& app, ClusterLogin& login);
-// As an option of a command that can do without: --cluster.
+// Adds the cluster's address as the option --cluster.
 void add_cluster_choice(CLI::App& app, ClusterLogin& login);
 
-// The files that the login names are among those the command reads.
+// Adds the login's files to the files that the command reads.
 void add_login_files(CommandFiles& files, const ClusterLogin& login);
 
-// The address of a cluster that this build can use. Says so where what travels can be read.
+// Returns the address if this build can use it. Warns if others can read the connection.
 Result<ClusterAddress> usable_cluster(const ClusterLogin& login);
 
 }  // namespace cambrian

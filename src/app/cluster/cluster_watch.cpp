@@ -14,7 +14,7 @@ namespace {
 constexpr int kPatience = 4;
 constexpr auto kWatchPause = std::chrono::milliseconds(500);
 
-// Turns states into messages, each said once.
+// Turns states into messages and says each message once.
 class ClusterNews {
 public:
     explicit ClusterNews(const std::function<void(std::string_view)>& say) : say_(say) {}
@@ -33,7 +33,7 @@ public:
 private:
     void look_at_link(ClusterLink link) {
         if (link == link_) return;
-        // To connect takes a moment.
+        // Connecting takes a moment, so the message is delayed.
         if (link == ClusterLink::kConnecting && ++connecting_ < kPatience) return;
         if (link == ClusterLink::kAway) say_("cluster away, working alone");
         if (link == ClusterLink::kConnecting) say_("cluster not reached yet, working alone");
@@ -50,8 +50,8 @@ private:
     }
 
     const std::function<void(std::string_view)>& say_;
-    bool others_ = false;  // take part
-    int connecting_ = 0;   // looks that found it so
+    bool others_ = false;  // whether other machines take part
+    int connecting_ = 0;   // number of looks at which it was connecting
     ClusterLink link_ = ClusterLink::kNone;
     std::set<std::string> said_;
 };

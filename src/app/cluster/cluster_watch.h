@@ -1,6 +1,6 @@
 #pragma once
 
-// What a run without a window says of the machines that work for it.
+// Messages about the cluster for a run without a window.
 
 #include "evolution/evaluation/evaluation_backend.h"
 
@@ -11,15 +11,15 @@
 
 namespace cambrian {
 
-// Behind the numbers of the progress line: who works, or "cluster away, working alone". Empty
+// Returns the end of the progress line: who evaluates, or "cluster away, working alone". Empty
 // without a cluster.
 std::string cluster_remark(const BackendStatus& status);
 
-// Says in one line when the cluster goes away or comes back, which machine is refused and why, and
-// what goes wrong. Looks twice a second, on a thread of its own, as long as it lives.
+// Prints one line when the cluster is lost or found again, when a machine is refused, and on
+// errors. It checks twice a second on its own thread throughout its lifetime.
 class ClusterWatch {
 public:
-    // Both outlive the watch. say: called by its thread.
+    // Both arguments must outlive the object. `say` is called on its thread.
     ClusterWatch(const EvaluationBackend& backend, std::function<void(std::string_view)> say);
 
 private:
@@ -27,10 +27,11 @@ private:
 
     const EvaluationBackend& backend_;
     const std::function<void(std::string_view)> say_;
-    std::jthread thread_;  // last: uses everything above
+    std::jthread thread_;  // last member, so that it is joined before the others are destroyed
 };
 
-// The object "cluster" of a generation's JSON line: who took part, and the counts since `before`.
+// Returns the "cluster" object of a generation's JSON line: who took part, and the counts since
+// `before`.
 std::string cluster_json(const BackendStatus& status, const BackendCounts& before);
 
 }  // namespace cambrian

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view kExperimentEnding = ".cambrian";
 
-// By what they lead to or, where nothing is yet, by name.
+// Compares the files that the paths lead to or, if they do not exist, the paths.
 bool is_same_file(const fs::path& one, const fs::path& other) {
     struct stat first {};
     struct stat second {};
@@ -57,14 +57,14 @@ Status check_there(const fs::path& path) {
     return Error{"cannot open " + path.string() + ": " + std::generic_category().message(errno)};
 }
 
-// A file that is written where it is must be writable or have a folder that is.
+// Checks a file that is appended to: it must be writable or, if new, its folder must be.
 Status check_log(const fs::path& path) {
     if (::access(path.c_str(), W_OK) == 0) return {};
     if (errno != ENOENT) return write_outcome(path, errno);
     return check_writable(path);
 }
 
-// Whether a program of ours is writing to the file.
+// Fails if another process of this program is writing the file.
 Status check_free(const fs::path& path) {
     const Result<OutputTarget> target = output_target(path);
     if (!target) return target.error();
@@ -121,7 +121,7 @@ Status CommandFiles::check_output(const fs::path& path) const {
     return check_free(path);
 }
 
-// Also among themselves.
+// Checks the outputs against the inputs and against one another.
 Status CommandFiles::check_outputs(const std::vector<fs::path>& outputs) const {
     for (std::size_t i = 0; i < outputs.size(); ++i) {
         if (Status possible = check_output(outputs[i]); !possible) return possible;

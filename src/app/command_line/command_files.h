@@ -1,7 +1,7 @@
 #pragma once
 
-// The files that one command reads and writes, so that it never writes onto what it reads, onto
-// another of its outputs or onto an experiment.
+// The files that a command reads and writes. It checks that no output would overwrite an input,
+// another output or an experiment.
 
 #include "core/result.h"
 
@@ -13,20 +13,20 @@ namespace cambrian {
 
 class CommandFiles {
 public:
-    // Paths as they were typed; empty ones and folders do not count.
+    // Paths as typed; empty ones and folders do not count.
     CommandFiles& reads(const std::string& path);
-    // Files that the command takes one by one: one that is missing leaves the others to it.
+    // Files that the command reads one by one; it reports a missing one itself and continues.
     CommandFiles& reads_each(const std::vector<std::string>& paths);
     CommandFiles& writes(const std::string& path);
-    // Written where it is, not replaced.
+    // A file to which the command appends.
     CommandFiles& appends(const std::string& path);
-    // An experiment file that is made.
+    // An experiment file that the command creates.
     CommandFiles& keeps(const std::string& path);
 
-    // Whether all of them, and standard output, can be used, also together. The message names the
-    // file.
+    // Checks that all files and standard output can be used together. The message names the file at
+    // fault.
     Status check() const;
-    // The same for an output whose name was found out later.
+    // Checks an output whose name becomes known later.
     Status check_output(const std::filesystem::path& path) const;
 
 private:
@@ -34,13 +34,13 @@ private:
     Status check_outputs(const std::vector<std::filesystem::path>& outputs) const;
 
     std::vector<std::filesystem::path> inputs_;
-    std::vector<std::filesystem::path> required_;  // among the inputs
+    std::vector<std::filesystem::path> required_;  // inputs that must exist
     std::vector<std::filesystem::path> outputs_;
     std::vector<std::filesystem::path> logs_;
     std::vector<std::filesystem::path> experiments_;
 };
 
-// Whether a name is that of an experiment file (*.cambrian).
+// Returns whether a path names an experiment file (*.cambrian).
 bool is_experiment_name(const std::filesystem::path& path);
 
 }  // namespace cambrian

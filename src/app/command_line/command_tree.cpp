@@ -9,7 +9,7 @@
 namespace cambrian {
 namespace {
 
-// The library puts what is checked behind the type: "UINT:INT in [1 - 1024]", "FLOAT:NONNEGATIVE".
+// CLI11 appends the checks to the type: "UINT:INT in [1 - 1024]", "FLOAT:NONNEGATIVE".
 std::string value_of(const CLI::Option& option) {
     if (option.get_type_size() == 0) return "";
     const std::string type = option.get_type_name();

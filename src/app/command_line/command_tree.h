@@ -1,7 +1,7 @@
 #pragma once
 
-// The command line described for other things than parsing: the manual and the shells' completion
-// are written from it, so that an option is declared once.
+// A description of the command line. The manual and the shells' completion are made from it, so
+// that each option is declared once.
 
 #include <string>
 #include <vector>
@@ -13,8 +13,8 @@ class App;
 namespace cambrian {
 
 struct CommandOption {
-    std::vector<std::string> names;  // "-n", "--generations"; of a positional its plain name
-    std::string value;               // what it takes, "FILE.toml" or "INT"; empty for a switch
+    std::vector<std::string> names;  // "-n", "--generations"; the plain name of a positional
+    std::string value;               // type of the value: "FILE.toml" or "INT"; empty for a switch
     std::string help;
     bool positional = false;
     bool required = false;
@@ -24,20 +24,20 @@ struct CommandOption {
 struct Command {
     std::string name;
     std::string summary;
-    std::string footer;  // lines with an indentation are to be typed
+    std::string footer;  // indented lines are commands to type
     std::vector<CommandOption> options;
     std::vector<Command> subcommands;
 };
 
 Command describe(const CLI::App& app);
 
-// The program's own.
+// Returns the description of this program.
 Command command_tree();
 
-// The endings of the files a value may be, "" for any; none if it is no file.
+// Returns the file name endings of a value that is a file, "" for any; empty if it is not a file.
 std::vector<std::string> file_endings(const std::string& value);
 bool is_folder(const std::string& value);
-// The words a value may be; none if it may be anything.
+// Returns the words that a value may be; empty if it may be anything.
 std::vector<std::string> value_words(const std::string& value);
 
 }  // namespace cambrian

@@ -8,7 +8,7 @@
 
 namespace cambrian {
 
-// A shell whose completion of the command line can be written.
+// A shell for which a completion script can be written.
 struct CompletionShell {
     std::string_view name;
     std::string (*script)(const Command& program) = nullptr;

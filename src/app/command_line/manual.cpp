@@ -7,7 +7,7 @@
 namespace cambrian {
 namespace {
 
-// Text that roff shows as it is.
+// Escapes the text for roff.
 std::string plain(std::string_view text) {
     std::string result;
     for (const char letter : text) {
@@ -39,7 +39,7 @@ std::string upper(std::string text) {
     return text;
 }
 
-// "-n, --generations INT"
+// Returns a heading such as "-n, --generations INT".
 std::string heading(const CommandOption& option) {
     std::string names;
     for (const std::string& name : option.names) {
@@ -61,7 +61,7 @@ std::string synopsis_of(const CommandOption& option) {
     return option.required ? text : "[" + text + "]";
 }
 
-// Positionals, then options.
+// Returns the entries of the positionals, then those of the options.
 std::string option_entries(const Command& command) {
     std::string text;
     for (const bool positional : {true, false}) {
@@ -72,7 +72,7 @@ std::string option_entries(const Command& command) {
     return text;
 }
 
-// Indented lines are examples to be typed; others are prose.
+// Formats indented lines as examples and the others as prose.
 std::string footer_text(const std::string& footer) {
     std::string text;
     std::istringstream lines(footer);
@@ -94,7 +94,7 @@ std::string subcommand_section(const Command& program, const Command& command) {
            plain(command.summary) + "\n" + option_entries(command) + footer_text(command.footer);
 }
 
-// Of the program: "Cambrian: evolve creatures in two dimensions. Without ..."
+// Removes the program's name: "Cambrian: evolve creatures in two dimensions. Without ...".
 std::string short_summary(const std::string& summary) {
     const std::size_t start = summary.find(": ");
     const std::string rest = start == std::string::npos ? summary : summary.substr(start + 2);

@@ -7,7 +7,7 @@
 
 namespace cambrian {
 
-// The manual page, section 1, as roff with the man macros.
+// Returns the manual page, section 1, as roff with the man macros.
 std::string manual_page(const Command& program, std::string_view version);
 
 }  // namespace cambrian

@@ -13,7 +13,7 @@
 namespace cambrian {
 namespace {
 
-// Nothing for what is no number at all; not finite for what is too large to be one.
+// Returns nothing if the text is not a number, and infinity if the number is too large.
 std::optional<double> number_of(std::string_view text) {
     if (text.starts_with('+')) text.remove_prefix(1);
     double number = 0.0;
@@ -27,7 +27,7 @@ std::string range_text(double low, double high) {
     return "[" + short_text(low) + ", " + short_text(high) + "]";
 }
 
-// Empty for a number of the range.
+// Returns an error message; empty if the number is in the range.
 std::string fault(const std::string& typed, double low, double high) {
     const std::optional<double> number = number_of(typed);
     if (!number) return "'" + typed + "' is no number";

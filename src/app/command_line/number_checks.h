@@ -1,6 +1,6 @@
 #pragma once
 
-// What numbers an option takes. Messages show a number as it was typed.
+// Checks of numbers that options take. Messages show the number as it was typed.
 
 #include <cstdint>
 
@@ -10,10 +10,10 @@ class Option;
 
 namespace cambrian {
 
-// A whole number; one with an exponent that comes to one is one too ("1e+15").
+// Accepts integers, also those with an exponent ("1e+15").
 void take_whole(CLI::Option& option, std::int64_t low, std::int64_t high);
 void take_real(CLI::Option& option, double low, double high);
-// A number that is checked against a range elsewhere.
+// Accepts any finite number, for an option that is checked elsewhere.
 void take_finite(CLI::Option& option);
 
 }  // namespace cambrian

@@ -1,7 +1,7 @@
 #pragma once
 
-// What an option takes, as its help names it. Completion reads the endings of files from these
-// words: FILE and an ending, several of them with '|' between.
+// The types of options as the help shows them. Completion reads file name endings from these words:
+// FILE and an ending, or several with '|' between.
 
 namespace cambrian::option_type {
 

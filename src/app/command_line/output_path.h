@@ -8,10 +8,10 @@
 
 namespace cambrian {
 
-// Where a result goes: `asked` itself, or `name` inside it if it is a folder (one that exists, or
-// that ends in '/' and is then made). Fails at once if no file can be written there, so that
-// nobody computes for hours and then loses the result.
-// `files`: of the same command, none of which is to be written onto.
+// Returns the path of a result: `asked` itself or, if that is a folder, `name` inside it. A folder
+// may exist or end in '/' and is then created. Fails at once if no file can be written there, so
+// that a long computation is not lost. `files` are the other files of the command, which must not
+// be overwritten.
 Result<std::filesystem::path> output_path(const std::string& asked, const std::string& name,
                                           const CommandFiles& files);
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// A registered subcommand of the command line: declares its options, then runs.
+// A subcommand of the command line: declares its options, then runs.
 
 #include "app/command_line/command_files.h"
 #include "app/process/exit_status.h"
@@ -19,11 +19,11 @@ namespace cambrian {
 class Subcommand {
 public:
     virtual ~Subcommand() = default;
-    // Options are stored in the subcommand, which outlives the parse.
+    // Values of options are stored in the subcommand, which outlives the parsing.
     virtual void add_options(CLI::App& app) = 0;
-    // What it reads and writes, as far as the command line tells.
+    // Returns the files that the subcommand reads and writes, as far as its options tell.
     virtual CommandFiles files() const { return {}; }
-    // Results go to standard output, messages to standard error.
+    // Writes results to standard output and messages to standard error.
     virtual ExitStatus run(const EvolutionKinds& kinds) = 0;
 };
 
@@ -35,7 +35,7 @@ std::unique_ptr<Subcommand> make_subcommand() {
 struct SubcommandKind {
     std::string id;
     std::string summary;
-    std::string example;  // a command line that works
+    std::string example;  // an example command line
     std::unique_ptr<Subcommand> (*make)() = nullptr;
 };
 

@@ -9,10 +9,11 @@ class App;
 
 namespace cambrian {
 
-// What every subcommand that opens a window offers: its size and what is written about it.
+// Adds the options of every subcommand that opens a window: its size, its log files and its
+// screenshot.
 void add_window_options(CLI::App& app, StudioOptions& options);
 
-// What is written about the window.
+// Returns the log files and the screenshot that the options name.
 CommandFiles window_files(const StudioOptions& options);
 
 }  // namespace cambrian

@@ -3,7 +3,7 @@
 namespace cambrian {
 namespace {
 
-// What the script defines first: $word is the word to complete.
+// The start of the script. $word is the word to complete.
 constexpr const char* kHelpers = R"(# Completion for bash.
 
 _cambrian_words() {
@@ -35,7 +35,7 @@ std::string words_of(const std::vector<std::string>& words) {
     return text;
 }
 
-// The command that offers a value; empty if nothing can be said about it.
+// Returns the command that completes a value; empty if there is none.
 std::string offer(const std::string& value) {
     if (is_folder(value)) return "_cambrian_folders";
     if (const auto words = value_words(value); !words.empty())
@@ -46,7 +46,7 @@ std::string offer(const std::string& value) {
     return endings.empty() ? "" : "_cambrian_files" + endings;
 }
 
-// After an option that takes a value, its values only.
+// Returns the cases in which the word follows an option that takes a value.
 std::string value_cases(const Command& command) {
     std::string text;
     for (const CommandOption& option : command.options) {
@@ -60,7 +60,7 @@ std::string value_cases(const Command& command) {
     return text;
 }
 
-// Of a command: its options once a dash is typed, else what its positionals may be.
+// Returns the case of a command: its options if the word begins with a dash, else its positionals.
 std::string command_case(const Command& command, const std::string& positionals) {
     std::vector<std::string> names;
     for (const CommandOption& option : command.options) {

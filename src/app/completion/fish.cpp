@@ -12,7 +12,7 @@ std::string quoted_for_fish(std::string_view text) {
     return result + "'";
 }
 
-// The words and files a value may be, as a list that fish evaluates.
+// Returns the words and files that a value may be, as a list that fish evaluates.
 std::string values_of(const std::string& value) {
     std::string text;
     if (is_folder(value)) return "(__fish_complete_directories)";

@@ -3,8 +3,8 @@
 namespace cambrian {
 namespace {
 
-// Text within single quotes inside an argument of _arguments, where colons and brackets mean
-// something.
+// Quotes text for an argument of _arguments in single quotes, where colons and brackets have a
+// meaning.
 std::string quoted_for_zsh(std::string_view text) {
     std::string result;
     for (const char letter : text) {
@@ -18,7 +18,7 @@ std::string quoted_for_zsh(std::string_view text) {
     return result;
 }
 
-// "FILE.toml:_files -g "*.toml""
+// Returns an action of _arguments such as FILE.toml:_files -g "*.toml".
 std::string action(const std::string& value) {
     if (is_folder(value)) return "_files -/";
     std::string text;

@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kWidth = 1600;  // pixels
 constexpr int kHeight = 900;
-constexpr int kPoints = 200;  // of a curve
+constexpr int kPoints = 200;  // points per curve
 
 std::vector<BandedCurve> curves_of(const std::vector<ComparedRun>& runs, const std::string& world) {
     std::vector<BandedCurve> curves;

@@ -8,8 +8,8 @@
 
 namespace cambrian {
 
-// Draws the curves of every world's arms as curves-WORLD.png into the folder. Fails where nothing
-// can be drawn.
+// Draws the curves of each world's arms as curves-WORLD.png in the folder. Fails if there is no
+// renderer.
 Status save_comparison_pictures(const std::filesystem::path& folder,
                                 const std::vector<ComparedRun>& runs);
 

@@ -11,7 +11,7 @@
 namespace cambrian {
 namespace {
 
-// Four decimals: the same column for every generation.
+// Formats with four decimals, so that columns align in all generations.
 std::string fixed(double number) {
     char text[64];
     std::snprintf(text, sizeof text, "%.4f", number);
@@ -23,7 +23,7 @@ std::string right_aligned(std::string text, std::size_t width) {
     return text;
 }
 
-// What a person should know of a generation besides its numbers.
+// Returns remarks on a generation, for example that fitness stagnates.
 std::string remarks(const GenerationStatistics& statistics) {
     std::string text;
     if (stagnant(statistics)) {
@@ -58,7 +58,8 @@ std::string json_of_mutations(const Individual& individual) {
     return json_list(mutations);
 }
 
-// {"00f3a1b2c4d5e6f7": 12, ...}: the founders' uids.
+// Returns the births per founder line: {"00f3a1b2c4d5e6f7": 12, ...}. The keys are the founders'
+// uids.
 std::string json_of_births(const GenerationStatistics& statistics) {
     JsonMembers lines;
     for (const LineBirths& line : statistics.births)
@@ -106,7 +107,7 @@ std::string json_of(const BarAudit& audit) {
                         {"would_have_survived", std::to_string(audit.survived)}});
 }
 
-// "0.93 BL/s, the median of 11 worlds (0.81 to 0.99)"
+// Example: "0.93 BL/s, the median of 11 worlds (0.81 to 0.99)".
 std::string confirmed_in_words(const EvaluationResult& result, const std::string& unit) {
     const auto range = std::minmax_element(result.scores.begin(), result.scores.end());
     return fixed(result.fitness) + " " + unit + ", the median of " +

@@ -8,16 +8,17 @@
 
 namespace cambrian {
 
-// One line about a generation, for a person or (json) as a JSON object. cluster: an object of who
-// took part, kept under that key; empty for none.
+// Returns one line about a generation, as text or, with `json`, as a JSON object. `cluster` is an
+// object that says who took part; it is added under that key unless empty.
 std::string generation_line(const GenerationStatistics& statistics, const std::string& unit,
                             bool json, const std::string& cluster = "");
 
-// Where a creature comes from: when and how it was bred, and every mutation from what to what.
+// Returns a creature's origin: generation and method of breeding, and every mutation with both
+// values.
 std::string origin_in_words(const Individual& individual);
 
-// What came out of all generations, the files kept and why the run is over: a stop_reason(),
-// "interruption" or "failure". One generation at least was evaluated.
+// Returns the result of the run, its files and why it ended: a stop_reason(), "interruption" or
+// "failure". At least one generation must have been evaluated.
 std::string final_line(const Evolution& evolution, const std::string& unit,
                        const Individual& champion, const RunOutputs& files,
                        std::string_view stopped_by, bool json);

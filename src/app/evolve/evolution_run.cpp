@@ -42,7 +42,7 @@ Result<SettingsPtr> settings_of(const EvolutionRun& run, const EvolutionKinds& k
     return std::make_shared<const ExperimentSettings>(*std::move(settings));
 }
 
-// The creatures the run begins with; none for random ones.
+// Returns the founders that the user gave; empty for random ones.
 Result<std::vector<GenomePtr>> founders_of(const EvolutionRun& run,
                                            const ExperimentSettings& settings,
                                            const EvolutionKinds& kinds) {
@@ -62,7 +62,7 @@ Result<std::vector<GenomePtr>> founders_of(const EvolutionRun& run,
     return founders;
 }
 
-// Where it should go or, if that has become impossible meanwhile, where it is not lost.
+// Saves the champion under its path or, if that has become impossible, under another one.
 Result<std::filesystem::path> save_champion(const std::filesystem::path& path,
                                             const CreatureDocument& champion,
                                             const EvolutionKinds& kinds) {
@@ -76,13 +76,14 @@ Result<std::filesystem::path> save_champion(const std::filesystem::path& path,
     return Error{saved.error().message + "; the champion is in " + refuge.string()};
 }
 
-// What is run: from a generation on, until when, and where it is kept.
+// The evolution to run, its limits and its files.
 struct Course {
     Evolution evolution;
-    ExperimentSettings limits;  // say when it is over
+    ExperimentSettings limits;  // tells when the run ends
     std::shared_ptr<ExperimentFile> file;
     RunOutputs outputs;
-    std::optional<SavedExperiment> before = std::nullopt;  // what was resumed
+    // The experiment that is continued, if any.
+    std::optional<SavedExperiment> before = std::nullopt;
 };
 
 Result<Course> new_course(const EvolutionRun& run, const EvolutionKinds& kinds) {
@@ -108,7 +109,7 @@ Result<Course> new_course(const EvolutionRun& run, const EvolutionKinds& kinds) 
                   *std::move(outputs)};
 }
 
-// Whether there is something left to do in an experiment.
+// Fails if an experiment has already reached its limits.
 Status check_unfinished(const std::string& file, const SavedExperiment& saved,
                         const ExperimentSettings& limits) {
     if (!saved.latest || stop_reason(saved.latest->history, limits).empty()) return {};
@@ -122,7 +123,7 @@ ExperimentSettings limits_of(const EvolutionRun& run, const SavedExperiment& sav
     return limits;
 }
 
-// The experiment to go on in: the one to resume or, if another is to be kept, a copy of it.
+// Returns the experiment file to continue: the given one or, if another output is given, a copy.
 Result<std::string> file_to_resume(const EvolutionRun& run, const EvolutionKinds& kinds) {
     if (!is_experiment_name(run.out)) return run.resume;
     const Result<SavedExperiment> saved = load_experiment(run.resume, kinds);
@@ -159,19 +160,19 @@ Result<Course> course_of(const EvolutionRun& run, const EvolutionKinds& kinds) {
     return new_course(run, kinds);
 }
 
-// What an evolution came to.
+// The result of an evolution.
 struct Harvest {
-    IndividualPtr champion;       // of the last generation kept; null if there was none
-    SettingsPtr settings;         // that judged it
+    IndividualPtr champion;       // best of the last generation saved; null if there was none
+    SettingsPtr settings;         // settings that evaluated it
     std::string_view stopped_by;  // a stop_reason(), "interruption" or "failure"
     Status kept;
-    Status told;  // on standard output
+    Status told;  // whether standard output could be written
 };
 
-// The lines about generations, with who took part in each if there is a cluster.
+// Prints a line for each generation; with a cluster, it says who took part.
 class GenerationReport {
 public:
-    // All outlive the report.
+    // All arguments must outlive the object.
     GenerationReport(const EvaluationBackend& backend, const std::string& unit, bool json)
         : backend_(backend), unit_(unit), json_(json) {}
 
@@ -190,7 +191,7 @@ private:
     BackendCounts before_;
 };
 
-// Evaluates, keeps and breeds until the run is over.
+// Evaluates, saves and breeds generations until the run ends.
 Harvest evolve(Course& course, EvaluationBackend& backend, const std::string& unit, bool json) {
     Harvest harvest;
     const Interruption interruption;
@@ -231,7 +232,7 @@ Harvest evolve(Course& course, EvaluationBackend& backend, const std::string& un
     }
 }
 
-// The champion's file and the words about it.
+// Saves the champion and prints the final line.
 ExitStatus report(const Course& course, const Harvest& harvest, const std::string& unit, bool json,
                   const EvolutionKinds& kinds) {
     RunOutputs outputs = course.outputs;
@@ -263,7 +264,7 @@ struct RunEnd {
     bool interrupted = false;
 };
 
-// The cluster that is asked for, found usable; none if none is asked for.
+// Returns the address of the cluster that the options name, if any; fails if it cannot be used.
 Result<std::optional<ClusterAddress>> cluster_of(const EvolutionRun& run) {
     if (run.cluster.servers.empty()) return std::optional<ClusterAddress>();
     Result<ClusterAddress> address = usable_cluster(run.cluster);
@@ -283,9 +284,9 @@ Result<std::unique_ptr<EvaluationBackend>> backend_of(const EvolutionRun& run,
                          .experiment = outputs.experiment});
 }
 
-// With the first of the seeds, if there are any.
+// Runs one evolution, with the first of the seeds if there are any.
 RunEnd run_once(const EvolutionRun& run, const EvolutionKinds& kinds) {
-    // Before anything is written.
+    // This must fail before any file is written.
     const auto cluster = cluster_of(run);
     if (!cluster) return {fail(cluster.error())};
     Result<Course> course = course_of(run, kinds);
@@ -308,7 +309,7 @@ RunEnd run_once(const EvolutionRun& run, const EvolutionKinds& kinds) {
     return {status, harvest.stopped_by == "interruption"};
 }
 
-// Several runs take their names from their seeds.
+// Several runs need a folder, since their files are named after their seeds.
 Status check_place_of_several(const EvolutionRun& run) {
     const bool folder =
         run.out.empty() || run.out.ends_with('/') || std::filesystem::is_directory(run.out);

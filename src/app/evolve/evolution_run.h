@@ -1,8 +1,8 @@
 #pragma once
 
-// An unattended evolution: generation after generation with a report of each, kept in an experiment
-// file, and the champion's file at the end. What `cambrian evolve` does, and `cambrian studio`
-// where there is no display.
+// Evolution without a window: evaluates and reports generation after generation, saves them in an
+// experiment file, and saves the champion at the end. `cambrian evolve` uses it, and `cambrian
+// studio` if there is no display.
 
 #include "app/command_line/command_files.h"
 #include "app/process/exit_status.h"
@@ -19,22 +19,23 @@
 namespace cambrian {
 
 struct EvolutionRun {
-    std::string settings_file;           // empty to resume
-    std::string resume;                  // experiment file to go on with
-    std::vector<std::string> founders;   // creature files to begin with; empty: random creatures
-    std::optional<int> generations;      // instead of the file's
-    std::vector<std::uint64_t> seeds;    // a run with each, instead of the file's
-    std::vector<std::string> sets;       // typed_setting(), over the file's
-    std::optional<std::size_t> threads;  // one a core if absent; never changes a result
-    ClusterLogin cluster;                // without servers: this machine alone
-    std::string out;                     // see run_outputs(); empty to resume: no more files
-    bool json = false;                   // a JSON object a line instead of words
+    std::string settings_file;  // empty if `resume` is set
+    std::string resume;         // experiment file to continue
+    // Creature files of the founders; empty for random creatures.
+    std::vector<std::string> founders;
+    std::optional<int> generations;      // overrides the file's
+    std::vector<std::uint64_t> seeds;    // one run for each; overrides the file's
+    std::vector<std::string> sets;       // see typed_setting(); override the file's
+    std::optional<std::size_t> threads;  // one per core if absent; does not change results
+    ClusterLogin cluster;                // without servers, only this machine evaluates
+    std::string out;    // see run_outputs(); empty with `resume`: writes no further files
+    bool json = false;  // writes one JSON object per line instead of text
 };
 
-// What it reads and writes.
+// Returns the files that the run reads and writes.
 CommandFiles files_of(const EvolutionRun& run);
 
-// Says what goes wrong itself.
+// Runs the evolution and prints its own error messages.
 ExitStatus run_evolution(const EvolutionRun& run, const EvolutionKinds& kinds);
 
 }  // namespace cambrian

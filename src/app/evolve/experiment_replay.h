@@ -1,6 +1,6 @@
 #pragma once
 
-// Computes an experiment again from its beginning, with every command at its time.
+// Computes an experiment again from its start, with each recorded command at its generation.
 
 #include "evolution/engine/experiment_log.h"
 #include "evolution/evaluation/evaluation_backend.h"
@@ -12,12 +12,12 @@
 namespace cambrian {
 
 struct ReplayOutcome {
-    std::uint32_t generations = 0;           // that were the same
-    std::optional<std::uint32_t> different;  // the first that was not
+    std::uint32_t generations = 0;           // number of generations that are identical
+    std::optional<std::uint32_t> different;  // first generation that differs, if any
     bool stopped = false;
 };
 
-// `watch` is told the number of generations that are done.
+// Reports the number of finished generations to `watch`.
 ReplayOutcome replay_experiment(const SavedExperiment& saved, const EvolutionKinds& kinds,
                                 EvaluationBackend& backend, const TrialWatch& watch);
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// An experiment whose scores come from another version of the simulator.
+// Evaluates an experiment again whose scores come from another version of the simulator.
 
 #include "evolution/evaluation/evaluation_backend.h"
 #include "persist/experiment/experiment_file.h"
@@ -12,15 +12,15 @@
 namespace cambrian {
 
 struct RescoredExperiment {
-    std::string simulator;        // that computed the generation before
-    JudgedIndividual before;      // best of that generation
-    std::optional<double> again;  // what the same creature scores now, if it survived
-    JudgedIndividual after;       // best of the generation that was judged now
+    std::string simulator;        // version that computed the last generation before
+    JudgedIndividual before;      // best creature of that generation
+    std::optional<double> again;  // new score of the same creature, if it survived
+    JudgedIndividual after;       // best creature of the generation evaluated now
 };
 
-// Judges everyone of the generation at hand, survivors included, and keeps that generation in the
-// file, the command in its journal. Fails, leaving the experiment as it is, if none of its
-// generations is finished or a stop was asked for meanwhile.
+// Evaluates all creatures of the present generation, survivors included, and adds it to the file
+// with the command in its journal. Fails without changing the experiment if it has no finished
+// generation or if a stop is requested.
 Result<RescoredExperiment> rescore_experiment(const std::filesystem::path& path,
                                               const EvolutionKinds& kinds,
                                               EvaluationBackend& backend,

@@ -9,7 +9,7 @@ namespace {
 
 constexpr int kMostOfOneName = 10'000;
 
-// Of the run of that number into a folder; the first has none in its names.
+// Returns the names of a run's files in a folder. The names of run 1 have no number.
 RunOutputs named_in(const std::filesystem::path& folder, const std::string& name, int number) {
     const std::string numbered = number == 1 ? name : name + "-" + std::to_string(number);
     return {.champion = folder / ("champion-" + numbered + ".creature.json"),

@@ -1,6 +1,6 @@
 #pragma once
 
-// What an unattended run leaves behind, and where.
+// The output files of a run without a window.
 
 #include "app/command_line/command_files.h"
 #include "core/result.h"
@@ -11,16 +11,17 @@
 
 namespace cambrian {
 
-// Empty paths: not kept.
+// An empty path means that the file is not written.
 struct RunOutputs {
     std::filesystem::path champion;    // creature file
-    std::filesystem::path experiment;  // experiment file, not there yet
+    std::filesystem::path experiment;  // experiment file, which does not exist yet
 };
 
-// asked: an experiment file (*.cambrian), a folder for one and for the champion (empty: the
-// current folder; one that ends in '/' is made), or else the champion's file. Fails at once if
-// nothing can be written there. In a folder names are taken that are free, the same number for
-// both: nothing of an earlier run is replaced. `files`: of the command.
+// Chooses the files. `asked` is an experiment file (*.cambrian), a creature file for the champion,
+// or a folder for both (empty: the current folder; one that ends in '/' is created). Fails at once
+// if nothing can be written there. In a folder it takes names that do not exist, with the same
+// number for both, so that no file of an earlier run is replaced. `files` are the command's other
+// files.
 Result<RunOutputs> run_outputs(const std::string& asked, const ExperimentSettings& settings,
                                const CommandFiles& files);
 

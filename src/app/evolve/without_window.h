@@ -12,8 +12,8 @@ class App;
 
 namespace cambrian {
 
-// What the studio does where no window can be opened: it says why and, if settings are given, does
-// the same job without one.
+// The studio subcommand where no window can be opened. It prints the reason and, if settings are
+// given, runs the evolution without a window.
 class WithoutWindow {
 public:
     void add_options(CLI::App& app);

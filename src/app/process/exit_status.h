@@ -2,11 +2,11 @@
 
 namespace cambrian {
 
-// What the program tells the shell.
+// The exit status of the program.
 enum class ExitStatus : int {
     kDone = 0,
-    kFailed = 1,    // something went wrong on the way: a full disk, a replay that differs
-    kBadInput = 2,  // usage, or a file that cannot be used
+    kFailed = 1,    // failure while working: a full disk, a replay that differs
+    kBadInput = 2,  // wrong usage, or a file that cannot be used
 };
 
 }  // namespace cambrian

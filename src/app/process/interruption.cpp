@@ -7,7 +7,7 @@
 namespace cambrian {
 namespace {
 
-// The one thing a signal handler may write.
+// The only variable that the signal handler writes.
 volatile std::sig_atomic_t interrupted = 0;
 
 constexpr auto kInterruptionPause = std::chrono::milliseconds(50);

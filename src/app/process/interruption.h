@@ -6,8 +6,8 @@
 
 namespace cambrian {
 
-// While it lives, the first Ctrl+C (or request to terminate) only asks to stop; a second one ends
-// the program at once. One at a time.
+// During its lifetime, the first Ctrl+C (or termination request) requests a stop; a second one ends
+// the program at once. Only one object may exist at a time.
 class Interruption {
 public:
     Interruption();
@@ -16,14 +16,14 @@ public:
     Interruption& operator=(const Interruption&) = delete;
 
     bool requested() const;
-    // Asks to stop soon after.
+    // A stop is requested shortly after the signal.
     std::stop_token token() const { return source_.get_token(); }
 
 private:
     struct sigaction interrupt_before_ {};
     struct sigaction terminate_before_ {};
     std::stop_source source_;
-    std::jthread watch_;  // last: uses the source
+    std::jthread watch_;  // last member, since it uses the source
 };
 
 }  // namespace cambrian

@@ -7,7 +7,7 @@
 namespace cambrian {
 namespace {
 
-constexpr double kShort = 0.5;  // s; work that is over sooner is not shown
+constexpr double kShort = 0.5;  // s; shorter work shows no progress
 
 }  // namespace
 

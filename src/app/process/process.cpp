@@ -14,15 +14,15 @@ namespace {
 constexpr rlim_t kUsualStack = 8U << 20U;  // bytes
 constexpr rlim_t kLeastStack = 1U << 20U;
 
-// A file opened later must not get the number of a standard stream that was closed: results would
-// be written into it. Its replacement refuses to be written to.
+// Opens standard streams that were closed, so that no file gets their number and receives results.
+// Writing to such a replacement fails.
 void open_standard_streams() {
     for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
         if (::fcntl(stream, F_GETFD) < 0) ::open("/dev/null", O_RDONLY);
     }
 }
 
-// Threads get a stack of this size too.
+// Sets the limit of the stack's size, which threads use too.
 Status provide_stack() {
     rlimit stack{};
     if (::getrlimit(RLIMIT_STACK, &stack) != 0) return {};

@@ -4,9 +4,8 @@
 
 namespace cambrian {
 
-// What this process needs of the system before it does anything: standard streams that are open,
-// failures to write as errors and not as signals, and a stack that is large enough. Fails, saying
-// so, if there is no such stack to be had.
+// Prepares the process: opens missing standard streams, turns failed writes into errors instead of
+// signals, and provides a large stack. Fails if the system does not allow such a stack.
 Status prepare_process();
 
 }  // namespace cambrian

@@ -1,6 +1,6 @@
 #pragma once
 
-// How far an evolution is, as a line on a terminal.
+// The progress of an evolution as a line on the terminal.
 
 #include "app/process/progress_line.h"
 #include "core/result.h"
@@ -15,14 +15,14 @@ namespace cambrian {
 
 class ProgressBar {
 public:
-    // progress counts the trials of one generation and must outlive the bar.
-    // remark: asked for again and again from another thread; what is shown behind the numbers.
+    // `progress` counts the trials of one generation and must outlive the object. `remark` returns
+    // the text behind the numbers; it is called repeatedly on another thread.
     ProgressBar(const EvaluationProgress& progress, std::uint32_t generations,
                 std::function<std::string()> remark = {});
 
-    // A generation is complete: prints its line above the bar. Fails if standard output does.
+    // Prints the line of a finished generation above the bar. Fails if standard output fails.
     Status finish_generation(std::string_view line);
-    // A message that appears above the bar. Any thread.
+    // Prints a message above the bar. May be called on any thread.
     void say_above(std::string_view message);
 
 private:
@@ -31,10 +31,11 @@ private:
 
     const EvaluationProgress& progress_;
     const std::uint32_t generations_;
-    const std::function<std::string()> remark_;  // may be none
-    std::uint32_t finished_ = 0;     // generations; changed while the line is interrupted
-    std::uint64_t trials_done_ = 0;  // of finished generations; likewise
-    ProgressLine line_;              // last: asks for the text
+    const std::function<std::string()> remark_;  // may be empty
+    std::uint32_t finished_ = 0;  // generations; changes only while the line is interrupted
+    // In finished generations; changes only while the line is interrupted.
+    std::uint64_t trials_done_ = 0;
+    ProgressLine line_;  // last member, since it reads the others
 };
 
 }  // namespace cambrian

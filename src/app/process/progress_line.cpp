@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t kCells = 24;
 constexpr auto kLinePause = std::chrono::milliseconds(100);
-constexpr double kTooEarlyToTell = 0.5;  // s
+constexpr double kTooEarlyToTell = 0.5;  // s; before this time no remaining time is shown
 
 std::string clock_text(double seconds) {
     const auto whole = static_cast<long long>(std::min(seconds, 1e9));

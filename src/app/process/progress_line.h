@@ -1,7 +1,7 @@
 #pragma once
 
-// A line on a terminal that tells how far some work is; nothing at all where standard error is not
-// a terminal. A thread of its own draws it.
+// A progress line on the terminal, drawn by its own thread. Prints nothing if standard error is not
+// a terminal.
 
 #include "core/stopwatch.h"
 
@@ -14,14 +14,14 @@ namespace cambrian {
 
 class ProgressLine {
 public:
-    // text: asked for again and again, never while interrupt() works; what it reads outlives the
-    // line.
+    // `text` is called repeatedly, never while interrupt() works. What it reads must outlive the
+    // object.
     explicit ProgressLine(std::function<std::string()> text);
     ~ProgressLine();  // clears the line
     ProgressLine(const ProgressLine&) = delete;
     ProgressLine& operator=(const ProgressLine&) = delete;
 
-    // Work that writes to the terminal itself or changes what the text reads.
+    // Runs `work`, which may write to the terminal and change what `text` reads.
     void interrupt(const std::function<void()>& work);
     double seconds() const { return stopwatch_.seconds(); }
 
@@ -33,14 +33,14 @@ private:
     const std::function<std::string()> text_;
     const bool shown_;
     Stopwatch stopwatch_;
-    std::mutex terminal_;  // one of the two threads writes at a time
-    std::jthread thread_;  // last: uses everything above
+    std::mutex terminal_;  // held by the thread that writes to the terminal
+    std::jthread thread_;  // last member, since it uses the others
 };
 
-// "[####....] 12 %" of a share from 0 to 1.
+// Returns "[####....] 12 %" for a share in [0, 1].
 std::string bar_text(double share);
-// "  0:30 left" of work that has come to the share after so many seconds; empty if it is too early
-// to tell.
+// Returns "  0:30 left" for work of which `share` took so many seconds; empty if it is too early to
+// estimate.
 std::string time_left_text(double share, double seconds);
 
 }  // namespace cambrian

@@ -18,9 +18,9 @@
 namespace cambrian {
 namespace {
 
-constexpr std::chrono::milliseconds kListening{3000};  // everybody says hello every 2 s
+constexpr std::chrono::milliseconds kListening{3000};  // each member announces itself every 2 s
 
-// The last word of everybody, coordinators first, then by name.
+// Returns the last announcement of each member: coordinators first, then by name.
 std::vector<Hello> last_words(const std::vector<std::string>& texts) {
     std::map<std::uint64_t, Hello> by_id;
     for (const std::string& text : texts) {

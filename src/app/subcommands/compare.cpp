@@ -38,7 +38,7 @@ struct CompareOptions {
     int trials = 4000;
     bool random_search = false;
     std::optional<std::size_t> threads;
-    ClusterLogin cluster;  // without servers: this machine alone
+    ClusterLogin cluster;  // without servers, only this machine evaluates
 };
 
 Result<std::vector<NamedSettings>> named_settings(const std::vector<std::string>& files) {
@@ -51,7 +51,7 @@ Result<std::vector<NamedSettings>> named_settings(const std::vector<std::string>
     return some;
 }
 
-// Every arm once for each value of "key=value,value...".
+// Returns every arm once for each value of "key=value,value...".
 Result<std::vector<NamedSettings>> swept(const std::vector<NamedSettings>& arms,
                                          const std::string& sweep, const EvolutionKinds& kinds) {
     const std::size_t sign = sweep.find('=');
@@ -101,7 +101,7 @@ Result<std::vector<PlannedRun>> runs_of(const CompareOptions& options,
                         kinds);
 }
 
-// On one core of this machine, and on the cluster's if one is asked for.
+// Makes back-ends of one core of this machine and, if one is named, the cluster.
 Result<BackendMaking> backend_making(const ClusterLogin& cluster, const EvolutionKinds& kinds) {
     if (cluster.servers.empty()) {
         return BackendMaking([&kinds]() -> Result<std::unique_ptr<EvaluationBackend>> {

@@ -43,7 +43,7 @@ public:
     ExitStatus run(const EvolutionKinds& kinds) override {
         if (!champion_ && !generation_ && !stats_ && !settings_)
             return fail({"what to export: --champion, --generation G, --stats or --settings"});
-        // Before the work, so that nobody waits and then loses the result.
+        // This must fail before the work begins, so that no result is lost.
         const Result<std::filesystem::path> path =
             out_.empty() ? std::filesystem::path() : output_path(out_, "", files());
         if (!path) return fail(path.error());

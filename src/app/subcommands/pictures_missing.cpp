@@ -1,4 +1,4 @@
-// The subcommands that draw, in a program built without its window.
+// Replaces the subcommands that draw in a program built without its window.
 #include "app/process/messages.h"
 #include "app/subcommands/subcommands.h"
 

@@ -37,7 +37,7 @@ struct RenderOptions {
     std::string creature;
     std::string out;
     std::string environment;
-    std::string size;  // "WxH"
+    std::string size;  // "WIDTHxHEIGHT"
     std::string theme = "dark";
     std::optional<int> poses;
     std::optional<double> frames_a_second;
@@ -48,7 +48,7 @@ struct RenderOptions {
 
 enum class Product : unsigned char { kSheet, kCard, kClip };
 
-// "1280x720"; nothing for any other text and sizes nobody can draw.
+// Parses "1280x720"; returns nothing for other text and for sizes that cannot be drawn.
 std::optional<Size> parse_size(const std::string& text) {
     Size size;
     const char* end = text.data() + text.size();
@@ -85,7 +85,7 @@ Size usual_size(Product product) {
     return {1280, 720};
 }
 
-// Options that mean nothing for what is made are mistakes, not to be passed over.
+// Rejects options that have no meaning for the requested product.
 Status check_options(const RenderOptions& options, Product product) {
     const bool timed = options.frames_a_second || options.speed || options.seconds;
     if (product != Product::kClip && timed)
@@ -170,13 +170,13 @@ public:
     }
 
 private:
-    // What a creature without a name is called: its file.
+    // Returns the title of a creature without a name: the name of its file.
     std::string title() const {
         const std::string name = std::filesystem::path(options_.creature).filename().string();
         return capitalized(name.substr(0, name.find('.')));
     }
 
-    // What is drawn, and all it takes to compute it once more.
+    // The subject and all that is needed to compute its trial once more.
     struct Scene {
         const Subject& subject;
         const TrialWorld& world;

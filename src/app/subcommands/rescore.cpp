@@ -17,7 +17,7 @@
 namespace cambrian {
 namespace {
 
-// "1.23 BL/s by simulator 1.0"
+// Example: "1.23 BL/s by simulator 1.0".
 std::string score_text(const CreatureDocument& document) {
     return short_text(document.score()) + " " + document.notes.unit + " by simulator " +
            document.notes.simulator;
@@ -97,7 +97,7 @@ private:
                                  score_text(*before));
     }
 
-    // The creature of a file whose score can be replaced.
+    // Reads a creature from a file whose score can be replaced.
     Result<CreatureDocument> read(const std::string& file, const EvolutionKinds& kinds) const {
         const Result<bool> card = is_card(file);
         if (!card) return card.error();
@@ -113,7 +113,7 @@ private:
         return document;
     }
 
-    // The creature with the trial that is to score it.
+    // Returns the creature with the settings of the trial that is to score it.
     CreatureDocument asked_of(CreatureDocument document) const {
         if (!default_integration_) return document;
         change_settings(document.creature, [](ExperimentSettings& settings) {

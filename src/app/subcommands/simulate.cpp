@@ -35,7 +35,7 @@ struct SimulateOptions {
     bool json = false;
 };
 
-// What the options say besides the world.
+// Returns the settings, with the values that the options override.
 Result<ExperimentSettings> settings_for(const SimulateOptions& options,
                                         const CreatureDocument& document,
                                         const EvolutionKinds& kinds) {

@@ -17,9 +17,9 @@
 namespace cambrian {
 namespace {
 
-// Where programs keep what they remember (XDG base directories); empty if nowhere.
+// Returns the folder for state kept between runs (XDG base directories); empty if there is none.
 std::filesystem::path usual_state_dir() {
-    // Read before any thread starts.
+    // Called before any thread starts.
     const char* state = std::getenv("XDG_STATE_HOME");  // NOLINT(concurrency-mt-unsafe)
     if (state != nullptr && *state == '/') return std::filesystem::path(state) / "cambrian";
     const char* home = std::getenv("HOME");  // NOLINT(concurrency-mt-unsafe)
@@ -27,8 +27,8 @@ std::filesystem::path usual_state_dir() {
     return std::filesystem::path(home) / ".local/state/cambrian";
 }
 
-// What is left in the cluster of the same folder's studio is deleted; a genome that ends a process
-// is written to that folder.
+// Makes the back-end of a cluster. Jobs that the same folder's studio left in the cluster are
+// deleted. A genome that crashes a process is written to that folder.
 ClusterJoining joining(const EvolutionKinds& kinds, const std::filesystem::path& state_dir) {
     const std::filesystem::path experiment =
         state_dir.empty() ? std::filesystem::path() : own_experiment(state_dir);

@@ -1,4 +1,4 @@
-// The studio's subcommand in a program built without its window.
+// Replaces the studio's subcommand in a program built without its window.
 #include "app/evolve/without_window.h"
 #include "app/subcommands/subcommands.h"
 
@@ -10,7 +10,7 @@ namespace {
 class MissingStudio final : public Subcommand {
 public:
     void add_options(CLI::App& app) override {
-        app.allow_extras();  // the window's options and files
+        app.allow_extras();  // options and files of the window
         without_window_.add_options(app);
     }
     ExitStatus run(const EvolutionKinds& kinds) override {

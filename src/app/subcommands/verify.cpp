@@ -19,7 +19,7 @@
 namespace cambrian {
 namespace {
 
-// The trial of the file, run again here and now; also more finely if that was kept.
+// Runs the trial of the file again, also with the finer step if the file has that result.
 EvaluationResult replay(const CreatureDocument& document, const EvolutionKinds& kinds,
                         LongWork& work) {
     const TrialSettings& trial = document.settings().world.trial;
@@ -32,7 +32,7 @@ EvaluationResult replay(const CreatureDocument& document, const EvolutionKinds& 
     return result;
 }
 
-// From which moment on the motion is another, if the file can tell.
+// Returns the time at which the motion begins to differ, if the file has check bytes.
 std::string where_different(const CreatureDocument& document, const EvolutionKinds& kinds) {
     const TickChecks& ticks = document.notes.ticks;
     if (ticks.empty()) return {};
@@ -73,7 +73,7 @@ ExitStatus verify(const std::string& file, const EvolutionKinds& kinds, LongWork
     return fail({message}, ExitStatus::kFailed);
 }
 
-// "; from generation 12 on it was computed by simulator 0.9, this is 1.0".
+// Example: "; from generation 12 on it was computed by simulator 0.9, this is 1.0".
 std::string other_simulators(const SavedExperiment& saved) {
     std::string words;
     for (const SimulatorChange& change : saved.simulators) {

@@ -17,7 +17,7 @@ extern char** environ;  // NOLINT(readability-identifier-naming): POSIX's name
 namespace cambrian {
 namespace {
 
-constexpr std::size_t kLongestComplaint = 400;  // bytes
+constexpr std::size_t kLongestComplaint = 400;  // bytes of ffmpeg's error message that are kept
 
 void close_pipe(int& pipe) {
     if (pipe >= 0) ::close(pipe);
@@ -47,12 +47,12 @@ std::vector<std::string> arguments_of(const std::filesystem::path& target,
         "-i",           "pipe:0"};
     for (std::string& argument : encoder_of(target))
         arguments.push_back(std::move(argument));
-    // Not a name that it could take for a protocol or an option.
+    // The prefix prevents a name from being read as a protocol or an option.
     arguments.push_back("file:" + temporary.string());
     return arguments;
 }
 
-// Where the child's ends of the pipes go.
+// The redirections of the child's ends of the pipes.
 class SpawnActions {
 public:
     SpawnActions() { ::posix_spawn_file_actions_init(&actions_); }
@@ -67,7 +67,8 @@ private:
     posix_spawn_file_actions_t actions_{};
 };
 
-// A process group of its own, so that Ctrl+C reaches only us and we decide what becomes of it.
+// Puts the child in its own process group. Ctrl+C then reaches only this program, which ends the
+// child itself.
 class SpawnGroup {
 public:
     SpawnGroup() {
@@ -83,7 +84,7 @@ private:
     posix_spawnattr_t attributes_{};
 };
 
-// 0, or the error code.
+// Starts the process; returns 0 or the error code.
 int spawn(const std::vector<std::string>& arguments, int input, int errors, int& process) {
     std::vector<std::string> kept = arguments;
     std::vector<char*> pointers;
@@ -165,7 +166,7 @@ Status ClipFile::finish() {
     return file_.commit();
 }
 
-// What ffmpeg said on its standard error, which it has closed or will.
+// Returns what ffmpeg wrote to its standard error.
 Status ClipFile::failure() {
     close_pipe(pictures_);
     std::string words(kLongestComplaint, '\0');

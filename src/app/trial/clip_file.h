@@ -1,7 +1,7 @@
 #pragma once
 
-// A clip as a file, made by the installed ffmpeg from pictures piped to it. It comes to be beside
-// its target and takes its name when complete; otherwise nothing is left.
+// A clip file, encoded by the installed ffmpeg from pictures sent through a pipe. It is written
+// beside its target and renamed when complete; on failure it is deleted.
 
 #include "core/files/pending_file.h"
 #include "core/image.h"
@@ -13,19 +13,19 @@
 
 namespace cambrian {
 
-// Endings of names that ffmpeg is asked for: ".mp4" and ".gif".
+// Returns whether a name has an ending that ffmpeg writes here: ".mp4" or ".gif".
 bool is_clip_name(const std::filesystem::path& path);
 
 class ClipFile {
 public:
-    // The format is that of the name's ending. Fails, saying so, without ffmpeg.
+    // The name's ending determines the format. Fails if ffmpeg is not installed.
     static Result<std::unique_ptr<ClipFile>> open(const std::filesystem::path& path, int width,
                                                   int height, double frames_a_second);
     ~ClipFile();
     ClipFile(const ClipFile&) = delete;
     ClipFile& operator=(const ClipFile&) = delete;
 
-    // Of the clip's size. Waits until ffmpeg has taken it.
+    // Adds a picture of the clip's size. Waits until ffmpeg has read it.
     Status add(const Image& picture);
     Status finish();
 
@@ -35,10 +35,10 @@ private:
     Status failure();
 
     PendingFile file_;
-    std::string name_;     // of the target, for messages
-    int process_ = -1;     // -1 once it has ended
-    int pictures_ = -1;    // the pipe to it
-    int complaints_ = -1;  // the pipe from its standard error
+    std::string name_;     // name of the target, for messages
+    int process_ = -1;     // process id; -1 after it ended
+    int pictures_ = -1;    // pipe to ffmpeg
+    int complaints_ = -1;  // pipe from ffmpeg's standard error
 };
 
 }  // namespace cambrian

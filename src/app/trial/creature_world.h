@@ -9,8 +9,8 @@
 
 namespace cambrian {
 
-// The world a creature is put in: that of a settings file, or if that is empty the one it was
-// scored in, or else the usual one.
+// Returns the settings for a creature's trial: those of the file `environment` or, if it is empty,
+// those that scored the creature, or else the defaults.
 Result<ExperimentSettings> world_of(const CreatureDocument& document,
                                     const std::string& environment, const EvolutionKinds& kinds);
 

@@ -9,7 +9,7 @@
 namespace cambrian {
 namespace {
 
-constexpr std::size_t kPiece = 65536;  // bytes written at a time
+constexpr std::size_t kPiece = 65536;  // bytes per write
 
 std::string heading(const Trial& trial) {
     std::string line = "time,mass_x,mass_y";
@@ -21,7 +21,7 @@ std::string heading(const Trial& trial) {
     return line + "\n";
 }
 
-// The present moment.
+// Adds a row with the present state.
 void add_row(std::string& text, const Trial& trial) {
     const PhysicsScene& scene = trial.scene();
     const auto cell = [&text](double number) { text += "," + short_text(number); };

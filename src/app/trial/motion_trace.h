@@ -1,8 +1,8 @@
 #pragma once
 
-// The motion of one trial as a table (CSV): a row a tick of 1/60 s, from the beginning of the test
-// to its end. Columns: time (s), centre of mass (m), then for every part its centre (m), its angle
-// (rad) and its joint's coordinate (rad or m).
+// The motion of one trial as a CSV table with one row per tick of 1/60 s of the test. The columns
+// are the time (s), the centre of mass (m), and for every part its centre (m), its angle (rad) and
+// its joint coordinate (rad or m).
 
 #include "core/files/output_stream.h"
 #include "core/result.h"
@@ -12,8 +12,8 @@
 
 namespace cambrian {
 
-// Runs the first trial and writes it row by row. Fails if physics refuses the body, if the trial
-// is asked to stop or if the output cannot be written.
+// Runs the first trial and writes it row by row. Fails if physics rejects the body, if a stop is
+// requested or if the output cannot be written.
 Status write_motion_trace(OutputStream& output, const Genome& genome,
                           const ExperimentSettings& settings, const Kinds& kinds,
                           const TrialWatch& watch);

@@ -7,7 +7,8 @@
 
 namespace cambrian {
 
-// A message on standard error if another version of the simulator scored the file's creatures.
+// Prints a message to standard error if the file's creatures were scored by another version of the
+// simulator.
 void say_of_simulator(const std::string& file, const CreatureDocument& document);
 void say_of_simulator(const std::string& file, const SavedExperiment& saved);
 

@@ -12,7 +12,7 @@
 namespace cambrian {
 namespace {
 
-// For people: three significant digits.
+// Formats with three significant digits.
 std::string rounded(double number) {
     char text[32];
     std::snprintf(text, sizeof text, "%.3g", number);
@@ -59,7 +59,7 @@ std::string audit_text(const SceneAudit& audit) {
            std::to_string(audit.fallbacks) + " fallbacks";
 }
 
-// "in 10 worlds a hair different: 0.93 BL/s, 0.81 to 0.99"
+// Example: "in 10 worlds a hair different: 0.93 BL/s, 0.81 to 0.99".
 std::string scores_text(const std::vector<double>& scores, const std::string& unit) {
     const auto range = std::minmax_element(scores.begin(), scores.end());
     return "in " + std::to_string(scores.size()) + " worlds a hair different: median " +

@@ -1,6 +1,6 @@
 #pragma once
 
-// What one trial came to: the score, how far it can be believed, what it cost.
+// The result of one trial as text: the score, the verdict of the energy audit, the computing work.
 
 #include "evolution/individual/individual.h"
 
@@ -8,11 +8,11 @@
 
 namespace cambrian {
 
-// unit: of the goal's score.
-std::string trial_text(const EvaluationResult& result, const std::string& unit);  // some lines
-std::string trial_json(const EvaluationResult& result, const std::string& unit);  // one object
+// `unit` is the unit of the goal's score.
+std::string trial_text(const EvaluationResult& result, const std::string& unit);  // several lines
+std::string trial_json(const EvaluationResult& result, const std::string& unit);  // one JSON object
 
-// "0.41 BL/s, clean"
+// Example: "0.41 BL/s, clean".
 std::string finer_text(const FinerResult& finer, const std::string& unit);
 
 }  // namespace cambrian

@@ -9,8 +9,7 @@
 
 namespace cambrian {
 
-// All that drawing one size of picture needs without a window, in the order in which it comes and
-// goes.
+// All that is needed to draw pictures of one size without a window, in the order of construction.
 struct Workshop {
     std::unique_ptr<OffscreenContext> context;
     std::unique_ptr<Renderer> renderer;
@@ -18,7 +17,7 @@ struct Workshop {
     std::optional<Easel> easel;
 };
 
-// Of pictures so many pixels wide and high.
+// Makes a workshop for pictures of this size in pixels.
 Result<std::unique_ptr<Workshop>> open_workshop(int width, int height);
 
 }  // namespace cambrian

@@ -2,7 +2,7 @@
 
 namespace cambrian {
 
-// Within a phase operators apply in this order: the graph of parts before the neurons in it.
+// Within a phase, operators are applied in this order: the graph of parts before the neurons in it.
 MutationRegistry builtin_mutations() {
     MutationRegistry mutations;
     add_node_operators(mutations);

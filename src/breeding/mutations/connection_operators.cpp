@@ -4,9 +4,10 @@
 namespace cambrian {
 namespace {
 
-constexpr double kDuplicateShare = 0.4;  // of new edges, copies of one of the same node
+// Share of new edges that are copies of another edge of the same node.
+constexpr double kDuplicateShare = 0.4;
 
-// A duplicate to a symmetric node stays where it is: that is how pairs of limbs are born.
+// A copy of an edge to a symmetric node keeps its position. In this way a pair of limbs arises.
 EdgeGene duplicate_of(const EdgeGene& original, const Genome& genome,
                       const MutationContext& context, RandomStream& stream) {
     EdgeGene copy = original;

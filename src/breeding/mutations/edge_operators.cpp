@@ -6,7 +6,7 @@
 namespace cambrian {
 namespace {
 
-constexpr double kReflectShare = 0.6;  // of flag changes; the rest toggle terminal-only
+constexpr double kReflectShare = 0.6;  // share of flag changes; the others toggle terminal-only
 
 bool mutate_edge_scalar(Genome& genome, const MutationContext& /*context*/, RandomStream& stream,
                         MutationRecord& record) {

@@ -7,9 +7,9 @@
 namespace cambrian {
 namespace {
 
-constexpr double kCopyShare = 0.5;        // of new nodes, copied rather than drawn
-constexpr double kSecondLimbShare = 0.5;  // of symmetric new nodes, given a second edge
-constexpr double kKeepSourceShare = 0.7;  // of new neurons that pass the old source on
+constexpr double kCopyShare = 0.5;  // share of new nodes that are copies; the others are random
+constexpr double kSecondLimbShare = 0.5;  // share of symmetric new nodes that get a second edge
+constexpr double kKeepSourceShare = 0.7;  // share of new neurons that pass the old source on
 
 NodeGene new_node(const Genome& genome, const MutationContext& context, RandomStream& stream,
                   MutationRecord& record) {
@@ -43,7 +43,7 @@ bool add_node(Genome& genome, const MutationContext& context, RandomStream& stre
     return true;
 }
 
-// Whether new links may lead to neurons of the reader's own list.
+// Returns whether new links may lead to neurons of the reader's own list.
 bool may_hear_neighbors(SourceScope scope, const MutationContext& context) {
     return is_enabled(own_neuron_kind(scope), scope, context.founders, context.catalog);
 }

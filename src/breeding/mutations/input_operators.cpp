@@ -9,7 +9,7 @@ namespace {
 constexpr GeneStep kEffectorStep = {.relative = 0.3, .floor = 0.3};
 constexpr double kPerturbEffectorShare = 0.55;
 constexpr double kNegateEffectorShare = 0.09;
-constexpr double kLocalEffectorShare = 0.4;  // of new effector sources, local neurons
+constexpr double kLocalEffectorShare = 0.4;  // share of new effector sources that are local neurons
 constexpr double kNegateWeightShare = 0.1;
 
 void perturb_weight(InputGene& input, const GeneStep& step, RandomStream& stream,

@@ -9,7 +9,8 @@
 namespace cambrian {
 namespace {
 
-constexpr double kReproductionShare = 0.1;  // of discrete changes, where breeding is an attribute
+// Share of discrete changes that change the breeding method, if that is a gene.
+constexpr double kReproductionShare = 0.1;
 
 template <class Gene>
 void perturb_field(Gene& gene, const GeneField<Gene>& field, const std::string& place,

@@ -1,6 +1,6 @@
 #pragma once
 
-// The mutation operators of breeding/README.md 3, by the genes they change.
+// Registers the mutation operators of breeding/README.md 3, grouped by the genes they change.
 
 #include "breeding/mutation_kind.h"
 #include "genome/founders/random_gene.h"

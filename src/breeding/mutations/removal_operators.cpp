@@ -6,10 +6,10 @@
 namespace cambrian {
 namespace {
 
-// Rewrites the references within one list of neurons for the loss of one of them.
+// Rewrites the references in one list of neurons when one of the neurons is removed.
 class Removal {
 public:
-    // The substitute replaces the input of a neuron that read only itself.
+    // `substitute` replaces the input of a neuron that read only itself.
     Removal(const NeuronSite& site, const std::vector<NeuronGene>& list,
             const SourceRef& substitute)
         : scope_(site.list.scope),
@@ -43,7 +43,7 @@ private:
     SourceRef heir_;
 };
 
-// A constant, where constants are allowed.
+// Returns a constant if constants are allowed, otherwise a random source.
 SourceRef substitute_source(SourceScope scope, const MutationContext& context,
                             RandomStream& stream) {
     if (is_enabled(SourceKind::kConstant, scope, context.founders, context.catalog)) return {};

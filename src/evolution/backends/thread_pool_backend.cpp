@@ -14,7 +14,7 @@
 namespace cambrian {
 namespace {
 
-constexpr int kRateSeconds = 5;  // that a rate is the mean of
+constexpr int kRateSeconds = 5;  // s; interval over which a rate is averaged
 
 class ThreadPoolBackend final : public EvaluationBackend {
 public:
@@ -57,7 +57,7 @@ public:
     }
 
 private:
-    // Exists while a batch runs.
+    // Sets a flag during its lifetime, while a batch runs.
     class Busy {
     public:
         explicit Busy(std::atomic<bool>& flag) : flag_(flag) { flag_ = true; }
@@ -79,7 +79,7 @@ private:
     std::atomic<bool> evaluating_ = false;
     const Stopwatch clock_;
     mutable std::mutex creatures_mutex_;
-    RecentSum creatures_;  // evaluated; guarded by creatures_mutex_
+    RecentSum creatures_;  // creatures evaluated; guarded by creatures_mutex_
 };
 
 }  // namespace

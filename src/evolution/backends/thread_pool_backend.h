@@ -8,8 +8,8 @@
 
 namespace cambrian {
 
-// Evaluates on this machine, one trial a worker at a time, with this priority; so does the thread
-// that asks for it. kinds must outlive it.
+// Makes a back-end that evaluates on this machine, one trial at a time per worker thread, with this
+// priority. The thread that calls evaluate() evaluates too. `kinds` must outlive the back-end.
 std::unique_ptr<EvaluationBackend> make_thread_pool_backend(
     const EvolutionKinds& kinds, std::size_t workers,
     ThreadPriority priority = ThreadPriority::kNormal);

@@ -35,16 +35,16 @@ struct RescorePopulation {};
 // Starts a new experiment, paused, at generation 0.
 struct StartExperiment {
     SettingsPtr settings;
-    std::vector<GenomePtr> founders;               // empty: random
-    std::shared_ptr<ExperimentLog> log = nullptr;  // to be kept there; null: nowhere
+    std::vector<GenomePtr> founders;               // empty for random creatures
+    std::shared_ptr<ExperimentLog> log = nullptr;  // stores the experiment; null: not stored
 };
 // Continues an experiment where it ended; it starts paused.
 struct ContinueExperiment {
     std::shared_ptr<const SavedExperiment> saved;
-    std::shared_ptr<ExperimentLog> log = nullptr;  // that it came from; null: not kept any more
+    std::shared_ptr<ExperimentLog> log = nullptr;  // the log it came from; null: no longer stored
 };
-// Changes the back-end from now on, also for the rest of the present generation; not null. The
-// results do not depend on it.
+// Changes the back-end, which must not be null, from now on, also for the rest of the present
+// generation. The results do not depend on it.
 struct UseBackend {
     std::shared_ptr<EvaluationBackend> backend;
 };

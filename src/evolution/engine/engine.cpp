@@ -110,7 +110,7 @@ Status EvolutionEngine::keep_generation() {
     return log_ ? log_->record(*evolution_) : Status();
 }
 
-// Returns whether the command acts now, and records it if it does.
+// Returns whether the command may act now; records it then, and defers it otherwise.
 bool EvolutionEngine::steer(const SteeringCommand& command) {
     if (evolution_->evaluated()) {
         deferred_.push_back(command);

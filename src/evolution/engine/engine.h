@@ -23,18 +23,18 @@ namespace cambrian {
 
 class EvolutionEngine {
 public:
-    // Starts paused at generation 0 of the settings, which must pass check_settings. Without a log
-    // the experiment is not stored.
+    // Starts paused at generation 0 of the settings, which must pass check_settings(). Without a
+    // log the experiment is not stored.
     EvolutionEngine(SettingsPtr settings, const EvolutionKinds& kinds,
                     std::shared_ptr<EvaluationBackend> backend,
                     std::shared_ptr<ExperimentLog> log = nullptr);
-    ~EvolutionEngine();  // stops within one trial
+    ~EvolutionEngine();  // stops the thread within the duration of one trial
     EvolutionEngine(const EvolutionEngine&) = delete;
     EvolutionEngine& operator=(const EvolutionEngine&) = delete;
 
-    // Returns false if the inbox is full; try again in the next frame.
+    // Returns false if the inbox is full; the caller must try again in the next frame.
     bool send(EngineCommand command);
-    // Newest snapshot; never null.
+    // Returns the newest snapshot; never null.
     const std::shared_ptr<const EvolutionSnapshot>& latest();
     const EvaluationProgress& progress() const { return progress_; }
 
@@ -64,21 +64,21 @@ private:
     SnapshotChannel<EvolutionSnapshot> snapshots_;
     EvaluationProgress progress_;
 
-    // Engine thread only.
+    // The following members are used by the engine's thread only.
     std::shared_ptr<EvaluationBackend> backend_;
     std::optional<Evolution> evolution_;
     EvolutionSnapshot shown_;
-    int generations_to_run_ = 0;  // -1: until paused
-    double evaluating_ = 0.0;     // s, of the generation in flight
+    int generations_to_run_ = 0;  // -1 until paused
+    double evaluating_ = 0.0;     // s spent on the present generation
 
     std::shared_ptr<ExperimentLog> log_;
-    std::optional<StartExperiment> unkept_start_;  // until the log has taken it
+    std::optional<StartExperiment> unkept_start_;  // waits until the log has stored it
     std::deque<NotedCommand> unkept_notes_;
     // Commands that arrived while an evaluated generation could not be stored; they apply to the
     // next one.
     std::vector<SteeringCommand> deferred_;
 
-    std::jthread thread_;  // last: started after, joined before everything else
+    std::jthread thread_;  // last member, so that it is joined before the others are destroyed
 };
 
 }  // namespace cambrian

@@ -29,7 +29,7 @@ struct NotedCommand {
 class ExperimentLog {
 public:
     virtual ~ExperimentLog() = default;
-    // Stores generation 0 of these founders and settings; it is the first call, once.
+    // Stores generation 0 of these founders and settings. Must be called first, and once.
     virtual Status begin(const SettingsPtr& settings, const std::vector<GenomePtr>& founders) = 0;
     virtual Status note(const NotedCommand& command) = 0;
     // Stores a generation that was evaluated and not yet bred from.
@@ -45,11 +45,11 @@ struct SimulatorChange {
 // A stored experiment.
 struct SavedExperiment {
     std::vector<SimulatorChange> simulators;  // in order; the first computed generation 0
-    SettingsPtr settings;                     // at generation 0
+    SettingsPtr settings;                     // settings of generation 0
     std::vector<GenomePtr> founders;
     std::vector<NotedCommand> journal;        // in order
-    std::vector<JudgedIndividual> champions;  // one a recorded generation
-    std::vector<std::uint64_t> digests;       // population_digest() of each
+    std::vector<JudgedIndividual> champions;  // one per recorded generation
+    std::vector<std::uint64_t> digests;       // population_digest() of each recorded generation
     std::optional<EvolutionState> latest;     // newest recorded generation
 };
 
@@ -57,7 +57,7 @@ struct SavedExperiment {
 void give_commands(Evolution& evolution, const std::vector<NotedCommand>& journal,
                    std::uint32_t generation);
 
-// Where settings changed, generation 0 included.
+// Returns the settings of generation 0 and every later change.
 std::vector<JournalEntry> setting_changes(const SavedExperiment& saved);
 
 // The experiment at its start, with generation 0 not yet evaluated.

@@ -22,15 +22,18 @@ struct JournalEntry {
 };
 
 struct EvolutionSnapshot {
-    std::uint64_t experiment = 0;  // counts StartExperiment; a new number is a new experiment
+    // Number of StartExperiment commands so far; identifies the experiment.
+    std::uint64_t experiment = 0;
     EngineStatus status = EngineStatus::kPaused;
-    std::string failure;                    // if kFailed
-    std::uint32_t generation = 0;           // being evaluated or waiting for it
-    SettingsPtr settings;                   // in force for that generation
-    std::vector<IndividualPtr> population;  // newest finished generation, best first; empty before
+    std::string failure;           // message if the state is kFailed
+    std::uint32_t generation = 0;  // generation being evaluated or waiting for it
+    SettingsPtr settings;          // settings of that generation
+    // Newest finished generation, best first; empty at first.
+    std::vector<IndividualPtr> population;
     std::vector<GenerationStatistics> history;
-    std::vector<double> wall_times;           // s, of evaluating each of these; 0 where unknown
-    std::vector<JudgedIndividual> champions;  // the best of each finished generation
+    // S; evaluation time of each row of the history; 0 where unknown.
+    std::vector<double> wall_times;
+    std::vector<JudgedIndividual> champions;  // best creature of each finished generation
     std::vector<JournalEntry> journal;
 };
 

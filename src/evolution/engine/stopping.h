@@ -1,6 +1,6 @@
 #pragma once
 
-// The end of an unattended run (evolution/README.md 3).
+// Conditions that end a run without a window (evolution/README.md 3).
 
 #include "evolution/individual/statistics.h"
 #include "evolution/settings/experiment_settings.h"
@@ -10,7 +10,8 @@
 
 namespace cambrian {
 
-// The reason: "target-fitness", "evaluations" or "generations"; empty while the run continues.
+// Returns the reason to stop: "target-fitness", "evaluations" or "generations"; empty while the run
+// continues.
 std::string_view stop_reason(std::span<const GenerationStatistics> history,
                              const ExperimentSettings& settings);
 

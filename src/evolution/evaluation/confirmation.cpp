@@ -10,7 +10,7 @@
 namespace cambrian {
 namespace {
 
-// Whether another trial of the creature is useful.
+// Returns whether another trial of the creature can change its score.
 bool unconfirmed(const EvaluationResult& result) {
     return result.outcome == Outcome::kCompleted && result.fitness > 0.0 && result.scores.empty();
 }

@@ -1,8 +1,9 @@
 #pragma once
 
-// Confirmation tells merit from luck. Survivors are evaluated again in a few slightly different
-// worlds (probe.h), and the median of all scores counts. Creatures that take the places of those
-// whose score fell are evaluated again too, until every survivor has been.
+// Confirmation reduces the influence of chance. Survivors are evaluated again in a few slightly
+// different worlds (probe.h), and their fitness becomes the median of all scores. Creatures that
+// take the place of a survivor whose score fell are evaluated again too, until every survivor has
+// been.
 
 #include "evolution/evaluation/evaluation_backend.h"
 #include "evolution/evaluation/probe.h"
@@ -46,7 +47,7 @@ private:
                    const ConfirmingTrials& trials);
     IndividualPtr confirmed(const Individual& individual, std::span<const Probe> probes) const;
 
-    // Scores by phenotype and the probe's seed.
+    // Scores, keyed by phenotype and the probe's seed.
     std::map<std::pair<std::uint64_t, std::uint64_t>, double> tried_;
 };
 

@@ -13,8 +13,9 @@
 namespace cambrian {
 namespace {
 
-constexpr std::uint64_t kFinerWork = 10;  // times that of a trial whose audit asks for another
-constexpr double kSuspectPenalty = 0.5;   // simulator/README.md 4
+// Limit for the work of a repetition, as a multiple of the suspect trial's.
+constexpr std::uint64_t kFinerWork = 10;
+constexpr double kSuspectPenalty = 0.5;  // simulator/README.md 4
 
 EvaluationResult describe(const Phenotype& phenotype, const ExperimentSettings& settings) {
     EvaluationResult result;

@@ -19,10 +19,10 @@ namespace cambrian {
 struct EvaluationRequest {
     GenomePtr genome;
     std::uint64_t trial_seed = 0;
-    std::uint32_t slot = 0;  // place in the generation
+    std::uint32_t slot = 0;  // index of the creature in the generation
     std::optional<Bar> bar = std::nullopt;
-    std::uint64_t expected_work = 0;            // see Individual; decides only what is begun first
-    std::optional<Probe> probe = std::nullopt;  // to be tried in another world than the settings'
+    std::uint64_t expected_work = 0;  // see Individual; affects only the order of evaluation
+    std::optional<Probe> probe = std::nullopt;  // world that replaces the settings' one
 };
 
 // Runs one trial: it expresses, simulates and scores. It never throws; failures are outcomes. A
@@ -46,10 +46,10 @@ FinerResult recompute(const Genome& genome, const ExperimentSettings& settings,
 
 // Runs the first trial again and records one byte for each tick.
 struct NotedTrial {
-    std::uint64_t digest = 0;  // of the motion
+    std::uint64_t digest = 0;  // digest of the motion
     TickChecks ticks;
 };
-// Returns nothing if physics refuses the body or a stop was requested.
+// Returns nothing if physics rejects the body or a stop is requested.
 std::optional<NotedTrial> note_ticks(const Genome& genome, const ExperimentSettings& settings,
                                      const EvolutionKinds& kinds, const std::stop_token& stop = {});
 

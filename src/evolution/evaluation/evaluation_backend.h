@@ -17,7 +17,7 @@ struct EvaluationProgress {
     std::atomic<std::uint32_t> total = 0;
 };
 
-// Evaluates batches on the cores of this machine, in other processes or on other machines.
+// Evaluates batches of creatures: on this machine's cores, in other processes or on other machines.
 class EvaluationBackend {
 public:
     virtual ~EvaluationBackend() = default;

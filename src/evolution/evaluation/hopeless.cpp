@@ -8,12 +8,13 @@
 namespace cambrian {
 namespace {
 
-constexpr double kMoment = 0.5;  // share of the trial at which it is weighed
+constexpr double kMoment = 0.5;  // share of the trial after which the score is estimated
 constexpr double kSpeedUp = 1.5;
 constexpr double kSamplePeriod = kTicksPerSample * kBrainTick;  // s
 constexpr std::size_t kSecond = 10;                             // samples
 
-// Highest mean speed of the centre of mass over any second, or over a shorter trial; m/s.
+// Returns the highest mean speed of the centre of mass over any second, in m/s. A trial shorter
+// than a second counts as one.
 double best_speed(const TrialRecord& record) {
     const auto& samples = record.samples;
     const std::size_t span = std::min(kSecond, samples.size() - 1);
@@ -26,7 +27,7 @@ double best_speed(const TrialRecord& record) {
     return best;
 }
 
-// The record of the trial if the creature continued with the given velocity.
+// Returns the record that the trial would have if the creature continued with the given velocity.
 TrialRecord ran_on(TrialRecord record, const Vec3& velocity) {
     const MotionSample last = record.samples.back();
     for (double time = kBrainTick; time < record.duration - last.time; time += kBrainTick) {
@@ -45,7 +46,7 @@ TrialRecord ran_on(TrialRecord record, const Vec3& velocity) {
     return record;
 }
 
-// Directions: right, left, up and that of the motion so far.
+// Returns the directions for the rest of the trial: right, left, up and that of the motion so far.
 std::array<Vec3, 4> promising_directions(const TrialRecord& record) {
     const Vec3 way = record.samples.back().center_of_mass - record.samples.front().center_of_mass;
     const double length = way.norm();

@@ -1,8 +1,9 @@
 #pragma once
 
-// Early termination of trials whose score cannot matter any more (evolution/README.md 4, P5). It is
-// a heuristic: it misjudges a creature that rests for half its trial and then runs at more than 1.5
-// times its best speed. Therefore a share of the terminated trials is finished anyway and counted.
+// Early termination of trials whose score cannot reach the survivors' (evolution/README.md 4, P5).
+// It is a heuristic: it misjudges a creature that rests for half its trial and then moves at more
+// than 1.5 times its best speed. Therefore a share of the terminated trials is finished anyway and
+// counted.
 
 #include "evolution/settings/experiment_settings.h"
 #include "goals/goal.h"
@@ -17,7 +18,7 @@ namespace cambrian {
 // Early-termination threshold: a trial ends halfway if it can score at most `score`.
 struct Bar {
     double score = 0.0;
-    bool audited = false;  // is finished all the same
+    bool audited = false;  // the trial is finished even if it would be terminated
 
     friend bool operator==(const Bar&, const Bar&) = default;
 };
@@ -27,8 +28,8 @@ struct Bar {
 struct BarAudit {
     static constexpr int kLeastFinished = 30;
 
-    int finished = 0;  // audited trials
-    int survived = 0;  // of those, that would have survived
+    int finished = 0;  // audited trials so far
+    int survived = 0;  // audited trials whose creature survived
 
     bool trustworthy() const { return 1000 * survived <= finished; }
     bool proven() const { return trustworthy() && finished >= kLeastFinished; }
@@ -37,11 +38,11 @@ struct BarAudit {
 
 struct BarredTrial {
     TrialRecord record;
-    bool hopeless = false;  // given up, or audited and would have been
+    bool hopeless = false;  // terminated early, or audited and would have been terminated
 };
 
-// The score if the rest of the trial moves in the best of a few directions, at 1.5 times the
-// highest mean speed of any second so far.
+// Returns the best score possible if the rest of the trial moves in one of a few directions, at 1.5
+// times the highest mean speed of any second so far.
 double most_still_possible(const TrialRecord& so_far, const GoalKind& goal);
 
 // Reasons to end a trial early.
@@ -51,8 +52,8 @@ struct TrialEnds {
     const std::stop_token& stop;
 };
 
-// Runs a trial to its end, or until its score cannot reach the bar; without a bar always to the
-// end. A long trial ends when asked to stop, as in run_trial().
+// Runs a trial to its end, or until its score cannot reach the threshold; without a threshold,
+// always to its end. A long trial ends when a stop is requested, as in run_trial().
 Result<BarredTrial> run_barred_trial(std::shared_ptr<const Phenotype> phenotype, const Kinds& kinds,
                                      const TrialWorld& world, const TrialEnds& ends);
 

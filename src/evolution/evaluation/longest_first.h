@@ -10,11 +10,11 @@
 namespace cambrian {
 
 // Sorts indices of requests so that the longest evaluations start first and no core waits long at
-// the end. Requests of unknown work come first, larger bodies before smaller ones; the others
-// follow by falling expected work. No result depends on it.
+// the end. Requests of unknown work come first, with larger bodies before smaller ones. The others
+// follow with decreasing expected work. Results do not depend on it.
 void put_longest_first(std::span<std::size_t> indices, std::span<const EvaluationRequest> requests);
 
-// The indices of the requests without a result, in that order.
+// Returns the indices of the requests without a result, sorted in the same way.
 std::vector<std::size_t> open_longest_first(
     std::span<const EvaluationRequest> requests,
     std::span<const std::optional<EvaluationResult>> results);

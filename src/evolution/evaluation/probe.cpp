@@ -9,9 +9,9 @@
 namespace cambrian {
 namespace {
 
-constexpr double kFiner = 0.5;          // of the contact step
+constexpr double kFiner = 0.5;          // factor of the contact step
 constexpr double kFinestStep = 1e-4;    // s
-constexpr std::uint64_t kWorlds = 101;  // keeps these seeds apart from those of jitter
+constexpr std::uint64_t kWorlds = 101;  // index that keeps these seeds apart from those of jitter
 
 }  // namespace
 

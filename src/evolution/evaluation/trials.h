@@ -9,8 +9,8 @@
 
 namespace cambrian {
 
-// The seed of the jitter of all trials of an experiment. It is the same for all creatures, so their
-// scores can be compared.
+// Returns the seed of the jitter of all trials of an experiment. It is the same for all creatures,
+// so that their scores can be compared.
 std::uint64_t trial_seed(const ExperimentSettings& settings);
 
 // The change of world and creature in a trial; trial 0 has none.

@@ -1,4 +1,4 @@
-// Switches for the kinds of parts and links of bodies and brains, one for each kind.
+// Settings that enable or disable each kind of joint, neuron function, sensor and reference.
 #include "evolution/fields/setting_table.h"
 #include "genome/founders/enabled_kinds.h"
 
@@ -21,7 +21,7 @@ void add_switches(std::vector<SettingField>& fields, std::string table, const En
     }
 }
 
-// At least one switch must be on, or there is nothing to draw from.
+// Checks that at least one kind is enabled.
 template <class Entry>
 Status check_any(const std::vector<Entry>& entries, const std::vector<std::uint8_t>& enabled,
                  const Flags& flags, const char* table) {
@@ -39,7 +39,7 @@ std::string joined_ids(const std::vector<SourceKind>& kinds) {
     return ids;
 }
 
-// The sources that joints may follow: all but constants.
+// Returns the kinds of source that effectors may use: all but constants.
 std::vector<SourceKind> changing_references(const FounderSettings& founders,
                                             const KindCatalog& catalog) {
     auto kinds = enabled_references(SourceScope::kPart, founders, catalog);

@@ -5,7 +5,7 @@ namespace {
 
 using Applies = SelectionRows::Applies;
 
-// Whether the method in force has that rule of survival.
+// Returns a condition that is true while the selected method has that rule of survival.
 Applies survival_is(const SelectionRegistry& selections, SurvivalRule rule) {
     return [&selections, rule](const Settings& settings) {
         const SelectionKind* kind = selections.find(settings.selection.method);

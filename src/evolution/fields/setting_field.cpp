@@ -13,7 +13,7 @@
 namespace cambrian {
 namespace {
 
-constexpr double kShareSlack = 0.01;  // thirds may be rounded
+constexpr double kShareSlack = 0.01;  // tolerance of a sum of shares, for rounded thirds
 
 using setting_table::ids_of;
 using setting_table::Range;
@@ -359,7 +359,7 @@ Status check_stop_hopeless(const Settings& s, const EvolutionKinds& kinds) {
     return {};
 }
 
-// Settings that are each in range but contradict one another.
+// Rejects settings that are in range one by one but contradict one another.
 Status check_together(const Settings& s, const EvolutionKinds& kinds) {
     if (Status order =
             check_order(s.founders.min_nodes, s.founders.max_nodes, "min-nodes", "max-nodes");

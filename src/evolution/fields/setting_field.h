@@ -1,7 +1,7 @@
 #pragma once
 
-// The one description of every setting: where it is stored, its name in files, its label, unit,
-// range and help. Settings files, the studio's controls and the documentation all read this table.
+// The table of all settings: where each is stored, its name in files, its label, unit, range and
+// help. Settings files, the studio's controls and the documentation all read this table.
 
 #include "core/result.h"
 #include "evolution/kinds/evolution_kinds.h"
@@ -12,14 +12,15 @@
 
 namespace cambrian {
 
-// All settings, grouped by table, in the order shown and written. The kinds must outlive them.
+// Returns all settings, grouped by table, in the order in which they are displayed and written. The
+// kinds must outlive them.
 std::vector<SettingField> setting_fields(const EvolutionKinds& kinds);
 
-// The first setting outside its range or contradicting another, as "[table] key: ..."; success if
-// none.
+// Returns an error for the first setting that is out of range or contradicts another, as "[table]
+// key: ...".
 Status check_settings(const ExperimentSettings& settings, const EvolutionKinds& kinds);
 
-// What is allowed but makes little sense, a sentence each.
+// Returns a sentence for each setting that is allowed but makes little sense.
 std::vector<std::string> setting_warnings(const ExperimentSettings& settings,
                                           const EvolutionKinds& kinds);
 

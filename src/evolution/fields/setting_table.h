@@ -17,9 +17,9 @@ std::vector<std::string> ids_of(const Registry<Kind>& registry) {
     return ids;
 }
 
-void add_trials(TableBuilder& trial);  // several of them, with jitter
-// Switches of joints, neuron functions, sensors and references; an error if they leave nothing to
-// move or think.
+void add_trials(TableBuilder& trial);  // number of trials per creature and their jitter
+// The settings that enable kinds of joints, neuron functions, sensors and references. The check
+// fails if no movable joint or no control remains.
 void add_body_kinds(std::vector<SettingField>& fields, const EvolutionKinds& kinds);
 Status check_body_kinds(const Settings& settings, const EvolutionKinds& kinds);
 void add_selection(std::vector<SettingField>& fields, const EvolutionKinds& kinds);

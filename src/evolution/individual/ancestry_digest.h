@@ -1,7 +1,7 @@
 #pragma once
 
-// A line of descent as one number: who was born when, of whom, by which method, with which genes,
-// from the creature back through its mothers to the first of the line.
+// A digest of a creature's line of descent: birth, parents, breeding method and genes of all, from
+// the creature back through its mothers to the first one.
 
 #include "evolution/individual/individual.h"
 
@@ -9,7 +9,7 @@
 
 namespace cambrian {
 
-// The same however the line was stored and read again; another as soon as anything in it is.
+// The digest survives storing and loading; it changes if anything in the line changes.
 std::uint64_t ancestry_digest(const Individual& individual);
 
 }  // namespace cambrian

@@ -5,7 +5,7 @@
 namespace cambrian {
 namespace {
 
-constexpr double kTouching = 0.005;  // m; resting contact is a little soft
+constexpr double kTouching = 0.005;  // m; height of a resting contact, which is slightly soft
 
 double contact_share(const TrialRecord& record) {
     const auto touching =

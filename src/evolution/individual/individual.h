@@ -15,7 +15,7 @@
 
 namespace cambrian {
 
-// The same trial computed once more, finer (finer_settings).
+// The result of the same trial computed with finer settings (finer_settings()).
 struct FinerResult {
     Outcome outcome = Outcome::kCompleted;
     double score = 0.0;
@@ -25,64 +25,66 @@ struct FinerResult {
 };
 
 struct EvaluationResult {
-    double fitness = 0.0;  // of the finer trial if the first one was suspect; see scores
+    double fitness = 0.0;  // that of the finer trial if the first one was suspect; see `scores`
     Outcome outcome = Outcome::kCompleted;
-    std::uint64_t digest = 0;     // of the motion, for replay checks
-    std::uint64_t phenotype = 0;  // phenotype_hash() of what was judged
-    std::uint64_t plan = 0;       // body_plan_hash() of the same
+    std::uint64_t digest = 0;     // digest of the motion, to check replays
+    std::uint64_t phenotype = 0;  // phenotype_hash() of the creature that was evaluated
+    std::uint64_t plan = 0;       // body_plan_hash() of that creature
     double body_length = 0.0;     // m
     double mass = 0.0;            // kg
     int parts = 0;
-    int neurons = 0;             // live ones
+    int neurons = 0;             // connected neurons
     Behavior behavior;           // zero unless simulated
-    double computed_time = 0.0;  // s of all its trials that were simulated
-    std::uint64_t work = 0;      // evaluations of accelerations, about
-    bool hopeless = false;       // its trial was given up, or could have been
-    // Scores in the unchanged world and in those of the confirmation; their median is the fitness.
-    // Empty without confirmation (confirmation.h).
+    double computed_time = 0.0;  // s simulated in all its trials
+    std::uint64_t work = 0;      // approximate number of evaluations of the accelerations
+    bool hopeless = false;       // its trial was terminated early, or could have been
+    // Scores in the unchanged world and in those of the confirmation (confirmation.h). Their median
+    // is the fitness. Empty without confirmation.
     std::vector<double> scores;
-    std::string reason;                           // why it failed, for a person
-    AuditVerdict verdict = AuditVerdict::kClean;  // of the trial, computed as the settings say
-    SceneAudit audit;                             // of the same
-    std::optional<FinerResult> finer;             // of suspects, and of champions to be saved
+    std::string reason;                           // why it failed, in words
+    AuditVerdict verdict = AuditVerdict::kClean;  // of the trial with the settings' step
+    SceneAudit audit;                             // of the same trial
+    std::optional<FinerResult> finer;             // for suspect trials and for saved champions
 };
 
 // A creature of one generation: its genotype, origin and result. It is immutable once evaluated,
 // and shared between generations, snapshots and files.
 struct Individual {
-    std::uint64_t uid = 0;   // hash of (seed, generation born, child index)
-    std::uint32_t born = 0;  // generation
+    std::uint64_t uid = 0;   // hash of (seed, generation of birth, child index)
+    std::uint32_t born = 0;  // generation of birth
     // Generation in which its line of descent last changed its body; see same_body().
     std::uint32_t body_born = 0;
-    std::uint64_t line = 0;  // uid of the founder that it descends from by mothers
+    std::uint64_t line = 0;  // uid of its founder along the line of mothers
     GenomePtr genome;
     std::uint64_t genome_hash = 0;
     std::array<std::uint64_t, 2> parents = {0, 0};  // uids; 0 for none
-    ParentLink mother;                              // the first parent as it was judged, if known
-    std::string method;                             // breeding kind, or "random", "imported"
+    ParentLink mother;   // the first parent as it was evaluated, if known
+    std::string method;  // breeding method, or "random", "imported"
     std::vector<MutationRecord> mutations;
-    std::uint64_t expected_work = 0;  // that of its parents; 0 if unknown
+    std::uint64_t expected_work = 0;  // the larger of its parents' work; 0 if unknown
     bool evaluated = false;
     EvaluationResult result;
 };
 
 using IndividualPtr = std::shared_ptr<const Individual>;
 
-// What the first trial came to, in the world as it is: the score that a replay gives.
+// Returns the score of the first trial in the unchanged world, which a replay reproduces.
 double unconfirmed_score(const EvaluationResult& result);
 
-// The same creature as if it had never been evaluated.
+// Returns the same creature without its evaluation.
 IndividualPtr without_score(const Individual& individual);
 
-// Without a motion that can be judged: ranks last and never breeds while there are others.
+// Returns whether the creature has no valid motion. It ranks last and breeds only if all are
+// disqualified.
 bool disqualified(const Individual& individual);
 
-// Whether two genomes agree in all genes of parts, edges and root; neurons and effectors may
+// Returns whether two genomes agree in all genes of parts, edges and root. Neurons and effectors
+// may differ.
 // differ.
 bool same_body(const Genome& a, const Genome& b);
 
-// The order of merit: completed before failed, fitter first, then fewer nodes and neurons, then
-// older uid; total and reproducible (evolution/README.md 1).
+// Returns whether a ranks before b: completed before failed, fitter first, then fewer nodes and
+// neurons, then older uid. The order is total and reproducible (evolution/README.md 1).
 bool better(const Individual& a, const Individual& b);
 
 }  // namespace cambrian

@@ -9,23 +9,23 @@
 
 namespace cambrian {
 
-// One creature with the settings that judge it and the generation it was judged in. Champions,
-// starred creatures, creatures on display and in files, those of pictures and cells of a grid are
-// this and what only they know. Immutable: copies share the individual and the settings.
+// A creature with the settings that evaluate it and the generation of the evaluation. Champions,
+// starred creatures, exhibits, documents, pictures and cells of a grid contain one. It is
+// immutable; copies share the individual and the settings.
 struct JudgedIndividual {
     std::uint32_t generation = 0;
-    IndividualPtr individual = {};  // never null once made
-    SettingsPtr settings = {};      // likewise
+    IndividualPtr individual = {};  // never null after construction
+    SettingsPtr settings = {};      // never null after construction
 
     const Genome& genome() const { return *individual->genome; }
 };
 
-// A creature that was never judged, under the settings that are to judge it.
+// Returns a creature that was never evaluated, with the settings that are to evaluate it.
 JudgedIndividual unjudged(GenomePtr genome,
                           SettingsPtr settings = std::make_shared<const ExperimentSettings>(),
                           const std::string& method = {});
 
-// Gives the creature another individual: a copy of its own that `change` has edited.
+// Replaces the individual by a copy that `change` has edited.
 template <class Change>
 void change_individual(JudgedIndividual& creature, Change change) {
     Individual edited = *creature.individual;
@@ -33,7 +33,7 @@ void change_individual(JudgedIndividual& creature, Change change) {
     creature.individual = std::make_shared<const Individual>(std::move(edited));
 }
 
-// Gives the creature other settings in the same way.
+// Replaces the settings by a copy that `change` has edited.
 template <class Change>
 void change_settings(JudgedIndividual& creature, Change change) {
     ExperimentSettings edited = *creature.settings;

@@ -1,6 +1,6 @@
 #pragma once
 
-// Measures along which MAP-Elites sorts creatures into cells (evolution/README.md 2).
+// The measures that MAP-Elites uses as axes of its map (evolution/README.md 2).
 
 #include "evolution/individual/individual.h"
 #include "evolution/settings/experiment_settings.h"
@@ -11,8 +11,8 @@
 
 namespace cambrian {
 
-// Equal bins from low to high, or equal ratios where logarithmic; what lies outside goes into the
-// first or last bin.
+// Divides [low, high] into bins of equal width, or of equal ratio if logarithmic. Values outside go
+// into the first or last bin.
 struct MapAxis {
     std::string_view id;
     std::string_view label;
@@ -24,7 +24,7 @@ struct MapAxis {
 };
 
 std::span<const MapAxis> map_axes();
-const MapAxis& map_axis(std::string_view id);  // of a known id
+const MapAxis& map_axis(std::string_view id);  // the id must be known
 
 int bin_on(const MapAxis& axis, const EvaluationResult& result);
 
@@ -40,8 +40,8 @@ struct MapCell {
 
 MapCell cell_of(const EvaluationResult& result, const SelectionSettings& settings);
 
-// How well a population fills the map: cells with a completed creature in them, and the sum of the
-// best fitness, at least 0, of each (the QD-score).
+// How well a population fills the map. `filled_cells` counts cells with a completed creature;
+// `quality` is the QD-score, the sum of the best fitness, at least 0, of each.
 struct MapCoverage {
     int filled_cells = 0;
     double quality = 0.0;

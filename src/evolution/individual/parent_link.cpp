@@ -6,7 +6,8 @@
 
 namespace cambrian {
 
-// The outermost link of a line releases all others, which only hand their parents to it.
+// The outermost destructor releases the ancestors one by one; inner ones only pass their parent to
+// it.
 ParentLink::~ParentLink() {
     if (parent_ == nullptr) return;
     thread_local std::vector<IndividualPtr>* leaving = nullptr;

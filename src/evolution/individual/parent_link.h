@@ -12,7 +12,7 @@ struct Individual;
 
 class ParentLink {
 public:
-    ParentLink() = default;  // to nobody
+    ParentLink() = default;  // no parent
     explicit ParentLink(std::shared_ptr<const Individual> parent) : parent_(std::move(parent)) {}
     ParentLink(const ParentLink&) = default;
     ParentLink(ParentLink&&) noexcept = default;
@@ -22,7 +22,7 @@ public:
     }
     ~ParentLink();
 
-    // Null at the end of what is known of the line.
+    // Null where the known line ends.
     const std::shared_ptr<const Individual>& get() const { return parent_; }
 
 private:

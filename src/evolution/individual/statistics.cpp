@@ -10,11 +10,11 @@
 namespace cambrian {
 namespace {
 
-constexpr double kProgress = 0.01;  // rise of the best that counts
+constexpr double kProgress = 0.01;  // relative rise of the best fitness that counts as progress
 constexpr int kPatience = 15;       // generations
-constexpr double kTimeSlack = 0.1;  // s; less is rounding to ticks
+constexpr double kTimeSlack = 0.1;  // s; smaller differences come from rounding to ticks
 
-// Fitness at a share of the way from worst to best; ranked is best first.
+// Returns the fitness at a share of the ranking, from 0 for the worst to 1 for the best.
 double quantile(std::span<const IndividualPtr> ranked, double share) {
     const double position = (1.0 - share) * static_cast<double>(ranked.size() - 1);
     return ranked[static_cast<std::size_t>(std::lround(position))]->result.fitness;

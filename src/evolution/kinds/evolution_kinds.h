@@ -8,7 +8,7 @@
 
 namespace cambrian {
 
-// Every registry an experiment can draw from; built once by the application.
+// All registries on which an experiment depends. The application fills them once.
 struct EvolutionKinds {
     Kinds creature;
     MutationRegistry mutations;

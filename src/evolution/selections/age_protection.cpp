@@ -1,7 +1,7 @@
 // Morphological age protection (after Cheney et al. 2018), evolution/README.md 2. A creature's age
-// is the time since its line of descent last changed its body. Parents, as many children and at
-// least one newcomer compete for their places by non-dominated sorting on (younger, fitter), so
-// that a new body has time for its control to adapt to it.
+// is the number of generations since its line of descent last changed its body. Parents, as many
+// children and at least one random immigrant compete for the places by non-dominated sorting on
+// (younger, fitter). A new body thus has time for its control to adapt to it.
 #include "evolution/selections/pareto.h"
 #include "evolution/selections/survival.h"
 

@@ -1,6 +1,7 @@
-// MAP-Elites (Mouret & Clune 2015), evolution/README.md 2: the fittest of every cell of a map
-// survives and breeds a population of children in proportion to 0.1 + f / f_best. The survivors are
-// the archive. A child takes a cell if it is empty or the child strictly fitter.
+// MAP-Elites (Mouret & Clune 2015), evolution/README.md 2. The fittest creature of every cell of a
+// map survives and breeds in proportion to 0.1 + f / f_best; there are as many children as the
+// population's size. The survivors are the archive. A child takes a cell if the cell is empty or
+// the child is strictly fitter.
 #include "evolution/individual/map_axis.h"
 #include "evolution/selections/survival.h"
 
@@ -20,7 +21,8 @@ bool takes_over(const Individual& challenger, const Individual& holder) {
     return challenger.uid < holder.uid;
 }
 
-// The fittest of each cell, in the order of the ranking; the very best if no cell is filled.
+// Returns the fittest of each cell, in the order of the ranking; the very best if no cell is
+// filled.
 std::vector<std::size_t> elites_of(std::span<const IndividualPtr> ranked,
                                    const SelectionSettings& settings) {
     std::map<MapCell, std::size_t> holders;

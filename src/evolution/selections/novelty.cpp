@@ -1,9 +1,9 @@
 // Novelty with local competition (Lehman & Stanley 2011), evolution/README.md 2. A creature is
 // described by (log mass, settled height, movable joints), each in standard deviations over
-// population and archive. Novelty is the mean distance to its nearest neighbours among both, its
-// local score how many of them it beats. Parents and as many children compete for their places by
-// non-dominated sorting on the two; the fittest of all keeps a place, so that the best is never
-// lost.
+// population and archive. Novelty is the mean distance to its nearest neighbours among both; the
+// local score is the number of them that it beats. Parents and as many children compete for the
+// places by non-dominated sorting on the two. The fittest of all always keeps a place, so that the
+// best is never lost.
 //
 // Offspring more novel than a threshold join the archive; the threshold grows by 20 % after a
 // generation with more than four and falls by 5 % after ten generations with none.
@@ -21,10 +21,10 @@
 namespace cambrian {
 namespace {
 
-constexpr double kLightest = 1e-6;  // kg; so that its logarithm exists
+constexpr double kLightest = 1e-6;  // kg; least mass, since its logarithm is taken
 constexpr int kMany = 4;
 constexpr double kHarder = 1.2;
-constexpr int kQuiet = 10;  // generations
+constexpr int kQuiet = 10;  // generations without a new member after which the threshold falls
 constexpr double kEasier = 0.95;
 
 constexpr KindParameter<int> kNeighbors{"novelty-neighbors", 15};
@@ -38,7 +38,7 @@ Description describe(const Individual& individual) {
             static_cast<double>(result.behavior.movable_joints)};
 }
 
-// Values in standard deviations; a measure that is equal for all is left out.
+// Converts values to standard deviations. A measure that is equal for all is left out.
 void standardize(std::vector<Description>& all) {
     const double count = static_cast<double>(all.size());
     for (std::size_t measure = 0; measure < Description().size(); ++measure) {
@@ -54,7 +54,7 @@ void standardize(std::vector<Description>& all) {
     }
 }
 
-// The population, then those of the archive that do not live any more.
+// Returns the population, followed by those of the archive that no longer live.
 std::vector<IndividualPtr> with_archive(std::span<const IndividualPtr> population,
                                         const SelectionMemory& memory) {
     std::vector<IndividualPtr> all(population.begin(), population.end());
@@ -67,7 +67,7 @@ std::vector<IndividualPtr> with_archive(std::span<const IndividualPtr> populatio
     return all;
 }
 
-// Novelty and local score of all creatures of the population.
+// Returns novelty and local score of all creatures of the population.
 std::vector<ParetoPoint> judge_novelty(std::span<const IndividualPtr> population,
                                        const SelectionMemory& memory, int neighbors) {
     const std::vector<IndividualPtr> all = with_archive(population, memory);

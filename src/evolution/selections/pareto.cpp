@@ -14,7 +14,7 @@ std::vector<std::size_t> sorted_indices(std::size_t count, const auto& before) {
     return order;
 }
 
-// Adds to each member's crowding the gap between its neighbours along one objective.
+// Adds to the crowding distance of each member the gap between its neighbours along one objective.
 void add_gaps(std::span<const ParetoPoint> points, std::vector<std::size_t> front,
               double ParetoPoint::*objective, std::vector<double>& crowding) {
     std::stable_sort(front.begin(), front.end(), [&](std::size_t a, std::size_t b) {
@@ -31,16 +31,16 @@ void add_gaps(std::span<const ParetoPoint> points, std::vector<std::size_t> fron
 
 }  // namespace
 
-// A point's front is one more than that of the points that dominate it. Taken from the largest
-// first objective down, a point is dominated by the last front whose largest second objective so
-// far reaches its own; those largest values fall from front to front.
+// A point's front is one more than the last front that dominates it. Points are visited with
+// falling first objective. A front then dominates the point if the largest second objective in it
+// so far reaches the point's own. These largest values fall from front to front.
 std::vector<std::size_t> pareto_fronts(std::span<const ParetoPoint> points) {
     const auto order = sorted_indices(points.size(), [&](std::size_t a, std::size_t b) {
         if (points[a].first != points[b].first) return points[a].first > points[b].first;
         return points[a].second > points[b].second;
     });
     std::vector<std::size_t> fronts(points.size(), 0);
-    std::vector<ParetoPoint> tops;  // of each front, its point of largest second objective
+    std::vector<ParetoPoint> tops;  // for each front, its point with the largest second objective
     for (const std::size_t i : order) {
         const ParetoPoint& point = points[i];
         const auto dominated_by = [&](const ParetoPoint& top) {

@@ -1,6 +1,6 @@
 #pragma once
 
-// Sorting by two objectives at once, both better when larger.
+// Non-dominated sorting by two objectives; larger is better for both.
 
 #include <cstddef>
 #include <span>
@@ -13,12 +13,12 @@ struct ParetoPoint {
     double second = 0.0;
 };
 
-// Indices of the points by non-dominated front, then by crowding distance within a front (Deb et
-// al. 2002, NSGA-II): the extremes of a front first, then those in emptier places. Equals keep
+// Returns the indices of the points by non-dominated front, and within a front by crowding distance
+// (Deb et al. 2002, NSGA-II): first the extremes, then points in sparser places. Equal points keep
 // their order. A point dominates another if it is nowhere worse and somewhere better.
 std::vector<std::size_t> pareto_order(std::span<const ParetoPoint> points);
 
-// The front of each point; 0 is dominated by none.
+// Returns the front of each point; points of front 0 are not dominated.
 std::vector<std::size_t> pareto_fronts(std::span<const ParetoPoint> points);
 
 }  // namespace cambrian

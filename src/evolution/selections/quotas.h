@@ -6,8 +6,8 @@
 
 namespace cambrian {
 
-// Whole numbers that add up to `total` in proportion to the shares, by largest remainder; equal
-// remainders go to the earlier share. Shares are not negative and not all 0.
+// Divides `total` into integers in proportion to the shares, by largest remainder. Equal remainders
+// favour the earlier share. Shares must not be negative and not all 0.
 std::vector<std::size_t> largest_remainder(std::span<const double> shares, std::size_t total);
 
 }  // namespace cambrian

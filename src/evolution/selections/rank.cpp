@@ -1,4 +1,4 @@
-// Truncation with offspring by rank, evolution/README.md 2: of S survivors the i-th best (from 0)
+// Truncation with offspring by rank (evolution/README.md 2). Of S survivors, the i-th best (from 0)
 // breeds in proportion to S - i, however far apart their scores are.
 #include "evolution/selections/survival.h"
 

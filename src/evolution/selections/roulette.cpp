@@ -1,5 +1,5 @@
-// Roulette over everyone with sigma scaling, evolution/README.md 2: creature i breeds in proportion
-// to max(0, f_i - mean + 2 sd); only the elites survive.
+// Roulette over all creatures with sigma scaling (evolution/README.md 2). Creature i breeds in
+// proportion to max(0, f_i - mean + 2 sd); only the elites survive.
 #include "evolution/selections/survival.h"
 
 #include <algorithm>
@@ -22,7 +22,7 @@ std::vector<double> sigma_scaled(std::span<const IndividualPtr> wheel, std::size
     std::vector<double> weights(size, 0.0);
     for (std::size_t i = 0; i < wheel.size(); ++i)
         weights[i] = std::fmax(0.0, wheel[i]->result.fitness - mean + 2.0 * std::sqrt(variance));
-    // Without differences all creatures have the same weight.
+    // If all scores are equal, all creatures have the same weight.
     if (std::all_of(weights.begin(), weights.end(), [](double w) { return !(w > 0.0); }))
         std::fill_n(weights.begin(), wheel.size(), 1.0);
     return weights;

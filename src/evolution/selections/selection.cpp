@@ -17,7 +17,7 @@ std::vector<std::size_t> universal_sampling(std::span<const double> weights, std
     std::vector<std::size_t> picks;
     picks.reserve(count);
     const double start = stream.uniform();
-    double reached = 0.0;  // sum of the weights passed, in units of one pick
+    double reached = 0.0;  // sum of the weights so far, in units of one pick
     for (std::size_t i = 0; i < weights.size(); ++i) {
         reached += weights[i] / total * static_cast<double>(count);
         while (picks.size() < count && start + static_cast<double>(picks.size()) < reached) {
@@ -25,7 +25,7 @@ std::vector<std::size_t> universal_sampling(std::span<const double> weights, std
         }
     }
     while (picks.size() < count)
-        picks.push_back(weights.size() - 1);  // rounding of the last sum
+        picks.push_back(weights.size() - 1);  // reached only if the last sum is rounded down
     stream.shuffle(std::span(picks));
     return picks;
 }

@@ -17,47 +17,49 @@
 
 namespace cambrian {
 
-// What a selection carries from one generation to the next besides the survivors. It starts empty,
-// and is emptied whenever scores are forgotten.
+// The state that a selection carries from one generation to the next besides the survivors. It is
+// empty at first, and emptied whenever scores are discarded.
 struct SelectionMemory {
-    std::vector<IndividualPtr> archive;  // creatures once novel; they need not live any more
-    double threshold = 0.0;              // novelty above which a creature joins the archive
-    int quiet_generations = 0;           // since one last did
+    // Creatures that were novel once; they need not live any more.
+    std::vector<IndividualPtr> archive;
+    double threshold = 0.0;     // novelty above which a creature enters the archive
+    int quiet_generations = 0;  // generations since the last one entered
 };
 
 struct SelectionResult {
-    std::vector<std::size_t> survivors;      // indices into the ranking; pass unchanged
-    std::vector<std::size_t> first_parents;  // one an offspring place, indices into the ranking
-    std::size_t newcomers = 0;               // places for new random creatures
-    std::vector<double> partner_weights;     // one an individual of the ranking
+    std::vector<std::size_t> survivors;      // indices into the ranking; they remain unchanged
+    std::vector<std::size_t> first_parents;  // one per offspring, indices into the ranking
+    std::size_t newcomers = 0;               // number of random immigrants
+    std::vector<double> partner_weights;     // one per individual of the ranking
 };
 
-// Who survives, as far as several methods share it.
+// Rules of survival that several methods share.
 enum class SurvivalRule : std::uint8_t {
-    kBestShare,   // truncated() of survival.h
-    kElitesOnly,  // the elites; everybody may breed
-    kOwn          // a rule of the method's own
+    kBestShare,   // the creatures of truncated() in survival.h
+    kElitesOnly,  // the elites; all creatures may breed
+    kOwn          // a rule that only this method has
 };
 
-// What a method adds its own settings to, and the conditions under which they make a difference.
+// The table to which a method adds its own settings, and conditions under which they have an
+// effect.
 struct SelectionRows {
     using Applies = std::function<bool(const ExperimentSettings&)>;
 
     setting_table::TableBuilder& table;
-    Applies in_force;     // the settings select the method
-    Applies elites_only;  // the settings select any method with SurvivalRule::kElitesOnly
+    Applies in_force;     // true while the method is selected
+    Applies elites_only;  // true while a method with SurvivalRule::kElitesOnly is selected
 };
 
 struct SelectionKind {
     std::string id;
     std::string label;
     std::string help;
-    // Its rule under these settings; null for kOwn.
+    // Returns its rule under these settings; null means kOwn.
     SurvivalRule (*survival)(const SelectionSettings& settings) = nullptr;
     bool fills_map = false;  // whether the fittest of every cell of the map survives
-    // Adds its own settings; null if it has none.
+    // Adds its own settings; null means that it has none.
     void (*add_settings)(SelectionRows& rows) = nullptr;
-    // ranked: everyone evaluated, best first (by better()), not empty.
+    // `ranked` has all evaluated creatures, best first by better(); it is not empty.
     SelectionResult (*select)(std::span<const IndividualPtr> ranked,
                               const ExperimentSettings& settings, SelectionMemory& memory,
                               RandomStream& stream) = nullptr;
@@ -71,8 +73,9 @@ using SelectionRegistry = Registry<SelectionKind>;
 
 SelectionRegistry builtin_selections();
 
-// Stochastic universal sampling: `count` picks, index i exactly floor or ceiling of its share of
-// the weights (Baker 1987). Order shuffled. If no weight is positive, all count the same.
+// Stochastic universal sampling (Baker 1987). Returns `count` picks in random order; each index
+// occurs as often as its share of the weights, rounded up or down. If no weight is positive, all
+// are equal.
 std::vector<std::size_t> universal_sampling(std::span<const double> weights, std::size_t count,
                                             RandomStream& stream);
 

@@ -23,8 +23,8 @@ constexpr double kShareWithLimits = 0.5;
 constexpr std::size_t kNoLimit = static_cast<std::size_t>(-1);
 
 struct Limits {
-    std::size_t line = kNoLimit;  // creatures of one founder's line
-    std::size_t plan = kNoLimit;  // creatures of one body plan
+    std::size_t line = kNoLimit;  // largest number of creatures of one founder's line
+    std::size_t plan = kNoLimit;  // largest number of creatures of one body plan
 };
 
 Limits limits_of(const SelectionSettings& settings, std::size_t wanted) {
@@ -37,19 +37,19 @@ Limits limits_of(const SelectionSettings& settings, std::size_t wanted) {
     return limits;
 }
 
-// Places of survivors, given to one creature after another.
+// The survivors' places, which are given to one creature after another.
 class Seats {
 public:
     Seats(std::span<const IndividualPtr> ranked, std::size_t wanted, int max_clones)
         : ranked_(ranked), wanted_(wanted), max_clones_(max_clones), taken_(ranked.size(), false) {}
 
-    // The first `count` of the ranking, as far as they and the seats go.
+    // Gives places to the first `count` of the ranking, as far as limits and places allow.
     void seat(std::size_t count, const Limits& limits) {
         for (std::size_t i = 0; i < count && seated_ < wanted_; ++i) {
             if (!taken_[i]) seat_one(i, limits);
         }
     }
-    // In the order of the ranking.
+    // Returns the survivors in the order of the ranking.
     std::vector<std::size_t> survivors() const {
         std::vector<std::size_t> kept;
         for (std::size_t i = 0; i < taken_.size(); ++i) {
@@ -82,7 +82,7 @@ private:
     std::map<std::uint64_t, std::size_t> of_plan_;
 };
 
-// The creatures that finished a trial; they are the first of the ranking.
+// Returns the number of creatures that finished a trial; they come first in the ranking.
 std::size_t completed(std::span<const IndividualPtr> ranked) {
     const auto end = std::find_if(ranked.begin(), ranked.end(), [](const IndividualPtr& one) {
         return one->result.outcome != Outcome::kCompleted;

@@ -1,6 +1,7 @@
 #pragma once
 
-// Parts of several selection methods: survivors, and the places that remain for offspring.
+// Functions that several selection methods share: the choice of survivors, and the places that
+// remain.
 
 #include "evolution/selections/selection.h"
 
@@ -10,29 +11,31 @@
 
 namespace cambrian {
 
-// The first `wanted` of the ranking, at most max_clones of one phenotype among them.
+// Returns the first `wanted` of the ranking, with at most max_clones of one phenotype.
 std::vector<std::size_t> first_of_ranking(std::span<const IndividualPtr> ranked, std::size_t wanted,
                                           int max_clones);
 
-// How many survive truncation: the settings' share of the population, at least one.
+// Returns the number of survivors of truncation: the settings' share of the population, at least
+// one.
 std::size_t truncated_size(const PopulationSettings& population);
 
-// The survivors of truncation. The settings limit the survivors of one founder's line and of one
-// body plan. If too few others have a score, the limit of plans is lifted first, then that of
-// lines.
+// Returns the survivors of truncation. The settings limit the survivors of one founder's line and
+// of one body plan. If too few others have a score, the limit on plans is dropped first, then that
+// on lines.
 std::vector<std::size_t> truncated(std::span<const IndividualPtr> ranked,
                                    const ExperimentSettings& settings);
 
-// SelectionKind::survival of methods whose survivors are truncated().
+// Implements SelectionKind::survival for methods whose survivors are those of truncated().
 SurvivalRule best_share(const SelectionSettings& settings);
 
-// Share of the worst survivor's score that a creature must reach to survive; a trial that cannot
-// may end early. It is 1 if creatures below the worst survivor have no effect, less if that is only
-// likely (with limits of lines and plans), and 0 if the least fit may matter.
+// Returns the share of the worst survivor's score that a creature must reach to survive. A trial
+// that cannot reach it may end early. The share is 1 if creatures below the worst survivor have no
+// effect. It is less with limits on lines and plans, where that is only likely, and 0 if the least
+// fit may matter.
 double termination_share(const SelectionKind& kind, const SelectionSettings& settings);
 
-// Creatures of the ranking that were not disqualified; all of it if there are none. They are the
-// first of the ranking.
+// Returns the creatures that were not disqualified, which come first in the ranking; all creatures
+// if there are none.
 std::span<const IndividualPtr> qualified(std::span<const IndividualPtr> ranked);
 
 // The numbers of offspring and of random immigrants among `places`.
@@ -42,12 +45,12 @@ struct Places {
 };
 Places share_places(std::size_t places, const ExperimentSettings& settings);
 
-// Survivors and their offspring make one population; first parents by universal sampling of the
-// weights, one weight an individual of the ranking.
+// Returns survivors and offspring that make one population. First parents are drawn by universal
+// sampling with one weight per individual of the ranking.
 SelectionResult breed_by_weight(std::vector<std::size_t> survivors, std::vector<double> weights,
                                 const ExperimentSettings& settings, RandomStream& stream);
 
-// Does the same for methods in which all survivors compete with a full population of offspring.
+// Does the same for methods in which the survivors compete with a full population of offspring.
 SelectionResult breed_whole_batch(std::vector<std::size_t> survivors, std::vector<double> weights,
                                   const ExperimentSettings& settings, RandomStream& stream);
 

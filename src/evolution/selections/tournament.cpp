@@ -1,5 +1,5 @@
-// Tournament, evolution/README.md 2: each parent is the best of k drawn uniformly from the
-// survivors of truncation, or from everybody, of whom then only the elites survive. Of n
+// Tournament (evolution/README.md 2): each parent is the best of k creatures drawn uniformly from
+// the survivors of truncation, or from all creatures, of which then only the elites survive. Of n
 // contestants the i-th best (from 0) wins with probability ((n - i)^k - (n - i - 1)^k) / n^k.
 #include "evolution/selections/survival.h"
 
@@ -13,7 +13,7 @@ namespace {
 constexpr KindParameter<int> kSize{"tournament-size", 3};
 constexpr KindParameter<bool> kOfAll{"tournament-of-all", false};
 
-// Chances of winning, from the best contestant on.
+// Returns each contestant's probability of winning, the best one first.
 std::vector<double> chances(std::size_t contestants, int size) {
     const auto all_below = [&](std::size_t place) {
         double chance = 1.0;

@@ -1,11 +1,11 @@
-// Truncation with proportional offspring, evolution/README.md 1: the best share survives unchanged,
-// which is the elitism, and survivor i breeds in proportion to
+// Truncation with proportional offspring (evolution/README.md 1). The best share survives
+// unchanged, which is the elitism. Survivor i breeds in proportion to
 //
 //     w_i = 0.2 + (f_i - f_S) / (f_1 - f_S)
 //
-// with f_1 the best and f_S the worst survivor's fitness (all 1 if they are equal), numbers
-// assigned by stochastic universal sampling. Only differences count, so fitness may be zero or
-// negative.
+// where f_1 is the best and f_S the worst survivor's fitness (all are 1 if these are equal).
+// Numbers are assigned by stochastic universal sampling. Only differences matter, so fitness may be
+// zero or negative.
 #include "evolution/selections/survival.h"
 
 #include <utility>

@@ -16,11 +16,11 @@
 namespace cambrian {
 
 struct PopulationSettings {
-    int size = 300;         // creatures a generation
+    int size = 300;         // creatures per generation
     double survival = 0.2;  // share that survives and breeds
-    int max_clones = 1;     // survivors of one phenotype
-    int immigrants = 0;     // offspring places given to new random creatures
-    // What takes the places that given founders leave: "mutants" of them or "random" creatures.
+    int max_clones = 1;     // survivors with the same phenotype
+    int immigrants = 0;     // offspring places for random immigrants
+    // Fills the places that given founders leave: "mutants" of them or "random" creatures.
     std::string fill = "mutants";
 
     friend bool operator==(const PopulationSettings&, const PopulationSettings&) = default;
@@ -28,22 +28,23 @@ struct PopulationSettings {
 
 struct SelectionSettings {
     std::string method = "truncation";  // id of a registered selection
-    int elites = 2;                     // that survive where everybody may breed
+    int elites = 2;                     // creatures that survive where all may breed
     std::string map_across = "parts";   // ids of map axes, evolution/individual/map_axis.h
     std::string map_up = "mass";
-    double line_share = 0.2;  // of the survivors, that one founder's line may have; 1 for no limit
-    int plan_copies = 2;      // survivors of one body plan; 0 for no limit
-    int confirmations = 2;    // further worlds in which survivors are evaluated again
-    double confirm_jitter = 0.01;  // share of gravity, friction and drag by which they differ
-    ParameterValues own;           // of the methods; their files name and read them
+    // Largest share of the survivors for one founder's line; 1 for no limit.
+    double line_share = 0.2;
+    int plan_copies = 2;           // survivors with the same body plan; 0 for no limit
+    int confirmations = 2;         // number of other worlds in which survivors are evaluated again
+    double confirm_jitter = 0.01;  // relative change of gravity, friction and drag in these
+    ParameterValues own;           // values of the parameters that single methods define
 
     friend bool operator==(const SelectionSettings&, const SelectionSettings&) = default;
 };
 
 struct BreedingSettings {
-    // "shares", or "attribute": the first parent's own method, and shares where it has none.
+    // "shares", or "attribute": the first parent's gene decides, and shares if it has none.
     std::string choice = "shares";
-    // Share of offspring by method id; methods not named keep their default share.
+    // Share of offspring by method id; methods that are not listed keep their default share.
     std::map<std::string, double> shares;
 
     friend bool operator==(const BreedingSettings&, const BreedingSettings&) = default;
@@ -51,12 +52,12 @@ struct BreedingSettings {
 
 struct ExperimentSettings {
     std::uint64_t seed = 1;
-    // Where an unattended run stops, whichever comes first.
+    // Limits of a run without a window; the first one reached ends it.
     int generations = 100;
     int max_evaluations = 1'000'000'000;
     double target_fitness = 0.0;  // in the goal's unit; 0 for none
     std::string goal = "walking";
-    bool stop_hopeless = false;  // give up trials that cannot lead to survival any more
+    bool stop_hopeless = false;  // terminates trials early that cannot lead to survival
     TrialWorld world;
     PopulationSettings population;
     SelectionSettings selection;
@@ -68,7 +69,7 @@ struct ExperimentSettings {
     friend bool operator==(const ExperimentSettings&, const ExperimentSettings&) = default;
 };
 
-// Whether scores given under one are valid under the other.
+// Returns whether scores given under one are valid under the other.
 inline bool same_judgement(const ExperimentSettings& a, const ExperimentSettings& b) {
     return a.goal == b.goal && a.world == b.world && a.expression == b.expression;
 }

@@ -16,13 +16,13 @@ using ParameterValues =
 template <class Value>
 struct KindParameter {
     const char* key;
-    Value standard;  // without a value in the settings
+    Value standard;  // used if the settings have no value
 
     Value of(const ParameterValues& values) const {
         const auto found = values.find(key);
         return found == values.end() ? standard : std::get<Value>(found->second);
     }
-    // The place of the value, which is the standard one at first.
+    // Returns the value in the settings; it is added if they have none.
     Value& in(ParameterValues& values) const {
         return std::get<Value>(values.try_emplace(key, standard).first->second);
     }

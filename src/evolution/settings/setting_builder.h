@@ -14,7 +14,7 @@
 
 namespace cambrian {
 
-// A place inside an ExperimentSettings.
+// A pointer to a member of an ExperimentSettings.
 using SettingRef = std::variant<bool*, int*, std::uint64_t*, double*, std::string*>;
 
 struct SettingField {
@@ -22,15 +22,15 @@ struct SettingField {
     std::string key;    // "gravity"
     std::string label;  // "Gravity"
     std::string unit;   // "m/s^2", or empty
-    std::string help;   // one sentence: what it does
-    double low = 0.0;   // range of numbers, ends included
+    std::string help;   // one sentence
+    double low = 0.0;   // range of numbers, both ends included
     double high = 0.0;
-    std::vector<std::string> choices;  // allowed texts, for text settings
-    bool logarithmic = false;          // better dragged on a logarithmic scale
-    // May change while an experiment runs; takes effect from the next generation. Otherwise it
-    // defines the run and a change starts a new one.
+    std::vector<std::string> choices;  // allowed values of a text
+    bool logarithmic = false;          // whether a slider should be logarithmic
+    // Whether it may change during a run, from the next generation on. Otherwise it defines the run
+    // and a change starts a new one.
     bool live = true;
-    // Whether it makes a difference under the other settings; empty: always.
+    // Returns whether the setting has an effect under the other settings; null means always.
     std::function<bool(const ExperimentSettings&)> applies;
     std::function<SettingRef(ExperimentSettings&)> at;
 };
@@ -46,13 +46,13 @@ struct Range {
     double high = 0.0;
 };
 
-// Collects the fields of one table.
+// Adds the fields of one table.
 class TableBuilder {
 public:
     TableBuilder(std::vector<SettingField>& fields, std::string table)
         : fields_(fields), table_(std::move(table)) {}
 
-    // A number. The accessor is a callable from Settings& to the place.
+    // Adds a number. `at` returns a reference to the member of a Settings&.
     template <class At>
     SettingField& number(std::string key, std::string label, std::string unit, Range range,
                          std::string help, At at) {

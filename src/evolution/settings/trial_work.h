@@ -1,7 +1,7 @@
 #pragma once
 
-// The largest work of evaluating one creature with any settings. It keeps settings and creature
-// files of others from blocking the program for hours.
+// Limits on the work of evaluating one creature, for any settings. They prevent settings and
+// creature files from other people from blocking the program for hours.
 
 #include "simulator/trial.h"
 
@@ -10,10 +10,11 @@
 
 namespace cambrian {
 
-inline constexpr double kMostTrialTime = 1e4;  // s, in all trials of a creature
-inline constexpr double kMostTrialWork = 2e8;  // evaluations of the accelerations in them
+inline constexpr double kMostTrialTime = 1e4;  // s, total of all trials of a creature
+// Evaluations of the accelerations in all trials of a creature.
+inline constexpr double kMostTrialWork = 2e8;
 
-// Returns which limit the trials exceed, and its value; nothing if they keep both.
+// Returns which limit the trials exceed and by how much; nothing if they keep both.
 std::optional<std::string> trial_excess(const TrialWorld& world);
 
 }  // namespace cambrian

@@ -8,13 +8,14 @@
 
 namespace cambrian {
 
-// A kind a genome uses although the settings let neither random genomes nor mutation use it.
+// A kind that a genome uses although the settings allow it neither in random genomes nor in
+// mutation.
 struct DisabledKind {
-    std::string place;  // of its first use: "/nodes/1/joint"
+    std::string place;  // place of its first use: "/nodes/1/joint"
     std::string what;   // "joint \"linear\""
 };
 
-// Joints, functions and sensor channels, each once, in the order of the genome.
+// Returns such joints, functions and sensor channels, each once, in the order of the genome.
 std::vector<DisabledKind> disabled_kinds(const Genome& genome, const FounderSettings& settings,
                                          const KindCatalog& catalog);
 

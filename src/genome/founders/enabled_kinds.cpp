@@ -8,7 +8,7 @@
 namespace cambrian {
 namespace {
 
-// Indices of the entries whose flag is set; of those without one, the usual ones.
+// Returns the indices of enabled entries. Entries without a flag are enabled if they are usual.
 template <class Entries>
 std::vector<std::uint8_t> enabled(const Entries& entries,
                                   const std::map<std::string, bool>& flags) {

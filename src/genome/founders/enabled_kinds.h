@@ -1,6 +1,6 @@
 #pragma once
 
-// Kinds of the catalog and kinds of references that the settings allow in random genomes and
+// The catalog's kinds and the kinds of references that settings allow in random genomes and
 // mutation.
 
 #include "genome/founder_settings.h"
@@ -12,7 +12,7 @@
 
 namespace cambrian {
 
-// Whether an entry of the catalog, or a kind of reference, is used where settings say nothing.
+// Returns whether an entry of the catalog, or a kind of reference, is enabled by default.
 template <class Entry>
 bool is_usual(const Entry& entry) {
     if constexpr (requires { entry.usual; })
@@ -21,18 +21,18 @@ bool is_usual(const Entry& entry) {
         return true;
 }
 
-// Catalog indices in catalog order. Functions and joints are never empty: settings that exclude all
-// of them are ignored (all joints are allowed if the catalog has none of the usual ones).
+// Return catalog indices in catalog order. Functions and joints are never empty: settings that
+// exclude all of them are ignored (if the catalog has no usual joint, all are allowed).
 std::vector<std::uint8_t> enabled_functions(const FounderSettings& settings,
                                             const KindCatalog& catalog);
 std::vector<std::uint8_t> enabled_joints(const FounderSettings& settings,
                                          const KindCatalog& catalog);
-// Absolute channel numbers; may be empty.
+// Returns channel numbers in the catalog's list of all channels; may be empty.
 std::vector<std::uint8_t> enabled_channels(const FounderSettings& settings,
                                            const KindCatalog& catalog);
 
-// Allowed kinds of new references within the scope; may be empty. References to sensors need a
-// channel.
+// Returns the kinds of new references that are allowed in the scope; may be empty. References to
+// sensors need an enabled channel.
 std::vector<SourceKind> enabled_references(SourceScope scope, const FounderSettings& settings,
                                            const KindCatalog& catalog);
 bool is_enabled(SourceKind kind, SourceScope scope, const FounderSettings& settings,

@@ -17,8 +17,8 @@ constexpr SourceShares kBrainShares = {.25, 0, 0, 0, 0, 0, 0, .45, .15, .15};
 
 constexpr double kReflectShare = 0.2;
 constexpr double kTerminalShare = 0.15;
-constexpr double kSingleOccurrenceShare = 0.6;  // of nodes with recursion limit 1
-constexpr double kFounderEffectorShare = 0.6;   // of effectors listening to a local neuron
+constexpr double kSingleOccurrenceShare = 0.6;  // share of nodes with recursion limit 1
+constexpr double kFounderEffectorShare = 0.6;   // share of effectors that read a local neuron
 
 template <class Gene>
 void draw_fields(Gene& gene, std::span<const GeneField<Gene>> fields,

@@ -9,8 +9,8 @@
 namespace cambrian {
 namespace {
 
-constexpr int kRedraws = 20;              // for a movable joint
-constexpr double kSecondLimbShare = 0.6;  // of symmetric nodes, given a second edge at once
+constexpr int kRedraws = 20;              // attempts to get a movable joint
+constexpr double kSecondLimbShare = 0.6;  // share of symmetric nodes that get a second edge at once
 constexpr int kMaxExtraEdges = 2;
 constexpr int kMostNodes = static_cast<int>(gene_range::kMaxNodes);
 
@@ -18,7 +18,8 @@ bool has_room(const NodeGene& node) {
     return node.edges.size() < gene_range::kMaxEdges;
 }
 
-// An earlier node with room for an edge; there is one, since there are fewer nodes than edges fit.
+// Returns an earlier node with room for an edge. There always is one, since edges have room for
+// more nodes than the limit.
 NodeGene& random_parent(Genome& genome, std::size_t child, RandomStream& stream) {
     std::vector<std::size_t> candidates;
     for (std::size_t i = 0; i < child; ++i) {
@@ -61,7 +62,8 @@ Genome draw_genome(const GenePool& pool, RandomStream& stream) {
     return genome;
 }
 
-// Every node but the root grows where an edge leads to it; the root only where it recurs.
+// Every node except the root grows where an edge leads to it; the root grows again only if it
+// recurs.
 bool has_movable_joint(const Genome& genome, const KindCatalog& catalog) {
     for (const NodeGene& node : genome.nodes) {
         for (const EdgeGene& edge : node.edges) {

@@ -6,8 +6,8 @@
 
 namespace cambrian {
 
-// A founder within the user's limits, valid, with a movable joint if 20 draws give one
-// (genome/README.md 4).
+// Returns a valid founder within the settings' limits. It has a movable joint if 20 attempts give
+// one (genome/README.md 4).
 Genome random_genome(const FounderSettings& settings, const KindCatalog& catalog,
                      RandomStream& stream);
 

@@ -67,8 +67,8 @@ void repair_node(NodeGene& node, std::size_t node_count, const KindCatalog& cata
         fit_fields(edge, edge_fields());
 }
 
-// A node found late in the search has no descendants found before it, so cutting the end of the
-// canonical order leaves every other node reachable.
+// Cutting off the end of the canonical order leaves all other nodes reachable, since every node
+// but the root is reached from an earlier one.
 void restore_canonical_order(Genome& genome) {
     std::vector<std::size_t> order = breadth_first(genome, 0);
     CAMBRIAN_TICK_ASSERT(!order.empty() && order.front() == 0, "the root stays the root");

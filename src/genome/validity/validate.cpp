@@ -9,7 +9,7 @@
 namespace cambrian {
 namespace {
 
-// Collects violations, each with its place.
+// Collects the faults of a genome, each with its place.
 class Validator {
 public:
     Validator(const Genome& genome, const KindCatalog& catalog)

@@ -11,7 +11,8 @@ namespace {
 
 const PngLimits kCardLimits{.text_bytes = JsonLimits{}.bytes};
 
-constexpr std::size_t kLongestSignature = 8;  // bytes; of a file that is no picture
+// Bytes of a file that are shown if it is not a picture.
+constexpr std::size_t kLongestSignature = 8;
 
 constexpr const char* kExpected =
     "expected a creature card: a PNG picture of at most 4096 x 4096 pixels that carries one "

@@ -17,15 +17,15 @@ inline constexpr std::string_view kCardKeyword = "cambrian-creature";
 inline constexpr std::string_view kCardEnding = ".card.png";
 inline constexpr std::size_t kMaxCardBytes = 16'000'000;
 
-// `document` is what write_creature gives.
+// `document` is text made by write_creature().
 Result<std::string> encode_card(const Image& picture, std::string_view document);
 Status save_card(const std::filesystem::path& path, const Image& picture,
                  std::string_view document);
 
-// Whether a file is a picture, as cards are. Fails if it cannot be read.
+// Returns whether a file is a PNG picture, as cards are. Fails if it cannot be read.
 Result<bool> is_card(const std::filesystem::path& path);
 
-// The text of the creature file inside, byte for byte. source names the card in messages.
+// Returns the text of the creature file inside, byte for byte. `source` names the card in messages.
 Result<std::string> card_document(std::string_view bytes, std::string_view source);
 
 }  // namespace cambrian

@@ -20,7 +20,7 @@ namespace {
 
 using namespace creature_format;
 
-constexpr std::size_t kMaxFormat = 4096;  // bytes; only to be quoted
+constexpr std::size_t kMaxFormat = 4096;  // bytes; only used in a message
 
 void read_scored(JsonReader& reader, ScoreText& scored, ExperimentSettings& settings,
                  const EvolutionKinds& kinds) {
@@ -90,7 +90,8 @@ void finish_genome(Genome& genome, std::uint64_t check, const KindCatalog& catal
         errors.error("E07", "", fault);
 }
 
-// The individual of a file: of its result, what the file tells.
+// Restores the individual. Of its result, the file has the fitness and what replays are compared
+// with.
 Individual individual_of(CreatureText text) {
     Individual individual;
     individual.uid = parse_hex(text.uid).value_or(0);
@@ -125,7 +126,7 @@ CreatureDocument document_of(CreatureText text, ExperimentSettings settings,
     return document;
 }
 
-// An individual's origin, as describe_identity() writes it.
+// The identity and parents of an individual, as describe_identity() writes them.
 struct Identity {
     const Genome& genome;
     std::string uid;

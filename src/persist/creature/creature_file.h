@@ -29,47 +29,47 @@ struct ConfirmedScore {
     friend bool operator==(const ConfirmedScore&, const ConfirmedScore&) = default;
 };
 
-// What a file tells of a score besides the individual's result.
+// The facts of a score that a file has besides the individual's result.
 struct ScoreNotes {
     std::optional<ConfirmedScore> confirmed = {};
-    std::string unit = {};  // of the goal's score: "BL/s"
-    TickChecks ticks = {};  // of the first trial, if they were noted
+    std::string unit = {};  // unit of the goal's score: "BL/s"
+    TickChecks ticks = {};  // of the first trial, if they were recorded
     std::string simulator{kSimulatorVersion};
 
     friend bool operator==(const ScoreNotes&, const ScoreNotes&) = default;
 };
 
-// A creature with what its file tells of it. The individual is evaluated if there is a score; the
-// settings, as far as they decide it, are then those of its trial.
+// A creature and the facts that only its file has. If there is a score, the individual is evaluated
+// and the settings that decide the score are those of its trial.
 struct CreatureDocument {
     JudgedIndividual creature;
-    std::optional<std::uint64_t> ancestry = {};  // ancestry_digest(), if its line is known
-    ScoreNotes notes = {};                       // of the score, if there is one
+    std::optional<std::uint64_t> ancestry = {};  // ancestry_digest(), if the ancestors are known
+    ScoreNotes notes = {};                       // valid if there is a score
     // Warnings of reading, about harmless oddities (W01 to W03).
     std::vector<std::string> warnings = {};
 
     bool scored() const { return creature.individual->evaluated; }
-    // Of the trial itself, in the notes' unit.
+    // Returns the score of the trial itself, in the unit of `notes`.
     double score() const { return unconfirmed_score(creature.individual->result); }
     const EvaluationResult& result() const { return creature.individual->result; }
     const Genome& genome() const { return creature.genome(); }
     const ExperimentSettings& settings() const { return *creature.settings; }
 };
 
-// Whether both have the same score of the same trial, or neither has one.
+// Returns whether both have the same score of the same trial, or neither has a score.
 bool same_score(const CreatureDocument& a, const CreatureDocument& b);
 
-// The JSON of a creature file, or of the one inside a card (creature_card.h).
+// Reads the JSON text of a creature file or card (creature_card.h).
 Result<std::string> read_creature_text(const std::filesystem::path& path);
 
-// A creature file or a card, whatever its name. The message names the file and the first error;
-// further ones follow, a line each.
+// Loads a creature file or card, whatever its name. The error message names the file and the first
+// error; further errors follow, one per line.
 Result<CreatureDocument> load_creature(const std::filesystem::path& path,
                                        const EvolutionKinds& kinds);
 Status save_creature(const std::filesystem::path& path, const CreatureDocument& document,
                      const EvolutionKinds& kinds);
 
-// The same for text; source names it in messages.
+// Does the same for text; `source` names it in messages.
 Result<CreatureDocument> parse_creature(std::string_view text, std::string_view source,
                                         const EvolutionKinds& kinds);
 // The genome must be valid.
@@ -79,7 +79,7 @@ std::string write_creature(const CreatureDocument& document, const EvolutionKind
 std::vector<std::string> foreign_kinds(const Genome& genome, const FounderSettings& settings,
                                        const EvolutionKinds& kinds);
 
-// The document of a creature; with its score unless its trial was terminated early.
+// Returns the document of a creature. It has no score if the trial was terminated early.
 CreatureDocument creature_document(JudgedIndividual creature, const EvolutionKinds& kinds);
 
 // Runs the scored trial again to record its ticks, and once with finer settings to record that

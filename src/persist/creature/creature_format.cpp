@@ -6,7 +6,7 @@ namespace cambrian::creature_format {
 namespace {
 
 constexpr std::array kScoreTables = {"goal", "environment", "simulation", "trial"};
-// Settings of the table [body]; the others concern founders.
+// Settings of the table [body] on which expression depends; the others concern founders.
 constexpr std::array kGrowthKeys = {"max-parts", "max-depth", "max-neurons", "strict-overlap"};
 
 // The channels by their numbers in files of version 1. Newer channels have no number.

@@ -16,14 +16,14 @@
 namespace cambrian::creature_format {
 
 inline const std::string kFormat = "cambrian-creature";
-inline constexpr int kVersion = 2;           // 1 numbers sensor channels, 2 names them
+inline constexpr int kVersion = 2;  // version 1 has numbers for sensor channels, version 2 names
 inline constexpr std::size_t kMaxName = 64;  // bytes
 inline constexpr std::size_t kMaxUid = 32;
 inline constexpr std::size_t kMaxWord = 64;
 inline constexpr double kMostWorlds = 100.0;
 inline constexpr double kMaxSeed = 9007199254740992.0;  // 2^53; whole numbers are exact below
 
-// In the order of the enumerations.
+// Ids of the kinds of source, in the order of SourceKind.
 inline const std::vector<std::string> kSources = [] {
     std::vector<std::string> ids;
     for (const SourceRule& rule : source_rules())
@@ -48,14 +48,14 @@ struct KindNames {
     std::vector<std::string> functions;
     std::vector<std::string> joints;
     std::vector<std::string> effectors;
-    std::vector<int> arities;  // one a function
+    std::vector<int> arities;  // one per function
     NumberedNames channels;
     std::vector<std::string> reproductions;
 };
 
 KindNames names_of(const KindCatalog& catalog);
 
-// The keys of "scored" besides the settings.
+// The values of a file's table "scored", without its settings.
 struct ScoreText {
     std::string simulator{kSimulatorVersion};
     std::uint64_t seed = 0;
@@ -67,7 +67,7 @@ struct ScoreText {
     std::optional<FinerResult> finer;
 };
 
-// The keys of a creature file as they are read.
+// The values of a creature file before they become an individual.
 struct CreatureText {
     Genome genome;
     std::string uid;

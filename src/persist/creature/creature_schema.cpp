@@ -12,7 +12,7 @@ using namespace creature_format;
 using Json = JsonSchemaWriter::Json;
 
 struct Meaning {
-    std::string_view key;  // or "type.key", where types differ
+    std::string_view key;  // or "type.key" where the meaning depends on the type
     std::string_view text;
 };
 
@@ -120,7 +120,7 @@ void describe_creature(JsonSchemaWriter& writer, CreatureText& document,
 std::string creature_schema(const EvolutionKinds& kinds) {
     JsonSchemaWriter::Library library{.meaning = meaning_of};
     CreatureText document;
-    document.genome.nodes.resize(gene_range::kMaxNodes);  // so that all targets are possible
+    document.genome.nodes.resize(gene_range::kMaxNodes);  // allows every edge target in the schema
     const Json reference = JsonSchemaWriter::object_schema(
         library, [&](JsonSchemaWriter& writer) { describe_creature(writer, document, kinds); });
     Json schema = {{"$schema", "https://json-schema.org/draft/2020-12/schema"},

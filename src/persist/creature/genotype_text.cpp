@@ -7,7 +7,8 @@
 namespace cambrian {
 namespace {
 
-constexpr std::size_t kMostText = 500'000;  // bytes; several times what the largest genome takes
+// Bytes; several times the size of the largest genome's text.
+constexpr std::size_t kMostText = 500'000;
 
 }  // namespace
 

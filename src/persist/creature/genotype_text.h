@@ -16,13 +16,13 @@ namespace cambrian {
 
 struct PackedGenotype {
     std::string_view bytes;  // valid until the next call
-    std::size_t size = 0;    // of the text
+    std::size_t size = 0;    // bytes of the uncompressed text
 };
 
 class GenotypePacker {
 public:
     explicit GenotypePacker(const EvolutionKinds& kinds);
-    // uid, parents and method may be those of nobody.
+    // The individual's uid, parents and method may be empty.
     PackedGenotype pack(const Individual& individual);
 
 private:

@@ -29,7 +29,7 @@ struct Fault {
 
 void ignore_warning(png_structp /*png*/, png_const_charp /*message*/) {}
 
-// Bytes still to be read.
+// The bytes that are not read yet.
 struct Source {
     const char* next = nullptr;
     std::size_t left = 0;
@@ -76,7 +76,7 @@ public:
     png_infop info;
 };
 
-// False after an error. No objects with destructors in here.
+// Returns false after an error. Must not contain objects with destructors.
 bool write_whole(Writer& writer, const Image& image, const png_text* texts, int count,
                  std::string& bytes) {
     if (setjmp(png_jmpbuf(writer.png)) != 0) return false;  // NOLINT(cert-err52-cpp)
@@ -93,7 +93,7 @@ bool write_whole(Writer& writer, const Image& image, const png_text* texts, int 
     return true;
 }
 
-// False after an error. No objects with destructors in here.
+// Returns false after an error. Must not contain objects with destructors.
 bool read_whole(Reader& reader, Source& source, const PngLimits& limits) {
     if (setjmp(png_jmpbuf(reader.png)) != 0) return false;  // NOLINT(cert-err52-cpp)
     png_set_read_fn(reader.png, &source, take_bytes);
@@ -124,7 +124,7 @@ png_text chunk_of(PngText& text) {
     return chunk;
 }
 
-// tEXt and zTXt chunks tell their length in another field than iTXt.
+// libpng stores the length of tEXt and zTXt chunks in another field than that of iTXt.
 std::string text_of(const png_text& chunk) {
     const std::size_t length = chunk.compression > 0 ? chunk.itxt_length : chunk.text_length;
     return {chunk.text, length};
@@ -133,7 +133,7 @@ std::string text_of(const png_text& chunk) {
 }  // namespace
 
 Result<std::string> encode_png(const Image& image, const std::vector<PngText>& texts) {
-    std::vector<PngText> kept = texts;  // libpng takes no constants
+    std::vector<PngText> kept = texts;  // copied, since libpng takes no const texts
     std::vector<png_text> chunks;
     chunks.reserve(kept.size());
     for (PngText& text : kept)

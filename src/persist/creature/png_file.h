@@ -1,6 +1,6 @@
 #pragma once
 
-// PNG pictures, and texts inside them. The only place that knows libpng.
+// PNG pictures and the texts inside them. Only this file uses libpng.
 
 #include "core/image.h"
 #include "core/result.h"
@@ -18,16 +18,16 @@ struct PngText {
     std::string text;
 };
 
-// The bytes of a PNG file; the texts come before the pixels, compressed.
+// Returns the bytes of a PNG file. Texts come before the pixels and are compressed.
 Result<std::string> encode_png(const Image& image, const std::vector<PngText>& texts = {});
 
-// Whether a file with these bytes at its start says that it is a PNG picture.
+// Returns whether a file that begins with these bytes is a PNG picture.
 bool is_png(std::string_view bytes);
 
 struct PngLimits {
-    int side = 4096;                     // pixels; of a picture wide or high
-    std::size_t text_bytes = 4'000'000;  // of one text, unpacked
-    int chunks = 12;                     // texts and the like; bounds the memory they take
+    int side = 4096;                     // pixels; largest width and height
+    std::size_t text_bytes = 4'000'000;  // bytes of one uncompressed text
+    int chunks = 12;  // largest number of text and other extra chunks; bounds their memory
 };
 
 // Returns all texts of a picture under a keyword. It reads the picture to its end, and fails with

@@ -10,7 +10,7 @@ namespace cambrian {
 
 namespace {
 
-// The last generation, up to a given one, in which all creatures were evaluated.
+// Returns the last generation, up to a given one, in which all creatures were evaluated.
 std::uint32_t last_judgement(const SavedExperiment& saved, std::uint32_t until) {
     std::uint32_t generation = 0;
     SettingsPtr settings = saved.settings;
@@ -76,7 +76,7 @@ Result<CreatureDocument> rescored(CreatureDocument document, const EvolutionKind
         return Error{"its trial is not finished by this simulator (" +
                      std::string(outcome_name(result.outcome)) + ", " + result.reason + ")"};
     }
-    // Scores of other worlds belong to the old motion.
+    // Scores in other worlds are valid only for the same motion.
     if (other_simulator(document) || document.result().digest != result.digest)
         document.notes.confirmed.reset();
     document.notes.unit = kinds.goals.find(document.settings().goal)->unit;

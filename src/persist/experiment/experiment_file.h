@@ -22,25 +22,25 @@ struct OpenedExperiment;
 
 class ExperimentFile {
 public:
-    // Starts a new experiment with generation 0 of these founders and settings. It has no name, and
-    // its file is deleted with this object unless it was moved.
+    // Creates an experiment with generation 0 of these founders and settings. Its file has no name
+    // and is deleted with this object unless move_to() is called.
     static Result<std::shared_ptr<ExperimentFile>> create(const EvolutionKinds& kinds,
                                                           const SettingsPtr& settings,
                                                           const std::vector<GenomePtr>& founders);
     ~ExperimentFile();
 
-    // As ExperimentLog has them.
+    // These functions implement ExperimentLog.
     Status note(const NotedCommand& command);
     Status record(const Evolution& evolution);
-    // Any thread.
+    // May be called on any thread.
     Status keep_picking(const PickingRecord& picking);
     Status keep_stars(const std::vector<JudgedIndividual>& stars);
 
     using Existing = PendingFile::Existing;
-    // Copies the experiment to another file, which appears atomically; later generations are
-    // written there. Any thread.
+    // Copies the experiment to another file, which appears atomically, and writes later generations
+    // there. May be called on any thread.
     Status move_to(const std::filesystem::path& path, Existing existing = Existing::kReplace);
-    // Any thread; empty for one without a name.
+    // May be called on any thread. Empty for a file without a name.
     std::filesystem::path path() const;
 
 private:
@@ -71,7 +71,7 @@ struct OpenedExperiment {
 // damaged, of another kind, newer or in use.
 Result<OpenedExperiment> open_experiment(const std::filesystem::path& path,
                                          const EvolutionKinds& kinds);
-// Loads an experiment to look at; the file does not change.
+// Loads an experiment without changing its file.
 Result<SavedExperiment> load_experiment(const std::filesystem::path& path,
                                         const EvolutionKinds& kinds);
 

@@ -15,19 +15,20 @@
 
 namespace cambrian {
 
-// The settings at the end of the run.
+// Returns the settings at the end of the run.
 Result<SettingsPtr> load_last_settings(const std::filesystem::path& path,
                                        const EvolutionKinds& kinds);
 
-// Of every finished generation; fails if there is none.
+// Returns the statistics of every finished generation; fails if there is none.
 Result<std::vector<GenerationStatistics>> load_history(const std::filesystem::path& path);
 
 struct KeptChampion {
     JudgedIndividual creature;
-    std::string simulator;  // version of the one that gave its score
+    std::string simulator;  // version of the simulator that gave its score
 };
 
-// The best of a generation, by default the last finished one; fails if there is none.
+// Returns the best creature of a generation, by default the last finished one; fails if there is
+// none.
 Result<KeptChampion> load_champion(const std::filesystem::path& path,
                                    const std::optional<std::uint32_t>& generation,
                                    const EvolutionKinds& kinds);

@@ -17,8 +17,8 @@ namespace {
 
 constexpr std::size_t kLargestPopulation = 100'000;
 constexpr std::size_t kLongestVersion = 64;     // bytes
-constexpr std::size_t kMostSettings = 100'000;  // bytes of one text
-constexpr std::int64_t kLeastRow = 8;           // bytes a row takes, about
+constexpr std::size_t kMostSettings = 100'000;  // bytes of one settings text
+constexpr std::int64_t kLeastRow = 8;           // least bytes per row, approximately
 constexpr std::size_t kMostCells = 25;
 
 template <std::size_t Count>
@@ -43,7 +43,7 @@ double share_of(const Statement& row, int column) {
     throw DatabaseError("a share of newcomers is outside [0, 1]");
 }
 
-// Generations are numbered from 0 without a gap.
+// Generations must be numbered from 0 without a gap.
 void check_order(const GenerationStatistics& statistics, std::size_t expected) {
     if (statistics.generation != expected)
         throw DatabaseError("generation " + std::to_string(expected) + " is missing");
@@ -85,11 +85,11 @@ SettingsPtr read_settings(const Database& database, std::int64_t id, const Evolu
     return std::make_shared<const ExperimentSettings>(std::move(*parsed));
 }
 
-// The number of injected creatures that each generation has places for; further ones have no
+// The number of injected creatures for which each generation has places. Further ones have no
 // effect.
 class Places {
 public:
-    // The commands come in the order of the journal.
+    // Must be called in the order of the journal.
     void change(std::uint32_t generation, const ExperimentSettings& settings) {
         places_[generation] = static_cast<std::size_t>(settings.population.size);
     }
@@ -105,7 +105,7 @@ public:
 
 private:
     std::size_t founders_ = 0;
-    std::map<std::uint32_t, std::size_t> places_;  // from a generation on
+    std::map<std::uint32_t, std::size_t> places_;  // keyed by the first generation it holds for
 };
 
 class ExperimentReader {
@@ -185,7 +185,7 @@ private:
         Statement row =
             database_.prepare("SELECT generation, command, settings FROM journal ORDER BY id");
         std::size_t commands = 0;
-        std::int64_t changes = 0;  // with those it starts with
+        std::int64_t changes = 0;  // includes the settings at the start
         while (row.step()) {
             check_count(++commands, "commands");
             if (row.text(1) != "start" && row.text(1) != "settings") continue;
@@ -200,7 +200,8 @@ private:
         }
     }
 
-    // Whether one more injected creature has a place; the first place remains the champion's.
+    // Returns whether one more injected creature has a place; the first place is always the
+    // champion's.
     bool has_place(std::uint32_t generation) {
         if (generation != injected_generation_) injected_ = 0;
         injected_generation_ = generation;
@@ -384,7 +385,7 @@ private:
     std::map<std::int64_t, SettingsPtr> settings_;
     Places places_;
     std::uint32_t injected_generation_ = 0;
-    std::size_t injected_ = 0;  // into that generation
+    std::size_t injected_ = 0;  // creatures injected into that generation so far
     ReadExperiment read_;
 };
 

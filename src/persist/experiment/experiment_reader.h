@@ -18,23 +18,24 @@ namespace cambrian {
 
 struct ReadExperiment {
     SavedExperiment saved;
-    std::vector<RowRef> population;  // rows of the latest one
+    std::vector<RowRef> population;  // rows of the latest population
     PickingRecord picking;
     std::vector<JudgedIndividual> stars;
-    // Whoever is in grids, on the shelf or starred.
+    // Creatures in grids, on the shelf or with a star.
     std::vector<std::pair<IndividualPtr, RowRef>> chosen;
 };
 
-// Of a database whose tables were checked.
+// The tables of the database must have been checked.
 ReadExperiment read_experiment(const Database& database, const EvolutionKinds& kinds);
 
-// Parts of it, read alone.
+// These functions read single parts.
 SettingsPtr read_last_settings(const Database& database, const EvolutionKinds& kinds);
 std::vector<GenerationStatistics> read_history(const Database& database);
-// The best of a generation that was finished.
+// Returns the best creature of a finished generation.
 JudgedIndividual read_champion(const Database& database, std::uint32_t generation,
                                const EvolutionKinds& kinds);
-// The only simulator that computed any generation; nothing if there were several.
+// Returns the version of the simulator that computed all generations; nothing if there were
+// several.
 std::optional<std::string> read_only_simulator(const Database& database);
 
 }  // namespace cambrian

@@ -10,7 +10,7 @@
 namespace cambrian {
 namespace {
 
-// Version 1 did not say which simulator had computed what; there was one only.
+// Version 1 did not record the simulator's version; there was only one.
 void name_simulators(Database& database) {
     database.execute(
         "CREATE TABLE simulators (generation INTEGER PRIMARY KEY, version TEXT NOT NULL);"
@@ -39,7 +39,7 @@ void add_lines(Database& database) {
     database.execute("UPDATE generations SET best_lowest = best, best_highest = best");
 }
 
-// The step from version 1, from version 2...
+// The steps: from version 1, from version 2, and so on.
 constexpr std::array kSteps = {name_simulators, add_lines};
 static_assert(kSteps.size() + 1 == kExperimentVersion);
 

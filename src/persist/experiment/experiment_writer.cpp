@@ -11,7 +11,7 @@
 namespace cambrian {
 namespace {
 
-constexpr std::size_t kMoreGenerationColumns = 8;  // besides the statistics
+constexpr std::size_t kMoreGenerationColumns = 8;  // columns besides the statistics
 
 }  // namespace
 

@@ -20,14 +20,14 @@ namespace cambrian {
 
 class ExperimentWriter {
 public:
-    // Of a database that has the tables.
+    // The database must have the tables.
     ExperimentWriter(Database database, const EvolutionKinds& kinds);
     ExperimentWriter(const ExperimentWriter&) = delete;
     ExperimentWriter& operator=(const ExperimentWriter&) = delete;
 
-    // Sets the contents of a database that was opened to continue its experiment.
+    // Records what a database that was opened to continue an experiment contains.
     void remember(const ReadExperiment& read);
-    // The database is a copy of the other's.
+    // Records that this database is a copy of the other's.
     void remember(const ExperimentWriter& other) { known_ = other.known_; }
 
     void begin(const SettingsPtr& settings, const std::vector<GenomePtr>& founders);
@@ -42,14 +42,15 @@ private:
     // The contents of the tables.
     struct Known {
         KeptIndividuals::Knowledge individuals;
-        SettingsPtr settings;  // written last
+        SettingsPtr settings;  // the settings written last
         std::int64_t settings_row = 0;
         std::vector<IndividualPtr> novel;
-        KeptIndividuals::Knowledge chosen;  // by a person: in grids, on the shelf, starred
+        // Creatures that the user chose: in grids, on the shelf, with a star.
+        KeptIndividuals::Knowledge chosen;
         std::size_t grids = 0;
-        // Scores given outside the generations, in grids, are counted down from 0.
+        // Generation numbers below 0, for scores from picking grids, count down from 0.
         std::int64_t outside_scores = 0;
-        std::string simulator;  // that computed the newest generation
+        std::string simulator;  // version that computed the newest generation
     };
 
     template <class Work>
@@ -71,7 +72,7 @@ private:
     void replace_kept(const char* role, const std::vector<JudgedIndividual>& creatures);
     void set_fact(const char* name, const std::string& value);
 
-    Database database_;  // outlives its statements
+    Database database_;  // first member, since it must outlive its statements
     const EvolutionKinds& kinds_;
     Known known_;
     KeptIndividuals kept_;

@@ -10,7 +10,7 @@ namespace {
 
 constexpr int kMostWindows = 20;
 
-// The first of several names that no other window uses.
+// Returns the first of several names that no other window uses.
 std::filesystem::path free_name(const std::filesystem::path& wanted) {
     std::filesystem::path path = wanted;
     for (int i = 2; !FileLock::check_free(path) && i < kMostWindows; ++i) {
@@ -20,7 +20,7 @@ std::filesystem::path free_name(const std::filesystem::path& wanted) {
     return path;
 }
 
-// Includes the files that a killed program left beside it.
+// Moves a file together with the files that a killed program left beside it.
 void move_aside(const std::filesystem::path& from, const std::filesystem::path& to) {
     std::error_code ignored;
     for (const char* ending : {"-wal", "-shm"})
@@ -74,7 +74,7 @@ Status KeptExperiment::name_autosave(ExperimentFile& file) const {
     return file.move_to(path);
 }
 
-// Writes everything that was recorded so far.
+// Creates a file without a name and writes everything recorded so far.
 Result<std::shared_ptr<ExperimentFile>> KeptExperiment::nameless_file() const {
     auto made = ExperimentFile::create(kinds_, beginning_->settings, beginning_->founders);
     if (!made) return made.error();

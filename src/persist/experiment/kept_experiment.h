@@ -1,6 +1,6 @@
 #pragma once
 
-// The file of the experiment in a window. It is the autosave file until the person saves the
+// The file of the experiment in a window. It is the autosave file until the user saves the
 // experiment under a name. An experiment that has not evolved leaves no file.
 
 #include "persist/experiment/experiment_file.h"
@@ -15,18 +15,19 @@ namespace cambrian {
 
 class KeptExperiment final : public ExperimentLog {
 public:
-    // Starts a new experiment. autosave: its file from the first generation on; an older file there
-    // is kept beside it as the previous run (previous_run()). Empty: a temporary file.
+    // Starts a new experiment. `autosave` is its file, which is written from the first generation
+    // on. An older file of that name is kept as the previous run (previous_run()). If `autosave` is
+    // empty, the experiment gets a temporary file.
     KeptExperiment(std::filesystem::path autosave, const EvolutionKinds& kinds)
         : autosave_(std::move(autosave)), kinds_(kinds) {}
-    // One that was opened.
+    // Continues an experiment that was opened.
     KeptExperiment(std::shared_ptr<ExperimentFile> file, const EvolutionKinds& kinds)
         : kinds_(kinds), file_(std::move(file)) {}
 
     Status begin(const SettingsPtr& settings, const std::vector<GenomePtr>& founders) override;
     Status note(const NotedCommand& command) override;
     Status record(const Evolution& evolution) override;
-    // Any thread, as long as the others are not called for the first time.
+    // The following may be called on any thread.
     Status move_to(const std::filesystem::path& path);
     Status keep_picking(const PickingRecord& picking);
     Status keep_stars(const std::vector<JudgedIndividual>& stars);
@@ -47,10 +48,10 @@ private:
     mutable std::mutex mutex_;
     std::shared_ptr<ExperimentFile> file_;
     std::optional<Beginning> beginning_;
-    std::vector<NotedCommand> notes_;  // before there was a file
+    std::vector<NotedCommand> notes_;  // commands recorded before there was a file
 };
 
-// The path of the previous run, beside the file.
+// Returns the path of the previous run, beside the autosave file.
 std::filesystem::path previous_run(const std::filesystem::path& autosave);
 
 }  // namespace cambrian

@@ -11,7 +11,7 @@
 namespace cambrian {
 namespace {
 
-constexpr double kLargestWhole = 9e15;  // doubles above may be no whole numbers
+constexpr double kLargestWhole = 9e15;  // larger doubles may not be exact integers
 constexpr double kAnySize = 1e300;
 
 std::string range_message(double number, double low, double high, bool open = false) {
@@ -19,7 +19,7 @@ std::string range_message(double number, double low, double high, bool open = fa
            (open ? ")" : "]");
 }
 
-// In JSON 15 and 15.0 are the same number, so integer settings take either.
+// In JSON, 15 and 15.0 are the same number, so integer settings accept both.
 bool is_whole(const SettingRef& place) {
     return std::holds_alternative<int*>(place) || std::holds_alternative<std::uint64_t*>(place);
 }

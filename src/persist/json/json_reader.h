@@ -19,7 +19,7 @@ struct FieldRule;
 
 class JsonReader {
 public:
-    // The object and errors must outlive the reader. pointer: the JSON pointer of the object.
+    // The object and `errors` must outlive the reader. `pointer` is the JSON pointer of the object.
     JsonReader(const JsonValue& object, std::string pointer, ErrorList& errors)
         : object_(object), pointer_(std::move(pointer)), errors_(errors) {}
 
@@ -40,16 +40,16 @@ public:
     }
 
     void real(const char* key, double& value, const FieldRule& rule);
-    // A list of two numbers.
+    // Reads a list of two numbers.
     void pair(const char* key, double& first, const FieldRule& first_rule, double& second,
               const FieldRule& second_rule);
     void plain_real(const char* key, double& value);
-    // A whole number from low to high.
+    // Reads an integer from low to high.
     template <class Integer>
     void integer(const char* key, Integer& value, double low, double high) {
         if (const auto number = whole_number(key, low, high)) value = static_cast<Integer>(*number);
     }
-    // A whole number below count, which counts `of_what`.
+    // Reads an integer below `count`; `of_what` names what is counted.
     template <class Integer>
     void index(const char* key, Integer& value, std::size_t count, const char* of_what) {
         if (const auto number = index_number(key, count, of_what))
@@ -64,7 +64,7 @@ public:
         if (found) value = static_cast<Choice>(*found);
         return found.has_value();
     }
-    // A choice that is the first of the names if the key is missing.
+    // Reads a choice; without the key, it is the first of the names.
     template <class Choice>
     void optional_choice(const char* key, Choice& value, std::span<const std::string> names,
                          const char* what) {
@@ -78,7 +78,7 @@ public:
         if (const auto found = numbered_index(key, names, what))
             value = static_cast<Integer>(*found);
     }
-    // A choice that determines which other fields exist.
+    // Reads a choice that determines which other fields exist.
     template <class Choice>
     bool variant(const char* key, Choice& value, std::span<const std::string> names,
                  const char* what) {
@@ -88,15 +88,15 @@ public:
     void texts(const char* key, std::vector<std::string>& values, std::size_t max_count,
                std::size_t max_bytes);
     void digest(const char* key, std::uint64_t& value);
-    // Present only if the key is.
+    // Reads a digest if the key exists.
     void optional_digest(const char* key, std::optional<std::uint64_t>& value) {
         if (has(key)) digest(key, value.emplace());
     }
-    // A list of texts, each of up to line_bytes bytes as pairs of hexadecimal digits; empty unless
-    // the key is there.
+    // Reads a list of texts, each with up to line_bytes bytes as pairs of hexadecimal digits.
+    // Without the key, the result is empty.
     void optional_bytes(const char* key, std::vector<std::uint8_t>& bytes, std::size_t line_bytes,
                         std::size_t max_bytes);
-    // A setting missing from the object keeps its value.
+    // Reads a setting; without the key, it keeps its value.
     void setting(const SettingField& field, ExperimentSettings& settings);
 
     template <class Describe>
@@ -104,7 +104,7 @@ public:
         const JsonValue* value = member(key, JsonValue::Kind::kObject, "an object");
         if (value != nullptr) read_object(*value, place(key), describe);
     }
-    // Present only if the key is.
+    // Reads an object if the key exists.
     template <class Value, class Describe>
     void optional_object(const char* key, std::optional<Value>& value, Layout layout,
                          Describe describe) {
@@ -112,7 +112,7 @@ public:
         value.emplace();
         object(key, layout, [&](JsonReader& reader) { describe(reader, *value); });
     }
-    // A list of low to high objects.
+    // Reads a list of `low` to `high` objects.
     template <class Items, class Describe>
     void list(const char* key, Items& items, std::size_t low, std::size_t high, Layout /*layout*/,
               Describe describe) {
@@ -153,7 +153,7 @@ private:
     const JsonValue& object_;
     std::string pointer_;
     ErrorList& errors_;
-    std::vector<std::string> known_;  // keys asked for
+    std::vector<std::string> known_;  // keys that were read
 };
 
 }  // namespace cambrian

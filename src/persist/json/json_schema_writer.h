@@ -28,14 +28,15 @@ class JsonSchemaWriter {
 public:
     using Json = nlohmann::ordered_json;
 
-    // What all parts of a schema share.
+    // The parts that all objects of a schema share.
     struct Library {
-        // The meaning of a key of a type, in words.
+        // Returns the meaning of a key of a type, in words.
         std::function<std::string(std::string_view type, std::string_view key)> meaning;
-        Json definitions = Json::object();  // of the types, by name
+        Json definitions = Json::object();  // schemas of the types, by name
     };
 
-    // The schema of the described object; definitions of its types are in the library.
+    // Returns the schema of the described object; the schemas of its types are added to the
+    // library.
     template <class Describe>
     static Json object_schema(Library& library, Describe describe) {
         Variants variants;
@@ -52,7 +53,7 @@ public:
     }
 
     void type(const char* name) { type_ = name; }
-    // Keys are optional in a file, so the answer is that the key exists.
+    // Returns true, so that the description includes optional keys.
     bool has(const char* key) {
         optional_key_ = key;
         return true;
@@ -107,7 +108,7 @@ public:
         return true;
     }
     void text(const char* key, std::string_view value, std::size_t max_bytes);
-    // A text with one value.
+    // A text that can have one value only.
     void constant(const char* key, Json value);
     void texts(const char* key, const std::vector<std::string>& values, std::size_t max_count,
                std::size_t max_bytes);
@@ -145,15 +146,15 @@ public:
     }
 
 private:
-    // Of an object of one variant.
+    // The rules of one variant of an object.
     struct Rules {
         Json properties = Json::object();
         Json required = Json::array();
-        std::string variant_key;  // empty if there is but one
+        std::string variant_key;  // empty if there is only one variant
     };
     class Variants {
     public:
-        // Together with the values of those it differs from in nothing else.
+        // Adds a variant; variants that differ only in their key's value are joined.
         void add(Rules rules);
         Json schema() const;
 
@@ -174,11 +175,11 @@ private:
     void put_described(const char* key, const std::string& meaning, Json schema, bool optional);
 
     Library& library_;
-    std::size_t variant_;  // of those an object may have
+    std::size_t variant_;  // index of the variant being described
     std::size_t variant_count_ = 1;
-    bool allowed_ = true;  // the variant
+    bool allowed_ = true;  // whether that variant exists
     std::string type_;
-    std::string optional_key_;  // asked for last
+    std::string optional_key_;  // optional key that was asked for last
     Rules rules_;
 };
 

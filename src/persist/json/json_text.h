@@ -1,7 +1,7 @@
 #pragma once
 
-// Puts JSON together: brackets, commas, quoted keys and the spaces between them. Values are given
-// as they are in the text: a text in quotes (quoted_text.h), a number as real_text() writes it.
+// Writes the brackets, commas, quoted keys and spaces of JSON. Callers give values as they are in
+// the text: strings by quoted_text(), numbers by real_text().
 
 #include "persist/json/json_value.h"
 
@@ -13,12 +13,12 @@ namespace cambrian {
 
 class JsonText {
 public:
-    // Appends to `text`, which must outlive it.
+    // Everything is appended to `text`, which must outlive this object.
     explicit JsonText(std::string& text) : text_(text) {}
 
     void open(char bracket, Layout layout);
     void close(char bracket);
-    // What is appended next is the value. The key of a list's item is empty.
+    // Writes the comma, the space and the key before a value. The key of a list's item is empty.
     void begin_item(std::string_view key);
     void item(std::string_view key, std::string_view value);
 

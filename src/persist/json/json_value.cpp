@@ -8,8 +8,9 @@
 namespace cambrian {
 namespace {
 
-constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";  // put first by some editors; no harm
-constexpr int kNumberOverflow = 406;                         // the parser's id of that error
+// Some editors write it at the start; it is ignored.
+constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
+constexpr int kNumberOverflow = 406;  // the parser's number for that error
 
 std::string megabytes(std::size_t bytes) {
     const std::size_t tenths = (bytes + 50'000) / 100'000;
@@ -24,7 +25,7 @@ std::string line_and_column(std::string_view text, std::size_t position) {
     return "line " + std::to_string(lines + 1) + ", column " + std::to_string(column + 1);
 }
 
-// The parser's explanation without its preamble and without the raw text it had read.
+// Returns the parser's explanation without its preamble and the text it had read.
 std::string reason_of(std::string_view what) {
     const std::size_t dash = what.find(" - ");
     std::string_view reason = dash == std::string_view::npos ? what : what.substr(dash + 3);
@@ -35,7 +36,7 @@ std::string reason_of(std::string_view what) {
     return result;
 }
 
-// Builds the tree from the parser's events; an event that breaks a limit ends the parse.
+// Builds the tree from the parser's events. An event that exceeds a limit ends the parsing.
 class TreeBuilder final : public nlohmann::json_sax<nlohmann::json> {
 public:
     TreeBuilder(std::string_view text, const JsonLimits& limits, ErrorList& errors)
@@ -95,7 +96,7 @@ public:
 private:
     using Kind = JsonValue::Kind;
 
-    // The place of the next value; null, after an error, if there are too many.
+    // Adds the next value; returns null and reports an error if there are too many.
     JsonValue* add(Kind kind) {
         if (++count_ > limits_.values) {
             errors_.error(
@@ -127,7 +128,7 @@ private:
         open_.pop_back();
         return true;
     }
-    // The pointer of the present value.
+    // Returns the JSON pointer of the present value.
     std::string pointer() const {
         std::string place;
         for (std::size_t i = 0; i < open_.size(); ++i) {

@@ -19,38 +19,38 @@ struct JsonValue {
 
     Kind kind = Kind::kNull;
     bool flag = false;
-    double number = 0.0;  // of integers and reals; finite
+    double number = 0.0;  // integer or real; finite
     std::string text;
-    std::vector<std::string> keys;  // of an object, one a value
-    std::vector<JsonValue> values;  // of an object or a list
+    std::vector<std::string> keys;  // of an object, one per value
+    std::vector<JsonValue> values;  // of an object or list
 
     const JsonValue* find(std::string_view key) const;
-    // "a number", "a text"... for messages.
+    // Returns "a number", "a text" and so on, for messages.
     const char* kind_in_words() const;
 };
 
-// How an object or a list is written. Inside another one that is not kLines, its layout is that of
-// the other.
+// How an object or a list is written. One inside an object or a list that is not kLines has the
+// layout of that one.
 enum class Layout : std::uint8_t {
-    kLines,    // an item a line, indented by two spaces
+    kLines,    // one value per line, indented by two spaces
     kCompact,  // { "a": 1, "b": 2 }
     kLine,     // {"a": 1, "b": 2}
     kDense     // {"a":1,"b":2}
 };
 
-// Names of values that older files number instead.
+// Names of values for which older files have numbers.
 struct NumberedNames {
-    static constexpr int kMost = 255;  // the largest number; never that of a name
+    static constexpr int kMost = 255;  // the largest number; no name has it
 
-    std::vector<std::string> names;     // by value
-    std::vector<std::string> numbered;  // by number
+    std::vector<std::string> names;     // indexed by value
+    std::vector<std::string> numbered;  // indexed by number
 };
 
 struct JsonLimits {
     std::size_t bytes = 4'000'000;
     std::size_t depth = 32;
     std::size_t values = 100'000;
-    std::size_t keys = 256;  // of one object
+    std::size_t keys = 256;  // largest number of keys in one object
 };
 
 // Returns the document, or nothing if it cannot be read; `errors` says why (E01, E02, E07, E10).

@@ -22,7 +22,7 @@ struct FieldRule;
 
 class JsonWriter {
 public:
-    // Writes one object into `text`: begin, calls, end.
+    // Writes one object into `text`: the constructor begins it, end() ends it.
     explicit JsonWriter(std::string& text, Layout layout = Layout::kLines) : json_(text) {
         json_.open('{', layout);
     }
@@ -59,7 +59,7 @@ public:
         json_.item(key, quoted_text(names[static_cast<std::size_t>(value)]));
         return true;
     }
-    // Only if it is not the first of the names.
+    // Writes a choice unless it is the first of the names.
     template <class Choice>
     void optional_choice(const char* key, Choice value, std::span<const std::string> names,
                          const char* what) {
@@ -83,11 +83,11 @@ public:
     void texts(const char* key, const std::vector<std::string>& values, std::size_t max_count,
                std::size_t max_bytes);
     void digest(const char* key, std::uint64_t value);
-    // Only if there is a value.
+    // Writes a digest if there is a value.
     void optional_digest(const char* key, const std::optional<std::uint64_t>& value) {
         if (value) digest(key, *value);
     }
-    // Only if there are any.
+    // Writes the bytes if there are any.
     void optional_bytes(const char* key, std::span<const std::uint8_t> bytes,
                         std::size_t line_bytes, std::size_t max_bytes);
     void setting(const SettingField& field, const ExperimentSettings& settings) {
@@ -101,14 +101,14 @@ public:
         describe(*this);
         json_.close('}');
     }
-    // Only if there is a value.
+    // Writes an object if there is a value.
     template <class Value, class Describe>
     void optional_object(const char* key, const std::optional<Value>& value, Layout layout,
                          Describe describe) {
         if (!value) return;
         object(key, layout, [&](JsonWriter& writer) { describe(writer, *value); });
     }
-    // One object an item.
+    // Writes one object per item.
     template <class Items, class Describe>
     void list(const char* key, Items& items, std::size_t /*low*/, std::size_t /*high*/,
               Layout layout, Describe describe) {

@@ -6,7 +6,7 @@
 namespace cambrian {
 namespace {
 
-// Of version 2.
+// Returns the definitions of the tables of version 2.
 std::string tables() {
     return "CREATE TABLE facts (name TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID;"
            "CREATE TABLE settings (id INTEGER PRIMARY KEY, toml TEXT NOT NULL);"
@@ -101,7 +101,7 @@ Result<std::int64_t> version_of_tables(const Database& database) {
     return version;
 }
 
-// Unknown tables are ignored.
+// Tables of other programs are ignored.
 Status check_tables(const Database& database) {
     Database model({}, Database::Access::kCreate);
     model.execute(tables());

@@ -1,6 +1,6 @@
 #pragma once
 
-// The tables of an experiment file, described for people in assets/help/experiment_file.md.
+// The tables of an experiment file; assets/help/experiment_file.md describes them for users.
 
 #include "core/result.h"
 #include "evolution/individual/individual.h"
@@ -12,14 +12,14 @@
 
 namespace cambrian {
 
-// In the file's header, so that `file` and we know one: "Camb".
+// Identifies experiment files in the SQLite header, also for the command `file`: "Camb".
 inline constexpr std::int64_t kExperimentApplication = 0x43616d62;
 // The version rises whenever a table changes; older files are upgraded step by step.
 inline constexpr std::int64_t kExperimentVersion = 3;
-// Each is read and checked when the experiment is opened.
+// Limits the settings that are read and checked when an experiment is opened.
 inline constexpr std::int64_t kMostSettingsChanges = 5000;
 
-// The state of an individual's score besides the numbers (outcome, verdict, finer trial).
+// Columns of a score; outcome, verdict and finer trial have columns of their own.
 inline constexpr std::array kResultColumns = {
     Column<EvaluationResult>{"fitness", &EvaluationResult::fitness},
     Column<EvaluationResult>{"reason", &EvaluationResult::reason},
@@ -33,7 +33,7 @@ inline constexpr std::array kResultColumns = {
     Column<EvaluationResult>{"work", &EvaluationResult::work},
     Column<EvaluationResult>{"hopeless", &EvaluationResult::hopeless},
 };
-// Since version 3.
+// Columns added by version 3.
 inline constexpr std::array kLaterResultColumns = {
     Column<EvaluationResult>{"plan", &EvaluationResult::plan},
 };
@@ -67,17 +67,18 @@ inline constexpr std::array kAuditColumns = {
     Column<SceneAudit>{"fallbacks", &SceneAudit::fallbacks},
 };
 
-// Makes the tables of version 2 into those of version 3: founder lines, body plans, confirmed
+// Upgrades the tables from version 2 to version 3: founder lines, body plans, confirmed scores.
 // scores.
 void add_lines_and_confirmations(Database& database);
 
-// Makes the tables in an empty database.
+// Creates the tables in an empty database.
 void create_tables(Database& database);
 
-// The version of an experiment's tables. Fails, saying what the file is, if it is none or newer
+// Returns the version of an experiment's tables. Fails if the file is not an experiment or is newer
+// than this program; the message says what it is.
 // than this program.
 Result<std::int64_t> version_of_tables(const Database& database);
-// Whether every table is as this version makes it.
+// Checks that every table is as this version creates it.
 Status check_tables(const Database& database);
 
 }  // namespace cambrian

@@ -73,7 +73,7 @@ IndividualPtr IndividualReader::read(const RowRef& row, const ExperimentSettings
     individual.result = read_result(row);
     individual.genome = read_genome(row.individual, individual.genome_hash);
     if (!individual.genome) throw DatabaseError("its genotype is missing");
-    // Files older than version 3 do not say it.
+    // Files older than version 3 do not have the body plan.
     if (individual.result.plan == 0)
         individual.result.plan = plan_of(*individual.genome, settings, kinds_);
     if (mother != 0) individual.mother = ParentLink(ancestor(mother, row.individual));
@@ -144,7 +144,7 @@ EvaluationResult IndividualReader::read_result(const RowRef& row) {
     return result;
 }
 
-// The known line of mothers. A mother has a lower row than her child.
+// Reads the known line of mothers. A mother has a lower row than her child.
 IndividualPtr IndividualReader::ancestor(std::int64_t id, std::int64_t child) {
     std::vector<std::pair<std::int64_t, Individual>> line;
     IndividualPtr nearest;

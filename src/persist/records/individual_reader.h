@@ -18,12 +18,13 @@ class IndividualReader {
 public:
     IndividualReader(const Database& database, const EvolutionKinds& kinds);
 
-    // The same pointer for the same row. The settings are those that judged it.
+    // Returns the same pointer for the same row. The settings must be those that evaluated the
+    // creature.
     IndividualPtr read(const RowRef& row, const ExperimentSettings& settings);
 
 private:
     struct Row {
-        Individual individual;  // with the summary of its score
+        Individual individual;  // has a summary of its score
         std::int64_t mother = 0;
     };
 

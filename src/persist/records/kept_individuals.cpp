@@ -10,7 +10,7 @@
 namespace cambrian {
 namespace {
 
-constexpr std::size_t kWordColumns = 6;  // outcome, verdict, the finer trial's, scores
+constexpr std::size_t kWordColumns = 6;  // outcome, verdict, those of the finer trial, scores
 
 Statement result_insertion(const Database& database) {
     return database.prepare("INSERT OR REPLACE INTO results VALUES (?, ?" +
@@ -53,7 +53,7 @@ RowRef KeptIndividuals::keep(const IndividualPtr& individual, std::int64_t judge
         return known_.emplace(individual->uid, insert(individual, judged)).first->second.row;
     }
     Entry& entry = found->second;
-    entry.genotype_held = true;  // it lived on
+    entry.genotype_held = true;  // it survived a generation
     if (entry.individual != individual) update_score(entry, individual, judged);
     return entry.row;
 }
@@ -128,7 +128,7 @@ void KeptIndividuals::insert_score(const Individual& individual, const RowRef& r
     insert_result_.finish();
 }
 
-// The individual was evaluated again with other settings.
+// Writes the score of an individual that was evaluated again with other settings.
 void KeptIndividuals::update_score(Entry& entry, const IndividualPtr& individual,
                                    std::int64_t judged) {
     if (!entry.score_held) delete_score(entry);

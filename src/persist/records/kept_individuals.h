@@ -1,6 +1,6 @@
 #pragma once
 
-// The creatures of an experiment file by row: which ones were written, and which of their genotypes
+// Tracks the creatures in an experiment file by row: which ones were written, and which genotypes
 // and scores are still needed. Throws DatabaseError.
 
 #include "evolution/individual/individual.h"
@@ -30,24 +30,25 @@ public:
         bool genotype_held = false;
         bool score_held = false;
     };
-    // By uid.
+    // Keyed by uid.
     using Knowledge = std::map<std::uint64_t, Entry>;
 
-    // `known` is what the file holds; it outlives this and is changed along with the file.
+    // `known` describes the file's contents. It must outlive this object and changes along with the
+    // file.
     KeptIndividuals(const Database& database, const EvolutionKinds& kinds, Knowledge& known);
 
-    // Registers an individual that is in the file. survivor: its genotype is never deleted.
+    // Registers an individual that is in the file. The genotype of a survivor is never deleted.
     void remember(const IndividualPtr& individual, const RowRef& row, bool survivor);
-    // The row of one that was kept or remembered.
+    // Returns the row of an individual that was written or registered.
     RowRef row_of(const Individual& individual) const;
 
-    // Writes birth, genotype and score, if the file does not have them. judged: the generation of a
+    // Writes birth, genotype and score unless the file has them. `judged` is the generation of a
     // new score.
     RowRef keep(const IndividualPtr& individual, std::int64_t judged);
-    // Marks its genotype and this score as never to be deleted.
+    // Protects its genotype and this score against deletion.
     void hold_score(const IndividualPtr& individual);
-    // Deletes genotypes and scores of all individuals that are neither in the population nor held.
-    // Parents and survivors lose their scores only.
+    // Deletes genotypes and scores of all individuals that are neither in the population nor
+    // protected. Parents and survivors lose only their scores.
     void drop_others(std::span<const IndividualPtr> population);
 
 private:

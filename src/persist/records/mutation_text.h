@@ -13,7 +13,7 @@
 
 namespace cambrian {
 
-// Nothing for no mutations.
+// Returns nothing if there are no mutations.
 std::optional<std::string> mutations_text(std::span<const MutationRecord> mutations);
 Result<std::vector<MutationRecord>> parse_mutations(std::string_view text);
 

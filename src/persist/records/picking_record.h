@@ -15,16 +15,16 @@ namespace cambrian {
 
 struct PickingRecord {
     PickingTree tree;
-    std::vector<std::size_t> picks;  // in the grid on display
+    std::vector<std::size_t> picks;  // cells of the displayed grid
     std::vector<JudgedIndividual> shelf;
 };
 
-// As in the tables, in the order of the enumerations.
+// Names in the tables, in the order of the enumerations.
 inline constexpr std::array<std::string_view, 6> kOriginNames = {
     "population", "creatures", "breeding", "newcomers", "assistance", "shelf"};
 inline constexpr std::array<std::string_view, 3> kBoldnessNames = {"gentle", "bold", "wild"};
 
-// "0 3 7": cells in order of picking.
+// Cells in order of picking, as in "0 3 7".
 std::string picks_text(std::span<const std::size_t> picks);
 std::optional<std::vector<std::size_t>> parse_picks(std::string_view text);
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// Scores of a creature in several worlds as words of a table, which keep every bit.
+// A creature's scores in several worlds as text that keeps every bit.
 
 #include <optional>
 #include <span>
@@ -10,10 +10,10 @@
 
 namespace cambrian {
 
-// "0.93 0.81 0.99"
+// Example: "0.93 0.81 0.99".
 std::string scores_text(std::span<const double> scores);
 
-// None if it is not such a text of finite numbers, 100 at most.
+// Returns nothing if the text is not a list of at most 100 finite numbers.
 std::optional<std::vector<double>> parse_scores(std::string_view text);
 
 }  // namespace cambrian

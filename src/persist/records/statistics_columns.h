@@ -34,7 +34,7 @@ inline constexpr std::array kStatisticsColumns = {
     Column<GenerationStatistics>{"progress_mark", &GenerationStatistics::progress_mark},
 };
 
-// Since version 3 of experiment files.
+// Columns added by version 3 of experiment files.
 inline constexpr std::array kLaterStatisticsColumns = {
     Column<GenerationStatistics>{"confirmations", &GenerationStatistics::confirmations},
     Column<GenerationStatistics>{"best_lowest", &GenerationStatistics::best_lowest},

@@ -29,7 +29,8 @@ void add_values(std::string& text, const Row& row, std::span<const Column<Row>> 
     }
 }
 
-// "00f3a1b2c4d5e6f7:12 9b...:3", founders' uids and how many children their lines had.
+// Returns the founders' uids with the number of children in their lines: "00f3a1b2c4d5e6f7:12
+// 9b...:3".
 std::string births_text(std::span<const LineBirths> births) {
     std::string text;
     for (const LineBirths& line : births)

@@ -9,9 +9,9 @@
 
 namespace cambrian {
 
-// A header row that names every field of GenerationStatistics, then a row a generation; beside the
-// fields the trials run since the beginning. Numbers read back to the same bits; yes and no are 1
-// and 0.
+// Returns a header row that names every field of GenerationStatistics, then one row per generation.
+// One more column has the number of trials since the start. Numbers read back to the same bits;
+// flags are 1 and 0.
 std::string statistics_csv(std::span<const GenerationStatistics> history);
 
 }  // namespace cambrian

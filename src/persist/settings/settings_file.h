@@ -14,8 +14,8 @@
 
 namespace cambrian {
 
-// The settings of a file with only the goal (an id, or empty for the default). The world is the
-// usual one of this goal.
+// Returns the settings of a file that has only the goal (an id, or empty for the default). Their
+// world is the goal's default.
 ExperimentSettings default_settings(std::string_view goal, const EvolutionKinds& kinds);
 
 // Missing keys have their defaults, so an empty file is a valid experiment. Unknown keys, wrong
@@ -26,15 +26,15 @@ Result<ExperimentSettings> load_settings(const std::filesystem::path& path,
 Status save_settings(const std::filesystem::path& path, const ExperimentSettings& settings,
                      const EvolutionKinds& kinds);
 
-// The same for text; source names it in messages.
+// Does the same for text; `source` names it in messages.
 Result<ExperimentSettings> parse_settings(std::string_view text, std::string_view source,
                                           const EvolutionKinds& kinds);
 
-// Merges settings of several texts; a later text replaces values of an earlier one. A key that no
-// text has is at its default, which may depend on the goal.
+// Merges the settings of several texts; a later text replaces values of an earlier one. A key that
+// no text has gets its default, which may depend on the goal.
 struct SettingsText {
     std::string text;
-    std::string source;  // names it in messages
+    std::string source;  // name of the text in messages
 };
 Result<ExperimentSettings> merge_settings(const std::vector<SettingsText>& texts,
                                           const EvolutionKinds& kinds);

@@ -21,7 +21,7 @@ SettingValue setting_value(const toml::node& node) {
     return {};
 }
 
-// The path of a key or table inside a table; the file itself has none.
+// Returns the path of a key or table in a table. The top level has an empty path.
 std::string joined(const std::string& table, const std::string& key) {
     if (table.empty()) return key;
     std::string path = table;
@@ -30,7 +30,7 @@ std::string joined(const std::string& table, const std::string& key) {
     return path;
 }
 
-// Visits the tables of the file and stores their values in the settings.
+// Visits the tables of a file and stores their values in the settings.
 class SettingsReader {
 public:
     SettingsReader(const EvolutionKinds& kinds, ErrorList& errors, std::string_view goal)
@@ -53,7 +53,7 @@ public:
     const ExperimentSettings& settings() const { return settings_; }
 
 private:
-    // Whether [path] is a table of settings or holds one.
+    // Returns whether [path] is a table of settings or contains one.
     bool names_table(const std::string& path) const {
         return std::any_of(fields_.begin(), fields_.end(), [&](const SettingField& field) {
             return field.table == path || field.table.rfind(path + ".", 0) == 0;
@@ -93,7 +93,8 @@ private:
         return near.empty() ? "unknown table" : "unknown table; did you mean [" + near + "]?";
     }
 
-    // The nearest key of the same table, or else the nearest of any, or else all of the table.
+    // Suggests the nearest key of the same table, else the nearest of any table, else all of the
+    // table.
     std::string unknown_key(const std::string& table, const std::string& key) const {
         std::vector<std::string> here;
         std::vector<std::string> anywhere;

@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::size_t kCommentColumn = 30;
 
-// What may be written there: "0 to 1000 m/s^2", "walking, swimming".
+// Returns the allowed values in words: "0 to 1000 m/s^2", "walking, swimming".
 std::string allowed(const SettingField& field, const SettingValue& value) {
     if (std::holds_alternative<bool>(value)) return "true or false";
     if (!std::holds_alternative<std::string>(value)) {

@@ -1,8 +1,8 @@
 #pragma once
 
-// The TOML library, made safe for any text. Some errors of a file are assertions in the library, or
-// in release builds assumptions: a table named "[=]", or certain letters (U+FDFB) where none are
-// allowed. Without assertions and assumptions it reports the error.
+// Includes the TOML library so that any text is safe to parse. The library asserts, or in release
+// builds assumes, that some errors do not occur: a table named "[=]", or certain letters (U+FDFB)
+// in wrong places. Without assertions and assumptions it reports them as errors.
 
 #define TOML_EXCEPTIONS 0
 #define TOML_ASSERT(condition) static_cast<void>(0)

@@ -14,7 +14,8 @@ std::string path_of(const SettingField& field) {
     return field.table + "." + field.key;
 }
 
-// The fields that a person may mean: of that table and key or, without a table, of that key.
+// Returns the fields that a name may mean: the one with that table and key or, without a table, all
+// with that key.
 std::vector<SettingField> fields_called(std::string_view name, const EvolutionKinds& kinds) {
     std::vector<SettingField> fields = setting_fields(kinds);
     std::erase_if(fields, [name](const SettingField& field) {

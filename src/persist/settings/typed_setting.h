@@ -4,11 +4,11 @@
 
 namespace cambrian {
 
-// A setting as a person types it: "selection.method=rank", or "method=rank" where only one table
-// has such a key. Texts need no quotes. Its value is checked where it is merged.
+// Parses a setting as typed by a user: "selection.method=rank", or "method=rank" if only one table
+// has such a key. Texts need no quotes. The value is checked when it is merged.
 Result<SettingsText> typed_setting(std::string_view assignment, const EvolutionKinds& kinds);
 
-// The settings with these changes, one after the other.
+// Returns the settings after these changes, made in order.
 Result<ExperimentSettings> with_typed(ExperimentSettings settings,
                                       const std::vector<std::string>& assignments,
                                       const EvolutionKinds& kinds);

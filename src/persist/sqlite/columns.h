@@ -1,6 +1,6 @@
 #pragma once
 
-// A plain struct as columns of a table: names and members, written down once, for SQL and CSV.
+// The members of a plain struct as columns of a table, for SQL and CSV.
 
 #include "persist/sqlite/database.h"
 
@@ -46,7 +46,7 @@ void read_column(const Statement& statement, int column, Whole& place) {
     place = static_cast<Whole>(number);
 }
 
-// Reads them from column `first` on; returns the column after the last.
+// Reads the columns from `first` on; returns the number of the column after the last.
 template <class Row>
 int read_columns(const Statement& statement, int first, std::span<const Column<Row>> columns,
                  Row& row) {
@@ -57,8 +57,8 @@ int read_columns(const Statement& statement, int first, std::span<const Column<R
     return first;
 }
 
-// "best, fitness REAL, ..." for CREATE TABLE. Columns of doubles have no declared type, because
-// with one SQLite would store -0.0 as 0.0.
+// Returns "best, fitness REAL, ..." for CREATE TABLE. Columns of doubles have no declared type,
+// because SQLite would then store -0.0 as 0.0.
 template <class Row>
 std::string column_definitions(std::span<const Column<Row>> columns) {
     std::string text;
@@ -81,7 +81,7 @@ std::string column_names(std::span<const Column<Row>> columns) {
     return text;
 }
 
-// ", ?, ?, ..."
+// Returns ", ?, ?, ...".
 inline std::string more_places(std::size_t count) {
     std::string text;
     for (std::size_t i = 0; i < count; ++i)

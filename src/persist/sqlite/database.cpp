@@ -10,7 +10,7 @@ namespace cambrian {
 namespace {
 
 constexpr int kLongestValue = 5'000'000;  // bytes
-constexpr int kPatience = 2000;           // ms to wait for a reader or writer elsewhere
+constexpr int kPatience = 2000;           // ms to wait while another program reads or writes
 
 [[noreturn]] void fail(sqlite3* connection, int code) {
     switch (code & 0xff) {
@@ -46,7 +46,7 @@ int flags_of(Database::Access access) {
     return SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE;
 }
 
-// Adds the folder, so that SQLite takes no name for a URI or for a database in memory.
+// Adds the folder, so that SQLite does not read the name as a URI or as a database in memory.
 std::filesystem::path usable_name(const std::filesystem::path& path, Database::Access access) {
     if (path.empty()) return path;
     std::error_code unknown;
@@ -58,7 +58,7 @@ std::filesystem::path usable_name(const std::filesystem::path& path, Database::A
     return std::filesystem::absolute(path);
 }
 
-// The URI by which SQLite opens a file that does not change.
+// Returns the URI with which SQLite opens a file that does not change.
 std::string unchanging(const std::filesystem::path& path) {
     std::string name = "file:";
     for (const char letter : path.string()) {
@@ -90,7 +90,8 @@ void Statement::check(int code) const {
 }
 
 void Statement::restart() {
-    sqlite3_reset(statement_.get());  // repeats the error of the last step, which was reported
+    // Returns the error of the last step again, which was reported.
+    sqlite3_reset(statement_.get());
     bound_ = 0;
 }
 
@@ -190,7 +191,7 @@ void Database::open(const std::string& name, int flags) {
     if (code != SQLITE_OK) fail(connection, code);
 }
 
-// Protects against files of others, which may be malicious.
+// Protects against malicious files.
 void Database::distrust() {
     sqlite3* const connection = connection_.get();
     sqlite3_extended_result_codes(connection, 1);

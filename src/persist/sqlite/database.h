@@ -1,7 +1,7 @@
 #pragma once
 
-// SQLite as values and exceptions, for use inside this layer only: whoever offers a database to
-// others catches DatabaseError at the boundary.
+// SQLite with values and exceptions, for this layer only. Functions of the layer's interface must
+// catch DatabaseError.
 
 #include <cstdint>
 #include <filesystem>
@@ -16,14 +16,14 @@ struct sqlite3_stmt;
 
 namespace cambrian {
 
-// In words for a person: what could not be done and why, without the file's name.
+// The message says what could not be done and why, without the file's name.
 class DatabaseError : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;
 };
 
-// A statement, run as often as wanted. Integers are 64 bits; unsigned ones keep their bits, so
-// large ones look negative in SQL.
+// A statement, which can be run repeatedly. Integers have 64 bits; unsigned ones keep their bits,
+// so that large ones look negative in SQL.
 class Statement {
 public:
     Statement(sqlite3* database, std::string_view sql);
@@ -55,20 +55,21 @@ public:
     void bind_bytes(std::string_view bytes);
     void restart();
 
-    bool step();  // whether there is a row
-    // Binds and runs to the end.
+    bool step();  // returns whether there is a row
+    // Binds the values and runs the statement to its end.
     template <class... Values>
     void run(const Values&... values) {
         bind(values...);
         finish();
     }
     void finish();
-    std::int64_t inserted_row() const;  // by the last insertion, of any statement
+    std::int64_t inserted_row() const;  // row of the last insertion by any statement
 
-    // Of the present row; columns count from 0. Fail if the value is of another type.
+    // Return the value of a column, counted from 0, in the present row. They fail if the value has
+    // another type.
     bool is_null(int column) const;
     std::int64_t integer(int column) const;
-    double real(int column) const;             // of null: not a number, which SQLite cannot hold
+    double real(int column) const;  // null reads as not-a-number, which SQLite cannot store
     std::string_view text(int column) const;   // valid until the next step
     std::string_view bytes(int column) const;  // valid until the next step
 
@@ -87,27 +88,27 @@ class Database {
 public:
     enum class Access : std::uint8_t {
         kRead,
-        kReadUnchanging,  // a file that nobody changes meanwhile: needs and leaves nothing else
+        kReadUnchanging,  // a file that nobody changes meanwhile; creates no other files
         kWrite,
         kCreate,
     };
 
-    // A regular file; an empty path: a database of its own that vanishes with it.
+    // Opens a regular file. An empty path means a temporary database that is deleted when closed.
     Database(const std::filesystem::path& path, Access access);
 
-    // A copy in memory.
+    // Returns a copy in memory.
     Database copy() const;
 
     // Copies the database to another file, which must be empty if it exists.
     void copy_to(const std::filesystem::path& path) const;
 
-    // Switches to a write-ahead log: readers do not wait for the writer, and a commit is on the
-    // disk when it returns. Fails if the file cannot have such a log.
+    // Switches to a write-ahead log. Readers then do not wait for the writer, and a commit is on
+    // the disk when it returns. Fails if the file cannot have such a log.
     void make_durable();
 
     void execute(const std::string& sql);
     Statement prepare(std::string_view sql) const { return {connection_.get(), sql}; }
-    // The single value of a query.
+    // Returns the single value of a query.
     std::int64_t integer(std::string_view sql) const;
 
 private:

@@ -33,12 +33,12 @@ fs::path beside(const fs::path& path, const char* ending) {
     return path.string() + ending;
 }
 
-// The file and SQLite's files beside it.
+// The state of a database file and of SQLite's files beside it.
 struct FilesOfDatabase {
     FileFacts file;
     FileFacts log;        // changes that are not in the file yet
-    FileFacts journal;    // of a change that was broken off, to be undone
-    bool shared = false;  // whether readers of the log have a place to meet
+    FileFacts journal;    // data to undo a change that was interrupted
+    bool shared = false;  // whether the index that readers of the log share exists
 
     explicit FilesOfDatabase(const fs::path& path)
         : file(facts_of(path)),
@@ -53,7 +53,7 @@ struct FilesOfDatabase {
     bool in_use() const { return log.size > 0 && journal.size == 0 && shared; }
 };
 
-// A folder of our own, removed at the end of its scope.
+// A temporary folder, removed at the end of its scope.
 class PrivateFolder {
 public:
     PrivateFolder() {
@@ -82,7 +82,7 @@ void copy_if_there(const fs::path& from, const fs::path& to) {
     fs::permissions(to, fs::perms::owner_read | fs::perms::owner_write, failure);
 }
 
-// Reads the state that recovery after a crash gives.
+// Opens a copy in the state that SQLite's recovery after a crash gives.
 Database recovered(const fs::path& path) {
     const PrivateFolder folder;
     const fs::path copy = folder.path() / "copy";
@@ -107,7 +107,8 @@ Database open_as_it_is(const fs::path& path, const FilesOfDatabase& files) {
 
 void read_database(const fs::path& named, const std::function<void(const Database&)>& read) {
     std::error_code missing;
-    fs::path path = fs::canonical(named, missing);  // SQLite's files are beside what a link means
+    // SQLite's files are beside the target of a link.
+    fs::path path = fs::canonical(named, missing);
     if (missing) path = named;
     for (int attempt = 1;; ++attempt) {
         const FilesOfDatabase before(path);

@@ -18,7 +18,7 @@ namespace cambrian {
 class Deflater {
 public:
     Deflater();
-    // Valid until the next call.
+    // The result is valid until the next call.
     std::string_view deflate(std::string_view text);
 
 private:
@@ -32,7 +32,8 @@ private:
 class Inflater {
 public:
     Inflater();
-    // size: of the text, in bytes. Fails if that is not what the bytes hold.
+    // `size` is the number of bytes of the text. Fails if the compressed bytes contain another
+    // number.
     Result<std::string> inflate(std::string_view bytes, std::size_t size);
 
 private:

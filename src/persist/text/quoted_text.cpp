@@ -7,7 +7,7 @@
 namespace cambrian {
 namespace {
 
-// The length of the UTF-8 character at the beginning, 0 if there is none.
+// Returns the length of the UTF-8 character at the start, or 0 if there is none.
 std::size_t utf8_length(std::string_view text) {
     const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
     const unsigned char lead = byte(0);

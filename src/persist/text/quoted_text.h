@@ -5,7 +5,7 @@
 
 namespace cambrian {
 
-// A text in quotes with the escapes TOML and JSON share. Bytes that are not UTF-8 become '?'.
+// Quotes a text with the escapes that TOML and JSON share. Bytes that are not UTF-8 become '?'.
 std::string quoted_text(std::string_view text);
 
 }  // namespace cambrian

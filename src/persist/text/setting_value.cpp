@@ -12,7 +12,7 @@
 namespace cambrian {
 namespace {
 
-// In the order of SettingValue.
+// Names of the types, in the order of SettingValue.
 constexpr const char* kFound[] = {"something else", "true or false", "a whole number", "a number",
                                   "a text"};
 
@@ -46,12 +46,12 @@ SettingCheck assign_to(double& place, const SettingField& field, const SettingVa
     return check;
 }
 
-// int and std::uint64_t
+// Assigns to int and std::uint64_t.
 template <class Integer>
 SettingCheck assign_to(Integer& place, const SettingField& field, const SettingValue& value) {
     const auto* whole = std::get_if<std::int64_t>(&value);
     const auto* real = std::get_if<double>(&value);
-    // Large ones are written with an exponent: 1e+15.
+    // Large integers may have an exponent: 1e+15.
     const bool comes_to_whole =
         real != nullptr && std::isfinite(*real) && std::trunc(*real) == *real;
     if (whole == nullptr && !comes_to_whole) return wrong_type("a whole number", value);

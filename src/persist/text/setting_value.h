@@ -1,7 +1,7 @@
 #pragma once
 
-// One setting as a typed value, independent of the file: settings files and the scores in creature
-// files share it.
+// The value of one setting, independent of the file format. Settings files and the scores in
+// creature files use it.
 
 #include "evolution/fields/setting_field.h"
 
@@ -11,7 +11,7 @@
 
 namespace cambrian {
 
-// As found in a file; monostate for anything a setting cannot be.
+// A value as read from a file; monostate means any type that a setting cannot have.
 using SettingValue = std::variant<std::monostate, bool, std::int64_t, double, std::string>;
 
 enum class SettingFault : std::uint8_t { kNone, kType, kRange, kChoice };
@@ -21,13 +21,13 @@ struct SettingCheck {
     std::string message;  // "expected a number, found a text", "2000 is outside [0, 1000]"
 };
 
-// Stores the value in the settings if it is of the field's type and in its range.
+// Stores the value in the settings if it has the field's type and is in its range.
 SettingCheck assign(const SettingField& field, const SettingValue& value,
                     ExperimentSettings& settings);
 
 SettingValue value_of(const SettingField& field, const ExperimentSettings& settings);
 
-// The value as TOML and JSON both write it.
+// Returns the value in the form common to TOML and JSON.
 std::string setting_text(const SettingValue& value);
 
 }  // namespace cambrian

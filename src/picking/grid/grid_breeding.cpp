@@ -11,7 +11,8 @@ namespace {
 
 constexpr std::size_t kCandidatesPerCell = 3;
 constexpr std::size_t kCopiesEach = 2;
-constexpr std::uint64_t kFirstImported = std::uint64_t{1} << 32;  // child index; none is bred so
+// Child index of the first imported creature; larger than that of any bred one.
+constexpr std::uint64_t kFirstImported = std::uint64_t{1} << 32;
 
 ExperimentSettings with_picking_seed(const ExperimentSettings& settings) {
     ExperimentSettings changed = settings;
@@ -19,8 +20,8 @@ ExperimentSettings with_picking_seed(const ExperimentSettings& settings) {
     return changed;
 }
 
-// The method of each of `count` children of two parents. Without a method of two parents, children
-// are copies.
+// Returns the method for each of `count` children of two parents. If there is no method of two
+// parents, the children are copies.
 std::vector<const BreedingKind*> pairing_methods(const BreedingRegistry& methods,
                                                  std::size_t count) {
     std::vector<double> shares;
@@ -35,7 +36,7 @@ std::vector<const BreedingKind*> pairing_methods(const BreedingRegistry& methods
     return chosen;
 }
 
-// Makes the candidates one after the other, each from streams of its own.
+// Makes the candidates one after the other, each from its own random streams.
 class Breeder {
 public:
     Breeder(const BroodOrder& order, const ExperimentSettings& settings,

@@ -1,7 +1,7 @@
 #pragma once
 
-// From picks to candidates for the next grid (picking/README.md 1). Pure: the same picks, settings
-// and number of the grid give the same candidates.
+// Breeds candidates for the next grid from the picks (picking/README.md 1). The result depends only
+// on the picks, the settings and the grid's number.
 
 #include "evolution/individual/individual.h"
 #include "evolution/kinds/evolution_kinds.h"
@@ -14,7 +14,7 @@
 
 namespace cambrian {
 
-// How many candidates of which kind are bred at a time.
+// The number of candidates for each breeding method in one round.
 struct BroodPlan {
     std::size_t copies = 0;  // of each parent, mutated
     std::size_t paired = 0;  // of two parents
@@ -23,8 +23,9 @@ struct BroodPlan {
     friend bool operator==(const BroodPlan&, const BroodPlan&) = default;
 };
 
-// Three candidates a cell. One parent: all copies. Two or more (up to kMostPicks): two copies each,
-// the rest paired. No parents: all newcomers; otherwise three for each of the newcomers' cells.
+// Plans three candidates per cell. One parent has only asexual children. Two or more parents (up to
+// kMostPicks) have two asexual children each; half of the rest are crossovers and half graftings.
+// Without parents all candidates are random creatures, otherwise three per cell reserved for them.
 BroodPlan plan_brood(std::size_t parents, int cells, int newcomer_cells);
 
 struct Brood {
@@ -37,20 +38,19 @@ struct BroodOrder {
     int cells = 12;
     int newcomer_cells = 0;
     int extra_mutations = 0;
-    std::uint32_t node = 0;  // number of the grid; the generation in which they are born
-    int round = 0;           // of breeding for that grid
+    std::uint32_t node = 0;  // number of the grid, which is its creatures' generation of birth
+    int round = 0;           // round of breeding for that grid, from 0
 };
 
-// Settings must pass check_settings. Copies are bred by the first method of one parent, pairs in
-// equal numbers by the methods of two parents that have a default share.
+// The settings must pass check_settings().
 Brood breed_candidates(const BroodOrder& order, const ExperimentSettings& settings,
                        const EvolutionKinds& kinds);
 
-// The seed that replaces the experiment's in all of picking, so that grid n shares neither
-// streams nor uids with automatic generation n.
+// Returns the seed that picking uses instead of the experiment's. Grid n thus shares neither random
+// streams nor uids with generation n of automatic evolution.
 std::uint64_t picking_seed(const ExperimentSettings& settings);
 
-// Creatures from outside as parents of a grid. Genomes must be valid.
+// Makes individuals of genomes from outside, to be parents of a grid. The genomes must be valid.
 std::vector<IndividualPtr> import_creatures(std::span<const GenomePtr> genomes, std::uint32_t node,
                                             const ExperimentSettings& settings);
 

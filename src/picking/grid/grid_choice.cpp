@@ -12,8 +12,8 @@
 namespace cambrian {
 namespace {
 
-constexpr double kLightest = 1e-6;   // kg; so that its logarithm exists
-constexpr double kLeastStir = 0.01;  // of the body length; less is not seen
+constexpr double kLightest = 1e-6;   // kg; least mass, since its logarithm is taken
+constexpr double kLeastStir = 0.01;  // body lengths; smaller motion is not visible
 constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 
 double in_body_lengths(double length, const EvaluationResult& result) {
@@ -28,7 +28,7 @@ CandidateGrade grade_of(const EvaluationResult& result) {
     return still ? CandidateGrade::kStatic : CandidateGrade::kAlive;
 }
 
-// 1 for the best to 0 for the worst.
+// Returns a rank for each candidate, from 1 for the best to 0 for the worst.
 std::vector<double> merit_of(std::span<const IndividualPtr> candidates) {
     std::vector<std::size_t> order(candidates.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
@@ -42,7 +42,7 @@ std::vector<double> merit_of(std::span<const IndividualPtr> candidates) {
     return merit;
 }
 
-// Distances of the candidates to what is shown, while more of them come to be shown.
+// Chooses candidates one by one, and keeps their distances to the creatures shown so far.
 class DiverseChoice {
 public:
     DiverseChoice(std::span<const IndividualPtr> candidates, std::span<const IndividualPtr> shown,
@@ -67,7 +67,7 @@ public:
         for (std::size_t i = 0; i < open_.size(); ++i) {
             if (!open_[i]) continue;
             const double spread = furthest > 0.0 ? nearest_[i] / furthest : 0.0;
-            // Before anything is shown all distances are infinite, and fitness alone counts.
+            // Before any creature is shown all distances are infinite, so fitness alone decides.
             const double value =
                 weight < 1.0 ? (1.0 - weight) * spread + weight * merit_[i] : merit_[i];
             if (value <= most) continue;
@@ -92,10 +92,11 @@ private:
             nearest_[i] = std::min(nearest_[i], distance(descriptors_[i], descriptors_[one]));
     }
 
-    std::vector<GridDescriptor> descriptors_;  // of the candidates, then of what is shown
+    // Of the candidates, followed by those of the creatures shown.
+    std::vector<GridDescriptor> descriptors_;
     std::vector<double> merit_;
-    std::vector<double> nearest_;  // distance of each candidate to what is shown
-    std::vector<bool> open_;       // not chosen yet
+    std::vector<double> nearest_;  // distance of each candidate to the nearest creature shown
+    std::vector<bool> open_;       // whether each candidate is not chosen yet
     double fitness_weight_;
     double fitness_weight_for_first_ = fitness_weight_;
 };

@@ -8,11 +8,12 @@
 
 namespace cambrian {
 
-// Cells worth a badge; none if nothing is special. Hints, not scores (picking/README.md 1).
+// Cells that get a badge; empty if no creature has that distinction. Hints are not scores
+// (picking/README.md 1).
 struct GridHints {
-    std::optional<std::size_t> fastest;  // came furthest from where it started
-    std::optional<std::size_t> highest;  // is the tallest, settled
-    std::optional<std::size_t> oddest;   // is on average the most different from the others
+    std::optional<std::size_t> fastest;  // creature that moved the greatest distance from its start
+    std::optional<std::size_t> highest;  // tallest creature after settling
+    std::optional<std::size_t> oddest;   // creature with the greatest mean distance to the others
 };
 
 GridHints grid_hints(std::span<const IndividualPtr> creatures);

@@ -9,7 +9,8 @@
 namespace cambrian {
 namespace {
 
-constexpr int kMostRounds = 4;  // of breeding, before cells are filled with the least bad
+// Rounds of breeding before the remaining cells get the least bad candidates.
+constexpr int kMostRounds = 4;
 constexpr std::array kGrades = {CandidateGrade::kAlive, CandidateGrade::kStatic,
                                 CandidateGrade::kTwin, CandidateGrade::kInvalid};
 
@@ -63,7 +64,7 @@ bool GridMaking::evaluate_open(EvaluationBackend& backend, EvaluationProgress& p
     return true;
 }
 
-// One request a genome; twins share its result.
+// Requests one evaluation per genome; creatures with equal genomes share its result.
 void GridMaking::request_unknown(const std::vector<IndividualPtr>& creatures) {
     for (const IndividualPtr& creature : creatures) {
         if (creature->evaluated || known_.count(creature->genome_hash) > 0) continue;
@@ -85,7 +86,7 @@ void GridMaking::score(std::vector<IndividualPtr>& creatures) const {
     }
 }
 
-// Where too few live, each further round breeds more boldly.
+// Breeds more candidates. Each further round mutates more, since too few candidates were alive.
 void GridMaking::breed_round() {
     Brood brood = breed_candidates({.parents = order_.parents,
                                     .cells = order_.cells,
@@ -138,8 +139,8 @@ void GridMaking::choose() {
     done_ = true;
 }
 
-// The living first; then, while places are left, the least bad. Among equally good ones those of
-// the pool first.
+// Chooses living candidates first and then, while cells are empty, the least bad. Among equally
+// good ones, those of the pool come first.
 void GridMaking::choose_from(const std::vector<IndividualPtr>& candidates, std::size_t places,
                              std::vector<IndividualPtr>& shown) const {
     const std::vector<CandidateGrade> grades = grade_candidates(candidates, taken_hashes());

@@ -1,7 +1,7 @@
 #pragma once
 
-// Makes one grid: breeds candidates, has them evaluated, chooses. May be interrupted at any time
-// and goes on where it was; what comes out depends on the order alone.
+// Makes one grid: breeds candidates, evaluates them and chooses. It can be interrupted at any time
+// and continued; the result depends on the order alone.
 
 #include "evolution/evaluation/evaluation_backend.h"
 #include "evolution/kinds/evolution_kinds.h"
@@ -20,26 +20,26 @@ namespace cambrian {
 struct GridOrder {
     std::uint32_t node = 0;  // number of the grid in the tree
     int cells = 12;
-    int newcomer_cells = 0;   // kept free for random creatures; needs parents
-    int extra_mutations = 0;  // a child; one more in each further round of breeding
+    int newcomer_cells = 0;   // cells reserved for random creatures; more than 0 needs parents
+    int extra_mutations = 0;  // per child; each further round of breeding adds one
     double fitness_weight = 0.0;
     std::vector<IndividualPtr> parents;         // 0 to kMostPicks; see plan_brood()
-    std::map<std::size_t, IndividualPtr> kept;  // by cell; shown whatever they are
-    // Candidates there are already. If too few of them live, all that do are shown, with others
-    // bred; an order with a pool has no newcomers' cells.
+    std::map<std::size_t, IndividualPtr> kept;  // creatures shown in any case, by cell
+    // Candidates that exist already. If fewer of them are alive than there are cells, all of these
+    // are shown and the rest is bred. An order with a pool reserves no cells for random creatures.
     std::vector<IndividualPtr> pool;
 };
 
 class GridMaking {
 public:
-    // Creatures with a score must have it by these settings.
+    // Creatures with a score must have been evaluated with these settings.
     GridMaking(GridOrder order, SettingsPtr settings, const EvolutionKinds& kinds);
 
-    // False if stopped; the call may be repeated to go on.
+    // Returns false if it was stopped; it may then be called again to continue.
     bool run(EvaluationBackend& backend, EvaluationProgress& progress, const std::stop_token& stop);
     bool done() const { return done_; }
-    // All cells, once done. Those not kept are in the order of their uids, from which nothing can
-    // be read.
+    // Returns all cells when done. Creatures that were not kept are ordered by uid, so that their
+    // order says nothing about them.
     const std::vector<IndividualPtr>& cells() const { return cells_; }
 
 private:
@@ -60,7 +60,8 @@ private:
     SettingsPtr settings_;
     const EvolutionKinds* kinds_;
     std::vector<IndividualPtr> kept_;
-    std::vector<IndividualPtr> offspring_;  // and everyone where no cells are kept for newcomers
+    // Offspring; includes the random creatures unless cells are reserved for them.
+    std::vector<IndividualPtr> offspring_;
     std::vector<IndividualPtr> newcomers_;
     int rounds_ = 0;
     bool done_ = false;
@@ -69,7 +70,7 @@ private:
     std::map<std::uint64_t, EvaluationResult> known_;  // by genome hash
     std::map<std::uint64_t, std::size_t> requested_;   // by genome hash
     std::vector<EvaluationRequest> requests_;
-    std::vector<std::optional<EvaluationResult>> results_;  // one a request
+    std::vector<std::optional<EvaluationResult>> results_;  // one per request
 };
 
 }  // namespace cambrian

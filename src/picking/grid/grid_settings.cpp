@@ -28,7 +28,8 @@ int extra_mutations(Boldness boldness) {
 }
 
 int newcomer_cells(const GridSettings& grid) {
-    return grid.boldness == Boldness::kWild ? (grid.cells + 3) / 6 : 0;  // rounded
+    // Rounded to the nearest integer.
+    return grid.boldness == Boldness::kWild ? (grid.cells + 3) / 6 : 0;
 }
 
 }  // namespace cambrian

@@ -1,6 +1,6 @@
 #pragma once
 
-// How the next grid is to be bred from the picks (picking/README.md 1).
+// How the next grid is bred from the picks (picking/README.md 1).
 
 #include "core/result.h"
 
@@ -13,15 +13,15 @@ namespace cambrian {
 inline constexpr std::array kGridSizes = {4, 6, 9, 12, 16, 25};  // cells
 inline constexpr std::size_t kMostPicks = 4;
 
-// How many mutations a child gets: as breeding/README.md 1 draws, one more, or three more and a few
-// random creatures besides.
+// The number of mutations per child: the number drawn as in breeding/README.md 1, one more, or
+// three more and some random creatures besides.
 enum class Boldness : std::uint8_t { kGentle, kBold, kWild };
 
 struct GridSettings {
     int cells = 12;  // one of kGridSizes
     Boldness boldness = Boldness::kGentle;
-    // The dial from "all me" (0: the children shown differ as much as possible) to "all fitness"
-    // (1: they are the fittest).
+    // Weight of fitness in the choice of children. At 0 the children differ as much as possible; at
+    // 1 they are the fittest.
     double fitness_weight = 0.0;
 
     friend bool operator==(const GridSettings&, const GridSettings&) = default;
@@ -29,8 +29,10 @@ struct GridSettings {
 
 Status check_grid(const GridSettings& grid);
 
-int extra_mutations(Boldness boldness);  // a child, besides those the settings draw
-// Cells for fresh random creatures: 2 of 12 where wild, in proportion in other grids.
+// Returns mutations per child, in addition to those that the settings draw.
+int extra_mutations(Boldness boldness);
+// Returns the number of cells for new random creatures: 2 of 12 if wild, in proportion for other
+// sizes.
 int newcomer_cells(const GridSettings& grid);
 
 }  // namespace cambrian

@@ -10,7 +10,7 @@
 namespace cambrian {
 namespace {
 
-// From the top left, y down, to the renderer's lower left, y up.
+// Converts from an origin at the top left, y down, to the renderer's lower left, y up.
 PixelRect pixels_of(const Area& area, int height) {
     const auto whole = [](double pixels) { return static_cast<int>(std::lround(pixels)); };
     return {whole(area.x), height - whole(area.bottom()), whole(area.right()) - whole(area.x),
@@ -26,7 +26,7 @@ void mix_into(std::uint8_t* pixel, const Color& color, double share) {
     }
 }
 
-// How much of a pixel lies outside a rounded corner whose circle is centred at x, y.
+// Returns the share of a pixel outside a rounded corner; x, y is relative to the corner's centre.
 double share_outside(double x, double y, double radius) {
     return std::clamp(std::hypot(x, y) - radius + 0.5, 0.0, 1.0);
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-// One picture in the making: shapes on a background, scenes inside it, words over all. Places are
+// A picture being drawn: shapes on a background, scenes on top, and text above all. Positions are
 // in pixels from the top left, y down.
 
 #include "core/image.h"
@@ -26,13 +26,13 @@ struct Area {
 
     double right() const { return x + width; }
     double bottom() const { return y + height; }
-    // Smaller by so much on every side.
+    // Returns the area reduced by so many pixels on every side.
     Area inset(double by) const { return {x + by, y + by, width - 2.0 * by, height - 2.0 * by}; }
 };
 
 struct Ink {
     Typeface typeface = Typeface::kRegular;
-    double size = 15.0;  // pixels
+    double size = 15.0;  // height of a line, in pixels
     Color color = {};
 };
 
@@ -40,8 +40,8 @@ enum class Align : unsigned char { kLeft, kMiddle, kRight };
 
 class Easel {
 public:
-    // renderer and lettering must outlive it; needs their current OpenGL context. Fails if the
-    // driver cannot make so large a picture.
+    // Both references must outlive the object; their OpenGL context must be current. Fails if the
+    // driver cannot make a picture of this size.
     static Result<Easel> create(Renderer& renderer, const Lettering& lettering, int width,
                                 int height);
 
@@ -49,15 +49,16 @@ public:
     int height() const { return framebuffer_.height(); }
     const Lettering& lettering() const { return *lettering_; }
 
-    // Fills everything with one colour.
+    // Fills the picture with one colour.
     void clear(const Color& background);
     void add_box(const Area& area, double radius, const Color& fill);
     void add_line(const Vec2& from, const Vec2& to, double width, const Color& color);
-    // Over a rectangle of full pixels and over all boxes.
+    // Draws a scene in a rectangle of full pixels, over all boxes.
     void add_scene(SceneFrame frame, const Camera& camera, const Area& area);
-    // Paints over what is outside the rounded corners of a rectangle, but below words.
+    // Paints the area outside the rounded corners of a rectangle, below all text.
     void round_corners(const Area& area, double radius, const Color& around);
-    // y is the base line. Cut off to be at most so wide, if that is over 0.
+    // Draws text with its baseline at y. If `most` is greater than 0, the text is shortened to that
+    // width.
     void add_text(double x, double y, std::string_view text, const Ink& ink,
                   Align align = Align::kLeft, double most = 0.0);
     Image finish();
@@ -69,14 +70,14 @@ private:
     Renderer* renderer_;
     const Lettering* lettering_;
     Framebuffer framebuffer_;
-    SceneFrame boxes_;  // a metre a pixel
+    SceneFrame boxes_;  // one metre of the frame is one pixel
     struct Scene {
         SceneFrame frame;
         Camera camera;
         PixelRect place;
     };
     std::vector<Scene> scenes_;
-    std::vector<std::function<void(Image&)>> touches_;  // after all else
+    std::vector<std::function<void(Image&)>> touches_;  // changes to the finished image, made last
 };
 
 }  // namespace cambrian

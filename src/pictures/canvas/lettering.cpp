@@ -18,7 +18,7 @@ namespace {
 constexpr std::size_t kMaxFontBytes = 32'000'000;
 constexpr std::string_view kEllipsis = "…";
 
-// The code points of UTF-8 text; a byte that is none counts as a question mark.
+// Returns the code points of UTF-8 text; an invalid byte becomes a question mark.
 std::vector<int> code_points(std::string_view text) {
     std::vector<int> points;
     for (std::size_t i = 0; i < text.size();) {
@@ -39,7 +39,7 @@ std::vector<int> code_points(std::string_view text) {
     return points;
 }
 
-// Where the last complete letter of UTF-8 text begins.
+// Returns the index at which the last complete character of UTF-8 text begins.
 std::size_t last_letter(std::string_view text) {
     std::size_t at = text.size() - 1;
     while (at > 0 && (static_cast<unsigned char>(text[at]) & 0xC0U) == 0x80U)
@@ -52,7 +52,7 @@ void blend(std::uint8_t& channel, float color, float share) {
     channel = static_cast<std::uint8_t>(std::lround(mixed));
 }
 
-// A letter's coverage of pixels, its upper left corner at x, y of the image.
+// A glyph's coverage of pixels, with its upper left corner at x, y of the image.
 struct Stencil {
     std::vector<unsigned char> coverage;
     int x = 0;
@@ -99,8 +99,8 @@ struct Lettering::Face {
     float scale(double size) const {
         return stbtt_ScaleForPixelHeight(&font, static_cast<float>(size));
     }
-    // Calls visit(letter, x) for each letter, x in pixels from the first; returns where the last
-    // one ends.
+    // Calls visit(letter, x) for each letter, with x in pixels from the first. Returns the end of
+    // the last one.
     template <class Visit>
     float set(std::string_view text, double size, Visit visit) const {
         const float per_unit = scale(size);
@@ -119,7 +119,7 @@ struct Lettering::Face {
         }
         return x;
     }
-    // Of a letter whose base line begins at x, y.
+    // Rasterises a glyph whose baseline begins at x, y.
     Stencil stencil(int letter, float per_unit, double x, double y) const {
         const double left = std::floor(x);
         const auto shift = static_cast<float>(x - left);

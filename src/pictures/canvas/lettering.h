@@ -1,6 +1,6 @@
 #pragma once
 
-// Words in pictures, drawn without a graphics card.
+// Draws text into images without a graphics card.
 
 #include "core/image.h"
 #include "core/result.h"
@@ -15,22 +15,22 @@
 
 namespace cambrian {
 
-// In the regular and the strong typeface.
+// Draws text in the regular and the strong typeface.
 class Lettering {
 public:
-    // Fails where no typeface is installed.
+    // Fails if no typeface is installed.
     static Result<std::unique_ptr<Lettering>> load();
     ~Lettering();
     Lettering(const Lettering&) = delete;
     Lettering& operator=(const Lettering&) = delete;
 
-    // In pixels; `size` is the height of a line of letters.
+    // Returns the width of a text in pixels; `size` is the height of a line.
     double width(std::string_view text, Typeface typeface, double size) const;
-    // x, y: the left end of the base line. Letters outside the image are left out.
+    // Draws text; x, y is the left end of the baseline. Parts outside the image are not drawn.
     void draw(Image& image, double x, double y, std::string_view text, Typeface typeface,
               double size, const Color& color) const;
 
-    // Text cut off with an ellipsis to be at most so wide.
+    // Returns the text, shortened with an ellipsis to the width `most`.
     std::string fit(std::string_view text, Typeface typeface, double size, double most) const;
 
 private:
@@ -41,7 +41,7 @@ private:
         return *faces_[static_cast<std::size_t>(typeface)];
     }
 
-    std::array<std::unique_ptr<Face>, 2> faces_;  // in the order of Typeface
+    std::array<std::unique_ptr<Face>, 2> faces_;  // indexed by Typeface
 };
 
 }  // namespace cambrian

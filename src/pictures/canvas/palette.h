@@ -1,6 +1,6 @@
 #pragma once
 
-// The one visual language's colours, in the window and in pictures.
+// The colours of the window and of pictures.
 
 #include "render/color.h"
 
@@ -13,18 +13,18 @@ struct Palette {
     Color panel;
     Color raised;   // controls
     Color hovered;  // controls under the mouse
-    Color overlay;  // menus, and windows that lie over the panels
+    Color overlay;  // menus and cards over the panels
     Color border;
     Color text;
     Color muted;  // labels, units
-    Color faint;  // marks that should not be read first
+    Color faint;  // marks of least importance
     Color accent;
-    Color on_accent;  // text on the accent
+    Color on_accent;  // text on the accent colour
     Color danger;
-    Color sky;  // viewport
+    Color sky;  // background of the viewport
     Color ground;
     Color ground_line;
-    // Okabe & Ito's colour-blind-safe set.
+    // Colours of the colour-blind-safe set of Okabe & Ito.
     Color plot_best;
     Color plot_median;
 };

@@ -1,6 +1,6 @@
 #pragma once
 
-// The typefaces of the window and of pictures: Inter, or what is installed.
+// The typefaces of the window and of pictures: Inter or, without it, another installed one.
 
 #include <filesystem>
 #include <vector>
@@ -9,7 +9,7 @@ namespace cambrian {
 
 enum class Typeface : unsigned char { kRegular, kStrong, kMono };
 
-// Files of it that are there, the best first; possibly none.
+// Returns the installed font files of a typeface, best first; may be empty.
 std::vector<std::filesystem::path> installed_files(Typeface typeface);
 
 }  // namespace cambrian

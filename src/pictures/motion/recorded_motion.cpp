@@ -6,7 +6,7 @@
 namespace cambrian {
 namespace {
 
-constexpr std::size_t kTicksADot = 4;  // of the trail
+constexpr std::size_t kTicksADot = 4;  // ticks between two points of the trail
 
 }  // namespace
 
@@ -33,7 +33,7 @@ MotionFrame between(const MotionFrame& from, const MotionFrame& to, double share
     return between;
 }
 
-// Runs the settling phase; the frame at its end.
+// Runs the settling phase and returns the frame at its end.
 MotionFrame settle(Trial& trial) {
     MotionFrame start = motion_frame(trial.scene());
     while (trial.settling() && trial.tick())
@@ -46,7 +46,7 @@ std::size_t size_of(const MotionFrame& frame) {
            frame.touched.size() * sizeof(FaceSet);
 }
 
-// Keeps the frames of one trial, fewer of them the longer it is.
+// Records the frames of one trial; the longer the trial, the larger their interval.
 class MotionRecorder {
 public:
     MotionRecorder(RecordedMotion& motion, std::size_t most_bytes)
@@ -137,7 +137,7 @@ Result<ReplayedMotion> ReplayedMotion::start(std::shared_ptr<const Phenotype> ph
     return motion;
 }
 
-// To the next frame; false after the last one.
+// Advances to the next frame; returns false after the last one.
 bool ReplayedMotion::advance() {
     if (trial_->finished()) return false;
     trial_->tick();

@@ -1,6 +1,6 @@
 #pragma once
 
-// A trial as moments to draw, so that any of them can be drawn in any order.
+// The motion of a trial as frames, which can be drawn in any order.
 
 #include "core/result.h"
 #include "pictures/motion/touched_faces.h"
@@ -15,54 +15,56 @@
 namespace cambrian {
 
 struct MotionFrame {
-    std::vector<Pose> poses;  // of the parts
+    std::vector<Pose> poses;  // of each part
     Vec3 center_of_mass = Vec3::Zero();
-    std::vector<FaceSet> touched;  // of each part
+    std::vector<FaceSet> touched;  // faces of each part that touch something
 };
 
-// The body as it is.
+// Returns the present state of the body.
 MotionFrame motion_frame(const BodyView& body);
 
-// One creature's trial from the end of settling on. Every tick of 1/60 s is a frame, unless that
-// would be too much to keep: then every second one, every fourth...
+// One creature's trial from the end of settling. Every tick of 1/60 s is a frame; if that takes too
+// much memory, every second tick, every fourth, and so on.
 struct RecordedMotion {
-    std::shared_ptr<const Phenotype> phenotype;  // null until grown
+    std::shared_ptr<const Phenotype> phenotype;  // null until expressed
     std::vector<MotionFrame> frames;
-    std::size_t stride = 1;     // ticks from one frame to the next
-    std::size_t ticks = 0;      // after the first frame, where not every one is a frame
-    std::vector<Vec2> centers;  // of mass, of every fourth tick; where not every tick is a frame
+    std::size_t stride = 1;     // ticks between two frames
+    std::size_t ticks = 0;      // ticks after the first frame; used if stride is over 1
+    std::vector<Vec2> centers;  // of mass, at every fourth tick; used if stride is over 1
     bool complete = false;
 
     bool empty() const { return frames.empty(); }
     double length() const;  // s
-    // Between two frames, where every tick is one, or else the last frame before; the last one
-    // from its end on. Not of an empty one.
+    // Returns the motion at a time. With stride 1 it interpolates between two frames, otherwise it
+    // takes the last frame before. From the end on it is the last frame. The motion must not be
+    // empty.
     MotionFrame at(double time) const;
-    // Where the centre of mass was up to then, oldest first, fifteen a second, at most so many.
+    // Returns the centre of mass up to a time, oldest first, fifteen positions per second, at most
+    // `most`.
     std::vector<Vec2> trail(double time, std::size_t most) const;
 };
 
-// Of frames kept of one motion.
+// Limit for the frames of one motion.
 inline constexpr std::size_t kMostMotion = 48'000'000;  // bytes
 
 struct RecordedTrial {
-    RecordedMotion motion;  // to where the test phase ended; at least its start
+    RecordedMotion motion;  // up to the end of the test phase; has at least its start
     TrialRecord record;
 };
 
-// Runs a trial to its end. Fails if physics refuses the body, or if it is asked to stop.
+// Runs a trial to its end. Fails if physics rejects the body or if a stop is requested.
 Result<RecordedTrial> record_trial(std::shared_ptr<const Phenotype> phenotype, const Kinds& kinds,
                                    const TrialWorld& world, const TrialWatch& watch = {},
                                    std::size_t most_bytes = kMostMotion);
 
-// The trial computed once more, a tick at a time: every frame of a motion that is too long to be
+// Computes a trial once more, tick by tick. It gives every frame of a motion that is too long to be
 // kept in memory.
 class ReplayedMotion {
 public:
-    // Fails as record_trial() does.
+    // Fails under the same conditions as record_trial().
     static Result<ReplayedMotion> start(std::shared_ptr<const Phenotype> phenotype,
                                         const Kinds& kinds, const TrialWorld& world);
-    // As RecordedMotion::at() of a motion with every frame. Times must not decrease.
+    // Like RecordedMotion::at() for a motion with every frame. Times must not decrease.
     MotionFrame at(double time);
 
 private:
@@ -72,8 +74,8 @@ private:
     std::unique_ptr<Trial> trial_;
     MotionFrame before_;
     MotionFrame after_;
-    std::size_t tick_ = 0;  // of `before`
-    bool ended_ = false;    // there is no further frame: `after` is the last one
+    std::size_t tick_ = 0;  // tick of `before`
+    bool ended_ = false;    // `after` is the last frame
 };
 
 }  // namespace cambrian

@@ -8,7 +8,7 @@
 namespace cambrian {
 namespace {
 
-// Whether the settings are those the document's score was made under.
+// Returns whether the document's score was made with these settings.
 bool of_the_score(const CreatureDocument& document, const ExperimentSettings& settings) {
     return document.scored() && same_judgement(document.settings(), settings);
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-// Whom a picture shows and what is written beside it.
+// The creature in a picture and the facts written beside it.
 
 #include "persist/creature/creature_file.h"
 #include "pictures/motion/recorded_motion.h"
@@ -15,12 +15,12 @@ struct Subject {
     JudgedIndividual creature;                // with the settings of the trial shown
     std::string name;                         // its own, or the title
     std::string goal;                         // "Walking"
-    std::string fitness;                      // with its unit; empty without one
-    std::optional<std::uint32_t> generation;  // it was born in
+    std::string fitness;                      // with its unit; empty if it has no score
+    std::optional<std::uint32_t> generation;  // generation of its birth
     RecordedTrial trial;
     double mass = 0.0;  // kg
-    // Whether the trial, run again, moved as it did when it scored the creature; only if the
-    // document tells and this is the trial it tells of.
+    // Whether the trial, when repeated, had the same motion as when it was scored. Empty if the
+    // document does not record the motion or describes another trial.
     std::optional<bool> verified;
 
     double hue() const { return creature.genome().hue; }  // of its lineage, in turns
@@ -29,8 +29,8 @@ struct Subject {
     const Phenotype& phenotype() const { return *trial.motion.phenotype; }
 };
 
-// Runs the creature's trial under the settings; `title` names one without a name. Fails as
-// record_trial() does.
+// Runs the creature's trial with the settings. `title` is used for a creature without a name. Fails
+// under the same conditions as record_trial().
 Result<Subject> subject_of(const CreatureDocument& document, const ExperimentSettings& settings,
                            const std::string& title, const EvolutionKinds& kinds,
                            const TrialWatch& watch = {});

@@ -5,7 +5,7 @@
 namespace cambrian {
 namespace {
 
-constexpr double kHorizonShare = 0.24;  // of the viewport's height below the ground
+constexpr double kHorizonShare = 0.24;  // share of the viewport's height that is below the ground
 
 }  // namespace
 

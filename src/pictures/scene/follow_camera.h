@@ -1,6 +1,6 @@
 #pragma once
 
-// Where a camera looks that keeps to a creature.
+// The position of a camera that follows a creature.
 
 #include "creature/phenotype.h"
 #include "render/camera.h"
@@ -9,11 +9,11 @@
 
 namespace cambrian {
 
-// A rectangle of the world that holds the body, however its parts are turned.
+// Returns a rectangle of the world that contains the body for any rotation of its parts.
 WorldWindow body_window(const Phenotype& phenotype, std::span<const Pose> poses);
 
-// The camera's centre for a creature with that centre of mass. Over ground, the horizon stays where
-// it is on screen unless the creature rises out of sight.
+// Returns the camera's centre for a creature with that centre of mass. Over ground, the horizon
+// keeps its place on the screen unless the creature would rise out of sight.
 Vec2 follow_center(const Vec2& center_of_mass, bool has_ground, const Camera& camera,
                    const Viewport& viewport);
 

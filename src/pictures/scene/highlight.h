@@ -6,8 +6,8 @@
 
 namespace cambrian {
 
-// What the mouse points at, wherever it does: one part of the body, or all parts grown from one
-// gene node; and the gene node chosen in the inspector. -1 is none.
+// What is highlighted: one part of the body, all parts grown from one gene node, and the gene node
+// chosen in the inspector. -1 means none.
 struct Highlight {
     int part = -1;
     int node = -1;
@@ -17,7 +17,7 @@ struct Highlight {
         const auto grown_from = static_cast<int>(body_part.node);
         return static_cast<int>(index) == part || grown_from == node || grown_from == chosen;
     }
-    // What the other names takes the place of what this one does.
+    // Replaces each member that the other highlight sets.
     void join(const Highlight& other) {
         if (other.part >= 0) part = other.part;
         if (other.node >= 0) node = other.node;

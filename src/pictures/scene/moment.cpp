@@ -11,9 +11,10 @@
 namespace cambrian {
 namespace {
 
-constexpr std::size_t kFramesALook = 3;  // every so many frames are enough to find a size
-constexpr double kMarkPixels = 70.0;     // least distance of labelled ground marks, at size 13
-constexpr double kTrailDot = 2.2;        // pixels, the radius; at size 13
+// Frames between two looks at a body when its size is measured.
+constexpr std::size_t kFramesALook = 3;
+constexpr double kMarkPixels = 70.0;  // least distance of labelled ground marks, at label size 13
+constexpr double kTrailDot = 2.2;     // radius in pixels, at label size 13
 
 Vec2 size_of_body(const RecordedMotion& motion, const MotionFrame& frame) {
     const WorldWindow window = body_window(*motion.phenotype, frame.poses);
@@ -38,7 +39,7 @@ SceneFrame scene_of(const Subject& subject, const Moment& moment, const Camera& 
     return scene;
 }
 
-// How far along the ground each mark is.
+// Labels each ground mark with its distance.
 void add_ground_labels(Easel& easel, const Area& area, const Camera& camera,
                        const Viewport& viewport, const MomentStyle& style) {
     const WorldWindow window = camera.window(viewport);
@@ -85,7 +86,7 @@ double telling_time(const RecordedMotion& motion) {
     return static_cast<double>(best * motion.stride) * kBrainTick;
 }
 
-// Times of kept frames: what a picture shows was so to the tick.
+// Rounds the time down to a recorded frame, so that the picture shows an exact tick.
 Moment moment_of(const RecordedMotion& motion, double time) {
     if (motion.stride > 1) {
         const double step = static_cast<double>(motion.stride) * kBrainTick;

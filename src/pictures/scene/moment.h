@@ -1,6 +1,6 @@
 #pragma once
 
-// One moment of a creature's trial, drawn as the viewport draws it.
+// Draws one instant of a creature's trial in the same way as the viewport.
 
 #include "pictures/canvas/easel.h"
 #include "pictures/motion/subject.h"
@@ -13,20 +13,20 @@ namespace cambrian {
 struct MomentStyle {
     const Palette& palette;
     double pixels_per_metre = 100.0;
-    double label_size = 13.0;  // pixels; of the ground's metres
-    std::size_t trail = 60;    // dots
+    double label_size = 13.0;  // pixels; size of the labels on the ground
+    std::size_t trail = 60;    // points of the trail
 };
 
-// Pixels a metre so that the creature never fills more than the share of an area of that size.
+// Returns the scale, in pixels per metre, at which the creature always fits in `share` of the area.
 double scale_to_fit(const RecordedMotion& motion, const Area& area, double share);
 
-// So many times from the start of a motion to its end, evenly; a single one is in the middle.
+// Returns `count` evenly spaced times from start to end; a single one is in the middle.
 std::vector<double> even_times(const RecordedMotion& motion, int count);
 
-// A time of the middle half at which the creature reaches out farthest.
+// Returns the time, within the middle half of the motion, at which the creature is most extended.
 double telling_time(const RecordedMotion& motion);
 
-// The subject as it was then. The camera keeps to the creature, which is in the middle.
+// The subject at one time. The camera follows the creature, which is in the middle.
 struct Moment {
     double time = 0.0;  // s
     MotionFrame frame;
@@ -35,7 +35,7 @@ Moment moment_of(const RecordedMotion& motion, double time);
 void add_moment(Easel& easel, const Area& area, const Subject& subject, const Moment& moment,
                 const MomentStyle& style);
 
-// What is known of the creature in a line: "4 parts · 3 joints · 7 neurons".
+// Returns facts about the body in one line: "4 parts · 3 joints · 7 neurons".
 std::string facts_line(const Subject& subject);
 
 }  // namespace cambrian

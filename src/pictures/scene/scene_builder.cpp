@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kGridPixels = 22.0;  // least distance of grid lines
 constexpr double kNodeHueStep = 0.055;
-constexpr double kPivotRadius = 0.028;  // m, at most
+constexpr double kPivotRadius = 0.028;  // m; largest radius of a drawn joint
 
 Vec2 planar(const Vec3& point) {
     return point.head<2>();
@@ -28,7 +28,7 @@ Shape part_shape(const PlannedPart& part, const Pose& pose, const Color& color, 
     return shape;
 }
 
-// Ends of a face in the part's frame.
+// Returns the ends of a face in the part's frame.
 std::array<Vec2, 2> face_ends(const Vec2& half, Face face, double inset) {
     const double x = half.x();
     const double y = half.y();
@@ -103,7 +103,8 @@ void add_grid(SceneFrame& frame, const Palette& palette, const Camera& camera,
               const Viewport& viewport) {
     const WorldWindow window = camera.window(viewport);
     const double spacing = mark_spacing(camera, kGridPixels);
-    // Opaque, which is painted much faster; so coarse lines come after the fine ones they cross.
+    // Opaque lines are painted much faster, so coarse lines must come after the fine ones they
+    // cross.
     for (const bool coarse : {false, true}) {
         const Color color = mix(frame.background, palette.faint, coarse ? 0.26F : 0.10F);
         const auto wanted = [coarse](double index) {

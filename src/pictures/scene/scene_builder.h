@@ -1,6 +1,6 @@
 #pragma once
 
-// A creature and its world as shapes to draw.
+// Converts a creature and its world to shapes.
 
 #include "creature/phenotype.h"
 #include "pictures/canvas/palette.h"
@@ -14,37 +14,38 @@
 
 namespace cambrian {
 
-// What to draw of a creature. The plan's parts are at `poses`; `touched` holds the faces to light
-// up of each part, or nothing.
+// A creature to draw, with its parts at `poses`. `touched` has the faces of each part to highlight,
+// or is empty.
 struct CreatureLook {
     const Phenotype& phenotype;
     std::span<const Pose> poses;
     std::span<const FaceSet> touched = {};
-    double hue = 0.0;  // of its lineage, in turns
+    double hue = 0.0;  // hue of its lineage, in turns
     Highlight highlight = {};
 };
 
-// The colour of one part: the lineage's hue, moved a little for each gene node, lighter outwards.
+// Returns the colour of a part: the lineage's hue with a small shift for each gene node, lighter
+// towards the tips.
 Color part_color(const BodyPart& part, double hue);
 
-// Grid of metres, behind everything; finer lines as the camera comes closer.
+// Adds a grid of metres behind everything, with finer lines the closer the camera is.
 void add_grid(SceneFrame& frame, const Palette& palette, const Camera& camera,
               const Viewport& viewport);
 void add_ground(SceneFrame& frame, const Palette& palette, const Camera& camera,
                 const Viewport& viewport);
 void add_shadow(SceneFrame& frame, const CreatureLook& look);
-// A pale creature behind the one shown.
+// Adds a pale creature behind the displayed one.
 void add_ghost(SceneFrame& frame, const Camera& camera, const CreatureLook& look);
 void add_creature(SceneFrame& frame, const Palette& palette, const Camera& camera,
                   const CreatureLook& look);
 
 inline constexpr double kTickPixels = 70.0;  // least distance of the ground's ticks
 
-// Metres between labelled marks so that they are at least `least_pixels` apart: 1, 2 or 5 times
-// a power of ten.
+// Returns the distance in metres between labelled marks that are at least `least_pixels` apart: 1,
+// 2 or 5 times a power of ten.
 double mark_spacing(const Camera& camera, double least_pixels);
 
-// The front-most part under a point of the world, or -1.
+// Returns the part in front at a point of the world, or -1.
 int part_at(const Phenotype& phenotype, std::span<const Pose> poses, const Vec2& point);
 
 }  // namespace cambrian

@@ -4,7 +4,7 @@
 
 namespace cambrian {
 
-// An off-screen picture to draw into. Needs a current OpenGL context from birth to death.
+// An off-screen framebuffer. Needs a current OpenGL context throughout its lifetime.
 class Framebuffer {
 public:
     static Result<Framebuffer> create(int width, int height);
@@ -12,7 +12,7 @@ public:
     Framebuffer(Framebuffer&& other) noexcept;
     Framebuffer& operator=(Framebuffer&&) = delete;
 
-    void bind() const;  // until another, or 0, is bound
+    void bind() const;  // binds it until another framebuffer, or 0, is bound
     int width() const { return width_; }
     int height() const { return height_; }
 

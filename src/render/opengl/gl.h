@@ -1,4 +1,4 @@
 #pragma once
 
-// The only include of the OpenGL loader.
+// Includes the OpenGL loader. No other file includes it.
 #include <glad/gl.h>

@@ -16,7 +16,7 @@ bool offers(const char* extensions, std::string_view name) {
            std::string_view(extensions).find(name) != std::string_view::npos;
 }
 
-// Mesa's display without a display; elsewhere whatever the driver holds to be the usual one.
+// Returns Mesa's surfaceless display; with other drivers, their default display.
 EGLDisplay find_display() {
     if (offers(eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS), "EGL_MESA_platform_surfaceless")) {
         const EGLDisplay display =
@@ -54,7 +54,7 @@ EGLContext create_context(EGLDisplay display, EGLConfig config) {
     return eglCreateContext(display, config, EGL_NO_CONTEXT, wanted.data());
 }
 
-// Some drivers insist on a surface, be it never drawn to.
+// Creates a surface that is never drawn to, since some drivers require one.
 EGLSurface create_surface(EGLDisplay display, EGLConfig config) {
     if (offers(eglQueryString(display, EGL_EXTENSIONS), "EGL_KHR_surfaceless_context"))
         return EGL_NO_SURFACE;

@@ -6,11 +6,11 @@
 
 namespace cambrian {
 
-// OpenGL 3.3 without a window or a display, through EGL; current on the thread that made it. Draw
-// into a Framebuffer.
+// An OpenGL 3.3 context without window or display, made by EGL. It is current on the thread that
+// created it. Drawing needs a Framebuffer.
 class OffscreenContext {
 public:
-    // Fails, saying so, where the graphics driver offers none.
+    // Fails if the graphics driver offers no such context.
     static Result<std::unique_ptr<OffscreenContext>> create();
     ~OffscreenContext();
     OffscreenContext(const OffscreenContext&) = delete;
@@ -19,7 +19,7 @@ public:
 private:
     OffscreenContext() = default;
 
-    void* display_ = nullptr;  // EGL's handles; null for none
+    void* display_ = nullptr;  // EGL handles; null for none
     void* surface_ = nullptr;
     void* context_ = nullptr;
 };

@@ -4,8 +4,7 @@
 
 namespace cambrian {
 
-// The pixels of the bound framebuffer's lower left width x height corner. Waits for the graphics
-// card.
+// Reads the lower left width x height pixels of the bound framebuffer. Waits for the graphics card.
 Image read_pixels(int width, int height);
 
 }  // namespace cambrian

@@ -8,7 +8,7 @@
 namespace cambrian {
 namespace {
 
-// The compiled stage, or 0 with the driver's words in `log`.
+// Compiles a shader stage. On failure, returns 0 and sets `log` to the driver's message.
 GLuint compile_stage(GLenum type, const char* source, std::string& log) {
     const GLuint stage = glCreateShader(type);
     glShaderSource(stage, 1, &source, nullptr);

@@ -4,8 +4,8 @@
 
 namespace cambrian {
 
-// A linked program of a vertex and a fragment shader. Needs a current OpenGL context from birth to
-// death.
+// A linked program of a vertex and a fragment shader. Needs a current OpenGL context throughout its
+// lifetime.
 class Shader {
 public:
     static Result<Shader> compile(const char* vertex_source, const char* fragment_source);

@@ -5,7 +5,7 @@
 namespace cambrian {
 namespace {
 
-// OpenGL takes offsets into the bound buffer as pointers.
+// Converts an offset into the bound buffer to the pointer that OpenGL expects.
 const void* buffer_place(std::size_t offset) {
     return reinterpret_cast<const void*>(offset);  // NOLINT(performance-no-int-to-ptr)
 }

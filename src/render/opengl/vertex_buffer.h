@@ -6,7 +6,7 @@
 
 namespace cambrian {
 
-// One shape as the vertex shader reads it, one instance of a quad each. Lengths in metres,
+// A shape in the vertex shader's format, drawn as one instance of a quad. Lengths are in metres,
 // positions relative to the camera's centre.
 struct ShapeInstance {
     float center_x = 0.0F;
@@ -22,7 +22,8 @@ struct ShapeInstance {
     std::uint32_t outline = 0;
 };
 
-// Shape instances on the graphics card, refilled each frame. Needs a current OpenGL context.
+// Shape instances in the graphics card's memory, replaced every frame. Needs a current OpenGL
+// context.
 class VertexBuffer {
 public:
     VertexBuffer();

@@ -16,7 +16,7 @@ BackgroundWorker::~BackgroundWorker() {
     }
     thread_.request_stop();
     available_.release();
-    // The worker may be waiting for room among the completions.
+    // The worker may be waiting for room in the queue of completions.
     while (unfinished_ > 0) {
         while (completions_.pop())
             --unfinished_;
@@ -49,9 +49,9 @@ void BackgroundWorker::run(const std::stop_token& stop) {
     while (true) {
         available_.acquire();
         std::optional<Job> job = jobs_.pop();
-        if (!job) return;  // woken to stop, with nothing left to do
+        if (!job) return;  // the thread was woken by the stop request and no job is left
         Completion completion = (*job)(stop);
-        // A refused push leaves its argument as it was.
+        // A failed push does not move from its argument.
         while (!completions_.push(std::move(completion)))  // NOLINT(bugprone-use-after-move)
             std::this_thread::yield();
     }

@@ -1,7 +1,7 @@
 #pragma once
 
-// One thread for what may take time or touch the disk. The window's thread never waits for it: jobs
-// go in and completions come out through lock-free queues.
+// One thread for tasks that may take long or use the disk. The window's thread never waits for it:
+// jobs and their completions pass through lock-free queues.
 
 #include "core/threads/command_queue.h"
 
@@ -15,18 +15,19 @@ namespace cambrian {
 
 class BackgroundWorker {
 public:
-    // Runs on the window's thread, in deliver().
+    // A completion runs on the window's thread, in deliver().
     using Completion = std::function<void()>;
-    // Runs on the worker; shares nothing mutable with the window.
+    // A job runs on the worker's thread and shares no mutable data with the window.
     using Job = std::function<Completion(std::stop_token)>;
 
     BackgroundWorker();
-    // Finishes every job handed in; their tokens say stop, so that only short ones do their work.
+    // The destructor finishes every submitted job. Their stop tokens are set, so that long jobs end
+    // early.
     ~BackgroundWorker();
     BackgroundWorker(const BackgroundWorker&) = delete;
     BackgroundWorker& operator=(const BackgroundWorker&) = delete;
 
-    // Jobs run one by one in order.
+    // Jobs run one at a time, in the order of submission.
     void submit(Job job);
     // Runs the completions of finished jobs.
     void deliver();
@@ -36,12 +37,12 @@ private:
     void run(const std::stop_token& stop);
     void send_waiting();
 
-    std::deque<Job> waiting_;  // window's thread: not yet in the queue
-    int unfinished_ = 0;       // window's thread: submitted, not delivered
+    std::deque<Job> waiting_;  // window's thread only; jobs that did not fit into the queue
+    int unfinished_ = 0;       // window's thread only; submitted and not yet delivered
     CommandQueue<Job, 64> jobs_;
     CommandQueue<Completion, 64> completions_;
     std::counting_semaphore<> available_{0};
-    std::jthread thread_;  // last: joined before what it uses goes
+    std::jthread thread_;  // last member, so that it is joined before the others are destroyed
 };
 
 }  // namespace cambrian

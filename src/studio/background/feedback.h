@@ -1,6 +1,6 @@
 #pragma once
 
-// What the studio tells the person, in the notice strip, and what it writes to the status log.
+// What the studio tells the user: notices in the notice strip, and events in the status log.
 
 #include "core/result.h"
 #include "studio/background/notices.h"
@@ -15,7 +15,7 @@ class Feedback {
 public:
     explicit Feedback(const std::filesystem::path& status_log) : log_(status_log) {}
 
-    // Once a frame: `now` is in seconds of the window's clock.
+    // Must be called once a frame; `now` is in seconds of the window's clock.
     void set_time(double now) { now_ = now; }
     double now() const { return now_; }
     // Decides which notice this frame shows.
@@ -24,7 +24,7 @@ public:
     void dismiss() { notices_.dismiss(); }
 
     void tell(NoticeKind kind, const std::string& text);
-    // Tells the person why something failed; success says nothing.
+    // Shows the error of a failure as a notice; does nothing for a success.
     void report(const Status& status);
     StatusLog& log() { return log_; }
 

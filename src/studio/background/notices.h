@@ -14,8 +14,8 @@ struct Notice {
     double shown_since = 0.0;  // s, of the window's clock
 };
 
-// The one strip of words at a time: what was done, or what went wrong and what to do next. Done
-// fades by itself, problems stay until dismissed or replaced.
+// The one notice shown at a time: a task done, or a problem and what to do next. A notice of a task
+// done fades by itself; a problem stays until it is dismissed or replaced.
 class Notices {
 public:
     void tell(NoticeKind kind, std::string text, double now) {

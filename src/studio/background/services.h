@@ -1,6 +1,6 @@
 #pragma once
 
-// What every controller of the studio uses.
+// The services that every controller of the studio uses.
 
 #include "evolution/kinds/evolution_kinds.h"
 #include "studio/background/background_worker.h"
@@ -16,7 +16,7 @@ struct Services {
     Feedback& feedback;
 };
 
-// Writes something to the disk on the worker's thread; the person is told if it fails.
+// Runs `write` on the worker's thread and shows a notice if it fails.
 void write_in_background(const Services& services, std::function<Status()> write);
 
 }  // namespace cambrian

@@ -1,8 +1,8 @@
 #pragma once
 
-// What happened, one JSON object a line, written at once: for tests that drive the window from
-// outside and wait for what follows. Each tells its frame, as numbered in the frame log, unless it
-// comes before the first.
+// A log of events, one JSON object per line, flushed at once. Tests that drive the window from
+// outside wait for these events. Each event has the number of its frame in the frame log, except
+// those before the first frame.
 
 #include <cstdint>
 #include <filesystem>
@@ -19,9 +19,9 @@ public:
     using Value = std::variant<std::string, double, bool>;
     using Field = std::pair<const char*, Value>;
 
-    // Nothing is written if the path is empty or cannot be opened.
+    // An empty path, or one that cannot be opened, disables the log.
     explicit StatusLog(const std::filesystem::path& path);
-    // What is written from now on belongs to this frame.
+    // Sets the number of the frame to which the following events belong.
     void begin_frame(std::uint64_t number) { frame_ = number; }
     void write(const std::string& event, std::initializer_list<Field> fields = {});
 

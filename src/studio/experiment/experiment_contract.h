@@ -1,6 +1,6 @@
 #pragma once
 
-// What panels see of the open experiment and what they may request of it.
+// The data of the open experiment that panels see, and the requests they may make of it.
 
 #include "evolution/engine/command.h"
 #include "evolution/engine/snapshot.h"
@@ -16,25 +16,26 @@ namespace cambrian {
 
 struct ToggleEvolution {};
 struct RunOneGeneration {};
-// Replaces the draft after an edit of one field ("environment.gravity").
+// Replaces the draft settings after an edit of the named field, for example "environment.gravity".
 struct EditSettings {
     ExperimentSettings settings;
     std::string field;
 };
-// The control was released: the engine gets the draft.
+// Ends an edit when the control is released; the engine then gets the draft.
 struct FinishEdit {};
-// Undoes the last edit of the genes on display or, if none was edited, of the settings.
+// Undoes the last edit of the displayed creature's genes or, if there is none, of the settings.
 struct UndoEdit {};
 struct RedoEdit {};
-// Begins a new generation 0 with the draft, from random creatures or the present population.
+// Starts a new run from generation 0 with the draft settings. The founders are the present
+// population or random creatures.
 struct StartNewRun {
     bool keep_population = false;
 };
-// The same from the creature on display and what the settings fill up with.
+// Starts a new run whose founders are the displayed creature and those that the settings add.
 struct StartFromShown {};
-// Takes every setting that cannot change while running from what is running.
+// Resets every draft setting that cannot change during a run to its value in the present run.
 struct DropStructuralEdits {};
-// Gives the keyboard to the filter of the settings.
+// Moves the keyboard focus to the filter of the settings.
 struct FindSetting {};
 
 using ExperimentRequest =
@@ -46,8 +47,8 @@ struct ExperimentView {
     const EvolutionSnapshot& snapshot;
     const ProgressView& progress;
     const SettingsEditor& editor;
-    unsigned find_asked = 0;    // how often a setting was to be found
-    bool previous_run = false;  // whether there is one that could be opened
+    unsigned find_asked = 0;    // number of FindSetting requests so far
+    bool previous_run = false;  // whether an earlier run can be opened
 };
 
 }  // namespace cambrian

@@ -9,7 +9,7 @@
 
 namespace cambrian {
 
-// One operator for each request.
+// Has one overload for each kind of request.
 struct ExperimentController::Handler {
     ExperimentController& self;
 
@@ -122,7 +122,7 @@ void ExperimentController::commit() {
     services_.feedback.report(experiment_.commit());
 }
 
-// A world changed by hand acts on the creature on display at once; any other edit leaves it alone.
+// A change of the environment acts on the displayed creature at once; other edits do not.
 void ExperimentController::change_draft(void (SettingsEditor::*change)()) {
     const Environment before = experiment_.editor().draft().world.environment;
     (experiment_.editor().*change)();

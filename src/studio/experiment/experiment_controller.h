@@ -1,6 +1,6 @@
 #pragma once
 
-// Owns the open experiment: evolution, its settings, and where it is kept.
+// Owns the open experiment: its evolution, its settings and its file.
 
 #include "studio/background/services.h"
 #include "studio/experiment/experiment_contract.h"
@@ -12,22 +12,23 @@ namespace cambrian {
 
 class ExperimentController {
 public:
-    // Everything that `services` names, `view` and `viewer` must outlive it.
+    // The references in `services`, and `view` and `viewer`, must outlive the controller.
     ExperimentController(const Services& services, ViewState& view, ViewerController& viewer,
                          ExperimentSettings settings, std::shared_ptr<EvaluationBackend> backend);
 
-    // Once a frame, in this order: reads what the engine did, and says whether it runs or failed.
+    // Must be called once a frame, in this order: poll() reads the engine's latest snapshot,
+    // follow_status() reports whether evolution runs or failed.
     void poll() { experiment_.poll(); }
     void follow_status();
     void carry_out(const ExperimentRequest& request);
     ExperimentView facts() const;
 
-    // New runs are kept in this file from now on, the run before beside it.
+    // Saves new runs in this file from now on; the run before is kept in a file beside it.
     void keep_in(const std::filesystem::path& file);
     const std::filesystem::path& own_file() const { return own_file_; }
-    // While a person picks by hand, evolution pauses and cannot be started.
+    // Pauses evolution and forbids starting it while the user selects by hand.
     void suspend();
-    // Ends that; `resume` goes on with evolution if it was running before.
+    // Ends the suspension; with `resume`, evolution continues if it was running before.
     void release(bool resume);
     void show_random_creature();
 
@@ -47,7 +48,7 @@ private:
     std::filesystem::path own_file_;
     EngineStatus seen_status_ = EngineStatus::kPaused;
     bool suspended_ = false;
-    bool evolved_before_ = false;  // when evolution was suspended
+    bool evolved_before_ = false;  // whether evolution ran when it was suspended
     bool previous_run_ = false;
     unsigned find_asked_ = 0;
 };

@@ -1,6 +1,6 @@
 #pragma once
 
-// What panels see of starred creatures and what they may request of past and present generations.
+// What panels see of starred creatures, and what they may request of past and present generations.
 
 #include "evolution/engine/snapshot.h"
 #include "studio/viewer/stars.h"
@@ -14,17 +14,17 @@ namespace cambrian {
 struct ShowChampion {
     std::uint32_t generation = 0;
 };
-// Displays a creature of some generation, under the settings that judged it.
+// Displays a creature of any generation in the world that evaluated it.
 struct ShowIndividual {
     JudgedIndividual creature;
 };
-// Displays the newest champion, and each that follows.
+// Displays the newest champion now and after each further generation.
 struct ShowNewest {};
 struct ToggleStar {
     JudgedIndividual creature;
 };
 struct ToggleStarOfShown {};
-// Gives back the star that was taken away last.
+// Restores the star that was removed last.
 struct RestoreStar {};
 
 using GenerationsRequest = std::variant<ShowChampion, ShowIndividual, ShowNewest, ToggleStar,

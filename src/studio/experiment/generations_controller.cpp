@@ -6,11 +6,11 @@
 namespace cambrian {
 namespace {
 
-constexpr double kLeastStay = 5.0;  // s a champion is watched before the next may come
+constexpr double kLeastStay = 5.0;  // s; shortest time for which a champion is displayed
 
 }  // namespace
 
-// One operator for each request.
+// Has one overload for each kind of request.
 struct GenerationsController::Handler {
     GenerationsController& self;
 
@@ -72,8 +72,8 @@ void GenerationsController::log_finished() {
     seen_champions_ = snapshot.champions.size();
 }
 
-// The newest champion is displayed as soon as the one before it was watched for a while; the first
-// one at once.
+// Displays the newest champion once the one before was displayed for kLeastStay; the first one at
+// once.
 void GenerationsController::follow_newest() {
     const EvolutionSnapshot& snapshot = experiment_.open().snapshot();
     const Playback& playback = viewer_.playback();
@@ -115,7 +115,8 @@ const JudgedIndividual* GenerationsController::champion_of(std::uint32_t generat
     return known ? &*found : nullptr;
 }
 
-// Nothing for a creature that belongs to no generation of this experiment and has no star.
+// Returns nothing if the displayed creature has no star and belongs to no generation of this
+// experiment.
 std::optional<JudgedIndividual> GenerationsController::creature_on_display() const {
     if (viewer_.playback().empty()) return std::nullopt;
     const Exhibit& exhibit = viewer_.playback().exhibit();

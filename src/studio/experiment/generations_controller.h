@@ -1,6 +1,6 @@
 #pragma once
 
-// Puts creatures of the experiment's generations on display, and owns which of them have a star.
+// Displays creatures of the experiment's generations, and owns the list of starred creatures.
 
 #include "studio/experiment/experiment_controller.h"
 #include "studio/experiment/generations_contract.h"
@@ -14,7 +14,8 @@ namespace cambrian {
 
 class GenerationsController {
 public:
-    // Everything that `services` names, `view`, `viewer` and `experiment` must outlive it.
+    // The references in `services`, and `view`, `viewer` and `experiment`, must outlive the
+    // controller.
     GenerationsController(const Services& services, ViewState& view, ViewerController& viewer,
                           ExperimentController& experiment)
         : services_(services), view_(view), viewer_(viewer), experiment_(experiment) {}
@@ -22,13 +23,13 @@ public:
     void carry_out(const GenerationsRequest& request);
     GenerationsView facts() const { return {.stars = stars_}; }
 
-    // Once a frame: writes finished generations to the log.
+    // Must be called once a frame; writes finished generations to the status log.
     void log_finished();
-    // Displays the newest champion if the person follows the champions.
+    // Displays the newest champion if the user chose to follow it.
     void follow_newest();
-    // Once a frame: writes the stars to the experiment's file if they changed.
+    // Must be called once a frame; saves the stars in the experiment's file if they changed.
     void keep_stars();
-    // The stars of an experiment that was opened.
+    // Replaces the stars by those of an experiment that was opened.
     void replace_stars(std::vector<JudgedIndividual> stars);
 
 private:
@@ -42,7 +43,7 @@ private:
     ViewerController& viewer_;
     ExperimentController& experiment_;
     Stars stars_;
-    std::uint64_t kept_stars_ = 0;  // revision
+    std::uint64_t kept_stars_ = 0;  // revision of the stars that were saved last
     std::uint64_t seen_experiment_ = 0;
     std::size_t seen_champions_ = 0;
 };

@@ -59,7 +59,7 @@ void OpenExperiment::measure() {
         return;
     }
     if (elapsed < kRateWindow) return;
-    // Complete generations that passed count with the size of the present one.
+    // Each generation completed since the last reading counts with the size of the present one.
     const auto generations = static_cast<double>(snapshot_->generation - marked_generation_);
     const double done = generations * progress_.total + static_cast<double>(progress_.done) -
                         static_cast<double>(marked_done_);
@@ -99,7 +99,7 @@ Status OpenExperiment::start_new_run(std::vector<GenomePtr> founders) {
     return {};
 }
 
-// A place of its own for every run, so that one before can still be written to its end.
+// Every run gets its own KeptExperiment, so that the writing of the run before can still finish.
 void OpenExperiment::start(std::vector<GenomePtr> founders) {
     file_.clear();
     kept_ = std::make_shared<KeptExperiment>(autosave_, kinds_);

@@ -1,6 +1,6 @@
 #pragma once
 
-// The experiment being worked on: the engine and the settings as edited.
+// The open experiment: the evolution engine and the settings as edited.
 
 #include "core/stopwatch.h"
 #include "evolution/engine/engine.h"
@@ -19,23 +19,25 @@ namespace cambrian {
 
 class OpenExperiment {
 public:
-    // Settings must pass check_settings.
+    // The settings must pass check_settings().
     OpenExperiment(ExperimentSettings settings, const EvolutionKinds& kinds,
                    std::shared_ptr<EvaluationBackend> backend);
 
-    // From now on new runs are kept in this file (KeptExperiment); before, nowhere for long.
+    // Saves new runs in this file from now on (see KeptExperiment). Before this call, runs are
+    // saved in a temporary file.
     void autosave_in(const std::filesystem::path& file);
-    // Goes on with an experiment that was kept, paused.
+    // Continues a saved experiment; evolution is paused at first.
     void go_on(SavedExperiment saved, std::shared_ptr<ExperimentFile> file,
                const std::filesystem::path& path);
-    // It is kept there from now on.
+    // Must be called when the user saved the experiment under another path; it is kept there from
+    // now on.
     void moved_to(const std::filesystem::path& path) { file_ = path; }
-    // The file a person gave it; empty if none.
+    // The file that the user chose; empty if none.
     const std::filesystem::path& file() const { return file_; }
-    // Where the present one is kept; any thread.
+    // Where the present run is saved; may be used on any thread.
     const std::shared_ptr<KeptExperiment>& kept() const { return kept_; }
 
-    // Once a frame: sends what waited for room and measures progress.
+    // Must be called once a frame: sends the waiting commands and measures progress.
     void poll();
     const EvolutionSnapshot& snapshot() const { return *snapshot_; }
     const ProgressView& progress() const { return progress_; }
@@ -43,16 +45,17 @@ public:
     const SettingsEditor& editor() const { return editor_; }
     SettingsEditor& editor() { return editor_; }
     bool running() const { return snapshot_->status == EngineStatus::kRunning; }
-    // Nothing was evaluated yet, so that everything may still be edited.
+    // Whether nothing has been evaluated yet, so that every setting may still be edited.
     bool fresh() const;
 
-    // The engine carries out a command as soon as its inbox has room.
+    // Sends a command to the engine, as soon as its inbox has room.
     void send(EngineCommand command);
-    // The engine gets what was edited: all of it while fresh, live fields otherwise.
+    // Sends the draft to the engine: all settings while fresh(), otherwise the live ones only.
     Status commit();
-    // A new generation 0 with the draft, from these creatures or random ones.
+    // Starts a new run with the draft settings from these founders or, if there are none, random
+    // ones.
     Status start_new_run(std::vector<GenomePtr> founders);
-    // A new generation 0 with other settings.
+    // Starts a new run with other settings.
     Status replace(const ExperimentSettings& settings);
 
 private:
@@ -66,16 +69,16 @@ private:
     std::filesystem::path file_;
     std::shared_ptr<KeptExperiment> kept_;
     EvolutionEngine engine_;
-    std::deque<EngineCommand> unsent_;  // the engine's inbox was full
+    std::deque<EngineCommand> unsent_;  // commands that did not fit into the engine's inbox
     std::shared_ptr<const EvolutionSnapshot> snapshot_;
     ProgressView progress_;
-    // For the rate: what was done when, within the present generation.
+    // The creatures evaluated at the last reading of the rate, and the generation it was in.
     Stopwatch since_mark_;
     std::uint32_t marked_done_ = 0;
     std::uint32_t marked_generation_ = 0;
 };
 
-// All fields written out, so that maps name every kind and equal settings compare equal.
+// Returns the settings with an entry for every field, so that equal settings compare equal.
 ExperimentSettings completed(ExperimentSettings settings, const std::vector<SettingField>& fields);
 
 }  // namespace cambrian

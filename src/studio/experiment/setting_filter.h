@@ -8,13 +8,13 @@
 
 namespace cambrian {
 
-// Finds settings by words of their name, key, group or help; case does not matter.
+// Finds settings whose name, key, group or help contains given words, in upper or lower case.
 class SettingFilter {
 public:
     explicit SettingFilter(std::string_view words);
 
     bool empty() const { return words_.empty(); }
-    // Whether every word occurs somewhere.
+    // Returns whether every word occurs in one of the field's texts.
     bool finds(const SettingField& field, std::string_view group_title) const;
 
 private:

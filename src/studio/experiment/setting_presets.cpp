@@ -11,7 +11,7 @@ namespace {
 
 using Settings = ExperimentSettings;
 
-// Keeps the density of bodies, which is not the world's.
+// Sets the environment but keeps the density of bodies, which is a property of the creatures.
 void change_world(Settings& settings, Environment world) {
     world.density = settings.world.environment.density;
     settings.world.environment = world;
@@ -33,7 +33,8 @@ void go_in_fluid(Settings& settings, double linear, double quadratic) {
     change_world(settings, world);
 }
 
-// The default weights, those of the operators on the body or the brain divided.
+// Sets the default mutation weights, divided by one divisor for the body's operators and one for
+// the brain's.
 void weigh_mutations(Settings& settings, const EvolutionKinds& kinds, double body_divisor,
                      double brain_divisor) {
     for (const MutationKind& kind : kinds.mutations.all()) {
@@ -51,7 +52,7 @@ void try_creatures(Settings& settings, int trials, double friction_jitter, doubl
     trial.combine = TrialSettings{}.combine;
 }
 
-// Sizes of random parts, in m.
+// Sets the range of sizes of random parts, in m.
 void size_founders(Settings& settings, const FounderSettings& sizes) {
     settings.founders.min_length = sizes.min_length;
     settings.founders.max_length = sizes.max_length;
@@ -59,7 +60,7 @@ void size_founders(Settings& settings, const FounderSettings& sizes) {
     settings.founders.max_width = sizes.max_width;
 }
 
-// Thick parts are strong for their weight: what jumps begins from them.
+// Thick parts have strong joints for their weight, as jumping creatures need.
 FounderSettings big_founders() {
     FounderSettings sizes;
     sizes.min_length = 0.4;

@@ -9,19 +9,19 @@
 
 namespace cambrian {
 
-// Values for one table of settings and those below it, to choose in one go.
+// A named set of values for one table of settings and its sub-tables.
 struct SettingPreset {
-    std::string_view table;  // "environment", "mutation", "trial"
+    std::string_view table;  // path of the table: "environment", "mutation", "trial"
     const char* label;
     const char* help;
     void (*apply)(ExperimentSettings& settings, const EvolutionKinds& kinds);
 };
 
-// Those of one table are adjacent.
+// Returns the presets; those of one table are adjacent.
 std::span<const SettingPreset> setting_presets();
 std::span<const SettingPreset> setting_presets(std::string_view table);
 
-// Whether applying it would change nothing.
+// Returns whether applying the preset would change no setting.
 bool is_in_force(const SettingPreset& preset, const ExperimentSettings& settings,
                  const EvolutionKinds& kinds, const std::vector<SettingField>& fields);
 

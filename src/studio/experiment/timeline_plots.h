@@ -1,6 +1,6 @@
 #pragma once
 
-// What the timeline can plot, each quantity as one or two curves over the generations.
+// The quantities that the timeline can plot, each as one or two curves over the generations.
 
 #include "evolution/individual/statistics.h"
 #include "studio/look/view_state.h"
@@ -19,16 +19,17 @@ struct TimelineCurve {
 
 struct TimelinePlot {
     TimelineQuantity quantity;
-    const char* id;    // in the remembered view
+    const char* id;    // name in the stored view state
     const char* name;  // "Fitness"
-    const char* what;  // a sentence
+    const char* what;  // description, one sentence
     std::vector<TimelineCurve> curves;
-    TimelineMeasure lower = nullptr;  // of the band around the second curve, or null
+    TimelineMeasure lower = nullptr;  // lower edge of the band around the second curve, or null
     TimelineMeasure upper = nullptr;
-    bool births_by_line = false;  // bands, one on the other, instead of curves
+    // draws stacked bands of births per founder line instead of curves
+    bool births_by_line = false;
 };
 
-// One a quantity, in its order.
+// Returns one plot for each TimelineQuantity, in its order.
 std::span<const TimelinePlot> timeline_plots();
 const TimelinePlot& timeline_plot(TimelineQuantity quantity);
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// Between a creature's file and the creature on display.
+// Conversion between a creature file and the displayed creature.
 
 #include "persist/creature/creature_file.h"
 #include "studio/playback/exhibit.h"
@@ -9,13 +9,13 @@
 
 namespace cambrian {
 
-// The creature of a file that was read from `path`. One that was never scored is judged by
-// `otherwise`.
+// Returns the creature of a file that was read from `path`. A creature without a score gets the
+// settings `otherwise`.
 Exhibit exhibit_of(const CreatureDocument& document, const ExperimentSettings& otherwise,
                    ExhibitSource source, const std::filesystem::path& path);
 
-// The creature file of an exhibit. `score` is that of the displayed trial, or null; it is used if
-// the creature has no result.
+// Returns the creature file of an exhibit. `score` is the score of the displayed trial or null; it
+// is used if the creature was never evaluated.
 CreatureDocument document_of(const Exhibit& exhibit, const ScoreReport* score,
                              const EvolutionKinds& kinds);
 

@@ -12,7 +12,7 @@ namespace {
 bool suits(std::string_view name, FileTask task) {
     if (name.ends_with(ending_of(task))) return true;
     if (task == FileTask::kSaveCreature) return name.ends_with(kCardEnding);
-    // Cards that travelled may have lost the rest of their ending.
+    // Cards may have lost the first part of their double ending when they were sent.
     return task == FileTask::kOpen && (name.ends_with(".toml") || name.ends_with(".png") ||
                                        name.ends_with(ending_of(FileTask::kSaveExperiment)));
 }

@@ -1,7 +1,7 @@
 #pragma once
 
-// What the file panel shows: a folder's sub-folders and the files the studio can open. Filled by
-// the background worker.
+// The content of the file panel: the sub-folders of a folder and the files that the studio can
+// open. The background worker fills it.
 
 #include <filesystem>
 #include <string>
@@ -17,7 +17,7 @@ enum class FileTask : std::uint8_t {
     kSaveStatistics,
     kSavePlot
 };
-// In pixels.
+// A picture's size in pixels.
 struct PictureSize {
     int width = 1280;
     int height = 720;
@@ -25,9 +25,9 @@ struct PictureSize {
 
 struct FolderListing {
     std::filesystem::path folder;
-    std::vector<std::string> folders;  // by name
-    std::vector<std::string> files;    // by name
-    std::string problem;               // why it could not be read, or empty
+    std::vector<std::string> folders;  // sorted by name
+    std::vector<std::string> files;    // sorted by name
+    std::string problem;               // why the folder could not be read, or empty
 };
 
 struct FileBrowser {
@@ -35,14 +35,14 @@ struct FileBrowser {
     FileTask task = FileTask::kOpen;
     FolderListing listing;
     std::string suggested_name;
-    PictureSize picture;  // of a plot to be saved
-    unsigned opened = 0;  // counts openings, so that the panel resets what was typed
+    PictureSize picture;  // size of the plot's picture to save
+    unsigned opened = 0;  // number of openings so far; the panel clears its fields when it changes
 };
 
-// How the names of files written for a task end; of kOpen, how those of creatures do.
+// Returns the file name ending for a task; for kOpen, that of creature files.
 const char* ending_of(FileTask task);
 
-// Reads a folder; hidden entries are left out.
+// Reads a folder. Hidden entries are left out.
 FolderListing list_folder(const std::filesystem::path& folder, FileTask task);
 
 }  // namespace cambrian

@@ -1,6 +1,7 @@
 #pragma once
 
-// Reads and writes files in the background, so the window does not wait. Results arrive as events.
+// Reads and writes files in the background, so that the window does not wait. Results arrive as
+// events.
 
 #include "core/image.h"
 #include "evolution/individual/statistics.h"
@@ -35,10 +36,10 @@ struct ExperimentLoaded {
 struct FileSaved {
     std::filesystem::path path;
 };
-// A card without its picture.
+// A creature card whose picture is not drawn yet.
 struct PreparedCard {
     std::filesystem::path path;
-    std::string text;  // of the creature file inside
+    std::string text;  // the creature file that the card embeds
     Subject subject;
 };
 struct CardPrepared {
@@ -57,21 +58,22 @@ using FileEvent = std::variant<CreatureLoaded, SettingsLoaded, ExperimentLoaded,
 struct CardOrder {
     std::filesystem::path path;
     CreatureDocument document;
-    std::string title;                 // of one without a name
-    ExperimentSettings settings = {};  // what its trial runs under
+    std::string title;                 // title for a creature without a name
+    ExperimentSettings settings = {};  // settings of the trial shown on the card
     std::optional<std::uint32_t> generation = {};
 };
 
 class FileDesk {
 public:
-    // Both must outlive it.
+    // Both references must outlive the object.
     FileDesk(BackgroundWorker& worker, const EvolutionKinds& kinds)
         : worker_(worker), kinds_(kinds) {}
 
-    // By the name's ending: a creature, alone or in a card, settings or an experiment.
+    // Loads a creature, card, settings or experiment file; the ending of its name tells which.
     void load(const std::filesystem::path& path);
     void save_creature(const std::filesystem::path& path, CreatureDocument document);
-    // A card is prepared here, its picture drawn by the window, and saved here.
+    // A card is saved in two steps: prepare_card(), then save_card() with the picture that the
+    // window drew.
     void prepare_card(CardOrder order);
     void save_card(const std::filesystem::path& path, Image picture, std::string document);
     void save_experiment(const std::filesystem::path& path,
@@ -85,7 +87,7 @@ public:
     std::vector<FileEvent> take_events();
 
 private:
-    // Runs on the worker, its event comes back here.
+    // Runs `work` on the worker's thread and delivers its event here.
     template <class Work>
     void run(Work work);
 
@@ -94,10 +96,10 @@ private:
     std::vector<FileEvent> events_;
 };
 
-// Whether a creature saved under this name becomes a card.
+// Returns whether a creature saved under this name becomes a card.
 bool is_card_name(const std::filesystem::path& path);
 
-// What loading a path gives; blocks.
+// Loads a file and returns its event. The call blocks.
 FileEvent load_file(const std::filesystem::path& path, const EvolutionKinds& kinds);
 
 }  // namespace cambrian

@@ -1,6 +1,6 @@
 #pragma once
 
-// What panels see of files and samples and what they may request of them.
+// What panels see of files and samples, and what they may request of them.
 
 #include "studio/files/file_browser.h"
 #include "studio/files/sample_shelf.h"
@@ -13,7 +13,7 @@ namespace cambrian {
 
 struct OpenFilePanel {
     FileTask task = FileTask::kOpen;
-    PictureSize picture = {};  // of a plot
+    PictureSize picture = {};  // size of the plot's picture
 };
 struct CloseFilePanel {};
 struct ListFolder {
@@ -25,7 +25,7 @@ struct LoadFile {
 struct SaveCreatureFile {
     std::filesystem::path path;
 };
-// Displays a creature of the grid of selection by hand and asks for a name to save it under.
+// Displays a creature of the picking grid and opens the file panel to save it.
 struct SaveCell {
     std::size_t cell = 0;
 };
@@ -44,7 +44,7 @@ struct SavePlotPicture {
     PictureSize size;
 };
 struct SaveScreenshot {
-    std::filesystem::path path;  // empty: a new name in the present folder
+    std::filesystem::path path;  // empty for a new name in the present folder
 };
 struct ToggleSamples {};
 

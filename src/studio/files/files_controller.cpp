@@ -10,7 +10,7 @@
 namespace cambrian {
 namespace {
 
-// Words fit for a file name: letters, digits and dashes.
+// Turns words into a file name of letters, digits and dashes.
 std::string file_stem(const std::string& words) {
     std::string stem;
     for (const char letter : words) {
@@ -26,7 +26,7 @@ std::string file_stem(const std::string& words) {
     return stem.empty() ? "creature" : stem;
 }
 
-// "Opened wanderer.creature.json. The first warning (2 more)"
+// Example: "Opened wanderer.creature.json. The first warning (2 more)".
 std::string opened_words(const std::filesystem::path& path,
                          const std::vector<std::string>& warnings) {
     std::string text = "Opened " + path.filename().string() + ".";
@@ -37,7 +37,7 @@ std::string opened_words(const std::filesystem::path& path,
 
 }  // namespace
 
-// One operator for each request.
+// Has one overload for each kind of request.
 struct FilesController::Handler {
     FilesController& self;
 
@@ -76,7 +76,8 @@ struct FilesController::Handler {
     void operator()(const SaveExperimentFile& request) const {
         self.desk_.save_experiment(request.path, self.subjects_.experiment.open().kept());
     }
-    // The run before the present one, wherever that is by now.
+    // Loads the run before the present one. Until the present run has a generation, that is still
+    // the studio's own file.
     void operator()(const OpenPreviousRun&) const {
         const std::filesystem::path& own = self.subjects_.experiment.own_file();
         const bool begun = !self.subjects_.experiment.open().snapshot().history.empty();
@@ -109,7 +110,7 @@ struct FilesController::Handler {
     }
 };
 
-// One operator for each way in which reading or writing ends.
+// Has one overload for each result of reading or writing.
 struct FilesController::Receiver {
     FilesController& self;
 
@@ -212,7 +213,7 @@ void FilesController::save_picture(const std::filesystem::path& path, Image imag
     desk_.save_picture(path, std::move(image));
 }
 
-// Tells the person why a task has nothing to save.
+// Returns whether a task has something to save; if not, shows a notice that says why.
 bool FilesController::may_open(FileTask task) {
     if (task == FileTask::kSaveCreature && subjects_.viewer.playback().empty()) {
         services_.feedback.tell(NoticeKind::kProblem, "There is no creature on display to save.");

@@ -1,7 +1,7 @@
 #pragma once
 
-// Owns files and samples: the file browser, reading and writing, and the effects of a file on the
-// other subjects.
+// Owns files and samples: the file browser, reading and writing, and the effect of a loaded file on
+// the other controllers.
 
 #include "studio/experiment/generations_controller.h"
 #include "studio/files/file_desk.h"
@@ -13,7 +13,7 @@
 
 namespace cambrian {
 
-// The controllers that a file may concern; all must outlive what uses them.
+// The controllers that loading a file may affect. All must outlive the files controller.
 struct FileSubjects {
     ViewerController& viewer;
     ExperimentController& experiment;
@@ -21,7 +21,7 @@ struct FileSubjects {
     PickingController& picking;
 };
 
-// Pictures that only the window can draw.
+// Requests for pictures that only the window can draw.
 struct PictureOrders {
     std::optional<SaveScreenshot> screenshot;
     std::optional<SavePlotPicture> plot;
@@ -30,24 +30,24 @@ struct PictureOrders {
 
 class FilesController {
 public:
-    // Everything that `services` names and `view` must outlive it.
+    // The references in `services`, and `view`, must outlive the controller.
     FilesController(const Services& services, ViewState& view, const FileSubjects& subjects);
 
-    // Once a frame: handles the results of reading and writing.
+    // Must be called once a frame; handles finished reads and writes.
     void update();
     void carry_out(const FilesRequest& request);
     FilesView facts() const { return {.browser = browser_, .samples = &samples_}; }
 
-    // Samples come from this folder.
+    // Sets the folder of the sample creatures.
     void use_samples(const std::filesystem::path& folder) { samples_folder_ = folder; }
     // Reads a file at once, before the first frame.
     void open_now(const std::filesystem::path& path, ExhibitSource source);
     // Reads, in the background, the experiment that was open when the program was last used.
     void reopen(const std::filesystem::path& path);
-    // Whether that is still being read.
+    // Whether reopen() is still reading.
     bool reopening() const { return reopening_; }
 
-    // The picture that the window must draw; returned once.
+    // Returns the pictures that the window must draw, once.
     PictureOrders take_orders() { return std::exchange(orders_, {}); }
     void save_card(const PreparedCard& card, Image picture);
     void save_picture(const std::filesystem::path& path, Image image);

@@ -1,6 +1,6 @@
 #pragma once
 
-// The creatures that come with the program, to open with one click.
+// The sample creatures that come with the program.
 
 #include "creature/phenotype.h"
 #include "evolution/kinds/evolution_kinds.h"
@@ -15,19 +15,19 @@ namespace cambrian {
 struct Sample {
     std::filesystem::path path;
     std::string title;    // "Walker"
-    std::string account;  // "Walking, 2.31 m", or why it cannot be opened
+    std::string account;  // "Walking, 2.31 m", or why the file cannot be opened
     double hue = 0.0;
     std::shared_ptr<const Phenotype> phenotype;  // null if the file cannot be opened
 };
 
 struct SampleShelf {
     bool open = false;
-    bool read = false;  // whether the folder was gone through
+    bool read = false;  // whether the folder was read
     std::vector<Sample> samples;
 };
 
-// Every creature file of a folder by title, those that cannot be opened last; none if there is no
-// such folder.
+// Returns the creatures of a folder sorted by title, those that cannot be opened last. The result
+// is empty if the folder does not exist.
 std::vector<Sample> read_samples(const std::filesystem::path& folder, const EvolutionKinds& kinds);
 
 }  // namespace cambrian

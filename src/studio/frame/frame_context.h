@@ -1,6 +1,6 @@
 #pragma once
 
-// What a panel may see this frame, by subject; all const.
+// What panels see in this frame, by subject. Everything is const.
 
 #include "goals/goal.h"
 #include "studio/frame/requests.h"
@@ -18,7 +18,7 @@ struct FrameContext {
     FilesView files;
     GuideView guide = {};
     WindowView window = {};
-    const PickingView* picking = nullptr;    // null in automatic evolution
+    const PickingView* picking = nullptr;    // null unless the user selects by hand
     const MachinesView* machines = nullptr;  // null where nothing is evaluated
 
     bool grid_shown() const { return picking != nullptr && !picking->single; }

@@ -6,12 +6,12 @@
 
 namespace cambrian {
 
-// A small "?" that opens a page of the help.
+// Draws a small "?" that opens a help page.
 void help_mark(const char* page, Requests& out);
-// Room at the right of a panel's heading that its "?" takes, in units of 1/96 inch.
+// Width of the "?" at the right of a panel's heading, in units of 1/96 inch.
 inline constexpr float kHelpMarkRoom = 30.0F;
-// A panel's name at its top, in the accent colour while the panel has the keyboard, and the "?" of
-// its page at the right; more may follow on the line.
+// Draws a panel's name with the "?" of its help page at the right. The name has the accent colour
+// while the panel has the keyboard. Other controls may follow on the line.
 void place_title(const std::string& title, const char* page, Requests& out);
 
 }  // namespace cambrian

@@ -10,8 +10,8 @@ namespace cambrian {
 
 class Renderer;
 
-// A part of the window. It sees const data, answers with requests, and is drawn inside a window of
-// its own.
+// A part of the window. A panel sees const data, answers with requests, and is drawn in a Dear
+// ImGui window of its own.
 class Panel {
 public:
     virtual ~Panel() = default;
@@ -31,7 +31,7 @@ enum class PanelArea : unsigned char {
     kCard
 };
 
-// What a card may be placed by.
+// The rectangles relative to which a card may be placed.
 struct CardSpace {
     Rect window;
     Rect viewport;
@@ -42,17 +42,17 @@ struct PanelPlace {
     PanelArea area = PanelArea::kCard;
     float padding_x = -1.0F;  // negative: the style's
     float padding_y = -1.0F;
-    Place keyboard = Place::kNone;  // the place of the window that is this panel
-    float rounding = 10.0F;         // of a card
+    Place keyboard = Place::kNone;  // the value of Place that names this panel
+    float rounding = 10.0F;         // corner radius of a card
     // The card's rectangle in this frame; null for other areas.
     Rect (*card)(const FrameContext& frame, const CardSpace& space) = nullptr;
 };
 
 struct PanelKind {
-    const char* name;  // of its window, as tests and the tour know it
+    const char* name;  // the name of its window, which tests and the tour use
     PanelPlace place;
     bool (*shown)(const FrameContext& frame);
-    // Without a renderer (tests) everything but the picture works.
+    // Without a renderer, as in tests, the panel works but draws no scene.
     std::unique_ptr<Panel> (*make)(Renderer* renderer);
 };
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// What panels request, in the order in which they request it; carried out after the frame is drawn.
-// Each subject names its own requests in its contract.
+// The requests of all panels in the order in which they were made. The session carries them out
+// after the frame is drawn. Each subject defines its own requests in its contract.
 
 #include "studio/experiment/experiment_contract.h"
 #include "studio/experiment/generations_contract.h"

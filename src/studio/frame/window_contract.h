@@ -1,6 +1,6 @@
 #pragma once
 
-// What panels see of the window itself and what they may request of it.
+// What panels see of the window itself, and what they may request of it.
 
 #include "studio/background/notices.h"
 #include "studio/look/view_state.h"
@@ -10,7 +10,7 @@
 
 namespace cambrian {
 
-// Places of the window that the keyboard can be sent to.
+// The panels that the keyboard focus can be moved to.
 enum class Place : std::uint8_t { kNone, kTimeline, kPopulation };
 
 struct ChangeView {
@@ -25,9 +25,9 @@ struct QuitStudio {};
 using WindowRequest = std::variant<ChangeView, FocusPlace, DismissNotice, QuitStudio>;
 
 struct WindowView {
-    const Notice* notice = nullptr;  // null where there is none
-    Place focus = Place::kNone;      // gets the keyboard in this frame
-    bool viewer_only = false;        // the viewport and its transport alone
+    const Notice* notice = nullptr;  // null if there is no notice
+    Place focus = Place::kNone;      // panel that gets the keyboard focus in this frame
+    bool viewer_only = false;        // only the viewport and its transport bar are shown
     int framebuffer_height = 0;      // pixels
 };
 

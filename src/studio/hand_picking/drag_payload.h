@@ -1,6 +1,6 @@
 #pragma once
 
-// What is dragged between the grid of selection by hand and its shelf.
+// What can be dragged between the picking grid and the shelf.
 
 #include "picking/picking_command.h"
 
@@ -9,11 +9,11 @@
 
 namespace cambrian {
 
-// The last item can be dragged: a creature of the grid, or a place of the shelf.
+// Makes the last item draggable: a creature of the grid, or a place of the shelf.
 void drag_cell(const PinCreature& creature);
 void drag_pin(std::size_t place);
 
-// What was dropped on the last item.
+// Returns what was dropped on the last item, if anything.
 std::optional<PinCreature> dropped_cell();
 std::optional<std::size_t> dropped_pin();
 

@@ -13,14 +13,14 @@ constexpr int kTicksAJob = 60;
 
 }  // namespace
 
-// Grows a creature and runs its trial, a stretch at a time; one thread at a time.
+// Expresses a creature and runs its trial in pieces. Only one thread at a time may use it.
 struct GridMotion::Recorder {
     GenomePtr genome;
     ExpressionSettings expression;
     TrialWorld world;
     std::shared_ptr<const Phenotype> phenotype;
     std::unique_ptr<Trial> trial;
-    std::size_t recorded = 0;  // frames
+    std::size_t recorded = 0;  // number of frames recorded so far
     bool complete = false;
 
     void begin(const Kinds& kinds) {
@@ -87,7 +87,7 @@ bool GridMotion::complete() const {
                        [](const RecordedMotion& motion) { return motion.complete; });
 }
 
-// Up to where every motion is known, s.
+// Returns the time up to which every motion is computed, in s.
 double GridMotion::recorded() const {
     double known = kLongestLoop;
     for (const RecordedMotion& motion : cells_) {

@@ -1,7 +1,7 @@
 #pragma once
 
-// How the creatures of a grid move: the trial of each, computed in the background ahead of being
-// shown, so that no frame waits for it; shown all by one clock, again and again.
+// The motion of the creatures of a grid. Each trial is computed in the background ahead of display,
+// so that no frame waits for it. All cells share one clock and repeat their motion.
 
 #include "evolution/individual/individual.h"
 #include "pictures/motion/recorded_motion.h"
@@ -14,24 +14,24 @@
 
 namespace cambrian {
 
-inline constexpr double kLongestLoop = 12.0;  // s; longer trials begin again then
+inline constexpr double kLongestLoop = 12.0;  // s; longer trials are cut off here and repeat
 
 class GridMotion {
 public:
-    // kinds must outlive it.
+    // `kinds` must outlive the object.
     explicit GridMotion(const Kinds& kinds) : kinds_(kinds) {}
 
-    // These creatures take the cells, from the start of their trials in this world.
+    // Fills the cells with these creatures and starts their trials in this world.
     void show(const std::vector<IndividualPtr>& creatures, const ExpressionSettings& expression,
               const TrialWorld& world);
-    // Once a frame. The clock waits for motion that is not computed yet.
+    // Must be called once a frame. The clock waits for motion that is not computed yet.
     void advance(double elapsed);
     void restart() { time_ = 0.0; }
 
     std::size_t size() const { return cells_.size(); }
     const RecordedMotion& cell(std::size_t index) const { return cells_[index]; }
     const Environment& environment() const { return world_.environment; }
-    double time() const { return time_; }  // s, of the clock all share
+    double time() const { return time_; }  // s; the clock that all cells share
 
 private:
     struct Recorder;
@@ -44,7 +44,8 @@ private:
     TrialWorld world_;
     std::vector<RecordedMotion> cells_;
     double time_ = 0.0;
-    unsigned shown_ = 0;  // counts grids, to know whose motion arrives
+    // number of grids shown so far; identifies the grid that arriving motion belongs to
+    unsigned shown_ = 0;
     BackgroundWorker worker_;
 };
 

@@ -21,7 +21,8 @@ void HandPicking::enter(const EvolutionSnapshot& evolution, const GenomePtr& on_
     if (restored_) {
         PickingRecord record = *std::exchange(restored_, std::nullopt);
         const bool empty = record.tree.empty();
-        send(RestoreGrids{std::move(record.tree), std::move(record.picks), std::move(record.shelf)});
+        send(
+            RestoreGrids{std::move(record.tree), std::move(record.picks), std::move(record.shelf)});
         if (!empty) return;
     }
     const std::pair population = {evolution.experiment, evolution.history.size()};
@@ -76,7 +77,7 @@ void HandPicking::update(double elapsed, StatusLog& log) {
     motion_.advance(choices_.playing && !choices_.single ? elapsed : 0.0);
 }
 
-// The grid shown moves in the world that judged it, with the environment of the present.
+// The displayed grid moves in the world that evaluated it, but with the present environment.
 void HandPicking::follow_grid(StatusLog& log) {
     if (snapshot_->tree.empty()) return;
     const GridNode& grid = snapshot_->tree.current();

@@ -1,7 +1,8 @@
 #pragma once
 
-// Selection by hand as a mode of the studio: the desk that breeds and keeps the tree of grids while
-// the program runs, the grid in motion, and which of it the person has before them.
+// Selection by hand as a mode of the studio. It owns the picking engine, which breeds grids and
+// keeps their tree while the program runs, the motion of the displayed grid, and the user's choices
+// about it.
 
 #include "evolution/engine/snapshot.h"
 #include "evolution/kinds/evolution_kinds.h"
@@ -23,7 +24,8 @@ namespace cambrian {
 
 class HandPicking {
 public:
-    // kinds must outlive it. Uses `workers` threads to evaluate, once it was entered.
+    // `kinds` must outlive the object. After the first enter(), `workers` threads evaluate
+    // creatures.
     HandPicking(const EvolutionKinds& kinds, std::size_t workers)
         : kinds_(kinds), workers_(workers), motion_(kinds.creature) {}
 
@@ -34,7 +36,7 @@ public:
     // The grids of the experiment that was opened, to be gone on with at the next entry.
     void restore(PickingRecord record);
     bool on() const { return on_; }
-    // The creatures of the grid fill the viewport's place, rather than one of them.
+    // Whether the viewport displays the grid rather than one of its creatures.
     bool grid_shown() const { return on_ && !choices_.single; }
 
     void send(PickingCommand command);
@@ -43,19 +45,19 @@ public:
     // Once a frame: news of the desk, written to the log; `elapsed` seconds of motion.
     void update(double elapsed, StatusLog& log);
 
-    // Null before the first entry.
+    // Null before the first enter().
     const std::shared_ptr<const PickingSnapshot>& shared_snapshot() const { return snapshot_; }
     std::vector<IndividualPtr> picks() const;
     bool has_cell(std::size_t cell) const;
-    // A cell of the grid shown, as it was judged.
+    // Returns a creature of the displayed grid, with the settings that evaluated it.
     Exhibit exhibit(std::size_t cell) const;
     PickingView view() const;
 
-    // What the person chose about the grid on display.
+    // The user's choices about the displayed grid.
     struct Choices {
         PickingOptions options;
-        std::size_t focus = 0;  // cell
-        bool single = false;    // one creature has the viewport
+        std::size_t focus = 0;  // index of the cell that keys act on
+        bool single = false;    // the viewport displays one creature instead of the grid
         bool playing = true;
     };
     Choices& choices() { return choices_; }
@@ -68,17 +70,17 @@ private:
 
     const EvolutionKinds& kinds_;
     std::size_t workers_;
-    std::unique_ptr<PickingDesk> desk_;                     // from the first entry on
+    std::unique_ptr<PickingDesk> desk_;  // from the first entry on
     std::deque<PickingCommand> unsent_;  // the desk's inbox was full
     std::shared_ptr<const PickingSnapshot> snapshot_;
-    SettingsPtr used_;  // last told to the desk
+    SettingsPtr used_;  // the settings sent to the picking engine last
     std::optional<PickingRecord> restored_;
     GridMotion motion_;
     Choices choices_;
     bool on_ = false;
-    // Of the population left last: experiment and finished generations.
+    // The experiment and its number of finished generations at the last leave().
     std::pair<std::uint64_t, std::size_t> left_ = {0, 0};
-    std::shared_ptr<const PickingSnapshot> seen_;  // at the last update
+    std::shared_ptr<const PickingSnapshot> seen_;  // the snapshot at the last update
 };
 
 }  // namespace cambrian

@@ -1,6 +1,6 @@
 #pragma once
 
-// What panels may request of selection by hand; picking_view.h is what they see of it.
+// What panels may request of selection by hand. What they see of it is in picking_view.h.
 
 #include "picking/picking_command.h"
 #include "studio/hand_picking/picking_view.h"
@@ -13,8 +13,8 @@ namespace cambrian {
 
 // Switches between automatic evolution and selection by hand.
 struct ToggleHandPicking {};
-// Goes back to automatic evolution, with the picks among the next generation's creatures, or with a
-// new run that begins with them.
+// Returns to automatic evolution. The picked creatures join the next generation or become the
+// founders of a new run.
 enum class PicksUse : std::uint8_t { kInject, kFound };
 struct HandOverPicks {
     PicksUse use = PicksUse::kInject;
@@ -25,7 +25,7 @@ struct AskPicking {
 struct FocusCell {
     std::size_t cell = 0;
 };
-// Displays a creature of the grid alone, until ShowGrid.
+// Displays one creature of the grid until ShowGrid.
 struct ShowCell {
     std::size_t cell = 0;
 };

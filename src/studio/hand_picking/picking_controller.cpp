@@ -7,7 +7,7 @@
 
 namespace cambrian {
 
-// One operator for each request.
+// Has one overload for each kind of request.
 struct PickingController::Handler {
     PickingController& self;
 
@@ -115,7 +115,7 @@ void PickingController::leave() {
     services_.feedback.log().write("hand-picking", {{"on", false}});
 }
 
-// What was picked by hand goes into the experiment's file as it happens.
+// Saves every change of the picking tree in the experiment's file as it happens.
 void PickingController::keep() {
     const std::shared_ptr<const PickingSnapshot> picking = picking_.shared_snapshot();
     if (!picking || picking == kept_ || picking->tree.empty()) return;

@@ -1,6 +1,6 @@
 #pragma once
 
-// Owns selection by hand: enters and leaves it, and keeps what was picked in the experiment's file.
+// Owns selection by hand: enters and leaves the mode, and saves the picks in the experiment's file.
 
 #include "studio/experiment/experiment_controller.h"
 #include "studio/hand_picking/hand_picking.h"
@@ -13,23 +13,25 @@ namespace cambrian {
 
 class PickingController {
 public:
-    // Everything that `services` names, `view`, `viewer` and `experiment` must outlive it.
+    // The references in `services`, and `view`, `viewer` and `experiment`, must outlive the
+    // controller.
     PickingController(const Services& services, ViewState& view, ViewerController& viewer,
                       ExperimentController& experiment, std::size_t workers);
 
-    // Once a frame: plays the grid on by `elapsed` seconds and keeps what was picked.
+    // Must be called once a frame: plays the grid on by `elapsed` seconds and saves new picks.
     void update(double elapsed);
     void carry_out(const PickingRequest& request);
-    // Playback keys act on the grid while it is displayed; false for a request it leaves alone.
+    // Applies a playback request to the grid while it is displayed. Returns false if the request is
+    // for the viewer.
     bool take_over(const ViewerRequest& request);
-    // Null in automatic evolution.
+    // Null unless the user selects by hand.
     const PickingView* facts() const { return facts_ ? &*facts_ : nullptr; }
 
     bool on() const { return picking_.on(); }
     bool grid_shown() const { return picking_.grid_shown(); }
-    // Displays a creature of the grid; false if there is no such cell.
+    // Displays one creature of the grid; returns false if there is no such cell.
     bool show_cell(std::size_t cell);
-    // A creature was loaded from a file: it has the viewport alone.
+    // Must be called when a creature was loaded from a file, which is then displayed alone.
     void yield_viewport() { picking_.choices().single = picking_.on(); }
     // A creature was saved to a file.
     // The grids of an experiment that was opened.
@@ -46,7 +48,7 @@ private:
     ViewerController& viewer_;
     ExperimentController& experiment_;
     HandPicking picking_;
-    std::optional<PickingView> facts_;  // of this frame
+    std::optional<PickingView> facts_;  // what panels see in this frame
     std::shared_ptr<const PickingSnapshot> kept_;
 };
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// Where the grids of a picking tree are on its map: generations to the right, each branch on a
-// row of its own.
+// The layout of the picking tree's map. Generations run to the right, and each branch has its own
+// row.
 
 #include "picking/picking_tree.h"
 
@@ -16,7 +16,8 @@ struct MapPlace {
     friend bool operator==(const MapPlace&, const MapPlace&) = default;
 };
 
-// One a grid, by number. The first grid bred from another goes on in its row.
+// Returns one place per grid, indexed by its number. The first grid bred from a grid stays in its
+// row.
 std::vector<MapPlace> lay_out_map(const PickingTree& tree);
 
 }  // namespace cambrian

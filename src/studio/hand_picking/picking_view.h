@@ -10,10 +10,10 @@
 
 namespace cambrian {
 
-// What is shown besides the creatures, and how much help is asked for.
+// What is shown besides the creatures, and the help that automatic evolution gives.
 struct PickingOptions {
     bool scores = false;
-    bool hints = false;  // who is fastest, highest, oddest
+    bool hints = false;  // marks the fastest, the highest and the most unusual creature
     int assisted_generations = 10;
 
     friend bool operator==(const PickingOptions&, const PickingOptions&) = default;
@@ -23,25 +23,25 @@ struct PickingView {
     const PickingSnapshot& snapshot;
     const GridMotion& motion;
     const PickingOptions& options;
-    std::size_t focus = 0;  // the cell that keys act on
-    bool single = false;    // one creature has the viewport, not the grid
+    std::size_t focus = 0;  // index of the cell that keys act on
+    bool single = false;    // the viewport displays one creature instead of the grid
     bool playing = true;
-    float progress = 0.0F;  // share of the grid being made
+    float progress = 0.0F;  // share of the next grid that is finished, in [0, 1]
 };
 
 inline bool deciding(const PickingSnapshot& snapshot) {
     return snapshot.status != PickingStatus::kOpen;
 }
-// Columns of a grid of so many cells: "12" is 4 by 3.
+// Returns the number of columns of a grid of so many cells; 12 cells are 4 by 3.
 int grid_columns(int cells);
-// Place of a cell among the picks, from 1; 0 if it is not picked.
+// Returns the rank of a cell among the picks, from 1, or 0 if it is not picked.
 int pick_number(const PickingSnapshot& snapshot, std::size_t cell);
 
-// How far picking is and what to do next, in one short line.
+// Returns one short line on how far picking is and what to do next.
 std::string picking_words(const PickingSnapshot& snapshot);
-// "bred from 3 picks", "chosen from the population".
+// Returns how a grid was made: "bred from 3 picks", "chosen from the population".
 std::string origin_words(const GridNode& node);
-// How a creature came to be: its method and what changed, a line each.
+// Returns how a creature was bred: the method and its mutations, one per line.
 std::string change_words(const Individual& creature);
 
 }  // namespace cambrian

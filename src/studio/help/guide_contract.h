@@ -1,6 +1,6 @@
 #pragma once
 
-// What panels see of help and tour and what they may request of them.
+// What panels see of the help pages and the tour, and what they may request of them.
 
 #include "studio/help/help_book.h"
 
@@ -10,11 +10,11 @@
 namespace cambrian {
 
 struct ToggleHelp {};
-// Opens a page by its name: the file's in the help folder, or one of help_book.h.
+// Opens a help page by name: a file's stem in the help folder, or a built-in page of help_book.h.
 struct ShowHelp {
     std::string page;
 };
-// Goes to a step of the tour; a step beyond the last, or below 0, ends it.
+// Goes to a step of the tour. A step beyond the last or below 0 ends it.
 struct TurnTour {
     int step = 0;
 };
@@ -24,7 +24,7 @@ using GuideRequest = std::variant<ToggleHelp, ShowHelp, TurnTour>;
 struct GuideView {
     const HelpBook* help = nullptr;
     bool help_shown = false;
-    int tour_step = -1;  // negative outside the tour
+    int tour_step = -1;  // -1 while there is no tour
 };
 
 }  // namespace cambrian

@@ -6,7 +6,7 @@
 
 namespace cambrian {
 
-// One operator for each request.
+// Has one overload for each kind of request.
 struct GuideController::Handler {
     GuideController& self;
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// Owns what helps a person find the way: the pages of the help and the tour.
+// Owns the help pages and the tour.
 
 #include "studio/background/services.h"
 #include "studio/help/guide_contract.h"
@@ -13,13 +13,13 @@ namespace cambrian {
 
 class GuideController {
 public:
-    // Everything that `services` names and `view` must outlive it.
+    // The references in `services`, and `view`, must outlive the controller.
     GuideController(const Services& services, ViewState& view)
         : services_(services), view_(view), facts_{.help = &help_} {}
 
-    // Reads the pages of a folder in the background; `keys` is the text of the page of keys.
+    // Reads the pages of a folder in the background. `keys` is the text of the page on keys.
     void read(const std::filesystem::path& folder, std::string keys);
-    // Begins the tour, unless it was taken before.
+    // Starts the tour unless the user took or declined it before.
     void offer_tour();
     void carry_out(const GuideRequest& request);
     GuideView facts() const { return facts_; }

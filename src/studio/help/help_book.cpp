@@ -71,7 +71,7 @@ std::vector<HelpPage> read_folder(const std::filesystem::path& folder) {
     auto entry = std::filesystem::directory_iterator(folder, error);
     for (; !error && entry != std::filesystem::directory_iterator(); entry.increment(error)) {
         if (entry->path().extension() != ".md") continue;
-        // What does not begin with a title is a part of another page.
+        // A file without a title is included by another page and is not a page itself.
         const auto text = read_file(entry->path(), kMostPageBytes);
         if (text && text->starts_with("# "))
             pages.push_back(help_page(entry->path().stem().string(), *text));

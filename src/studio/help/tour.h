@@ -1,13 +1,13 @@
 #pragma once
 
-// The first look round: a few places of the window, two sentences each.
+// The tour of the window for a first visit: a few places, with two sentences on each.
 
 #include <span>
 
 namespace cambrian {
 
 struct TourStep {
-    const char* place;  // as noted by note_place
+    const char* place;  // name given to note_place()
     const char* title;
     const char* text;
 };

@@ -16,7 +16,7 @@ ImVec4 common(const ImVec4& clip, const Rect& area) {
             std::max(low.y, std::min(clip.w, area.high().y))};
 }
 
-// A draw list that paints on an area only, as long as this lives.
+// Restricts a draw list to an area for the lifetime of this object.
 class Clipped {
 public:
     Clipped(ImDrawList& list, const Rect& area) : list_(&list), whole_(list.CmdBuffer) {

@@ -42,7 +42,7 @@ bool calls_back(const ImDrawCmd& command) {
     return command.UserCallback != nullptr;
 }
 
-// What the commands may paint on.
+// Returns the rectangle that encloses the clip rectangles of all commands.
 Rect clip_of(const ImDrawList& list) {
     Rect area;
     for (const ImDrawCmd& command : list.CmdBuffer) {
@@ -89,7 +89,7 @@ void unite_overlapping(std::vector<Rect>& areas) {
         }
         areas[i] = around(areas[i], *met);
         areas.erase(met);
-        i = 0;  // the larger area may meet one that was apart
+        i = 0;  // starts again, since the larger area may overlap one already checked
     }
 }
 
@@ -100,7 +100,7 @@ ChangedAreas::Painted ChangedAreas::painted(const ImDrawList& list, const Rect& 
     result.list = &list;
     result.calls_back = std::any_of(list.CmdBuffer.begin(), list.CmdBuffer.end(), calls_back);
     const Rect clip = common(clip_of(list), window);
-    // A callback paints without vertices.
+    // A callback may paint anywhere in its clip rectangle; its list has no vertices.
     result.area = whole_pixels(result.calls_back ? clip : common(clip, reach_of(list.VtxBuffer)));
     result.vertices = list.VtxBuffer;
     result.indices = list.IdxBuffer;
@@ -118,7 +118,7 @@ bool ChangedAreas::same(const Painted& painted, const ImDrawList& list) {
 std::vector<Rect> ChangedAreas::changed_lists(const ImDrawData& data) {
     std::vector<Rect> areas;
     std::vector<Painted> next;
-    auto from = painted_.begin();  // those before it are found again or gone
+    auto from = painted_.begin();  // lists before this one are already matched or were removed
     for (int i = 0; i < data.CmdListsCount; ++i) {
         const ImDrawList& list = *data.CmdLists[i];
         const auto is_it = [&list](const Painted& each) { return each.list == &list; };

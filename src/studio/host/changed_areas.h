@@ -1,7 +1,7 @@
 #pragma once
 
-// Which parts of the window look different from the frame before, so that only they are painted:
-// most panels rest while one creature moves.
+// Finds the parts of the window that differ from the frame before, so that only they are painted.
+// Most panels do not change while a creature moves.
 
 #include "studio/look/ui_context.h"
 
@@ -11,10 +11,10 @@ namespace cambrian {
 
 class ChangedAreas {
 public:
-    // Of what is about to be painted, compared with what the last call was given: areas of full
-    // pixels, apart from each other. All of the window at first, and after a change of its size,
-    // of what is painted under everything, or of the order of the lists. A list that calls back
-    // counts as changed always, and lies within an area or outside of all.
+    // Compares the draw data with that of the last call. Returns disjoint areas, aligned to pixels,
+    // that must be painted. The result is the full window at first, and after a change of its size,
+    // the background or the order of the draw lists. A draw list with a callback always counts as
+    // changed, and lies entirely inside an area or outside all of them.
     std::vector<Rect> update(const ImDrawData& data, ImU32 background);
 
 private:
@@ -30,7 +30,7 @@ private:
     static bool same(const Painted& painted, const ImDrawList& list);
     std::vector<Rect> changed_lists(const ImDrawData& data);
 
-    std::vector<Painted> painted_;  // from back to front
+    std::vector<Painted> painted_;  // draw lists of the last frame, from back to front
     Rect window_;
     ImU32 background_ = 0;
 };

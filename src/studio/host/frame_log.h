@@ -7,16 +7,16 @@
 
 namespace cambrian {
 
-// Of one frame, in seconds.
+// The times of one frame, in s.
 struct FrameTimes {
-    double interval = 0.0;  // from the start of the one before to the start of this one
-    double work = 0.0;      // to prepare it, without waiting for the display
-    double playback = 0.0;  // of the work, for the motion of creatures
+    double interval = 0.0;  // from the start of the frame before to the start of this one
+    double work = 0.0;      // preparing the frame, without waiting for the display
+    double playback = 0.0;  // the part of `work` spent on the motion of creatures
 };
 
-// Times of every frame as CSV: its number, counted from 1 as in the status log, when it began and
-// when it had been handed to the display (s, on the system's monotonic clock), and its times in
-// milliseconds.
+// Writes the times of every frame as CSV. Columns are the frame's number, counted from 1 as in the
+// status log, its start and its hand-over to the display (s, on the system's monotonic clock), and
+// its times in milliseconds.
 class FrameLog {
 public:
     explicit FrameLog(const std::filesystem::path& path) {

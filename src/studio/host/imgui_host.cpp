@@ -12,7 +12,7 @@
 namespace cambrian {
 namespace {
 
-// The bound framebuffer, all of it.
+// Clears the full framebuffer that is bound.
 void clear(const Color& color, int width, int height) {
     glViewport(0, 0, width, height);
     glDisable(GL_SCISSOR_TEST);
@@ -26,14 +26,15 @@ ImGuiHost::ImGuiHost(Window& window, float scale, ThemeKind theme) : window_(win
     ImGui::CreateContext();
     ImGuiIO& io = ImGui::GetIO();
     io.UserData = &context_;
-    io.IniFilename = nullptr;  // the studio remembers its arrangement itself
+    io.IniFilename = nullptr;  // the studio stores the arrangement itself
     io.ConfigWindowsMoveFromTitleBarOnly = true;
     context_.scale = scale;
     context_.fonts = load_fonts(scale);
     set_theme(theme);
     ImGui_ImplGlfw_InitForOpenGL(window.handle(), true);
     ImGui_ImplOpenGL3_Init("#version 330 core");
-    ImGui_ImplOpenGL3_CreateDeviceObjects();  // draws all letters, which no frame should wait for
+    // renders all glyphs now, so that no frame waits for them
+    ImGui_ImplOpenGL3_CreateDeviceObjects();
 }
 
 ImGuiHost::~ImGuiHost() {

@@ -1,6 +1,6 @@
 #pragma once
 
-// Dear ImGui's context, its back-ends, fonts and style.
+// Owns Dear ImGui's context with its back-ends, fonts and style.
 
 #include "core/result.h"
 #include "render/opengl/pixels.h"
@@ -18,17 +18,18 @@ struct KeyPress;
 
 class ImGuiHost {
 public:
-    // The window's OpenGL context must be current and stay so.
+    // The window's OpenGL context must be current and stay current.
     ImGuiHost(Window& window, float scale, ThemeKind theme);
     ~ImGuiHost();
     ImGuiHost(const ImGuiHost&) = delete;
     ImGuiHost& operator=(const ImGuiHost&) = delete;
 
-    // Keys pressed since the last frame count even if they were released at once.
+    // Keys pressed since the last frame count even if they were released again.
     void begin_frame(const std::vector<KeyPress>& pressed);
-    // Has everything in the window's framebuffer; paints only what changed.
+    // Draws the frame into the window's framebuffer. Only changed areas are painted.
     void end_frame();
-    // Something drawn by itself, on the panels' colour; between begin_frame and end_frame.
+    // Draws a picture of its own on the panels' background colour. May be called only between
+    // begin_frame() and end_frame().
     Result<Image> picture(int width, int height, const std::function<void(ImDrawList&)>& draw);
     void set_theme(ThemeKind theme);
     const UiContext& context() const { return context_; }

@@ -2,9 +2,9 @@
 
 namespace cambrian {
 
-// A key that went down, with the modifiers held at that time.
+// A key that was pressed, with the modifiers held at that time.
 struct KeyPress {
-    int key = 0;  // GLFW's number
+    int key = 0;  // GLFW key code
     bool control = false;
     bool shift = false;
 

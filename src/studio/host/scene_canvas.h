@@ -1,7 +1,7 @@
 #pragma once
 
-// Lets our renderer draw inside an ImGui window, straight into the window's framebuffer: one pass
-// over the pixels, no picture to copy.
+// Draws a scene with our renderer inside an ImGui window, directly into the window's framebuffer.
+// No texture is copied.
 
 #include "render/renderer.h"
 #include "studio/look/ui_context.h"
@@ -9,14 +9,14 @@
 namespace cambrian {
 
 struct SceneCanvas {
-    Renderer* renderer = nullptr;  // none in tests: nothing is drawn
-    int framebuffer_height = 1;    // pixels
+    Renderer* renderer = nullptr;  // null in tests, which draw no scene
+    int framebuffer_height = 1;    // height of the window's framebuffer, in pixels
     SceneFrame frame;
     Camera camera;
     Rect area;
 
-    // Draws when the present window's draw list is, under whatever is added to it later. This
-    // must stay where it is until then.
+    // Adds the scene to a draw list. It is drawn with that list, below what is added later. The
+    // canvas must not move or be destroyed before that.
     void add_to(ImDrawList& list);
 };
 

@@ -69,7 +69,7 @@ Window::~Window() {
     glfwTerminate();
 }
 
-// Set before Dear ImGui's, which call these in turn.
+// Must run before Dear ImGui installs its callbacks, which call these in turn.
 void Window::install_callbacks() {
     glfwSetWindowUserPointer(window_, this);
     glfwSetKeyCallback(window_, [](GLFWwindow* window, int key, int, int action, int mods) {

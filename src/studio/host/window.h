@@ -16,7 +16,8 @@ namespace cambrian {
 
 class Window {
 public:
-    // Fails, saying so, without a display or without OpenGL 3.3. Sizes are in units of 1/96 inch.
+    // Opens a window; width and height are in units of 1/96 inch. Fails without a display or
+    // without OpenGL 3.3.
     static Result<std::unique_ptr<Window>> open(int width, int height, const std::string& title);
     ~Window();
     Window(const Window&) = delete;
@@ -25,18 +26,18 @@ public:
     GLFWwindow* handle() { return window_; }
     void set_title(const std::string& title);
     bool close_wanted() const;
-    float scale() const { return scale_; }  // of the display
+    float scale() const { return scale_; }  // pixels per 1/96 inch on this display
     int framebuffer_width() const;
     int framebuffer_height() const;
-    // Input since the last call; sleeps at most so long (s) until there is some.
+    // Reads pending input; waits for input for at most `longest_sleep` seconds.
     void poll(double longest_sleep);
     void show_frame();
 
     bool key_down(int key) const;
-    // Since the last call.
+    // Return the keys and files since the last call.
     std::vector<KeyPress> take_keys();
     std::vector<std::filesystem::path> take_dropped_files();
-    // Whether anything was pressed, moved, typed or exposed since the last call.
+    // Returns whether there was any input, or the window was exposed, since the last call.
     bool take_activity();
 
 private:

@@ -8,7 +8,7 @@
 namespace cambrian {
 namespace {
 
-// A pen in a square from -1 to 1, y down.
+// A drawing of an icon in a square from -1 to 1, with y downwards.
 struct Pen {
     ImDrawList& list;
     ImVec2 center;
@@ -77,7 +77,7 @@ void draw_eye(const Pen& pen) {
     pen.list.AddCircleFilled(pen.center, 0.28F * pen.half, pen.color, 14);
 }
 
-// Two boxes, one behind the other.
+// Draws two boxes, one behind the other.
 void draw_ghost(const Pen& pen) {
     pen.list.AddRect(pen.at(-0.9F, -0.8F), pen.at(0.3F, 0.4F), pen.color, 0.25F * pen.half, 0,
                      pen.width);
@@ -92,7 +92,7 @@ void draw_question(const Pen& pen) {
     pen.list.AddCircleFilled(pen.at(0.0F, 0.78F), 1.0F * pen.width, pen.color, 10);
 }
 
-// Ten corners, the outer ones on a circle.
+// Returns the ten corners of a star; the outer ones lie on a circle.
 std::array<ImVec2, 10> star_corners(const Pen& pen) {
     std::array<ImVec2, 10> corners;
     for (std::size_t i = 0; i < corners.size(); ++i) {

@@ -30,7 +30,7 @@ enum class Icon : unsigned char {
     kStarOutline,
 };
 
-// Drawn, not a font: centred, `size` pixels across.
+// Draws an icon from lines and shapes, centred, `size` pixels across.
 void draw_icon(ImDrawList& list, Icon icon, const ImVec2& center, float size, const Color& color);
 
 }  // namespace cambrian

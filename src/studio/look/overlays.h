@@ -1,6 +1,6 @@
 #pragma once
 
-// What may be laid over the creature shown: one list for the menus and for what is remembered.
+// The overlays that can be drawn over the displayed creature, for the menus and the stored state.
 
 #include "studio/look/view_state.h"
 
@@ -9,7 +9,7 @@
 namespace cambrian {
 
 struct OverlayKind {
-    const char* name;   // as remembered
+    const char* name;   // name in the stored state
     const char* label;  // "Joint limits"
     const char* help;
     bool OverlaysShown::*shown;

@@ -8,7 +8,7 @@
 namespace cambrian {
 namespace {
 
-// Latin, general punctuation, superscripts, arrows, mathematical operators.
+// Glyph ranges: Latin, Greek, general punctuation, superscripts, arrows, mathematical operators.
 constexpr std::array<ImWchar, 13> kGlyphs = {0x20,   0x24F,  0x370,  0x3FF,  0x2010, 0x2027, 0x2070,
                                              0x209F, 0x2190, 0x21FF, 0x2200, 0x22FF, 0};
 

@@ -12,17 +12,17 @@
 namespace cambrian {
 
 struct Fonts {
-    ImFont* body = nullptr;    // 15
-    ImFont* small = nullptr;   // 13
-    ImFont* strong = nullptr;  // 15, semi-bold
-    ImFont* title = nullptr;   // 20, semi-bold
-    ImFont* mono = nullptr;    // 14, for what is typed
+    ImFont* body = nullptr;    // size 15
+    ImFont* small = nullptr;   // size 13
+    ImFont* strong = nullptr;  // size 15, semi-bold
+    ImFont* title = nullptr;   // size 20, semi-bold
+    ImFont* mono = nullptr;    // size 14, for typed text
 };
 
-// Colours and spacing of Dear ImGui's own controls.
+// Sets the colours and spacing of Dear ImGui's own controls.
 void apply_style(const Palette& palette, float scale);
 
-// Adds the studio's typeface (Inter, or what is installed) to the font atlas.
+// Adds the studio's typeface to the font atlas: Inter or, without it, another installed one.
 Fonts load_fonts(float scale);
 
 }  // namespace cambrian

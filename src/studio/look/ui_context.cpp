@@ -9,7 +9,7 @@
 namespace cambrian {
 namespace {
 
-constexpr float kSlack = 1.0F;  // pixels that rounding may take from a control
+constexpr float kSlack = 1.0F;  // pixels by which rounding may cut a control
 
 Rect seen_part(const Rect& rect, const ImRect& window) {
     const float left = std::max(rect.x, window.Min.x);
@@ -20,7 +20,7 @@ Rect seen_part(const Rect& rect, const ImRect& window) {
     return {left, top, right - left, foot - top};
 }
 
-// Whether the window, or one around it, can be scrolled along an axis.
+// Returns whether the window, or one that contains it, can be scrolled along an axis.
 bool scrolls(const ImGuiWindow* window, ImGuiAxis axis) {
     const auto index = static_cast<std::size_t>(axis);
     for (; window != nullptr; window = window->ParentWindow) {

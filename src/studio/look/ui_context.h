@@ -1,7 +1,7 @@
 #pragma once
 
-// The context of all controls besides Dear ImGui: theme, scale and positions of controls. ImGui's
-// io.UserData points to it, so drawing code needs no other globals.
+// The state that all controls share besides Dear ImGui's: theme, scale and positions of controls.
+// ImGui's io.UserData points to it, so that drawing code needs no global variable.
 
 #include "studio/look/theme.h"
 
@@ -28,13 +28,13 @@ struct Rect {
     friend bool operator==(const Rect&, const Rect&) = default;
 };
 
-// Where a named control was drawn last, in window pixels.
+// The position at which a named control was drawn last, in window pixels.
 struct NotedPlace {
     Rect rect;
-    Rect seen;                // what of it shows; empty where it is scrolled out of sight
-    bool cut = false;         // partly out of sight where nothing scrolls
-    const char* window = "";  // the panel or popup it is in
-    int frame = 0;            // when
+    Rect seen;                // visible part; empty if it is scrolled out of sight
+    bool cut = false;         // partly outside a window that cannot be scrolled
+    const char* window = "";  // name of its panel or popup
+    int frame = 0;            // number of the frame in which it was drawn
 };
 
 struct UiContext {
@@ -42,16 +42,17 @@ struct UiContext {
     Palette palette = palette_of(ThemeKind::kDark);
     Fonts fonts;
     float scale = 1.0F;
-    std::map<std::string, NotedPlace> places;  // for tests, the tour and the status log
-    // The item under the mouse and since when (s), for the delay of tooltips.
+    // By name; read by tests, the tour and the status log.
+    std::map<std::string, NotedPlace> places;
+    // The item under the mouse and the time since when (s), for the delay of tooltips.
     ImVec2 hovered = {-1.0F, -1.0F};
     double hovered_since = 0.0;
-    std::optional<double> typed;  // into a slider, so far
+    std::optional<double> typed;  // number typed into a slider so far
 };
 
 UiContext& ui();
 
-// Units of 1/96 inch to pixels.
+// Converts units of 1/96 inch to pixels.
 inline float px(float units) {
     return units * ui().scale;
 }
@@ -61,11 +62,11 @@ inline const Palette& colors() {
 inline ImU32 paint(const Color& color) {
     return pack(color);
 }
-// Remembers where the item just drawn is, or where a part of the window being drawn is.
+// Records the position of the item just drawn, or of a part of the window being drawn.
 void note_place(const std::string& name);
 void note_place(const std::string& name, const Rect& rect);
 
-// Puts a font or text colour in force for a scope.
+// Sets a font or text colour for a scope.
 class WithFont {
 public:
     explicit WithFont(ImFont* font) { ImGui::PushFont(font); }

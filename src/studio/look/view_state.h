@@ -18,16 +18,16 @@ enum class TimelineQuantity : unsigned char {
     kInvalid
 };
 
-// The quantity that sorts the tiles of the population, largest first.
+// The quantity by which the tiles of the population are sorted, largest first.
 enum class TileOrder : unsigned char { kFitness, kAge, kParts, kMass, kDifference };
 
-// Speeds of playback offered; 1 is real time.
+// The playback speeds to choose from; 1 is real time.
 inline constexpr std::array kPlaybackSpeeds = {0.1, 0.25, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0};
 
-// Champions of other generations that accompany the creature shown.
+// Which champions of other generations are displayed beside the creature.
 enum class GhostChoice : unsigned char { kNone, kImprovements, kTenths, kAcross };
 
-// What is laid over the picture of a creature; overlays.h tells what each is.
+// The overlays that are drawn over the creature; overlays.h describes them.
 struct OverlaysShown {
     bool trail = true;
     bool contacts = true;
@@ -42,8 +42,8 @@ struct OverlaysShown {
     friend bool operator==(const OverlaysShown&, const OverlaysShown&) = default;
 };
 
-// Which panels are shown beside the viewport, and their sizes where a person set them, in units of
-// 1/96 inch; 0 follows the window.
+// Which panels are shown beside the viewport, and their sizes if the user set them, in units of
+// 1/96 inch. The size 0 follows the window.
 struct PanelSizes {
     bool left = true;
     bool right = true;
@@ -55,20 +55,20 @@ struct PanelSizes {
     friend bool operator==(const PanelSizes&, const PanelSizes&) = default;
 };
 
-// How the window is arranged and what is overlaid; remembered between runs of the program.
+// The arrangement of the window and its overlays, stored between runs of the program.
 struct ViewState {
     ThemeKind theme = ThemeKind::kDark;
-    bool follow = true;  // the camera keeps to the creature
+    bool follow = true;  // the camera follows the creature
     OverlaysShown overlays;
     PanelSizes panels;
     GhostChoice ghosts = GhostChoice::kNone;
-    double speed = 1.0;           // of playback
-    bool tour_taken = false;      // or declined
-    bool newest_champion = true;  // the best of each finished generation takes the stage
+    double speed = 1.0;           // speed of playback; 1 is real time
+    bool tour_taken = false;      // the user took or declined the tour
+    bool newest_champion = true;  // displays the best of each finished generation
     TimelineQuantity quantity = TimelineQuantity::kFitness;
     TileOrder order = TileOrder::kFitness;
-    bool starred_only = false;  // of the population's tiles
-    bool one_a_plan = false;    // of the population's tiles, the best of each body plan only
+    bool starred_only = false;  // the population shows starred creatures only
+    bool one_a_plan = false;    // the population shows the best of each body plan only
 
     friend bool operator==(const ViewState&, const ViewState&) = default;
 };

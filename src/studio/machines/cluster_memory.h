@@ -4,9 +4,9 @@
 
 namespace cambrian {
 
-// What is remembered of a cluster between runs of the program.
+// What the studio stores about a cluster between runs of the program.
 struct ClusterMemory {
-    ClusterLogin login;  // the last one, used or not
+    ClusterLogin login;  // the last one entered, joined or not
     bool joined = false;
 
     friend bool operator==(const ClusterMemory&, const ClusterMemory&) = default;

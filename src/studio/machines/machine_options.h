@@ -11,17 +11,17 @@
 
 namespace cambrian {
 
-// A back-end that evaluates on the cluster and on so many threads of this machine; runs on any
-// thread and may take seconds. An Error says why the address cannot be used.
+// Makes a back-end that evaluates on the cluster and on `threads` threads of this machine. It may
+// run on any thread and take seconds. The error says why the address cannot be used.
 using ClusterJoining = std::function<Result<std::shared_ptr<EvaluationBackend>>(
     const ClusterAddress& address, std::size_t threads)>;
 
-// What the studio may evaluate with.
+// The means by which the studio may evaluate creatures.
 struct MachineOptions {
-    std::size_t workers = 0;  // own threads that evaluate; 0 is one a core
-    // Joined at once instead of the one remembered.
+    std::size_t workers = 0;  // evaluating threads of this machine; 0 means one per core
+    // Cluster to join at the start, instead of the stored one.
     std::optional<ClusterLogin> cluster = std::nullopt;
-    ClusterJoining join = nullptr;  // empty: no cluster can be joined
+    ClusterJoining join = nullptr;  // null if no cluster can be joined
 };
 
 }  // namespace cambrian

@@ -1,6 +1,6 @@
 #pragma once
 
-// What panels see of the machines that evaluate and what they may request of them.
+// What panels see of the machines that evaluate, and what they may request of them.
 
 #include "cluster/connection/cluster_address.h"
 #include "evolution/evaluation/backend_status.h"
@@ -12,25 +12,25 @@ namespace cambrian {
 
 // Opens or closes the card of machines.
 struct ToggleMachines {};
-// Evaluates on this cluster from now on, besides the own cores.
+// Evaluates on this cluster from now on, besides this machine's cores.
 struct JoinCluster {
     ClusterLogin login;
 };
-// Evaluates on the own cores alone from now on.
+// Evaluates on this machine's cores alone from now on.
 struct LeaveCluster {};
 
 using MachinesRequest = std::variant<ToggleMachines, JoinCluster, LeaveCluster>;
 
 struct MachinesView {
-    ClusterLogin login;    // the present one, or the last
-    BackendStatus status;  // of what evaluates now
+    ClusterLogin login;    // the present or last one
+    BackendStatus status;  // status of the back-end in use
     bool card_open = false;
-    bool joining = false;  // an attempt is under way
-    bool joined = false;   // evaluations go to the cluster whenever it is there
-    std::string problem;   // why the last attempt failed; empty if it did not
+    bool joining = false;  // an attempt to join is under way
+    bool joined = false;   // the cluster evaluates whenever it can be reached
+    std::string problem;   // why the last attempt to join failed; empty if it succeeded
 };
 
-// Whether a cluster was asked for, so that its state has to be told.
+// Returns whether the user asked for a cluster, so that its state must be displayed.
 inline bool cluster_wanted(const MachinesView& machines) {
     return machines.joining || machines.joined || !machines.problem.empty();
 }

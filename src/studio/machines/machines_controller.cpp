@@ -28,7 +28,7 @@ const char* name_of(ClusterLink link) {
     return "none";
 }
 
-// A back-end is given up on the worker's thread: to end its connection may take a moment.
+// Destroys a back-end on the worker's thread, since closing its connection may take a moment.
 void give_up(const Services& services, std::shared_ptr<EvaluationBackend> backend) {
     services.worker.submit([backend = std::move(backend)](const std::stop_token&) mutable {
         backend.reset();
@@ -38,12 +38,12 @@ void give_up(const Services& services, std::shared_ptr<EvaluationBackend> backen
 
 }  // namespace
 
-// How an attempt to join ended.
+// The result of an attempt to join a cluster.
 struct MachinesController::Attempt {
     unsigned number = 0;
     std::shared_ptr<EvaluationBackend> backend;  // null if it failed
     std::string problem;
-    std::string warning;  // of what others can read; empty if nothing
+    std::string warning;  // warning about files that others can read; empty if none
 };
 
 MachinesController::Attempt MachinesController::attempt_to_join(const ClusterLogin& login,
@@ -68,7 +68,7 @@ MachinesController::Attempt MachinesController::attempt_to_join(const ClusterLog
     return attempt;
 }
 
-// One operator for each request.
+// Has one overload for each kind of request.
 struct MachinesController::Handler {
     MachinesController& self;
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// Owns what evolution evaluates with: this machine's cores alone, or a cluster and them.
+// Owns the evaluation back-end: this machine's cores, alone or with a cluster.
 
 #include "studio/background/services.h"
 #include "studio/experiment/experiment_controller.h"
@@ -14,17 +14,18 @@ namespace cambrian {
 
 class MachinesController {
 public:
-    // Everything that `services` names must outlive it; `experiment` need not exist before begin().
+    // The references in `services` must outlive the controller; `experiment` need not exist before
+    // begin().
     MachinesController(const Services& services, ExperimentController& experiment,
                        MachineOptions options);
 
-    // What an experiment evaluates with at first.
+    // The back-end that an experiment starts with.
     const std::shared_ptr<EvaluationBackend>& own_cores() const { return own_; }
 
-    // Joins the cluster that the options name or, without one, the remembered one if it was joined
-    // when the program ended.
+    // Joins the cluster that the options name. Without one, joins the stored cluster if the program
+    // was joined to it when it ended.
     void begin(const ClusterMemory& remembered);
-    // Once a frame: `now` is in seconds of the window's clock.
+    // Must be called once a frame; `now` is in seconds of the window's clock.
     void update(double now);
     void carry_out(const MachinesRequest& request);
     const MachinesView& facts() const { return facts_; }
@@ -45,10 +46,10 @@ private:
     ExperimentController& experiment_;
     MachineOptions options_;
     const std::shared_ptr<EvaluationBackend> own_;
-    std::shared_ptr<EvaluationBackend> used_;  // never null
+    std::shared_ptr<EvaluationBackend> used_;  // the back-end in use; never null
     MachinesView facts_;
     unsigned attempts_ = 0;
-    double read_at_ = -1.0;  // s; when the status was read last
+    double read_at_ = -1.0;  // s; time of the last reading of the status
 };
 
 }  // namespace cambrian

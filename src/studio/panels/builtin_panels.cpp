@@ -37,7 +37,7 @@ std::unique_ptr<Panel> make([[maybe_unused]] Renderer* renderer) {
     }
 }
 
-// A card of this size in the middle of the window.
+// Returns a rectangle of this size in the middle of the window.
 template <int Width, int Height>
 Rect centered(const FrameContext&, const CardSpace& space) {
     const Rect& over = space.window;
@@ -46,7 +46,7 @@ Rect centered(const FrameContext&, const CardSpace& space) {
     return {std::round(over.center().x - 0.5F * w), std::round(over.center().y - 0.5F * h), w, h};
 }
 
-// When a panel is shown.
+// The conditions under which panels are shown.
 bool always(const FrameContext&) {
     return true;
 }

@@ -4,7 +4,7 @@
 
 namespace cambrian {
 
-// Every panel of the window, in the order in which they are drawn; cards come last.
+// Returns every kind of panel, in the order of drawing; cards come last.
 std::span<const PanelKind> builtin_panels();
 
 }  // namespace cambrian

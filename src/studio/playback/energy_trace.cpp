@@ -3,7 +3,7 @@
 namespace cambrian {
 namespace {
 
-constexpr double kSampleInterval = 0.1 - 1e-6;  // s
+constexpr double kSampleInterval = 0.1 - 1e-6;  // s between two samples
 
 }  // namespace
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// The energy balance of a trial over time, recorded while it is played (simulator/README.md 4).
+// The energy balance of a trial over time, recorded during playback (simulator/README.md 4).
 
 #include "world/physics_scene.h"
 
@@ -8,10 +8,10 @@
 
 namespace cambrian {
 
-// Since the test began, in J. What the muscles gave is the sum of all the rest.
+// Energies since the start of the test, in J. `muscles` is the sum of all others.
 struct EnergySample {
     double time = 0.0;      // s
-    double muscles = 0.0;   // net
+    double muscles = 0.0;   // net work of the muscles
     double stored = 0.0;    // change of kinetic and potential energy
     double drag = 0.0;      // lost to the medium
     double contacts = 0.0;  // lost to friction, impacts and joint limits
@@ -23,8 +23,8 @@ EnergySample energy_sample(double time, const SceneAudit& audit);
 class EnergyTrace {
 public:
     void clear() { samples_.clear(); }
-    // Keeps a reading every tenth of a second; a time before the last one removes what came
-    // after.
+    // Stores a reading every tenth of a second. A time before the last one removes the readings
+    // after it.
     void add(double time, const SceneAudit& audit);
     const std::vector<EnergySample>& samples() const { return samples_; }
 

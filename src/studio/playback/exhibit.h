@@ -15,34 +15,34 @@
 
 namespace cambrian {
 
-// Where a displayed creature comes from.
+// Where the displayed creature was taken from.
 enum class ExhibitSource : std::uint8_t { kSample, kFile, kChampion, kPopulation, kHandPicked };
 
-// A creature on display: the creature with the settings that judge it, and where it was taken from.
+// A creature on display, with the settings that evaluate it and where it was taken from.
 struct Exhibit {
     JudgedIndividual creature;
     ExhibitSource source = ExhibitSource::kSample;
     std::string title;                           // "Champion of generation 12"
-    std::uint64_t experiment = 0;                // of the engine that bred it; 0 if none did
-    std::optional<std::uint64_t> ancestry = {};  // ancestry_digest(), if its line is known
-    TickChecks ticks = {};                       // of the motion, if they were noted
+    std::uint64_t experiment = 0;                // id of the experiment that bred it; 0 if none did
+    std::optional<std::uint64_t> ancestry = {};  // ancestry_digest(), if its ancestors are known
+    TickChecks ticks = {};  // check bytes of the motion, one per tick, if they were recorded
 
     const Individual& individual() const { return *creature.individual; }
     const ExperimentSettings& settings() const { return *creature.settings; }
     const GenomePtr& genome() const { return creature.individual->genome; }
-    // As evaluated; null if the creature never was.
+    // The result of its evaluation; null if it was never evaluated.
     const EvaluationResult* result() const {
         return individual().evaluated ? &individual().result : nullptr;
     }
 };
 
-// How a creature scores in its world, from a trial of its own.
+// The score of a creature in its world, from a trial run by the viewer.
 struct ScoreReport {
     TrialRecord record;
     Score score;
     std::string unit;
     TickChecks ticks;
-    std::uint64_t digest = 0;  // of the motion in all trials its world asks for
+    std::uint64_t digest = 0;  // of the motion in all trials that the settings require
 };
 
 // A creature of a generation or of a grid, with a title that says which.

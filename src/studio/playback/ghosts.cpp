@@ -9,13 +9,13 @@ namespace cambrian {
 namespace {
 
 constexpr std::size_t kImprovements = 3;
-constexpr std::uint32_t kTenth = 10;  // generations
+constexpr std::uint32_t kTenth = 10;  // generations between two ghosts
 constexpr std::size_t kMostTenths = 6;
 constexpr std::size_t kAcross = 5;
 
 using Records = std::vector<const JudgedIndividual*>;
 
-// Champions fitter than all before them.
+// Returns the champions that are fitter than all before them.
 Records improvements(const std::vector<JudgedIndividual>& champions) {
     Records found;
     for (const JudgedIndividual& each : champions) {
@@ -42,7 +42,7 @@ Records across(const std::vector<JudgedIndividual>& champions) {
     return found;
 }
 
-// The newest few of them, each genome once.
+// Returns the newest `most` of them; no genome occurs twice.
 Records newest(const Records& records, std::size_t most, const Genome* shown) {
     Records kept;
     for (auto each = records.rbegin(); each != records.rend() && kept.size() < most; ++each) {

@@ -1,7 +1,7 @@
 #pragma once
 
-// Champions of other generations on the ground of the creature shown, to compare with it: each a
-// trial of its own, whose test begins at the same moment.
+// Champions of other generations that are displayed beside the creature for comparison. Each runs a
+// trial of its own, and all tests begin at the same time.
 
 #include "evolution/engine/snapshot.h"
 #include "studio/look/view_state.h"
@@ -13,17 +13,18 @@
 
 namespace cambrian {
 
-// Which of the champions, oldest first, none of them of this genome and no genome twice.
+// Chooses among the champions, oldest first. The displayed genome is left out and no genome occurs
+// twice.
 std::vector<const JudgedIndividual*> choose_ghosts(const std::vector<JudgedIndividual>& champions,
                                                    GhostChoice choice, const Genome* shown);
 
 class Ghost {
 public:
-    // Null if physics refuses the body.
+    // Returns null if physics rejects the body.
     static std::unique_ptr<Ghost> start(const JudgedIndividual& champion, const Kinds& kinds,
                                         const Environment& environment);
 
-    // One tick nearer to where the creature shown is, or back to it; false once there.
+    // Moves one tick towards the tick of the displayed creature; returns false once there.
     bool follow(const Playback& playback);
     void show(double share) { motion_.show(share); }
 
@@ -44,11 +45,11 @@ private:
 
 class Ghosts {
 public:
-    // Must outlive it.
+    // `kinds` must outlive the object.
     explicit Ghosts(const Kinds& kinds) : kinds_(&kinds) {}
 
-    // Once a frame, after the creature shown moved: the chosen ones come and go, one new one a
-    // frame, and all follow it, spending at most `budget` seconds.
+    // Must be called once a frame, after the displayed creature moved. Adds and removes ghosts as
+    // chosen, at most one new one per frame, and moves all, for at most `budget` seconds.
     void update(const EvolutionSnapshot& snapshot, GhostChoice choice, const Playback& playback,
                 double budget);
     std::span<const std::unique_ptr<Ghost>> all() const { return ghosts_; }
@@ -59,8 +60,8 @@ private:
 
     const Kinds* kinds_;
     std::vector<std::unique_ptr<Ghost>> ghosts_;
-    std::vector<JudgedIndividual> called_;  // still to come
-    // What the choice was made from.
+    std::vector<JudgedIndividual> called_;  // chosen but not yet started
+    // The data from which the ghosts were chosen.
     struct Basis {
         std::uint64_t experiment = 0;
         std::size_t champions = 0;

@@ -1,6 +1,6 @@
 #pragma once
 
-// Plays the creature on display: live on the main thread, within a time budget, forwards and back.
+// Plays the displayed creature on the main thread, within a time budget, forwards and backwards.
 
 #include "studio/playback/played_creature.h"
 
@@ -9,8 +9,7 @@
 
 namespace cambrian {
 
-inline constexpr double kLongestGap =
-    0.1;  // s; after a longer pause of the window, play goes on from here
+inline constexpr double kLongestGap = 0.1;  // s; a longer pause of the window is not played
 
 class Playback {
 public:
@@ -19,29 +18,31 @@ public:
         double speed = 1.0;  // 1 is real time
     };
 
-    // Must outlive it.
+    // `kinds` must outlive the object.
     explicit Playback(const Kinds& kinds) : creature_(kinds) {}
 
-    // Plays another creature from its start; on failure the one before stays.
+    // Plays another creature from its start. On failure, the creature before stays.
     Status show(Exhibit exhibit);
     void restart();
 
     Pace& pace() { return pace_; }
     const Pace& pace() const { return pace_; }
-    // Plays on by so much wall time, spending at most `budget` seconds on it; falls behind instead.
+    // Plays on by `elapsed` seconds of wall time but computes for at most `budget` seconds.
+    // Playback slows down if that is not enough.
     void advance(double elapsed, double budget);
-    void step();  // pauses one tick later
-    // Pauses one tick earlier than now, or than the moment sought.
+    void step();  // advances one tick and pauses
+    // Pauses one tick before the displayed one or, while seeking, before the tick sought.
     void step_back();
-    // To the moment so many ticks after the start, ahead or back; advance() goes there, and until
-    // then what is shown stays. Going back forgets the pokes after it.
+    // Seeks a tick after the trial's start, forwards or backwards. advance() computes up to it, and
+    // until then the displayed instant stays. Pokes after that tick are forgotten.
     void seek(std::uint64_t tick);
     bool seeking() const { return sought_.has_value(); }
-    // Where it is, or is going.
+    // The displayed tick or, while seeking, the tick sought.
     std::uint64_t tick_shown() const { return sought_.value_or(empty() ? 0 : trial().ticks()); }
-    // Ticks of settling and test phase together, as far as known, and of what was played beyond.
+    // Returns the trial's length in ticks, settling included, or the ticks played if these are
+    // more.
     std::uint64_t length() const;
-    // How far between the last two ticks the moment on display is; 1 is the last.
+    // Returns where the displayed instant lies between the last two ticks; 1 is the last tick.
     double share() const;
 
     PlayedCreature& creature() { return creature_; }
@@ -55,8 +56,8 @@ private:
 
     PlayedCreature creature_;
     Pace pace_;
-    double owed_ = 0.0;                    // s of motion due, under one tick unless falling behind
-    std::optional<std::uint64_t> sought_;  // tick
+    double owed_ = 0.0;  // s of motion still to play; less than a tick unless playback is too slow
+    std::optional<std::uint64_t> sought_;  // tick sought
 };
 
 }  // namespace cambrian

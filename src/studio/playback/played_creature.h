@@ -1,7 +1,7 @@
 #pragma once
 
-// The creature on display and its trial, tick by tick. It is the same trial that scores it, with
-// the actions of the person.
+// The displayed creature and its trial, tick by tick. The trial is the one that is scored, plus
+// what the user does to it.
 
 #include "core/result.h"
 #include "studio/playback/exhibit.h"
@@ -16,40 +16,40 @@ namespace cambrian {
 
 class PlayedCreature {
 public:
-    // Must outlive it.
+    // `kinds` must outlive the object.
     explicit PlayedCreature(const Kinds& kinds) : kinds_(&kinds) {}
 
-    // Expresses the creature and starts its trial; on failure the creature before stays.
+    // Expresses the creature and starts its trial. On failure, the creature before stays.
     Status show(Exhibit exhibit);
-    // Starts its trial again, as judged, except that an environment changed by hand is kept.
+    // Restarts the trial as it was evaluated; an environment changed by the user is kept.
     void restart();
     void tick();
-    // Goes back to the last kept moment at or before the tick.
+    // Goes back to the last stored state at or before the tick.
     void go_back(std::uint64_t tick);
-    // Shows a moment between the last two ticks; 1 is the last.
+    // Displays an instant between the last two ticks; 1 is the last tick.
     void show_moment(double share) { motion_.show(share); }
     void show_present() { motion_.jump_to(replay_->trial().scene()); }
 
-    // Acts from the next tick on.
+    // Changes the environment from the next tick on.
     void set_environment(const Environment& environment);
-    // Pulls a part by a point towards a place in the world until told to pull nothing; marks the
-    // motion as disturbed until restarted, or until the moment shown lies before the pull.
+    // Pulls a point of a part towards a point in the world until called with nothing. The motion
+    // counts as disturbed until it is restarted or goes back to before the pull.
     void pull(std::optional<Hold> hold) { hold_ = hold; }
-    // From the next tick on a neuron has this value, whatever it computes, until restarted or
-    // forced to nothing; disturbs as a poke does.
+    // Forces the value of a neuron from the next tick on, until restarted or called with nothing.
+    // This also disturbs the motion.
     void force(std::size_t neuron, std::optional<double> value);
 
     bool empty() const { return replay_ == nullptr; }
     const Exhibit& exhibit() const { return exhibit_; }
-    // The rest only if it is not empty.
+    // The following functions may be called only if the object is not empty.
     const std::shared_ptr<const Phenotype>& shared_phenotype() const { return phenotype_; }
     const Phenotype& phenotype() const { return *phenotype_; }
-    // Its environment is what judges the creature, or what it was changed to by hand.
+    // Its environment is the one that evaluated the creature, unless the user changed it.
     const Replay& replay() const { return *replay_; }
     const ShownMotion& motion() const { return motion_; }
     const TrialReadings& readings() const { return readings_; }
     bool disturbed() const { return !empty() && (hold_ || replay_->disturbed()); }
-    // What the mouse holds, or null.
+    // What the mouse pulls, or null.
     const Hold* hold() const { return hold_ ? &*hold_ : nullptr; }
 
 private:

@@ -6,12 +6,12 @@
 namespace cambrian {
 namespace {
 
-constexpr std::uint64_t kFirstSpacing = 30;  // ticks
-constexpr std::size_t kMostKept = 240;       // beyond it every second moment is dropped
-constexpr double kHoldStiffness = 60.0;      // N/m a kg of creature
-constexpr double kHoldDamping = 6.0;         // N s/m a kg
+constexpr std::uint64_t kFirstSpacing = 30;  // ticks between two stored states at first
+constexpr std::size_t kMostKept = 240;       // with more stored states, every second one is dropped
+constexpr double kHoldStiffness = 60.0;      // N/m per kg of creature
+constexpr double kHoldDamping = 6.0;         // N s/m per kg of creature
 
-// The first entry of a list by tick that is not before a tick.
+// Returns the first entry of a list ordered by tick that is not before `tick`.
 template <class List>
 auto from_tick(List& list, std::uint64_t tick) {
     return std::lower_bound(list.begin(), list.end(), tick,
@@ -58,7 +58,7 @@ void Replay::tick(const Hold* hold) {
     if (ticks() % spacing_ == 0 && ticks() > kept_.back().tick) keep();
 }
 
-// A damped spring between the hand and the point taken hold of.
+// Applies the force of a damped spring between the mouse and the grabbed point.
 void Replay::pull(const Hold& hold) {
     PhysicsScene& scene = trial_->scene();
     const Pose pose = scene.part_pose(hold.part);

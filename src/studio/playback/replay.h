@@ -1,7 +1,7 @@
 #pragma once
 
-// A trial that can be gone back in: a moment is kept every so often, and from the last one before
-// the moment sought it runs again, to the same bits, hands and changed worlds included.
+// A trial that can go back in time. It stores states at intervals and recomputes from the last
+// state before the tick sought. The bits are the same, with all pulls and changes of the world.
 
 #include "core/result.h"
 #include "simulator/trial.h"
@@ -14,16 +14,16 @@
 
 namespace cambrian {
 
-// A point of a part pulled towards a place in the world.
+// A pull on a point of a part towards a point in the world.
 struct Hold {
     std::size_t part = 0;
-    Vec3 point_in_part = Vec3::Zero();  // m
-    Vec3 target = Vec3::Zero();         // m, world
+    Vec3 point_in_part = Vec3::Zero();  // m, in the part's frame
+    Vec3 target = Vec3::Zero();         // m, in the world
 };
 
 class Replay {
 public:
-    // Fails if physics refuses the body.
+    // Fails if physics rejects the body.
     static Result<std::unique_ptr<Replay>> start(std::shared_ptr<const Phenotype> phenotype,
                                                  const Kinds& kinds, const TrialWorld& world);
 
@@ -31,21 +31,21 @@ public:
     std::uint64_t ticks() const { return trial_->ticks(); }
     bool diverged() const { return trial_->scene().status() != SceneStatus::kRunning; }
 
-    // One tick on, pulled by a hand if there is one. While a known course is repeated, it is pulled
-    // as it was then.
+    // Advances one tick, with the pull `hold` if not null. At ticks that were computed before, the
+    // pull of that time is repeated instead.
     void tick(const Hold* hold = nullptr);
-    // Goes back to the last kept moment at or before `tick`, which must not lie ahead; ticking on
-    // to it repeats the course. Hands after it are forgotten and the present environment holds from
-    // there.
+    // Goes back to the last stored state at or before `tick`, which must not be later than ticks().
+    // Ticking on repeats the motion up to `tick`. Pulls after it are forgotten, and the present
+    // environment holds from it on.
     void go_back(std::uint64_t tick);
 
-    // Felt from the next tick on, or from where the repeated course ends.
+    // Changes the environment from the next tick on or, while motion is repeated, from its end on.
     void set_environment(const Environment& environment);
     const Environment& environment() const { return changes_.back().environment; }
-    // What neurons say instead of what they compute; the same holds for it.
+    // Sets the values that neurons have instead of the computed ones, from the same tick on.
     void set_forced(const std::map<std::size_t, double>& forced);
     const std::map<std::size_t, double>& forced() const { return changes_.back().forced; }
-    // Whether a hand pulled, or a neuron was forced, up to now.
+    // Returns whether anything was pulled, or a neuron was forced, so far.
     bool disturbed() const;
 
 private:
@@ -57,7 +57,7 @@ private:
         std::uint64_t tick = 0;
         Hold hold;
     };
-    // What holds from a tick on.
+    // The environment and forced values that hold from a tick on.
     struct Change {
         std::uint64_t tick = 0;
         Environment environment;
@@ -68,17 +68,18 @@ private:
     void keep();
     void pull(const Hold& hold);
     const Hold* known_hold() const;
-    // In force when the tick of that number began being computed, changes at that very tick aside.
+    // Returns the change in force before a tick; changes at that tick itself do not count.
     const Change& change_before(std::uint64_t tick) const;
     void change_from_now(Change change);
     void apply(const Change& change);
     std::vector<Change>::const_iterator first_change_from(std::uint64_t tick) const;
 
     std::unique_ptr<Trial> trial_;
-    std::vector<Kept> kept_;       // by tick; the first is the start
-    std::uint64_t spacing_;        // ticks between two kept moments
-    std::vector<Pull> pulls_;      // by tick
-    std::vector<Change> changes_;  // by tick, one each; before them the world it started in
+    std::vector<Kept> kept_;   // ordered by tick; the first is the start
+    std::uint64_t spacing_;    // ticks between two stored states
+    std::vector<Pull> pulls_;  // ordered by tick
+    // Ordered by tick, one per tick; the first is the world at the start.
+    std::vector<Change> changes_;
     std::uint64_t known_until_ = 0;
 };
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// Where the parts of a simulated body are between two ticks, for drawing at the display's rate.
+// The poses of a simulated body between two ticks, for drawing at the display's rate.
 
 #include "math/pose.h"
 #include "world/body_view.h"
@@ -11,11 +11,11 @@ namespace cambrian {
 
 class ShownMotion {
 public:
-    // The body a tick later; what it was before is the tick before.
+    // Sets the body at the next tick; the last one becomes the previous tick.
     void follow(const BodyView& body);
-    // The body as it is, with nothing before it.
+    // Sets the body with no previous tick, as after a restart.
     void jump_to(const BodyView& body);
-    // The moment shown: 0 is the tick before, 1 the last.
+    // Sets the displayed instant: 0 is the previous tick, 1 the last one.
     void show(double share);
 
     const std::vector<Pose>& poses() const { return shown_; }

@@ -1,6 +1,6 @@
 #pragma once
 
-// What every value of a brain was over the last 3 s, one reading a tick.
+// The values of a brain's slots and outputs over the last 3 s, one reading per tick.
 
 #include "brain/brain.h"
 
@@ -12,11 +12,11 @@ namespace cambrian {
 
 class SignalTrace {
 public:
-    static constexpr std::size_t kLength = 180;  // ticks kept
+    static constexpr std::size_t kLength = 180;  // ticks
 
     void clear() { ticks_.clear(); }
     void add(const Brain& brain, std::size_t outputs);
-    // Oldest first; at most kLength.
+    // Return the readings, oldest first, at most kLength.
     std::vector<double> of_slot(Slot slot) const;
     std::vector<double> of_output(std::size_t output) const;
 

@@ -7,8 +7,8 @@
 namespace cambrian {
 namespace {
 
-constexpr std::uint64_t kTicksADot = 4;   // of the trail
-constexpr std::size_t kTraceLength = 90;  // dots
+constexpr std::uint64_t kTicksADot = 4;   // ticks between two points of the trail
+constexpr std::size_t kTraceLength = 90;  // points of the trail
 
 }  // namespace
 

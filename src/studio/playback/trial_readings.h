@@ -1,7 +1,6 @@
 #pragma once
 
-// What is noted of a creature while its trial is played: signals, energy and the path of its centre
-// of mass.
+// Readings recorded while a trial is played: signals, energy and the path of the centre of mass.
 
 #include "math/types.h"
 #include "studio/playback/energy_trace.h"
@@ -18,20 +17,20 @@ class Trial;
 class TrialReadings {
 public:
     void clear();
-    // Notes the trial's present tick; `outputs` is the count of the network's outputs.
+    // Records the trial's present tick; `outputs` is the number of the network's outputs.
     void add(const Trial& trial, std::size_t outputs);
-    // Forgets signals, and the path after this tick.
+    // Forgets all signals, and the path after this tick.
     void go_back(std::uint64_t tick);
 
     const SignalTrace& signals() const { return signals_; }
     const EnergyTrace& energy() const { return energy_; }  // of the test phase
-    // Where the centre of mass was, in m, oldest first, fourteen a second.
+    // Returns the last positions of the centre of mass, in m, oldest first, one every four ticks.
     std::span<const Vec2> trail() const;
 
 private:
     SignalTrace signals_;
     EnergyTrace energy_;
-    std::vector<Vec2> dots_;  // all since the start
+    std::vector<Vec2> dots_;  // all positions since the start
 };
 
 }  // namespace cambrian

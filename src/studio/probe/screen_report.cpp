@@ -7,9 +7,9 @@
 namespace cambrian {
 namespace {
 
-// Windows find their sizes in their first frames; a fault that a person sees lasts longer.
-constexpr int kLasting = 4;    // looks
-constexpr int kLookEvery = 4;  // frames
+// Windows find their sizes in their first frames. A fault that a person sees lasts longer.
+constexpr int kLasting = 4;    // looks in a row before a fault is reported
+constexpr int kLookEvery = 4;  // frames between two looks
 
 bool same(const NotedPlace& a, const NotedPlace& b) {
     return a.seen == b.seen && a.cut == b.cut && a.window == b.window;

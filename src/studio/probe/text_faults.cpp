@@ -10,20 +10,20 @@
 namespace cambrian {
 namespace {
 
-constexpr float kHarmlessShare = 0.15F;  // of a line's height that may be lost without harm
-constexpr float kOverlapShare = 0.25F;   // of a letter's box covered by another's
+constexpr float kHarmlessShare = 0.15F;  // share of a line's height that may be cut
+constexpr float kOverlapShare = 0.25F;   // share of a glyph's box that another may overlap
 
 using TexturePlace = std::tuple<float, float, float, float>;
 using Letters = std::map<TexturePlace, unsigned>;
 
 struct Line {
     std::string text;
-    std::vector<ImRect> boxes;  // of its letters
+    std::vector<ImRect> boxes;  // of the line's glyphs
     ImRect all;
     ImRect clip;
 };
 
-// The letter at each place of the fonts' texture.
+// Maps positions in the fonts' texture to letters.
 Letters letters_of(const ImFontAtlas& atlas) {
     Letters letters;
     for (const ImFont* font : atlas.Fonts) {
@@ -33,14 +33,14 @@ Letters letters_of(const ImFontAtlas& atlas) {
     return letters;
 }
 
-// Six indices that make the rectangle of a letter, as ImFont::RenderText() writes them.
+// Returns whether six indices form a glyph's rectangle, as ImFont::RenderText() writes them.
 bool is_quad(const ImDrawIdx* index) {
     const int first = index[0];
     return index[1] == first + 1 && index[2] == first + 2 && index[3] == first &&
            index[4] == first + 2 && index[5] == first + 3;
 }
 
-// Whether a letter goes on a line, after a space at most.
+// Returns whether a glyph continues a line, after at most one space.
 bool goes_on(const Line& line, const ImRect& box, const ImRect& clip) {
     const ImRect& last = line.boxes.back();
     const float height = line.all.GetHeight();
@@ -49,7 +49,7 @@ bool goes_on(const Line& line, const ImRect& box, const ImRect& clip) {
     return level && next && clip.Min.x == line.clip.Min.x && clip.Max.x == line.clip.Max.x;
 }
 
-// A letter of which nothing is seen is left out.
+// Adds a glyph to its line; an invisible glyph is left out.
 void add_letter(std::vector<Line>& lines, const ImRect& box, const ImRect& clip, unsigned code) {
     if (!clip.Overlaps(box)) return;
     if (lines.empty() || !goes_on(lines.back(), box, clip)) {
@@ -85,7 +85,7 @@ std::vector<Line> lines_of(const ImDrawList& list, const Letters& letters) {
     return lines;
 }
 
-// Whether any window from this one to its root scrolls down.
+// Returns whether this window, or one that contains it, scrolls vertically.
 bool scrolls_down(const ImGuiWindow* window) {
     for (; window != nullptr; window = window->ParentWindow) {
         if (window->ScrollMax.y > 0.0F && (window->Flags & ImGuiWindowFlags_NoScrollWithMouse) == 0)
@@ -111,7 +111,7 @@ bool overlap(const ImRect& a, const ImRect& b) {
     return width * height > kOverlapShare * std::min(a.GetArea(), b.GetArea());
 }
 
-// Where it is seen.
+// Returns the visible part of a box.
 ImRect seen_part(ImRect box, const ImRect& clip) {
     box.ClipWith(clip);
     return box;

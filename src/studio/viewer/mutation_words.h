@@ -1,6 +1,6 @@
 #pragma once
 
-// Mutations as people read them.
+// Descriptions of mutations.
 
 #include "breeding/mutation_kind.h"
 
@@ -8,15 +8,15 @@
 
 namespace cambrian {
 
-// "Length or limit", "Edited by hand".
+// Examples: "Length or limit", "Edited by hand".
 std::string operator_words(const MutationRecord& mutation, const MutationRegistry& kinds);
-// "0.5 → 0.62"; one of the two where there is no other.
+// Example: "0.5 → 0.62". If only one of the two values exists, it is that value.
 std::string change_words(const MutationRecord& mutation);
 
-// "Length or limit: part 2 length 0.4 → 0.5"
+// Example: "Length or limit: part 2 length 0.4 → 0.5".
 std::string mutation_words(const MutationRecord& mutation, const MutationRegistry& kinds);
 
-// Operator, place and change, in lines that break between words alone.
+// Draws operator, place and change; lines break only between words.
 void draw_mutation(const MutationRecord& mutation, const MutationRegistry& kinds);
 
 }  // namespace cambrian

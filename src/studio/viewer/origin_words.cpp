@@ -9,8 +9,8 @@
 namespace cambrian {
 namespace {
 
-constexpr std::size_t kMostMutations = 6;  // more are counted only
-constexpr std::size_t kShortUid = 8;       // digits
+constexpr std::size_t kMostMutations = 6;  // lines of mutations; the rest are only counted
+constexpr std::size_t kShortUid = 8;       // digits shown of a uid
 
 std::string parent_words(std::uint64_t parent, std::span<const IndividualPtr> population) {
     const auto living =

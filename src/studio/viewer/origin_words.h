@@ -1,6 +1,6 @@
 #pragma once
 
-// Where a creature comes from, in words.
+// Description of a creature's origin.
 
 #include "evolution/individual/individual.h"
 #include "evolution/kinds/evolution_kinds.h"
@@ -10,8 +10,8 @@
 
 namespace cambrian {
 
-// Generation of birth, method of breeding, parents (by rank, if they live) and mutations, one line
-// each. population: best first.
+// Returns generation of birth, breeding method, parents and mutations, one per line. Living parents
+// are named by rank. `population` is sorted, best first.
 std::string origin_words(const Individual& individual, std::span<const IndividualPtr> population,
                          const EvolutionKinds& kinds);
 

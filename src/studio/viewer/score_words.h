@@ -1,6 +1,6 @@
 #pragma once
 
-// Scores in words.
+// Descriptions of scores.
 
 #include "evolution/individual/individual.h"
 
@@ -8,7 +8,8 @@
 
 namespace cambrian {
 
-// "0.81 to 0.99 in 3 worlds", the range of a confirmed creature's scores; empty of another.
+// Returns the range of a confirmed creature's scores, as in "0.81 to 0.99 in 3 worlds"; empty for a
+// creature that is not confirmed.
 std::string confirmed_range(const EvaluationResult& result);
 
 }  // namespace cambrian

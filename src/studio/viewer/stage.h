@@ -1,6 +1,7 @@
 #pragma once
 
-// The playback of the displayed creature, and its score from the same trial in the background.
+// The displayed creature's playback, and its score, which a background job computes from the same
+// trial.
 
 #include "evolution/kinds/evolution_kinds.h"
 #include "studio/background/background_worker.h"
@@ -15,14 +16,14 @@ namespace cambrian {
 
 class Stage {
 public:
-    // Both must outlive it.
+    // Both references must outlive the object.
     Stage(BackgroundWorker& worker, const EvolutionKinds& kinds)
         : worker_(worker), kinds_(kinds), playback_(kinds.creature) {}
 
     Status show(Exhibit exhibit);
     Playback& playback() { return playback_; }
     const Playback& playback() const { return playback_; }
-    // Null until computed.
+    // Null until the score is computed.
     const ScoreReport* score() const { return score_ ? &*score_ : nullptr; }
 
 private:
@@ -32,7 +33,7 @@ private:
     const EvolutionKinds& kinds_;
     Playback playback_;
     std::optional<ScoreReport> score_;
-    // Set once another creature has taken the place of the one being scored.
+    // Set when another creature replaces the one being scored.
     std::shared_ptr<std::atomic<bool>> outdated_ = std::make_shared<std::atomic<bool>>(false);
 };
 

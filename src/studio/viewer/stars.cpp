@@ -5,7 +5,7 @@
 namespace cambrian {
 namespace {
 
-// Survivors share their genome with what they were a generation ago.
+// Compares genomes, since a survivor of a later generation shares its genome with the starred one.
 auto find_in(const std::vector<JudgedIndividual>& creatures, const Individual& individual) {
     return std::find_if(creatures.begin(), creatures.end(), [&](const JudgedIndividual& each) {
         return each.individual->genome == individual.genome;

@@ -11,7 +11,7 @@ namespace cambrian {
 // generation has passed.
 class Stars {
 public:
-    // In the order in which they were given.
+    // In the order in which the stars were given.
     const std::vector<JudgedIndividual>& all() const { return all_; }
     bool has(const Individual& individual) const;
     void toggle(const JudgedIndividual& creature);
@@ -20,11 +20,11 @@ public:
     // Restores the star that was removed last, if there is one.
     void restore();
     bool can_restore() const { return !taken_.empty(); }
-    std::uint64_t revision() const { return revision_; }  // counts changes
+    std::uint64_t revision() const { return revision_; }  // number of changes so far
 
 private:
     std::vector<JudgedIndividual> all_;
-    std::vector<JudgedIndividual> taken_;  // last one last
+    std::vector<JudgedIndividual> taken_;  // removed stars, the last removed one at the end
     std::uint64_t revision_ = 0;
 };
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// What panels see of the creature on display and what they may request of the viewer.
+// What panels see of the displayed creature, and what they may request of the viewer.
 
 #include "pictures/scene/highlight.h"
 #include "studio/playback/ghosts.h"
@@ -18,11 +18,11 @@ struct TogglePlayback {};
 struct RestartPlayback {};
 struct StepPlayback {};
 struct StepPlaybackBack {};
-// Goes to the moment so many ticks after the trial's start.
+// Seeks a tick after the trial's start.
 struct SeekPlayback {
     std::uint64_t tick = 0;
 };
-// Brings the creature to a good size in the viewport.
+// Moves and scales the camera so that the creature fits the viewport.
 struct FitView {};
 struct PokePart {
     std::size_t part = 0;
@@ -30,7 +30,7 @@ struct PokePart {
     Vec3 target = Vec3::Zero();
 };
 struct ReleasePoke {};
-// A neuron has the value, whatever it computes, until released or restarted.
+// Forces the value of a neuron until it is released or the trial restarts.
 struct ForceNeuron {
     std::size_t neuron = 0;
     double value = 0.0;
@@ -38,19 +38,19 @@ struct ForceNeuron {
 struct ReleaseNeuron {
     std::size_t neuron = 0;
 };
-// Highlights a part or neuron in the next frame, in viewport, brain and genotype alike.
+// Highlights a part or neuron in the next frame, in viewport, brain and genotype.
 struct ShowHighlight {
     Highlight highlight;
 };
 struct ShowExhibit {
     std::shared_ptr<const Exhibit> exhibit;
 };
-// Replaces the genome on display by one in which one gene is changed.
+// Replaces the displayed creature's genome by one with one gene changed.
 struct EditGenes {
     GenomePtr genome;
     GeneChange change;
 };
-// The control was released, so that the next edit is a new step to undo.
+// Ends an edit when the control is released, so that the next edit is a new step to undo.
 struct FinishGeneEdit {};
 
 using ViewerRequest =
@@ -60,11 +60,11 @@ using ViewerRequest =
 
 struct ViewerView {
     const Playback& playback;
-    const ScoreReport* score = nullptr;  // of the creature on display, once computed
-    const GeneEditor* genes = nullptr;   // null where the creature cannot be edited
+    const ScoreReport* score = nullptr;  // score of the displayed creature, null until computed
+    const GeneEditor* genes = nullptr;   // null if the creature cannot be edited
     std::span<const std::unique_ptr<Ghost>> ghosts = {};
     Highlight highlight = {};
-    unsigned fits_asked = 0;  // how often the creature was to be fitted into the viewport
+    unsigned fits_asked = 0;  // number of FitView requests so far
 };
 
 }  // namespace cambrian

@@ -7,12 +7,12 @@
 namespace cambrian {
 namespace {
 
-constexpr double kPlaybackBudget = 0.006;  // s a frame
-constexpr double kGhostBudget = 0.004;     // s a frame
+constexpr double kPlaybackBudget = 0.006;  // s per frame
+constexpr double kGhostBudget = 0.004;     // s per frame
 
 }  // namespace
 
-// One operator for each request.
+// Has one overload for each kind of request.
 struct ViewerController::Handler {
     ViewerController& self;
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// Owns the creature on display: its playback, its score, edits of its genes, and the champions that
-// are played beside it.
+// Owns the displayed creature: its playback, its score, the edits of its genes, and the ghosts
+// beside it.
 
 #include "studio/background/services.h"
 #include "studio/look/view_state.h"
@@ -12,28 +12,28 @@ namespace cambrian {
 
 class ViewerController {
 public:
-    // Everything that `services` names and `view` must outlive it.
+    // The references in `services`, and `view`, must outlive the controller.
     ViewerController(const Services& services, ViewState& view);
 
-    // Once a frame, unless the viewport is hidden: plays on by `elapsed` seconds.
+    // Must be called once a frame unless the viewport is hidden; plays on by `elapsed` seconds.
     void update(double elapsed, const EvolutionSnapshot& snapshot);
-    // Before a frame's requests: a highlight lasts one frame.
+    // Must be called before a frame's requests, since a highlight lasts one frame.
     void clear_highlight() { facts_.highlight = {}; }
     void carry_out(const ViewerRequest& request);
     ViewerView facts() const;
 
-    // Puts another creature on display; reports why if that is impossible.
+    // Displays another creature; reports the error if that is impossible.
     void show(Exhibit exhibit);
-    // An environment changed by hand acts on the creature on display at once.
+    // Applies an environment that the user changed to the displayed creature at once.
     void use_environment(const Environment& environment);
-    // Undo and redo of an edit of the genes; false if there is none.
+    // Undo or redo an edit of the genes; return false if there is none.
     bool undo_gene_edit();
     bool redo_gene_edit();
 
     const Playback& playback() const { return stage_.playback(); }
     const ScoreReport* score() const { return stage_.score(); }
-    double shown_for() const;  // s, since the creature came on display
-    bool animating() const;    // whether its next frame differs even without input
+    double shown_for() const;  // s since the creature was displayed
+    bool animating() const;    // whether the next frame differs without input
 
 private:
     struct Handler;
@@ -44,10 +44,10 @@ private:
     Services services_;
     ViewState& view_;
     Stage stage_;
-    GeneEditor genes_;  // of the creature on display
+    GeneEditor genes_;  // edits of the displayed creature
     Ghosts ghosts_;
     ViewerView facts_;
-    double shown_since_ = 0.0;  // s
+    double shown_since_ = 0.0;  // s; time at which the creature was displayed
 };
 
 }  // namespace cambrian

@@ -34,7 +34,7 @@ void draw_creature_tile(ImDrawList& list, const Rect& area, const Phenotype& phe
     const Bounds bounds = bounds_at_rest(phenotype.plan);
     const Vec3 size = bounds.high - bounds.low;
     const Vec3 middle = 0.5 * (bounds.low + bounds.high);
-    constexpr double most_scale = 60.0;  // pixels a metre, before the display's scale
+    constexpr double most_scale = 60.0;  // pixels per metre, before the display's scale
     const double scale = std::min({static_cast<double>(area.width) / std::max(0.01, size.x()),
                                    static_cast<double>(area.height) / std::max(0.01, size.y()),
                                    most_scale * static_cast<double>(ui().scale)});
@@ -48,7 +48,7 @@ void draw_creature_tile(ImDrawList& list, const Rect& area, const Phenotype& phe
                           area.center().y - static_cast<float>((at.y() - middle.y()) * scale)};
         }
         const Color color = part_color(phenotype.parts[i], hue);
-        // Dear ImGui wants filled shapes clockwise on screen.
+        // Dear ImGui fills polygons that are clockwise on the screen.
         std::reverse(outline.begin(), outline.end());
         list.AddConvexPolyFilled(outline.data(), 4, paint(color));
         list.AddPolyline(outline.data(), 4, paint(mix(color, color_of(0x000000), 0.4F)),

@@ -5,7 +5,7 @@
 
 namespace cambrian {
 
-// A creature's body at rest, drawn small with Dear ImGui's own shapes, fitted into an area.
+// Draws a creature's body at rest as a small picture that fits an area, with Dear ImGui's shapes.
 void draw_creature_tile(ImDrawList& list, const Rect& area, const Phenotype& phenotype, double hue);
 
 }  // namespace cambrian

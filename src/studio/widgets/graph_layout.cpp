@@ -20,7 +20,7 @@ std::vector<Rank> gather_rows(const std::vector<std::size_t>& rows) {
     return gathered;
 }
 
-// Mean x of what leads to the node; its own if nothing placed does.
+// Returns the mean x of the placed predecessors of a node; without one, its own x.
 float pull_of(std::size_t node, const std::vector<GraphEdge>& edges,
               const std::vector<GraphPoint>& points, const std::vector<bool>& placed) {
     float sum = 0.0F;

@@ -1,6 +1,6 @@
 #pragma once
 
-// Places nodes of a directed graph in rows, inputs above outputs.
+// Layout of a directed graph in rows, with inputs above outputs.
 
 #include <cstddef>
 #include <vector>
@@ -13,17 +13,16 @@ struct GraphEdge {
 };
 
 struct GraphPoint {
-    float x = 0.0F;  // 0 left to 1 right
-    float y = 0.0F;  // 0 top to 1 bottom
+    float x = 0.0F;  // from 0 at the left to 1 at the right
+    float y = 0.0F;  // from 0 at the top to 1 at the bottom
 };
 
-// The row of each node: 0 for those nothing earlier leads to, otherwise one below the lowest node
-// that leads to it. Nodes must be given so that edges mostly lead forwards; edges that lead back
-// are ignored.
+// Returns the row of each node: one below the lowest of its predecessors, or 0 if it has none.
+// Nodes should be ordered so that most edges lead forwards; edges that lead back are ignored.
 std::vector<std::size_t> graph_rows(std::size_t node_count, const std::vector<GraphEdge>& edges);
 
-// Points for nodes in given rows, each row spread evenly and ordered so that nodes are near what
-// leads to them. Rows of more than `most` nodes are broken into several.
+// Returns positions for nodes in given rows. Each row is spread evenly and ordered so that nodes
+// are near their predecessors. Rows of more than `most` nodes are split.
 std::vector<GraphPoint> place_in_rows(const std::vector<std::size_t>& rows,
                                       const std::vector<GraphEdge>& edges, std::size_t most);
 

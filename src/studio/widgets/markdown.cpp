@@ -26,7 +26,7 @@ bool is_numbered(std::string_view bare) {
     return digits > 0 && bare.substr(digits).starts_with(". ");
 }
 
-// Cells of "| a | b |"; a bar after a backslash is text.
+// Returns the cells of "| a | b |". A bar after a backslash is text.
 std::vector<SpanLine> cells_of(std::string_view row) {
     std::vector<SpanLine> cells;
     std::string cell;
@@ -49,7 +49,7 @@ bool is_rule(std::string_view row) {
     return row.find_first_not_of("|-: ") == std::string_view::npos;
 }
 
-// Takes a page apart line by line.
+// Parses a page line by line.
 class PageReader {
 public:
     void read(std::string_view line) {
@@ -75,7 +75,7 @@ public:
     }
 
 private:
-    // Ends the paragraph or bullet being read.
+    // Ends the present paragraph or bullet.
     void finish() {
         if (!text_.empty()) {
             blocks_.push_back({kind_, level_, parse_spans(text_), {}, {}});
@@ -130,14 +130,14 @@ private:
     }
 
     std::vector<MarkdownBlock> blocks_;
-    BlockKind kind_ = BlockKind::kParagraph;  // of the text being read
+    BlockKind kind_ = BlockKind::kParagraph;  // kind of the block being read
     int level_ = 0;
     std::string text_;
     bool fenced_ = false;
     bool whole_ = true;  // nothing can be added to the last block
 };
 
-// The text up to a closing mark, which is taken too; nothing if there is none.
+// Returns the text up to and including a closing mark; empty if there is none.
 std::string_view up_to(std::string_view& rest, std::string_view mark) {
     const std::size_t end = rest.find(mark, mark.size());
     if (end == std::string_view::npos) return {};

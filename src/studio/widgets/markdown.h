@@ -1,7 +1,7 @@
 #pragma once
 
-// The little of Markdown that help pages use, taken apart: headings, paragraphs, bullets, code,
-// tables; within a line bold, emphasis, code and links.
+// A parser for the part of Markdown that help pages use: headings, paragraphs, bullets, code and
+// tables; and, within a line, bold, emphasis, code and links.
 
 #include <cstdint>
 #include <string>
@@ -15,7 +15,7 @@ enum class SpanLook : std::uint8_t { kPlain, kBold, kCode };
 struct TextSpan {
     std::string text;
     SpanLook look = SpanLook::kPlain;
-    std::string link;  // where it leads, or empty
+    std::string link;  // target of the link, or empty
 
     friend bool operator==(const TextSpan&, const TextSpan&) = default;
 };
@@ -26,12 +26,12 @@ enum class BlockKind : std::uint8_t { kHeading, kParagraph, kBullet, kCode, kTab
 struct MarkdownBlock {
     BlockKind kind = BlockKind::kParagraph;
     int level = 0;                            // of a heading, from 1; of a bullet, from 0
-    SpanLine line;                            // of headings, paragraphs and bullets
-    std::string code;                         // its lines
-    std::vector<std::vector<SpanLine>> rows;  // of a table, the first its header
+    SpanLine line;                            // text of a heading, paragraph or bullet
+    std::string code;                         // lines of a code block
+    std::vector<std::vector<SpanLine>> rows;  // of a table; the first is its header
 };
 
-// Never fails: what is not understood is plain text. Pictures are left out.
+// Never fails; unknown syntax becomes plain text. Pictures are left out.
 std::vector<MarkdownBlock> parse_markdown(std::string_view text);
 SpanLine parse_spans(std::string_view text);
 

@@ -14,7 +14,7 @@ ImFont* font_of(SpanLook look) {
     return look == SpanLook::kCode ? fonts.mono : fonts.body;
 }
 
-// Sets words one after the other, breaking lines at a width.
+// Places words one after the other and breaks lines at a width.
 class WordSetter {
 public:
     explicit WordSetter(float width)
@@ -30,7 +30,7 @@ public:
             start = end + 1;
         }
     }
-    // Takes up the room used; the link pressed.
+    // Reserves the space used; returns the link that was clicked.
     std::string finish() {
         ImGui::Dummy({width_, at_.y + line_ - low_.y});
         return link_;
@@ -108,7 +108,7 @@ void draw_code(const std::string& code) {
     ImGui::Dummy(size);
 }
 
-// How wide a column would like to be, pixels.
+// Returns a column's preferred width, in pixels.
 float wanted_width(const MarkdownBlock& table, std::size_t column) {
     float widest = px(24);
     for (const auto& row : table.rows) {
@@ -123,7 +123,7 @@ float wanted_width(const MarkdownBlock& table, std::size_t column) {
     return std::min(widest, 0.6F * ImGui::GetContentRegionAvail().x);
 }
 
-// The words of a table's header.
+// Makes the words of a table's header bold.
 void embolden(std::vector<SpanLine>& cells) {
     for (SpanLine& cell : cells) {
         for (TextSpan& span : cell)

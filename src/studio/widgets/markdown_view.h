@@ -4,7 +4,7 @@
 
 namespace cambrian {
 
-// Draws a page over the width there is. The link pressed, or empty.
+// Draws a page over the available width. Returns the link that was clicked, or an empty string.
 std::string draw_markdown(const std::vector<MarkdownBlock>& blocks);
 
 }  // namespace cambrian

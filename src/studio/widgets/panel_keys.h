@@ -4,7 +4,7 @@
 
 namespace cambrian {
 
-// Whether a key of Dear ImGui's own list went down this frame, while no text is typed.
+// Returns whether one of Dear ImGui's keys was pressed in this frame while no text is being typed.
 inline bool panel_key(ImGuiKey key) {
     const int index = ImGui::GetKeyIndex(key);
     return index >= 0 && !ImGui::GetIO().WantTextInput && ImGui::IsKeyPressed(index);

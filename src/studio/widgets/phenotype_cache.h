@@ -8,15 +8,15 @@
 
 namespace cambrian {
 
-// Bodies of creatures that are shown small, grown when first needed, a few a frame. Of more than so
-// many, the one that was not needed for longest goes.
+// Bodies of creatures that are displayed small. They are expressed when first needed, a few per
+// frame. Beyond kMostKept, the least recently used one is removed.
 class PhenotypeCache {
 public:
     static constexpr std::size_t kMostKept = 600;
 
-    // At most so many are grown until the next begin_frame().
+    // At most `most_grown` bodies are expressed until the next begin_frame().
     void begin_frame(int most_grown);
-    // Null if its turn has not come yet.
+    // Returns null if the body is not expressed yet.
     const Phenotype* find(const GenomePtr& genome, const Kinds& kinds,
                           const ExpressionSettings& expression, const SceneSettings& scene);
     void clear();
@@ -24,9 +24,9 @@ public:
 
 private:
     struct Entry {
-        GenomePtr genome;  // keeps the key's address from being used again
+        GenomePtr genome;  // keeps the genome alive, since its address is the key
         std::unique_ptr<const Phenotype> phenotype;
-        std::uint64_t used = 0;  // when last, in calls of find()
+        std::uint64_t used = 0;  // number of the last call of find() that used it
     };
     void forget_oldest();
 

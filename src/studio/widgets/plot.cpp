@@ -9,7 +9,7 @@
 namespace cambrian {
 namespace {
 
-// One past the last point that falls into the pixel column of the point at `begin`.
+// Returns one past the last point in the pixel column of the point at `begin`.
 std::size_t end_of_column(const PlotScale& scale, std::span<const double> xs, std::size_t begin) {
     const float column = std::floor(scale.x_at(xs[begin]));
     std::size_t end = begin + 1;
@@ -98,7 +98,7 @@ void draw_curve(ImDrawList& list, const PlotScale& scale, std::span<const double
         list.AddCircleFilled(points.front(), 1.5F * width, paint(color));
         return;
     }
-    // Each piece by itself: a joined line grows thin where it turns sharply.
+    // Draws each segment separately, since a joined line becomes thin at sharp turns.
     for (std::size_t i = 0; i + 1 < points.size(); ++i) {
         list.PathLineTo(points[i]);
         list.PathLineTo(points[i + 1]);
@@ -109,7 +109,7 @@ void draw_curve(ImDrawList& list, const PlotScale& scale, std::span<const double
 void draw_band(ImDrawList& list, const PlotScale& scale, std::span<const double> xs,
                std::span<const double> lower, std::span<const double> upper, const Color& color) {
     const std::vector<BandColumn> columns = band_columns(scale, xs, lower, upper);
-    // Without anti-aliasing, neighbouring quads meet without a seam.
+    // Without anti-aliasing, neighbouring quads meet without a gap.
     const ImDrawListFlags flags = list.Flags;
     list.Flags &= ~ImDrawListFlags_AntiAliasedFill;
     for (std::size_t i = 0; i + 1 < columns.size(); ++i) {

@@ -1,6 +1,6 @@
 #pragma once
 
-// Small charts: scales, marks and curves; positions in window pixels.
+// Small charts: scales, marks and curves. Positions are in window pixels.
 
 #include "studio/look/ui_context.h"
 
@@ -10,7 +10,7 @@
 
 namespace cambrian {
 
-// Data to pixels inside an area; y grows upwards in data and downwards in pixels.
+// Maps data to pixels inside an area; y grows upwards in data and downwards in pixels.
 struct PlotScale {
     Rect area;
     double x_low = 0.0;
@@ -23,22 +23,23 @@ struct PlotScale {
     double x_from(float pixel) const;
 };
 
-// Round values inside [low, high], at most `most` of them, at steps of 1, 2 or 5 times a power of
+// Returns at most `most` round values inside [low, high], in steps of 1, 2 or 5 times a power of
 // ten.
 std::vector<double> round_marks(double low, double high, int most);
 
-// low and high widened so that they differ, with a little air above.
+// The range of an axis. plot_range() widens [low, high] so that the two differ and there is some
+// room at the top.
 struct Range {
     double low = 0.0;
     double high = 1.0;
 };
 Range plot_range(double low, double high);
 
-// Which points a curve needs at this size: of the points that share a pixel column, the first, the
-// lowest, the highest and the last. xs must not fall.
+// Returns the points that a curve needs at this size: of all points in a pixel column, the first,
+// the lowest, the highest and the last. `xs` must not decrease.
 std::vector<std::size_t> thinned(const PlotScale& scale, std::span<const double> xs,
                                  std::span<const double> ys);
-// A band's extent, one entry a pixel column that has points.
+// The extent of a band in one pixel column that has points.
 struct BandColumn {
     double x = 0.0;
     double lower = 0.0;
@@ -47,13 +48,13 @@ struct BandColumn {
 std::vector<BandColumn> band_columns(const PlotScale& scale, std::span<const double> xs,
                                      std::span<const double> lower, std::span<const double> upper);
 
-// Curves and bands of any number of points cost no more than the pixels they cover.
+// Draws a curve. The cost grows with the pixels covered, not with the number of points.
 void draw_curve(ImDrawList& list, const PlotScale& scale, std::span<const double> xs,
                 std::span<const double> ys, const Color& color, float width);
-// The area between two curves.
+// Draws the area between two curves, at the same cost.
 void draw_band(ImDrawList& list, const PlotScale& scale, std::span<const double> xs,
                std::span<const double> lower, std::span<const double> upper, const Color& color);
-// Horizontal lines with values at the left, and values along the bottom.
+// Draws horizontal lines with values at the left, and values along the bottom.
 void draw_axes(ImDrawList& list, const PlotScale& scale);
 
 }  // namespace cambrian

@@ -9,7 +9,7 @@
 namespace cambrian {
 namespace {
 
-// Share of a slider at which a value is, on the scale Dear ImGui uses.
+// Returns a value's position on a slider, from 0 to 1, on Dear ImGui's scale.
 float slider_share(const SliderStyle& style, double value) {
     const SliderRange& range = style.range;
     const double inside = std::clamp(value, range.low, range.high);
@@ -31,7 +31,7 @@ void draw_slider_back(float share, float width) {
     list.PopClipRect();
 }
 
-// What is being typed counts once it is complete: on the way to "0.9" there is "0".
+// A typed number counts only when complete, since typing "0.9" passes through "0".
 template <class Number>
 bool when_complete(bool edited, Number before, Number& value) {
     std::optional<double>& typed = ui().typed;
@@ -47,7 +47,7 @@ bool when_complete(bool edited, Number before, Number& value) {
     return value != before;
 }
 
-// Dear ImGui's slider over the bar, its own frame and handle not shown.
+// Draws Dear ImGui's slider over the bar, without its own frame and handle.
 template <class Number>
 bool bare_slider(ImGuiDataType type, Number& value, const SliderStyle& style, const char* pattern) {
     draw_slider_back(slider_share(style, static_cast<double>(value)), style.width);

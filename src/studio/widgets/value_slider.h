@@ -14,12 +14,12 @@ struct SliderRange {
 struct SliderStyle {
     SliderRange range;
     bool logarithmic = false;
-    std::string pattern = "%.2f";  // printf's; of whole numbers always %d
+    std::string pattern = "%.2f";  // printf pattern; integers always use %d
     float width = 0.0F;            // pixels
 };
 
-// True when the value changed; of a typed one, when it is complete. Typed values are kept even
-// outside the range shown.
+// Return true when the value changed; a typed value counts when it is complete. Typed values
+// outside the slider's range are kept.
 bool value_slider(double& value, const SliderStyle& style);
 bool value_slider(int& value, const SliderStyle& style);
 

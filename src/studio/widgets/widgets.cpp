@@ -54,7 +54,7 @@ ImVec2 button_size(const std::string& label, const ButtonStyle& style) {
             style.height > 0.0F ? style.height : px(30)};
 }
 
-// How many of so many labels go on each line for the lines to be about equally long.
+// Returns how many of `count` labels go on each line so that the lines are about equally long.
 int labels_a_line(int count, float together, float room) {
     const int lines = std::max(1, static_cast<int>(std::ceil(together / std::max(room, 1.0F))));
     return (count + lines - 1) / lines;
@@ -207,7 +207,7 @@ void progress_bar(float share, float width, float height) {
 }
 
 void tooltip(const std::string& text) {
-    constexpr double delay = 0.45;  // s under the mouse
+    constexpr double delay = 0.45;  // s under the mouse before a tooltip appears
     if (!ImGui::IsItemHovered() || ImGui::GetIO().MouseDown[0]) return;
     const ImVec2 low = ImGui::GetItemRectMin();
     UiContext& context = ui();
@@ -216,7 +216,7 @@ void tooltip(const std::string& text) {
         context.hovered_since = ImGui::GetTime();
     }
     if (ImGui::GetTime() - context.hovered_since < delay) return;
-    // Beneath the control, which stays in sight; above it near the window's foot.
+    // Placed below the control, which stays visible, or above it near the window's bottom.
     const float foot = ImGui::GetItemRectMax().y;
     const bool above = foot > ImGui::GetIO().DisplaySize.y - px(160);
     const float wide = ImGui::CalcTextSize(text.c_str(), nullptr, false, px(320)).x + px(24);
@@ -237,7 +237,7 @@ std::string fit_text(const std::string& text, float width) {
     if (ImGui::CalcTextSize(text.c_str()).x <= width) return text;
     std::string cut = text;
     while (!cut.empty() && ImGui::CalcTextSize((cut + "…").c_str()).x > width) {
-        // A complete UTF-8 character goes.
+        // Removes a complete UTF-8 character.
         while (!cut.empty() && (static_cast<unsigned char>(cut.back()) & 0xC0U) == 0x80U)
             cut.pop_back();
         if (!cut.empty()) cut.pop_back();

@@ -1,6 +1,7 @@
 #pragma once
 
-// Controls shared by the panels. Each that can be pressed notes its place under its label.
+// Controls that panels share. Each control that can be pressed records its position under its
+// label.
 
 #include "studio/look/icons.h"
 #include "studio/look/ui_context.h"
@@ -15,8 +16,8 @@ enum class ButtonLook : unsigned char { kPlain, kPrimary, kGhost, kSelected };
 struct ButtonStyle {
     ButtonLook look = ButtonLook::kPlain;
     Icon icon = Icon::kNone;
-    bool label_shown = true;  // otherwise the label only names it
-    float width = 0.0F;       // pixels; 0 is as wide as its content
+    bool label_shown = true;  // false hides the label, which then only identifies the button
+    float width = 0.0F;       // pixels; 0 fits the content
     float height = 0.0F;      // pixels; 0 is a line with padding
     bool enabled = true;
     const char* tooltip = nullptr;
@@ -25,38 +26,38 @@ struct ButtonStyle {
 // True when pressed.
 bool push_button(const std::string& label, const ButtonStyle& style = {});
 
-// A card's cross at the right end of the present line; true when pressed.
+// Draws a card's close button at the right end of the present line; returns true when pressed.
 bool close_button(const std::string& label);
 
 // An on/off switch; true when flipped.
 bool toggle_switch(const std::string& label, bool& on);
 
-// A row of choices, one of which is chosen; the index pressed, or -1. In the small font where there
-// is no room, and in several lines where that is not enough. Tooltips go with the labels.
+// A row of choices, one of which is chosen. Returns the index pressed, or -1. Narrow rows use the
+// small font and, if that is not enough, several lines. Each label has its tooltip.
 int segmented(const std::string& name, const std::vector<std::string>& labels, int chosen,
               const std::vector<std::string>& tooltips = {});
 
-// As ImGui::BeginCombo, with a chevron like all else here; ImGui::EndCombo() ends it.
+// Like ImGui::BeginCombo, with the studio's chevron. ImGui::EndCombo() ends it.
 bool begin_choice(const char* id, const std::string& shown, float width);
 
-// A menu's entry; true when pressed.
+// A menu item; returns true when pressed.
 bool menu_item(const char* label, const char* keys, bool enabled = true, bool chosen = false);
 
-// Small words above a part of a panel.
+// Draws small text above a part of a panel.
 void caption(const std::string& text);
-// A panel's name, at its top.
+// Draws a panel's name at its top.
 void panel_title(const std::string& text);
-// A line across, and the name of what follows.
+// Draws a line and the title of the section below it.
 void section(const char* title);
-// "label   value" on one line, the value to the right.
+// Draws "label   value" on one line, with the value at the right.
 void fact(const std::string& label, const std::string& value);
-// Text in the small font and muted colour, wrapped.
+// Draws wrapped text in the small font and the muted colour.
 void muted_text(const std::string& text);
-// A progress bar filling the line's remaining width, or `width` pixels.
+// Draws a progress bar. Width 0 fills the rest of the line.
 void progress_bar(float share, float width, float height);
-// On the last item, after a moment under the mouse.
+// Adds a tooltip to the last item, shown after a short delay.
 void tooltip(const std::string& text);
-// Text cut off with an ellipsis to fit.
+// Returns the text, shortened with an ellipsis to fit a width.
 std::string fit_text(const std::string& text, float width);
 
 }  // namespace cambrian

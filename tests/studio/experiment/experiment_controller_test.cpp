@@ -22,7 +22,7 @@ TEST_CASE("finding a setting brings the settings back into the window", "[studio
 
 TEST_CASE("a new run can begin with the creature on display", "[studio][experiment]") {
     SessionRun run;
-    run.ask(StartFromShown{});  // no creature is displayed, so nothing happens
+    run.ask(StartFromShown{});  // no creature is displayed, so it has no effect
     run.ask(RunOneGeneration{});
     REQUIRE(run.frames_until([&] { return run.champions() == 1; }));
     const GenomePtr shown = run.session.frame_context().viewer.playback.exhibit().genome();

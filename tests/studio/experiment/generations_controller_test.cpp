@@ -24,7 +24,7 @@ TEST_CASE("one generation is evaluated, logged and its champion takes the stage"
 
 TEST_CASE("scrubbing shows past champions until the newest is asked for", "[studio][generations]") {
     SessionRun run;
-    run.ask(ShowChampion{0});  // there is none yet: nothing happens
+    run.ask(ShowChampion{0});  // there is no champion yet, so it has no effect
     CHECK(run.session.frame_context().viewer.playback.empty());
     finish_generations(run, 4);
     for (const std::uint32_t generation : {2U, 1U, 0U, 3U, 0U}) {
@@ -57,7 +57,7 @@ TEST_CASE("the creature on display can have a star and is shown from it under it
           "[studio][generations]") {
     SessionRun run;
     run.session.show_newcomer();
-    run.ask(ToggleStarOfShown{});  // not of this experiment
+    run.ask(ToggleStarOfShown{});  // a creature of another experiment
     CHECK(run.session.frame_context().generations.stars.all().empty());
     finish_generations(run, 1);
     run.ask(ShowNewest{});

@@ -18,7 +18,7 @@ TEST_CASE("statistics are exported as a table with a row a generation", "[studio
     SessionRun run;
     const auto path = run.folder.path() / "run.csv";
     run.ask(OpenFilePanel{FileTask::kSaveStatistics});
-    CHECK_FALSE(run.session.frame_context().files.browser.open);  // nothing to export yet
+    CHECK_FALSE(run.session.frame_context().files.browser.open);  // there is nothing to export yet
     finish_generations(run, 3);
     run.ask(OpenFilePanel{FileTask::kSaveStatistics});
     CHECK(run.session.frame_context().files.browser.open);

@@ -26,7 +26,7 @@ std::vector<IndividualPtr> two_creatures() {
     return creatures;
 }
 
-// Frames until every motion is known.
+// Runs frames until every motion is computed.
 void finish(GridMotion& motion) {
     const auto complete = [&] {
         for (std::size_t i = 0; i < motion.size(); ++i) {

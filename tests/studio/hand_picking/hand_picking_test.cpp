@@ -8,7 +8,7 @@ namespace {
 
 using test::SessionRun;
 
-// A session in which a person picks.
+// A session whose user picks by hand.
 class PickingRun : public SessionRun {
 public:
     const PickingSnapshot& picking() const {
@@ -82,7 +82,7 @@ TEST_CASE("the population is picked from, and the tree outlives automatic evolut
     CHECK(run.picking().tree.current().origin == GridOrigin::kPopulation);
     run.ask(ToggleHandPicking{});
     CHECK(run.session.frame_context().picking == nullptr);
-    run.enter(1);  // nothing evolved meanwhile
+    run.enter(1);  // there was no evolution meanwhile
     run.ask(ToggleHandPicking{});
     run.run_generations(1);
     run.enter(2);
@@ -99,7 +99,7 @@ TEST_CASE("picks join the next generation that is bred", "[studio][session][pick
     const GenomePtr picked = run.picking().tree.current().creatures[5]->genome;
     run.ask(HandOverPicks{PicksUse::kInject});
     CHECK(run.session.frame_context().picking == nullptr);
-    run.run_generations(2);  // one was bred before
+    run.run_generations(2);  // one generation was bred before
     CHECK(has_genome(run.session.frame_context().experiment.snapshot.population, picked));
 }
 
@@ -145,7 +145,7 @@ TEST_CASE("a creature of the grid is shown alone and saved", "[studio][session][
     run.enter(1);
     const GenomePtr genome = run.picking().tree.current().creatures[7]->genome;
     run.ask(ShowCell{7});
-    run.ask(ShowCell{99});  // nothing
+    run.ask(ShowCell{99});  // there is no such cell, so it has no effect
     REQUIRE(run.frames_until([&] { return run.session.frame_context().picking->single; }));
     CHECK(run.session.frame_context().viewer.playback.exhibit().genome() == genome);
     run.ask(ShowGrid{});

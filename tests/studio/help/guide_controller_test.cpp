@@ -19,7 +19,7 @@ TEST_CASE("the tour is offered until it was taken or declined", "[studio][guide]
     CHECK(run.session.view().tour_taken);
     run.session.guide().offer_tour();
     CHECK(run.session.frame_context().guide.tour_step == -1);
-    run.ask(TurnTour{0});  // from the Help menu, at any time
+    run.ask(TurnTour{0});  // the Help menu offers the tour at any time
     CHECK(run.session.frame_context().guide.tour_step == 0);
 }
 

@@ -16,11 +16,11 @@ struct Box {
 
 void no_painting(const ImDrawList*, const ImDrawCmd*) {}
 
-// Windows, each with one filled box, painted frame after frame on 640 by 480 pixels.
+// Windows with one filled box each, painted frame after frame on 640 by 480 pixels.
 class Screen {
 public:
     std::vector<Rect> paint(const std::vector<Box>& boxes, ImU32 background = IM_COL32_BLACK) {
-        for (int layout = 0; layout < 2; ++layout)  // a new window hides for a frame
+        for (int layout = 0; layout < 2; ++layout)  // a new window is hidden in its first frame
             gui_.bare_frame([&boxes] {
                 for (const Box& box : boxes)
                     draw(box);
@@ -32,7 +32,8 @@ private:
     static void draw(const Box& box) {
         ImGui::SetNextWindowPos(box.place.low());
         ImGui::SetNextWindowSize({box.place.width, box.place.height});
-        ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));  // no clipping within
+        // Prevents clipping inside the window.
+        ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
         ImGui::Begin(box.name.c_str(), nullptr,
                      ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoBackground |
                          ImGuiWindowFlags_NoBringToFrontOnFocus);

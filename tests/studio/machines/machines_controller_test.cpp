@@ -14,7 +14,7 @@ using test::SessionRun;
 
 const ClusterLogin kLab = {"nats://lab-server", "cambrian", "", ""};
 
-// Always joins the same cluster; says how it was asked.
+// Joins the same cluster on every request and records the requests.
 struct Lab {
     std::shared_ptr<ScriptedCluster> cluster = std::make_shared<ScriptedCluster>();
     std::shared_ptr<std::vector<std::string>> asked = std::make_shared<std::vector<std::string>>();

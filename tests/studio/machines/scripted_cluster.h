@@ -1,7 +1,7 @@
 #pragma once
 
-// A cluster as the studio sees one: evaluates on two threads here, counts what it evaluated, and
-// says of itself what the test wants it to say.
+// A cluster for the studio that evaluates on two threads of this machine and counts its
+// evaluations. Tests set the status it reports.
 
 #include "evolution/backends/thread_pool_backend.h"
 #include "support/kinds.h"
@@ -39,7 +39,7 @@ private:
     BackendStatus status_;
 };
 
-// So many machines of eight cores that work.
+// Returns the status of a cluster with so many working machines of eight cores.
 inline BackendStatus connected(int machines) {
     BackendStatus status;
     status.link = ClusterLink::kConnected;

@@ -18,7 +18,7 @@ IndividualPtr bred(IndividualPtr mother, std::uint32_t born, double fitness) {
     return std::make_shared<const Individual>(individual);
 }
 
-// Born in generations 0, 3 and 7.
+// Returns a creature whose line was born in generations 0, 3 and 7.
 Exhibit third_generation() {
     const IndividualPtr founder = bred(nullptr, 0, 1.0);
     const IndividualPtr parent = bred(founder, 3, 1.5);
@@ -49,7 +49,8 @@ TEST_CASE("an ancestor is shown in the world that judged it", "[studio][ancestry
         settings.world.environment.gravity = 1.0 + from;
         snapshot.journal.push_back({from, std::make_shared<const ExperimentSettings>(settings)});
     }
-    // The parent of generation 3 bred as generation 6 judged it; the founder as generation 2 did.
+    // The parent, born in generation 3, was last evaluated in generation 6, the founder in
+    // generation 2.
     const Exhibit parent = ancestor_exhibit(head, line, 1, snapshot);
     CHECK(parent.settings().world.environment.gravity == 7.0);
     CHECK(parent.result());

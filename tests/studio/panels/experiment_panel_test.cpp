@@ -159,7 +159,7 @@ TEST_CASE("a goal in the wrong world says why", "[studio][experiment_panel]") {
     CHECK(run.gui.has("goal mismatch"));
 }
 
-// Types into whatever has the keyboard.
+// Types into the control with the keyboard focus.
 void type(const char* text) {
     for (; *text != '\0'; ++text)
         ImGui::GetIO().AddInputCharacter(static_cast<unsigned>(*text));

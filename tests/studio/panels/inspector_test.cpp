@@ -12,7 +12,7 @@
 namespace cambrian {
 namespace {
 
-// A tab over the crawler, and what its controls ask for.
+// A tab of the inspector for the crawler, and its requests.
 template <class Tab>
 class TabRun {
 public:

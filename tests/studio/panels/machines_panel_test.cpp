@@ -9,7 +9,7 @@ namespace {
 
 using test::PanelRun;
 
-// Text typed into a field that was clicked.
+// Clicks a field and types text into it.
 template <class Run>
 void type_into(Run& run, const std::string& field, const std::string& text) {
     run.click(field);

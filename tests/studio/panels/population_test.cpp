@@ -10,7 +10,8 @@ namespace {
 
 constexpr std::size_t kMany = 2000;
 
-// So many creatures of one generation, best first; measures differ and grow otherwise than fitness.
+// Adds one generation of so many creatures, best first. Their other measures differ, in another
+// order.
 void populate(test::StudioFixture& studio, std::size_t count) {
     studio.finish_generation(1.0);
     std::vector<IndividualPtr>& population = studio.snapshot().population;
@@ -174,7 +175,7 @@ TEST_CASE("the arrow keys move through the tiles in the order shown", "[studio][
     const auto shown_by = [&](ImGuiKey key) {
         return test::asked<ShowIndividual>(run.press_key(key)).creature.individual->uid;
     };
-    CHECK(shown_by(ImGuiKey_RightArrow) == 1);  // none on display: the first
+    CHECK(shown_by(ImGuiKey_RightArrow) == 1);  // none is displayed, so the first one is chosen
     show(run.studio, creature_at(run.studio, 0));
     CHECK(shown_by(ImGuiKey_RightArrow) == 2);
     CHECK(run.press_key(ImGuiKey_LeftArrow).all().empty());

@@ -33,7 +33,7 @@ public:
 TEST_CASE("each overlay switches something of the picture on and off", "[studio][overlays]") {
     OverlayRun run;
     for (const OverlayKind& overlay : overlay_kinds()) {
-        // Words are no shapes, and the crawler hears no sensor.
+        // Names are not shapes, and the crawler reads no sensor.
         if (overlay.shown == &OverlaysShown::names || overlay.shown == &OverlaysShown::sensors)
             continue;
         std::size_t shapes[2] = {0, 0};
@@ -78,7 +78,7 @@ TEST_CASE("what the brain hears is drawn where it is felt", "[studio][overlays]"
     add_sensor_readings(frame,
                         {look, playback.trial().scene(), creature, playback.trial().surroundings(),
                          test::kinds().creature, palette, 0.01});
-    // On a mirrored part the left face is the right one, at the box's lower side.
+    // On a mirrored part, the left face is on the right, at the lower side of the box.
     const Vec3& half = sensing.plan.parts[0].half_extents;
     const Vec3 at = transform(playback.creature().motion().poses()[0], {0.0, -0.8 * half.y(), 0.0});
     CHECK((frame.shapes.back().center - at.head<2>()).norm() < 1e-9);

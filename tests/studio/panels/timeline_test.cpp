@@ -11,14 +11,14 @@ namespace {
 using test::click;
 using test::press_key;
 
-// One frame of the panel; what it asked for.
+// Draws one frame of the panel; returns its requests.
 Requests frame_of(NullImGui& gui, TimelinePanel& panel, const test::StudioFixture& studio) {
     Requests out;
     gui.frame([&] { panel.draw(studio.frame(), out); });
     return out;
 }
 
-// The champion of a generation takes the stage.
+// Displays the champion of a generation.
 void show_champion(test::StudioFixture& studio, std::uint32_t generation) {
     const JudgedIndividual& champion = studio.snapshot().champions.at(generation);
     REQUIRE(studio.playback().show(exhibit_of(champion, ExhibitSource::kChampion)));
@@ -47,7 +47,7 @@ TEST_CASE("a drag over the timeline scrubs through the champions", "[studio][tim
     CHECK(test::asked<ShowChampion>(drag_to(-0.5F)).generation == 0);
     CHECK(test::asked<ShowChampion>(drag_to(3.0F)).generation == 100);
     show_champion(studio, 100);
-    CHECK(drag_to(3.0F).all().empty());  // the creature is displayed already
+    CHECK(drag_to(3.0F).all().empty());  // the creature is already displayed
     gui.release();
     drag_to(0.5F);
     CHECK(drag_to(0.5F).all().empty());

@@ -5,7 +5,8 @@
 namespace cambrian {
 namespace {
 
-// A run whose champions scored so much; a champion that scored as the one before is the same.
+// Returns the champions of a run with these scores. A champion with the same score as the one
+// before is the same creature.
 std::vector<JudgedIndividual> champions_of(const std::vector<double>& scores) {
     std::vector<JudgedIndividual> champions;
     auto settings = std::make_shared<ExperimentSettings>();
@@ -73,7 +74,7 @@ TEST_CASE("ghosts begin their test with the creature on display and follow it ba
         run.play_to(tick);
         const Trial& leader = run.studio.playback().trial();
         for (const auto& ghost : run.ghosts.all()) {
-            // The same body in the same world: the same motion to the bit.
+            // The body and the world are the same, and so is the motion, bit by bit.
             CHECK(ghost->trial().ticks() == leader.ticks());
             CHECK(ghost->trial().scene().center_of_mass() == leader.scene().center_of_mass());
         }

@@ -17,7 +17,7 @@ Exhibit crawler_exhibit() {
     return test::crawler_exhibit(short_trial());
 }
 
-constexpr double kPlenty = 1e3;  // s of budget
+constexpr double kPlenty = 1e3;  // s; a budget that is never used up
 
 TEST_CASE("what is watched is what is scored, to the last bit", "[studio][playback]") {
     Playback playback(test::kinds().creature);

@@ -24,7 +24,7 @@ GenomePtr with_length(const GenomePtr& genome, double length) {
     return std::make_shared<const Genome>(changed);
 }
 
-// One drag of a length, as a slider makes it.
+// Edits a length several times, like the drag of a slider.
 void drag(GeneEditor& editor, const Exhibit& shown, std::initializer_list<double> lengths) {
     double last = shown.genome()->nodes[1].length;
     for (const double length : lengths) {
@@ -47,7 +47,7 @@ TEST_CASE("an edited creature is the child of the original", "[studio][gene_edit
     CHECK(edited.mother.get() == original.creature.individual);
     CHECK(shown.result() == nullptr);
     CHECK(shown.ticks.empty());
-    CHECK_FALSE(shown.ancestry);  // that was the original's
+    CHECK_FALSE(shown.ancestry);  // an edited creature has no known ancestry
     CHECK(edited.uid != 0xff);
     REQUIRE(edited.mutations.size() == 1);
     CHECK(edited.mutations[0].place == "part 1 length");

@@ -86,7 +86,7 @@ TEST_CASE("with another creature on display, undo is of the settings again", "[s
 
 TEST_CASE("a forced neuron marks the run as disturbed", "[studio][viewer]") {
     SessionRun run;
-    run.ask(ForceNeuron{0, 1.0});  // no creature is displayed, so nothing happens
+    run.ask(ForceNeuron{0, 1.0});  // no creature is displayed, so it has no effect
     run.ask(RunOneGeneration{});
     REQUIRE(run.frames_until([&] { return run.champions() == 1; }));
     REQUIRE_FALSE(

@@ -35,7 +35,7 @@ TEST_CASE("there are never many more marks than asked for", "[studio][plot]") {
     }
 }
 
-// A thousand points in ten pixels.
+// A curve with a thousand points in ten pixels.
 struct DenseCurve {
     DenseCurve() {
         for (int i = 0; i < 1000; ++i) {

@@ -9,7 +9,7 @@
 namespace cambrian {
 namespace {
 
-// A number with its name underneath; returns the width used.
+// Draws a number with its name below it; returns the width used.
 float draw_reading(const ImVec2& at, const std::string& value, const std::string& name) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     Fonts& fonts = ui().fonts;
@@ -43,7 +43,7 @@ void EvolveBar::draw(const FrameContext& frame, Requests& out) {
     draw_main_menu(frame, out);
     ImGui::SameLine(0, px(18));
     const float top = ImGui::GetCursorPosY();
-    ImGui::SetCursorPosY(top + px(3));  // these are lower than the buttons beside them
+    ImGui::SetCursorPosY(top + px(3));  // the choice of modes is lower than the buttons beside it
     draw_modes(frame, out);
     ImGui::SameLine(0, px(18));
     ImGui::SetCursorPosY(top);
@@ -58,7 +58,7 @@ void EvolveBar::draw(const FrameContext& frame, Requests& out) {
     }
 }
 
-// Who selects.
+// Draws the choice between automatic evolution and selection by hand.
 void EvolveBar::draw_modes(const FrameContext& frame, Requests& out) {
     const int chosen = frame.picking == nullptr ? 0 : 1;
     const int pressed = segmented(

@@ -4,7 +4,8 @@
 
 namespace cambrian {
 
-// Menus, Evolve or Pause, one generation, and how far the generation in flight is.
+// The bar with the menus, Evolve or Pause, a single generation, and the progress of the present
+// generation.
 class EvolveBar final : public Panel {
 public:
     void draw(const FrameContext& frame, Requests& out) override;

@@ -4,8 +4,8 @@
 
 namespace cambrian {
 
-// One line along the bottom while a cluster is wanted: how many machines evaluate and how fast, or
-// why none does. A click opens the card of machines.
+// A line at the bottom of the window, shown while the user wants a cluster. It says how many
+// machines evaluate and how fast, or why none does. A click opens the card of machines.
 class MachinesLine final : public Panel {
 public:
     void draw(const FrameContext& frame, Requests& out) override;

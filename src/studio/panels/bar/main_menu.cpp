@@ -42,7 +42,7 @@ void draw_edit_menu(const FrameContext& frame, Requests& out) {
         out.ask(StartFromShown{});
 }
 
-// An item that switches one flag of the view.
+// A menu item that toggles one flag of the view.
 void view_item(const char* label, const char* keys, const std::function<bool&(ViewState&)>& flag,
                const FrameContext& frame, Requests& out) {
     ViewState view = frame.view;

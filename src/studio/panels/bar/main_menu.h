@@ -5,7 +5,7 @@
 
 namespace cambrian {
 
-// File, Edit, View and Help as words on the present line, each opening a list.
+// Draws the menus File, Edit, View and Help on the present line.
 void draw_main_menu(const FrameContext& frame, Requests& out);
 
 }  // namespace cambrian

@@ -33,7 +33,7 @@ bool is_creature_name(std::string_view name) {
     return name.ends_with(".creature.json") || is_card_name(name);
 }
 
-// The name with another ending in place of the one of a creature file or card.
+// Replaces the ending of a creature file or card by another one.
 std::string with_ending(std::string name, std::string_view ending) {
     for (const std::string_view known :
          {std::string_view(".creature.json"), kCardEnding, std::string_view(".png")}) {
@@ -44,7 +44,7 @@ std::string with_ending(std::string name, std::string_view ending) {
     return name.append(ending);
 }
 
-// A line with an icon that can be pressed.
+// A line with an icon that can be clicked.
 bool entry_line(const std::string& name, Icon icon, bool chosen) {
     const ImVec2 size = {ImGui::GetContentRegionAvail().x, px(30)};
     const bool pressed = ImGui::InvisibleButton(name.c_str(), size);
@@ -117,7 +117,7 @@ void FilePanel::draw_entries(const FrameContext& frame, Requests& out) {
     ImGui::PopStyleVar();
 }
 
-// What the name's ending says, and another way to change it.
+// Shows which format the name's ending means, and offers the other one.
 void FilePanel::draw_format() {
     const std::string name = name_.data();
     const bool card = is_card_name(name);

@@ -7,8 +7,8 @@
 
 namespace cambrian {
 
-// Chooses a file to open or a name to save under; drawn by the studio itself, over the viewport,
-// without stopping anything else.
+// Chooses a file to open or a name to save under. The studio draws this dialog itself, over the
+// viewport, and everything else goes on meanwhile.
 class FilePanel final : public Panel {
 public:
     void draw(const FrameContext& frame, Requests& out) override;
@@ -21,8 +21,8 @@ private:
     void write_name(const std::string& name);
     void confirm(const FrameContext& frame, Requests& out) const;
 
-    unsigned opening_ = 0;           // the opening its fields were last reset for
-    std::array<char, 1024> name_{};  // of the file
+    unsigned opening_ = 0;  // the value of FileBrowser::opened when the fields were reset last
+    std::array<char, 1024> name_{};  // typed file name
     bool focus_wanted_ = false;
 };
 

@@ -32,7 +32,7 @@ void draw_list(const HelpBook& book, Requests& out) {
     ImGui::PopStyleVar();
 }
 
-// Other pages by their file's name; anything else leads out of the program and stays text.
+// Follows a link to another help page. Links out of the program are not followed.
 void follow(const std::string& link, Requests& out) {
     const std::filesystem::path path(link.substr(0, link.find('#')));
     if (path.extension() == ".md") out.ask(ShowHelp{path.stem().string()});

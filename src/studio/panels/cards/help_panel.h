@@ -6,13 +6,13 @@
 
 namespace cambrian {
 
-// The pages of the help, their list to the left.
+// Shows the help pages, with their list at the left.
 class HelpPanel final : public Panel {
 public:
     void draw(const FrameContext& frame, Requests& out) override;
 
 private:
-    std::string seen_;  // the page drawn last
+    std::string seen_;  // name of the page drawn last
 };
 
 }  // namespace cambrian

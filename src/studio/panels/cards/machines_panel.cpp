@@ -60,8 +60,8 @@ void draw_state(const MachinesView& machines) {
 struct Column {
     const char* title;
     const char* help;
-    float width;  // in units of 1/96 inch; 0 takes what is left
-    bool number;  // set to the right
+    float width;  // in units of 1/96 inch; 0 takes the remaining width
+    bool number;  // column of numbers, aligned at the right
     std::string (*text)(const WorkerStatus& worker);
 };
 
@@ -90,7 +90,7 @@ const std::array kColumns = {
            }},
 };
 
-// A number's text ends where its column does, with room to the next.
+// Begins a cell of a table. Numbers are aligned at the right, with a gap to the next column.
 void begin_cell(const Column& column, const std::string& text) {
     ImGui::TableNextColumn();
     if (!column.number) return;
@@ -198,7 +198,7 @@ void MachinesPanel::draw_fields(const MachinesView& machines, Requests& out) {
     const float gap = px(12);
     const float width = 0.5F * (ImGui::GetContentRegionAvail().x - gap);
     bool entered = false;
-    ImVec2 row;  // where it begins
+    ImVec2 row;  // position of the row
     for (std::size_t i = 0; i < kFields.size(); ++i) {
         if (i % 2 == 0) {
             row = ImGui::GetCursorPos();

@@ -7,13 +7,13 @@
 
 namespace cambrian {
 
-// The address of a cluster and its workers.
+// Shows the address of a cluster and the list of its workers.
 class MachinesPanel final : public Panel {
 public:
     void draw(const FrameContext& frame, Requests& out) override;
 
 private:
-    static constexpr std::size_t kLongest = 512;  // bytes of a field
+    static constexpr std::size_t kLongest = 512;  // bytes in a field
     using Text = std::array<char, kLongest>;
 
     void draw_fields(const MachinesView& machines, Requests& out);
@@ -21,8 +21,8 @@ private:
     ClusterLogin typed() const;
 
     std::array<Text, 4> texts_ = {};
-    int drawn_ = -1;      // the frame in which the card was drawn last
-    ClusterLogin shown_;  // what the fields showed before they were edited
+    int drawn_ = -1;      // number of the frame in which the card was drawn last
+    ClusterLogin shown_;  // content of the fields before they were edited
 };
 
 }  // namespace cambrian

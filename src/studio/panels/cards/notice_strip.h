@@ -4,13 +4,13 @@
 
 namespace cambrian {
 
-// One line at the bottom of the viewport: what was done, or an error and what to do next.
+// One line at the bottom of the viewport: a task done, or an error and what to do next.
 class NoticeStrip final : public Panel {
 public:
     void draw(const FrameContext& frame, Requests& out) override;
 };
 
-// The strip's rectangle: as wide and high as its words need, at the viewport's foot.
+// Returns the strip's rectangle at the bottom of the viewport, as large as its text needs.
 Rect notice_place(const FrameContext& frame, const CardSpace& space);
 
 }  // namespace cambrian

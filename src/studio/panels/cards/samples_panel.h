@@ -4,7 +4,7 @@
 
 namespace cambrian {
 
-// The creatures that come with the program, one tile each; a click shows one.
+// Shows the sample creatures as tiles; a click displays one.
 class SamplesPanel final : public Panel {
 public:
     void draw(const FrameContext& frame, Requests& out) override;
@@ -13,7 +13,7 @@ private:
     void draw_tiles(const SampleShelf& shelf, Requests& out);
     void move_by_keys(std::size_t count, int columns);
 
-    std::size_t aimed_ = 0;  // by the keyboard
+    std::size_t aimed_ = 0;  // index of the tile chosen with the keyboard
 };
 
 }  // namespace cambrian

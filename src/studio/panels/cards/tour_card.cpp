@@ -22,7 +22,7 @@ Rect shifted_inside(Rect card, const Rect& window) {
     return {std::round(card.x), std::round(card.y), card.width, card.height};
 }
 
-// Outlines the place over everything else.
+// Outlines the subject of a step, in front of everything else.
 void outline_subject(const Rect& subject) {
     ImDrawList& list = *ImGui::GetForegroundDrawList();
     const float out = px(2);
@@ -41,7 +41,7 @@ Rect tour_card_place(const Rect& subject, const Rect& window) {
     const ImVec2 high = subject.high();
     std::array sides = {Rect{high.x + gap, low.y, w, h}, Rect{low.x - gap - w, low.y, w, h},
                         Rect{low.x, high.y + gap, w, h}, Rect{low.x, low.y - gap - h, w, h}};
-    // Beside what is tall, under or over what is not.
+    // A tall subject has its card at the left or right, a wide one above or below.
     if (subject.height < h) std::rotate(sides.begin(), sides.begin() + 2, sides.end());
     for (const Rect& side : sides) {
         if (side.x >= window.x && side.x + w <= window.x + window.width && side.y >= window.y &&

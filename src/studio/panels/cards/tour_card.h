@@ -5,15 +5,15 @@
 
 namespace cambrian {
 
-// One step of the tour: its title, its words, and where to go from it.
+// Shows one step of the tour: its title, its text and the buttons to other steps.
 class TourCard final : public Panel {
 public:
     void draw(const FrameContext& frame, Requests& out) override;
 };
 
-// Where the card of a step belongs: beside the place it is about, inside the window.
+// Returns the rectangle of a step's card: beside its subject, inside the window.
 Rect tour_card_place(const Rect& subject, const Rect& window);
-// The rectangle of the step's card in this frame; outlines the place it is about.
+// Returns the rectangle of the present step's card, and outlines the step's subject.
 Rect tour_place(const FrameContext& frame, const CardSpace& space);
 
 }  // namespace cambrian

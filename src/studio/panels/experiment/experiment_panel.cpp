@@ -16,15 +16,15 @@
 namespace cambrian {
 namespace {
 
-constexpr float kLabelIndent = 12.0F;  // of the rows' names
+constexpr float kLabelIndent = 12.0F;  // indentation of the rows' names
 
 struct GroupName {
     std::string_view table;
     std::string_view title;
-    bool open;  // at first
+    bool open;  // whether the group is open at first
 };
 
-// In the order shown; tables not named here follow under their own name.
+// The groups in the order shown. Tables that are not listed follow under their own name.
 constexpr std::array kGroups = {
     GroupName{"goal", "Goal", true},
     GroupName{"environment", "Environment", true},
@@ -54,7 +54,7 @@ std::size_t rank_of(std::string_view table) {
     return group == nullptr ? kGroups.size() : static_cast<std::size_t>(group - kGroups.data());
 }
 
-// A goal brings the world it makes sense in, and how many more it is confirmed in.
+// Sets the default environment of a goal and the number of trials that confirm a score in it.
 void adopt_goal_world(ExperimentSettings& settings, const EvolutionKinds& kinds) {
     const GoalKind* goal = kinds.goals.find(settings.goal);
     if (goal == nullptr || goal->default_environment == nullptr) return;
@@ -64,7 +64,7 @@ void adopt_goal_world(ExperimentSettings& settings, const EvolutionKinds& kinds)
     settings.selection.confirmations = goal->default_confirmations;
 }
 
-// A choice of the table's presets, if it has any.
+// Draws a choice among the table's presets, if it has any.
 void draw_presets(const std::string& table, const FrameContext& frame, Requests& out) {
     const auto presets = setting_presets(table);
     if (presets.empty()) return;
@@ -91,7 +91,7 @@ void draw_presets(const std::string& table, const FrameContext& frame, Requests&
     ImGui::EndCombo();
 }
 
-// What the goal asks for, and whether the world lets it.
+// Describes what the goal rewards, and warns if the environment makes it impossible.
 void draw_goal_help(const FrameContext& frame) {
     const ExperimentSettings& draft = frame.experiment.editor.draft();
     const GoalKind* goal = frame.kinds.goals.find(draft.goal);
@@ -107,11 +107,13 @@ void draw_goal_help(const FrameContext& frame) {
     note_place("goal mismatch");
 }
 
-// The shares of the other ways of breeding make room for the one edited, in proportion.
+// After an edit of one breeding method's share, scales the shares of the others so that the sum
+// stays 1.
 void balance_shares(const std::vector<SettingField>& fields, const std::string& edited,
                     ExperimentSettings& settings) {
     for (const SettingField& field : fields) {
-        if (field.table == "breeding") static_cast<void>(field.at(settings));  // named in the map
+        // Accessing a field creates its entry in the map.
+        if (field.table == "breeding") static_cast<void>(field.at(settings));
     }
     std::map<std::string, double>& shares = settings.breeding.shares;
     const double left = 1.0 - shares[edited];
@@ -197,7 +199,7 @@ void ExperimentPanel::draw_filter(const FrameContext& frame) {
     if (escaped || cleared) filter_.fill('\0');
 }
 
-// The rows found, under the titles of their groups.
+// Draws the settings that the filter found, under the titles of their groups.
 void ExperimentPanel::draw_found(const std::vector<Group>& groups, const SettingFilter& filter,
                                  const FrameContext& frame, Requests& out) {
     bool any = false;

@@ -10,7 +10,7 @@
 
 namespace cambrian {
 
-// All settings, generated from the table of fields, by group.
+// Shows all settings by group, generated from the table of fields.
 class ExperimentPanel final : public Panel {
 public:
     void draw(const FrameContext& frame, Requests& out) override;
@@ -19,7 +19,7 @@ private:
     struct Group {
         std::string table;
         std::string title;
-        int changed = 0;  // fields that differ from their default
+        int changed = 0;  // number of fields that differ from their default
     };
     void draw_run_warning(const FrameContext& frame, Requests& out);
     void draw_filter(const FrameContext& frame);
@@ -32,9 +32,10 @@ private:
                                    ExperimentSettings& defaults) const;
 
     std::array<char, 64> filter_{};
-    unsigned find_seen_ = 0;            // the last time a setting was to be found
-    bool first_wanted_ = false;         // the first value found gets the keyboard
-    std::map<std::string, bool> open_;  // by table; absent: as at first
+    unsigned find_seen_ = 0;     // the count of FindSetting requests in the last frame
+    bool first_wanted_ = false;  // moves the keyboard focus to the first value found
+    // Whether the user opened a table; an absent one is as at the start.
+    std::map<std::string, bool> open_;
 };
 
 }  // namespace cambrian

@@ -12,7 +12,7 @@ namespace cambrian {
 namespace {
 
 constexpr float kLabelShare = 0.5F;
-constexpr float kLeastControl = 112.0F;  // what names may not take in narrow panels
+constexpr float kLeastControl = 112.0F;  // width that names leave to the control in narrow panels
 
 std::string value_text(const SettingField& field, const SettingRef& ref) {
     return std::visit(
@@ -39,7 +39,7 @@ std::string help_text(const SettingField& field, ExperimentSettings& defaults) {
     return text;
 }
 
-// printf's pattern with the decimals that suit the range, and the unit.
+// Returns printf's pattern with the unit and as many decimals as the range needs.
 std::string number_pattern(const SliderRange& range, const SettingField& field) {
     const double width = range.high - range.low;
     std::string number = "%.3f";
@@ -91,7 +91,8 @@ bool choice_box(const SettingField& field, std::string& value, float width) {
     return edited;
 }
 
-// Whether the control's one change is complete at once, with no release to wait for.
+// Draws the control and sets `edited`. Returns whether the change is complete at once, with no
+// release to wait for.
 bool draw_control(const SettingField& field, const SettingRef& ref, const SettingRef& standard,
                   float width, bool& edited) {
     if (auto* const* flag = std::get_if<bool*>(&ref)) {
@@ -135,10 +136,10 @@ void draw_label(const SettingField& field, bool changed, float width) {
 
 SliderRange slider_range(const SettingField& field, double standard, double present) {
     if (field.logarithmic) return {field.low, field.high};
-    constexpr double comfort = 4.0;           // times the default
-    constexpr double comfort_from_zero = 10;  // where the default is 0
+    constexpr double comfort = 4.0;           // upper end of a slider, in multiples of the default
+    constexpr double comfort_from_zero = 10;  // upper end of a slider whose default is 0
     double high = standard == 0.0 ? comfort_from_zero : comfort * std::fabs(standard);
-    // Ranges not much wider than that are shown fully.
+    // A slider covers the full range if that is not much wider.
     if (field.high <= 2.5 * high) high = field.high;
     high = std::max({std::min(high, field.high), present, field.low});
     double low = field.low;

@@ -1,6 +1,7 @@
 #pragma once
 
-// One setting as a row: name, control with unit, tooltip, mark when changed, right-click to reset.
+// One row for a setting: name, control with unit, tooltip, and a mark if changed. A right-click
+// resets it.
 
 #include "evolution/fields/setting_field.h"
 #include "studio/look/ui_context.h"
@@ -10,12 +11,12 @@
 
 namespace cambrian {
 
-// The part of a number's range that its slider covers; beyond it numbers can be typed.
+// Returns the part of a number's range that its slider covers. Numbers outside it can be typed.
 SliderRange slider_range(const SettingField& field, double standard, double present);
 
 enum class RowEvent : unsigned char {
     kNone,
-    kEdited,   // the settings were changed; more may follow as a drag goes on
+    kEdited,   // the settings changed; more changes may follow during a drag
     kFinished  // the control was released
 };
 

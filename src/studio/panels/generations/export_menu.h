@@ -5,9 +5,9 @@
 
 namespace cambrian {
 
-// Entries of a menu that write statistics and the plot to files.
+// Draws menu items that save the statistics and the plot in files.
 void draw_export_items(const FrameContext& frame, Requests& out);
-// The same as a pop-up under the last item, once ImGui::OpenPopup(name) opened it.
+// Draws the same items as a popup below the last item, once ImGui::OpenPopup(name) opened it.
 void draw_export_popup(const char* name, const FrameContext& frame, Requests& out);
 
 }  // namespace cambrian

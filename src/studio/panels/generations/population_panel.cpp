@@ -15,8 +15,8 @@ namespace {
 constexpr float kCreatureWidth = 74.0F;
 constexpr float kCreatureHeight = 78.0F;
 constexpr float kCreatureGap = 6.0F;
-constexpr float kStarRoom = 22.0F;      // square in the tile's corner
-constexpr std::size_t kNotedTiles = 4;  // whose places are noted
+constexpr float kStarRoom = 22.0F;      // side of the square in the tile's corner for the star
+constexpr std::size_t kNotedTiles = 4;  // number of tiles whose positions are recorded
 constexpr int kMostGrown = 24;
 
 bool on_show(const FrameContext& frame, const Individual& individual) {
@@ -64,7 +64,7 @@ void draw_order(const FrameContext& frame, Requests& out) {
     ImGui::EndCombo();
 }
 
-// A button that switches one flag of the view.
+// A button that toggles one flag of the view.
 void draw_toggle(const char* label, bool ViewState::*flag, ButtonStyle style,
                  const FrameContext& frame, Requests& out) {
     ViewState view = frame.view;
@@ -245,7 +245,7 @@ void PopulationPanel::draw_content(const Tile& tile, const Rect& area, const Fra
                 valid ? colors().muted : colors().danger);
 }
 
-// The arrow keys move from the creature shown, or to the first where it has no tile.
+// The arrow keys move from the displayed creature, or to the first tile if it has none.
 void PopulationPanel::follow_keys(std::size_t columns, const FrameContext& frame,
                                   Requests& out) const {
     if (!ImGui::IsWindowFocused(ImGuiFocusedFlags_RootAndChildWindows)) return;

@@ -7,8 +7,8 @@
 
 namespace cambrian {
 
-// The newest finished generation, or what has a star, a tile a creature; a click or the arrow keys
-// show it. However many there are, only those in sight are grown and drawn.
+// Shows the creatures of the newest finished generation, or the starred ones, as tiles. A click or
+// the arrow keys display a creature. Only visible tiles are expressed and drawn.
 class PopulationPanel final : public Panel {
 public:
     void draw(const FrameContext& frame, Requests& out) override;
@@ -17,7 +17,7 @@ public:
     std::size_t bodies_kept() const { return bodies_.size(); }
 
 private:
-    // What the list of tiles depends on.
+    // The data on which the list of tiles depends.
     struct ListedFor {
         std::uint64_t experiment = 0;
         std::size_t generations = 0;

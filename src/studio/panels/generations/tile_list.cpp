@@ -35,7 +35,8 @@ std::vector<Tile> tiles_of_generation(const EvolutionSnapshot& snapshot, const S
     return tiles;
 }
 
-// Those that live as they are now, the others as they were.
+// Starred creatures of the present generation keep their tile; those of past generations are added
+// as they were when starred.
 std::vector<Tile> tiles_with_star(std::vector<Tile> generation, const Stars& stars) {
     std::erase_if(generation, [](const Tile& tile) { return !tile.starred; });
     std::set<const Genome*> living;
@@ -47,7 +48,7 @@ std::vector<Tile> tiles_with_star(std::vector<Tile> generation, const Stars& sta
     return generation;
 }
 
-// Of each body plan the first, which is the best of its generation.
+// Keeps the first tile of each body plan, which is the best of its generation.
 void keep_one_a_plan(std::vector<Tile>& tiles) {
     std::set<std::uint64_t> plans;
     std::erase_if(tiles, [&plans](const Tile& tile) {
@@ -71,7 +72,7 @@ double measure(const Individual& individual, TileOrder order) {
     return 0.0;
 }
 
-// Distance of each to the mean of all.
+// Computes the distance of each creature to the mean of all.
 void measure_difference(std::vector<Tile>& tiles) {
     std::vector<IndividualPtr> all;
     for (const Tile& tile : tiles)

@@ -1,6 +1,6 @@
 #pragma once
 
-// Which creatures the population displays and in which order.
+// The list of creatures that the population panel shows, and its order.
 
 #include "evolution/engine/snapshot.h"
 #include "studio/look/view_state.h"
@@ -14,30 +14,32 @@ namespace cambrian {
 
 struct Tile {
     JudgedIndividual creature;
-    std::size_t rank = 0;  // by merit in its generation, from 1; 0 if that has passed
+    // Rank by fitness in its generation, from 1; 0 if that generation is past.
+    std::size_t rank = 0;
     bool starred = false;
-    double key = 0.0;  // what it was sorted by, greatest first
+    double key = 0.0;  // value by which the tiles are sorted, largest first
 };
 
 struct TileSorting {
     TileOrder order;
-    const char* id;    // in the remembered view
+    const char* id;    // name in the stored view state
     const char* name;  // "Fitness"
-    const char* what;  // a sentence
+    const char* what;  // description, one sentence
 };
-// One an order, in that order.
+// Returns one entry for each TileOrder, in its order.
 std::span<const TileSorting> tile_sortings();
 const TileSorting& tile_sorting(TileOrder order);
 
-// Which of them to list.
+// Selects the creatures to list.
 struct TileFilter {
-    bool starred_only = false;  // of all generations
-    bool one_a_plan = false;    // the best of each body plan
+    bool starred_only = false;  // starred creatures of all generations
+    bool one_a_plan = false;    // the best creature of each body plan
 
     friend bool operator==(const TileFilter&, const TileFilter&) = default;
 };
 
-// The newest finished generation, or all that have a star, sorted; equals keep their rank's order.
+// Returns the newest finished generation, or all starred creatures, sorted. Creatures with equal
+// values stay in the order of their rank.
 std::vector<Tile> list_tiles(const EvolutionSnapshot& snapshot, const Stars& stars, TileOrder order,
                              const TileFilter& filter);
 

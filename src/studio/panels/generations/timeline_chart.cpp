@@ -11,10 +11,10 @@
 namespace cambrian {
 namespace {
 
-constexpr float kSwatch = 14.0F;     // width of a legend's sample
-constexpr float kSwatchGap = 6.0F;   // to its word
-constexpr float kEntryGap = 12.0F;   // to the next
-constexpr double kLeastSpan = 10.0;  // generations
+constexpr float kSwatch = 14.0F;     // width of a colour sample in the legend
+constexpr float kSwatchGap = 6.0F;   // from the sample to its name
+constexpr float kEntryGap = 12.0F;   // from one entry to the next
+constexpr double kLeastSpan = 10.0;  // least number of generations on the axis
 
 struct LegendEntry {
     const char* label;
@@ -23,7 +23,8 @@ struct LegendEntry {
 };
 
 constexpr std::size_t kNamedLines = 12;  // founder lines with a colour of their own
-constexpr double kHueStep = 0.381966;    // turns between neighbours: the golden section
+// Difference in hue between neighbours, in turns: the golden section.
+constexpr double kHueStep = 0.381966;
 
 Color band_color(std::size_t band) {
     if (band == kNamedLines) return with_alpha(colors().muted, 0.35F);
@@ -31,7 +32,7 @@ Color band_color(std::size_t band) {
     return with_alpha(part_color({}, hue - std::floor(hue)), 0.85F);
 }
 
-// The founder lines with most births in all generations, those first.
+// Returns the founder lines with the most births in all generations, most first.
 std::vector<std::uint64_t> most_fertile(const std::vector<GenerationStatistics>& history) {
     std::map<std::uint64_t, int> totals;
     for (const GenerationStatistics& row : history) {
@@ -75,7 +76,7 @@ void TimelineChart::forget() {
     bands_.clear();
 }
 
-// The order of the bands depends on every generation, so all bands are computed when one is added.
+// Computes all bands, since a new generation may change their order.
 void TimelineChart::stack(const EvolutionSnapshot& snapshot) {
     const std::vector<std::uint64_t> lines = most_fertile(snapshot.history);
     bands_.assign(kNamedLines + 1, {});

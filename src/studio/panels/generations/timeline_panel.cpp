@@ -94,7 +94,7 @@ void draw_stagnation(const FrameContext& frame, Requests& out) {
     }
 }
 
-// Labels of the settings in which two journal entries differ, one a line.
+// Returns the labels of the settings in which two journal entries differ, one per line.
 std::string difference(const FrameContext& frame, const ExperimentSettings& before,
                        const ExperimentSettings& after) {
     ExperimentSettings a = before;
@@ -116,7 +116,7 @@ std::string difference(const FrameContext& frame, const ExperimentSettings& befo
     return text;
 }
 
-// What changed at the mark nearest to a pixel, if one is within reach.
+// Returns what changed at the mark nearest to a pixel, if one is near enough.
 std::string change_near(const FrameContext& frame, const PlotScale& scale, float pixel) {
     const auto& journal = frame.experiment.snapshot.journal;
     float nearest = px(kMarkReach);
@@ -156,13 +156,13 @@ std::string reading(const GenerationStatistics& stats, const std::string& unit) 
     return text + percent(stats.time_saved) + " of the time saved";
 }
 
-// How long this machine and others took to evaluate a row of the history; empty if unknown.
+// Returns the time that the evaluation of a generation took; empty if unknown.
 std::string wall_time_words(const EvolutionSnapshot& snapshot, std::size_t row) {
     if (row >= snapshot.wall_times.size() || snapshot.wall_times[row] <= 0.0) return "";
     return "\nEvaluated in " + with_unit(snapshot.wall_times[row], "s");
 }
 
-// The row whose champion is on display, or -1.
+// Returns the row whose champion is displayed, or -1.
 int shown_row(const FrameContext& frame) {
     if (frame.viewer.playback.empty()) return -1;
     const Exhibit& exhibit = frame.viewer.playback.exhibit();
@@ -183,7 +183,7 @@ void draw_line(const PlotScale& scale, double generation, const Color& color) {
                                         px(1));
 }
 
-// The cursor: a line with a grip that names the generation on display.
+// Draws the cursor: a line with a grip that names the displayed generation.
 void draw_cursor(const PlotScale& scale, double generation, const std::string& words) {
     draw_line(scale, generation, colors().text);
     const WithFont font(ui().fonts.small);

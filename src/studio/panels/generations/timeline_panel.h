@@ -5,8 +5,8 @@
 
 namespace cambrian {
 
-// A quantity over the generations, marks where settings changed, and values under the mouse; a
-// click, a drag or the arrow keys show past generations' champions.
+// Plots a quantity over the generations, with marks where settings changed and the values under the
+// mouse. A click, a drag or the arrow keys display past champions.
 class TimelinePanel final : public Panel {
 public:
     void draw(const FrameContext& frame, Requests& out) override;

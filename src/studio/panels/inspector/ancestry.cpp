@@ -9,7 +9,7 @@ bool judged(const Individual& individual) {
     return individual.evaluated && individual.result.outcome == Outcome::kCompleted;
 }
 
-// In force when a generation was judged; null before the journal begins.
+// Returns the settings with which a generation was evaluated; null before the journal begins.
 SettingsPtr settings_of_generation(const std::vector<JournalEntry>& journal,
                                    std::uint32_t generation) {
     SettingsPtr settings;
@@ -36,8 +36,8 @@ std::vector<AncestryStep> ancestry_of(const Exhibit& exhibit) {
 Exhibit ancestor_exhibit(const Exhibit& head, const std::vector<AncestryStep>& line,
                          std::size_t index, const EvolutionSnapshot& snapshot) {
     const IndividualPtr& ancestor = line[index].individual;
-    // Parents breed as they were judged in the generation before their child's; what was edited by
-    // hand stays in the world it was shown in.
+    // Parents were last evaluated in the generation before their child's birth. A creature that was
+    // edited by hand stays in the world in which it was displayed.
     const Individual& child = *line[index - 1].individual;
     const bool edited = child.method == "edited";
     const std::uint32_t generation = child.born > 0 ? child.born - 1 : 0;

@@ -1,6 +1,6 @@
 #pragma once
 
-// The line of descent of a creature shown.
+// The line of descent of the displayed creature.
 
 #include "evolution/engine/snapshot.h"
 #include "studio/playback/exhibit.h"
@@ -12,14 +12,15 @@ namespace cambrian {
 
 struct AncestryStep {
     IndividualPtr individual;
-    std::optional<double> gained;  // fitness, over its parent, where both were judged
+    std::optional<double> gained;  // fitness gained over its parent, if both were evaluated
 };
 
-// The creature itself first, the oldest ancestor known last.
+// Returns the line from the creature itself to its oldest known ancestor.
 std::vector<AncestryStep> ancestry_of(const Exhibit& exhibit);
 
-// An ancestor to be shown: step `index` (from 1) of the line of `head`, in the world that
-// judged it if the journal of its experiment is at hand, else, unscored, in that of `head`.
+// Returns step `index` (from 1) of the line of `head` as an exhibit. If the snapshot's journal has
+// the settings that evaluated the ancestor, the exhibit has these. Otherwise it is unscored and has
+// the settings of `head`.
 Exhibit ancestor_exhibit(const Exhibit& head, const std::vector<AncestryStep>& line,
                          std::size_t index, const EvolutionSnapshot& snapshot);
 

@@ -21,7 +21,7 @@ std::string breeding_words(const Individual& individual) {
     return words;
 }
 
-// Where the first change was made, and how many there were besides.
+// Returns the place of the first mutation and the number of further ones.
 std::string place_line(const Individual& individual) {
     if (individual.mutations.empty()) return breeding_words(individual);
     const std::string& place = individual.mutations.front().place;
@@ -34,7 +34,8 @@ std::string change_line(const Individual& individual) {
                                         : change_words(individual.mutations.front());
 }
 
-// As it was judged; of a creature shown that never was, as it scores now.
+// Returns the fitness from the evaluation. A displayed creature that was never evaluated has the
+// score of the displayed trial.
 std::string fitness_words(const Individual& individual, const FrameContext& frame) {
     if (individual.evaluated) return pretty_number(individual.result.fitness);
     const bool shown = frame.viewer.playback.exhibit().genome() == individual.genome;
@@ -44,7 +45,8 @@ std::string fitness_words(const Individual& individual, const FrameContext& fram
 
 std::string born_words(const Individual& individual, const Exhibit& head) {
     if (individual.method == "edited") return "Edited by hand";
-    if (head.experiment == 0) return "The original";  // nothing bred it here
+    // It was not bred in any experiment known here.
+    if (head.experiment == 0) return "The original";
     return "Generation " + std::to_string(individual.born);
 }
 
@@ -70,7 +72,7 @@ std::string gained_words(const AncestryStep& step) {
     return (*step.gained > 0.0 ? "+" : "") + pretty_number(*step.gained);
 }
 
-// A line of small text, and a shorter one at its right.
+// A line of small text with a shorter text at its right.
 struct RowLine {
     std::string text;
     Color color;

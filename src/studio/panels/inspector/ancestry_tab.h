@@ -11,8 +11,8 @@
 
 namespace cambrian {
 
-// The line of parents down to the first ancestor: each one's body, what changed in it and what
-// that gained. A click shows it; the line stays while one of its members is shown.
+// Shows the line of parents down to the first ancestor: their bodies, what changed and the fitness
+// gained. A click displays an ancestor; the line stays while one of its members is displayed.
 class AncestryTab final : public Panel {
 public:
     void draw(const FrameContext& frame, Requests& out) override;
@@ -22,7 +22,7 @@ private:
     void draw_step(std::size_t index, const FrameContext& frame, Requests& out);
     void draw_body(std::size_t index, const FrameContext& frame, const ImVec2& at);
 
-    std::shared_ptr<const Exhibit> head_;  // the line is of
+    std::shared_ptr<const Exhibit> head_;  // the creature whose line is shown
     std::vector<AncestryStep> line_;
     PhenotypeCache bodies_;
 };

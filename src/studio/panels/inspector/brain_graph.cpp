@@ -7,7 +7,7 @@
 namespace cambrian {
 namespace {
 
-// The part whose neurons include this one; -1 if it is central.
+// Returns the part that owns a neuron; -1 if the neuron is central.
 int part_of_neuron(const Phenotype& phenotype, std::uint32_t neuron) {
     for (std::size_t i = 0; i < phenotype.parts.size(); ++i) {
         const BodyPart& part = phenotype.parts[i];
@@ -72,7 +72,7 @@ private:
         for (std::size_t i = 0; i < body_.effector_parts.size(); ++i)
             link(body_.network.outputs[i], first_effector_ + i);
     }
-    // Sensors on top, neurons below what they hear, effectors in the last row.
+    // Places sensors at the top, neurons below their inputs, effectors in the last row.
     void place(std::size_t most) {
         std::vector<GraphEdge> edges;
         for (const BrainLink& each : graph_.links)

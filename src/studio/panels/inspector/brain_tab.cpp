@@ -15,11 +15,11 @@ constexpr std::size_t kNodesInRow = 7;
 constexpr float kBrainRowHeight = 46.0F;
 constexpr float kTraceHeight = 13.0F;
 constexpr float kTraceWidth = 32.0F;
-constexpr float kHistoryHeight = 132.0F;  // history and force of the chosen node
-constexpr double kForceRange = 2.0;       // of the slider; more can be typed
-constexpr double kFullColor = 2.0;        // signals are mostly within +-2
+constexpr float kHistoryHeight = 132.0F;  // history and force slider of the chosen node
+constexpr double kForceRange = 2.0;       // range of the slider; larger values can be typed
+constexpr double kFullColor = 2.0;        // value at full colour; most signals are within +-2
 
-// Orange for positive, blue for negative, grey for none.
+// Returns orange for positive values, blue for negative ones, grey for zero.
 Color value_color(double value) {
     const auto share = static_cast<float>(std::clamp(std::fabs(value) / kFullColor, 0.0, 1.0));
     const Color& end = value >= 0.0 ? colors().plot_best : colors().plot_median;
@@ -67,7 +67,7 @@ void draw_shape(ImDrawList& list, BrainNodeKind kind, const ImVec2& at, float ra
     list.AddRect(low, high, paint(style.rim), rounding, ImDrawFlags_None, style.rim_width);
 }
 
-// Values over ticks, newest to the right, zero in the middle.
+// Draws values over ticks, the newest at the right, zero in the middle.
 void draw_trace(ImDrawList& list, const Rect& area, const std::vector<double>& values,
                 const Color& color, float width) {
     double most = 1.0;
@@ -194,7 +194,7 @@ void BrainTab::draw_history(const FrameContext& frame) const {
     ImGui::Dummy({area.width, area.height});
 }
 
-// A switch and a slider that make the chosen neuron say a value.
+// Draws a switch and a slider that force the value of the chosen neuron.
 void BrainTab::draw_force(const FrameContext& frame, Requests& out) {
     const BrainNode& node = graph_.nodes[chosen_];
     if (node.kind != BrainNodeKind::kNeuron) {

@@ -9,9 +9,10 @@
 
 namespace cambrian {
 
-// The network at work: nodes coloured by their present value over a short history each, links by
-// weight; and of the node that was clicked a longer history and, if it is a neuron, a slider that
-// forces its value. What is pointed at lights up on the body, and the other way round.
+// Shows the network at work. Each node has the colour of its present value over a short history;
+// links are coloured by weight. A clicked node gets a longer history and, if it is a neuron, a
+// slider that forces its value. Pointing at a node highlights its part on the body, and the
+// reverse.
 class BrainTab final : public Panel {
 public:
     void draw(const FrameContext& frame, Requests& out) override;
@@ -26,9 +27,9 @@ private:
     std::size_t neuron_of(const BrainNode& node) const;
     ImVec2 point_of(const Rect& area, std::size_t node) const;
 
-    std::shared_ptr<const Phenotype> phenotype_;  // the graph is of
+    std::shared_ptr<const Phenotype> phenotype_;  // the phenotype whose graph is shown
     BrainGraph graph_;
-    std::size_t chosen_ = 0;  // node clicked last
+    std::size_t chosen_ = 0;  // index of the node clicked last
 };
 
 }  // namespace cambrian

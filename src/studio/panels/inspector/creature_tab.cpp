@@ -13,7 +13,7 @@ std::string unit_of(const FrameContext& frame) {
     return goal_unit(frame.viewer.playback.exhibit().settings().goal, frame.kinds.goals);
 }
 
-// A small range beside the score that was confirmed.
+// Draws the range of a confirmed score in small text beside it.
 void draw_range(const EvaluationResult& result) {
     const std::string range = confirmed_range(result);
     if (range.empty()) return;
@@ -30,7 +30,8 @@ void draw_headline(const FrameContext& frame) {
     caption(goal == nullptr ? "Fitness" : goal->label);
     const WithFont font(ui().fonts.title);
     const EvaluationResult* result = frame.viewer.playback.exhibit().result();
-    // What counted, shaking and suspicion included, if it was ever judged.
+    // Shows the fitness that selection used, with all penalties, if the creature was ever
+    // evaluated.
     if (result != nullptr) {
         ImGui::TextUnformatted(measured(result->fitness, unit_of(frame)).c_str());
         draw_range(*result);
@@ -65,7 +66,7 @@ void draw_verification(const FrameContext& frame) {
     }
 }
 
-// What the same trial came to when it was computed more finely.
+// Shows the score of the same trial when recomputed with a finer step.
 void draw_recomputed(const FrameContext& frame) {
     const EvaluationResult* result = frame.viewer.playback.exhibit().result();
     if (result == nullptr || !result->finer) return;

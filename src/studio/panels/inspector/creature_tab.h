@@ -4,8 +4,8 @@
 
 namespace cambrian {
 
-// Numbers of the creature shown: its fitness and how it was made up, its body, where it comes
-// from, the audit of its trial.
+// Shows numbers of the displayed creature: its fitness and how that is composed, its body, its
+// origin, the energy audit of its trial.
 class CreatureTab final : public Panel {
 public:
     void draw(const FrameContext& frame, Requests& out) override;

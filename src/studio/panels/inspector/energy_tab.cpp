@@ -12,7 +12,7 @@ namespace {
 
 constexpr float kPlotHeight = 150.0F;
 
-// What the muscles' work became; stacked in this order.
+// One of the forms into which the muscles' work went. The plot stacks them in this order.
 struct EnergyShare {
     const char* label;
     const char* help;
@@ -46,14 +46,14 @@ struct Band {
     }
 };
 
-// A share that changes its sign has a band above zero and one below.
+// The two bands of a share, above and below zero, since its sign may change.
 struct Stack {
     Band above;
     Band below;
 };
 using Stacks = std::array<Stack, kShares.size()>;
 
-// Gains pile up above zero, losses below it.
+// Stacks gains above zero and losses below it.
 Stacks stack_up(const std::vector<EnergySample>& samples) {
     Stacks stacks;
     for (const EnergySample& sample : samples) {

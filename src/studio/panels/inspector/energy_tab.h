@@ -4,7 +4,7 @@
 
 namespace cambrian {
 
-// The energy balance of the moving creature, and the verdict of the energy audit.
+// Plots the energy balance of the moving creature and shows the verdict of the energy audit.
 class EnergyTab final : public Panel {
 public:
     void draw(const FrameContext& frame, Requests& out) override;

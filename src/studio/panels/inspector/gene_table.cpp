@@ -16,7 +16,7 @@ namespace {
 
 constexpr float kGeneLabelShare = 0.46F;
 
-// A gene's unit as shown, and how many of it make one of the gene's own.
+// The unit in which a gene is shown, and the factor from the gene's own unit to it.
 struct ShownUnit {
     const char* unit;
     double factor;
@@ -42,7 +42,7 @@ std::string range_words(const FieldRule& rule, const ShownUnit& unit) {
            "; Ctrl+click to type.";
 }
 
-// Draws rows and notes which of them changed.
+// Draws the rows and records which gene changed.
 class GeneRows {
 public:
     GeneRows(const Kinds& kinds, GeneEdit& edit) : kinds_(kinds), edit_(edit) {}
@@ -171,7 +171,7 @@ private:
 
     const Kinds& kinds_;
     GeneEdit& edit_;
-    float width_ = 0.0F;  // of controls
+    float width_ = 0.0F;  // width of the controls, in pixels
 };
 
 template <class Entry>

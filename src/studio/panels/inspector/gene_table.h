@@ -1,6 +1,6 @@
 #pragma once
 
-// The genes of one part, and the central brain with the root's, as rows to edit by hand.
+// Editable rows for the genes of one part; the root's include the central brain.
 
 #include "creature/kinds.h"
 #include "genome/genome.h"
@@ -11,12 +11,12 @@
 namespace cambrian {
 
 struct GeneEdit {
-    std::optional<GeneChange> change;  // made to the genome this frame
+    std::optional<GeneChange> change;  // the edit of this frame, if any
     bool finished = false;             // the control was released
 };
 
-// Edits `genome` in place. Typed numbers may lie outside the genes' ranges: whoever takes the
-// genome validates it.
+// Edits `genome` in place. A typed number may lie outside the gene's range, so the caller must
+// validate the genome.
 GeneEdit gene_table(Genome& genome, std::size_t node, const Kinds& kinds);
 
 }  // namespace cambrian

@@ -15,7 +15,7 @@ namespace {
 
 constexpr float kGeneRowHeight = 72.0F;
 constexpr float kLeastRowHeight = 54.0F;
-constexpr float kGraphShare = 0.45F;  // of the tab, at most
+constexpr float kGraphShare = 0.45F;  // largest share of the tab's height
 constexpr std::size_t kGenesInRow = 4;
 
 ImVec2 half_size(const NodeGene& node) {
@@ -25,7 +25,7 @@ ImVec2 half_size(const NodeGene& node) {
     return {0.5F * px(length), 0.5F * px(width)};
 }
 
-// A loop beside a node, for an edge to itself.
+// Draws a loop beside a node, for an edge to itself.
 void draw_loop(ImDrawList& list, const ImVec2& at, const ImVec2& half, const Color& color,
                int times) {
     const ImVec2 center = {at.x + half.x + px(7), at.y};
@@ -36,7 +36,7 @@ void draw_loop(ImDrawList& list, const ImVec2& at, const ImVec2& half, const Col
                  paint(colors().muted), text.c_str());
 }
 
-// A curve whose end points at its target.
+// Draws a curve with an arrowhead at its target.
 void draw_arrow(ImDrawList& list, const ImVec2& from, const ImVec2& to, const Color& color) {
     const float bend = 0.4F * std::fabs(to.y - from.y) + px(10);
     const float down = to.y >= from.y ? 1.0F : -1.0F;
@@ -52,8 +52,8 @@ Color edge_color(const EdgeGene& edge) {
     return colors().muted;
 }
 
-// Whether the same nodes lead to the same nodes, so that what was chosen in one means the same in
-// the other.
+// Returns whether two genomes have the same graph, so that a node's index has the same meaning in
+// both.
 bool same_graph(const Genome& a, const Genome& b) {
     const auto same_targets = [](const NodeGene& one, const NodeGene& other) {
         return std::equal(
@@ -191,7 +191,7 @@ void GenotypeTab::draw_nodes(const FrameContext& frame, Requests& out) {
     }
 }
 
-// Which gene the rows below are of, and what can be done with an edited creature.
+// Draws the name of the gene shown below, and the buttons for an edited creature.
 void GenotypeTab::draw_heading(const FrameContext& frame, Requests& out) const {
     panel_title(chosen_ == 0 ? "Gene 0, the root" : "Gene " + std::to_string(chosen_));
     const auto& parts = frame.viewer.playback.creature().phenotype().parts;

@@ -9,9 +9,9 @@
 
 namespace cambrian {
 
-// The directed graph of part genes: what each node grows into, which node follows which, how often
-// it repeats. Pointing at a node lights every part grown from it; a click keeps them lit and shows
-// the node's genes, to be edited.
+// Shows the directed graph of part genes: the body of each node, its edges and their recursive
+// limits. Pointing at a node highlights every part grown from it. A click keeps them highlighted
+// and shows the node's genes for editing.
 class GenotypeTab final : public Panel {
 public:
     void draw(const FrameContext& frame, Requests& out) override;
@@ -24,15 +24,16 @@ private:
     void draw_heading(const FrameContext& frame, Requests& out) const;
     void draw_genes(const FrameContext& frame, Requests& out) const;
 
-    GenomePtr genome_;  // the graph is of
+    GenomePtr genome_;  // the genome whose graph is shown
     std::vector<GraphPoint> points_;
     std::size_t row_count_ = 1;
-    std::size_t chosen_ = 0;  // node whose genes are shown
-    bool lit_ = false;        // its parts stay lit
+    std::size_t chosen_ = 0;  // index of the node whose genes are shown
+    bool lit_ = false;        // its parts stay highlighted
     Rect area_;
 };
 
-// Steps from the root along the edges; nodes that cannot be reached come after all others.
+// Returns the number of edges from the root to each node; nodes that cannot be reached get the
+// largest number.
 std::vector<std::size_t> steps_from_root(const Genome& genome);
 
 }  // namespace cambrian

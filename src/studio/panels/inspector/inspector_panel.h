@@ -8,7 +8,7 @@
 
 namespace cambrian {
 
-// What is known of the creature shown, by tabs.
+// Shows what is known of the displayed creature, in tabs.
 class InspectorPanel final : public Panel {
 public:
     InspectorPanel();

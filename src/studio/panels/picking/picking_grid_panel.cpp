@@ -13,8 +13,8 @@ namespace cambrian {
 namespace {
 
 constexpr float kCellGap = 4.0F;
-constexpr double kBodyShare = 0.7;        // of a cell filled by the largest body
-constexpr std::size_t kTrailLength = 60;  // dots
+constexpr double kBodyShare = 0.7;        // share of a cell that the largest body fills
+constexpr std::size_t kTrailLength = 60;  // points of the trail
 
 const GridNode& grid_of(const FrameContext& frame) {
     return frame.picking->snapshot.tree.current();
@@ -45,7 +45,7 @@ void draw_waiting(const Rect& area, const std::string& text) {
         paint(colors().muted), text.c_str());
 }
 
-// What made the creature, in the sky above it: as many full lines as there is room for.
+// Lists the creature's mutations in the sky above it, as many full lines as there is room for.
 void draw_changes(const Rect& area, const Individual& creature) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float size = 13.0F * ui().scale;
@@ -63,7 +63,7 @@ void draw_changes(const Rect& area, const Individual& creature) {
     list.PopClipRect();
 }
 
-// Borders: that of a pick with its number, within it that of the focus.
+// Draws the border and number of a pick and, inside it, the border of the focus.
 void draw_borders(const Rect& area, int pick, bool focused) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     if (pick > 0) {
@@ -126,7 +126,7 @@ void PickingGridPanel::place_cells(std::size_t count, const Rect& area) {
     size_ = {std::max(1.0, static_cast<double>(width)), std::max(1.0, static_cast<double>(height))};
 }
 
-// All creatures at one scale, at which the largest body known fits well.
+// Chooses one scale for all creatures, at which the largest body computed so far fits its cell.
 void PickingGridPanel::choose_scale(const GridMotion& motion) {
     scale_ = Camera::kMaxScale;
     for (std::size_t cell = 0; cell < motion.size(); ++cell) {
@@ -194,7 +194,7 @@ void PickingGridPanel::draw_cell(std::size_t cell, const FrameContext& frame, Re
     if (hovered && (moved.x != 0.0F || moved.y != 0.0F) && frame.picking->focus != cell)
         out.ask(FocusCell{cell});
     if (hovered && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
-        out.ask(AskPicking{toggle});  // as it was before the first of the two clicks
+        out.ask(AskPicking{toggle});  // reverses the toggle of the first of the two clicks
         out.ask(ShowCell{cell});
     }
     drag_cell({grid.number, cell});

@@ -9,11 +9,11 @@
 
 namespace cambrian {
 
-// The grid of selection by hand: every creature in its cell, all moving by one clock and drawn to
-// one scale. A click picks, a double click shows the creature alone.
+// Shows the grid of selection by hand. All creatures move by one clock and are drawn to one scale.
+// A click picks a creature, a double click displays it alone.
 class PickingGridPanel final : public Panel {
 public:
-    // Without a renderer (tests) everything but the picture works.
+    // Without a renderer, as in tests, the panel works but draws no scene.
     explicit PickingGridPanel(Renderer* renderer);
 
     void draw(const FrameContext& frame, Requests& out) override;
@@ -27,11 +27,12 @@ private:
     void draw_words(std::size_t cell, const FrameContext& frame);
     const char* hint(std::size_t cell) const;
 
-    std::array<SceneCanvas, kGridSizes.back()> canvases_;  // one a cell
-    Viewport size_;                                        // of each
-    double scale_ = 0.0;                                   // pixels a metre, of all
+    std::array<SceneCanvas, kGridSizes.back()> canvases_;  // one per cell
+    Viewport size_;                                        // size of each canvas
+    double scale_ = 0.0;  // pixels per metre, the same in all cells
     GridHints hints_;
-    const Individual* hinted_ = nullptr;  // first creature they are of; compared only
+    // The grid that the hints belong to, named by its first creature. The pointer is only compared.
+    const Individual* hinted_ = nullptr;
     std::uint32_t hinted_grid_ = 0;
 };
 

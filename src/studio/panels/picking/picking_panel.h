@@ -4,8 +4,8 @@
 
 namespace cambrian {
 
-// How the next grid is bred: its size, how much changes, how much fitness counts; help from
-// automatic evolution; and the way back to it.
+// Sets how the next grid is bred: its size, the amount of mutation, the weight of fitness. Also
+// offers help by automatic evolution and the return to it.
 class PickingPanel final : public Panel {
 public:
     void draw(const FrameContext& frame, Requests& out) override;

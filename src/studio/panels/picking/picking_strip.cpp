@@ -7,7 +7,7 @@
 namespace cambrian {
 namespace {
 
-constexpr float kNarrowStrip = 560.0F;  // a strip in which the buttons are closer
+constexpr float kNarrowStrip = 560.0F;  // width below which the buttons are closer together
 
 bool is_narrow_strip() {
     return ImGui::GetWindowWidth() < px(kNarrowStrip);
@@ -24,7 +24,7 @@ bool ghost(const char* label, const char* hint, bool enabled = true, bool chosen
                                .tooltip = hint});
 }
 
-// One step through the grids: in words where there is room, a chevron elsewhere.
+// A button for a step through the grids, with words if there is room, otherwise with an icon.
 bool step(const char* label, Icon icon, const char* hint, bool enabled) {
     if (!is_narrow_strip()) return ghost(label, hint, enabled);
     return push_button(label, {.look = ButtonLook::kGhost,

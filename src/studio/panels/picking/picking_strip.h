@@ -4,7 +4,8 @@
 
 namespace cambrian {
 
-// Under the grid: through the tree, what can be done with the creature in focus, what is shown.
+// The strip under the grid: steps through the tree, commands on the focused creature, display
+// options.
 class PickingStrip final : public Panel {
 public:
     void draw(const FrameContext& frame, Requests& out) override;

@@ -23,7 +23,8 @@ std::string grid_words(const GridNode& grid) {
     return words + format("\n%zu creatures", grid.creatures.size());
 }
 
-// The first pick that led on from a grid, else its first creature: what it is remembered by.
+// Returns the creature that represents a grid: the first pick from which another grid was bred,
+// else its first creature.
 const IndividualPtr& face_of(const PickingTree& tree, std::uint32_t number) {
     const GridNode& grid = tree.node(number);
     for (std::uint32_t later = number + 1; later < tree.size(); ++later) {
@@ -117,7 +118,7 @@ void PickingTreePanel::draw_grid(std::uint32_t number, const Rect& tile, const F
     tooltip(grid_words(grid));
 }
 
-// Scrolls to the grid shown when it becomes another one.
+// Scrolls the map when another grid is displayed.
 void PickingTreePanel::keep_in_sight(std::uint32_t current, const Rect& tile) {
     if (seen_ == current) return;
     seen_ = current;

@@ -9,7 +9,7 @@
 
 namespace cambrian {
 
-// Every grid so far as a map: later ones to the right, branches below. A click goes there.
+// Shows all grids as a map: later ones at the right, branches below. A click displays a grid.
 class PickingTreePanel final : public Panel {
 public:
     void draw(const FrameContext& frame, Requests& out) override;
@@ -21,7 +21,7 @@ private:
     void keep_in_sight(std::uint32_t current, const Rect& tile);
 
     PhenotypeCache bodies_;
-    std::optional<std::uint32_t> seen_;  // the grid last scrolled to
+    std::optional<std::uint32_t> seen_;  // number of the grid that was scrolled to last
 };
 
 }  // namespace cambrian

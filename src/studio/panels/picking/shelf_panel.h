@@ -5,7 +5,7 @@
 
 namespace cambrian {
 
-// Creatures kept aside while picking; they can be put back into any grid.
+// Shows the creatures that were kept while picking; they can be put back into any grid.
 class ShelfPanel final : public Panel {
 public:
     void draw(const FrameContext& frame, Requests& out) override;

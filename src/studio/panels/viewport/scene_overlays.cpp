@@ -9,8 +9,9 @@
 namespace cambrian {
 namespace {
 
-constexpr double kFullTorqueTurn = 2.2;       // rad, of the arc of a motor at its most
-constexpr double kForceLength = 1.0 / 3.0;    // m, for a force of the creature's weight
+constexpr double kFullTorqueTurn = 2.2;  // rad; arc drawn for the largest torque of a motor
+// M; length drawn for a force equal to the creature's weight.
+constexpr double kForceLength = 1.0 / 3.0;
 constexpr double kStandardGravity = 9.80665;  // m/s^2
 
 Vec2 planar(const Vec3& point) {
@@ -22,13 +23,13 @@ Vec2 direction(double angle) {
     return {turn.cosine, turn.sine};
 }
 
-// A joint as it is.
+// The present position of a joint.
 struct JointPlace {
     Vec2 pivot;
-    double radius = 0.0;      // m, of arcs about it
+    double radius = 0.0;      // m; radius of arcs about the joint
     double angle = 0.0;       // rad; direction of the part
-    double rest = 0.0;        // rad; of the part if the joint were at rest
-    double coordinate = 0.0;  // rad or m
+    double rest = 0.0;        // rad; direction of the part with the joint at rest
+    double coordinate = 0.0;  // rad or m; joint coordinate
     bool slides = false;
 };
 
@@ -58,7 +59,7 @@ void add_joint_reading(SceneFrame& frame, const OverlayScene& over, const JointP
     frame.add_circle(joint.pivot, 1.2 * width, color);
 }
 
-// A lamp, the brighter the nearer the reading is to +1; dark at -1.
+// Draws a lamp: bright for a reading of +1, dark for -1.
 void add_lamp(SceneFrame& frame, const OverlayScene& over, std::size_t index) {
     const WiredSensor& sensor = over.creature.phenotype().sensors[index];
     const SensorKind& kind = over.kinds.sensors[sensor.kind];

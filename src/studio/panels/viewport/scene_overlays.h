@@ -1,6 +1,6 @@
 #pragma once
 
-// Overlays of invisible quantities on a creature: forces, torques, limits, sensors.
+// Overlays that draw invisible quantities on a creature: forces, torques, limits, sensor readings.
 
 #include "creature/creature.h"
 #include "pictures/scene/scene_builder.h"
@@ -8,7 +8,7 @@
 
 namespace cambrian {
 
-// A creature as drawn and as simulated.
+// The creature as drawn and the scene that simulates it.
 struct OverlayScene {
     const CreatureLook& look;
     const PhysicsScene& scene;
@@ -16,13 +16,13 @@ struct OverlayScene {
     const Surroundings& surroundings;
     const Kinds& kinds;
     const Palette& palette;
-    double pixel = 0.01;  // m
+    double pixel = 0.01;  // size of a pixel, in m
 };
 
 void add_joint_limits(SceneFrame& frame, const OverlayScene& over);
-// Effort over the most each motor has.
+// Draws each motor's effort as a share of its largest effort.
 void add_joint_torques(SceneFrame& frame, const OverlayScene& over);
-// Those the brain hears.
+// Draws the readings of the sensors that the brain uses.
 void add_sensor_readings(SceneFrame& frame, const OverlayScene& over);
 void add_contact_forces(SceneFrame& frame, const OverlayScene& over);
 void add_center_of_mass(SceneFrame& frame, const OverlayScene& over, const Vec2& center);

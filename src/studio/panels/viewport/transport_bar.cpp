@@ -11,7 +11,7 @@
 namespace cambrian {
 namespace {
 
-constexpr float kNarrowBar = 640.0F;  // a bar in which the speeds do not all fit
+constexpr float kNarrowBar = 640.0F;  // width below which the speeds do not all fit
 
 bool is_narrow_bar() {
     return ImGui::GetWindowWidth() < px(kNarrowBar);
@@ -25,13 +25,13 @@ bool icon_button(const char* name, Icon icon, const char* hint, bool chosen = fa
                               .tooltip = hint});
 }
 
-// A moment as the clock over the creature names it.
+// Returns a tick's time in the words of the clock above the creature.
 std::string moment_text(std::uint64_t tick, std::uint64_t settled) {
     if (tick < settled) return "settling";
     return format("%.2f s", static_cast<double>(tick - settled) * kBrainTick);
 }
 
-// The trial from start to end; the moment shown can be seen and chosen.
+// Draws the time bar of the trial. A click or drag seeks a tick.
 void draw_time_bar(const FrameContext& frame, Requests& out) {
     const ImVec2 low = ImGui::GetCursorScreenPos();
     const ImVec2 size = {ImGui::GetContentRegionAvail().x, px(12)};
@@ -67,7 +67,7 @@ void draw_time_bar(const FrameContext& frame, Requests& out) {
                 ". Drag to go through the trial; the mark is where the test begins.");
 }
 
-// The speeds as a list, where there is no room for all of them; the index chosen, or -1.
+// Draws the speeds as a list, for narrow bars. Returns the index chosen, or -1.
 int choose_speed(const std::vector<std::string>& labels, int chosen) {
     int pressed = -1;
     ImGui::SetCursorPosY(ImGui::GetCursorPosY() + px(2));
@@ -99,7 +99,7 @@ void draw_speeds(const FrameContext& frame, Requests& out) {
     out.ask(ChangeView{view});
 }
 
-// To the right; a viewer, in which nothing evolves, has only the room for what follows.
+// Draws the button "Newest" at the right. A viewer has no evolution, so it leaves the space empty.
 void draw_newest(const FrameContext& frame, Requests& out) {
     const float width = px(is_narrow_bar() ? 66 : 78);
     const float after = px(34) * 2 + px(4) * 4;

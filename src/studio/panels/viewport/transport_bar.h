@@ -4,7 +4,7 @@
 
 namespace cambrian {
 
-// Under the viewport: restart, play, one tick, speed, camera.
+// The bar under the viewport: restart, play, single tick, speed, camera.
 class TransportBar final : public Panel {
 public:
     void draw(const FrameContext& frame, Requests& out) override;

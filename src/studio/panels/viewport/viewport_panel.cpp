@@ -13,10 +13,11 @@
 namespace cambrian {
 namespace {
 
-constexpr double kFollowLag = 0.25;     // s
-constexpr double kFitShare = 0.32;      // of the viewport filled by a body that is fitted
-constexpr double kWheelFactor = 1.15;   // a notch
-constexpr float kWordsHeight = 100.0F;  // pixels from the top to below the words of the creature
+constexpr double kFollowLag = 0.25;    // s; time constant with which the camera follows
+constexpr double kFitShare = 0.32;     // share of the viewport filled by a body after FitView
+constexpr double kWheelFactor = 1.15;  // zoom factor per notch of the wheel
+// Pixels from the top that the text about the creature takes.
+constexpr float kWordsHeight = 100.0F;
 
 void shadowed_text(ImDrawList& list, ImFont* font, float size, const ImVec2& at, const Color& color,
                    const std::string& text) {
@@ -97,7 +98,8 @@ void ViewportPanel::place_camera(const FrameContext& frame) {
     const bool changed = seen_ != &frame.viewer.playback.creature().phenotype();
     seen_ = &frame.viewer.playback.creature().phenotype();
     if (changed && !fit_wanted_) {
-        // Another creature keeps the scale, so that sizes compare, unless it would not be seen.
+        // A new creature keeps the scale, so that sizes can be compared, unless it would not be
+        // visible.
         const WorldWindow bounds =
             body_window(*seen_, frame.viewer.playback.creature().motion().poses());
         const Vec2 pixels = (bounds.high - bounds.low) * canvas_.camera.pixels_per_metre;
@@ -145,7 +147,7 @@ void ViewportPanel::handle_mouse(const FrameContext& frame, Requests& out) {
     if (under >= 0) out.ask(ShowHighlight{{.part = under}});
 }
 
-// The left button takes hold of a part where it is pressed and pulls while held.
+// The left button grabs the part under the mouse and pulls it while held.
 void ViewportPanel::handle_poke(const FrameContext& frame, Requests& out) {
     const Vec2 mouse = mouse_in_world();
     const Vec3 target(mouse.x(), mouse.y(), 0.0);
@@ -202,7 +204,7 @@ void ViewportPanel::draw_marks(const FrameContext& frame) {
     const Camera& camera = canvas_.camera;
     const WorldWindow window = camera.window(size_);
     if (window.low.y() > 0.0) return;
-    // On ticks of the ground, as many apart as the words need.
+    // Places labels at marks of the ground, far enough apart for their text.
     const double tick = mark_spacing(camera, kTickPixels);
     const double room = kTickPixels * static_cast<double>(ui().scale);
     const double spacing = tick * std::ceil(room / (tick * camera.pixels_per_metre));
@@ -239,7 +241,7 @@ void ViewportPanel::add_overlays(const FrameContext& frame, const CreatureLook& 
                            frame.viewer.playback.creature().motion().center().head<2>());
 }
 
-// A name on a small plate, centred.
+// Draws a name on a small plate, centred.
 void ViewportPanel::draw_plate(const Vec2& at, const std::string& name) const {
     const Vec2 place = canvas_.camera.to_screen(at, size_);
     const WithFont font(ui().fonts.small);
@@ -253,7 +255,7 @@ void ViewportPanel::draw_plate(const Vec2& at, const std::string& name) const {
     list.AddText(low, paint(colors().text), name.c_str());
 }
 
-// Those that would cover another one are left out.
+// Draws the parts' names; leaves out those that would cover another one.
 void ViewportPanel::draw_part_names(const FrameContext& frame) const {
     const Phenotype& phenotype = frame.viewer.playback.creature().phenotype();
     std::vector<Vec2> taken;
@@ -273,11 +275,11 @@ void ViewportPanel::draw_part_names(const FrameContext& frame) const {
     }
 }
 
-// Above each ghost its generation; one that would cover another is moved.
+// Draws each ghost's generation above it; moves a label that would cover another one.
 void ViewportPanel::draw_ghost_labels(const FrameContext& frame) const {
     std::vector<Vec2> taken;
     const double line = static_cast<double>(px(20)) * canvas_.camera.pixel();
-    // Labels stay below the words about the creature.
+    // Labels stay below the text about the creature.
     const double highest =
         canvas_.camera.to_world({0.0, static_cast<double>(px(kWordsHeight))}, size_).y();
     for (const auto& ghost : frame.viewer.ghosts) {

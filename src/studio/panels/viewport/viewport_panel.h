@@ -9,10 +9,10 @@
 
 namespace cambrian {
 
-// The creature shown in its world, with camera and mouse.
+// Shows the displayed creature in its world; the mouse moves the camera and pulls parts.
 class ViewportPanel final : public Panel {
 public:
-    // Without a renderer (tests) everything but the picture works.
+    // Without a renderer, as in tests, the panel works but draws no scene.
     explicit ViewportPanel(Renderer* renderer) { canvas_.renderer = renderer; }
 
     void draw(const FrameContext& frame, Requests& out) override;
@@ -37,8 +37,8 @@ private:
     SceneCanvas canvas_;
     Viewport size_;
     bool fit_wanted_ = true;
-    unsigned fits_seen_ = 0;           // requests to fit the creature into view, so far
-    const Phenotype* seen_ = nullptr;  // shown at the last draw; compared only
+    unsigned fits_seen_ = 0;           // number of FitView requests handled so far
+    const Phenotype* seen_ = nullptr;  // creature of the last frame; compared only
     bool panning_ = false;
 };
 

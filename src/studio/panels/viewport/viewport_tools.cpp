@@ -28,7 +28,7 @@ bool line(const char* label, bool chosen, const char* help) {
     return pressed;
 }
 
-// The overlays, each with a switch; several may be switched one after the other.
+// Draws one switch for each overlay. The menu stays open while several are switched.
 void overlay_lines(const FrameContext& frame, Requests& out) {
     for (const OverlayKind& overlay : overlay_kinds()) {
         bool shown = frame.view.overlays.*overlay.shown;

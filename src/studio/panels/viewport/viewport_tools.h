@@ -6,10 +6,10 @@
 
 namespace cambrian {
 
-// Ghosts, overlays and help: small buttons in the upper right corner of the viewport.
+// Draws the small buttons in the viewport's upper right corner: ghosts, overlays and help.
 void draw_viewport_tools(const FrameContext& frame, const Rect& area, Requests& out);
 
-// The ghosts to choose from, in the order of GhostChoice, as lines of a menu.
+// Draws the choices of ghosts as menu lines, in the order of GhostChoice.
 void ghost_lines(const FrameContext& frame, Requests& out);
 
 }  // namespace cambrian
