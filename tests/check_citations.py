@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Fails where a comment or a README cites a page, or a numbered section of one, that the tree lacks.
+"""Fails if a comment or a README cites a page, or a numbered section of one, that does not exist.
 
     check_citations.py <root of the tree>
 
@@ -59,7 +59,7 @@ def faults_in(root):
 
 
 def check_checker():
-    """Finds each kind of fault in a tree made for it; a parser that misses something must not pass."""
+    """Finds each kind of fault in a test tree, so that a parser that misses one cannot pass."""
     with tempfile.TemporaryDirectory() as folder:
         root = pathlib.Path(folder)
         (root / 'src' / 'low').mkdir(parents=True)

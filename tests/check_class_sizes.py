@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-"""Fails where a class of a layer has too many members or functions, or a folder too many files.
+"""Fails if a class of a layer has too many members or functions, or a folder too many files.
 
     check_class_sizes.py <folder> --files 20 [--members 15 --functions 20] [--larger Class ...] [--list]
 
-Members are a class's own data; functions are what it declares itself, constructors, operators and
-deleted ones included. Friends, nested types and what it inherits do not count. Without --members
-and --functions only the folders are checked. Classes named with --larger are still to be divided;
-one that is no longer too large must not be named.
+Members are a class's own data. Functions are those it declares itself, including constructors,
+operators and deleted ones. Friends, nested types and inherited members do not count. Without
+--members and --functions only the folders are checked. Classes named with --larger may exceed the
+limits; a class that no longer does must not be named.
 """
 import argparse
 import pathlib
@@ -27,7 +27,7 @@ def without_literals(text):
 
 
 def end_of(text, start):
-    """The place after the bracket that closes the one at start."""
+    """Returns the position after the bracket that closes the one at start."""
     close, depth = PAIRS[text[start]], 0
     for i in range(start, len(text)):
         depth += (text[i] == text[start]) - (text[i] == close)
@@ -37,12 +37,12 @@ def end_of(text, start):
 
 
 def text_of(body, start):
-    """The text in the brackets that open at start, without inner braces."""
+    """Returns the text in the brackets that open at start, without inner braces."""
     return re.sub(r'\{[^{}]*\}', '', body[start:end_of(body, start)])
 
 
 def declarations(body):
-    """The declarations of a class's body, each without what its braces hold."""
+    """Returns the declarations in a class's body, each without the content of its braces."""
     words, i = '', 0
     while i < len(body):
         letter = body[i]
@@ -66,7 +66,7 @@ def declarations(body):
 
 
 def without_templates(words):
-    """The words without template arguments, however deep."""
+    """Removes template arguments at any depth."""
     before = None
     while before != words:
         before, words = words, re.sub(r'<[^<>]*>', '', words)
@@ -106,7 +106,7 @@ def classes_of(path):
 
 
 def check_counter():
-    """Counts a class whose figures are known; a parser that misses something must not pass."""
+    """Counts a class with known figures, so that a parser that misses something cannot pass."""
     body = '''
 public:
     explicit A(int x) : x_(x), y_{1} {}
@@ -127,7 +127,7 @@ private:
     A& other_;
 '''
     figures = count(without_literals(body))
-    # The pointer to a function counts as a function: it is declared like one.
+    # A pointer to a function counts as a function, since it is declared like one.
     if figures != (5, 7):
         sys.exit(f'check_class_sizes.py miscounts: {figures}')
 

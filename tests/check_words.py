@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Counts words of the project's former private dialect in comments, messages, test names and pages.
+"""Counts words that comments, messages, test names and pages should not use, since they are not
+terms of the field.
 
     check_words.py <root of the tree> [--list] [--clean <folder> ...]
 
@@ -18,7 +19,7 @@ LITERAL_OR_COMMENT = re.compile(
 
 
 def spoken(path):
-    """Pairs of line number and what a person reads there."""
+    """Yields line numbers and the text that a person reads there."""
     text = path.read_text(encoding='utf-8')
     if path.suffix == '.md':
         yield from enumerate(text.split('\n'), 1)

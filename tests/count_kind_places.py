@@ -1,11 +1,10 @@
 #!/usr/bin/env python3
-"""Counts, for each kind the program registers, the files of src/ that name it outside its own.
+"""Counts, for each kind that the program registers, the other files in src/ that name it.
 
-A kind is named by its quoted id, by the ids of its channels, by the function that registers it
-and by its enumerator, if it has one.
-Its own file, the header that declares that function and the list that calls it are not counted,
-nor are comments.
-With --most the count of each sort is held to a limit, so that the number can only fall.
+A kind is named by its quoted id, by the ids of its channels, by the function that registers it and
+by its enumerator, if it has one. Its own file, the header that declares that function, the list
+that calls it and comments do not count. With --most, the counts of each sort are limited, so that
+they can only fall.
 """
 
 import argparse
@@ -13,7 +12,7 @@ import pathlib
 import re
 import sys
 
-# Sort: the files that define its kinds, one or several a file; what registers one there; and the
+# For each sort: the files that define its kinds, the pattern that registers one there, and the
 # files that list the registrations. Group 1 of the pattern is the id.
 SORTS = {
     "sensor": ("sensors/*_sensor.cpp", r'sensors\.add\(\{\.id = "([^"]+)"'),
@@ -27,11 +26,11 @@ SORTS = {
     "integrator": ("dynamics/**/integrators/*.cpp", r'"([a-z-]+)"'),
     "joint": ("dynamics/joints/*.cpp", r'\.id = "([^"]+)"'),
 }
-# Ids that are the words of other things as well (keys of files, other sorts' kinds): of these only
-# the registration and the channels are looked for.
+# Ids that are also ordinary words, for example keys in files. Only their registration and channels
+# are searched for.
 COMMON_WORDS = {"joint", "contact", "effector", "weight", "source", "function", "root", "sum",
                 "product", "if"}
-# Sorts that an enumeration could repeat: kGrafting is "grafting".
+# Sorts that may have an enumeration, such as kGrafting for "grafting".
 ENUMERATED = {"breeding", "selection", "integrator"}
 COMMENT = re.compile(r"//.*")
 CHANNEL = re.compile(r'\{"([^"]+)", "[^"]+"(?:, \d+)?\}')
@@ -68,7 +67,7 @@ def is_named(name, text, path):
 
 
 def places(src, own, names):
-    """The files that name it: outside its own, the declaration and the list."""
+    """Returns the files that name it other than its own file, its declaration and the list."""
     found = []
     for path in sorted(src.rglob("*")):
         if path.suffix not in (".h", ".cpp") or path == own or path.name.startswith("builtin_"):

@@ -23,9 +23,9 @@ public:
     PickingDesk(const PickingDesk&) = delete;
     PickingDesk& operator=(const PickingDesk&) = delete;
 
-    // False if the inbox is full; try again next frame.
+    // Returns false if the inbox is full; the caller must try again in the next frame.
     bool send(PickingCommand command) { return inbox_.send(std::move(command)); }
-    // Newest snapshot; never null.
+    // Returns the newest snapshot; never null.
     const std::shared_ptr<const PickingSnapshot>& latest() { return snapshots_.latest(); }
     const EvaluationProgress& progress() const { return progress_; }
 

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-"""Whether our physics is as fast and as sound as it is meant to be: one Markdown table.
+"""Checks speed and accuracy of our physics against their bounds and prints one Markdown table.
 
     acceptance.py [--bin build/release/bin] [--parts instructions audit ...] [--quick]
 
-Runs the benchmarks of this folder (built with CAMBRIAN_BUILD_BENCH) on the default settings of the
-program and puts each figure beside its bound. Needs valgrind for the instructions. The rows that
-time need an idle machine; all others come out the same anywhere. `--quick` looks at few creatures
-for a short time: to see that everything runs, not to judge by.
+Runs the benchmarks of this folder (built with CAMBRIAN_BUILD_BENCH) with the program's default
+settings and prints each figure with its bound. The counts of instructions need valgrind. Timed rows
+need an idle machine; all others are the same on any machine. `--quick` runs few creatures for a
+short time: it shows that everything works, but its figures are not reliable.
 """
 
 import argparse
@@ -29,21 +29,22 @@ WORKLOADS = {"air": "air", "swim": "water", "walk": "walking"}
 GOALS = ["walking", "swimming", "jumping"]
 LEAST_SPEEDUP = {"air": [3.0, 3.3, 3.5, 3.8], "swim": [2.2, 2.8, 2.9, 4.4],
                  "walk": [2.0, 2.2, 2.2, 2.0]}
-CPU_TIME_SHARE = 0.9  # of the speedup in instructions that the one in CPU time must reach
+CPU_TIME_SHARE = 0.9  # share of the speedup in instructions that the speedup in CPU time must reach
 CHAMPION_SEEDS = range(1, 10)
 
 
 @dataclass
 class Row:
-    """One line of the table: figures, one a size or a single one, and what they are held to
-    (None: nothing)."""
+    """One row of the table: its figures, one per size or a single one, and their bound (None: no
+    bound)."""
     what: str
     figures: list
     least: list = None
     most: list = None
 
     def missed(self):
-        """Indices of the figures beyond the bound. Not a number is always beyond it."""
+        """Returns the indices of the figures beyond the bound. A figure that is not a number counts
+        as beyond."""
         def held(i, x):
             if self.least is not None:
                 return self.least[i] is None or x >= self.least[i]
@@ -101,7 +102,7 @@ class Bench:
         return result.stdout
 
     def table(self, name, program, *arguments):
-        """The CSV table that a program of ours writes."""
+        """Returns the CSV table that one of our programs writes."""
         path = self.folder / f"{name}.csv"
         self.run(self.bin / program, *arguments, "--csv", path)
         with open(path, newline="", encoding="utf-8") as file:
@@ -109,7 +110,7 @@ class Bench:
 
 
 def by_bodies(table, column, **wanted):
-    """The column's figures of the rows that have these values, one a size."""
+    """Returns the column's figures of the rows with these values, one per size."""
     found = {int(row["bodies"]): float(row[column]) for row in table
              if all(row[key] == value for key, value in wanted.items())}
     return [found[size] for size in BODIES]
@@ -160,7 +161,7 @@ def throughput(bench):
 def soundness(bench):
     sizes = ["--creatures", 3, "--seconds", 2] if bench.quick else []
     table = bench.table("accuracy", "cambrian_bench_accuracy", "--threads", bench.threads, *sizes)
-    # Joint angles have their bounds from the creatures of seed 0 on.
+    # The bounds of joint angles come from the creatures of seed 0 on.
     angles = bench.table("angles", "cambrian_bench_accuracy", "--threads", bench.threads,
                          "--measure", "angles", "--seed", 0, *sizes)
 
@@ -195,13 +196,13 @@ def soundness(bench):
 
 
 def fallbacks(bench):
-    """Nothing where the program that counts them is not built."""
+    """Returns nothing if the program that counts them is not built."""
     program = bench.bin / "cambrian_bench_rows"
     if not program.exists():
         return
     sizes = ["-n", 2, "--seconds", 2] if bench.quick else []
     told = bench.run(program, "--threads", bench.threads, *sizes)
-    # A line a size, the share of all problems in its last column.
+    # The output has one line per size; its last column is the share of all problems.
     found = {int(size): float(percent)
              for size, percent in re.findall(r"^ *(\d+) .*\| +([\d.]+) %$", told, re.MULTILINE)}
     yield Row("row problems that fall back to sweeps, walking, %",
@@ -242,8 +243,8 @@ def rest(bench):
 
 
 def finer_loss(bench, seed):
-    """Percent of its score that the champion of one default run of walking loses when computed
-    with Dormand-Prince at 1e-6 and a quarter of the contact step."""
+    """Returns the percentage of its score that the champion of a default run of walking loses when
+    it is computed with Dormand-Prince at 1e-6 and a quarter of the contact step."""
     champion = bench.folder / f"walking-{seed}.creature.json"
     settings = bench.folder / "walking.toml"
     settings.write_text(bench.run(bench.bin / "cambrian", "settings"), encoding="utf-8")

@@ -1,8 +1,8 @@
-"""What a cluster costs: a run on N threads of one machine beside the same run by a coordinator of one
-thread and a worker of N-1, both on this machine, one after the other, several times. Prints the
-ratios of wall time and of processor time (of coordinator, worker and server together), and fails if
-the digests differ. Workers run at low priority, so wall times mean something on a machine that has
-nothing else to do; processor times mean something on any.
+"""Measures the overhead of a cluster. It runs the same evolution on N threads of one machine, and
+with a coordinator of one thread and a worker of N-1 on this machine, in turn and several times.
+Prints the ratios of wall time and of processor time (of coordinator, worker and server together),
+and fails if the digests differ. Workers have low priority, so wall times need an otherwise idle
+machine; processor times do not.
 
     CAMBRIAN=build/release/bin/cambrian python3 -B tests/bench/cluster_overhead.py \\
         --settings assets/settings/walking.toml --population 300 --generations 6 --times 3
@@ -47,7 +47,8 @@ class Measurement:
         return processor_seconds(self.server.process.pid) + processor_seconds(self.worker.pid)
 
     def run(self, name, threads, *options):
-        """Wall and processor time of the generations after the first, in which workers appear."""
+        """Returns wall and processor time of all generations but the first, in which workers
+        join."""
         out = self.folder / f"{name}.cambrian"
         out.unlink(missing_ok=True)
         run = subprocess.Popen(

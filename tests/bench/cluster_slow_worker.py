@@ -1,7 +1,7 @@
-"""What a worker that is 20 times slower than the others costs a run: wall time of the generations of a
-coordinator and a worker, of one thread each, with such a worker beside without it, one after the
-other, several times. Fails if the digests differ. The bound is 1.3 times, on a machine with three
-cores that has nothing else to do.
+"""Measures how much a worker that is 20 times slower than the others delays a run. It compares the
+wall time of a coordinator and a worker of one thread each with and without such a worker, in turn
+and several times. Fails if the digests differ. The ratio must be below 1.3 on an otherwise idle
+machine with three cores.
 
     CAMBRIAN=build/release/bin/cambrian FAULTY_PROGRAM=build/release/bin/faulty_program \\
         python3 -B tests/bench/cluster_slow_worker.py --population 300 --generations 8 --times 3
@@ -31,7 +31,7 @@ def start_worker(program, server, name):
 
 
 def seconds_of_run(asked, folder, name, slow):
-    """Wall time of the generations after the first ones, in which workers appear."""
+    """Returns the wall time of all generations but the first ones, in which workers join."""
     server = NatsServer(folder / f"server-{name}")
     workers = [start_worker(CAMBRIAN, server, "worker")]
     if slow:

@@ -1,5 +1,5 @@
-"""Whether the studio feels fast while it evolves: the real program in a window of its own, on a
-virtual display with OpenGL in software, timed by its own logs. README.md beside it tells more."""
+"""Measures how responsive the studio is during evolution: the real program in a window on a virtual
+display, with OpenGL in software, timed by its own logs. See README.md in this folder."""
 
 import argparse
 import csv
@@ -16,14 +16,14 @@ import time
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tests/cli"))
-from nats_server import NatsServer  # noqa: E402: its folder is named above
+from nats_server import NatsServer  # noqa: E402: its folder is added to the path above
 WIDTH, HEIGHT = 1920, 1080
-PATIENCE = 60  # s; for the window to come, to answer and to go
+PATIENCE = 60  # s; for the window to open, to respond and to close
 LONG_FRAME = 33.0  # ms
 INPUT_EVERY = 3.0  # s
-F1 = 290  # as GLFW numbers keys
+F1 = 290  # GLFW key code
 
-# name: (most that is well, unit)
+# name: (upper bound, unit)
 AIMS = {
     "frames over 33 ms": (5.0, "%"),
     "longest frame": (100.0, "ms"),
@@ -33,13 +33,13 @@ AIMS = {
 }
 
 EVOLVING = "[population]\nsize = {size}\n"
-# What is kept of a creature does not depend on how long it was tried, so short trials reach the
-# generation at which memory is read within minutes.
+# What is stored of a creature does not depend on the length of its trial. With short trials, the
+# generation at which memory is read is reached within minutes.
 QUICK = EVOLVING + "[trial]\nduration = 1\n"
 
 
 class Display:
-    """A virtual X display of its own whose pixels can be looked at while they change."""
+    """A separate virtual X display whose pixels can be read while they change."""
 
     def __init__(self, folder):
         reading, writing = os.pipe()
@@ -53,8 +53,8 @@ class Display:
         self.environment = dict(os.environ, DISPLAY=name, LIBGL_ALWAYS_SOFTWARE="1")
         with (folder / "Xvfb_screen0").open("rb") as file:
             self.screen = mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ)
-        # The head of an XWD file: its own length, and further on the bytes of a line of pixels and
-        # the number of colours between head and pixels, each of 12 bytes.
+        # The head of an XWD file contains its own length and, further on, the bytes per row of
+        # pixels and the number of colours between head and pixels, 12 bytes each.
         head = struct.unpack(">25I", self.screen[:100])
         self.first_pixel, self.line = head[0] + 12 * head[19], head[12]
 
@@ -91,7 +91,7 @@ class Cluster:
 
 
 class Studio:
-    """The program, evolving from its start, with its logs in a folder."""
+    """The program, which evolves from its start on, with its logs in a folder."""
 
     def __init__(self, display, folder, options, settings, cluster=None):
         self.display = display
@@ -120,7 +120,7 @@ class Studio:
         return [event for event in map(json.loads, whole_lines) if event["event"] == name]
 
     def wait_for(self, name, count=1, patience=PATIENCE):
-        """The last of so many events of this name."""
+        """Returns the last of `count` events of this name."""
         end = time.monotonic() + patience
         while time.monotonic() < end:
             found = self.events(name)
@@ -132,13 +132,13 @@ class Studio:
         return sys.exit(f"no '{name}' within {patience} s")
 
     def memory(self):
-        """Resident, in MB."""
+        """Returns the resident memory in MB."""
         status = pathlib.Path(f"/proc/{self.process.pid}/status").read_text()
         resident = next(line for line in status.splitlines() if line.startswith("VmRSS:"))
         return int(resident.split()[1]) / 1024
 
     def frames(self):
-        """The logged frames; complete once the program has ended."""
+        """Returns the logged frames; they are complete when the program has ended."""
         with self.frame_log.open(newline="") as file:
             return [{name: float(value) for name, value in row.items()}
                     for row in csv.DictReader(file)]
@@ -149,16 +149,16 @@ class Studio:
 
 
 class Toggle:
-    """The help card, which F1 brings and takes away: what was pressed when, and when the screen
-    showed it."""
+    """The help card, which F1 opens and closes. Records the time of each press and the time at
+    which the screen showed its effect."""
 
-    # In the margin of the card, in the middle of the window; the viewport is under it.
+    # A point in the margin of the card, in the middle of the window; the viewport is behind it.
     PLACE = (WIDTH // 2 - 420, HEIGHT // 2 - 310)
 
     def __init__(self, studio):
         self.studio = studio
         self.pressed = 0
-        self.seen = []  # (which press, s when visible)
+        self.seen = []  # (index of the press, s when visible)
         without = self.studio.display.pixel(*self.PLACE)
         self.press()
         time.sleep(1.0)
@@ -183,8 +183,8 @@ class Toggle:
         self.studio.display.tool("keyup", "F1")
 
     def frames(self):
-        """For each press seen: the frames begun from the one that read it to the one that showed
-        it, both counted."""
+        """For each press that was seen: the number of frames from the one that read it to the one
+        that showed its effect, both included."""
         begun = self.studio.frames()
         presses = [event for event in self.studio.events("pressed") if event["key"] == F1]
         return [sum(frame["began_s"] <= seen and frame["frame"] >= presses[press - 1]["frame"]
@@ -198,8 +198,8 @@ def quantile(values, share):
 
 
 def measure_frames(display, folder, options, cluster):
-    """A while of evolving, the help card coming and going; with a cluster, the table of machines
-    behind it."""
+    """Evolves for some time while the help card opens and closes; with a cluster, the table of
+    machines is shown behind it."""
     studio = Studio(display, folder, options, EVOLVING.format(size=options.size), cluster)
     if cluster:
         while studio.events("machines")[-1]["machines"] <= options.workers:
@@ -243,7 +243,7 @@ def measure_memory(display, folder, options):
 
 
 def warm_up(display, folder, options):
-    """Has the program's files in memory before its start is timed."""
+    """Loads the program's files into memory before its start is timed."""
     Studio(display, folder, options, EVOLVING.format(size=options.size)).close()
 
 

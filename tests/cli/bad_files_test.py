@@ -1,4 +1,5 @@
-"""Files that are empty, cut off, of another kind, huge or hostile: one message, status 2."""
+"""Files that are empty, truncated, of another kind, huge or malicious give one message and status
+2."""
 
 import os
 import subprocess
@@ -74,7 +75,7 @@ class BadFiles(ProgramTest):
         self.refuse_settings("deep.toml", "line 1")
 
     def memory_of(self, *arguments):
-        """The most memory the program held while it ran, in bytes."""
+        """Returns the program's peak memory in bytes."""
         with subprocess.Popen([CAMBRIAN, *arguments], cwd=self.folder, stdout=subprocess.DEVNULL,
                               stderr=subprocess.DEVNULL) as process:
             _, status, usage = os.wait4(process.pid, 0)

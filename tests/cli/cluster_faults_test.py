@@ -1,5 +1,5 @@
-"""Drills with a real server: a network that is cut, and workers with the faults of faulty_program.
-Every run has the bits it has on one thread."""
+"""Faults with a real server: a network that is cut, and workers with the faults of faulty_program.
+Every run must have the bits of the run on one thread."""
 
 import json
 import os
@@ -13,10 +13,10 @@ from experiment_tables import digests
 from network_cut import CuttableNetwork
 from program import DONE, FAILED, FAULTY_PROGRAM
 
-# How long a network is cut; 30 s are a longer drill than a test needs.
+# Time in s for which a network is cut; 30 s would be realistic but too long for a test.
 CUT_SECONDS = float(os.environ.get("CAMBRIAN_CUT_SECONDS", 6))
 
-# A generation takes seconds on a core, and the run goes on for as long as a test looks at it.
+# A generation takes seconds on a core, and the run lasts longer than any test.
 ENDLESS = """
 [run]
 generations = 10000
@@ -26,7 +26,7 @@ size = 40
 duration = 60
 """
 
-MOST_GENERATIONS = 20  # that a drill looks at until it sees what it waits for
+MOST_GENERATIONS = 20  # that a test waits for
 
 
 class FaultTest(ClusterTest):
@@ -35,7 +35,7 @@ class FaultTest(ClusterTest):
                           env={"CAMBRIAN_FAULT": fault})
 
     def evolve(self, name, *options, **more):
-        """Its generations go to a file: nothing waits for them to be read."""
+        """Starts a run whose output goes to a file, so that it never waits for a reader."""
         with open(self.folder / f"{name}.json", "wb") as lines:
             run = super().evolve(name, *options, stdout=lines, **more)
         run.lines = open(self.folder / f"{name}.json", encoding="utf-8")
@@ -56,7 +56,7 @@ class FaultTest(ClusterTest):
         self.fail(run.log.read_text())
 
     def generations_until(self, run, wanted):
-        """Those up to the first for which it holds."""
+        """Returns the generations up to the first for which the condition holds."""
         found = []
         while len(found) < MOST_GENERATIONS:
             found.append(self.next_generation(run))
@@ -65,7 +65,7 @@ class FaultTest(ClusterTest):
         self.fail(f"it did not happen: {found}")
 
     def deliver_again_after(self, server, seconds):
-        """Tests need not wait for as long as the server does."""
+        """Shortens the server's time until a message is delivered again."""
         client = server.client()
         about = client.request("$JS.API.CONSUMER.INFO.cambrian-WORK.workers")["config"]
         about["ack_wait"] = int(seconds * 1e9)
@@ -76,7 +76,7 @@ class FaultTest(ClusterTest):
         client.close()
 
     def messages_of(self, server, *subjects):
-        """A client that hears them from now on."""
+        """Returns a client that receives these messages from now on."""
         client = server.client()
         for number, subject in enumerate(subjects, 1):
             client.subscribe(subject, number)
@@ -85,7 +85,7 @@ class FaultTest(ClusterTest):
         return client
 
     def wait_to_hear(self, client, wanted, seconds=120):
-        """The first message for which it holds."""
+        """Returns the first message for which the condition holds."""
         end = time.monotonic() + seconds
         while time.monotonic() < end:
             for subject, body in client.flush()[1]:
@@ -96,7 +96,7 @@ class FaultTest(ClusterTest):
 
 
 class Cuts(FaultTest):
-    """One of two workers is behind a network that is cut for some seconds."""
+    """One of two workers is connected through a network that is cut for some seconds."""
 
     def setUp(self):
         super().setUp()
@@ -133,7 +133,7 @@ class Cuts(FaultTest):
         self.end()
 
     def test_late_results_of_a_network_that_was_cut_are_compared(self):
-        """The coordinator is stopped meanwhile, so that its generation has not ended."""
+        """The coordinator is stopped meanwhile, so that its generation does not end."""
         self.wait_for_results(self.server)
         self.deliver_again_after(self.server, 3)
         counts = {}
@@ -154,7 +154,7 @@ class Cuts(FaultTest):
         self.end()
 
     def wait_until_all_is_answered(self):
-        """What the far worker has in hand is delivered to the near one."""
+        """Waits until the units of the far worker were delivered to the near one."""
         client = self.server.client()
         end = time.monotonic() + 120
         left = 1
@@ -191,10 +191,11 @@ class Faults(FaultTest):
         self.fail("the first flipped result came after its generation each time")
 
     def refuses_a_flipping_worker(self, server, name):
-        """False if the first flipped result came after its generation had ended, as on a busy machine:
-        such a result counts for nothing, and the next one is only drawn by chance."""
+        """Returns false if the first changed result came after the end of its generation, as
+        happens on a busy machine. Such a result has no effect, and the next changed result is
+        checked only by chance."""
         faulty = self.start_faulty(server.url, "flips")
-        # So that batches, of which the worker tells, are generations.
+        # Batches, whose number the worker prints, are then generations.
         settings = ENDLESS + "[selection]\nconfirmations = 0\n"
         run = self.evolve(name, "--cluster", server.url, settings=settings)
         end = time.monotonic() + 120

@@ -1,4 +1,4 @@
-"""A program that was built without libnats."""
+"""A program that was built without libnats says so."""
 
 import unittest
 

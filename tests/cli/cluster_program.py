@@ -11,7 +11,7 @@ from experiment_tables import digests
 from nats_server import PLAIN, NatsServer
 from program import CAMBRIAN, ProgramTest
 
-# Long enough that workers take part: some seconds on a core.
+# The run lasts some seconds on a core, long enough for workers to join.
 SETTINGS = """
 [run]
 generations = 12
@@ -23,7 +23,7 @@ duration = 12
 
 
 class ClusterTest(ProgramTest):
-    """Each test has a server of its own; everything ends with the test."""
+    """Each test has its own server; all processes end with the test."""
 
     def setUp(self):
         super().setUp()
@@ -45,7 +45,7 @@ class ClusterTest(ProgramTest):
                     stream.close()
 
     def start(self, *arguments, program=CAMBRIAN, **options):
-        """A process of the program; its messages go to a file."""
+        """Starts a process of the program; its messages go to a file."""
         environment = dict(os.environ, **options.pop("env", {}))
         options.setdefault("stdout", subprocess.PIPE)
         number = len(self.processes)
@@ -62,7 +62,7 @@ class ClusterTest(ProgramTest):
         return self.start("worker", url, "--threads", 1, "--name", name, *options, **more)
 
     def wait_for_workers(self, url, count, *options):
-        """Until so many say hello."""
+        """Waits until so many workers announce themselves."""
         end = time.monotonic() + 30
         while time.monotonic() < end:
             lines = self.run_well("cluster", url, "--json", *options).stdout.splitlines()
@@ -80,7 +80,7 @@ class ClusterTest(ProgramTest):
         self.fail(f"'{text}' was not said: {process.log.read_text()}")
 
     def wait_for_results(self, server, count=1, seconds=60):
-        """Until workers have sent so many results from now on."""
+        """Waits until workers have sent so many more results."""
         client = server.client()
         client.subscribe("cambrian.result.>")
         end = time.monotonic() + seconds
@@ -103,18 +103,18 @@ class ClusterTest(ProgramTest):
                           "--json", *options, **more)
 
     def finish(self, run, seconds=240):
-        """The generations' lines of a run that ends well."""
+        """Returns the lines of the generations of a run that ends successfully."""
         text, _ = run.communicate(timeout=seconds)
         self.assertEqual(run.returncode, 0, run.log.read_text())
         return [json.loads(line) for line in text.splitlines()][:-1]
 
     def local_digests(self, settings=SETTINGS):
-        """What every run must come to, whoever computes it."""
+        """Returns the digests of the run on one machine, which every other run must have."""
         self.finish(self.evolve("local", settings=settings))
         return digests(self.folder / "local.cambrian")
 
     def end_and_compare(self, run, name, settings):
-        """Ends a run that would go on for long; what it has finished is what one machine gets."""
+        """Ends a long run and compares its finished generations with those of one machine."""
         end = time.monotonic() + 60
         while len(digests(self.folder / f"{name}.cambrian")) < 2 and time.monotonic() < end:
             time.sleep(0.1)
@@ -129,7 +129,7 @@ class ClusterTest(ProgramTest):
 
     @staticmethod
     def sums(generations):
-        """The counts of the cluster, over all generations."""
+        """Returns the cluster's counts, summed over all generations."""
         total = {}
         for generation in generations:
             for key, value in generation["cluster"].items():
@@ -138,7 +138,7 @@ class ClusterTest(ProgramTest):
         return total
 
     def resident_memory(self, process):
-        """In bytes."""
+        """Returns the resident memory in bytes."""
         status = pathlib.Path(f"/proc/{process.pid}/status").read_text()
         return next(int(line.split()[1]) * 1024 for line in status.splitlines()
                     if line.startswith("VmRSS"))

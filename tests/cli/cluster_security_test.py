@@ -1,4 +1,4 @@
-"""Who may what on a cluster's server, with the configuration that is installed; and encryption."""
+"""Permissions on a cluster's server with the installed configuration, and encryption."""
 
 import re
 import subprocess
@@ -15,7 +15,7 @@ WORKER = ("worker", "worker-password")
 COORDINATOR = ("coordinator", "coordinator-password")
 RUN = "%016x" % 5
 
-# What the roles may not do, each tried below.
+# Actions that are forbidden to the roles; each one is tried below.
 FORBIDDEN_TO_WORKERS = [
     ("publish", f"cambrian.work.{RUN}.1.1"),               # hand out work
     ("publish", f"cambrian.stop.{RUN}"),                   # end a run
@@ -30,7 +30,7 @@ FORBIDDEN_TO_WORKERS = [
     ("publish", "$JS.API.CONSUMER.DELETE.cambrian-WORK.workers"),
     ("publish", "_INBOX.cambrian.coordinator.x"),          # answer for the server
     ("publish", "elsewhere"),
-    ("subscribe", "_INBOX.>"),                             # read what others are answered
+    ("subscribe", "_INBOX.>"),                             # read answers to others
     ("subscribe", "_INBOX.cambrian.coordinator.>"),
     ("subscribe", "cambrian.work.>"),
     ("subscribe", "cambrian.result.>"),
@@ -52,7 +52,7 @@ FORBIDDEN_TO_COORDINATORS = [
 
 
 def sample_permissions():
-    """The sample configuration, but for what the tests' server says itself."""
+    """Returns the sample configuration without the parts that the tests' server sets itself."""
     text = SAMPLE.read_text()
     text = re.sub(r"^(host|port):.*$", "", text, flags=re.MULTILINE)
     return re.sub(r"^jetstream \{.*?^\}$", "", text, flags=re.MULTILINE | re.DOTALL)
@@ -131,7 +131,7 @@ class Roles(SecurityTest):
 
 
 class Tokens(SecurityTest):
-    """Credentials files as NATS's own tools write them (*.creds)."""
+    """Credentials files in the format of NATS's own tools (*.creds)."""
 
     def setUp(self):
         super().setUp()
@@ -169,7 +169,7 @@ class Tokens(SecurityTest):
 
 
 class Encryption(SecurityTest):
-    """Certificates are made by openssl, for the name localhost unless said otherwise."""
+    """Certificates made by openssl, for the name localhost unless given."""
 
     def make_authority(self):
         self.openssl("req", "-x509", "-newkey", "rsa:2048", "-nodes", "-keyout", "ca.key", "-out",

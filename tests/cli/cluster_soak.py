@@ -1,9 +1,9 @@
-"""A cluster for as long as one likes: one coordinator with one run all the time and another run after
-run, one worker that stays, others that come and go, a server that is killed in the first quarter.
-Fails if the least memory of the server, the long run or the worker grows by more than 5 % from the
-second quarter of the time to the last (the least, since a collector of garbage takes more for a
-while), if a run's digests are not those of a run on one machine, or if anything is left in the
-streams.
+"""Runs a cluster for a given time. One coordinator has one long run, another has run after run; one
+worker stays while others join and leave, and the server is killed in the first quarter. Fails if
+the memory of the server, the long run or the worker grows by more than 5 % from the second quarter
+of the time to the last. The lowest memory of each quarter counts, since garbage collectors use more
+at times. Also fails if a run's digests differ from those of one machine, or if the streams are not
+empty at the end.
 
     CAMBRIAN=build/release/bin/cambrian python3 -B tests/cli/cluster_soak.py --minutes 30
 """
@@ -19,7 +19,7 @@ import unittest
 from cluster_program import ClusterTest
 from experiment_tables import digests
 
-# About a minute on a core that is shared.
+# The run lasts about a minute on a core that is shared.
 SETTINGS = """
 [run]
 generations = 60
@@ -29,7 +29,7 @@ size = 40
 duration = 60
 """
 MINUTES = 30.0
-PAUSE = 5.0  # s between looks at the processes
+PAUSE = 5.0  # s between two looks at the processes
 GROWTH = 1.05
 
 
@@ -41,7 +41,8 @@ class Soak(ClusterTest):
         server = self.start_server()
         steady = self.start_worker(server.url, "steady")
         endless = SETTINGS.replace("generations = 60", "generations = 1000000")
-        # Nobody reads its lines: a pipe would be full after some generations.
+        # The lines go to a file, since a pipe without a reader would be full after some
+        # generations.
         long = self.evolve("long", "--cluster", server.url, settings=endless,
                            stdout=subprocess.DEVNULL)
         run, passing, samples, finished = None, [], [], 0

@@ -1,4 +1,5 @@
-"""Evolution on several machines: whoever computes, a run has the bits it has on one thread."""
+"""Evolution on several machines: a run has the bits of the run on one thread, whoever computes
+it."""
 
 import json
 import os
@@ -12,7 +13,7 @@ import zlib
 from cluster_program import ClusterTest
 from nats_server import HOST
 
-# A generation takes seconds on a core, so that there is something to interrupt.
+# A generation takes seconds on a core, so that it can be interrupted.
 SLOW = """
 [run]
 generations = 6
@@ -22,7 +23,7 @@ size = 40
 duration = 60
 """
 
-# Never ends by itself while a test looks at it.
+# Lasts longer than any test.
 ENDLESS = SLOW.replace("generations = 6", "generations = 10000")
 
 NOBODY_HEARD = ("nobody is heard on this cluster; workers that wait for its first run are "
@@ -123,7 +124,7 @@ class Runs(ClusterTest):
         self.wait_for_results(server)
         workers[0].send_signal(signal.SIGSTOP)
         time.sleep(3)
-        workers[0].send_signal(signal.SIGCONT)  # its late results are doubles
+        workers[0].send_signal(signal.SIGCONT)  # its late results are duplicates
         self.wait_for_results(server, 3)
         self.end_and_compare(run, "stuck", ENDLESS)
 
@@ -166,7 +167,7 @@ class Runs(ClusterTest):
 
 class Garbage(ClusterTest):
     def bodies(self, chance):
-        """One message that nobody should ever send."""
+        """Returns a malformed message, chosen at random."""
         kind = chance.randrange(5)
         if kind == 0:
             return chance.randbytes(chance.randrange(200))
@@ -203,7 +204,7 @@ class Garbage(ClusterTest):
 
 
 class Mistakes(ClusterTest):
-    """One message each, at once."""
+    """Each mistake on the command line gives one message at once."""
 
     def assert_refused_by_all(self, url, *parts, options=()):
         self.write("settings.toml", "[run]\ngenerations = 1\n[population]\nsize = 6\n")

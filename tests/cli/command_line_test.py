@@ -1,4 +1,4 @@
-"""Usage: help, versions and mistakes."""
+"""Usage: help, versions and wrong arguments."""
 
 import unittest
 

@@ -1,4 +1,4 @@
-"""Ways of evolving compared on several machines: the table is the one of a single machine."""
+"""`cambrian compare` gives the same table on several machines as on one."""
 
 import csv
 import unittest
@@ -17,7 +17,7 @@ COMPARISON = ("compare", "--world", "world.toml", "--sweep", "selection.survival
 
 class CompareOnSeveralMachines(ClusterTest):
     def table(self, folder):
-        """All but the time that each run took."""
+        """Returns the table without the times of the runs."""
         with (self.folder / folder / "runs.csv").open(newline="") as file:
             rows = list(csv.DictReader(file))
         for row in rows:

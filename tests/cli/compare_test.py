@@ -1,4 +1,4 @@
-"""cambrian compare: settings side by side, and what that says."""
+"""cambrian compare: evolution with several settings, and the report on their differences."""
 
 import csv
 import json
@@ -120,7 +120,7 @@ class TypedSettings(ProgramTest):
         self.assertEqual(once["fitness"], many["fitness"])
         self.assertGreater(len(set(many["repeated"])), 1)
         same = self.run_well(*command, "--repeat", 4, "--set", "confirm-jitter=0").stdout
-        self.assertLessEqual(len(set(json.loads(same)["repeated"])), 2)  # the first is finer
+        self.assertLessEqual(len(set(json.loads(same)["repeated"])), 2)  # the first one is finer
         told = self.run_well("simulate", "champion.creature.json", "--repeat", 4).stdout
         self.assertRegex(told, r"in 4 worlds a hair different: median \S+ BL/s, \S+ to \S+")
 

@@ -1,5 +1,5 @@
-"""What the program writes about itself: the manual page, the shells' completion, the schema; and
-that an installed program finds what was installed with it."""
+"""The documents that the program writes: the manual page, the shells' completion, the schema. Also
+tests that an installed program finds its installed files."""
 
 import os
 import pathlib
@@ -14,7 +14,7 @@ BUILD = pathlib.Path(CAMBRIAN).resolve().parents[1]
 
 
 def names_in(help_text):
-    """The options and subcommands that a --help names."""
+    """Returns the options and subcommands in the output of --help."""
     options = set(re.findall(r"(?<![\w-])(--?[a-z][a-z-]*)\b", help_text.split("Example:")[0]))
     _, _, subcommands = help_text.partition("Subcommands:")
     return options, re.findall(r"^  ([a-z]+)", subcommands, re.MULTILINE)
@@ -22,7 +22,7 @@ def names_in(help_text):
 
 class Documents(ProgramTest):
     def everything(self):
-        """Every subcommand with its options."""
+        """Returns every subcommand with its options."""
         options, subcommands = names_in(self.run_well("--help").stdout)
         self.assertGreaterEqual(len(subcommands), 8)
         named = {"": options}
@@ -54,7 +54,7 @@ class Documents(ProgramTest):
                 self.assertEqual(result.stdout, "")
 
     def complete(self, *words):
-        """What bash offers for the last of the words, in a folder with some files."""
+        """Returns bash's completions of the last word, in a folder with some files."""
         self.write("completion.bash", self.run_well("completion", "bash").stdout)
         for name in ["a.creature.json", "two words.creature.json", "b.toml", "c.txt", "d.csv"]:
             self.write(name, "")

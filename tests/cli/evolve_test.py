@@ -1,4 +1,4 @@
-"""cambrian evolve: what it reports, what it keeps, and that it is the same every time."""
+"""cambrian evolve: its reports, its files, and that it is reproducible."""
 
 import json
 import os
@@ -142,7 +142,7 @@ class Evolve(ProgramTest):
             [CAMBRIAN, "evolve", "small.toml", "-n", "20", "-o", "gone/a.creature.json"],
             cwd=self.folder, env=dict(os.environ, TMPDIR=str(refuge)), stdout=subprocess.PIPE,
             stderr=subprocess.PIPE, encoding="utf-8")
-        process.stdout.readline()  # generation 0; the champion is written after the last one
+        process.stdout.readline()  # generation 0; the champion is written last
         (self.folder / "gone").rename(self.folder / "elsewhere")
         _, messages = process.communicate(timeout=600)
         if process.returncode == DONE:

@@ -1,4 +1,4 @@
-"""What tests look up in experiment files, past the program."""
+"""Reads experiment files without the program, for tests."""
 
 import contextlib
 import sqlite3
@@ -9,7 +9,7 @@ def opened(path):
 
 
 def digests(path):
-    """Of the populations, one a generation."""
+    """Returns the digest of each generation's population."""
     with opened(path) as database:
         return [row[0] for row in database.execute(
             "SELECT population_digest FROM generations ORDER BY generation")]

@@ -1,4 +1,4 @@
-"""Experiment files: kept while a run goes on, resumed, exported, computed again, killed."""
+"""Experiment files: saved during a run, resumed, exported, computed again, and after a crash."""
 
 import json
 import os
@@ -137,7 +137,8 @@ class Experiment(ProgramTest):
         self.assertEqual(digests(disk / "a.cambrian"), digests(self.folder / "b.cambrian"))
 
     def test_killed_at_any_moment_it_goes_on_to_the_same_end(self):
-        """kill -9 KILLS times on the way to the last generation; never more than one is lost."""
+        """Kills the program (kill -9) KILLS times before the last generation; each kill loses at
+        most one generation."""
         self.write("tiny.toml", SMALL.replace("duration = 2", "duration = 0.5"))
         generations = 30 * KILLS
         chance = random.Random(7)

@@ -1,4 +1,5 @@
-"""Settings at and beyond the ends of their ranges: a clear error, or a finished run. Never a hang."""
+"""Settings at and beyond the ends of their ranges give a clear error or a finished run, and never
+hang."""
 
 import json
 import math
@@ -9,7 +10,7 @@ import unittest
 
 from program import CAMBRIAN, FAILED, ProgramTest
 
-# The ends of every range that shapes a trial's motion: table, key, lowest, highest.
+# The ranges of all settings that influence a trial's motion: table, key, lowest, highest.
 RANGES = [
     ("environment", "gravity", 0, 1000),
     ("environment", "gravity-direction", -180, 180),
@@ -29,14 +30,15 @@ RANGES = [
     ("trial", "settle-limit", 0, 60),
 ]
 
-# Creatures of the smallest and of the largest parts.
+# Creatures with the smallest and with the largest parts.
 TINY = "[body]\nmin-length = 0.08\nmax-length = 0.08\nmin-width = 0.08\nmax-width = 0.08\n"
 HUGE = ("[body]\nmin-length = 1.6\nmax-length = 1.6\nmin-width = 0.96\nmax-width = 0.96\n"
         "max-nodes = 16\nmax-parts = 32\n")
 
 
 def settings(values, body=""):
-    """A settings file with these values, a short trial and few creatures unless they say else."""
+    """Returns a settings file with these values; by default it has a short trial and few
+    creatures."""
     tables = {"run": {"generations": 1}, "population": {"size": 4}, "trial": {"duration": 0.3}}
     for table, key, value in values:
         tables.setdefault(table, {})[key] = value

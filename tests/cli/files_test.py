@@ -1,4 +1,5 @@
-"""Paths: what a command reads and writes at once, odd files and folders, and what is left behind."""
+"""Paths: commands that read and write the same file, special files and folders, and leftover
+files."""
 
 import ctypes
 import json
@@ -17,14 +18,15 @@ from program import BAD_INPUT, CAMBRIAN, FAILED, NOBODY, SMALL, ProgramTest
 
 
 def gone_process():
-    """The number of a process that has ended."""
+    """Returns the id of a process that has ended."""
     process = subprocess.Popen(["true"])
     process.wait()
     return process.pid
 
 
 class FolderWatch:
-    """The names of all that came to be in a folder meanwhile, also of what has gone again."""
+    """Records the names of all files created in a folder, including those that were deleted
+    again."""
 
     CREATED, MOVED_TO = 0x100, 0x80
 
@@ -72,7 +74,7 @@ class Files(ProgramTest):
         process.stdout.readline()
         return process
 
-    # -- onto an input or a live file
+    # -- output to an input or to a file in use
 
     def test_no_command_writes_onto_what_it_reads(self):
         self.evolve("-o", "run.cambrian")
@@ -185,7 +187,7 @@ class Files(ProgramTest):
         self.read_all(["run.cambrian"])
 
     def test_a_crashed_experiment_is_read_where_nothing_can_be_written(self):
-        """With and without the file in which SQLite's readers meet; through a link as well."""
+        """With and without the file that SQLite's readers share, and through a link."""
         process = self.start("evolve", "small.toml", "-n", "100000", "-o", "run.cambrian")
         process.stdout.readline()
         process.kill()
@@ -209,7 +211,7 @@ class Files(ProgramTest):
             self.run_well(*arguments)
             self.assertEqual(self.contents(), before, arguments)
 
-    # -- files that are none
+    # -- paths that are not regular files
 
     def test_fifos_sockets_folders_and_devices_are_no_experiments(self):
         os.mkfifo(self.folder / "pipe.cambrian")
@@ -241,7 +243,7 @@ class Files(ProgramTest):
             self.assertEqual(len(digests(self.folder / name)), 3)
         self.assertEqual(len(self.files()), 5)
 
-    # -- what is left behind
+    # -- leftover files
 
     def test_what_a_killed_program_left_is_taken_away(self):
         stale = f".cambrian-{gone_process()}-"
@@ -252,14 +254,14 @@ class Files(ProgramTest):
         self.assertEqual(self.files(), [".cambrian-1-1", "all.toml", "small.toml"])
 
     def test_an_experiment_is_complete_from_the_moment_it_is_there(self):
-        """At no time is there a rollback journal that a kill could leave beside it."""
+        """At no time is there a rollback journal that would remain after a kill."""
         with FolderWatch(self.folder) as watch:
             self.evolve("-o", "run.cambrian")
         self.assertIn("run.cambrian", watch.names)
         self.assertNotIn("run.cambrian-journal", watch.names)
 
     def test_a_broken_off_change_is_undone_for_readers(self):
-        """A rollback journal, as an older program left it when killed before its log was set up."""
+        """The rollback journal is that of an older program, killed before it set up its log."""
         self.evolve("-o", "run.cambrian")
         stats = self.run_well("export", "run.cambrian", "--stats").stdout
         path = self.folder / "run.cambrian"
@@ -290,7 +292,7 @@ class Files(ProgramTest):
                             "disk/a.cambrian")
         self.assertEqual(list(disk.iterdir()), [])
 
-    # -- words, statuses, permissions
+    # -- messages, statuses, permissions
 
     def test_a_path_that_does_not_exist_is_status_2(self):
         self.evolve("-o", "run.cambrian")

@@ -1,4 +1,4 @@
-"""Creatures at every limit of their format: whatever their genes, a verdict and soon."""
+"""Creatures at every limit of their format: any genes give a verdict within a short time."""
 
 import itertools
 import json
@@ -15,7 +15,7 @@ SIZES = {"smallest": (0.08, 0.08), "longest": (1.6, 0.96), "needles": (1.6, 0.08
 
 
 def source(kind, number):
-    """A reference of that kind with every index as far off as it may be."""
+    """Returns a reference of that kind with the largest indices."""
     fields = {"const": {}, "localNeuron": {"k": 15}, "localSensor": {"ch": 255},
               "parentNeuron": {"k": 15}, "parentSensor": {"ch": 255},
               "childNeuron": {"e": 15, "k": 15}, "childSensor": {"e": 15, "ch": 255},
@@ -38,7 +38,7 @@ def edge(number, targets):
 
 
 def creature(functions, size, joint, targets):
-    """The most nodes with the most edges, neurons and recursion, mirrored everywhere."""
+    """Returns the largest creature: most nodes, edges, neurons and recursion, all mirrored."""
     length, width = SIZES[size]
     names = itertools.cycle(functions.items())
     nodes = []
@@ -56,7 +56,7 @@ def creature(functions, size, joint, targets):
     return {"format": "cambrian-creature", "version": 1, "nodes": nodes, "brain": brain}
 
 
-# How the edges of a creature lead on.
+# The targets of a creature's edges.
 GRAPHS = {"everything to itself": lambda number: number // EDGES,
           "a ring": lambda number: (number // EDGES + 1) % NODES,
           "everything to everything": lambda number: number * 7 % NODES}
@@ -73,7 +73,7 @@ class HostileCreatures(ProgramTest):
         self.joints = schema["node"]["properties"]["joint"]["enum"]
 
     def judge(self, document, *arguments):
-        """The report of a creature's trial, which must come to an end within a work limit."""
+        """Returns the report of a creature's trial, which must end within a limit of work."""
         self.write("a.creature.json", json.dumps(document))
         report = json.loads(self.run_well("simulate", "a.creature.json", "--json",
                                           *arguments).stdout)

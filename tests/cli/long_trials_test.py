@@ -1,4 +1,4 @@
-"""Trials of hours and experiments of many rows: little memory, progress on a terminal, Ctrl+C."""
+"""Long trials and experiments with many rows: memory, progress on a terminal, Ctrl+C."""
 
 import json
 import os
@@ -30,7 +30,8 @@ max-parts = 32
 
 
 def stiff_creature():
-    """At least 25 parts and no joint that moves: much to write down, little to compute."""
+    """Returns a creature with at least 25 parts and only rigid joints: long to record, quick to
+    compute."""
     def node(edges, target):
         return {"length": 0.3, "width": 0.1, "joint": "rigid", "limits": [-1.0, 1.0],
                 "recursionLimit": 1, "symmetric": False, "mirrorAxis": "across",
@@ -49,7 +50,7 @@ class LongTrials(ProgramTest):
         self.write("small.toml", SMALL)
 
     def memory_of(self, *arguments, status=DONE):
-        """Most that was held at once, in bytes."""
+        """Returns the peak memory in bytes."""
         with subprocess.Popen([CAMBRIAN, *map(str, arguments)], cwd=self.folder,
                               stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
                               stderr=subprocess.PIPE, encoding="utf-8") as process:
@@ -78,7 +79,8 @@ class LongTrials(ProgramTest):
         self.assertEqual(list(disk.iterdir()), [])
 
     def watched(self, *arguments, until, send=None):
-        """Runs on a terminal; once the words are shown, the signal is sent. Status and screen."""
+        """Runs on a terminal and sends the signal when the text appears. Returns status and
+        screen."""
         master, slave = pty.openpty()
         process = subprocess.Popen([CAMBRIAN, *arguments], cwd=self.folder,
                                    stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
@@ -158,7 +160,7 @@ class LongTrials(ProgramTest):
             self.assertEqual(self.run_well("export", name, "--settings").stdout, expected)
             for option in ["--settings", "--stats", "--champion"]:
                 self.assertLess(self.memory_of("export", name, option), 200e6, (command, option))
-            status = DONE if command == "inject" else FAILED  # founders change what comes of it
+            status = DONE if command == "inject" else FAILED  # a change of founders has no effect on the result
             self.assertLess(self.memory_of("verify", name, status=status), 200e6, command)
 
     def test_too_many_changes_of_settings_are_refused(self):

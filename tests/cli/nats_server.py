@@ -1,4 +1,5 @@
-"""A NATS server of Debian's package for one test, and a client that says what no good one would."""
+"""A NATS server from Debian's package for one test, and a client that can send malformed
+messages."""
 
 import contextlib
 import json
@@ -15,12 +16,12 @@ SERVER = shutil.which("nats-server") or shutil.which("nats-server", path="/usr/s
 HOST = "127.0.0.1"
 LONGEST_START = 20  # s
 
-# One user who may do everything, and JetStream.
+# A configuration with one user who may do everything, and JetStream.
 PLAIN = ""
 
 
 class NatsServer:
-    """Runs in a folder of its own, on a port that is free, only for this machine."""
+    """Runs in its own folder, on a free port, for this machine only."""
 
     def __init__(self, folder, configuration=PLAIN, jetstream=True):
         if SERVER is None:
@@ -29,7 +30,7 @@ class NatsServer:
         self.folder.mkdir(parents=True, exist_ok=True)
         self.configuration = configuration
         self.jetstream = jetstream
-        self.port = -1  # any
+        self.port = -1  # any free port
         self.process = None
         self.start()
 
@@ -48,7 +49,7 @@ class NatsServer:
         end = time.monotonic() + LONGEST_START
         while time.monotonic() < end and self.process.poll() is None:
             for file in ports.glob("*.ports"):
-                with contextlib.suppress(ValueError, KeyError):  # being written
+                with contextlib.suppress(ValueError, KeyError):  # the file is being written
                     self.port = int(json.loads(file.read_text())["nats"][0].rsplit(":", 1)[1])
                     self.wait_until_it_answers()
                     return
@@ -73,7 +74,7 @@ class NatsServer:
         return f"tls://localhost:{self.port}"
 
     def kill(self):
-        """As a power cut would."""
+        """Kills the server, as a power failure would."""
         self.end(signal.SIGKILL)
 
     def stop(self):
@@ -89,7 +90,7 @@ class NatsServer:
 
 
 class NatsClient:
-    """The protocol by hand: whatever is asked for is sent."""
+    """A client that implements the protocol itself, so that it can send anything."""
 
     def __init__(self, port, user=None, password=None, authority=None):
         self.stream = socket.create_connection((HOST, port), 5)
@@ -121,7 +122,7 @@ class NatsClient:
         self.send(f"SUB {subject} {number}\r\n".encode())
 
     def until_pong(self):
-        """Reads what the server has to say, up to its answer to a PING that was sent."""
+        """Reads the server's messages until it answers a PING that was sent."""
         while True:
             line = self.lines.readline()
             if not line:
@@ -137,14 +138,14 @@ class NatsClient:
                 self.messages.append((line.split()[1].decode(), body))
 
     def flush(self):
-        """What the server said of everything sent before: errors and messages."""
+        """Returns the server's errors and messages about everything sent before."""
         self.errors, self.messages = [], []
         self.send(b"PING\r\n")
         self.until_pong()
         return self.errors, self.messages
 
     def request(self, subject, body=b"", seconds=5, inbox="_INBOX.test.request"):
-        """The answer as JSON; {} if there is none in time."""
+        """Returns the answer as JSON; {} if none arrives in time."""
         self.subscribe(inbox, 77)
         self.publish(subject, body, inbox)
         end = time.monotonic() + seconds

@@ -1,5 +1,5 @@
-"""Keys and signed tokens as NATS's own tools make them, which Debian has no package of: keys are
-Ed25519, written in base 32 with a letter for whose they are and a checksum; tokens are JWT."""
+"""Makes keys and signed tokens like NATS's own tools, which Debian does not package. Keys are
+Ed25519 in base 32 with a letter for the kind of owner and a checksum; tokens are JWT."""
 
 import base64
 import binascii
@@ -29,7 +29,7 @@ def prefix(letter):
 
 
 class Key:
-    """Of an operator (O), an account (A) or a user (U)."""
+    """The key of an operator (O), an account (A) or a user (U)."""
 
     def __init__(self, letter, file):
         self.file = str(file)
@@ -47,7 +47,7 @@ class Key:
         return openssl("pkeyutl", "-sign", "-rawin", "-inkey", self.file, "-in", file.name)
 
     def token(self, subject, kind, **facts):
-        """What this key says of the subject's."""
+        """Returns a token about the subject, signed with this key."""
         head = {"typ": "JWT", "alg": "ed25519-nkey"}
         claims = {"jti": "test", "iat": 1_600_000_000, "iss": self.name, "name": kind,
                   "sub": subject.name, "nats": {"type": kind, "version": 2, **facts}}
@@ -56,7 +56,7 @@ class Key:
 
 
 def user_credentials(account, user, seed=None):
-    """A *.creds file; the seed is the user's unless it is to be another one."""
+    """Returns the text of a *.creds file; the seed is the user's unless another is given."""
     token = account.token(user, "user", subs=-1, data=-1, payload=-1)
     return (f"-----BEGIN NATS USER JWT-----\n{token}\n------END NATS USER JWT------\n\n"
             f"-----BEGIN USER NKEY SEED-----\n{seed or user.seed}\n"
@@ -64,7 +64,7 @@ def user_credentials(account, user, seed=None):
 
 
 def configuration(operator, system, account):
-    """Of a server that lets in whom the account signs a token."""
+    """Returns the configuration of a server that admits users whose tokens the account signed."""
     limits = {**UNLIMITED, "wildcards": True}
     accounts = {system.name: operator.token(system, "account", limits=limits),
                 account.name: operator.token(account, "account", limits={**limits, **STORING})}

@@ -1,4 +1,4 @@
-"""A network between programs of this machine that can be cut."""
+"""A network between programs on this machine that can be cut."""
 
 import contextlib
 import socket
@@ -8,8 +8,8 @@ from nats_server import HOST
 
 
 class CuttableNetwork:
-    """Forwards connections to a port. While it is cut, nothing that is sent arrives, and neither end
-    hears that the other one is gone; what was sent before the cut is repaired arrives after it."""
+    """Forwards connections to a port. While it is cut, nothing arrives and neither end is told that
+    the connection is lost. Data sent during the cut arrive when it is repaired."""
 
     def __init__(self, port):
         self.port = port

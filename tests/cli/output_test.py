@@ -1,4 +1,4 @@
-"""Where results go: standard output as a stream, files that are replaced, and what never is."""
+"""Output: results to standard output, files that are replaced, and files that never are."""
 
 import os
 import stat
@@ -15,14 +15,14 @@ class Output(ProgramTest):
         self.write("small.toml", SMALL)
 
     def shell(self, command, **options):
-        """Runs a line of shell in which $C is the program."""
+        """Runs a shell command in which $C is the program."""
         return subprocess.run(["bash", "-c", command], cwd=self.folder,
                               env=dict(os.environ, C=CAMBRIAN), stdin=subprocess.DEVNULL,
                               stdout=subprocess.PIPE, stderr=subprocess.PIPE, encoding="utf-8",
                               timeout=600, check=False, **options)
 
     def every_printer(self):
-        """Every command that writes to standard output, each with files of its own."""
+        """Returns every command that writes to standard output, each with its own files."""
         self.run_well("evolve", "small.toml", "-n", 2, "-o", "run.cambrian")
         self.run_well("export", "run.cambrian", "--champion", "-o", "best.creature.json")
         return ["--help", "--version", "evolve --help", "settings", "schema", "manual",
@@ -54,7 +54,7 @@ class Output(ProgramTest):
             self.shell("rm -f other.*")
             before = (self.folder / "run.cambrian").read_bytes()
             result = self.shell(f"$C {command} >&-")
-            named = "/dev/" in command  # found out before the work
+            named = "/dev/" in command  # reported before the work begins
             self.assert_write_failure(result, command, "Bad file descriptor",
                                       status=BAD_INPUT if named else FAILED)
             self.assertEqual((self.folder / "run.cambrian").read_bytes(), before, command)
@@ -93,7 +93,7 @@ class Output(ProgramTest):
         self.assertEqual((self.folder / "g").read_text(), table + "z\n")
 
     def test_a_file_that_was_removed_behind_standard_output_leaves_the_device(self):
-        """With a folder in the place of /dev: were the link taken for a file, it would go."""
+        """Uses a folder in place of /dev, where a link taken for a file would be deleted."""
         result = self.shell("exec > gone; rm gone; ln -s /proc/self/fd/1 device.toml; "
                             "$C settings -o device.toml")
         self.assertEqual(result.returncode, DONE, result.stderr)

@@ -1,4 +1,4 @@
-"""Runs the real program as a person would, for the tests of this folder."""
+"""Runs the real program as a user would, for the tests of this folder."""
 
 import os
 import pathlib
@@ -16,9 +16,9 @@ FAULTY_PROGRAM = os.environ.get("FAULTY_PROGRAM",
                                 str(ROOT / "build/release/bin/faulty_program"))
 
 DONE, FAILED, BAD_INPUT = 0, 1, 2
-NOBODY = 65534  # a user without rights
+NOBODY = 65534  # id of a user without rights
 
-# A short trial of few creatures: seconds, not minutes, on one core of any build.
+# A short trial with few creatures, which takes seconds on one core with any build.
 SMALL = """
 [run]
 generations = 3
@@ -30,7 +30,7 @@ duration = 2
 
 
 class ProgramTest(unittest.TestCase):
-    """Each test has an empty folder to itself, which is also where the program runs."""
+    """Each test has its own empty folder, which is also the working directory."""
 
     def setUp(self):
         folder = tempfile.TemporaryDirectory(prefix="cambrian-cli-")
@@ -43,7 +43,7 @@ class ProgramTest(unittest.TestCase):
         return path
 
     def run_program(self, *arguments, **options):
-        """The finished process; output as text. Never hangs: two minutes are far too long."""
+        """Returns the finished process with its output as text. Fails after two minutes."""
         environment = dict(os.environ, **options.pop("env", {}))
         return subprocess.run(
             [CAMBRIAN, *map(str, arguments)], cwd=self.folder, env=environment,
@@ -53,7 +53,7 @@ class ProgramTest(unittest.TestCase):
     # -- as a user without rights
 
     def as_nobody(self, *arguments, **options):
-        """The finished process of a user who may not write into a folder that forbids it."""
+        """Returns the finished process of a user without write permission in a protected folder."""
         return subprocess.run(
             [*self.nobody(), self.reachable_program(), *map(str, arguments)], cwd=self.folder,
             stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
@@ -61,13 +61,13 @@ class ProgramTest(unittest.TestCase):
 
     @staticmethod
     def nobody():
-        """What begins the command line of such a user."""
+        """Returns the start of the command line that runs a program as such a user."""
         if os.geteuid() != 0:
             return []
         return ["setpriv", f"--reuid={NOBODY}", f"--regid={NOBODY}", "--clear-groups"]
 
     def reachable_program(self):
-        """A copy that every user may run, wherever the build is."""
+        """Returns a copy of the program that every user may run."""
         copy = self.folder / "program"
         if not copy.exists():
             shutil.copy(CAMBRIAN, copy)
@@ -75,13 +75,13 @@ class ProgramTest(unittest.TestCase):
         return copy
 
     def forbid_writing(self):
-        """The folder with what it holds can only be read from now on."""
+        """Makes the folder and its contents read-only."""
         self.reachable_program()
         self.folder.chmod(0o555)
         self.addCleanup(self.folder.chmod, 0o755)
 
     def possible(self, commands):
-        """Those of the command lines (lists of words) that this build of the program has."""
+        """Returns the command lines (lists of words) that this build of the program supports."""
         window = "built without" not in self.run_program("view", "--help").stdout
         return [words for words in commands
                 if window or str(words[0]) not in ("studio", "view", "render")]
@@ -92,7 +92,7 @@ class ProgramTest(unittest.TestCase):
         return result
 
     def assert_refused(self, result, *parts, status=BAD_INPUT):
-        """One clear message on standard error with these parts, nothing on standard output."""
+        """Checks for one message on standard error with these parts and no standard output."""
         self.assertEqual(result.returncode, status, result.stdout + result.stderr)
         self.assertEqual(result.stdout, "")
         for part in parts:
@@ -100,7 +100,8 @@ class ProgramTest(unittest.TestCase):
         self.assertTrue(result.stderr.startswith("cambrian: "), result.stderr)
 
     def small_disk(self, size, name="disk"):
-        """A folder on a disk of its own, of so many bytes ("600k"); skips where none can be had."""
+        """Returns a folder on a separate disk of that size ("600k"); skips the test if that is
+        impossible."""
         disk = self.folder / name
         disk.mkdir()
         if subprocess.run(["mount", "-t", "tmpfs", "-o", f"size={size}", "tmpfs", str(disk)],
@@ -117,7 +118,7 @@ class ProgramTest(unittest.TestCase):
         return sorted(path.name for path in self.folder.iterdir())
 
     def evolve_champion(self, name="champion.creature.json", settings=SMALL):
-        """A small evolution's champion."""
+        """Returns the champion's file of a small evolution."""
         self.write("small.toml", settings)
         self.run_well("evolve", "small.toml", "--out", name)
         return self.folder / name

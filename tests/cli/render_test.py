@@ -26,7 +26,7 @@ class Render(ProgramTest):
         return self.folder / out
 
     def picture_facts(self, path):
-        """Width, height and number of colours, by an independent decoder."""
+        """Returns width, height and number of colours, read by an independent decoder."""
         told = subprocess.run(["convert", str(path), "-format", "%w %h %k", "info:"], check=True,
                               stdout=subprocess.PIPE, encoding="utf-8").stdout
         return tuple(map(int, told.split()))
@@ -73,7 +73,7 @@ class Render(ProgramTest):
         self.assertEqual(self.clip_facts(clip)["nb_read_frames"], "20")
 
     def test_a_clip_shows_the_complete_trial_unless_told(self):
-        champion = self.evolve_champion()  # its trial takes 2 s
+        champion = self.evolve_champion()  # its trial lasts 2 s
         clip = self.render(champion, "uncut.mp4", "--size", "96x64", "--fps", "10")
         self.assertEqual(self.clip_facts(clip)["nb_read_frames"], "20")
 

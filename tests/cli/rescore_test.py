@@ -1,4 +1,4 @@
-"""cambrian rescore: creatures that another version of the simulator scored."""
+"""cambrian rescore: creatures scored by another version of the simulator."""
 
 import json
 import shutil
@@ -7,15 +7,15 @@ import unittest
 from experiment_tables import digests, opened
 from program import DONE, FAILED, ROOT, SMALL, ProgramTest
 
-# Scored by a simulator that moved it otherwise.
+# A creature with another motion in the simulator that scored it.
 OLDER = ROOT / "tests/persist/versions/older_simulator/walker.creature.json"
 
-# Files of version 1 number the sensors' channels.
+# A file of version 1, which has numbers for the sensors' channels.
 CHANNELS = ["joint", "contact-distal", "contact-left", "contact-proximal", "contact-right"]
 
 
 def as_written_now(value):
-    """A document of version 1 with its channels by name."""
+    """Returns a document of version 1 with names in place of channel numbers."""
     if isinstance(value, list):
         return [as_written_now(each) for each in value]
     if not isinstance(value, dict):

@@ -1,5 +1,5 @@
-"""One evolution, kept by the program however it is run: the digest is the one that
-tests/golden/digests.txt records for every platform."""
+"""One evolution, run by the program in several ways, has the digest that tests/golden/digests.txt
+records for every platform."""
 
 import unittest
 
@@ -22,7 +22,7 @@ class SameBits(StudioTest):
     def assert_recorded(self, path):
         kept = digests(path)
         self.assertGreaterEqual(len(kept), GENERATIONS)
-        last = kept[GENERATIONS - 1] % 2**64  # large ones look negative
+        last = kept[GENERATIONS - 1] % 2**64  # SQLite reads large ones as negative
         self.assertEqual(f"{last:016x}", recorded())
 
     def test_on_any_number_of_threads_it_is_the_same_run(self):

@@ -1,4 +1,4 @@
-"""The JSON Schema of creature files says what the reader does."""
+"""The JSON Schema of creature files accepts and rejects the same files as the reader."""
 
 import json
 import subprocess
@@ -9,8 +9,8 @@ import jsonschema
 from program import RANDOM_CREATURES, ROOT, ProgramTest
 
 KEPT = ROOT / "tests/persist/creatures"
-# Not to be said in a schema: what is no JSON, too large or too deep, a target beyond the nodes,
-# and a key twice; nor what is a matter of JSON's own numbers or of more keys than anyone needs.
+# Errors that a schema cannot express: invalid JSON, files that are too large or too deep, targets
+# beyond the nodes, duplicate keys, numbers that JSON does not have, and too many keys.
 BEYOND = ["E01", "E02", "E09", "E13", "E10_keys", "E07_overflow"]
 
 
@@ -55,7 +55,7 @@ class Schema(ProgramTest):
         codes = set()
         for name, document in self.documents("E"):
             if "trials_too" in name:
-                continue  # a limit on what several values come to, which a schema cannot state
+                continue  # a limit on several values together, which a schema cannot express
             with self.subTest(name):
                 self.assertFalse(self.rules.is_valid(document))
             codes.add(name[:3])

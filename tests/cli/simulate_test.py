@@ -1,4 +1,4 @@
-"""cambrian simulate and verify: a saved creature does again what it did."""
+"""cambrian simulate and verify: a saved creature repeats its motion."""
 
 import csv
 import json
@@ -36,7 +36,7 @@ class Simulate(ProgramTest):
         scored = creature["scored"]
         scored["trajectory"] = "fnv1a64:0000000000000001"
         seconds = scored["ticks"]
-        old = seconds[1][20:22]  # of tick 71
+        old = seconds[1][20:22]  # check byte of tick 71
         seconds[1] = seconds[1][:20] + ("00" if old != "00" else "01") + seconds[1][22:]
         path.write_text(json.dumps(creature))
         result = self.run_program("verify", path.name)
@@ -63,7 +63,7 @@ class Simulate(ProgramTest):
         parts = json.loads(
             self.run_well("simulate", "champion.creature.json", "--json").stdout)["parts"]
         self.assertEqual(len(rows[0]), 3 + 4 * parts)
-        self.assertEqual(len(rows), 1 + 2 * 60 + 1)  # header, 2 s of ticks, the start
+        self.assertEqual(len(rows), 1 + 2 * 60 + 1)  # header, the start, 2 s of ticks
         self.assertEqual(float(rows[1][0]), 0.0)
         self.assertAlmostEqual(float(rows[-1][0]), 2.0)
         self.assertTrue(all(len(row) == len(rows[0]) for row in rows))

@@ -9,7 +9,7 @@ from nats_server import NatsServer
 from program import CAMBRIAN
 from studio_driver import StudioTest
 
-# A generation takes a second or so, so that what happens in it can be seen.
+# A generation takes about a second, so that its progress can be observed.
 SETTINGS = """
 [population]
 size = 40

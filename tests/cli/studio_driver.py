@@ -1,5 +1,5 @@
-"""Drives the studio in a real X window: mouse and keys from outside, its status log to see what
-came."""
+"""Controls the studio in a real X window: sends mouse and keyboard input, and reads its status
+log."""
 
 import json
 import os
@@ -15,11 +15,12 @@ import zlib
 from program import CAMBRIAN, DONE, ProgramTest
 
 PICTURES = pathlib.Path(os.environ.get("CAMBRIAN_PICTURES", "pictures"))
-PATIENCE = 120  # s; for anything to happen on a busy machine
+PATIENCE = 120  # s to wait for any event on a busy machine
 
 
 def png_of_dump(dump):
-    """A picture of an X server's screen from its dump in the format of xwd, 32 bits a pixel."""
+    """Converts an X server's screen dump in the format of xwd, 32 bits per pixel, to a PNG
+    picture."""
     header = struct.unpack(">25I", dump[:100])
     size, width, height, bits, stride, colors = (header[i] for i in [0, 4, 5, 11, 12, 19])
     assert bits == 32, f"{bits} bits a pixel"
@@ -41,7 +42,7 @@ def png_of_dump(dump):
 
 
 class Display:
-    """A virtual X display of its own, so that tests can run side by side. Held keys do not repeat:
+    """A separate virtual X display, so that tests can run side by side. Keys do not repeat, since
     on a busy machine they would be held for long."""
 
     def __init__(self, width, height):
@@ -81,8 +82,8 @@ class StudioTest(ProgramTest):
         return display
 
     def start(self, display, *arguments, first_time=False):
-        """Starts the studio, whose tour was taken unless this is the first time, and waits for its
-        first frame."""
+        """Starts the studio and waits for its first frame. Its tour counts as taken unless this is
+        the first time."""
         view = self.folder / "state" / "view.conf"
         if not first_time and not view.exists():
             view.parent.mkdir(exist_ok=True)
@@ -94,7 +95,7 @@ class StudioTest(ProgramTest):
         """Starts a subcommand that opens a window and waits for its first frame."""
         self.log = self.folder / "status.log"
         self.log.unlink(missing_ok=True)
-        self.log_read = 0  # bytes
+        self.log_read = 0  # bytes of the log read so far
         self.happened = []
         self.display = display
         self.messages = self.folder / "messages.txt"
@@ -124,7 +125,8 @@ class StudioTest(ProgramTest):
         return self.happened
 
     def wait_for(self, event, after=0, **fields):
-        """The first such event at or after that place in the log; its successor's place too."""
+        """Returns the first such event at or after a position in the log, and the position after
+        it."""
         end = time.monotonic() + PATIENCE
         while time.monotonic() < end:
             for place, found in enumerate(self.events()):
@@ -136,9 +138,9 @@ class StudioTest(ProgramTest):
         return self.fail(f"no '{event}' {fields} in {self.events()[after:]}")
 
     def place_of(self, name):
-        """The middle of a control, on the screen, where it was drawn last."""
+        """Returns the screen position of the middle of a control where it was drawn last."""
         self.wait_for("place", name=name)
-        time.sleep(0.3)  # it may be moving
+        time.sleep(0.3)  # waits until it no longer moves
         found = [event for event in self.events()
                  if event["event"] == "place" and event["name"] == name][-1]
         lines = self.display.tool("getwindowgeometry", "--shell", self.window).split()
@@ -147,7 +149,7 @@ class StudioTest(ProgramTest):
                 int(origin["Y"]) + int(found["y"] + found["height"] / 2))
 
     def type_into(self, name, text):
-        """A number typed into a slider, after Ctrl+click."""
+        """Types a number into a slider, after Ctrl+click."""
         x, y = self.place_of(name)
         self.display.tool("mousemove", x, y, "sleep", 0.2, "keydown", "ctrl", "sleep", 0.1,
                           "mousedown", 1, "sleep", 0.1, "mouseup", 1, "sleep", 0.1, "keyup", "ctrl")
@@ -156,7 +158,7 @@ class StudioTest(ProgramTest):
 
     def click(self, name):
         x, y = self.place_of(name)
-        # A moment between the movement and the button, as a hand has, so that each is a frame.
+        # A short pause between movement and click, as a person makes, gives each its own frame.
         self.display.tool("mousemove", x, y, "sleep", 0.2, "mousedown", 1, "sleep", 0.1,
                           "mouseup", 1)
 
@@ -164,7 +166,7 @@ class StudioTest(ProgramTest):
         self.display.tool("keydown", key, "sleep", 0.1, "keyup", key)
 
     def drag(self, name, from_share, to_share):
-        """Over a control from one share of its width to another, in some steps; then releases."""
+        """Drags over a control from one share of its width to another, in several steps."""
         x, y = self.place_of(name)
         width = self.wait_for("place", name=name)[0]["width"]
         steps = [x + int(width * (from_share + (to_share - from_share) * i / 5 - 0.5))
@@ -175,13 +177,13 @@ class StudioTest(ProgramTest):
         self.display.tool("mouseup", 1)
 
     def type_over(self, text):
-        """In place of what the text field with the keyboard holds."""
-        # Held for a moment, as by a hand, so that a frame sees both keys down.
+        """Replaces the content of the text field with the keyboard focus."""
+        # Held for a short time, so that a frame sees both keys down.
         self.display.tool("keydown", "ctrl", "keydown", "a", "sleep", 0.2, "keyup", "a", "keyup",
                           "ctrl", "type", "--delay", "30", text)
 
     def save_as(self, keys, name):
-        """Through the file panel that these keys open; the path that was written."""
+        """Saves with the file panel that these keys open; returns the path."""
         after = len(self.events())
         self.display.tool("key", keys)
         time.sleep(1.0)
@@ -195,7 +197,7 @@ class StudioTest(ProgramTest):
         self.assertEqual(self.studio.wait(PATIENCE), DONE)
 
     def assert_painted(self, picture):
-        """More than a blank or a flat picture: many colors, in each of its four quarters."""
+        """Checks that the picture is not blank: it has many colours in each quarter."""
         size = subprocess.run(["identify", "-format", "%w %h", str(picture)], check=True,
                               stdout=subprocess.PIPE, encoding="utf-8").stdout
         width, height = (int(length) // 2 for length in size.split())

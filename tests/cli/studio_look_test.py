@@ -11,7 +11,7 @@ import unittest
 
 from studio_driver import PATIENCE, StudioTest
 
-# Little to evolve, and every part of the window with something to show.
+# A small run with something to show in every part of the window.
 RUN = """
 [population]
 size = 24
@@ -24,8 +24,8 @@ INSPECTOR_TABS = ["Creature", "Brain", "Genotype", "Ancestry", "Energy"]
 PLOTS = ["fitness", "diversity", "kinds", "lines", "parts", "neurons", "trials", "invalid"]
 TOUR_STEPS = 5
 KEEPS_PICTURES = "CAMBRIAN_KEEP_LOOKS" in os.environ
-MOST_PAGES = 20  # of the experiment panel
-# Panels, grounds that controls lie on, and parts of a row that is named besides.
+MOST_PAGES = 20  # pages of the experiment panel
+# Panels, backgrounds of controls, and parts of a row that has its own name.
 NOT_CONTROLS = ("panel ", "viewport", "tile ", "cell ", "shelf", "##")
 
 
@@ -34,7 +34,7 @@ def corners(place):
 
 
 def overlap(a, b):
-    """By more than a pixel both ways."""
+    """Returns whether two rectangles overlap by more than a pixel in both directions."""
     return (min(a["x"] + a["width"], b["x"] + b["width"]) - max(a["x"], b["x"]) > 1 and
             min(a["y"] + a["height"], b["y"] + b["height"]) - max(a["y"], b["y"]) > 1)
 
@@ -126,7 +126,7 @@ class StudioLook(StudioTest):
         self.tap("Timeline and population")
 
     def look_through_settings(self):
-        """Down the panel, opening what is closed."""
+        """Scrolls down the panel and opens closed groups."""
         self.point_at("group goal")
         closed = list(CLOSED_AT_FIRST)
         page = 0
@@ -235,7 +235,7 @@ class StudioLook(StudioTest):
     def point_at(self, name):
         self.wait_until(lambda: name in self.seen(), f"no '{name}' in sight")
         place = None
-        while place != self.seen().get(name, place):  # menus find their place in a few frames
+        while place != self.seen().get(name, place):  # menus take a few frames to find their place
             place = self.places[name]
             time.sleep(0.1)
         self.display.tool("mousemove", int(place["x"] + place["width"] / 2),
@@ -258,7 +258,7 @@ class StudioLook(StudioTest):
             time.sleep(0.05)
 
     def seen(self):
-        """Where everything is that is in sight."""
+        """Returns the places of all visible controls."""
         events = self.events()
         for event in events[self.read:]:
             if event["event"] == "place":
@@ -271,14 +271,15 @@ class StudioLook(StudioTest):
         return self.places
 
     def look(self, name, pointed=False):
-        """Looks at the window in the other theme, the pointer out of the way unless it points at
-        something. Where pictures are kept, one is kept of each theme."""
+        """Checks the window in the other theme. The pointer is moved away unless it points at
+        something. Saves one picture per theme if pictures are kept."""
         if not pointed:
             self.display.tool("mousemove", *self.corner)
-        time.sleep(0.1)  # for what follows the pointer
+        time.sleep(0.1)  # for effects that follow the pointer
         for _ in range(2 if KEEPS_PICTURES else 1):
             self.light = not self.light
-            # Keys come in order: what was asked for before this one has been drawn, too.
+            # Keys are handled in order, so everything requested before this key has been drawn,
+            # too.
             after = len(self.events())
             self.keys("ctrl+l")
             self.wait_for("theme", after=after, light=self.light)

@@ -1,4 +1,4 @@
-"""The studio in a real X window, used as a person uses it."""
+"""The studio in a real X window with mouse and keyboard input."""
 
 import csv
 import contextlib
@@ -148,8 +148,8 @@ class StudioWindow(StudioTest):
         self.run_well("verify", "picked.creature.json")
 
     def test_an_experiment_steered_by_hand_comes_back_and_is_the_same_again(self):
-        """Closed in the middle of a generation; the next window has it all: settings, champions,
-        the path of picks. The journal gives the same bits."""
+        """The window is closed in the middle of a generation. The next one has the settings,
+        champions and picking tree, and the journal gives the same bits."""
         state = self.folder / "state"
         self.write("small.toml", SMALL)
         display = self.open_display()
@@ -217,7 +217,7 @@ class StudioWindow(StudioTest):
             self.studio.wait()
             kept = digests(kept_file)
             self.assertGreaterEqual(len(kept), max(told, default=0) + 1)
-            if kill % 4 == 3:  # once more, while it opens the file
+            if kill % 4 == 3:  # again while it opens the file
                 self.start_and_kill(display, chance.uniform(0, 0.4))
                 self.assertEqual(digests(kept_file), kept)
             self.start(display)
@@ -339,7 +339,7 @@ class StudioWindow(StudioTest):
         display.tool("windowsize", "--sync", self.window, 1280, 800)
         time.sleep(2.0)
         at_once = display.picture("painted-at-once.png")
-        # The corner tells frames apart by a shade.
+        # The colour in the corner differs between frames.
         result = subprocess.run(["compare", "-metric", "AE", "-fuzz", "4%", str(in_parts),
                                  str(at_once), "null:"], check=False, stderr=subprocess.PIPE,
                                 encoding="utf-8")

@@ -1,6 +1,7 @@
-// A joint, an effector, a sensor, a neuron function, a mutation, a breeding method, a selection and
-// a goal that only this file knows. An experiment that uses only these kinds evolves and is saved,
-// loaded and drawn. A list of known kinds or a switch over them anywhere makes a test fail.
+// A joint, an integrator, an effector, a sensor, a neuron function, a mutation, a breeding method,
+// a selection and a goal that only this file knows. An experiment that uses only these kinds
+// evolves and is saved, loaded and drawn. A list of known kinds or a switch over them makes a test
+// fail.
 
 #include "evolution/backends/thread_pool_backend.h"
 #include "evolution/evolution.h"
@@ -60,7 +61,7 @@ SceneKind with_halving(SceneKind scene) {
     return scene;
 }
 
-// Goes to one stop or the other.
+// Drives the joint to one stop or the other.
 void drive_flip(const EffectorSite& site, double signal, double /*share*/,
                 const SceneSettings& /*settings*/, double& memory, PhysicsScene& scene) {
     ++calls.effector;

@@ -24,7 +24,7 @@ public:
 
     Person() { obey(StartFromCreatures{{test::hopper()}}); }
 
-    // Whether it was done.
+    // Returns whether the command was carried out.
     bool obey(PickingCommand command) {
         session.apply(std::move(command));
         if (!lazy) finish_work();

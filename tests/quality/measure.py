@@ -1,9 +1,9 @@
-"""Measures how well evolution searches, in nine worlds on seeds 1 to 9, and says what holds.
+"""Measures how well evolution searches, in nine worlds with seeds 1 to 9, and checks the criteria.
 
     python3 tests/quality/measure.py build/release/bin/cambrian --out FOLDER [--seeds 1..9]
         [--trials 20000] [--random-trials 10000] [--worlds walking,ice] [--threads 2]
 
-Runs what FOLDER does not have yet (`cambrian compare`), so it can be stopped and started again.
+Performs the runs that FOLDER does not have yet (`cambrian compare`), so that it can be interrupted.
 Never tune on seeds 1 to 9.
 """
 
@@ -110,7 +110,7 @@ def judge_lines(table, rows):
 
 
 def judge_haste(table, rows):
-    """Time saved against the same runs without giving up."""
+    """Returns the time saved compared with the same runs without early termination."""
     hasty = [row for row in rows if row["arm"] == "hasty"]
     patient = [row for row in rows if row["arm"] == "many-lines"]
     spent = [sum(1 - float(row["time_saved"]) for row in some) / len(some)

@@ -16,16 +16,16 @@ namespace cambrian {
 
 // The number of candidates for each breeding method in one round.
 struct BroodPlan {
-    std::size_t copies = 0;  // of each parent, mutated
-    std::size_t paired = 0;  // of two parents
+    std::size_t copies = 0;  // mutated copies per parent
+    std::size_t paired = 0;  // children of two parents
     std::size_t newcomers = 0;
 
     friend bool operator==(const BroodPlan&, const BroodPlan&) = default;
 };
 
-// Plans three candidates per cell. One parent has only asexual children. Two or more parents (up to
-// kMostPicks) have two asexual children each; half of the rest are crossovers and half graftings.
-// Without parents all candidates are random creatures, otherwise three per cell reserved for them.
+// Plans three candidates per cell. One parent has only copies. Two or more parents (up to
+// kMostPicks) have two copies each; all other children have two parents. Without parents all
+// candidates are random creatures, otherwise three per cell reserved for them.
 BroodPlan plan_brood(std::size_t parents, int cells, int newcomer_cells);
 
 struct Brood {
@@ -42,7 +42,8 @@ struct BroodOrder {
     int round = 0;           // round of breeding for that grid, from 0
 };
 
-// The settings must pass check_settings().
+// The settings must pass check_settings(). Copies are bred by the first method of one parent, the
+// others in equal numbers by the methods of two parents that have a default share.
 Brood breed_candidates(const BroodOrder& order, const ExperimentSettings& settings,
                        const EvolutionKinds& kinds);
 

@@ -12,8 +12,8 @@
 namespace cambrian {
 
 struct Subject {
-    JudgedIndividual creature;                // with the settings of the trial shown
-    std::string name;                         // its own, or the title
+    JudgedIndividual creature;                // its settings are those of the recorded trial
+    std::string name;                         // the creature's name, or a title
     std::string goal;                         // "Walking"
     std::string fitness;                      // with its unit; empty if it has no score
     std::optional<std::uint32_t> generation;  // generation of its birth
@@ -23,7 +23,7 @@ struct Subject {
     // document does not record the motion or describes another trial.
     std::optional<bool> verified;
 
-    double hue() const { return creature.genome().hue; }  // of its lineage, in turns
+    double hue() const { return creature.genome().hue; }  // hue of its lineage, in turns
     const Environment& environment() const { return creature.settings->world.environment; }
     const RecordedMotion& motion() const { return trial.motion; }
     const Phenotype& phenotype() const { return *trial.motion.phenotype; }

@@ -7,7 +7,7 @@
 namespace cambrian {
 namespace {
 
-// The creature with the score of the one trial on display.
+// Returns the creature with a score that was computed from the displayed trial alone.
 JudgedIndividual scored_on_display(JudgedIndividual creature, const ScoreReport& score) {
     change_individual(creature, [&](Individual& individual) {
         individual.evaluated = true;

@@ -29,20 +29,22 @@ public:
     HandPicking(const EvolutionKinds& kinds, std::size_t workers)
         : kinds_(kinds), workers_(workers), motion_(kinds.creature) {}
 
-    // With a grid of the population unless it is the one left last; without a population, of
-    // children of the creature shown (null: of random ones).
+    // Starts the mode with a grid of the population if that changed since leave(), otherwise with
+    // the last grid. Without a population, the first grid has children of the genome `on_show` or,
+    // if it is null, random creatures.
     void enter(const EvolutionSnapshot& evolution, const GenomePtr& on_show);
     void leave(const EvolutionSnapshot& evolution);
-    // The grids of the experiment that was opened, to be gone on with at the next entry.
+    // Sets the grids of an experiment that was opened; the next enter() continues with them.
     void restore(PickingRecord record);
     bool on() const { return on_; }
     // Whether the viewport displays the grid rather than one of its creatures.
     bool grid_shown() const { return on_ && !choices_.single; }
 
     void send(PickingCommand command);
-    // The desk judges by other settings from now on.
+    // Changes the settings with which creatures are evaluated from now on.
     void use(const SettingsPtr& settings);
-    // Once a frame: news of the desk, written to the log; `elapsed` seconds of motion.
+    // Must be called once a frame: reads the picking engine's latest snapshot, writes its news to
+    // the log and plays the motion on by `elapsed` seconds.
     void update(double elapsed, StatusLog& log);
 
     // Null before the first enter().
@@ -70,8 +72,8 @@ private:
 
     const EvolutionKinds& kinds_;
     std::size_t workers_;
-    std::unique_ptr<PickingDesk> desk_;  // from the first entry on
-    std::deque<PickingCommand> unsent_;  // the desk's inbox was full
+    std::unique_ptr<PickingDesk> desk_;  // null before the first enter()
+    std::deque<PickingCommand> unsent_;  // commands that did not fit into the engine's inbox
     std::shared_ptr<const PickingSnapshot> snapshot_;
     SettingsPtr used_;  // the settings sent to the picking engine last
     std::optional<PickingRecord> restored_;

@@ -33,8 +33,7 @@ public:
     bool show_cell(std::size_t cell);
     // Must be called when a creature was loaded from a file, which is then displayed alone.
     void yield_viewport() { picking_.choices().single = picking_.on(); }
-    // A creature was saved to a file.
-    // The grids of an experiment that was opened.
+    // Restores the grids of an experiment that was opened.
     void restore(PickingRecord record);
 
 private:

@@ -45,7 +45,8 @@ struct ScoreReport {
     std::uint64_t digest = 0;  // of the motion in all trials that the settings require
 };
 
-// A creature of a generation or of a grid, with a title that says which.
+// Returns a creature of a generation or a picking grid as an exhibit, with a title that names its
+// origin.
 Exhibit exhibit_of(JudgedIndividual creature, ExhibitSource source);
 
 }  // namespace cambrian

@@ -12,8 +12,8 @@ namespace cambrian {
 namespace {
 
 constexpr double kNewcomerShare = 0.2;
-constexpr float kMarkReach = 5.0F;  // from a mark, within which its words are shown
-constexpr int kLongStride = 10;     // generations, with Shift
+constexpr float kMarkReach = 5.0F;  // distance to a mark within which its text is shown
+constexpr int kLongStride = 10;     // generations per key press with Shift
 
 void draw_quantities(const FrameContext& frame, Requests& out) {
     const TimelinePlot& chosen = timeline_plot(frame.view.quantity);
@@ -59,14 +59,14 @@ void draw_heading(const FrameContext& frame, Requests& out) {
         ImGui::OpenPopup("export");
 }
 
-// The first selection method that keeps the fittest of every kind of body.
+// Returns the first selection method that keeps the fittest of every cell of the map, or null.
 const SelectionKind* mapping_method(const SelectionRegistry& selections) {
     const auto found = std::find_if(selections.all().begin(), selections.all().end(),
                                     [](const SelectionKind& kind) { return kind.fills_map; });
     return found == selections.all().end() ? nullptr : &*found;
 }
 
-// What may help where the best has not risen for long (evolution/README.md 3); suggestions only.
+// Suggests remedies if the best fitness has not risen for long (evolution/README.md 3).
 void draw_stagnation(const FrameContext& frame, Requests& out) {
     const auto& history = frame.experiment.snapshot.history;
     if (history.empty() || !stagnant(history.back())) return;
