@@ -16,11 +16,11 @@ namespace cambrian {
 namespace {
 
 struct SavedState : SceneState {
-    SavedState(const SimulationState& saved, const Environment& surroundings, bool was_limp)
-        : state(saved), environment(surroundings), limp(was_limp) {}
+    SavedState(const SimulationState& saved, const Environment& surroundings, bool off)
+        : state(saved), environment(surroundings), motors_off(off) {}
     SimulationState state;
     Environment environment;
-    bool limp;
+    bool motors_off;
 };
 
 Medium medium_of(const Environment& environment) {
@@ -68,11 +68,11 @@ public:
     SceneStatus status() const override { return state_.status; }
     double time() const override { return state_.time; }
     void set_environment(const Environment& environment) override;
-    void set_limp(bool limp) override;
+    void set_motors_off(bool off) override;
     void translate(const Vec3& offset) override;
     void pull(std::size_t part, const Vec3& point_in_part, const Vec3& force) override;
     std::unique_ptr<SceneState> save() const override {
-        return std::make_unique<SavedState>(state_, environment_, limp_);
+        return std::make_unique<SavedState>(state_, environment_, motors_off_);
     }
     void restore(const SceneState& state) override;
     double energy() const override {
@@ -102,7 +102,7 @@ private:
 
     PlanarModel model_;
     double motor_frequency_;
-    bool limp_ = false;
+    bool motors_off_ = false;
     Environment environment_;
     ContactLaw law_;
     Forcing forcing_;
@@ -224,7 +224,7 @@ double PlanarScene::target(std::size_t part) const {
 SceneStatus PlanarScene::advance(double duration) {
     CAMBRIAN_ASSERT(duration > 0.0, "a tick takes time");
     if (state_.status != SceneStatus::kRunning) return state_.status;
-    const double activity = limp_ ? 0.0 : 1.0;
+    const double activity = motors_off_ ? 0.0 : 1.0;
     for (int i = 0; i < model_.body_count; i += kLanes) {
         store_lanes(forcing_.drive.start + i, activity * load_lanes(state_.drive_start + i));
         store_lanes(forcing_.drive.end + i, activity * load_lanes(state_.drive_end + i));
@@ -241,7 +241,8 @@ void PlanarScene::use_environment(const Environment& environment) {
     environment_ = environment;
     if (environment.density != model_.density) change_density(model_, environment.density);
     forcing_.medium = medium_of(environment);
-    law_ = {limp_ ? 0.0 : environment.friction, environment.elasticity, environment.has_ground};
+    law_ = {motors_off_ ? 0.0 : environment.friction, environment.elasticity,
+            environment.has_ground};
     state_.cache_is_current = false;
 }
 
@@ -259,9 +260,9 @@ void PlanarScene::set_environment(const Environment& environment) {
 
 // With frequency 0 targets and rates cause no effort. The share of the strength in torque mode is 0
 // while the motors are off.
-void PlanarScene::set_limp(bool limp) {
-    limp_ = limp;
-    forcing_.drive.frequency = limp ? 0.0 : motor_frequency_;
+void PlanarScene::set_motors_off(bool off) {
+    motors_off_ = off;
+    forcing_.drive.frequency = off ? 0.0 : motor_frequency_;
     use_environment(environment_);
 }
 
@@ -297,7 +298,7 @@ void PlanarScene::restore(const SceneState& state) {
     state_ = saved->state;
     state_.detection = 0;  // numbers of detections differ between scenes
     forcing_.pulled = false;
-    if (saved->environment == environment_ && saved->limp == limp_) return;
+    if (saved->environment == environment_ && saved->motors_off == motors_off_) return;
     state_.cache_is_current = false;
     state_.energy_reference += energy() - energy_under(saved->environment);
 }

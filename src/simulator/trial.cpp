@@ -47,8 +47,8 @@ Trial::Trial(std::shared_ptr<const Phenotype> phenotype, const Kinds& kinds,
     progress_.settling = world_.environment.has_ground && world_.trial.settle_limit > 0.0;
     if (!progress_.settling) {
         begin_test();
-    } else if (world_.trial.limp_settle) {
-        scene_->set_limp(true);
+    } else if (world_.trial.settle_motors_off) {
+        scene_->set_motors_off(true);
     }
 }
 
@@ -90,7 +90,7 @@ void Trial::settle_tick() {
 }
 
 void Trial::begin_test() {
-    if (progress_.settling && world_.trial.limp_settle) scene_->set_limp(false);
+    if (progress_.settling && world_.trial.settle_motors_off) scene_->set_motors_off(false);
     progress_.settling = false;
     scene_->restart_audit();
     for (const std::uint16_t part : phenotype_->effector_parts) {
@@ -181,7 +181,7 @@ Trial::State Trial::save() const {
 }
 
 void Trial::restore(const State& state) {
-    scene_->set_limp(state.progress.settling && world_.trial.limp_settle);
+    scene_->set_motors_off(state.progress.settling && world_.trial.settle_motors_off);
     scene_->restore(*state.scene);
     creature_.restore(state.creature);
     progress_ = state.progress;

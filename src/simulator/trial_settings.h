@@ -8,7 +8,7 @@ namespace cambrian {
 struct TrialSettings {
     double duration = 15.0;          // s, of the test phase
     double settle_limit = 3.0;       // s, at most, before the test; with ground only
-    bool limp_settle = false;        // settling without torque and friction instead of at rest pose
+    bool settle_motors_off = false;  // settling without torque and friction instead of at rest pose
     double max_part_speed = 30.0;    // m/s; faster is invalid
     double max_part_spin = 60.0;     // rad/s
     double max_ground_depth = 0.05;  // m; deeper for over 0.2 s is invalid

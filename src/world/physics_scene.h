@@ -73,8 +73,8 @@ public:
     // Takes effect from the next advance; for live changes of the displayed world.
     virtual void set_environment(const Environment& environment) = 0;
 
-    // While limp, motors give no effort and nothing rubs against anything.
-    virtual void set_limp(bool limp) = 0;
+    // While motors are off, they give no effort and nothing rubs against anything.
+    virtual void set_motors_off(bool off) = 0;
 
     // Translates every part (m); velocities do not change.
     virtual void translate(const Vec3& offset) = 0;

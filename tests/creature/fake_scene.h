@@ -48,7 +48,7 @@ public:
     SceneStatus status() const override { return SceneStatus::kRunning; }
     double time() const override { return 0.0; }
     void set_environment(const Environment&) override {}
-    void set_limp(bool) override {}
+    void set_motors_off(bool) override {}
     void translate(const Vec3&) override {}
     void pull(std::size_t, const Vec3&, const Vec3&) override {}
     std::unique_ptr<SceneState> save() const override { return std::make_unique<SceneState>(); }

@@ -197,7 +197,7 @@ TEST_CASE("a box dropped on its edge comes to rest and stays there", "[dynamics]
     }
 }
 
-TEST_CASE("a limp chain dropped on the ground settles", "[dynamics][collision]") {
+TEST_CASE("a chain with motors off dropped on the ground settles", "[dynamics][collision]") {
     Environment environment;
     environment.elasticity = 0.3;
     Rig rig(chain(6, 1.0, 0.0, 1.5), environment);

@@ -129,23 +129,23 @@ TEST_CASE("a link swings with the period of its own pendulum and its base's reco
     CHECK(angle == Approx(0.01 * cosine(phase)).margin(4e-6));
 }
 
-TEST_CASE("a limp body's motors give no effort whatever they are asked", "[dynamics][motor]") {
+TEST_CASE("motors that are off give no effort, whatever their targets", "[dynamics][motor]") {
     for (const MotorMode mode : {MotorMode::kPosition, MotorMode::kVelocity, MotorMode::kTorque}) {
         const auto scene = make_scene(base_and_link(10.0, mode), empty_space());
-        scene->set_limp(true);
+        scene->set_motors_off(true);
         scene->set_target(1, 1.0);
         REQUIRE(run(*scene, 0.1));
         CHECK(scene->joint_coordinate(1) == 0.0);
         CHECK(scene->audit().gross_motor_work == 0.0);
-        scene->set_limp(false);
+        scene->set_motors_off(false);
         REQUIRE(run(*scene, 0.1));
         CHECK(scene->joint_coordinate(1) > 0.01);
     }
 }
 
-TEST_CASE("a limp body slides without friction", "[dynamics][motor]") {
+TEST_CASE("a body with motors off slides without friction", "[dynamics][motor]") {
     const auto scene = make_scene(one_box(0.6, 0.2, 0.0, 0.1), Environment{});
-    scene->set_limp(true);
+    scene->set_motors_off(true);
     REQUIRE(run(*scene, 0.1));
     scene->pull(0, Vec3::Zero(), Vec3(10.0, 0.0, 0.0));
     REQUIRE(run(*scene, kTestTick));
@@ -153,7 +153,7 @@ TEST_CASE("a limp body slides without friction", "[dynamics][motor]") {
     CHECK(speed > 0.3);
     REQUIRE(run(*scene, 0.3));
     CHECK(scene->center_of_mass_velocity().x() == Approx(speed).epsilon(1e-9));
-    scene->set_limp(false);
+    scene->set_motors_off(false);
     REQUIRE(run(*scene, 0.5));
     CHECK(scene->center_of_mass_velocity().x() == Approx(0.0).margin(1e-3));
 }

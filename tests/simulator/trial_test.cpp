@@ -96,13 +96,14 @@ TEST_CASE("the speed guard stops a creature that is too fast", "[simulator]") {
     CHECK(record.reason.find("faster") != std::string::npos);
 }
 
-TEST_CASE("limp creatures settle lower than those that hold their pose, and move afterwards",
-          "[simulator]") {
-    TrialWorld limp;
-    limp.trial.limp_settle = true;
-    limp.environment.friction = 0.5;  // more of it keeps the flat body from drawing its ends in
+TEST_CASE(
+    "creatures with motors off settle lower than those that hold their pose, and move afterwards",
+    "[simulator]") {
+    TrialWorld slack;
+    slack.trial.settle_motors_off = true;
+    slack.environment.friction = 0.5;  // more of it keeps the flat body from drawing its ends in
     const auto held = run(test::crawler(test::creature_kinds().catalog));
-    const auto settled = run(test::crawler(test::creature_kinds().catalog), limp);
+    const auto settled = run(test::crawler(test::creature_kinds().catalog), slack);
     REQUIRE(settled.outcome == Outcome::kCompleted);
     CHECK(settled.settle_time > 0.4);
     const double high = held.samples.front().center_of_mass.y();
@@ -112,10 +113,10 @@ TEST_CASE("limp creatures settle lower than those that hold their pose, and move
     CHECK(settled.audit.gross_motor_work > 0.1);
 }
 
-TEST_CASE("without a settling phase limp settling changes nothing", "[simulator]") {
+TEST_CASE("without a settling phase, settling with motors off changes nothing", "[simulator]") {
     TrialWorld world;
     world.trial.settle_limit = 0.0;
     const auto usual = run(test::crawler(test::creature_kinds().catalog), world);
-    world.trial.limp_settle = true;
+    world.trial.settle_motors_off = true;
     CHECK(run(test::crawler(test::creature_kinds().catalog), world).digest == usual.digest);
 }

@@ -154,7 +154,7 @@ void add_trial(std::vector<SettingField>& fields) {
         "limp-settle", "Settle limp",
         "Creatures come to rest without muscles and without friction, instead of holding their "
         "rest pose.",
-        [](Settings & s) -> auto& { return s.world.trial.limp_settle; });
+        [](Settings & s) -> auto& { return s.world.trial.settle_motors_off; });
     table.number(
         "max-part-speed", "Speed guard", "m/s", Range{1, 1e4},
         "A creature with a part faster than this is disqualified.",
