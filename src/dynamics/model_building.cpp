@@ -22,8 +22,8 @@ Error part_error(std::size_t part, const std::string& problem) {
     return {"body plan, part " + std::to_string(part) + ": " + problem};
 }
 
-Error pin_error(std::size_t pin, const std::string& problem) {
-    return {"body plan, closing pin " + std::to_string(pin) + ": " + problem};
+Error loop_joint_error(std::size_t joint, const std::string& problem) {
+    return {"body plan, loop joint " + std::to_string(joint) + ": " + problem};
 }
 
 bool is_finite(const PlannedPart& part) {
@@ -60,16 +60,16 @@ Status check_part(const BodyPlan& plan, std::size_t index) {
     return {};
 }
 
-Status check_pin(const BodyPlan& plan, std::size_t index) {
-    const ClosingPin& pin = plan.closing_pins[index];
+Status check_loop_joint(const BodyPlan& plan, std::size_t index) {
+    const PlannedLoopJoint& joint = plan.loop_joints[index];
     const int parts = static_cast<int>(plan.parts.size());
-    for (const int part : {pin.part_a, pin.part_b}) {
+    for (const int part : {joint.part_a, joint.part_b}) {
         if (part < 0 || part >= parts)
-            return pin_error(index, "there is no part " + std::to_string(part));
+            return loop_joint_error(index, "there is no part " + std::to_string(part));
     }
-    for (const double number :
-         {pin.anchor_in_a.x(), pin.anchor_in_a.y(), pin.anchor_in_b.x(), pin.anchor_in_b.y()}) {
-        if (!std::isfinite(number)) return pin_error(index, "a number is not finite");
+    for (const double number : {joint.anchor_in_a.x(), joint.anchor_in_a.y(), joint.anchor_in_b.x(),
+                                joint.anchor_in_b.y()}) {
+        if (!std::isfinite(number)) return loop_joint_error(index, "a number is not finite");
     }
     return {};
 }
@@ -84,11 +84,11 @@ Status check_plan(const BodyPlan& plan, double density) {
     for (std::size_t i = 0; i < plan.parts.size(); ++i) {
         if (Status status = check_part(plan, i); !status) return status;
     }
-    if (plan.closing_pins.size() > kMaxLoopJoints)
-        return Error{"body plan: " + std::to_string(plan.closing_pins.size()) +
-                     " closing pins, at most " + std::to_string(kMaxLoopJoints) + " expected"};
-    for (std::size_t i = 0; i < plan.closing_pins.size(); ++i) {
-        if (Status status = check_pin(plan, i); !status) return status;
+    if (plan.loop_joints.size() > kMaxLoopJoints)
+        return Error{"body plan: " + std::to_string(plan.loop_joints.size()) +
+                     " loop joints, at most " + std::to_string(kMaxLoopJoints) + " expected"};
+    for (std::size_t i = 0; i < plan.loop_joints.size(); ++i) {
+        if (Status status = check_loop_joint(plan, i); !status) return status;
     }
     return {};
 }
@@ -122,7 +122,7 @@ public:
             place_joint(b);
         weigh_trees();
         derive_inertias(model_);
-        if (Status status = place_pins(); !status) return status.error();
+        if (Status status = place_loop_joints(); !status) return status.error();
         set_motors();
         CAMBRIAN_ASSERT(are_parents_before_children(model_), "a parent comes before its children");
         CAMBRIAN_ASSERT(are_bodies_sound(), "bodies have masses, joints have stops in order");
@@ -304,11 +304,11 @@ private:
         }
     }
 
-    Status place_pins() {
+    Status place_loop_joints() {
         Kinematics rest;
         compute_kinematics(model_, rest_motion(model_), rest);
-        for (std::size_t i = 0; i < plan_.closing_pins.size(); ++i) {
-            const ClosingPin& planned = plan_.closing_pins[i];
+        for (std::size_t i = 0; i < plan_.loop_joints.size(); ++i) {
+            const PlannedLoopJoint& planned = plan_.loop_joints[i];
             const Vec2 a = part_point(planned.part_a, planned.anchor_in_a);
             const Vec2 b = part_point(planned.part_b, planned.anchor_in_b);
             const LoopJoint joint{model_.part_body[planned.part_a],
@@ -318,9 +318,9 @@ private:
                                   b.x(),
                                   b.y()};
             if (joint.body_a == joint.body_b)
-                return pin_error(i, "both its parts belong to one rigid body");
+                return loop_joint_error(i, "both its parts belong to one rigid body");
             if (!(loop_gap(rest, joint, loop_arms(rest, joint)).norm() <= kMaxPinGap))
-                return pin_error(i, "its points are over 1e-6 m apart in the rest pose");
+                return loop_joint_error(i, "its points are over 1e-6 m apart in the rest pose");
             model_.loop_joints.push_back(joint);
         }
         return {};

@@ -370,8 +370,7 @@ Result<std::unique_ptr<PhysicsScene>> CAMBRIAN_SCENE_COPY::make_planar_scene(
     const BodyPlan& plan, const Environment& environment, const SceneSettings& settings) {
     const IntegratorKind* integrator = builtin_integrators().find(settings.integrator);
     if (integrator == nullptr) return unknown_integrator(settings.integrator);
-    if (!plan.closing_pins.empty() && !integrator->holds_loops)
-        return loops_refused(integrator->id);
+    if (!plan.loop_joints.empty() && !integrator->holds_loops) return loops_refused(integrator->id);
     if (Status status = check_surroundings(environment, settings); !status) return status.error();
     Result<PlanarModel> model = build_planar_model(plan, environment.density);
     if (!model) return model.error();

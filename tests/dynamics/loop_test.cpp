@@ -35,11 +35,11 @@ BodyPlan rods(const std::vector<double>& turns, double angle, double limit, doub
     return plan;
 }
 
-// Returns the same rods with the last one's free end pinned to the first one's.
+// Returns the same rods with the last one's free end closed to the first one's.
 BodyPlan ring(const std::vector<double>& turns, double angle = 0.0, double limit = kFree,
               double height = 0.0) {
     BodyPlan plan = rods(turns, angle, limit, height);
-    plan.closing_pins = {{static_cast<int>(turns.size()), 0, kDistal, -kDistal}};
+    plan.loop_joints = {{static_cast<int>(turns.size()), 0, kDistal, -kDistal}};
     return plan;
 }
 
@@ -75,9 +75,9 @@ double gap_of(const Rig& rig) {
     return gap_of(rig.model, rig.state.cache().kinematics);
 }
 
-BodyPlan pinned_badly(const ClosingPin& pin) {
+BodyPlan closed_badly(const PlannedLoopJoint& joint) {
     BodyPlan plan = rhombus(0.6);
-    plan.closing_pins.push_back(pin);
+    plan.loop_joints.push_back(joint);
     return plan;
 }
 
@@ -154,18 +154,18 @@ TEST_CASE("a loop keeps energy and angular momentum", "[dynamics][loops]") {
     CHECK(rig.angular_momentum() == Approx(momentum).epsilon(1e-4));
 }
 
-// A third bar connects rods 0 and 2, parallel to rods 1 and 3, which makes half of its pin's
-// constraints redundant. With two pins, all of the second one's are redundant.
-TEST_CASE("redundant pins do no harm", "[dynamics][loops]") {
+// A third bar connects rods 0 and 2, parallel to rods 1 and 3, which makes half of its joint's
+// constraints redundant. With two joints, all of the second one's are redundant.
+TEST_CASE("redundant loop joints do no harm", "[dynamics][loops]") {
     BodyPlan once = rhombus(0.6);
     const Vec3 aside(0.15, 0.0, 0.0);
     attach(once, 0, aside, 1.2, kRotaryJoint, kHalfLength, kHalfWidth);
     once.parts[4].limit_low = -kFree;
     once.parts[4].limit_high = kFree;
-    once.closing_pins.push_back({4, 2, kDistal, -aside});
+    once.loop_joints.push_back({4, 2, kDistal, -aside});
     BodyPlan twice = once;
-    for (const ClosingPin& pin : once.closing_pins)
-        twice.closing_pins.push_back(pin);
+    for (const PlannedLoopJoint& joint : once.loop_joints)
+        twice.loop_joints.push_back(joint);
     const auto end_of = [](const BodyPlan& plan) {
         Rig rig(plan, airless(9.81), kReference);
         flap(rig, 1.0);
@@ -223,16 +223,16 @@ TEST_CASE("one joint limit stops all of the loop", "[dynamics][loops]") {
     CHECK(std::fabs(rig.state.audit.energy_residual) < 1e-3 * energy);
 }
 
-// With friction, impacts and rest, a pin acts in the same way as the joint of a tree.
-TEST_CASE("a pin between two trees is a joint", "[dynamics][loops]") {
+// With friction, impacts and rest, a loop joint acts in the same way as the joint of a tree.
+TEST_CASE("a loop joint between two trees acts as one of a tree", "[dynamics][loops]") {
     SceneSettings settings;
     settings.integrator = kReference;
     BodyPlan jointed = rods({1.0}, -0.2, kFree, 0.8);
-    BodyPlan pinned = jointed;
-    pinned.parts[1].parent = -1;
-    pinned.closing_pins = {{0, 1, kDistal, -kDistal}};
+    BodyPlan closed = jointed;
+    closed.parts[1].parent = -1;
+    closed.loop_joints = {{0, 1, kDistal, -kDistal}};
     const auto one = make_scene(jointed, {}, settings);
-    const auto two = make_scene(pinned, {}, settings);
+    const auto two = make_scene(closed, {}, settings);
     for (int tick = 0; tick < 240; ++tick) {
         REQUIRE(run(*one, kTestTick));
         REQUIRE(run(*two, kTestTick));
@@ -244,30 +244,30 @@ TEST_CASE("a pin between two trees is a joint", "[dynamics][loops]") {
     CHECK(two->audit().energy_residual == Approx(one->audit().energy_residual).margin(1e-4));
 }
 
-// Three pinned rods cannot move relative to each other. The test has no friction, since its
+// Three rods of a closed loop cannot move relative to each other. The test has no friction, since its
 // softness depends on the body touched.
-TEST_CASE("a pinned triangle bounces like a welded one", "[dynamics][loops]") {
+TEST_CASE("a triangle closed by a loop joint bounces like a welded one", "[dynamics][loops]") {
     const double turn = 2.0 * kPi / 3.0;
     Environment environment;
     environment.elasticity = 0.5;
     environment.friction = 0.0;
     SceneSettings settings;
     settings.integrator = kReference;
-    const auto pinned = make_scene(ring({turn, turn}, 0.2, kFree, 0.6), environment, settings);
+    const auto closed = make_scene(ring({turn, turn}, 0.2, kFree, 0.6), environment, settings);
     const auto welded =
         make_scene(rods({turn, turn}, 0.2, kFree, 0.6, kRigidJoint), environment, settings);
     for (int tick = 0; tick < 60; ++tick) {
-        REQUIRE(run(*pinned, kTestTick));
+        REQUIRE(run(*closed, kTestTick));
         REQUIRE(run(*welded, kTestTick));
         for (std::size_t i = 0; i < 3; ++i) {
-            CHECK((pinned->part_pose(i).position - welded->part_pose(i).position).norm() < 1e-4);
-            CHECK((pinned->part_twist(i).linear - welded->part_twist(i).linear).norm() < 1e-4);
+            CHECK((closed->part_pose(i).position - welded->part_pose(i).position).norm() < 1e-4);
+            CHECK((closed->part_twist(i).linear - welded->part_twist(i).linear).norm() < 1e-4);
         }
     }
-    CHECK(pinned->audit().events >= 2);
-    REQUIRE(run(*pinned, 4.0));
-    CHECK(pinned->part_pose(0).position.y() == Approx(kHalfWidth).margin(1e-3));
-    CHECK(pinned->kinetic_energy() < 1e-8);
+    CHECK(closed->audit().events >= 2);
+    REQUIRE(run(*closed, 4.0));
+    CHECK(closed->part_pose(0).position.y() == Approx(kHalfWidth).margin(1e-3));
+    CHECK(closed->kinetic_energy() < 1e-8);
 }
 
 TEST_CASE("a ring drops on the ground and comes to rest", "[dynamics][loops]") {
@@ -288,14 +288,14 @@ TEST_CASE("a ring drops on the ground and comes to rest", "[dynamics][loops]") {
     CHECK(audit.positive_work < 1e-2 * start);
 }
 
-TEST_CASE("pinned parts never collide", "[dynamics][loops]") {
+TEST_CASE("parts that a loop joint connects never collide", "[dynamics][loops]") {
     BodyPlan plan = rhombus(0.6);
     const std::size_t across = build_planar_model(plan, 1.0)->colliding_pairs.size();
     CHECK(across == 2);  // pairs of rods 0 and 2, 1 and 3
     const Vec3 middle = transform(plan.parts[2].rest_pose, Vec3::Zero());
     const Vec3 in_first = plan.parts[0].rest_pose.orientation.conjugate() *
                           (middle - plan.parts[0].rest_pose.position);
-    plan.closing_pins.push_back({0, 2, in_first, Vec3::Zero()});
+    plan.loop_joints.push_back({0, 2, in_first, Vec3::Zero()});
     CHECK(build_planar_model(plan, 1.0)->colliding_pairs.size() == across - 1);
 }
 
@@ -310,22 +310,22 @@ TEST_CASE("integrators that cannot hold loops refuse them", "[dynamics][loops]")
     }
 }
 
-TEST_CASE("closing pins that hold nothing are refused by number", "[dynamics][loops]") {
+TEST_CASE("loop joints that hold nothing are refused by number", "[dynamics][loops]") {
     CHECK(build_planar_model(rhombus(0.6), 1.0));
-    CHECK(refused(pinned_badly({0, 4, kDistal, kDistal}), "closing pin 1: there is no part 4"));
-    CHECK(refused(pinned_badly({-1, 0, kDistal, kDistal}), "closing pin 1: there is no part -1"));
-    CHECK(refused(pinned_badly({2, 2, kDistal, kDistal}), "closing pin 1: both its parts"));
+    CHECK(refused(closed_badly({0, 4, kDistal, kDistal}), "loop joint 1: there is no part 4"));
+    CHECK(refused(closed_badly({-1, 0, kDistal, kDistal}), "loop joint 1: there is no part -1"));
+    CHECK(refused(closed_badly({2, 2, kDistal, kDistal}), "loop joint 1: both its parts"));
     const Vec3 nowhere(std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0);
-    CHECK(refused(pinned_badly({0, 2, nowhere, kDistal}), "closing pin 1: a number"));
-    CHECK(refused(pinned_badly({3, 0, kDistal, Vec3(2e-6 - kHalfLength, 0.0, 0.0)}),
-                  "closing pin 1: its points are over"));
-    CHECK(refused(pinned_badly({3, 0, kDistal, Vec3(1e300, 1e300, 0.0)}),
-                  "closing pin 1: its points are over"));
+    CHECK(refused(closed_badly({0, 2, nowhere, kDistal}), "loop joint 1: a number"));
+    CHECK(refused(closed_badly({3, 0, kDistal, Vec3(2e-6 - kHalfLength, 0.0, 0.0)}),
+                  "loop joint 1: its points are over"));
+    CHECK(refused(closed_badly({3, 0, kDistal, Vec3(1e300, 1e300, 0.0)}),
+                  "loop joint 1: its points are over"));
     BodyPlan welded = rhombus(0.6);
     welded.parts[1].motion = kRigidJoint;
-    welded.closing_pins.push_back({0, 1, kDistal, -kDistal});
-    CHECK(refused(welded, "closing pin 1: both its parts"));
+    welded.loop_joints.push_back({0, 1, kDistal, -kDistal});
+    CHECK(refused(welded, "loop joint 1: both its parts"));
     BodyPlan many = rhombus(0.6);
-    many.closing_pins.resize(65, many.closing_pins[0]);
-    CHECK(refused(many, "65 closing pins"));
+    many.loop_joints.resize(65, many.loop_joints[0]);
+    CHECK(refused(many, "65 loop joints"));
 }
