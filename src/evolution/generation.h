@@ -25,7 +25,7 @@ std::vector<std::size_t> survivors_of(std::span<const IndividualPtr> ranked,
                                       SelectionMemory memory);
 
 // The parents of a child and its breeding method.
-struct Mating {
+struct ParentPair {
     const IndividualPtr& first;
     const IndividualPtr& second;  // ignored by methods of one parent
     const BreedingKind& method;
@@ -34,7 +34,7 @@ struct Mating {
 
 // Returns the child for a place in a generation, bred and mutated but not evaluated. Random numbers
 // come from `breeding`.
-IndividualPtr make_child(const Mating& mating, const ExperimentSettings& settings,
+IndividualPtr make_child(const ParentPair& pair, const ExperimentSettings& settings,
                          const EvolutionKinds& kinds, std::uint32_t generation, std::uint64_t child,
                          RandomStream& breeding);
 
