@@ -90,8 +90,8 @@ void note_end(ComparedRun& row, const Evolution& evolution, const Individual& ch
     row.finer = finer_score(champion.genome, settings, kinds);
     row.jump_height = jump_height(champion.genome, settings, kinds);
     row.plans = plans_of_best(evolution, kinds);
-    row.audited = evolution.bar_audit().finished;
-    row.survivors = evolution.bar_audit().survived;
+    row.audited = evolution.termination_audit().finished;
+    row.survivors = evolution.termination_audit().survived;
 }
 
 }  // namespace

@@ -38,7 +38,7 @@ Evolution::Evolution(EvolutionState state, const EvolutionKinds& kinds)
       memory_(std::move(state.memory)),
       population_(std::move(state.population)),
       history_(std::move(state.history)),
-      bar_audit_(state.bar_audit) {}
+      termination_audit_(state.termination_audit) {}
 
 IndividualPtr Evolution::make_founder(std::size_t slot,
                                       const std::vector<GenomePtr>& founders) const {
@@ -137,8 +137,9 @@ void Evolution::record_generation() {
     const int twins = unscored - static_cast<int>(requests_.size());
     count_savings(statistics, results_, known_scores_ + twins, trial.duration * trial.trials);
     for (const auto& result : results_)
-        bar_audit_.finished += result->hopeless && result->outcome == Outcome::kCompleted ? 1 : 0;
-    statistics.giving_up_distrusted = !bar_audit_.trustworthy();
+        termination_audit_.finished +=
+            result->terminable && result->outcome == Outcome::kCompleted ? 1 : 0;
+    statistics.giving_up_distrusted = !termination_audit_.trustworthy();
     const MapCoverage coverage = map_coverage(population_, settings_->selection);
     statistics.filled_cells = coverage.filled_cells;
     statistics.quality = coverage.quality;
@@ -161,7 +162,7 @@ void Evolution::plan_evaluations() {
         request_of_slot_[slot] = request->second;
         if (!is_new) continue;
         requests_.push_back({individual.genome, trial_seed(*settings_),
-                             static_cast<std::uint32_t>(slot), bar_for(individual),
+                             static_cast<std::uint32_t>(slot), threshold_for(individual),
                              individual.expected_work});
     }
     results_.assign(requests_.size(), std::nullopt);
@@ -173,29 +174,31 @@ bool Evolution::score_as_known(std::size_t slot, std::uint64_t phenotype) {
     if (known == known_results_.end()) return false;
     Individual scored = *population_[slot];
     scored.result = known->second;
-    scored.result.hopeless = false;  // it was audited when it was first evaluated
+    scored.result.terminable = false;  // it was audited when it was first evaluated
     scored.evaluated = true;
     population_[slot] = std::make_shared<const Individual>(std::move(scored));
     ++known_scores_;
     return true;
 }
 
-std::optional<Bar> Evolution::bar_for(const Individual& individual) const {
-    if (!settings_->stop_hopeless || !least_survivor_ || !bar_audit_.trustworthy()) return {};
+std::optional<TerminationThreshold> Evolution::threshold_for(const Individual& individual) const {
+    if (!settings_->terminate_early || !least_survivor_ || !termination_audit_.trustworthy())
+        return {};
     const bool drawn = individual.uid % kAuditedOneIn == 0;
-    return Bar{.score = *least_survivor_, .audited = drawn || !bar_audit_.proven()};
+    return TerminationThreshold{.score = *least_survivor_,
+                                .audited = drawn || !termination_audit_.proven()};
 }
 
 // Computes the score that a creature of the next generation needs to survive, as far as it is
 // known. It also counts audited trials that survived although they would have been terminated.
-void Evolution::raise_bar(const std::vector<IndividualPtr>& next) {
+void Evolution::update_threshold(const std::vector<IndividualPtr>& next) {
     least_survivor_.reset();
     const double share = termination_share(*kinds_->selections.find(settings_->selection.method),
                                            settings_->selection);
     for (const IndividualPtr& individual : next) {
         if (!individual->evaluated) continue;
-        if (individual->born + 1 == generation_ && individual->result.hopeless)
-            ++bar_audit_.survived;
+        if (individual->born + 1 == generation_ && individual->result.terminable)
+            ++termination_audit_.survived;
         least_survivor_ = std::fmin(least_survivor_.value_or(individual->result.fitness),
                                     individual->result.fitness);
     }
@@ -222,7 +225,7 @@ void Evolution::breed() {
     newcomer_share_ = 0.0;
     std::vector<IndividualPtr> next =
         next_generation(population_, present, *kinds_, generation_, memory_);
-    raise_bar(next);
+    update_threshold(next);
     known_scores_ = 0;
     remember_scores();
     if (scores_outdated_) {
@@ -253,10 +256,10 @@ void Evolution::remember_scores() {
 
 void Evolution::replace_settings(SettingsPtr settings) {
     const bool keeps_scores = same_judgement(*settings_, *settings);
-    const bool keeps_bars = settings_->stop_hopeless == settings->stop_hopeless;
+    const bool keeps_threshold = settings_->terminate_early == settings->terminate_early;
     settings_ = std::move(settings);
     // The plan must depend only on the present settings, not on when they were set.
-    if (!keeps_bars) forget_plan();
+    if (!keeps_threshold) forget_plan();
     if (!keeps_scores) rescore();
 }
 

@@ -24,7 +24,7 @@ struct EvolutionState {
     std::vector<IndividualPtr> population;  // all evaluated, best first; not empty
     std::vector<GenerationStatistics> history;
     SelectionMemory memory;
-    BarAudit bar_audit;
+    TerminationAudit termination_audit;
 };
 
 class Evolution {
@@ -70,14 +70,14 @@ public:
     const std::vector<GenerationStatistics>& history() const { return history_; }
     const SelectionMemory& selection_memory() const { return memory_; }
     // Reliability of early termination; once it is unreliable, no more trials are terminated.
-    const BarAudit& bar_audit() const { return bar_audit_; }
+    const TerminationAudit& termination_audit() const { return termination_audit_; }
 
 private:
     IndividualPtr make_founder(std::size_t slot, const std::vector<GenomePtr>& founders) const;
     void plan_evaluations();
     std::vector<std::size_t> survivors_of(std::span<const IndividualPtr> ranked) const;
-    std::optional<Bar> bar_for(const Individual& individual) const;
-    void raise_bar(const std::vector<IndividualPtr>& next);
+    std::optional<TerminationThreshold> threshold_for(const Individual& individual) const;
+    void update_threshold(const std::vector<IndividualPtr>& next);
     void forget_plan();
     bool score_as_known(std::size_t slot, std::uint64_t phenotype);
     void remember_scores();
@@ -100,7 +100,7 @@ private:
     std::vector<GenerationStatistics> history_;
 
     std::optional<double> least_survivor_;  // fitness that may suffice to survive, if known
-    BarAudit bar_audit_;
+    TerminationAudit termination_audit_;
     // Results of the last generation, by phenotype.
     std::map<std::uint64_t, EvaluationResult> known_results_;
     int known_scores_ = 0;  // number of creatures of this generation with such a result

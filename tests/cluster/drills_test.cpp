@@ -73,7 +73,7 @@ TEST_CASE("any number of workers gives the bits of one machine", "[cluster][thre
 TEST_CASE("several trials, probes and bars travel", "[cluster][threads]") {
     ExperimentSettings settings = drill_settings();
     settings.generations = 6;
-    settings.stop_hopeless = true;
+    settings.terminate_early = true;
     settings.world.trial.trials = 3;
     settings.world.trial.friction_jitter = 0.2;
     settings.world.trial.tilt_jitter = 5.0;

@@ -63,7 +63,7 @@ EvaluationResult any_result(RandomStream& random) {
     fill(result.behavior, random);
     result.computed_time = any_real(random);
     result.work = any_count(random);
-    result.hopeless = random.chance(0.5);
+    result.terminable = random.chance(0.5);
     for (std::size_t score = random.below(4); score > 0; --score)
         result.scores.push_back(any_real(random));
     if (random.chance(0.5)) result.reason = "too fast: \"\t\" \\ \xc3\xa9";
@@ -97,7 +97,7 @@ std::vector<std::uint64_t> bits_of(const EvaluationResult& result) {
     whole(behavior.movable_joints);
     real(result.computed_time);
     whole(result.work);
-    whole(result.hopeless);
+    whole(result.terminable);
     for (const double score : result.scores)
         real(score);
     for (const char letter : result.reason)

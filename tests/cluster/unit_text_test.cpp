@@ -28,7 +28,9 @@ std::vector<EvaluationRequest> requests(std::size_t count) {
             std::make_shared<const Genome>(random_genome({}, kinds().creature.catalog, random));
         request.trial_seed = random.bits();
         request.slot = static_cast<std::uint32_t>(i);
-        if (i % 2 == 1) request.bar = Bar{.score = 0.1 * static_cast<double>(i), .audited = i == 3};
+        if (i % 2 == 1)
+            request.threshold =
+                TerminationThreshold{.score = 0.1 * static_cast<double>(i), .audited = i == 3};
         if (i % 3 == 2) request.probe = Probe{.seed = random.bits(), .finer = i == 2};
         all.push_back(std::move(request));
     }
@@ -56,7 +58,7 @@ TEST_CASE("a unit's text gives the same requests", "[cluster]") {
         CHECK(*unit->requests[i].genome == *sent[i].genome);
         CHECK(unit->requests[i].trial_seed == sent[i].trial_seed);
         CHECK(unit->requests[i].slot == sent[i].slot);
-        CHECK(unit->requests[i].bar == sent[i].bar);
+        CHECK(unit->requests[i].threshold == sent[i].threshold);
         CHECK(unit->requests[i].probe == sent[i].probe);
     }
     const Result<UnitOutline> outline = parse_unit_outline(body);
@@ -66,13 +68,14 @@ TEST_CASE("a unit's text gives the same requests", "[cluster]") {
     CHECK(body.size() < 2'000 * sent.size());
 }
 
-TEST_CASE("a bar that no score reaches travels", "[cluster]") {
+TEST_CASE("a threshold that no score reaches travels", "[cluster]") {
     std::vector<EvaluationRequest> one = requests(1);
-    one[0].bar = Bar{.score = -std::numeric_limits<double>::infinity(), .audited = true};
+    one[0].threshold =
+        TerminationThreshold{.score = -std::numeric_limits<double>::infinity(), .audited = true};
     UnitWriter writer(kinds());
     const Result<Unit> unit = UnitReader(kinds()).read(writer.write(kTerms, one));
     REQUIRE(unit);
-    CHECK(unit->requests[0].bar == one[0].bar);
+    CHECK(unit->requests[0].threshold == one[0].threshold);
 }
 
 TEST_CASE("what is no unit is refused with a reason", "[cluster]") {

@@ -76,7 +76,7 @@ TEST_CASE("stopping at rest changes no survivor, champion or best in 30 generati
     CHECK(saved.statistics[0].time_saved > full.statistics[0].time_saved);
 }
 
-TEST_CASE("giving up hopeless trials changes no survivor of 30 generations",
+TEST_CASE("terminating trials early changes no survivor of 30 generations",
           "[evolution][savings]") {
     const bool limited = GENERATE(true, false);
     auto settings = short_walks(90);
@@ -86,7 +86,7 @@ TEST_CASE("giving up hopeless trials changes no survivor of 30 generations",
     }
     const History full = evolve(settings, 30);
     auto hasty = std::make_shared<ExperimentSettings>(*settings);
-    hasty->stop_hopeless = true;
+    hasty->terminate_early = true;
     const History saved = evolve(hasty, 30);
     int given_up = 0;
     int same = 0;
@@ -139,27 +139,28 @@ TEST_CASE("what never moved can score nothing any more", "[evolution][savings]")
         CHECK(most_still_possible(first_half(record), goal(id)) == Approx(0.0).margin(1e-12));
 }
 
-TEST_CASE("a hopeless trial stops halfway, an audited one goes on and says so",
+TEST_CASE("a trial without a chance stops halfway, an audited one goes on and says so",
           "[evolution][savings]") {
     const ExperimentSettings settings;
     const GenomePtr crawler = test::crawler(kinds().creature.catalog);
     const EvaluationResult full = evaluate({.genome = crawler}, settings, kinds());
-    const EvaluationResult cut =
-        evaluate({.genome = crawler, .bar = Bar{.score = 1e6}}, settings, kinds());
+    const EvaluationResult cut = evaluate(
+        {.genome = crawler, .threshold = TerminationThreshold{.score = 1e6}}, settings, kinds());
     CHECK(cut.outcome == Outcome::kStoppedEarly);
-    CHECK(cut.hopeless);
+    CHECK(cut.terminable);
     CHECK(cut.computed_time == Approx(7.5).margin(0.1));
     CHECK(cut.fitness < 1e6);
-    const EvaluationResult audited =
-        evaluate({.genome = crawler, .bar = Bar{.score = 1e6, .audited = true}}, settings, kinds());
+    const EvaluationResult audited = evaluate(
+        {.genome = crawler, .threshold = TerminationThreshold{.score = 1e6, .audited = true}},
+        settings, kinds());
     CHECK(audited.outcome == Outcome::kCompleted);
-    CHECK(audited.hopeless);
+    CHECK(audited.terminable);
     CHECK(audited.fitness == full.fitness);
     CHECK(audited.digest == full.digest);
-    const EvaluationResult hopeful =
-        evaluate({.genome = crawler, .bar = Bar{.score = 0.0}}, settings, kinds());
-    CHECK(hopeful.digest == full.digest);
-    CHECK_FALSE(hopeful.hopeless);
+    const EvaluationResult promising = evaluate(
+        {.genome = crawler, .threshold = TerminationThreshold{.score = 0.0}}, settings, kinds());
+    CHECK(promising.digest == full.digest);
+    CHECK_FALSE(promising.terminable);
 }
 
 TEST_CASE("unknown work is begun first, then the most work, and every trial once",
@@ -178,19 +179,19 @@ TEST_CASE("unknown work is begun first, then the most work, and every trial once
 }
 
 TEST_CASE("until thirty doomed trials were finished, all of them are", "[evolution][savings]") {
-    CHECK_FALSE(BarAudit{0, 0}.proven());
-    CHECK_FALSE(BarAudit{29, 0}.proven());
-    CHECK(BarAudit{30, 0}.proven());
-    CHECK_FALSE(BarAudit{30, 1}.proven());
+    CHECK_FALSE(TerminationAudit{0, 0}.proven());
+    CHECK_FALSE(TerminationAudit{29, 0}.proven());
+    CHECK(TerminationAudit{30, 0}.proven());
+    CHECK_FALSE(TerminationAudit{30, 1}.proven());
     auto settings = short_walks(90);
-    settings->stop_hopeless = true;
+    settings->terminate_early = true;
     const auto backend = make_thread_pool_backend(kinds(), 2);
     Evolution evolution(settings, kinds());
     EvaluationProgress progress;
     int unproven = 0;
     int given_up = 0;
     for (int i = 0; i < 20; ++i) {
-        const bool proven = evolution.bar_audit().proven();
+        const bool proven = evolution.termination_audit().proven();
         REQUIRE(evolution.evaluate(*backend, progress, {}));
         if (!proven) CHECK(evolution.history().back().given_up == 0);
         unproven += proven ? 0 : 1;
@@ -199,13 +200,13 @@ TEST_CASE("until thirty doomed trials were finished, all of them are", "[evoluti
     }
     CHECK(unproven > 1);
     CHECK(given_up > 0);
-    CHECK(evolution.bar_audit().finished >= BarAudit::kLeastFinished);
+    CHECK(evolution.termination_audit().finished >= TerminationAudit::kLeastFinished);
 }
 
 TEST_CASE("giving up is trusted until 1 in 1000 audited trials would have survived",
           "[evolution][savings]") {
-    CHECK(BarAudit{0, 0}.trustworthy());
-    CHECK(BarAudit{999, 0}.trustworthy());
-    CHECK_FALSE(BarAudit{999, 1}.trustworthy());
-    CHECK(BarAudit{1000, 1}.trustworthy());
+    CHECK(TerminationAudit{0, 0}.trustworthy());
+    CHECK(TerminationAudit{999, 0}.trustworthy());
+    CHECK_FALSE(TerminationAudit{999, 1}.trustworthy());
+    CHECK(TerminationAudit{1000, 1}.trustworthy());
 }

@@ -145,10 +145,10 @@ TEST_CASE("references that leave joints or central neurons nothing to read are a
           "localNeuron, parentNeuron, childNeuron, brainNeuron");
 }
 
-TEST_CASE("stopping hopeless trials contradicts methods that look at everyone, and more trials",
+TEST_CASE("early termination contradicts methods that look at everyone, and more trials",
           "[evolution][settings]") {
     ExperimentSettings settings;
-    settings.stop_hopeless = true;
+    settings.terminate_early = true;
     CHECK(check_settings(settings, kinds()).has_value());
     for (const char* method : {"roulette", "map-elites", "novelty", "age-protection"}) {
         settings.selection.method = method;

@@ -154,7 +154,7 @@ TEST_CASE("resumed at any generation a run goes on as if never stopped",
     const TemporaryDirectory folder;
     constexpr std::size_t kGenerations = 6;
     ExperimentSettings settings = small_settings(selection);
-    settings.stop_hopeless = selection == "truncation";
+    settings.terminate_early = selection == "truncation";
     const auto steering = some_steering(settings);
     write_run(folder / "complete.cambrian", settings, kGenerations, steering);
     const auto expected = digests_of(folder / "complete.cambrian");

@@ -25,7 +25,7 @@ TEST_CASE("settings are typed with or without their table and quotes", "[persist
     CHECK(settings->population.size == 40);
     CHECK(settings->selection.method == "rank");
     CHECK(settings->goal == "swimming");
-    CHECK(settings->stop_hopeless);
+    CHECK(settings->terminate_early);
 }
 
 TEST_CASE("a later text replaces what an earlier one says, and nothing else", "[persist]") {

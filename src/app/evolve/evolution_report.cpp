@@ -102,7 +102,7 @@ std::string json_of(const GenerationStatistics& statistics, const std::string& u
     return json_object(members);
 }
 
-std::string json_of(const BarAudit& audit) {
+std::string json_of(const TerminationAudit& audit) {
     return json_object({{"finished", std::to_string(audit.finished)},
                         {"would_have_survived", std::to_string(audit.survived)}});
 }
@@ -151,8 +151,8 @@ std::string final_line(const Evolution& evolution, const std::string& unit,
                        const Individual& champion, const RunOutputs& files,
                        std::string_view stopped_by, bool json) {
     const std::vector<GenerationStatistics>& history = evolution.history();
-    const BarAudit& audit = evolution.bar_audit();
-    const bool gave_up = evolution.settings().stop_hopeless;
+    const TerminationAudit& audit = evolution.termination_audit();
+    const bool gave_up = evolution.settings().terminate_early;
     const GenerationStatistics& first = history.front();
     const GenerationStatistics& last = history.back();
     const bool interrupted = stopped_by == "interruption";

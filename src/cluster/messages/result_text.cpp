@@ -82,7 +82,7 @@ void describe_result(Archive& archive, Described& result) {
                    [&](Archive& inner) { describe_behavior(inner, result.behavior); });
     exact_real(archive, "time", result.computed_time);
     archive.integer("work", result.work, 0.0, kMostExact);
-    archive.flag("hopeless", result.hopeless);
+    archive.flag("hopeless", result.terminable);
     describe_scores(archive, result.scores);
     archive.text("reason", result.reason, kLongestResultReason);
     archive.choice("verdict", result.verdict, creature_format::kVerdicts, "verdict");

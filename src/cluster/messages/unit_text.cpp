@@ -32,7 +32,7 @@ struct Entry {
     std::uint64_t trial_seed = 0;
     std::uint64_t genome_hash = 0;
     std::size_t bytes = 0;
-    std::optional<Bar> bar;
+    std::optional<TerminationThreshold> threshold;
     std::optional<Probe> probe;
 };
 
@@ -55,10 +55,11 @@ void describe_entry(Archive& archive, Described& entry) {
     archive.digest("seed", entry.trial_seed);
     archive.digest("genome", entry.genome_hash);
     archive.integer("bytes", entry.bytes, 1.0, static_cast<double>(kMostDocument));
-    archive.optional_object("bar", entry.bar, Layout::kCompact, [](Archive& inner, auto& bar) {
-        exact_real(inner, "score", bar.score);
-        inner.flag("audited", bar.audited);
-    });
+    archive.optional_object("bar", entry.threshold, Layout::kCompact,
+                            [](Archive& inner, auto& threshold) {
+                                exact_real(inner, "score", threshold.score);
+                                inner.flag("audited", threshold.audited);
+                            });
     archive.optional_object("probe", entry.probe, Layout::kCompact,
                             [](Archive& inner, auto& probe) {
                                 inner.digest("seed", probe.seed);
@@ -117,7 +118,7 @@ std::string UnitWriter::write(const UnitTerms& terms, std::span<const Evaluation
                                    .trial_seed = request.trial_seed,
                                    .genome_hash = individual.genome_hash,
                                    .bytes = documents_.size() - start,
-                                   .bar = request.bar,
+                                   .threshold = request.threshold,
                                    .probe = request.probe});
     }
     std::string body = write_message(
@@ -163,7 +164,7 @@ Result<Unit> UnitReader::read(std::string_view body) {
         unit.requests.push_back({.genome = *std::move(genome),
                                  .trial_seed = entry.trial_seed,
                                  .slot = entry.slot,
-                                 .bar = entry.bar,
+                                 .threshold = entry.threshold,
                                  .probe = entry.probe});
     }
     return unit;

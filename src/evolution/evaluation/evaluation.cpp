@@ -101,15 +101,15 @@ EvaluationResult evaluate(const EvaluationRequest& request, const ExperimentSett
         return result;
     }
     const GoalKind& goal = goal_of(settings, kinds);
-    const auto trial =
-        run_barred_trial(phenotype, kinds.creature, settings.world, {goal, request.bar, stop});
+    const auto trial = run_terminable_trial(phenotype, kinds.creature, settings.world,
+                                            {goal, request.threshold, stop});
     if (!trial) {
         fail(result, Outcome::kRejected, trial.error().message);
         return result;
     }
     const TrialRecord* record = &trial->record;
     result.computed_time = record->computed_time;
-    result.hopeless = trial->hopeless;
+    result.terminable = trial->terminable;
     result.work = record->audit.evaluations;
     result.digest = record->digest;
     result.body_length = record->body_length;

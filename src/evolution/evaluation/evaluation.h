@@ -2,7 +2,7 @@
 
 // One evaluation: the pure function that every back-end calls.
 
-#include "evolution/evaluation/hopeless.h"
+#include "evolution/evaluation/early_termination.h"
 #include "evolution/evaluation/probe.h"
 #include "evolution/individual/individual.h"
 #include "evolution/kinds/evolution_kinds.h"
@@ -20,7 +20,7 @@ struct EvaluationRequest {
     GenomePtr genome;
     std::uint64_t trial_seed = 0;
     std::uint32_t slot = 0;  // index of the creature in the generation
-    std::optional<Bar> bar = std::nullopt;
+    std::optional<TerminationThreshold> threshold = std::nullopt;
     std::uint64_t expected_work = 0;  // see Individual; affects only the order of evaluation
     std::optional<Probe> probe = std::nullopt;  // world that replaces the settings' one
 };

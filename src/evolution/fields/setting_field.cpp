@@ -44,7 +44,7 @@ void add_run(std::vector<SettingField>& fields) {
         "Halfway, gives up creatures that could not survive even at 1.5 times their best speed; "
         "10 % of them, and the first 30, are finished all the same, to tell whether that was "
         "right.",
-        [](Settings & s) -> auto& { return s.stop_hopeless; });
+        [](Settings & s) -> auto& { return s.terminate_early; });
 }
 
 void add_goal(std::vector<SettingField>& fields, const EvolutionKinds& kinds) {
@@ -344,8 +344,8 @@ Status check_order(double low, double high, const char* low_key, const char* hig
                  high_key + ", which is " + short_text(high)};
 }
 
-Status check_stop_hopeless(const Settings& s, const EvolutionKinds& kinds) {
-    if (!s.stop_hopeless) return {};
+Status check_early_termination(const Settings& s, const EvolutionKinds& kinds) {
+    if (!s.terminate_early) return {};
     const SelectionKind* selection = kinds.selections.find(s.selection.method);
     if (selection != nullptr && !(termination_share(*selection, s.selection) > 0.0)) {
         return Error{"[run] stop-hopeless: not with [selection] method \"" + s.selection.method +
@@ -376,7 +376,7 @@ Status check_together(const Settings& s, const EvolutionKinds& kinds) {
         !order) {
         return order;
     }
-    if (Status cutting = check_stop_hopeless(s, kinds); !cutting) return cutting;
+    if (Status cutting = check_early_termination(s, kinds); !cutting) return cutting;
     if (const auto excess = trial_excess(s.world)) return Error{"[trial] duration: " + *excess};
     double shares = 0.0;
     for (const BreedingKind& kind : kinds.breeding.all()) {

@@ -37,7 +37,7 @@ struct EvaluationResult {
     Behavior behavior;           // zero unless simulated
     double computed_time = 0.0;  // s simulated in all its trials
     std::uint64_t work = 0;      // approximate number of evaluations of the accelerations
-    bool hopeless = false;       // its trial was terminated early, or could have been
+    bool terminable = false;     // its trial was terminated early, or could have been
     // Scores in the unchanged world and in those of the confirmation (confirmation.h). Their median
     // is the fitness. Empty without confirmation.
     std::vector<double> scores;

@@ -57,7 +57,7 @@ struct ExperimentSettings {
     int max_evaluations = 1'000'000'000;
     double target_fitness = 0.0;  // in the goal's unit; 0 for none
     std::string goal = "walking";
-    bool stop_hopeless = false;  // terminates trials early that cannot lead to survival
+    bool terminate_early = false;  // terminates trials early that cannot lead to survival
     TrialWorld world;
     PopulationSettings population;
     SelectionSettings selection;

@@ -253,8 +253,8 @@ private:
                 {statistics.generation, individuals_.read(row_ref(row, more), *latest.settings),
                  latest.settings});
             read_.saved.digests.push_back(static_cast<std::uint64_t>(row.integer(more + 3)));
-            read_column(row, more + 4, latest.bar_audit.finished);
-            read_column(row, more + 5, latest.bar_audit.survived);
+            read_column(row, more + 4, latest.termination_audit.finished);
+            read_column(row, more + 5, latest.termination_audit.survived);
             latest.memory.threshold = row.real(more + 6);
             read_column(row, more + 7, latest.memory.quiet_generations);
         }

@@ -253,8 +253,8 @@ void ExperimentWriter::insert_generation(const Evolution& evolution) {
     insert_generation_.bind_next(champion.judged);
     insert_generation_.bind_next(row_of(evolution.shared_settings()));
     insert_generation_.bind_next(population_digest(evolution.population()));
-    insert_generation_.bind_next(evolution.bar_audit().finished);
-    insert_generation_.bind_next(evolution.bar_audit().survived);
+    insert_generation_.bind_next(evolution.termination_audit().finished);
+    insert_generation_.bind_next(evolution.termination_audit().survived);
     insert_generation_.bind_next(memory.threshold);
     insert_generation_.bind_next(memory.quiet_generations);
     bind_columns<GenerationStatistics>(insert_generation_, kLaterStatisticsColumns,

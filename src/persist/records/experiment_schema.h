@@ -31,7 +31,7 @@ inline constexpr std::array kResultColumns = {
     Column<EvaluationResult>{"neurons", &EvaluationResult::neurons},
     Column<EvaluationResult>{"computed_time", &EvaluationResult::computed_time},
     Column<EvaluationResult>{"work", &EvaluationResult::work},
-    Column<EvaluationResult>{"hopeless", &EvaluationResult::hopeless},
+    Column<EvaluationResult>{"hopeless", &EvaluationResult::terminable},
 };
 // Columns added by version 3.
 inline constexpr std::array kLaterResultColumns = {

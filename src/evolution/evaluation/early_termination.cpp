@@ -1,4 +1,4 @@
-#include "evolution/evaluation/hopeless.h"
+#include "evolution/evaluation/early_termination.h"
 
 #include <algorithm>
 #include <array>
@@ -64,18 +64,20 @@ double most_still_possible(const TrialRecord& so_far, const GoalKind& goal) {
     return most;
 }
 
-Result<BarredTrial> run_barred_trial(std::shared_ptr<const Phenotype> phenotype, const Kinds& kinds,
-                                     const TrialWorld& world, const TrialEnds& ends) {
+Result<TerminableTrial> run_terminable_trial(std::shared_ptr<const Phenotype> phenotype,
+                                             const Kinds& kinds, const TrialWorld& world,
+                                             const TrialEnds& ends) {
     auto trial = Trial::start(std::move(phenotype), kinds, world);
     if (!trial) return trial.error();
-    BarredTrial result;
-    bool weighed = !ends.bar;
+    TerminableTrial result;
+    bool weighed = !ends.threshold;
     while ((*trial)->tick()) {
         (*trial)->heed(ends.stop);
         if (weighed || (*trial)->time() < kMoment * world.trial.duration) continue;
         weighed = true;
-        result.hopeless = most_still_possible((*trial)->record(), ends.goal) <= ends.bar->score;
-        if (!result.hopeless || ends.bar->audited) continue;
+        result.terminable =
+            most_still_possible((*trial)->record(), ends.goal) <= ends.threshold->score;
+        if (!result.terminable || ends.threshold->audited) continue;
         (*trial)->stop_early(Outcome::kStoppedEarly, "could not survive any more");
         break;
     }
