@@ -49,46 +49,47 @@ struct FilesController::Handler {
         ++browser.opened;
         browser.picture = request.picture;
         browser.suggested_name = self.suggested_name(request.task);
-        self.desk_.list(browser.listing.folder, browser.task);
+        self.file_service_.list(browser.listing.folder, browser.task);
     }
     void operator()(const CloseFilePanel&) const { self.browser_.open = false; }
     void operator()(const ListFolder& request) const {
-        self.desk_.list(request.folder, self.browser_.task);
+        self.file_service_.list(request.folder, self.browser_.task);
     }
-    void operator()(const LoadFile& request) const { self.desk_.load(request.path); }
+    void operator()(const LoadFile& request) const { self.file_service_.load(request.path); }
     void operator()(const SaveCreatureFile& request) const {
         if (self.subjects_.viewer.playback().empty()) return;
         CreatureDocument document = self.displayed_document();
         if (!is_card_name(request.path))
-            return self.desk_.save_creature(request.path, std::move(document));
+            return self.file_service_.save_creature(request.path, std::move(document));
         const Exhibit& exhibit = self.subjects_.viewer.playback().exhibit();
         CardOrder order{.path = request.path,
                         .document = std::move(document),
                         .title = exhibit.title,
                         .settings = exhibit.settings()};
         if (exhibit.experiment != 0) order.generation = exhibit.individual().born;
-        self.desk_.prepare_card(std::move(order));
+        self.file_service_.prepare_card(std::move(order));
     }
     void operator()(const SaveCell& request) const {
         if (self.subjects_.picking.show_cell(request.cell))
             (*this)(OpenFilePanel{FileTask::kSaveCreature});
     }
     void operator()(const SaveExperimentFile& request) const {
-        self.desk_.save_experiment(request.path, self.subjects_.experiment.open().kept());
+        self.file_service_.save_experiment(request.path, self.subjects_.experiment.open().kept());
     }
     // Loads the run before the present one. Until the present run has a generation, that is still
     // the studio's own file.
     void operator()(const OpenPreviousRun&) const {
         const std::filesystem::path& own = self.subjects_.experiment.own_file();
         const bool begun = !self.subjects_.experiment.open().snapshot().history.empty();
-        self.desk_.load(begun ? previous_run(own) : own);
+        self.file_service_.load(begun ? previous_run(own) : own);
     }
     void operator()(const SaveSettingsFile& request) const {
-        self.desk_.save_settings(request.path, self.subjects_.experiment.open().editor().draft());
+        self.file_service_.save_settings(request.path,
+                                         self.subjects_.experiment.open().editor().draft());
     }
     void operator()(const SaveStatisticsFile& request) const {
-        self.desk_.save_statistics(request.path,
-                                   self.subjects_.experiment.open().snapshot().history);
+        self.file_service_.save_statistics(request.path,
+                                           self.subjects_.experiment.open().snapshot().history);
     }
     void operator()(const SavePlotPicture& request) const { self.orders_.plot = request; }
     void operator()(const SaveScreenshot& request) const { self.orders_.screenshot = request; }
@@ -178,12 +179,12 @@ FilesController::FilesController(const Services& services, ViewState& view,
     : services_(services),
       view_(view),
       subjects_(subjects),
-      desk_(services.worker, services.kinds) {
+      file_service_(services.worker, services.kinds) {
     browser_.listing.folder = std::filesystem::current_path();
 }
 
 void FilesController::update() {
-    for (FileEvent& event : desk_.take_events())
+    for (FileEvent& event : file_service_.take_events())
         std::visit(Receiver{*this}, event);
 }
 
@@ -202,15 +203,15 @@ void FilesController::open_now(const std::filesystem::path& path, ExhibitSource 
 
 void FilesController::reopen(const std::filesystem::path& path) {
     reopening_ = true;
-    desk_.load(path);
+    file_service_.load(path);
 }
 
 void FilesController::save_card(const PreparedCard& card, Image picture) {
-    desk_.save_card(card.path, std::move(picture), card.text);
+    file_service_.save_card(card.path, std::move(picture), card.text);
 }
 
 void FilesController::save_picture(const std::filesystem::path& path, Image image) {
-    desk_.save_picture(path, std::move(image));
+    file_service_.save_picture(path, std::move(image));
 }
 
 // Returns whether a task has something to save; if not, shows a notice that says why.

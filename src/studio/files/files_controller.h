@@ -4,7 +4,7 @@
 // the other controllers.
 
 #include "studio/experiment/generations_controller.h"
-#include "studio/files/file_desk.h"
+#include "studio/files/file_service.h"
 #include "studio/files/files_contract.h"
 #include "studio/hand_picking/picking_controller.h"
 
@@ -64,7 +64,7 @@ private:
     Services services_;
     ViewState& view_;
     FileSubjects subjects_;
-    FileDesk desk_;
+    FileService file_service_;
     FileBrowser browser_;
     std::filesystem::path samples_folder_;
     SampleShelf samples_;

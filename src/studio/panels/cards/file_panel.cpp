@@ -1,7 +1,7 @@
 #include "studio/panels/cards/file_panel.h"
 
 #include "persist/creature/creature_card.h"
-#include "studio/files/file_desk.h"
+#include "studio/files/file_service.h"
 #include "studio/widgets/widgets.h"
 
 #include <algorithm>

@@ -63,10 +63,10 @@ struct CardOrder {
     std::optional<std::uint32_t> generation = {};
 };
 
-class FileDesk {
+class FileService {
 public:
     // Both references must outlive the object.
-    FileDesk(BackgroundWorker& worker, const EvolutionKinds& kinds)
+    FileService(BackgroundWorker& worker, const EvolutionKinds& kinds)
         : worker_(worker), kinds_(kinds) {}
 
     // Loads a creature, card, settings or experiment file; the ending of its name tells which.

@@ -1,4 +1,4 @@
-#include "studio/files/file_desk.h"
+#include "studio/files/file_service.h"
 
 #include "core/files/file_io.h"
 #include "persist/creature/creature_card.h"
@@ -55,18 +55,18 @@ FileEvent load_file(const std::filesystem::path& path, const EvolutionKinds& kin
 }
 
 template <class Work>
-void FileDesk::run(Work work) {
+void FileService::run(Work work) {
     worker_.submit([this, work = std::move(work)](const std::stop_token& stop) mutable {
         auto event = std::make_shared<FileEvent>(work(stop));
         return [this, event] { events_.push_back(std::move(*event)); };
     });
 }
 
-void FileDesk::load(const std::filesystem::path& path) {
+void FileService::load(const std::filesystem::path& path) {
     run([path, &kinds = kinds_](const std::stop_token&) { return load_file(path, kinds); });
 }
 
-void FileDesk::save_creature(const std::filesystem::path& path, CreatureDocument document) {
+void FileService::save_creature(const std::filesystem::path& path, CreatureDocument document) {
     run([path, document = std::move(document),
          &kinds = kinds_](const std::stop_token& stop) mutable {
         complete_score(document, kinds, stop);
@@ -74,54 +74,55 @@ void FileDesk::save_creature(const std::filesystem::path& path, CreatureDocument
     });
 }
 
-void FileDesk::prepare_card(CardOrder order) {
+void FileService::prepare_card(CardOrder order) {
     run([order = std::move(order), &kinds = kinds_](const std::stop_token& stop) mutable {
         return prepared(std::move(order), kinds, stop);
     });
 }
 
-void FileDesk::save_card(const std::filesystem::path& path, Image picture, std::string document) {
+void FileService::save_card(const std::filesystem::path& path, Image picture,
+                            std::string document) {
     run([path, picture = std::move(picture),
          document = std::move(document)](const std::stop_token&) {
         return saved(path, cambrian::save_card(path, picture, document));
     });
 }
 
-void FileDesk::save_experiment(const std::filesystem::path& path,
-                               std::shared_ptr<KeptExperiment> experiment) {
+void FileService::save_experiment(const std::filesystem::path& path,
+                                  std::shared_ptr<KeptExperiment> experiment) {
     run([path, experiment = std::move(experiment)](const std::stop_token&) {
         return saved(path, experiment->move_to(path));
     });
 }
 
-void FileDesk::save_settings(const std::filesystem::path& path,
-                             const ExperimentSettings& settings) {
+void FileService::save_settings(const std::filesystem::path& path,
+                                const ExperimentSettings& settings) {
     run([path, settings, &kinds = kinds_](const std::stop_token&) {
         return saved(path, cambrian::save_settings(path, settings, kinds));
     });
 }
 
-void FileDesk::save_statistics(const std::filesystem::path& path,
-                               std::vector<GenerationStatistics> history) {
+void FileService::save_statistics(const std::filesystem::path& path,
+                                  std::vector<GenerationStatistics> history) {
     run([path, history = std::move(history)](const std::stop_token&) {
         return saved(path, write_file(path, statistics_csv(history)));
     });
 }
 
-void FileDesk::save_picture(const std::filesystem::path& path, Image image) {
+void FileService::save_picture(const std::filesystem::path& path, Image image) {
     run([path, image = std::move(image)](const std::stop_token&) {
         const Result<std::string> png = encode_png(image);
         return saved(path, png ? write_file(path, *png) : Status(png.error()));
     });
 }
 
-void FileDesk::list(const std::filesystem::path& folder, FileTask task) {
+void FileService::list(const std::filesystem::path& folder, FileTask task) {
     run([folder, task](const std::stop_token&) {
         return FileEvent(FolderListed{list_folder(folder, task)});
     });
 }
 
-std::vector<FileEvent> FileDesk::take_events() {
+std::vector<FileEvent> FileService::take_events() {
     return std::exchange(events_, {});
 }
 
