@@ -20,11 +20,11 @@ constexpr int kStripPoses = 5;
 // Maps the usual card, scaled and centred, to a card of any size.
 class CardSpace {
 public:
-    explicit CardSpace(const Easel& easel)
-        : unit(std::min(easel.width() / static_cast<double>(kCardWidth),
-                        easel.height() / static_cast<double>(kCardHeight))),
-          left_(0.5 * (easel.width() - unit * kCardWidth)),
-          top_(0.5 * (easel.height() - unit * kCardHeight)) {}
+    explicit CardSpace(const PictureCanvas& canvas)
+        : unit(std::min(canvas.width() / static_cast<double>(kCardWidth),
+                        canvas.height() / static_cast<double>(kCardHeight))),
+          left_(0.5 * (canvas.width() - unit * kCardWidth)),
+          top_(0.5 * (canvas.height() - unit * kCardHeight)) {}
 
     double x(double usual) const { return left_ + unit * usual; }
     double y(double usual) const { return top_ + unit * usual; }
@@ -57,37 +57,40 @@ std::vector<Fact> facts_of(const Subject& subject) {
     return facts;
 }
 
-void add_heading(Easel& easel, const CardSpace& at, const Subject& subject,
+void add_heading(PictureCanvas& canvas, const CardSpace& at, const Subject& subject,
                  const Palette& palette) {
     const double unit = at.unit;
     const Ink name{Typeface::kStrong, 58.0 * unit, palette.text};
     const Ink score{Typeface::kStrong, 46.0 * unit, palette.accent};
     const Ink goal{Typeface::kRegular, 26.0 * unit, palette.muted};
-    const double score_width = easel.lettering().width(subject.fitness, score.typeface, score.size);
+    const double score_width =
+        canvas.lettering().width(subject.fitness, score.typeface, score.size);
     const double width = unit * (kCardWidth - 2.0 * kCardMargin) - score_width - 28.0 * unit;
-    easel.add_text(at.x(kCardMargin), at.y(782), subject.name, name, Align::kLeft, width);
-    easel.add_text(at.x(kCardWidth - kCardMargin), at.y(782), subject.fitness, score,
-                   Align::kRight);
-    easel.add_text(at.x(kCardWidth - kCardMargin), at.y(822), subject.goal, goal, Align::kRight);
+    canvas.add_text(at.x(kCardMargin), at.y(782), subject.name, name, Align::kLeft, width);
+    canvas.add_text(at.x(kCardWidth - kCardMargin), at.y(782), subject.fitness, score,
+                    Align::kRight);
+    canvas.add_text(at.x(kCardWidth - kCardMargin), at.y(822), subject.goal, goal, Align::kRight);
     // The colour of the creature's lineage.
-    easel.add_box(at.area({kCardMargin, 806, 72, 8}), 4.0 * unit,
-                  color_of_hue(subject.hue(), 0.70, 0.12));
+    canvas.add_box(at.area({kCardMargin, 806, 72, 8}), 4.0 * unit,
+                   color_of_hue(subject.hue(), 0.70, 0.12));
 }
 
-void add_facts(Easel& easel, const CardSpace& at, const Subject& subject, const Palette& palette) {
+void add_facts(PictureCanvas& canvas, const CardSpace& at, const Subject& subject,
+               const Palette& palette) {
     const std::vector<Fact> facts = facts_of(subject);
     const Ink value{Typeface::kStrong, 34.0 * at.unit, palette.text};
     const Ink label{Typeface::kRegular, 21.0 * at.unit, palette.muted};
     const double column = (kCardWidth - 2.0 * kCardMargin) / static_cast<double>(facts.size());
     double x = kCardMargin;
     for (const Fact& fact : facts) {
-        easel.add_text(at.x(x), at.y(896), fact.value, value);
-        easel.add_text(at.x(x), at.y(926), fact.label, label);
+        canvas.add_text(at.x(x), at.y(896), fact.value, value);
+        canvas.add_text(at.x(x), at.y(926), fact.label, label);
         x += column;
     }
 }
 
-void add_strip(Easel& easel, const CardSpace& at, const Subject& subject, const Palette& palette) {
+void add_strip(PictureCanvas& canvas, const CardSpace& at, const Subject& subject,
+               const Palette& palette) {
     constexpr double gap = 12.0;
     constexpr double height = 190.0;
     const double width = (kCardWidth - 2.0 * kCardMargin + gap) / kStripPoses - gap;
@@ -99,38 +102,38 @@ void add_strip(Easel& easel, const CardSpace& at, const Subject& subject, const 
     for (const double time : even_times(subject.motion(), kStripPoses)) {
         const Area cell = at.area({x, 962, width, height});
         const Moment moment = moment_of(subject.motion(), time);
-        add_moment(easel, cell, subject, moment, style);
-        easel.round_corners(cell, 10.0 * at.unit, palette.window);
-        easel.add_text(cell.x + 0.5 * cell.width, at.y(1182), format("%.1f s", moment.time), ink,
-                       Align::kMiddle);
+        add_moment(canvas, cell, subject, moment, style);
+        canvas.round_corners(cell, 10.0 * at.unit, palette.window);
+        canvas.add_text(cell.x + 0.5 * cell.width, at.y(1182), format("%.1f s", moment.time), ink,
+                        Align::kMiddle);
         x += width + gap;
     }
 }
 
-void add_foot(Easel& easel, const CardSpace& at, const Palette& palette) {
+void add_foot(PictureCanvas& canvas, const CardSpace& at, const Palette& palette) {
     const Ink strong{Typeface::kStrong, 21.0 * at.unit, palette.muted};
     const Ink small{Typeface::kRegular, 21.0 * at.unit, palette.muted};
-    easel.add_text(at.x(kCardMargin), at.y(1242), "Cambrian", strong);
-    easel.add_text(at.x(kCardWidth - kCardMargin), at.y(1242),
-                   "The creature is inside: open this picture to see it move", small,
-                   Align::kRight);
+    canvas.add_text(at.x(kCardMargin), at.y(1242), "Cambrian", strong);
+    canvas.add_text(at.x(kCardWidth - kCardMargin), at.y(1242),
+                    "The creature is inside: open this picture to see it move", small,
+                    Align::kRight);
 }
 
 }  // namespace
 
-void draw_card(Easel& easel, const Subject& subject, const Palette& palette) {
-    const CardSpace at(easel);
-    easel.clear(palette.window);
+void draw_card(PictureCanvas& canvas, const Subject& subject, const Palette& palette) {
+    const CardSpace at(canvas);
+    canvas.clear(palette.window);
     const Area portrait = at.area({kCardMargin, kCardMargin, kCardWidth - 2.0 * kCardMargin, 650});
     MomentStyle style{.palette = palette, .label_size = 18.0 * at.unit};
     style.pixels_per_metre = scale_to_fit(subject.motion(), portrait, kPortraitShare);
-    add_moment(easel, portrait, subject,
+    add_moment(canvas, portrait, subject,
                moment_of(subject.motion(), telling_time(subject.motion())), style);
-    easel.round_corners(portrait, 18.0 * at.unit, palette.window);
-    add_heading(easel, at, subject, palette);
-    add_facts(easel, at, subject, palette);
-    add_strip(easel, at, subject, palette);
-    add_foot(easel, at, palette);
+    canvas.round_corners(portrait, 18.0 * at.unit, palette.window);
+    add_heading(canvas, at, subject, palette);
+    add_facts(canvas, at, subject, palette);
+    add_strip(canvas, at, subject, palette);
+    add_foot(canvas, at, palette);
 }
 
 }  // namespace cambrian

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "pictures/canvas/easel.h"
+#include "pictures/canvas/picture_canvas.h"
 #include "pictures/motion/subject.h"
 
 namespace cambrian {
@@ -10,6 +10,6 @@ inline constexpr int kCardHeight = 1280;
 
 // Draws the picture of a creature card: the creature, its name and score, and a strip of its
 // motion.
-void draw_card(Easel& easel, const Subject& subject, const Palette& palette);
+void draw_card(PictureCanvas& canvas, const Subject& subject, const Palette& palette);
 
 }  // namespace cambrian

@@ -25,26 +25,26 @@ double clip_time(const ClipTiming& timing, std::uint64_t frame) {
     return static_cast<double>(frame) * timing.speed / timing.frames_a_second;
 }
 
-void draw_clip_frame(Easel& easel, const Subject& subject, const Palette& palette,
+void draw_clip_frame(PictureCanvas& canvas, const Subject& subject, const Palette& palette,
                      const Moment& moment) {
     const double unit =
-        std::max(kLeastUnit, std::min(easel.width() / kClipWidth, easel.height() / kClipHeight));
-    const Area whole = {0, 0, static_cast<double>(easel.width()),
-                        static_cast<double>(easel.height())};
+        std::max(kLeastUnit, std::min(canvas.width() / kClipWidth, canvas.height() / kClipHeight));
+    const Area whole = {0, 0, static_cast<double>(canvas.width()),
+                        static_cast<double>(canvas.height())};
     MomentStyle style{.palette = palette, .label_size = 16.0 * unit, .trail = kTrail};
     style.pixels_per_metre = scale_to_fit(subject.motion(), whole, kClipBodyShare);
-    easel.clear(palette.sky);
-    add_moment(easel, whole, subject, moment, style);
+    canvas.clear(palette.sky);
+    add_moment(canvas, whole, subject, moment, style);
     const Ink title{Typeface::kStrong, 28.0 * unit, palette.text};
     const Ink small{Typeface::kRegular, 19.0 * unit, palette.muted};
     const double left = 24.0 * unit;
-    const double right = easel.width() - left;
+    const double right = canvas.width() - left;
     std::string line = subject.goal;
     if (!subject.fitness.empty()) line += "  ·  " + subject.fitness;
-    easel.add_text(left, 44.0 * unit, subject.name, title, Align::kLeft,
-                   right - left - 120.0 * unit);
-    easel.add_text(left, 72.0 * unit, line, small);
-    easel.add_text(right, 44.0 * unit, format("%.1f s", moment.time), title, Align::kRight);
+    canvas.add_text(left, 44.0 * unit, subject.name, title, Align::kLeft,
+                    right - left - 120.0 * unit);
+    canvas.add_text(left, 72.0 * unit, line, small);
+    canvas.add_text(right, 44.0 * unit, format("%.1f s", moment.time), title, Align::kRight);
 }
 
 }  // namespace cambrian

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "pictures/canvas/easel.h"
+#include "pictures/canvas/picture_canvas.h"
 #include "pictures/motion/subject.h"
 #include "pictures/scene/moment.h"
 
@@ -22,7 +22,7 @@ std::uint64_t clip_frames(const ClipTiming& timing);
 double clip_time(const ClipTiming& timing, std::uint64_t frame);
 
 // Draws one frame of a clip, with the creature's name, its score and the time.
-void draw_clip_frame(Easel& easel, const Subject& subject, const Palette& palette,
+void draw_clip_frame(PictureCanvas& canvas, const Subject& subject, const Palette& palette,
                      const Moment& moment);
 
 }  // namespace cambrian

@@ -50,23 +50,23 @@ double greatest(const std::vector<BandedCurve>& curves, std::vector<double> Band
 
 class Plot {
 public:
-    Plot(Easel& easel, const std::vector<BandedCurve>& curves, const Palette& palette)
-        : easel_(easel),
+    Plot(PictureCanvas& canvas, const std::vector<BandedCurve>& curves, const Palette& palette)
+        : canvas_(canvas),
           curves_(curves),
           palette_(palette),
-          unit_(easel.height() / kCurvesHeight),
+          unit_(canvas.height() / kCurvesHeight),
           width_(greatest(curves, &BandedCurve::x)),
           height_(greatest(curves, &BandedCurve::upper)) {
         columns_ = curves.size() > kOneColumn ? kColumns : 1;
         const std::size_t rows = (curves.size() + columns_ - 1) / columns_;
         const double legend = kLegend * unit_ * static_cast<double>(rows);
         const double top = kCurvesHeader * unit_;
-        area_ = {kLeft * unit_, top, easel.width() - (kLeft + kCurvesMargin) * unit_,
-                 easel.height() - top - kBottom * unit_ - legend};
+        area_ = {kLeft * unit_, top, canvas.width() - (kLeft + kCurvesMargin) * unit_,
+                 canvas.height() - top - kBottom * unit_ - legend};
     }
 
     void draw(const CurvesLabels& labels) {
-        easel_.clear(palette_.window);
+        canvas_.clear(palette_.window);
         add_words(labels);
         add_axes(labels);
         for (std::size_t i = 0; i < curves_.size(); ++i)
@@ -83,32 +83,32 @@ private:
 
     void add_words(const CurvesLabels& labels) {
         const double left = kCurvesMargin * unit_;
-        easel_.add_text(left, 62.0 * unit_, labels.title,
-                        {Typeface::kStrong, 38.0 * unit_, palette_.text}, Align::kLeft,
-                        easel_.width() - 2.0 * left);
-        easel_.add_text(left, 98.0 * unit_, labels.below,
-                        {Typeface::kRegular, 22.0 * unit_, palette_.muted}, Align::kLeft,
-                        easel_.width() - 2.0 * left);
-        easel_.add_text(left, 138.0 * unit_, labels.y, small());
+        canvas_.add_text(left, 62.0 * unit_, labels.title,
+                         {Typeface::kStrong, 38.0 * unit_, palette_.text}, Align::kLeft,
+                         canvas_.width() - 2.0 * left);
+        canvas_.add_text(left, 98.0 * unit_, labels.below,
+                         {Typeface::kRegular, 22.0 * unit_, palette_.muted}, Align::kLeft,
+                         canvas_.width() - 2.0 * left);
+        canvas_.add_text(left, 138.0 * unit_, labels.y, small());
     }
 
     Ink small() const { return {Typeface::kRegular, 20.0 * unit_, palette_.muted}; }
 
     void add_axes(const CurvesLabels& labels) {
-        easel_.add_box(area_, 0.0, palette_.panel);
+        canvas_.add_box(area_, 0.0, palette_.panel);
         const double step_y = tick_step(height_);
         for (double y = 0.0; y <= height_; y += step_y) {
-            easel_.add_line(at(0.0, y), at(width_, y), unit_, palette_.border);
-            easel_.add_text(area_.x - 12.0 * unit_, at(0.0, y).y() + 7.0 * unit_, pretty_number(y),
-                            small(), Align::kRight);
+            canvas_.add_line(at(0.0, y), at(width_, y), unit_, palette_.border);
+            canvas_.add_text(area_.x - 12.0 * unit_, at(0.0, y).y() + 7.0 * unit_, pretty_number(y),
+                             small(), Align::kRight);
         }
         const double step_x = tick_step(width_);
         for (double x = 0.0; x <= width_; x += step_x) {
-            easel_.add_text(at(x, 0.0).x(), area_.bottom() + 30.0 * unit_, pretty_number(x),
-                            small(), Align::kMiddle);
+            canvas_.add_text(at(x, 0.0).x(), area_.bottom() + 30.0 * unit_, pretty_number(x),
+                             small(), Align::kMiddle);
         }
-        easel_.add_text(area_.right(), area_.bottom() + 62.0 * unit_, labels.x, small(),
-                        Align::kRight);
+        canvas_.add_text(area_.right(), area_.bottom() + 62.0 * unit_, labels.x, small(),
+                         Align::kRight);
     }
 
     // Fills one column of pixels at a time between the two edges.
@@ -121,16 +121,16 @@ private:
                 const double low = std::lerp(curve.lower[i - 1], curve.lower[i], share);
                 const double high = std::lerp(curve.upper[i - 1], curve.upper[i], share);
                 const double top = at(0.0, high).y();
-                easel_.add_box({x, top, 1.0, at(0.0, low).y() - top}, 0.0,
-                               with_alpha(color, kBandShade));
+                canvas_.add_box({x, top, 1.0, at(0.0, low).y() - top}, 0.0,
+                                with_alpha(color, kBandShade));
             }
         }
     }
 
     void add_middle(const BandedCurve& curve, const Color& color) {
         for (std::size_t i = 1; i < curve.x.size(); ++i) {
-            easel_.add_line(at(curve.x[i - 1], curve.middle[i - 1]),
-                            at(curve.x[i], curve.middle[i]), 3.0 * unit_, color);
+            canvas_.add_line(at(curve.x[i - 1], curve.middle[i - 1]),
+                             at(curve.x[i], curve.middle[i]), 3.0 * unit_, color);
         }
     }
 
@@ -140,14 +140,14 @@ private:
             const double x = area_.x + width * static_cast<double>(i % columns_);
             const double y =
                 area_.bottom() + unit_ * (kBottom + kLegend * static_cast<double>(i / columns_));
-            easel_.add_line({x, y}, {x + 36.0 * unit_, y}, 5.0 * unit_, color_of_curve(i));
-            easel_.add_text(x + 52.0 * unit_, y + 7.0 * unit_, curves_[i].name,
-                            {Typeface::kRegular, 22.0 * unit_, palette_.text}, Align::kLeft,
-                            width - 60.0 * unit_);
+            canvas_.add_line({x, y}, {x + 36.0 * unit_, y}, 5.0 * unit_, color_of_curve(i));
+            canvas_.add_text(x + 52.0 * unit_, y + 7.0 * unit_, curves_[i].name,
+                             {Typeface::kRegular, 22.0 * unit_, palette_.text}, Align::kLeft,
+                             width - 60.0 * unit_);
         }
     }
 
-    Easel& easel_;
+    PictureCanvas& canvas_;
     const std::vector<BandedCurve>& curves_;
     const Palette& palette_;
     double unit_;
@@ -159,9 +159,9 @@ private:
 
 }  // namespace
 
-void draw_curves(Easel& easel, const std::vector<BandedCurve>& curves, const CurvesLabels& labels,
-                 const Palette& palette) {
-    Plot(easel, curves, palette).draw(labels);
+void draw_curves(PictureCanvas& canvas, const std::vector<BandedCurve>& curves,
+                 const CurvesLabels& labels, const Palette& palette) {
+    Plot(canvas, curves, palette).draw(labels);
 }
 
 }  // namespace cambrian

@@ -3,7 +3,7 @@
 // Plots curves with a band around each, on axes that begin at 0. Comparisons use it for the course
 // of several runs.
 
-#include "pictures/canvas/easel.h"
+#include "pictures/canvas/picture_canvas.h"
 
 #include <string>
 #include <vector>
@@ -27,7 +27,7 @@ struct CurvesLabels {
 };
 
 // Draws the curves. A curve without points appears only in the legend.
-void draw_curves(Easel& easel, const std::vector<BandedCurve>& curves, const CurvesLabels& labels,
-                 const Palette& palette);
+void draw_curves(PictureCanvas& canvas, const std::vector<BandedCurve>& curves,
+                 const CurvesLabels& labels, const Palette& palette);
 
 }  // namespace cambrian

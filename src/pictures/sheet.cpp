@@ -43,29 +43,31 @@ Grid choose_grid(int poses, const Area& room, double gap, double caption) {
     return best;
 }
 
-void add_header(Easel& easel, const Subject& subject, const Palette& palette, double unit) {
+void add_header(PictureCanvas& canvas, const Subject& subject, const Palette& palette,
+                double unit) {
     const double left = kSheetMargin * unit;
-    const double right = easel.width() - left;
+    const double right = canvas.width() - left;
     const Ink title{Typeface::kStrong, 38.0 * unit, palette.text};
     const Ink score{Typeface::kStrong, 38.0 * unit, palette.accent};
     const Ink small{Typeface::kRegular, 21.0 * unit, palette.muted};
-    const double score_width = easel.lettering().width(subject.fitness, score.typeface, score.size);
-    easel.add_text(left, 62.0 * unit, subject.name, title, Align::kLeft,
-                   right - left - score_width - 40.0 * unit);
-    easel.add_text(left, 96.0 * unit, facts_line(subject), small);
-    easel.add_text(right, 62.0 * unit, subject.fitness, score, Align::kRight);
-    easel.add_text(right, 96.0 * unit, subject.goal, small, Align::kRight);
+    const double score_width =
+        canvas.lettering().width(subject.fitness, score.typeface, score.size);
+    canvas.add_text(left, 62.0 * unit, subject.name, title, Align::kLeft,
+                    right - left - score_width - 40.0 * unit);
+    canvas.add_text(left, 96.0 * unit, facts_line(subject), small);
+    canvas.add_text(right, 62.0 * unit, subject.fitness, score, Align::kRight);
+    canvas.add_text(right, 96.0 * unit, subject.goal, small, Align::kRight);
 }
 
 }  // namespace
 
-void draw_sheet(Easel& easel, const Subject& subject, const Palette& palette, int poses) {
-    const double unit = std::min(easel.width() / kSheetWidth, easel.height() / kSheetHeight);
-    easel.clear(palette.window);
-    add_header(easel, subject, palette, unit);
+void draw_sheet(PictureCanvas& canvas, const Subject& subject, const Palette& palette, int poses) {
+    const double unit = std::min(canvas.width() / kSheetWidth, canvas.height() / kSheetHeight);
+    canvas.clear(palette.window);
+    add_header(canvas, subject, palette, unit);
     const Area room = {kSheetMargin * unit, (kSheetHeader + kGap) * unit,
-                       easel.width() - 2.0 * kSheetMargin * unit,
-                       easel.height() - (kSheetHeader + 2.0 * kGap) * unit};
+                       canvas.width() - 2.0 * kSheetMargin * unit,
+                       canvas.height() - (kSheetHeader + 2.0 * kGap) * unit};
     const double gap = kGap * unit;
     const double caption = kCaption * unit;
     const Grid grid = choose_grid(poses, room, gap, caption);
@@ -81,10 +83,10 @@ void draw_sheet(Easel& easel, const Subject& subject, const Palette& palette, in
                            std::round(room.y + row * (height + gap + caption)), std::round(width),
                            std::round(height)};
         const Moment moment = moment_of(subject.motion(), time);
-        add_moment(easel, cell, subject, moment, style);
-        easel.round_corners(cell, 8.0 * unit, palette.window);
-        easel.add_text(cell.x + 0.5 * width, cell.bottom() + 22.0 * unit,
-                       format("%.1f s", moment.time), ink, Align::kMiddle);
+        add_moment(canvas, cell, subject, moment, style);
+        canvas.round_corners(cell, 8.0 * unit, palette.window);
+        canvas.add_text(cell.x + 0.5 * width, cell.bottom() + 22.0 * unit,
+                        format("%.1f s", moment.time), ink, Align::kMiddle);
         ++index;
     }
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "pictures/canvas/easel.h"
+#include "pictures/canvas/picture_canvas.h"
 #include "pictures/motion/subject.h"
 
 namespace cambrian {
@@ -8,6 +8,6 @@ namespace cambrian {
 inline constexpr int kMostPoses = 48;
 
 // Draws a sheet of the creature in motion: 1 to kMostPoses poses over its trial, all to one scale.
-void draw_sheet(Easel& easel, const Subject& subject, const Palette& palette, int poses);
+void draw_sheet(PictureCanvas& canvas, const Subject& subject, const Palette& palette, int poses);
 
 }  // namespace cambrian

@@ -168,10 +168,10 @@ private:
     Result<Image> draw_card_picture(const Subject& subject) {
         const auto lettering = Lettering::load();
         if (!lettering) return lettering.error();
-        auto easel = Easel::create(renderer_, **lettering, kCardWidth, kCardHeight);
-        if (!easel) return easel.error();
-        draw_card(*easel, subject, palette_of(session_.view().theme));
-        return easel->finish();
+        auto canvas = PictureCanvas::create(renderer_, **lettering, kCardWidth, kCardHeight);
+        if (!canvas) return canvas.error();
+        draw_card(*canvas, subject, palette_of(session_.view().theme));
+        return canvas->finish();
     }
 
     void take_picture(const std::filesystem::path& path) {

@@ -287,10 +287,10 @@ TEST_CASE("creatures of made-up kinds are saved, loaded and drawn", "[extension]
     const auto subject = subject_of(best, *saved.latest->settings, "Made up", kinds());
     INFO((subject ? "" : subject.error().message));
     REQUIRE(subject);
-    auto easel = Easel::create(**renderer, **lettering, 240, 320);
-    REQUIRE(easel);
-    draw_card(*easel, *subject, palette_of(ThemeKind::kDark));
-    const auto image = easel->finish();
+    auto canvas = PictureCanvas::create(**renderer, **lettering, 240, 320);
+    REQUIRE(canvas);
+    draw_card(*canvas, *subject, palette_of(ThemeKind::kDark));
+    const auto image = canvas->finish();
     REQUIRE(image.rgb.size() == 240U * 320U * 3U);
     std::set<std::array<std::uint8_t, 3>> colors;
     for (std::size_t i = 0; i < image.rgb.size(); i += 3)

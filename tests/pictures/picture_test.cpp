@@ -30,10 +30,10 @@ public:
         renderer_ = opened(Renderer::create());
         lettering_ = opened(Lettering::load());
     }
-    Easel easel(int width, int height) {
-        auto easel = Easel::create(*renderer_, *lettering_, width, height);
-        REQUIRE(easel);
-        return std::move(*easel);
+    PictureCanvas canvas(int width, int height) {
+        auto canvas = PictureCanvas::create(*renderer_, *lettering_, width, height);
+        REQUIRE(canvas);
+        return std::move(*canvas);
     }
 
 private:
@@ -60,28 +60,28 @@ TEST_CASE("sheets, cards and frames of clips show something in their size", "[pi
     Workshop workshop;
     const Subject subject = crawler();
     for (const ThemeKind theme : {ThemeKind::kDark, ThemeKind::kLight}) {
-        Easel easel = workshop.easel(400, 300);
-        draw_sheet(easel, subject, palette_of(theme), 6);
-        const Image sheet = easel.finish();
+        PictureCanvas canvas = workshop.canvas(400, 300);
+        draw_sheet(canvas, subject, palette_of(theme), 6);
+        const Image sheet = canvas.finish();
         CHECK(sheet.width == 400);
         CHECK(sheet.height == 300);
         CHECK(sheet.rgb.size() == 400U * 300U * 3U);
         CHECK(colors_in(sheet) > 50);
-        draw_card(easel, subject, palette_of(theme));
-        CHECK(colors_in(easel.finish()) > 50);
-        draw_clip_frame(easel, subject, palette_of(theme), moment_of(subject.motion(), 0.0));
-        CHECK(colors_in(easel.finish()) > 50);
+        draw_card(canvas, subject, palette_of(theme));
+        CHECK(colors_in(canvas.finish()) > 50);
+        draw_clip_frame(canvas, subject, palette_of(theme), moment_of(subject.motion(), 0.0));
+        CHECK(colors_in(canvas.finish()) > 50);
     }
 }
 
 TEST_CASE("the same moment gives the same picture and another one another", "[pictures][picture]") {
     Workshop workshop;
     const Subject subject = crawler();
-    Easel easel = workshop.easel(160, 120);
+    PictureCanvas canvas = workshop.canvas(160, 120);
     const auto frame = [&](std::uint64_t number) {
-        draw_clip_frame(easel, subject, palette_of(ThemeKind::kDark),
+        draw_clip_frame(canvas, subject, palette_of(ThemeKind::kDark),
                         moment_of(subject.motion(), clip_time({}, number)));
-        return easel.finish().rgb;
+        return canvas.finish().rgb;
     };
     const auto first = frame(0);
     CHECK(frame(0) == first);
@@ -92,24 +92,24 @@ TEST_CASE("the smallest and oddest sizes can be drawn", "[pictures][picture]") {
     Workshop workshop;
     const Subject subject = crawler();
     for (const auto& [width, height] : {std::pair{64, 64}, {64, 1000}, {1000, 64}}) {
-        Easel easel = workshop.easel(width, height);
+        PictureCanvas canvas = workshop.canvas(width, height);
         for (const int poses : {1, 7, kMostPoses}) {
-            draw_sheet(easel, subject, palette_of(ThemeKind::kDark), poses);
-            CHECK(easel.finish().width == width);
+            draw_sheet(canvas, subject, palette_of(ThemeKind::kDark), poses);
+            CHECK(canvas.finish().width == width);
         }
-        draw_card(easel, subject, palette_of(ThemeKind::kDark));
-        CHECK(easel.finish().height == height);
+        draw_card(canvas, subject, palette_of(ThemeKind::kDark));
+        CHECK(canvas.finish().height == height);
     }
 }
 
 TEST_CASE("a curve rises where its values do, between the edges of its band",
           "[pictures][picture]") {
     Workshop workshop;
-    Easel easel = workshop.easel(1600, 900);
+    PictureCanvas canvas = workshop.canvas(1600, 900);
     const BandedCurve rising{"rising", {0, 50, 100}, {0, 0.4, 0.9}, {0, 0.5, 1}, {0, 0.6, 2}};
     const CurvesLabels labels{"Title", "below", "trials", "score"};
     const auto rows_of_middle = [&](int x) {
-        const Image image = easel.finish();
+        const Image image = canvas.finish();
         std::vector<int> rows;
         for (int y = 0; y < 760; ++y) {
             const std::uint8_t* pixel = image.pixel(x, y);
@@ -118,17 +118,17 @@ TEST_CASE("a curve rises where its values do, between the edges of its band",
         }
         return rows;
     };
-    draw_curves(easel, {rising}, labels, palette_of(ThemeKind::kDark));
+    draw_curves(canvas, {rising}, labels, palette_of(ThemeKind::kDark));
     const std::vector<int> early = rows_of_middle(400);
     const std::vector<int> late = rows_of_middle(1400);
     REQUIRE_FALSE(early.empty());
     REQUIRE_FALSE(late.empty());
     CHECK(late.front() < early.front() - 100);
-    draw_curves(easel, {}, labels, palette_of(ThemeKind::kDark));
+    draw_curves(canvas, {}, labels, palette_of(ThemeKind::kDark));
     CHECK(rows_of_middle(400).empty());
     const std::vector<BandedCurve> many(40, BandedCurve{"no runs yet", {}, {}, {}, {}});
-    draw_curves(easel, many, labels, palette_of(ThemeKind::kLight));
-    CHECK(colors_in(easel.finish()) > 50);
+    draw_curves(canvas, many, labels, palette_of(ThemeKind::kLight));
+    CHECK(colors_in(canvas.finish()) > 50);
 }
 
 TEST_CASE("a clip has a frame for each stretch of the trial", "[pictures][clip]") {

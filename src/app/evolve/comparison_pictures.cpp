@@ -37,15 +37,15 @@ Status save_comparison_pictures(const std::filesystem::path& folder,
                                 const std::vector<ComparedRun>& runs) {
     const auto workshop = open_workshop(kWidth, kHeight);
     if (!workshop) return workshop.error();
-    Easel& easel = *(*workshop)->easel;
+    PictureCanvas& canvas = *(*workshop)->canvas;
     for (const std::string& world : worlds_of(runs)) {
-        draw_curves(easel, curves_of(runs, world),
+        draw_curves(canvas, curves_of(runs, world),
                     {.title = capitalized(world),
                      .below = "Best creature of a run: median and middle half of the seeds",
                      .x = "trials",
                      .y = "score"},
                     palette_of(ThemeKind::kLight));
-        const Result<std::string> png = encode_png(easel.finish());
+        const Result<std::string> png = encode_png(canvas.finish());
         if (!png) return png.error();
         const Status written = write_file(folder / ("curves-" + world + ".png"), *png);
         if (!written) return written;

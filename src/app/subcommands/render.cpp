@@ -189,20 +189,20 @@ private:
         const Size size = parse_size(options_.size).value_or(usual_size(product));
         const auto workshop = open_workshop(size.width, size.height);
         if (!workshop) return workshop.error();
-        Easel& easel = *(*workshop)->easel;
+        PictureCanvas& canvas = *(*workshop)->canvas;
         const Palette palette =
             palette_of(options_.theme == "light" ? ThemeKind::kLight : ThemeKind::kDark);
-        if (product == Product::kClip) return make_clip(easel, scene, palette, path, work);
+        if (product == Product::kClip) return make_clip(canvas, scene, palette, path, work);
         if (product == Product::kCard) {
-            draw_card(easel, subject, palette);
-            return save_card(path, easel.finish(), text);
+            draw_card(canvas, subject, palette);
+            return save_card(path, canvas.finish(), text);
         }
-        draw_sheet(easel, subject, palette, options_.poses.value_or(12));
-        const Result<std::string> png = encode_png(easel.finish());
+        draw_sheet(canvas, subject, palette, options_.poses.value_or(12));
+        const Result<std::string> png = encode_png(canvas.finish());
         return png ? write_file(path, *png) : Status(png.error());
     }
 
-    Status make_clip(Easel& easel, const Scene& scene, const Palette& palette,
+    Status make_clip(PictureCanvas& canvas, const Scene& scene, const Palette& palette,
                      const std::filesystem::path& path, LongWork& work) const {
         const Subject& subject = scene.subject;
         ClipTiming timing;
@@ -212,15 +212,15 @@ private:
                                   subject.motion().length());
         auto motion = ReplayedMotion::start(subject.motion().phenotype, scene.kinds, scene.world);
         if (!motion) return motion.error();
-        auto clip = ClipFile::open(path, easel.width(), easel.height(), timing.frames_a_second);
+        auto clip = ClipFile::open(path, canvas.width(), canvas.height(), timing.frames_a_second);
         if (!clip) return clip.error();
         work.begin("drawing", timing.seconds);
         for (std::uint64_t frame = 0; frame < clip_frames(timing); ++frame) {
             if (work.interrupted()) return Error{"interrupted; nothing was written"};
             const double time = clip_time(timing, frame);
-            draw_clip_frame(easel, subject, palette, {time, motion->at(time)});
+            draw_clip_frame(canvas, subject, palette, {time, motion->at(time)});
             work.watch().note(time);
-            if (Status added = (*clip)->add(easel.finish()); !added) return added;
+            if (Status added = (*clip)->add(canvas.finish()); !added) return added;
         }
         return (*clip)->finish();
     }

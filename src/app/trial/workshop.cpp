@@ -15,9 +15,9 @@ Result<std::unique_ptr<Workshop>> open_workshop(int width, int height) {
     auto lettering = Lettering::load();
     if (!lettering) return lettering.error();
     workshop->lettering = std::move(*lettering);
-    auto easel = Easel::create(*workshop->renderer, *workshop->lettering, width, height);
-    if (!easel) return easel.error();
-    workshop->easel.emplace(std::move(*easel));
+    auto canvas = PictureCanvas::create(*workshop->renderer, *workshop->lettering, width, height);
+    if (!canvas) return canvas.error();
+    workshop->canvas.emplace(std::move(*canvas));
     return workshop;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/result.h"
-#include "pictures/canvas/easel.h"
+#include "pictures/canvas/picture_canvas.h"
 #include "render/opengl/offscreen_context.h"
 
 #include <memory>
@@ -14,7 +14,7 @@ struct Workshop {
     std::unique_ptr<OffscreenContext> context;
     std::unique_ptr<Renderer> renderer;
     std::unique_ptr<Lettering> lettering;
-    std::optional<Easel> easel;
+    std::optional<PictureCanvas> canvas;
 };
 
 // Makes a workshop for pictures of this size in pixels.

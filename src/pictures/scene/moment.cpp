@@ -40,7 +40,7 @@ SceneFrame scene_of(const Subject& subject, const Moment& moment, const Camera& 
 }
 
 // Labels each ground mark with its distance.
-void add_ground_labels(Easel& easel, const Area& area, const Camera& camera,
+void add_ground_labels(PictureCanvas& canvas, const Area& area, const Camera& camera,
                        const Viewport& viewport, const MomentStyle& style) {
     const WorldWindow window = camera.window(viewport);
     const double spacing = mark_spacing(camera, kMarkPixels * style.label_size / 13.0);
@@ -48,11 +48,11 @@ void add_ground_labels(Easel& easel, const Area& area, const Camera& camera,
     for (double i = std::ceil(window.low.x() / spacing); i * spacing < window.high.x(); i += 1.0) {
         const std::string label = with_unit(i * spacing, "m");
         const Vec2 at = camera.to_screen({i * spacing, 0.0}, viewport);
-        const double half = 0.5 * easel.lettering().width(label, ink.typeface, ink.size) + 4.0;
+        const double half = 0.5 * canvas.lettering().width(label, ink.typeface, ink.size) + 4.0;
         const double base = at.y() + 1.75 * style.label_size;
         const bool inside = at.x() > half && at.x() < viewport.width - half &&
                             base < viewport.height - 0.3 * style.label_size;
-        if (inside) easel.add_text(area.x + at.x(), area.y + base, label, ink, Align::kMiddle);
+        if (inside) canvas.add_text(area.x + at.x(), area.y + base, label, ink, Align::kMiddle);
     }
 }
 
@@ -96,16 +96,16 @@ Moment moment_of(const RecordedMotion& motion, double time) {
     return {time, motion.at(time)};
 }
 
-void add_moment(Easel& easel, const Area& area, const Subject& subject, const Moment& moment,
-                const MomentStyle& style) {
+void add_moment(PictureCanvas& canvas, const Area& area, const Subject& subject,
+                const Moment& moment, const MomentStyle& style) {
     const Viewport viewport{area.width, area.height};
     Camera camera;
     camera.pixels_per_metre = style.pixels_per_metre;
     const bool ground = subject.environment().has_ground;
     const Vec3 center = moment.frame.center_of_mass;
     camera.center = follow_center(center.head<2>(), ground, camera, viewport);
-    easel.add_scene(scene_of(subject, moment, camera, viewport, style), camera, area);
-    if (ground) add_ground_labels(easel, area, camera, viewport, style);
+    canvas.add_scene(scene_of(subject, moment, camera, viewport, style), camera, area);
+    if (ground) add_ground_labels(canvas, area, camera, viewport, style);
 }
 
 std::string facts_line(const Subject& subject) {

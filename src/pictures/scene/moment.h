@@ -2,7 +2,7 @@
 
 // Draws one instant of a creature's trial in the same way as the viewport.
 
-#include "pictures/canvas/easel.h"
+#include "pictures/canvas/picture_canvas.h"
 #include "pictures/motion/subject.h"
 
 #include <cstddef>
@@ -32,8 +32,8 @@ struct Moment {
     MotionFrame frame;
 };
 Moment moment_of(const RecordedMotion& motion, double time);
-void add_moment(Easel& easel, const Area& area, const Subject& subject, const Moment& moment,
-                const MomentStyle& style);
+void add_moment(PictureCanvas& canvas, const Area& area, const Subject& subject,
+                const Moment& moment, const MomentStyle& style);
 
 // Returns facts about the body in one line: "4 parts · 3 joints · 7 neurons".
 std::string facts_line(const Subject& subject);

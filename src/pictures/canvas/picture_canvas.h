@@ -38,12 +38,12 @@ struct Ink {
 
 enum class Align : unsigned char { kLeft, kMiddle, kRight };
 
-class Easel {
+class PictureCanvas {
 public:
     // Both references must outlive the object; their OpenGL context must be current. Fails if the
     // driver cannot make a picture of this size.
-    static Result<Easel> create(Renderer& renderer, const Lettering& lettering, int width,
-                                int height);
+    static Result<PictureCanvas> create(Renderer& renderer, const Lettering& lettering, int width,
+                                        int height);
 
     int width() const { return framebuffer_.width(); }
     int height() const { return framebuffer_.height(); }
@@ -64,7 +64,7 @@ public:
     Image finish();
 
 private:
-    Easel(Renderer& renderer, const Lettering& lettering, Framebuffer framebuffer)
+    PictureCanvas(Renderer& renderer, const Lettering& lettering, Framebuffer framebuffer)
         : renderer_(&renderer), lettering_(&lettering), framebuffer_(std::move(framebuffer)) {}
 
     Renderer* renderer_;

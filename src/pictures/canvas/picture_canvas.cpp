@@ -1,4 +1,4 @@
-#include "pictures/canvas/easel.h"
+#include "pictures/canvas/picture_canvas.h"
 
 #include "render/opengl/gl.h"
 #include "render/opengl/pixels.h"
@@ -53,41 +53,42 @@ void paint_corners(Image& image, const Area& area, double radius, const Color& a
 
 }  // namespace
 
-Result<Easel> Easel::create(Renderer& renderer, const Lettering& lettering, int width, int height) {
+Result<PictureCanvas> PictureCanvas::create(Renderer& renderer, const Lettering& lettering,
+                                            int width, int height) {
     auto framebuffer = Framebuffer::create(width, height);
     if (!framebuffer) return framebuffer.error();
-    return Easel(renderer, lettering, std::move(*framebuffer));
+    return PictureCanvas(renderer, lettering, std::move(*framebuffer));
 }
 
-void Easel::clear(const Color& background) {
+void PictureCanvas::clear(const Color& background) {
     boxes_.clear();
     scenes_.clear();
     touches_.clear();
     boxes_.background = background;
 }
 
-void Easel::add_box(const Area& area, double radius, const Color& fill) {
+void PictureCanvas::add_box(const Area& area, double radius, const Color& fill) {
     boxes_.shapes.push_back({.center = {area.x + 0.5 * area.width, -area.y - 0.5 * area.height},
                              .half_extents = {0.5 * area.width, 0.5 * area.height},
                              .radius = radius,
                              .fill = fill});
 }
 
-void Easel::add_line(const Vec2& from, const Vec2& to, double width, const Color& color) {
+void PictureCanvas::add_line(const Vec2& from, const Vec2& to, double width, const Color& color) {
     boxes_.add_line({from.x(), -from.y()}, {to.x(), -to.y()}, width, color);
 }
 
-void Easel::add_scene(SceneFrame frame, const Camera& camera, const Area& area) {
+void PictureCanvas::add_scene(SceneFrame frame, const Camera& camera, const Area& area) {
     scenes_.push_back({std::move(frame), camera, pixels_of(area, height())});
 }
 
-void Easel::round_corners(const Area& area, double radius, const Color& around) {
+void PictureCanvas::round_corners(const Area& area, double radius, const Color& around) {
     touches_.emplace_back(
         [area, radius, around](Image& image) { paint_corners(image, area, radius, around); });
 }
 
-void Easel::add_text(double x, double y, std::string_view text, const Ink& ink, Align align,
-                     double most) {
+void PictureCanvas::add_text(double x, double y, std::string_view text, const Ink& ink, Align align,
+                             double most) {
     std::string words(text);
     if (most > 0.0) words = lettering_->fit(text, ink.typeface, ink.size, most);
     const double width = lettering_->width(words, ink.typeface, ink.size);
@@ -99,7 +100,7 @@ void Easel::add_text(double x, double y, std::string_view text, const Ink& ink, 
         });
 }
 
-Image Easel::finish() {
+Image PictureCanvas::finish() {
     framebuffer_.bind();
     Camera camera;
     camera.pixels_per_metre = 1.0;
