@@ -16,7 +16,7 @@ constexpr double kGhostBudget = 0.004;     // s per frame
 struct ViewerController::Handler {
     ViewerController& self;
 
-    Playback& playback() const { return self.stage_.playback(); }
+    Playback& playback() const { return self.viewer_.playback(); }
 
     void operator()(const TogglePlayback&) const {
         playback().pace().playing = !playback().pace().playing;
@@ -69,14 +69,14 @@ struct ViewerController::Handler {
 ViewerController::ViewerController(const Services& services, ViewState& view)
     : services_(services),
       view_(view),
-      stage_(services.worker, services.kinds),
+      viewer_(services.worker, services.kinds),
       ghosts_(services.kinds.creature),
-      facts_{.playback = stage_.playback(), .genes = &genes_} {}
+      facts_{.playback = viewer_.playback(), .genes = &genes_} {}
 
 void ViewerController::update(double elapsed, const EvolutionSnapshot& snapshot) {
-    stage_.playback().pace().speed = view_.speed;
-    stage_.playback().advance(elapsed, kPlaybackBudget);
-    ghosts_.update(snapshot, view_.ghosts, stage_.playback(), kGhostBudget);
+    viewer_.playback().pace().speed = view_.speed;
+    viewer_.playback().advance(elapsed, kPlaybackBudget);
+    ghosts_.update(snapshot, view_.ghosts, viewer_.playback(), kGhostBudget);
 }
 
 void ViewerController::carry_out(const ViewerRequest& request) {
@@ -85,7 +85,7 @@ void ViewerController::carry_out(const ViewerRequest& request) {
 
 ViewerView ViewerController::facts() const {
     ViewerView facts = facts_;
-    facts.score = stage_.score();
+    facts.score = viewer_.score();
     facts.ghosts = ghosts_.all();
     return facts;
 }
@@ -93,7 +93,7 @@ ViewerView ViewerController::facts() const {
 void ViewerController::show(Exhibit exhibit) {
     const std::string title = exhibit.title;
     const std::string uid = uid_text(exhibit.individual().uid);
-    if (Status status = stage_.show(std::move(exhibit)); !status)
+    if (Status status = viewer_.show(std::move(exhibit)); !status)
         return services_.feedback.report(status);
     genes_.clear();
     shown_since_ = services_.feedback.now();
@@ -101,7 +101,7 @@ void ViewerController::show(Exhibit exhibit) {
 }
 
 void ViewerController::use_environment(const Environment& environment) {
-    stage_.playback().creature().set_environment(environment);
+    viewer_.playback().creature().set_environment(environment);
 }
 
 bool ViewerController::undo_gene_edit() {
@@ -124,18 +124,18 @@ double ViewerController::shown_for() const {
 }
 
 bool ViewerController::animating() const {
-    const Playback& playback = stage_.playback();
+    const Playback& playback = viewer_.playback();
     return (playback.pace().playing && !playback.empty()) || playback.seeking();
 }
 
 void ViewerController::show_edited() {
-    services_.feedback.report(stage_.show(genes_.exhibit()));
+    services_.feedback.report(viewer_.show(genes_.exhibit()));
     shown_since_ = services_.feedback.now();
 }
 
 void ViewerController::log_tick() {
     services_.feedback.log().write(
-        "tick", {{"number", static_cast<double>(stage_.playback().tick_shown())}});
+        "tick", {{"number", static_cast<double>(viewer_.playback().tick_shown())}});
 }
 
 }  // namespace cambrian

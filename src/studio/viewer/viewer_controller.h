@@ -5,7 +5,7 @@
 
 #include "studio/background/services.h"
 #include "studio/look/view_state.h"
-#include "studio/viewer/stage.h"
+#include "studio/viewer/viewer.h"
 #include "studio/viewer/viewer_contract.h"
 
 namespace cambrian {
@@ -30,8 +30,8 @@ public:
     bool undo_gene_edit();
     bool redo_gene_edit();
 
-    const Playback& playback() const { return stage_.playback(); }
-    const ScoreReport* score() const { return stage_.score(); }
+    const Playback& playback() const { return viewer_.playback(); }
+    const ScoreReport* score() const { return viewer_.score(); }
     double shown_for() const;  // s since the creature was displayed
     bool animating() const;    // whether the next frame differs without input
 
@@ -43,7 +43,7 @@ private:
 
     Services services_;
     ViewState& view_;
-    Stage stage_;
+    Viewer viewer_;
     GeneEditor genes_;  // edits of the displayed creature
     Ghosts ghosts_;
     ViewerView facts_;

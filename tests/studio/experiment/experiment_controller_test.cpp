@@ -59,7 +59,7 @@ TEST_CASE("an edited world acts on the viewer at once and on the engine when the
     CHECK(run.session.frame_context().experiment.snapshot.journal.size() == 2);
 }
 
-TEST_CASE("an edit of anything but the world leaves the stage's world alone",
+TEST_CASE("an edit of anything but the world leaves the displayed world alone",
           "[studio][experiment]") {
     SessionRun run;
     run.session.show_newcomer();

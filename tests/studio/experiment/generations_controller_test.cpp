@@ -10,7 +10,7 @@ using test::finish_generations;
 using test::SessionRun;
 using test::shown_in;
 
-TEST_CASE("one generation is evaluated, logged and its champion takes the stage",
+TEST_CASE("one generation is evaluated, logged and its champion is displayed",
           "[studio][generations]") {
     SessionRun run;
     run.ask(RunOneGeneration{});

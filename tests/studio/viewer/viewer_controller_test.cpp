@@ -18,7 +18,7 @@ double root_length(const SessionRun& run) {
     return run.session.frame_context().viewer.playback.exhibit().genome()->nodes[0].length;
 }
 
-TEST_CASE("an edited gene is on stage at once, can be undone and made again", "[studio][viewer]") {
+TEST_CASE("an edited gene is displayed at once, can be undone and made again", "[studio][viewer]") {
     SessionRun run;
     run.session.show_newcomer();
     const double before = root_length(run);

@@ -1,4 +1,4 @@
-#include "studio/viewer/stage.h"
+#include "studio/viewer/viewer.h"
 
 #include "evolution/evaluation/trials.h"
 
@@ -42,7 +42,7 @@ std::optional<ScoreReport> report_on(const Exhibit& exhibit,
 
 }  // namespace
 
-Status Stage::show(Exhibit exhibit) {
+Status Viewer::show(Exhibit exhibit) {
     if (Status status = playback_.show(std::move(exhibit)); !status) return status;
     score_.reset();
     *outdated_ = true;
@@ -51,7 +51,7 @@ Status Stage::show(Exhibit exhibit) {
     return {};
 }
 
-void Stage::request_score() {
+void Viewer::request_score() {
     const GoalKind* goal = kinds_.goals.find(playback_.exhibit().settings().goal);
     if (goal == nullptr) return;
     worker_.submit([this, goal, outdated = outdated_,

@@ -14,10 +14,10 @@
 
 namespace cambrian {
 
-class Stage {
+class Viewer {
 public:
     // Both references must outlive the object.
-    Stage(BackgroundWorker& worker, const EvolutionKinds& kinds)
+    Viewer(BackgroundWorker& worker, const EvolutionKinds& kinds)
         : worker_(worker), kinds_(kinds), playback_(kinds.creature) {}
 
     Status show(Exhibit exhibit);
