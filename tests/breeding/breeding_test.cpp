@@ -84,6 +84,15 @@ TEST_CASE("the default shares are 40, 30 and 30 per cent", "[breeding]") {
     CHECK(methods().find("grafting")->default_share == 0.3);
 }
 
+TEST_CASE("genes name the heritable methods, in an order that digests count", "[breeding]") {
+    const std::vector<std::string> named = {"inherit", "asexual", "crossover", "grafting"};
+    CHECK(reproductions_of(methods()) == named);
+    BreedingRegistry more = methods();
+    more.add({.id = "budding", .parents = 1});
+    CHECK(reproductions_of(more).back() == "budding");
+    CHECK(single_parent_method(more).id == "asexual");
+}
+
 TEST_CASE("an asexual child is a nameless copy", "[breeding]") {
     Genome parent = founder_corpus(1)[0];
     parent.name = "Adam";

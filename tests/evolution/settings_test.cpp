@@ -5,7 +5,9 @@
 
 #include <cmath>
 #include <limits>
+#include <map>
 #include <set>
+#include <string>
 
 using namespace cambrian;
 using test::kinds;
@@ -165,6 +167,49 @@ TEST_CASE("early termination contradicts methods that look at everyone, and more
     settings.world.trial.trials = 3;
     CHECK(check_settings(settings, kinds()).error().message.find("[trial] trials") !=
           std::string::npos);
+}
+
+namespace {
+
+// The keys of [selection] that have an effect under these settings, besides the method and the
+// confirmations.
+std::set<std::string> effective_keys(const ExperimentSettings& settings) {
+    std::set<std::string> keys;
+    for (const SettingField& field : setting_fields(kinds())) {
+        if (field.table == "selection" && (!field.applies || field.applies(settings)))
+            keys.insert(field.key);
+    }
+    for (const char* always : {"method", "confirmations", "confirm-jitter"})
+        CHECK(keys.erase(always) == 1);
+    return keys;
+}
+
+}  // namespace
+
+TEST_CASE("settings of selection have an effect where the method reads them",
+          "[evolution][settings]") {
+    using Keys = std::set<std::string>;
+    const Keys share = {"survival", "max-clones", "line-share", "plan-copies"};
+    Keys tournament = share;
+    tournament.insert({"tournament-size", "tournament-of-all"});
+    const std::map<std::string, Keys> expected = {
+        {"truncation", share},
+        {"rank", share},
+        {"tournament", tournament},
+        {"roulette", {"max-clones", "elites"}},
+        {"map-elites", {"map-across", "map-up"}},
+        {"novelty", {"novelty-neighbors", "novelty-threshold"}},
+        {"age-protection", {}}};
+    ExperimentSettings settings;
+    for (const auto& [method, keys] : expected) {
+        CAPTURE(method);
+        settings.selection.method = method;
+        CHECK(effective_keys(settings) == keys);
+    }
+    settings.selection.method = "tournament";
+    settings.selection.own["tournament-of-all"] = true;
+    CHECK(effective_keys(settings) ==
+          Keys{"max-clones", "tournament-size", "tournament-of-all", "elites"});
 }
 
 TEST_CASE("a goal in its own world raises no warning", "[evolution][settings]") {

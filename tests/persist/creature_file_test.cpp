@@ -85,6 +85,16 @@ TEST_CASE("a name may hold any text and comes back readable", "[persist][creatur
     CHECK(saved_and_loaded("cut in a character \xe8") == "cut in a character ?");
 }
 
+TEST_CASE("a uid that is not a number is nobody's", "[persist][creature_file]") {
+    std::string text = sample_text();
+    const std::string uid = "9f3c22a1d0b4e877";
+    text.replace(text.find(uid), uid.size(), "the first of all");
+    const auto loaded = parse_creature(text, "test", kinds());
+    REQUIRE(loaded);
+    CHECK(loaded->creature.individual->uid == 0);
+    CHECK_THAT(write_creature(*loaded, kinds()), Catch::Contains("\"uid\": \"\""));
+}
+
 TEST_CASE("a failed save keeps the old file", "[persist][creature_file]") {
     const TemporaryDirectory folder;
     CHECK_FALSE(save_creature(folder / "no/such/folder/a", sample_document(), kinds()));
