@@ -261,7 +261,7 @@ TEST_CASE("a genome that ends its workers is found and written down", "[cluster]
     CHECK(trouble.find(file.string()) != std::string::npos);
     const auto creature = load_creature(file, kinds());
     REQUIRE(creature);
-    CHECK(hex_text(genome_hash(creature->genome)) == hash);
+    CHECK(hex_text(genome_hash(creature->genome())) == hash);
 }
 
 TEST_CASE("overdue units that are sound are computed in a process of their own",

@@ -184,7 +184,7 @@ TEST_CASE("the creature that ends processes is found by halving", "[cluster]") {
     CHECK(crashes == 4);
     REQUIRE(folder.size() == 1);
     const auto file = std::filesystem::directory_iterator(place)->path();
-    CHECK(*poison == load_creature(file, kinds())->genome);
+    CHECK(*poison == load_creature(file, kinds())->genome());
 }
 
 TEST_CASE("a process that cannot be started is trouble, not a failure", "[cluster]") {
