@@ -7,7 +7,8 @@
 namespace cambrian {
 namespace {
 
-constexpr double kAirborne = 0.01;  // m; a lowest point no higher than this is on the ground
+// M; a creature whose lowest point is below this is on the ground.
+constexpr double kAirborne = 0.01;
 
 }  // namespace
 
