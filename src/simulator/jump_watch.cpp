@@ -7,7 +7,7 @@
 namespace cambrian {
 namespace {
 
-// M; a creature whose lowest point is below this is on the ground.
+// A creature is on the ground while its lowest point is below this height, in m.
 constexpr double kAirborne = 0.01;
 
 }  // namespace

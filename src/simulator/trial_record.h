@@ -24,7 +24,7 @@ struct TrialRecord {
     std::string reason;        // reason of any outcome but completed, in words
     double duration = 0.0;     // s, planned length of the test phase
     double settle_time = 0.0;  // s
-    // S of the test phase that were computed; less than `duration` if it ended early.
+    // Computed time of the test phase, in s; less than `duration` if it ended early.
     double computed_time = 0.0;
     double body_length = 0.0;  // m, simulator/README.md 1
     double mass = 0.0;         // kg

@@ -36,7 +36,7 @@ constexpr milliseconds kWithoutSettings{1'000};
 constexpr milliseconds kNotForThisBuild{5'000};
 constexpr double kProgressEvery = 2.0;  // s
 constexpr int kMostPublishing = 10;     // attempts to publish a result
-// S for which the refusal is reported after the last refused unit.
+// Time in s for which the refusal is reported after the last refused unit.
 constexpr double kRefusalShown = 10.0;
 constexpr std::size_t kMostRunsTold = 64;  // runs about which a message was printed
 

@@ -16,8 +16,8 @@ namespace cambrian {
 namespace {
 
 constexpr double kUnderflowShare = 1.0 / 32;  // of the contact step
-// S; upper bound of the above at the default tolerance.
-constexpr double kUnderflowStep = 1.0 / 1920;
+// Upper bound of the underflow step at the default tolerance.
+constexpr double kUnderflowStep = 1.0 / 1920;  // s
 constexpr double kUsualTolerance = 4e-3;
 constexpr double kNoRowsShare = 1.0 / 16;  // of the contact step
 constexpr int kMaxUnderflows = 4;          // underflows in a row before a step without rows

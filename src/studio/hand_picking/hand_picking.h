@@ -73,7 +73,7 @@ private:
     const EvolutionKinds& kinds_;
     std::size_t workers_;
     std::unique_ptr<PickingDesk> desk_;  // null before the first enter()
-    // commands that did not fit into the engine's inbox
+    // Commands that did not fit into the engine's inbox.
     std::deque<std::pair<PickingCommand, double>> unsent_;
     std::shared_ptr<const PickingSnapshot> snapshot_;
     SettingsPtr used_;  // the settings sent to the picking engine last
