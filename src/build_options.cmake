@@ -1,4 +1,4 @@
-# Compile options of everything of ours: cambrian_options (language, floating point, sanitizers)
+# Compile options of all our code: cambrian_options (language, floating point, sanitizers)
 # and cambrian_warnings; and cambrian_layer(), which declares one layer's static library.
 
 add_library(cambrian_options INTERFACE)

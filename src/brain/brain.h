@@ -8,23 +8,23 @@
 
 namespace cambrian {
 
-// A network with its values and memory; think() allocates nothing. Keeps references to the network
-// and the functions, which must outlive it.
+// A network with its values and memory. think() allocates nothing. The network and the functions
+// must outlive the brain.
 class Brain {
 public:
     Brain(const Network& network, const NeuronFunctionRegistry& functions);
 
     void reset();
-    // The sensors' readings, to be filled before think().
+    // The sensors' readings, which must be set before think().
     std::span<double> sensors() { return {values_.data(), network_->sensor_count}; }
     void think(double dt);
-    // Weighted, limited value of one output after think().
+    // Returns the weighted, limited value of one output after think().
     double output(std::size_t index) const;
-    // Present value of any slot.
+    // Returns the present value of any slot.
     double value(Slot slot) const { return values_[slot]; }
     std::span<const double> values() const { return values_; }
     std::span<const double> memory() const { return memory_; }
-    // Whatever a neuron computes, it says this value until released.
+    // Sets the value of a neuron, whatever it computes, until released.
     void force(std::size_t neuron, double value);
     void release(std::size_t neuron);
     void release_all() { forced_.clear(); }
@@ -33,7 +33,7 @@ private:
     void overwrite(std::size_t neuron);
 
     const Network* network_;
-    std::vector<NeuronFunctionKind::Evaluate> evaluate_;  // one a neuron
+    std::vector<NeuronFunctionKind::Evaluate> evaluate_;  // one per neuron
     std::vector<double> values_;
     std::vector<double> memory_;
     std::vector<std::pair<std::size_t, double>> forced_;

@@ -1,8 +1,8 @@
-// The order of neurons is that of lazy evaluation, computed once (brain/README.md 3). In lazy
-// evaluation a neuron first asks its inputs in order and then computes; asked again, it answers
-// with the value it has. This walk is the same in every tick. An input that is complete before its
-// reader comes earlier in the order and has this tick's value. An input that is still in progress
-// (a cycle) comes later and has the last tick's value, as lazy evaluation demands.
+// Neurons are in the order of lazy evaluation, computed once (brain/README.md 3). In lazy
+// evaluation a neuron first evaluates its inputs in order and then itself; when asked again, it
+// returns its present value. This walk is the same in every tick. An input that is complete before
+// its reader is earlier in the order and has this tick's value. An input that is still in progress
+// (a cycle) is later in the order and has the last tick's value, as lazy evaluation requires.
 
 #include "brain/network.h"
 
@@ -26,7 +26,8 @@ private:
         std::size_t next_input;
     };
 
-    // One step of a depth-first walk on its own stack, so that no network exhausts the thread's.
+    // Makes one step of a depth-first walk. Its stack is on the heap, so that large networks cannot
+    // exhaust the thread's.
     void advance() {
         Visit& visit = pending_.back();
         const NetworkNeuron& neuron = network_.neurons[visit.neuron];

@@ -1,7 +1,7 @@
 #pragma once
 
-// A compiled network: neurons in one fixed order of evaluation over one array of values
-// (brain/README.md 3). Immutable; a Brain is a network with its memory.
+// A compiled network: neurons in a fixed order of evaluation and one array of values
+// (brain/README.md 3). It is immutable; a Brain adds values and memory.
 //
 // Value slots: [0, sensor_count) sensor readings, then the constant 1, then the constant 0, then
 // one slot a neuron.
@@ -24,17 +24,17 @@ struct NetworkInput {
 };
 
 struct NetworkNeuron {
-    std::uint8_t function = 0;  // index in the registry
+    std::uint8_t function = 0;  // index into the registry
     std::uint8_t arity = 1;
     std::array<NetworkInput, 3> inputs;
-    std::uint32_t memory = 0;  // first of its memory values
+    std::uint32_t memory = 0;  // index of its first memory value
 };
 
 struct Network {
     std::size_t sensor_count = 0;
     std::vector<NetworkNeuron> neurons;  // neuron i writes neuron_slot(i)
-    std::vector<NetworkInput> outputs;   // one an effector, in part order
-    std::vector<std::uint32_t> order;    // live neurons, in the order they are evaluated
+    std::vector<NetworkInput> outputs;   // one per effector, in the order of parts
+    std::vector<std::uint32_t> order;    // connected neurons, in order of evaluation
     std::size_t memory_size = 0;
 
     Slot constant_slot() const { return static_cast<Slot>(sensor_count); }
@@ -45,7 +45,7 @@ struct Network {
     std::size_t slot_count() const { return sensor_count + 2 + neurons.size(); }
 };
 
-// Fixes `order` (depth-first post-order from the outputs) and the memory layout.
+// Computes `order` (depth-first post-order from the outputs) and the memory layout.
 void compile(Network& network, const NeuronFunctionRegistry& functions);
 
 }  // namespace cambrian

@@ -1,7 +1,7 @@
 #pragma once
 
-// A kind of neuron: a function of one to three weighted inputs and a little memory
-// (brain/README.md 2). Pure numbers; no idea of bodies.
+// A kind of neuron: a function of one to three weighted inputs and some memory (brain/README.md 2).
+// It does not depend on bodies.
 
 #include "core/registry.h"
 
@@ -11,11 +11,11 @@
 namespace cambrian {
 
 struct NeuronFunctionKind {
-    // inputs: `arity` values, each finite and within +-10; memory: `memory_size` values, all 0 at
-    // birth, updated in place; dt in s. The caller limits the result.
+    // `inputs` has `arity` values, each finite and within +-10. `memory` has `memory_size` values,
+    // which are 0 at birth and updated in place. `dt` is in s. The caller limits the result.
     using Evaluate = double (*)(const double* inputs, double* memory, double dt);
 
-    // A suggestion for founders: with the probability the input is a constant in [low, high].
+    // A suggestion for founders: with this probability the input is a constant in [low, high].
     struct InputHint {
         double probability = 0.0;
         double low = 0.0;
@@ -23,12 +23,13 @@ struct NeuronFunctionKind {
     };
 
     std::string id;     // written to files
-    std::string label;  // shown
+    std::string label;  // displayed name
     int arity = 1;
     int memory_size = 0;
     Evaluate evaluate = nullptr;
-    std::vector<InputHint> input_hints = {};  // one an input, or empty
-    // Its memory is a phase: however slowly it moves on, the output goes through all of its range.
+    std::vector<InputHint> input_hints = {};  // one per input, or empty
+    // Its memory is a phase, so that even a slow change eventually covers the full range of the
+    // output.
     bool oscillates = false;
 };
 

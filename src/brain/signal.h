@@ -6,16 +6,16 @@
 
 namespace cambrian {
 
-inline constexpr double kSignalLimit = 10.0;  // inputs and outputs stay within +- this
+inline constexpr double kSignalLimit = 10.0;  // inputs and outputs are within +- this
 
-// x within +-10; not a number becomes 0.
+// Returns x limited to +-10; not-a-number becomes 0.
 inline double limit_signal(double x) {
     if (std::isnan(x)) return 0.0;
     const double low = x > -kSignalLimit ? x : -kSignalLimit;
     return low < kSignalLimit ? low : kSignalLimit;
 }
 
-// Truth is +1, falsehood -1, as a contact sensor reads.
+// True is +1 and false is -1, as a contact sensor reads.
 inline double truth(bool value) {
     return value ? 1.0 : -1.0;
 }

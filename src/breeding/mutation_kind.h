@@ -15,7 +15,8 @@ namespace cambrian {
 // The order in which operators are applied to one offspring.
 enum class MutationPhase : std::uint8_t { kParameters, kGrowth, kConnections };
 
-// What an operator changes: parts with their joints and attachments, or neurons and references.
+// The genes that an operator changes: parts with their joints and attachments, or neurons and
+// references.
 enum class MutationSubject : std::uint8_t { kBody, kBrain };
 
 // The context of an operator besides the genome.

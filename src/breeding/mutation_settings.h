@@ -5,7 +5,7 @@
 
 namespace cambrian {
 
-// How offspring are mutated (breeding/README.md 1).
+// The settings of the mutation of offspring (breeding/README.md 1).
 struct MutationSettings {
     std::string scheme = "count-first";  // "count-first", "gate" or "none"
     // Scales the number of mutations; 1 gives none, one and more in exactly 25, 50 and 25 % of the

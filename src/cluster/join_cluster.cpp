@@ -15,7 +15,7 @@
 namespace cambrian {
 namespace {
 
-// The identity of a run; it is the same when the run is resumed on the same machine.
+// Returns the identity of a run, which is the same when the run is resumed on the same machine.
 std::string experiment_id(const std::filesystem::path& experiment) {
     if (experiment.empty()) return "";
     std::error_code unknown;

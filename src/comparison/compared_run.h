@@ -41,7 +41,7 @@ struct ComparedRun {
     double score = 0.0;      // score of the champion by the run's own settings
     double confirmed = 0.0;  // median of the champion's scores in ten slightly different worlds
     double finer = 0.0;      // score of the champion with an accurate integrator and fine steps
-    // M, v^2 / (2 g) for the take-off speed v of the champion's best jump.
+    // v^2 / (2 g) in m, for the take-off speed v of the champion's best jump.
     double jump_height = 0.0;
     int parts = 0;  // parts of the champion
     int lines = 0;  // founders from whom the survivors of the last generation descend

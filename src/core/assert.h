@@ -1,7 +1,8 @@
 #pragma once
 
-// Assertions for bugs in our own code; never for user input. Always on; the tick variant only in
-// debug and sanitizer builds, because it is inside the simulation's inner loop.
+// Assertions for bugs in our own code, never for user input. They are always on, except the tick
+// variant, which is only in debug and sanitizer builds, since it is used in the simulation's inner
+// loop.
 
 #include <cstdio>
 #include <cstdlib>

@@ -1,7 +1,7 @@
 #pragma once
 
-// 64-bit FNV-1a over bytes: digests of motions and genomes, file checks. Stable for ever; the value
-// does not depend on the machine's byte order.
+// 64-bit FNV-1a over bytes, for digests of motions and genomes and for checks of files. It will
+// never change, and does not depend on the machine's byte order.
 
 #include <bit>
 #include <cstddef>
@@ -18,7 +18,7 @@ public:
             add_byte(static_cast<std::uint8_t>(word >> shift));
         }
     }
-    // The bits of the number; -0 and 0 differ.
+    // Adds the bits of the number; -0 and 0 differ.
     void add(double number) { add(std::bit_cast<std::uint64_t>(number)); }
     void add(std::string_view text) {
         for (const char letter : text)

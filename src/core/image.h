@@ -6,13 +6,13 @@
 
 namespace cambrian {
 
-// A picture: rows from the top, three bytes a pixel.
+// A picture with rows from the top and three bytes per pixel.
 struct Image {
     int width = 0;
     int height = 0;
     std::vector<std::uint8_t> rgb;
 
-    // Red, green and blue of a pixel inside.
+    // Returns red, green and blue of a pixel, which must be inside the image.
     std::uint8_t* pixel(int x, int y) { return rgb.data() + 3 * index(x, y); }
     const std::uint8_t* pixel(int x, int y) const { return rgb.data() + 3 * index(x, y); }
 

@@ -55,7 +55,7 @@ double RandomStream::uniform() {
 
 double RandomStream::uniform(double low, double high) {
     const double value = low + (high - low) * uniform();
-    return value < high ? value : std::nextafter(high, low);  // the sum may have rounded up
+    return value < high ? value : std::nextafter(high, low);  // the sum may have been rounded up
 }
 
 std::size_t RandomStream::below(std::size_t count) {
@@ -79,7 +79,7 @@ bool RandomStream::chance(double probability) {
 }
 
 double RandomStream::gauss() {
-    double sum = uniform();  // one after the other: compilers evaluate operands in any order
+    double sum = uniform();  // one per statement, since compilers evaluate operands in any order
     for (int i = 0; i < 3; ++i)
         sum += uniform();
     return kSqrt3 * (sum - 2.0);

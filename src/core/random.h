@@ -1,9 +1,8 @@
 #pragma once
 
-// Random streams: xoshiro256** (Blackman & Vigna 2018) seeded through SplitMix64. No stream is ever
-// shared: whoever needs chance derives one from what it is for, so threads and the number of draws
-// elsewhere cannot change a result. Distributions are our own; the standard ones may differ between
-// libraries.
+// Random streams: xoshiro256** (Blackman & Vigna 2018) seeded with SplitMix64. Streams are never
+// shared: each purpose derives its own, so threads and other draws cannot change a result.
+// Distributions are our own, since the standard ones may differ between libraries.
 
 #include "core/assert.h"
 
@@ -16,7 +15,7 @@
 
 namespace cambrian {
 
-// What a stream is used for; the values are part of every result and never change.
+// The purpose of a stream. The values are part of every result and never change.
 enum class Purpose : std::uint64_t {
     kFounder = 1,
     kSelection = 2,
@@ -28,10 +27,10 @@ enum class Purpose : std::uint64_t {
     kTest = 99,
 };
 
-// One seed from several keys, order mattering.
+// Returns a seed that depends on all keys and on their order.
 std::uint64_t stream_seed(std::initializer_list<std::uint64_t> keys);
 
-// The usual derivation: (experiment seed, generation, child index, purpose).
+// Returns the seed for (experiment seed, generation, child index, purpose).
 std::uint64_t stream_seed(std::uint64_t experiment_seed, std::uint64_t generation,
                           std::uint64_t child, Purpose purpose);
 
@@ -44,11 +43,12 @@ public:
     double uniform(double low, double high);  // [low, high)
     std::size_t below(std::size_t count);     // 0 .. count-1, unbiased; count > 0
     int between(int low, int high);           // low .. high inclusive
-    bool chance(double probability);          // one draw, whatever the probability
-    // Mean 0, variance 1, bounded by +-3.47: a scaled sum of four uniforms (core/README.md 1).
+    bool chance(double probability);          // one draw for any probability
+    // Returns a variate with mean 0 and variance 1 within +-3.47: a scaled sum of four uniforms
+    // (core/README.md 1).
     double gauss();
-    // Index with probability proportional to its weight; negative weights count as 0. All zero or
-    // empty of positive weights: uniform. weights must not be empty.
+    // Returns an index with probability proportional to its weight. Negative weights count as 0. If
+    // no weight is positive, all are equal. `weights` must not be empty.
     std::size_t weighted(std::span<const double> weights);
 
     template <class Sequence>

@@ -1,7 +1,7 @@
 #pragma once
 
-// How much there was of something in the last minute, counted in seconds of wall time: for
-// display, never for decisions that change a result.
+// The sum of a quantity over the last minute of wall time. It is for display only, never for
+// decisions that change a result.
 
 #include <algorithm>
 #include <array>
@@ -15,7 +15,7 @@ class RecentSum {
 public:
     static constexpr int kSeconds = 60;
 
-    // now: s of any clock that never goes back, at least 0 and the same in all calls.
+    // `now` is in s of any monotonic clock, at least 0; all calls must use the same clock.
     void add(double amount, double now) {
         Bucket& bucket = buckets_[place(second(now))];
         if (bucket.second != second(now)) bucket = {second(now), 0.0};
@@ -23,7 +23,7 @@ public:
         first_ = std::min(first_, now);
     }
 
-    // Sum of the last `seconds` (1 to kSeconds), the present one included.
+    // Returns the sum over the last `seconds` (1 to kSeconds), the present one included.
     double sum(double now, int seconds = kSeconds) const {
         double total = 0.0;
         for (const Bucket& bucket : buckets_) {
@@ -33,7 +33,8 @@ public:
         return total;
     }
 
-    // A second, over the last `seconds` or since the first was counted, if that is less.
+    // Returns the rate per second over the last `seconds`, or since the first add() if that is
+    // less.
     double rate(double now, int seconds) const {
         const double whole = static_cast<double>(seconds - 1) + (now - std::floor(now));
         return sum(now, seconds) / std::clamp(now - first_, 1.0, std::max(1.0, whole));
@@ -41,7 +42,7 @@ public:
 
 private:
     struct Bucket {
-        std::int64_t second = -kSeconds;  // before any that is asked for
+        std::int64_t second = -kSeconds;  // earlier than any second that can be asked for
         double amount = 0.0;
     };
 
@@ -51,7 +52,7 @@ private:
     }
 
     std::array<Bucket, kSeconds> buckets_;
-    double first_ = 1e300;  // s; later than any
+    double first_ = 1e300;  // s; time of the first add(), or a value later than any
 };
 
 }  // namespace cambrian

@@ -1,8 +1,8 @@
 #pragma once
 
-// The known kinds of one thing (sensors, goals, selection methods...), in registration order. A
-// Kind has a member `id`, a stable text written to files. Filled once before any thread starts,
-// then shared by const reference.
+// A registry of kinds (sensors, goals, selection methods...) in order of registration. A Kind has a
+// member `id`, a text that files contain and that never changes. Registries are filled before any
+// thread starts and are then shared by const reference.
 
 #include "core/assert.h"
 

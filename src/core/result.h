@@ -1,6 +1,6 @@
 #pragma once
 
-// Failures a user can cause, as values: Result<T> holds a T or an Error, Status only the Error or
+// Failures that a user can cause, as values: Result<T> has a T or an Error, Status has an Error or
 // nothing. Member names are those of std::expected.
 
 #include "core/assert.h"
@@ -11,7 +11,8 @@
 
 namespace cambrian {
 
-// What was tried, where (file, line, key) and what was expected; one sentence a person can act on.
+// One sentence that says what was tried, where (file, line, key) and what was expected, so that a
+// user can correct it.
 struct Error {
     std::string message;
 };

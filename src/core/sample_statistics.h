@@ -1,6 +1,6 @@
 #pragma once
 
-// Figures of a few numbers. Samples must not be empty.
+// Statistics of samples, which must not be empty.
 
 #include <algorithm>
 #include <numeric>
@@ -8,7 +8,7 @@
 
 namespace cambrian {
 
-// Of an even number the mean of the middle two.
+// For an even number of values, the median is the mean of the middle two.
 inline double median(std::vector<double> values) {
     std::sort(values.begin(), values.end());
     const std::size_t middle = values.size() / 2;

@@ -1,6 +1,6 @@
 #pragma once
 
-// Wall time for display and benchmarks; never for decisions that change a result.
+// Measures wall time for display and benchmarks, never for decisions that change a result.
 
 #include <chrono>
 

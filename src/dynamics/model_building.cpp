@@ -13,10 +13,11 @@
 namespace cambrian {
 namespace {
 
-constexpr double kMinHalfExtent = 0.01;    // m
-constexpr double kMinMassShare = 1e-4;     // of the total mass
-constexpr double kMaxPinGap = 1e-6;        // m, in the rest pose
-constexpr double kRateLengthShare = 0.25;  // child lengths a second, per rad/s of a motor's limit
+constexpr double kMinHalfExtent = 0.01;  // m
+constexpr double kMinMassShare = 1e-4;   // of the total mass
+constexpr double kMaxPinGap = 1e-6;      // m, in the rest pose
+// Child lengths per second, for each rad/s of a motor's limit.
+constexpr double kRateLengthShare = 0.25;
 
 Error part_error(std::size_t part, const std::string& problem) {
     return {"body plan, part " + std::to_string(part) + ": " + problem};

@@ -8,10 +8,11 @@
 
 namespace cambrian {
 
-// density: kg/m^2, above 0. Fails, naming the part, on more than 32 bodies or 64 parts, boxes
-// thinner than 2 cm, numbers that are not finite, children before parents, limits in the wrong
-// order and bodies lighter than 1e-4 of the total. It also fails on more than 64 loop joints, and
-// on loop joints that name no part, lie within one body or are over 1e-6 m apart in the rest pose.
+// `density` is in kg/m^2 and positive. Fails, naming the part, for more than 32 bodies or 64 parts,
+// boxes thinner than 2 cm, numbers that are not finite, children before parents, limits in the
+// wrong order, and bodies lighter than 1e-4 of the total mass. It also fails for more than 64 loop
+// joints, and for loop joints that name no part, connect points of one body or are over 1e-6 m
+// apart in the rest pose.
 Result<PlanarModel> build_planar_model(const BodyPlan& plan, double density);
 
 }  // namespace cambrian

@@ -1,7 +1,7 @@
 #pragma once
 
-// A registered effector: turns one brain output into the motor target of a part's joint, tick by
-// tick (creature/README.md 6).
+// A registered kind of effector: converts one output of the brain into the motor target of a part's
+// joint in every tick (creature/README.md 6).
 
 #include "core/registry.h"
 #include "world/body_plan.h"
@@ -13,18 +13,19 @@
 
 namespace cambrian {
 
-// The part an effector belongs to.
+// The part that an effector belongs to.
 struct EffectorSite {
     const PlannedPart& part;
     std::size_t index;
 };
 
-// The share of the way to its target that a smoothed target goes in dt (s).
+// Returns the share of the way to its target that a smoothed value moves in dt (s).
 double smoothing_share(double dt, double time_constant);
 
 struct EffectorKind {
-    // Drives the part's joint from `signal` (within +-10, already mirrored). `memory` is one value,
-    // the smoothed target, 0 (rest) at birth; `share` is smoothing_share() of the tick.
+    // Sets the motor target of the part's joint from `signal` (within +-10, already mirrored).
+    // `memory` is the smoothed target, 0 (rest) at birth; `share` is the smoothing_share() of the
+    // tick.
     using Drive = void (*)(const EffectorSite& site, double signal, double share,
                            const SceneSettings& settings, double& memory, PhysicsScene& scene);
 

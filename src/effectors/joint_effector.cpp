@@ -1,7 +1,6 @@
-// The muscle of a joint (creature/README.md 6): the signal, read in the joint's unit, is held to
-// the joint's limits before any force exists, then smoothed,
-//     y <- y + (target - y) (1 - exp(-dt / tau)),
-// and the joint's motor follows y.
+// The muscle of a joint (creature/README.md 6). The signal is converted to the joint's unit,
+// clamped to the joint's limits and smoothed with y <- y + (target - y) (1 - exp(-dt / tau)). The
+// joint's motor follows y.
 
 #include "effectors/kinds.h"
 #include "math/elementary.h"
@@ -11,7 +10,7 @@
 namespace cambrian {
 namespace {
 
-// What the motor is asked for, in the units of its mode.
+// Returns the target in the unit of the motor mode.
 double motor_target(const PlannedPart& part, double signal, const SceneSettings& settings) {
     switch (part.motor_mode) {
         case MotorMode::kVelocity:

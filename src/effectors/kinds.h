@@ -1,6 +1,6 @@
 #pragma once
 
-// The effector kinds; one file each.
+// Registers the effector kinds, one file each.
 
 #include "effectors/effector.h"
 

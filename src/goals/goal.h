@@ -1,6 +1,6 @@
 #pragma once
 
-// What is asked of a creature and how its trial is scored (goals/README.md).
+// A goal: the behaviour that evolution selects for, and how a trial is scored (goals/README.md).
 
 #include "core/registry.h"
 #include "simulator/trial_record.h"
@@ -11,7 +11,7 @@
 
 namespace cambrian {
 
-// One line of how a score was made up.
+// One of the quantities that make up a score.
 struct ScoreTerm {
     std::string label;
     double value = 0.0;
@@ -27,13 +27,14 @@ struct GoalKind {
     std::string id;     // "walking"
     std::string label;  // "Walking"
     std::string unit;   // of the score: "BL/s"
-    std::string help;   // one sentence for people
-    // Worlds in which scores are confirmed unless settings say otherwise; 0 where a trial that is
-    // repeated slightly differently comes to the same.
+    std::string help;   // one sentence for users
+    // Default number of worlds in which scores are confirmed; 0 if a slightly changed trial gives
+    // nearly the same score.
     int default_confirmations = 0;
-    // The environment the goal makes sense in.
+    // Returns the environment in which the goal makes sense.
     Environment (*default_environment)() = nullptr;
-    // What makes the goal pointless in an environment, as half a sentence; empty if nothing does.
+    // Returns why the goal is impossible in an environment, as half a sentence; empty if it is
+    // possible.
     std::string (*mismatch)(const Environment& environment) = nullptr;
     // Only completed records are scored; others score 0.
     Score (*score)(const TrialRecord& record) = nullptr;
@@ -43,7 +44,7 @@ using GoalRegistry = Registry<GoalKind>;
 
 GoalRegistry builtin_goals();
 
-// The unit of a goal (by its id); empty if it is not known.
+// Returns the unit of a goal by its id; empty if the id is unknown.
 inline std::string goal_unit(const std::string& goal, const GoalRegistry& goals) {
     const GoalKind* kind = goals.find(goal);
     return kind == nullptr ? std::string() : kind->unit;

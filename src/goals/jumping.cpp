@@ -3,7 +3,7 @@
 //
 //     S = J + 0.02 s * min(v, 2.5 m/s)
 //
-// The second term, 0.05 m at most, gives selection something to climb before the first true jump.
+// The second term, at most 0.05 m, gives selection a gradient before the first true jump.
 #include "goals/goal.h"
 #include "goals/mismatch.h"
 

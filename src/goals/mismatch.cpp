@@ -6,7 +6,7 @@
 namespace cambrian {
 namespace {
 
-constexpr double kThinnest = 1e-3;  // viscosity that still carries, of either kind
+constexpr double kThinnest = 1e-3;  // least viscosity, of either kind, that allows swimming
 
 double pull_down(const Environment& environment) {
     return -environment.gravity * sine(to_radians(environment.gravity_direction));

@@ -1,6 +1,6 @@
 #pragma once
 
-// Environments in which a goal makes no sense; see GoalKind::mismatch.
+// Checks of environments for GoalKind::mismatch.
 
 #include "world/environment.h"
 
@@ -8,10 +8,10 @@
 
 namespace cambrian {
 
-// For what pushes off the ground: there is one, and something holds the creature to it.
+// For goals that need a ground to push against and gravity that holds the creature there.
 std::string needs_ground(const Environment& environment);
 
-// For what pushes off the medium: it is thick enough, and neither ground nor fall gets in the way.
+// For goals that need a medium to push against, without ground and without falling.
 std::string needs_water(const Environment& environment);
 
 }  // namespace cambrian

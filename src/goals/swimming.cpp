@@ -3,7 +3,8 @@
 //
 //     S = [ (v1 + v2 + 2 v3 + 3 v4) / 14 + min(v) / 2 ] / BL, at least 0
 //
-// Drift from one push decays and circling makes no progress along one direction, so neither pays.
+// The drift after one push decays, and circling makes no progress along one direction, so neither
+// scores.
 #include "goals/goal.h"
 #include "goals/mismatch.h"
 #include "goals/sampling.h"

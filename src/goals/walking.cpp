@@ -3,9 +3,9 @@
 //
 //     S = max over both directions of [0.3 (p1 + p2 + p3 + p4) + 2.8 min(p)] / (BL * 0.8 T),
 //
-// at least 0. For steady motion this is the speed in body lengths a second. The trailing edge, the
-// ignored first fifth and the minimum of four windows keep falls, launches and single hops from
-// paying: what happens once moves the edge in two windows at most.
+// at least 0. For steady motion this is the speed in body lengths per second. The trailing edge,
+// the ignored first fifth and the minimum of four windows prevent falls, launches and single hops
+// from scoring: a single event moves the edge in at most two windows.
 #include "goals/goal.h"
 #include "goals/mismatch.h"
 #include "goals/sampling.h"
@@ -16,18 +16,19 @@
 namespace cambrian {
 namespace {
 
-constexpr std::array<double, 5> kSeams = {0.2, 0.4, 0.6, 0.8, 1.0};  // shares of the trial
+// Ends of the windows, as shares of the trial.
+constexpr std::array<double, 5> kSeams = {0.2, 0.4, 0.6, 0.8, 1.0};
 constexpr double kWindows = 4.0;
-constexpr double kShareOfAll = 0.3;  // the slowest window makes the rest
+constexpr double kShareOfAll = 0.3;  // weight of the total; the slowest window has the rest
 
-// Progress of the edge that comes last, in metres towards +x (direction 1) or -x (direction -1).
+// Returns the coordinate of the trailing edge, in m, in +x (direction 1) or -x (direction -1).
 double trailing_edge(const MotionSample& sample, int direction) {
     return direction > 0 ? sample.bounds.low.x() : -sample.bounds.high.x();
 }
 
 struct Progress {
     double all = 0.0;      // m
-    double slowest = 0.0;  // m, of the window that saw least
+    double slowest = 0.0;  // m, of the window with the least progress
     double credit() const { return kShareOfAll * all + (1.0 - kShareOfAll) * kWindows * slowest; }
 };
 

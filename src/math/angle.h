@@ -6,10 +6,10 @@
 
 namespace cambrian {
 
-// The same direction in [-pi, pi).
+// Returns the angle in [-pi, pi) with the same direction.
 inline double wrap_angle(double angle) {
     const double wrapped = angle - 2 * kPi * std::floor((angle + kPi) / (2 * kPi));
-    // Beside half a turn the difference may round to the outside.
+    // Near half a turn, rounding may give a value outside the range.
     return wrapped < -kPi || wrapped >= kPi ? -kPi : wrapped;
 }
 inline constexpr double to_degrees(double radians) {
@@ -19,7 +19,7 @@ inline constexpr double to_radians(double degrees) {
     return degrees * (kPi / 180.0);
 }
 
-// Of an angle in degrees, exact at quarter turns.
+// Returns sine and cosine of an angle in degrees, exact at quarter turns.
 inline SineCosine sine_cosine_of_degrees(double degrees) {
     const double quarters = std::nearbyint(degrees / 90.0);
     const SineCosine rest = sine_cosine(to_radians(degrees - 90.0 * quarters));

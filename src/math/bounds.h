@@ -6,7 +6,7 @@
 
 namespace cambrian {
 
-// Axis-aligned box around something; empty until a point is added.
+// An axis-aligned box, which is empty until a point is added.
 struct Bounds {
     Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity());    // m
     Vec3 high = Vec3::Constant(-std::numeric_limits<double>::infinity());  // m

@@ -6,7 +6,7 @@
 
 namespace cambrian {
 
-// Euclidean, between two points of any number of measures.
+// Returns the Euclidean distance of two points.
 template <std::size_t Measures>
 double distance(const std::array<double, Measures>& a, const std::array<double, Measures>& b) {
     double sum = 0.0;

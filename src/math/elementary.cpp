@@ -20,13 +20,13 @@ constexpr int kExponentBias = 1023;
 constexpr double kSqrt3 = 1.7320508075688772;
 constexpr double kTanPi12 = 0.2679491924311227;
 
-// 2^k for k in [-1022, 1023].
+// Returns 2^k for k in [-1022, 1023].
 double power_of_two(int k) {
     return std::bit_cast<double>(static_cast<std::uint64_t>(k + kExponentBias) << 52);
 }
 
-// Arc tangent for 0 <= t <= 1: one turn by pi/6 leaves |t| <= tan(pi/12) = 0.268, where the Taylor
-// series to t^27 is exact to the last bit.
+// Returns the arc tangent for 0 <= t <= 1. A rotation by pi/6 reduces it to |t| <= tan(pi/12) =
+// 0.268, where the Taylor series to t^27 is exact to the last bit.
 double arc_tangent_unit(double t) {
     const bool turned = t > kTanPi12;
     if (turned) t = (t * kSqrt3 - 1.0) / (kSqrt3 + t);
@@ -43,7 +43,7 @@ double arc_tangent_unit(double t) {
 SineCosine sine_cosine(double x) {
     if (std::fabs(x) <= kReducedRange) return sine_cosine_reduced(x);
     if (!std::isfinite(x)) return {kNaN, kNaN};
-    return sine_cosine_reduced(std::fmod(x, kTwoPi));  // fmod is exact by standard
+    return sine_cosine_reduced(std::fmod(x, kTwoPi));  // fmod is exact by the standard
 }
 
 double sine(double x) {
@@ -79,7 +79,7 @@ double exponential(double x) {
     double series = 1.0;
     for (int n = 14; n >= 1; --n)
         series = 1.0 + series * r / n;
-    // Two factors, so that results near overflow and below the normal range scale correctly.
+    // Scaling by two factors is correct also near overflow and below the normal range.
     const int whole = static_cast<int>(k);
     const int half = whole / 2;
     return series * power_of_two(half) * power_of_two(whole - half);
@@ -115,7 +115,7 @@ double power(double base, double exponent) {
     return exponential(exponent * logarithm(base));
 }
 
-// Newton's iteration for y^-n = x from a first guess made of the exponent's bits.
+// Newton's iteration for y^-n = x; the first guess comes from the exponent's bits.
 double inverse_root(double x, int n) {
     const auto bits = std::bit_cast<std::uint64_t>(x);
     const auto order = static_cast<std::uint64_t>(n);

@@ -1,8 +1,8 @@
 #pragma once
 
-// Elementary functions that give the same bits on every machine, compiler and optimisation level:
-// polynomials over the four exactly rounded operations, never libm. Errors are stated for the full
-// domain named; inputs that are NaN give NaN.
+// Elementary functions that give the same bits on every machine, with every compiler and
+// optimisation level. They use polynomials in the four exactly rounded operations, never libm.
+// Errors are stated for the given domain; NaN gives NaN.
 
 #include <bit>
 #include <cstdint>
@@ -28,8 +28,8 @@ inline constexpr double kHalfPiLow = 0x1.3198a2e037073p-69;
 
 }  // namespace elementary_detail
 
-// For |x| <= 1e6: absolute error below 2e-16, branch-free, so that loops over it vectorise. Larger
-// |x| must go through sine() or cosine().
+// For |x| <= 1e6, the absolute error is below 2e-16. There are no branches, so loops vectorise.
+// Larger |x| must use sine() or cosine().
 inline SineCosine sine_cosine_reduced(double x) {
     using namespace elementary_detail;
     const double shifted = x * kTwoOverPi + kRoundingMagic;
@@ -68,11 +68,11 @@ double sine(double x);
 double cosine(double x);
 double arc_tangent(double x);             // absolute error below 4e-16
 double arc_tangent2(double y, double x);  // (-pi, pi], as std::atan2; (0, 0) gives 0
-double exponential(double x);             // relative error below 4e-16; 0 and infinity at the ends
+double exponential(double x);  // relative error below 4e-16; 0 or infinity beyond the range
 double logarithm(
-    double x);  // natural; relative error below 4e-16; x <= 0 gives NaN, 0 gives -infinity
+    double x);  // natural; relative error below 4e-16; x < 0 gives NaN, 0 gives -infinity
 double power(double base, double exponent);  // base > 0; exp(exponent * ln base)
-// x^(-1/n) for normal x > 0 and n from 1 to 8; relative error below 1e-7. Cheaper than power().
+// x^(-1/n) for normal x > 0 and n from 1 to 8; relative error below 1e-7. Faster than power().
 double inverse_root(double x, int n);
 double hyperbolic_tangent(double x);  // absolute error below 4e-16
 

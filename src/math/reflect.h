@@ -5,8 +5,8 @@
 
 namespace cambrian {
 
-// x mirrored back at the bounds until it is inside [low, high]; used instead of clamping so that
-// values do not pile up on a bound. low <= high; x finite.
+// Returns x reflected at the bounds until it is inside [low, high]. Unlike clamping, this does not
+// accumulate values at a bound. Needs low <= high and a finite x.
 inline double reflect(double x, double low, double high) {
     const double width = high - low;
     if (!(width > 0.0)) return low;

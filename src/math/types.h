@@ -1,6 +1,6 @@
 #pragma once
 
-// Vectors and rotations; the only header that names Eigen's types for the others.
+// Vectors and rotations. No other header names Eigen's types.
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>

@@ -1,7 +1,6 @@
-// Accelerometer: the specific force on the part's centre along and across the part, in units of
-// standard gravity, smoothed as by a mass on a spring:
-//     y <- y + (x - y) (1 - exp(-dt / 50 ms)).
-// At rest it reads 1 against gravity, in free fall 0.
+// Accelerometer: the specific force at the part's centre along and across the part, in units of
+// standard gravity, smoothed like a mass on a spring: y <- y + (x - y) (1 - exp(-dt / 50 ms)). At
+// rest it reads 1 against gravity, in free fall 0.
 
 #include "sensors/frames.h"
 #include "sensors/kinds.h"

@@ -1,5 +1,5 @@
-// Balance: the part's angle to gravity, as the components of the direction up along and across the
-// part. Without gravity both are 0.
+// Balance: the direction against gravity, as components along and across the part. Without gravity
+// both are 0.
 
 #include "sensors/frames.h"
 #include "sensors/kinds.h"

@@ -2,7 +2,7 @@
 
 namespace cambrian {
 
-// Digests of genes count channels in this order: new kinds go to the end.
+// Digests of genes include channel numbers in this order, so new kinds must be added at the end.
 SensorRegistry builtin_sensors() {
     SensorRegistry sensors;
     add_joint_sensor(sensors);

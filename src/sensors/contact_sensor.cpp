@@ -1,4 +1,5 @@
-// Touch of each face of a part, by the ground or another part: +1 touching, -1 not (Sims 1994).
+// Contact of each face of a part with the ground or another part: +1 for contact, -1 for none (Sims
+// 1994).
 
 #include "sensors/kinds.h"
 
@@ -21,7 +22,7 @@ double read_contact(const SensorSite& site, double& /*memory*/) {
     return site.body.face_touched(site.index, face) ? 1.0 : -1.0;
 }
 
-// A little inside the middle of the face.
+// Returns a point slightly inside the middle of the face.
 Vec3 contact_spot(std::size_t channel, int handedness) {
     constexpr double kShare = 0.8;
     switch (face_of(channel, handedness)) {

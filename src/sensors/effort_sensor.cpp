@@ -1,4 +1,4 @@
-// Effort of the muscle of the joint to the parent, as a share of the most it has: -1 to 1.
+// Effort of the motor of the joint to the parent, as a share of its maximum: -1 to 1.
 
 #include "sensors/frames.h"
 #include "sensors/kinds.h"

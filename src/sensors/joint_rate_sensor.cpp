@@ -1,5 +1,5 @@
-// Rate of the joint to the parent: 1 at 6 rad/s, or at 1.5 lengths of the part a second where the
-// joint slides. Sliding has no handedness.
+// Rate of the joint to the parent: 1 at 6 rad/s, or at 1.5 lengths of the part per second for a
+// sliding joint, which mirroring does not change.
 
 #include "sensors/frames.h"
 #include "sensors/kinds.h"
@@ -7,8 +7,8 @@
 namespace cambrian {
 namespace {
 
-constexpr double kTurn = 6.0;   // rad/s
-constexpr double kSlide = 1.5;  // lengths of the part a second
+constexpr double kTurn = 6.0;   // rad/s that read as 1
+constexpr double kSlide = 1.5;  // lengths of the part per second that read as 1
 
 double read_joint_rate(const SensorSite& site, double& /*memory*/) {
     const double rate = site.body.joint_rate(site.index);

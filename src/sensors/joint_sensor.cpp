@@ -1,5 +1,5 @@
-// Coordinate of the joint to the parent: how far from rest, in rad or m. On a mirrored part the
-// same bend reads the same as on its partner.
+// Coordinate of the joint to the parent, from rest, in rad or m. Mirror partners with mirrored
+// bends have the same reading.
 
 #include "sensors/kinds.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// The sensor kinds; one file each.
+// Registers the sensor kinds, one file each.
 
 #include "sensors/sensor.h"
 

@@ -1,4 +1,4 @@
-// Strength of touch: the normal forces on the part, in units of the creature's weight on Earth.
+// Load: the sum of the normal forces on the part, in units of the creature's weight on Earth.
 
 #include "sensors/frames.h"
 #include "sensors/kinds.h"

@@ -1,7 +1,7 @@
 #pragma once
 
-// A registered sensor: reads channels of one part. Channel numbers are absolute: the registry's
-// order, each kind's channels consecutive.
+// A registered kind of sensor, which reads channels of one part. Channels are numbered in the
+// registry's order; each kind's channels are consecutive.
 
 #include "core/registry.h"
 #include "world/body_view.h"
@@ -17,40 +17,40 @@ struct SensorChannel {
     std::string label;
 };
 
-// What a sensor is read from: its part in the body and in the world.
+// The part that a sensor belongs to, in its body and in the world.
 struct SensorSite {
     const BodyView& body;
     const Surroundings& surroundings;
     const PlannedPart& part;
-    std::size_t index = 0;    // of the part
-    std::size_t channel = 0;  // of the kind
-    // +1, or -1 on mirrored parts, whose left and right are exchanged and whose joint is mirrored
-    // too (creature/README.md 2).
+    std::size_t index = 0;    // index of the part
+    std::size_t channel = 0;  // channel of the kind
+    // +1, or -1 for mirrored parts, whose left and right are exchanged and whose joint is mirrored
+    // (creature/README.md 2).
     int handedness = 1;
-    // Of the way to what is felt now that smoothing goes (SensorKind::time_constant); 0 reads once
-    // more what was read last.
+    // Share of the way from the last reading to the present value, for smoothing
+    // (SensorKind::time_constant); 0 repeats the last reading.
     double share = 1.0;
 };
 
 struct SensorKind {
-    // Reading of one channel. `memory` is one value a wired sensor, 0 at birth.
+    // Returns the reading of one channel. `memory` is one value per wired sensor, 0 at birth.
     using Read = double (*)(const SensorSite& site, double& memory);
 
-    // Where on a part a lamp shows the reading of one of the kind's channels: a point in the part's
-    // frame, as shares of its half extents.
+    // Returns the point of a part where a lamp displays the channel's reading: in the part's frame,
+    // as shares of its half extents.
     using Spot = Vec3 (*)(std::size_t channel, int handedness);
 
     std::string id;
     std::string label;
     std::vector<SensorChannel> channels;
     Read read = nullptr;
-    // The reading is the joint's coordinate: genes want it in lengths of the part where the joint
-    // slides (creature/README.md 7), and sliding has no handedness.
-    bool reads_joint = false;    // then it is drawn along the joint's motion
-    Spot spot = nullptr;         // without one, the lamp is in the middle of the part
-    double time_constant = 0.0;  // s, of smoothing; 0 for none
+    // The reading is the joint's coordinate. For a sliding joint, genes use lengths of the part
+    // (creature/README.md 7), and mirroring has no effect.
+    bool reads_joint = false;    // it is drawn along the joint's motion
+    Spot spot = nullptr;         // if null, the lamp is in the middle of the part
+    double time_constant = 0.0;  // s, time constant of smoothing; 0 for none
     bool reads_forces = false;   // needs PlannedPart::measures_forces
-    bool usual = true;  // whether founders and mutations use it unless settings say otherwise
+    bool usual = true;           // enabled in founders and mutations by default
 };
 
 using SensorRegistry = Registry<SensorKind>;

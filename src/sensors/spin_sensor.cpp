@@ -1,4 +1,4 @@
-// Spin of the part in the world: 1 at 6 rad/s counter-clockwise, as a gyroscope feels it.
+// Angular velocity of the part in the world, as of a gyroscope: 1 at 6 rad/s counter-clockwise.
 
 #include "sensors/frames.h"
 #include "sensors/kinds.h"
@@ -6,7 +6,7 @@
 namespace cambrian {
 namespace {
 
-constexpr double kSpinUnit = 6.0;  // rad/s
+constexpr double kSpinUnit = 6.0;  // rad/s that read as 1
 
 double read_spin(const SensorSite& site, double& /*memory*/) {
     const double spin = site.body.part_twist(site.index).angular.z();

@@ -9,7 +9,7 @@ constexpr double kMaxResidualShare = 0.05;
 constexpr double kMaxPositiveShare = 0.10;
 constexpr double kFinerTolerance = 0.025;
 constexpr double kFinerContactStep = 0.25;
-constexpr double kFinerWork = 10.0;  // may cost so many times as much
+constexpr double kFinerWork = 10.0;  // limit for the work, as a multiple of the original's
 
 }  // namespace
 

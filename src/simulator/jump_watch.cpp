@@ -7,7 +7,8 @@
 namespace cambrian {
 namespace {
 
-constexpr double kAirborne = 0.01;  // m; a lowest point no higher than this is on the ground
+// A creature is on the ground while its lowest point is below this height, in m.
+constexpr double kAirborne = 0.01;
 
 }  // namespace
 

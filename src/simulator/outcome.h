@@ -5,18 +5,18 @@
 
 namespace cambrian {
 
-// How an evaluation ended.
+// How the evaluation of a creature ended.
 enum class Outcome : std::uint8_t {
     kCompleted,
-    kStoppedEarly,  // pruned: what was to come could not matter
-    kRejected,      // nothing to simulate: no movable joint, or no live control
+    kStoppedEarly,  // terminated because the rest could not matter
+    kRejected,      // not simulated: no movable joint, or no connected control
     kDiverged,      // physics found no finite motion
     kCheated,       // a guard fired
     kOverBudget,    // computing the motion would take too long
-    kInterrupted,   // somebody stopped it; says nothing about the creature
+    kInterrupted,   // stopped from outside; not caused by the creature
 };
 
-// Whether there is no motion that can be judged, by the creature's own doing.
+// Returns whether the creature itself is the reason why there is no valid motion.
 bool is_invalid(Outcome outcome);
 
 std::string_view outcome_name(Outcome outcome);  // "completed", "stopped-early"...

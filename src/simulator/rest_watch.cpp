@@ -8,7 +8,7 @@ namespace {
 constexpr int kRestTicks = 120;           // 2 s
 constexpr double kSlowestMotion = 0.001;  // m/s
 constexpr double kSlowestSpin = 0.001;    // rad/s
-constexpr double kLeastChange = 1e-6;     // of targets and memory, a tick
+constexpr double kLeastChange = 1e-6;     // per tick, of targets and memory
 
 bool body_rests(const PhysicsScene& scene) {
     for (std::size_t part = 0; part < scene.part_count(); ++part) {
@@ -19,7 +19,7 @@ bool body_rests(const PhysicsScene& scene) {
     return true;
 }
 
-// Brings `before` up to date; whether the difference was smaller than `least`.
+// Updates `before`; returns whether it changed by less than `least`.
 bool unchanged(double& before, double now, double least) {
     const double change = std::fabs(now - before);
     before = now;

@@ -5,7 +5,7 @@
 namespace cambrian {
 namespace {
 
-constexpr double kSmallestSwing = 0.05;  // rad
+constexpr double kSmallestSwing = 0.05;  // rad; smaller swings do not count
 
 }  // namespace
 

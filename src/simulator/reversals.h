@@ -1,7 +1,7 @@
 #pragma once
 
-// Counts how often a joint changes direction, ignoring swings too small to matter
-// (simulator/README.md 2, shaking).
+// Counts how often a joint changes direction, without small swings (simulator/README.md 2,
+// shaking).
 
 namespace cambrian {
 
@@ -13,10 +13,10 @@ public:
     int count() const { return count_; }
 
 private:
-    // rad; lowest and highest since the last reversal. The one behind is where the swing began.
+    // rad; lowest and highest angle since the last reversal, which was at one of the two.
     double low_;
     double high_;
-    int direction_ = 0;  // of the present swing; 0 before the first
+    int direction_ = 0;  // direction of the present swing; 0 before the first
     int count_ = 0;
 };
 

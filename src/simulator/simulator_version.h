@@ -4,7 +4,7 @@
 
 namespace cambrian {
 
-// Raised whenever the same genome and settings would move differently or score differently:
+// Must be raised when the same genome and settings would move or score differently:
 //
 //     1.0
 //     1.1  contact problems solved exactly

@@ -1,7 +1,7 @@
 #pragma once
 
-// A byte for each tick of a trial, so that of two computations of it the first tick that differs
-// can be told.
+// A check byte for each tick of a trial, by which two computations can be compared to find the
+// first tick that differs.
 
 #include "simulator/trial.h"
 
@@ -12,17 +12,18 @@
 
 namespace cambrian {
 
-// Each a byte of the digest of the state after a tick, settling included. One in 256 ticks that
-// differ has the same byte; those after it tell.
+// Each byte is part of the digest of the state after a tick, settling included. One in 256 ticks
+// that differ has the same byte by chance; later ticks then differ.
 using TickChecks = std::vector<std::uint8_t>;
 
 inline constexpr auto kTicksASecond = static_cast<std::size_t>(1.0 / kBrainTick + 0.5);
-inline constexpr std::size_t kMostTickChecks = 120 * kTicksASecond;  // later ones are not kept
+inline constexpr std::size_t kMostTickChecks = 120 * kTicksASecond;  // later ticks are not recorded
 
-// Notes the tick a trial has just made.
+// Records the last tick of a trial.
 void note_tick(TickChecks& checks, const Trial& trial);
 
-// Runs a trial to its end, noting every tick. False if unwanted() said so before one.
+// Runs a trial to its end and records every tick. Returns false if unwanted() returned true before
+// a tick.
 template <class Unwanted>
 bool run_noting_ticks(Trial& trial, TickChecks& checks, const Unwanted& unwanted) {
     for (bool more = true; more; note_tick(checks, trial)) {
@@ -32,7 +33,7 @@ bool run_noting_ticks(Trial& trial, TickChecks& checks, const Unwanted& unwanted
     return true;
 }
 
-// The first tick that differs or that only one of them has, counted from 1.
+// Returns the first tick that differs or that only one of them has, counted from 1.
 std::optional<std::size_t> first_different_tick(const TickChecks& a, const TickChecks& b);
 
 }  // namespace cambrian

@@ -10,10 +10,12 @@ namespace cambrian {
 namespace {
 
 constexpr double kStartClearance = 0.02;  // m, lowest corner above ground
-constexpr double kCalmEnergy = 0.001;     // J a part; below it a creature has settled...
-constexpr int kCalmTicks = 24;            // ...if for 0.4 s
-constexpr int kDeepTicks = 12;            // 0.2 s
-// Trials that took fewer are finished rather than run again later: some tenths of a second.
+// A creature has settled when its kinetic energy stays below this.
+constexpr double kCalmEnergy = 0.001;  // J per part
+constexpr int kCalmTicks = 24;         // 0.4 s
+constexpr int kDeepTicks = 12;         // 0.2 s
+// Trials with fewer evaluations take some tenths of a second and are finished rather than
+// interrupted.
 constexpr std::uint64_t kLongTrial = 100000;  // evaluations
 
 int ticks_in(double seconds) {

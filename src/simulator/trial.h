@@ -1,8 +1,8 @@
 #pragma once
 
-// One creature in one world: settle, then tick by tick sense, think, act, advance, record. The
-// studio plays a Trial tick by tick, evaluation runs it to the end: what is seen is what was
-// scored.
+// One creature in one world. After settling, each tick reads the sensors, evaluates the brain, sets
+// the motors, advances physics and records. The studio and the evaluation use the same class, so
+// the displayed motion is the scored one.
 
 #include "core/hash.h"
 #include "core/result.h"
@@ -21,7 +21,7 @@
 
 namespace cambrian {
 
-// Everything a trial depends on besides the phenotype.
+// All that a trial depends on besides the phenotype.
 struct TrialWorld {
     Environment environment;
     SceneSettings scene;
@@ -31,11 +31,11 @@ struct TrialWorld {
 };
 
 class Trial {
-    // How far it is, and what was seen so far.
+    // The progress of the trial and its records so far.
     struct Progress {
         TrialRecord record = {};
         Hash64 digest = {};
-        std::vector<ReversalCounter> reversals = {};  // one an effector part
+        std::vector<ReversalCounter> reversals = {};  // one per effector part
         RestWatch rest;
         std::uint64_t total_ticks = 0;
         std::uint64_t test_ticks = 0;
@@ -46,21 +46,21 @@ class Trial {
     };
 
 public:
-    // Places the creature in its start pose. Fails if physics refuses the body.
+    // Places the creature in its start pose. Fails if physics rejects the body.
     static Result<std::unique_ptr<Trial>> start(std::shared_ptr<const Phenotype> phenotype,
                                                 const Kinds& kinds, const TrialWorld& world);
     Trial(const Trial&) = delete;
     Trial& operator=(const Trial&) = delete;
 
-    // Advances by one tick of 1/60 s. Returns false once the test phase is over or the trial
-    // failed; the motion may then go on being watched with tick(), unless it diverged, but is not
+    // Advances by one tick of 1/60 s. Returns false when the test phase is over or the trial
+    // failed. Unless it diverged, tick() may still be called to watch the motion, which is not
     // recorded.
     bool tick();
 
     bool settling() const { return progress_.settling; }
     bool finished() const { return progress_.finished; }
-    // Ends it with the outcome kInterrupted if a stop is asked for and it has become long; ordinary
-    // trials are better finished.
+    // Ends a long trial with the outcome kInterrupted if a stop is requested. Ordinary trials are
+    // short, so they are finished.
     void heed(const std::stop_token& stop);
     double time() const {
         return static_cast<double>(progress_.test_ticks) * kBrainTick;
@@ -75,24 +75,25 @@ public:
     PhysicsScene& scene() { return *scene_; }
     const PhysicsScene& scene() const { return *scene_; }
     const Surroundings& surroundings() const { return surroundings_; }
-    // Changes the scene and what the creature senses from the next tick on, as a person does while
-    // watching. world() stays as it was.
+    // Changes the environment of the scene and the sensors from the next tick on, when a user edits
+    // it. world() does not change.
     void set_environment(const Environment& environment);
     Creature& creature() { return creature_; }
     const Creature& creature() const { return creature_; }
-    // Everything that changes from tick to tick.
+    // All data that change from tick to tick.
     struct State {
         std::unique_ptr<SceneState> scene;
         Creature::State creature;
         Progress progress;
     };
     State save() const;
-    // Back to a moment saved by this trial, to go on from there with the same bits. The scene must
-    // have the environment it had then.
+    // Restores a state that this trial saved, and continues with the same bits. The scene must have
+    // the environment of that time.
     void restore(const State& state);
-    // Ends the test phase now, as if nothing moved any more: further samples repeat the last one.
+    // Ends the test phase now, as if nothing moved any more: the remaining samples repeat the last
+    // one.
     void stop_early(Outcome outcome, std::string reason);
-    // Complete once finished().
+    // The record is complete when finished().
     const TrialRecord& record() const { return progress_.record; }
     TrialRecord take_record() { return std::move(progress_.record); }
 
@@ -118,8 +119,8 @@ private:
     Progress progress_;
 };
 
-// A complete trial. One that has become long gives up when asked to stop, with the outcome
-// kInterrupted; ordinary ones are finished first.
+// Runs a complete trial. A long trial ends with the outcome kInterrupted when a stop is requested;
+// ordinary ones are finished.
 Result<TrialRecord> run_trial(std::shared_ptr<const Phenotype> phenotype, const Kinds& kinds,
                               const TrialWorld& world, const std::stop_token& stop = {});
 

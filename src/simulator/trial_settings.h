@@ -4,20 +4,21 @@
 
 namespace cambrian {
 
-// The protocol of one trial (simulator/README.md 1) and the guards that end dishonest ones (2).
+// The protocol of a trial (simulator/README.md 1) and the guards that end invalid ones (2).
 struct TrialSettings {
-    double duration = 15.0;          // s, of the test phase
-    double settle_limit = 3.0;       // s, at most, before the test; with ground only
-    bool settle_motors_off = false;  // settling without torque and friction instead of at rest pose
+    double duration = 15.0;     // s, length of the test phase
+    double settle_limit = 3.0;  // s, longest settling before the test; only with ground
+    // Settles without torque and friction instead of in the rest pose.
+    bool settle_motors_off = false;
     double max_part_speed = 30.0;    // m/s; faster is invalid
     double max_part_spin = 60.0;     // rad/s
     double max_ground_depth = 0.05;  // m; deeper for over 0.2 s is invalid
-    double max_reversal_rate = 5.0;  // Hz; the score of faster shaking is scaled down
-    bool stop_at_rest = true;        // once nothing moves or could move again (section 3)
-    int trials = 1;                  // the first in the world as it is, further ones with jitter:
-    double friction_jitter = 0.0;    // share of the friction, either way
-    double tilt_jitter = 0.0;        // degrees of the start pose, either way
-    std::string combine = "mean";    // or "minimum": what the trials' scores come to
+    double max_reversal_rate = 5.0;  // Hz; above it the score is scaled down
+    bool stop_at_rest = true;        // ends a trial when nothing can move again (section 3)
+    int trials = 1;                // the first is in the unchanged world, further ones have jitter:
+    double friction_jitter = 0.0;  // share of the friction, in both directions
+    double tilt_jitter = 0.0;      // degrees of the start pose, in both directions
+    std::string combine = "mean";  // how the trials' scores are combined: "mean" or "minimum"
 
     friend bool operator==(const TrialSettings&, const TrialSettings&) = default;
 };

@@ -1,6 +1,6 @@
 #pragma once
 
-// What the world of a trial tells the creature in it.
+// The surroundings of a creature in the world of a trial.
 
 #include "world/environment.h"
 #include "world/surroundings.h"

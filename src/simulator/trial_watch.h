@@ -5,10 +5,10 @@
 
 namespace cambrian {
 
-// Somebody who waits for a trial, or for several: may ask them to stop and sees how far they are.
+// Lets a caller stop one or several trials and read their progress.
 struct TrialWatch {
     std::stop_token stop = {};
-    std::atomic<double>* time = nullptr;  // s of the test phase, or what else is counted
+    std::atomic<double>* time = nullptr;  // s of the test phase, or another measure of progress
 
     void note(double seconds) const {
         if (time != nullptr) time->store(seconds);

@@ -38,7 +38,7 @@ public:
 
     const ViewState& view() const { return view_; }
     bool animating() const;  // whether the next frame differs without input
-    // S; time spent on playback in the last update.
+    // Time spent on playback in the last update, in s.
     double playback_seconds() const { return playback_seconds_; }
     WindowController& window() { return window_; }
     GuideController& guide() { return guide_; }

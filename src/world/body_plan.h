@@ -1,7 +1,7 @@
 #pragma once
 
-// An expressed body as plain data: what physics builds its articulated body from. Spatial; a planar
-// scene reads x, y and turns about z.
+// The plain data from which physics builds an articulated body. It is spatial; a planar scene uses
+// x, y and rotations about z.
 
 #include "math/pose.h"
 
@@ -13,11 +13,11 @@
 
 namespace cambrian {
 
-// The motion a joint allows its part against the parent, its motion subspace in the plane: none, a
-// turn about the anchor, or a slide along the part's length.
+// The motion of a part relative to its parent that a joint allows (its motion subspace in the
+// plane): none, rotation about the anchor, or a slide along the part's length.
 enum class JointMotion : std::uint8_t { kFixed, kTurn, kSlide };
 
-// What a brain's signal sets: the position a joint moves to, its rate, or its torque or force.
+// The quantity that a brain's signal sets: the joint's position, its rate, or its torque or force.
 enum class MotorMode : std::uint8_t { kPosition, kVelocity, kTorque };
 inline constexpr std::array<std::string_view, 3> kMotorModeIds = {"position", "velocity",
                                                                   "torque"};  // in that order
@@ -27,22 +27,22 @@ inline constexpr std::array<std::string_view, 3> kMotorModeIds = {"position", "v
 enum class Face : std::uint8_t { kDistal, kLeft, kProximal, kRight };
 inline constexpr std::size_t kFaceCount = 4;
 
-// One box with the joint that ties it to its parent. The part's frame is at its centre, x along its
-// length.
+// A box and the joint that connects it to its parent. The part's frame is at its centre, with x
+// along its length.
 struct PlannedPart {
     Vec3 half_extents = Vec3::Zero();  // m; z is ignored by planar scenes
-    Pose rest_pose;                    // world, before any motion
+    Pose rest_pose;                    // world pose before any motion
     double rest_angle = 0.0;           // rad; planar angle of rest_pose, unwrapped
     int parent = -1;                   // index of an earlier part; -1 on the root
     // The joint to the parent; unused on the root.
     JointMotion motion = JointMotion::kFixed;
     Vec3 anchor_in_parent = Vec3::Zero();  // m, in the parent's frame
     Vec3 anchor_in_child = Vec3::Zero();   // m, in this part's frame
-    double limit_low = 0.0;                // rad or m, relative to rest; <= 0
-    double limit_high = 0.0;               // rad or m, relative to rest; >= 0
-    double max_effort = 0.0;               // N m or N; cap of the motor
+    double limit_low = 0.0;                // rad or m, from rest; <= 0
+    double limit_high = 0.0;               // rad or m, from rest; >= 0
+    double max_effort = 0.0;               // N m or N; largest effort of the motor
     MotorMode motor_mode = MotorMode::kPosition;
-    bool measures_forces = false;  // whether somebody reads its specific force and load
+    bool measures_forces = false;  // whether its specific force and load are needed
 };
 
 // Closes a loop: a rotary joint, without motor or limits, between two parts that the tree of

@@ -1,7 +1,7 @@
 #pragma once
 
-// What sensors, scoring and drawing may ask of a simulated body. Parts are indexed as in the body
-// plan, rigidly joined ones included. Reading is cheap and changes nothing.
+// The interface through which sensors, scoring and drawing read a simulated body. Parts have the
+// indices of the body plan, including parts with rigid joints. Reading is fast and changes nothing.
 
 #include "math/bounds.h"
 #include "math/pose.h"
@@ -17,24 +17,24 @@ public:
 
     virtual std::size_t part_count() const = 0;
     virtual Pose part_pose(std::size_t part) const = 0;
-    virtual Vec3 part_axis(std::size_t part) const = 0;    // unit, along the part's length
+    virtual Vec3 part_axis(std::size_t part) const = 0;    // unit vector along the part's length
     virtual Twist part_twist(std::size_t part) const = 0;  // at the part's centre
 
-    // Coordinate of the joint between a part and its parent, relative to rest: rad or m; 0 on the
-    // root and on rigid joints.
+    // Returns the coordinate of the joint between a part and its parent, from rest, in rad or m; 0
+    // for the root and for rigid joints.
     virtual double joint_coordinate(std::size_t part) const = 0;
     virtual double joint_rate(std::size_t part) const = 0;  // rad/s or m/s
     virtual double joint_effort(
         std::size_t part) const = 0;  // motor, N m or N, at the last tick's end
 
-    // Whether the face touched the ground or another part during the last tick.
+    // Returns whether the face touched the ground or another part during the last tick.
     virtual bool face_touched(std::size_t part, Face face) const = 0;
 
-    // Means over the last tick, impacts included; 0 before the first one, and always 0 unless
-    // PlannedPart::measures_forces.
-    // Acceleration of the part's centre less gravity, world axes, m/s^2.
+    // The following are means over the last tick, impacts included. They are 0 before the first
+    // tick, and always 0 unless PlannedPart::measures_forces is set.
+    // Returns the acceleration of the part's centre minus gravity, in world axes, m/s^2.
     virtual Vec3 part_specific_force(std::size_t part) const = 0;
-    // Sum of the normal forces on the part, N; of the ground and of other parts.
+    // Returns the sum of the normal forces of ground and other parts on the part, in N.
     virtual double part_load(std::size_t part) const = 0;
 
     virtual double mass() const = 0;                   // kg

@@ -1,7 +1,7 @@
 #pragma once
 
-// One creature in one environment, moved by motors tick by tick: the seam between physics and the
-// rest. A scene belongs to one thread. Time is the scene's own, from 0.
+// One creature in one environment, advanced tick by tick with motors. This is the interface between
+// physics and the other layers. A scene must be used by one thread at a time. Its time starts at 0.
 
 #include "core/hash.h"
 #include "math/types.h"
@@ -17,28 +17,28 @@ namespace cambrian {
 
 enum class SceneStatus : std::uint8_t {
     kRunning,
-    kInvalid,    // non-finite or runaway motion
+    kInvalid,    // the motion is not finite or diverges
     kOverBudget  // the motion would take more evaluations than the settings allow
 };
 
-// A touching point, for display.
+// A point of contact, for display.
 struct SceneContact {
     Vec3 point = Vec3::Zero();   // m, world
-    Vec3 normal = Vec3::Zero();  // unit, out of the surface touched
+    Vec3 normal = Vec3::Zero();  // unit vector out of the touched surface
     double force = 0.0;          // N along the normal
 };
 
-// The energy audit of everything advanced so far (simulator/README.md 4). Works in J.
+// The energy audit of the motion so far (simulator/README.md 4). Works are in J.
 struct SceneAudit {
-    double motor_work = 0.0;         // net
+    double motor_work = 0.0;         // net work
     double gross_motor_work = 0.0;   // integral of |power|
     double drag_work = 0.0;          // <= 0
     double contact_work = 0.0;       // resting and sliding contact
     double limit_work = 0.0;         // joint limits
     double impulse_work = 0.0;       // impacts
-    double positive_work = 0.0;      // what contacts, limits and impacts added; physically 0
+    double positive_work = 0.0;      // energy added by contacts, limits and impacts; 0 in reality
     double energy_residual = 0.0;    // change of mechanical energy not explained by the works
-    double energy_scale = 0.0;       // gross motor work + weight * 1 cm; what residuals compare to
+    double energy_scale = 0.0;       // gross motor work + weight * 1 cm; reference for the residual
     double max_penetration = 0.0;    // m
     double max_limit_overrun = 0.0;  // rad or m
     double max_part_speed = 0.0;     // m/s, at the ends of ticks
@@ -47,10 +47,10 @@ struct SceneAudit {
     std::uint64_t steps = 0;         // accepted
     std::uint64_t rejections = 0;
     std::uint64_t events = 0;     // impacts
-    std::uint64_t fallbacks = 0;  // row problems the active set did not solve
+    std::uint64_t fallbacks = 0;  // complementarity problems that the solver failed on
 };
 
-// A saved moment; only the scene that made it, or one built from the same plan, may restore it.
+// A stored state. It may be restored only by the scene that made it, or one with the same plan.
 class SceneState {
 public:
     virtual ~SceneState() = default;
@@ -58,28 +58,29 @@ public:
 
 class PhysicsScene : public BodyView {
 public:
-    // Motor target of the joint between a part and its parent, in the units of its motor mode:
-    // joint coordinate, joint rate, or share of max_effort. It is approached linearly over the next
-    // tick and then held. Ignored on the root and on rigid joints.
+    // Sets the motor target of the joint between a part and its parent, in the unit of the motor
+    // mode: joint coordinate, joint rate, or share of max_effort. The motor's target approaches it
+    // linearly during the next tick and then stays. Ignored for the root and for rigid joints.
     virtual void set_target(std::size_t part, double target) = 0;
     virtual double target(std::size_t part) const = 0;
 
-    // Moves the body by one tick of the given length (s). A scene that finds no valid motion keeps
-    // the state before the tick and does not move any more.
+    // Advances by a tick of the given length (s). A scene that finds no valid motion keeps the
+    // state before the tick and does not move any more.
     virtual SceneStatus advance(double duration) = 0;
     virtual SceneStatus status() const = 0;
     virtual double time() const = 0;  // s
 
-    // Takes effect from the next advance; for live changes of the displayed world.
+    // Changes the environment from the next advance() on, for live changes of the displayed world.
     virtual void set_environment(const Environment& environment) = 0;
 
     // While motors are off, they give no effort and nothing rubs against anything.
     virtual void set_motors_off(bool off) = 0;
 
-    // Translates every part (m); velocities do not change.
+    // Translates all parts (m). Velocities do not change.
     virtual void translate(const Vec3& offset) = 0;
 
-    // A force on a point of a part (world, N and m) held during the next advance only: the mouse.
+    // Applies a force to a point of a part (world, N and m) during the next advance() only, for the
+    // mouse.
     virtual void pull(std::size_t part, const Vec3& point_in_part, const Vec3& force) = 0;
 
     virtual std::unique_ptr<SceneState> save() const = 0;
@@ -87,7 +88,7 @@ public:
 
     virtual double energy() const = 0;  // J, kinetic + potential
     virtual const SceneAudit& audit() const = 0;
-    // Restarts the audit at the present state, counters included.
+    // Restarts the audit and its counters at the present state.
     virtual void restart_audit() = 0;
     virtual void list_contacts(std::vector<SceneContact>& contacts) const = 0;
 

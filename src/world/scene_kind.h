@@ -1,6 +1,6 @@
 #pragma once
 
-// A registered implementation of physics: the joints it offers and how to build a scene of it.
+// A registered implementation of physics: its joints and a function that builds a scene.
 
 #include "core/result.h"
 #include "world/body_plan.h"
@@ -20,9 +20,9 @@ struct SceneKind {
     std::string id;
     std::string label;
     JointRegistry joints;
-    std::vector<std::string> integrators;  // ids SceneSettings::integrator may name
-    std::string accurate_integrator;       // the one of them for results that must be certain
-    // Fails, with a reason, for bodies physics refuses (too many parts, degenerate sizes).
+    std::vector<std::string> integrators;  // ids for SceneSettings::integrator
+    std::string accurate_integrator;       // the most accurate of them
+    // Fails, with a reason, for bodies that physics rejects (too many parts, degenerate sizes).
     std::function<Result<std::unique_ptr<PhysicsScene>>(const BodyPlan&, const Environment&,
                                                         const SceneSettings&)>
         make;

@@ -1,6 +1,6 @@
 #pragma once
 
-// What the world around a creature tells its sensors at one moment. Reading changes nothing.
+// The interface through which sensors read the world around a creature. Reading changes nothing.
 
 #include "math/types.h"
 
@@ -10,7 +10,7 @@ class Surroundings {
 public:
     virtual ~Surroundings() = default;
 
-    // Unit vector against gravity; 0 without gravity.
+    // Returns the unit vector against gravity; 0 without gravity.
     virtual Vec3 up() const = 0;
 };
 

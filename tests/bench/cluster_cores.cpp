@@ -179,7 +179,13 @@ struct Bench {
     // Generations before the measurement, in which many results of new workers are checked.
     int warm_up = 12;
     int generations = 10;
+    int runs = 1;  // at once, each with a coordinator of its own
     std::vector<int> cores = {16, 64, 256};
+
+    // Cores of this machine that evaluate: each run has a thread for it.
+    int own_cores() const {
+        return std::min(runs, static_cast<int>(std::thread::hardware_concurrency()));
+    }
 };
 
 double core_seconds(const Rehearsal& rehearsal) {
@@ -219,6 +225,35 @@ Rehearsal rehearse(const ExperimentSettings& settings, double asked_mean_ms,
     return rehearsal;
 }
 
+using Backends = std::vector<std::unique_ptr<EvaluationBackend>>;
+using Machines = std::vector<std::unique_ptr<SleepingMachine>>;
+
+Result<Backends> connect_runs(const ClusterAddress& address, int runs,
+                              const EvolutionKinds& kinds) {
+    Backends backends;
+    for (int run = 0; run < runs; ++run) {
+        auto coordinator = connect_coordinator(address, "");
+        if (!coordinator) return coordinator.error();
+        ClusterOptions options;
+        options.run = random_id();
+        options.secret = random_id();
+        backends.push_back(make_cluster_backend(kinds, *std::move(coordinator), options));
+    }
+    return backends;
+}
+
+Result<Machines> connect_machines(const ClusterAddress& address, int cores, const Answers& answers,
+                                  std::uint64_t proof) {
+    Machines machines;
+    for (int left = cores; left > 0; left -= kCoresOfMachine) {
+        auto queue = connect_worker(address);
+        if (!queue) return queue.error();
+        machines.push_back(std::make_unique<SleepingMachine>(
+            *std::move(queue), answers, std::min(left, kCoresOfMachine), proof));
+    }
+    return machines;
+}
+
 bool wait_for(const EvaluationBackend& backend, int cores) {
     for (int tries = 0; tries < 600; ++tries) {
         if (static_cast<int>(totals(backend.status()).cores) >= cores) return true;
@@ -227,41 +262,68 @@ bool wait_for(const EvaluationBackend& backend, int cores) {
     return false;
 }
 
-// Adds a row to the table. `cores` includes the coordinator's own.
+// Seconds of each generation of a run; an Error if the run fails.
+Result<std::vector<double>> evaluate_generations(EvaluationBackend& backend, int generations,
+                                                 const ExperimentSettings& settings,
+                                                 const Rehearsal& rehearsal) {
+    std::vector<double> times;
+    while (static_cast<int>(times.size()) < generations) {
+        std::vector<std::optional<EvaluationResult>> results(rehearsal.batch.size());
+        EvaluationProgress progress;
+        const Stopwatch watch;
+        if (!backend.evaluate(rehearsal.batch, results, settings, progress, {}))
+            return Error{backend.status().failure};
+        times.push_back(watch.seconds());
+    }
+    return times;
+}
+
+// All runs at once. Returns the seconds of all their generations, the shortest first.
+Result<std::vector<double>> evaluate_runs(const Backends& backends, int generations,
+                                          const ExperimentSettings& settings,
+                                          const Rehearsal& rehearsal) {
+    std::vector<Result<std::vector<double>>> outcomes(backends.size(), Error{});
+    {
+        std::vector<std::jthread> threads;
+        for (std::size_t run = 0; run < backends.size(); ++run) {
+            threads.emplace_back([&, run] {
+                outcomes[run] =
+                    evaluate_generations(*backends[run], generations, settings, rehearsal);
+            });
+        }
+    }
+    std::vector<double> times;
+    for (const auto& outcome : outcomes) {
+        if (!outcome) return outcome.error();
+        times.insert(times.end(), outcome->begin(), outcome->end());
+    }
+    std::sort(times.begin(), times.end());
+    return times;
+}
+
+// A row of the table. cores: in all, those of this machine among them.
 Status measure(const Bench& bench, int cores, const ExperimentSettings& settings,
                const Rehearsal& rehearsal, const EvolutionKinds& kinds) {
     const Result<ClusterAddress> address = cluster_address({.servers = bench.server});
     if (!address) return address.error();
-    auto coordinator = connect_coordinator(*address, "");
-    if (!coordinator) return coordinator.error();
-    ClusterOptions options;
-    options.run = random_id();
-    options.secret = random_id();
-    const auto backend = make_cluster_backend(kinds, *std::move(coordinator), std::move(options));
-    const std::uint64_t proof = proof_of(proof_trials(kinds));
-    std::vector<std::unique_ptr<SleepingMachine>> machines;
-    for (int left = cores - 1; left > 0; left -= kCoresOfMachine) {
-        auto queue = connect_worker(*address);
-        if (!queue) return queue.error();
-        machines.push_back(std::make_unique<SleepingMachine>(
-            *std::move(queue), rehearsal.answers, std::min(left, kCoresOfMachine), proof));
+    const auto backends = connect_runs(*address, bench.runs, kinds);
+    if (!backends) return backends.error();
+    const int remote = cores - bench.own_cores();
+    const auto machines =
+        connect_machines(*address, remote, rehearsal.answers, proof_of(proof_trials(kinds)));
+    if (!machines) return machines.error();
+    for (const auto& backend : *backends) {
+        if (!wait_for(*backend, remote + 1)) return Error{"the workers did not appear"};
     }
-    if (!wait_for(*backend, cores)) return Error{"the workers did not appear"};
-    std::vector<double> times;
-    for (int generation = -bench.warm_up; generation < bench.generations; ++generation) {
-        std::vector<std::optional<EvaluationResult>> results(rehearsal.batch.size());
-        EvaluationProgress progress;
-        const Stopwatch watch;
-        if (!backend->evaluate(rehearsal.batch, results, settings, progress, {}))
-            return Error{backend->status().failure};
-        if (generation >= 0) times.push_back(watch.seconds());
-    }
-    std::sort(times.begin(), times.end());
-    const double median = times[times.size() / 2];
-    const double ideal = core_seconds(rehearsal) / cores;
-    std::printf("| %zu x %.1f ms | %d | %.0f | %.0f | %.0f | %.0f %% |\n", rehearsal.batch.size(),
-                mean_ms(rehearsal), cores, 1e3 * ideal, 1e3 * median, 1e3 * times.back(),
-                100.0 * ideal / median);
+    const auto before = evaluate_runs(*backends, bench.warm_up, settings, rehearsal);
+    if (!before) return before.error();
+    const auto times = evaluate_runs(*backends, bench.generations, settings, rehearsal);
+    if (!times) return times.error();
+    const double median = (*times)[times->size() / 2];
+    const double ideal = bench.runs * core_seconds(rehearsal) / cores;
+    std::printf("| %d x %zu x %.1f ms | %d | %.0f | %.0f | %.0f | %.0f %% |\n", bench.runs,
+                rehearsal.batch.size(), mean_ms(rehearsal), cores, 1e3 * ideal, 1e3 * median,
+                1e3 * times->back(), 100.0 * ideal / median);
     std::fflush(stdout);
     return {};
 }
@@ -276,7 +338,7 @@ int run(const Bench& bench) {
     settings->population.size = bench.population;
     const Rehearsal rehearsal = rehearse(*settings, bench.mean_ms, kinds);
     std::printf(
-        "| creatures | cores | ideal ms | median ms | worst ms | efficiency |\n"
+        "| runs x creatures | cores | ideal ms | median ms | worst ms | efficiency |\n"
         "|---|---|---|---|---|---|\n");
     for (const int cores : bench.cores) {
         if (const Status done = measure(bench, cores, *settings, rehearsal, kinds); !done) {
@@ -302,6 +364,8 @@ int main(int argc, char** argv) {
                    "Generations before, in which many results of new workers are checked")
         ->check(CLI::Range(0, 1000));
     app.add_option("--generations", bench.generations, "Measured")->check(CLI::Range(1, 1000));
+    app.add_option("--runs", bench.runs, "At once, each with a coordinator of its own")
+        ->check(CLI::Range(1, 64));
     app.add_option("--cores", bench.cores, "In all")->check(CLI::Range(2, 4096));
     CLI11_PARSE(app, argc, argv);
     return run(bench);

@@ -72,12 +72,13 @@ class Display:
 
 
 class Cluster:
-    """A server and workers of one core each, on this machine."""
+    """A server and workers of one core each, on this machine. They run by the idle policy: other
+    machines would take nothing of this one's cores, and these take only what the window leaves."""
 
     def __init__(self, folder, options):
         self.server = NatsServer(folder / "server")
         self.workers = [
-            subprocess.Popen([options.program, "worker", self.server.url, "--threads", "1",
+            subprocess.Popen(["chrt", "--idle", "0", options.program, "worker", self.server.url, "--threads", "1",
                               "--name", f"worker {i}"], stdin=subprocess.DEVNULL,
                              stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
             for i in range(options.workers)]

@@ -160,7 +160,7 @@ class LongTrials(ProgramTest):
             self.assertEqual(self.run_well("export", name, "--settings").stdout, expected)
             for option in ["--settings", "--stats", "--champion"]:
                 self.assertLess(self.memory_of("export", name, option), 200e6, (command, option))
-            status = DONE if command == "inject" else FAILED  # a change of founders has no effect on the result
+            status = DONE if command == "inject" else FAILED  # other founders change the result
             self.assertLess(self.memory_of("verify", name, status=status), 200e6, command)
 
     def test_too_many_changes_of_settings_are_refused(self):

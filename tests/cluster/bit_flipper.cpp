@@ -6,23 +6,17 @@
 #include <cstdint>
 
 namespace cambrian::test {
-namespace {
-
-constexpr int kOneIn = 50;  // one result of so many is changed
-
-}  // namespace
 
 bool BitFlipper::change(UnitMessage& unit) {
     UnitResult results = *parse_unit_result(unit.body);
-    bool flipped = false;
-    for (SlotResult& each : results.results) {
-        if (results_++ % kOneIn != 0) continue;
-        const auto bits = std::bit_cast<std::uint64_t>(each.result.fitness);
-        each.result.fitness = std::bit_cast<double>(bits ^ 1U);
-        flipped = true;
-    }
+    const bool same_batch =
+        last_ && last_->run == unit.id.run && last_->generation == unit.id.generation;
+    if (same_batch || results.results.empty()) return false;
+    double& fitness = results.results.front().result.fitness;
+    fitness = std::bit_cast<double>(std::bit_cast<std::uint64_t>(fitness) ^ 1U);
+    last_ = unit.id;
     unit.body = write_unit_result(results);
-    return flipped;
+    return true;
 }
 
 }  // namespace cambrian::test

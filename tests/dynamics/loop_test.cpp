@@ -244,8 +244,8 @@ TEST_CASE("a loop joint between two trees acts as one of a tree", "[dynamics][lo
     CHECK(two->audit().energy_residual == Approx(one->audit().energy_residual).margin(1e-4));
 }
 
-// Three rods of a closed loop cannot move relative to each other. The test has no friction, since its
-// softness depends on the body touched.
+// Three rods of a closed loop cannot move relative to each other. The test has no friction, since
+// its softness depends on the body touched.
 TEST_CASE("a triangle closed by a loop joint bounces like a welded one", "[dynamics][loops]") {
     const double turn = 2.0 * kPi / 3.0;
     Environment environment;

@@ -6,7 +6,7 @@
 namespace cambrian {
 namespace {
 
-constexpr double kSmallestArgument = 0.001;  // of logarithms and powers
+constexpr double kSmallestArgument = 0.001;  // least argument of logarithms and powers
 constexpr double kMaxExponent = 4.0;
 
 double positive(double x) {
@@ -28,7 +28,7 @@ double logarithm_of(const double* in, double* /*memory*/, double /*dt*/) {
 double power_of(const double* in, double* /*memory*/, double /*dt*/) {
     return power(positive(in[0]), std::fmin(std::fmax(in[1], -kMaxExponent), kMaxExponent));
 }
-// Centred on zero, so that it can drive a joint both ways.
+// The range is centred at zero, so that the function can drive a joint in both directions.
 double sigmoid(const double* in, double* /*memory*/, double /*dt*/) {
     return 2.0 / (1.0 + exponential(-in[0])) - 1.0;
 }

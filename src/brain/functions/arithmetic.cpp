@@ -21,7 +21,7 @@ double divide(const double* in, double* /*memory*/, double /*dt*/) {
 double sign_of(const double* in, double* /*memory*/, double /*dt*/) {
     return in[0] > 0.0 ? 1.0 : (in[0] < 0.0 ? -1.0 : 0.0);
 }
-// Of 0 and -0, which fmin and fmax may choose between as they like, the first is taken.
+// Takes the first of 0 and -0, between which fmin and fmax may choose freely.
 double minimum(const double* in, double* /*memory*/, double /*dt*/) {
     return std::min(in[0], in[1]);
 }

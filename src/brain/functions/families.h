@@ -1,7 +1,7 @@
 #pragma once
 
-// The families of neuron functions; each adds its own (brain/README.md 2). In their formulas a, b
-// and c are the inputs.
+// Registers the families of neuron functions (brain/README.md 2). In their formulas a, b and c are
+// the inputs.
 
 #include "brain/neuron_function.h"
 

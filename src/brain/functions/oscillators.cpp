@@ -1,5 +1,6 @@
-// Input a is the frequency in Hz, b the phase in cycles; the amplitude is the listener's weight.
-// The phase is integrated, so the signal stays continuous when the frequency is itself a signal.
+// Input a is the frequency in Hz, b the phase in cycles; the amplitude is the weight of the
+// neuron's reader. The phase is integrated, so the output stays continuous when the frequency is
+// itself a signal.
 
 #include "brain/functions/families.h"
 #include "math/elementary.h"
@@ -9,13 +10,14 @@
 namespace cambrian {
 namespace {
 
-constexpr double kMaxFrequency = 4.0;  // Hz; faster would shake rather than move
+// Hz; higher frequencies would shake joints rather than move them.
+constexpr double kMaxFrequency = 4.0;
 
 double fraction(double x) {
     return x - std::floor(x);
 }
 
-// Advances the phase in memory and returns it with b added, in cycles.
+// Advances the stored phase; returns the phase plus b, in cycles.
 double advance_phase(const double* in, double* memory, double dt) {
     const double frequency = std::fmin(std::fabs(in[0]), kMaxFrequency);
     memory[0] = fraction(memory[0] + frequency * dt);

@@ -7,7 +7,7 @@
 namespace cambrian {
 namespace {
 
-constexpr double kLeakTime = 10.0;         // s; keeps an integrator from sticking at the limit
+constexpr double kLeakTime = 10.0;         // s; makes an integrator leave its limit
 constexpr double kMaxSmoothingTime = 5.0;  // s
 
 double integrate(const double* in, double* memory, double dt) {
@@ -15,7 +15,7 @@ double integrate(const double* in, double* memory, double dt) {
     return memory[0];
 }
 
-// memory: the previous input, and whether there was one.
+// The memory has the previous input, and whether there is one.
 double differentiate(const double* in, double* memory, double dt) {
     const double rate = memory[1] != 0.0 ? (in[0] - memory[0]) / dt : 0.0;
     memory[0] = in[0];
@@ -29,7 +29,7 @@ double smooth(const double* in, double* memory, double dt) {
     return memory[0];
 }
 
-// Sample and hold.
+// Samples the first input while the second is positive, and holds it otherwise.
 double remember(const double* in, double* memory, double /*dt*/) {
     if (in[1] > 0.0) memory[0] = in[0];
     return memory[0];

@@ -22,7 +22,7 @@ struct Server {
     std::string cluster;  // empty if none is named
 };
 
-// Without what could be a password.
+// The message does not quote anything that could be a password.
 Error not_a_server(std::string_view text) {
     return Error{"'" + std::string(text) +
                  "' is no server: expected nats://HOST, nats://HOST:PORT or tls://HOST"};
@@ -53,7 +53,7 @@ bool is_host(std::string_view host) {
     });
 }
 
-// 127.0.0.0/8 in numbers, not a name that begins so.
+// Returns whether the host is a number of 127.0.0.0/8, not a name that begins in the same way.
 bool is_loopback_number(std::string_view host) {
     return host.starts_with("127.") &&
            host.find_first_not_of("0123456789.") == std::string_view::npos;
@@ -108,7 +108,7 @@ Status check_name(const std::string& name) {
                  " letters, digits, '-' or '_', found '" + name + "'"};
 }
 
-// Takes a name unless another one was taken before.
+// Sets the name unless another one was set before.
 Status take_name(const std::string& name, std::string& taken) {
     if (name.empty() || name == taken) return {};
     if (!taken.empty())

@@ -1,6 +1,7 @@
 #pragma once
 
-// What went wrong with a connection, in words for people: each is told once, and not without end.
+// Problems of a connection, as messages for users. Each message is reported once, and their number
+// is limited.
 
 #include <algorithm>
 #include <cstddef>
@@ -18,7 +19,7 @@ public:
         said_.push_back(words);
         untold_.push_back(words);
     }
-    // Those that were added since the last call.
+    // Returns the messages added since the last call.
     std::vector<std::string> take() { return std::exchange(untold_, {}); }
 
 private:

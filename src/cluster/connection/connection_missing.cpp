@@ -1,4 +1,4 @@
-// In a program built without libnats.
+// Replaces the connection in a program built without libnats.
 #include "cluster/connection/cluster_connection.h"
 
 namespace cambrian {

@@ -12,7 +12,7 @@ constexpr std::size_t kMostBytes = 65536;
 constexpr std::string_view kToken = "-----BEGIN NATS USER JWT-----";
 constexpr std::string_view kKey = "-----BEGIN USER NKEY SEED-----";
 
-// Quotes nothing of the file, which may hold a password.
+// The message does not quote the file, which may contain a password.
 Error malformed(const std::string& file, const std::string& found) {
     return Error{file +
                  ": no credentials: expected two lines, user = \"...\" and password = "

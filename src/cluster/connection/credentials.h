@@ -1,6 +1,6 @@
 #pragma once
 
-// How a program proves to the server who it is.
+// Authentication of a program to the server.
 
 #include "core/result.h"
 
@@ -9,13 +9,13 @@
 namespace cambrian {
 
 struct Credentials {
-    std::string user;  // empty: the file is one that NATS's own tools write
+    std::string user;  // empty for a file in the format of NATS's own tools
     std::string password;
 };
 
 // Reads a credentials file: user = "..." and password = "..." as TOML, or a file with a signed
-// token and key (*.creds), which only the connection reads. Fails, naming the file, on anything
-// else.
+// token and a key (*.creds), which only the connection reads. Fails for anything else; the message
+// names the file.
 Result<Credentials> read_credentials(const std::string& file);
 
 }  // namespace cambrian

@@ -1,8 +1,8 @@
 #pragma once
 
-// The answers of a batch: which worker gave them, and which are certain. Results of this machine's
-// cores are the reference for those of workers; results of two workers are compared with each
-// other.
+// The answers of a batch: the worker that gave each, and whether it is certain. Results of this
+// machine's cores are the reference for those of workers; results of two workers are compared with
+// each other.
 
 #include "evolution/evaluation/evaluation.h"
 
@@ -23,7 +23,8 @@ class Answers {
 public:
     explicit Answers(std::size_t creatures) : answers_(creatures) {}
 
-    // Adds a worker's result. check: it does not count until this machine has computed it too.
+    // Adds a worker's result. With `check`, it does not count until this machine has computed it,
+    // too.
     struct Claimed {
         bool first = false;  // of this creature
         std::optional<Comparison> comparison;
@@ -42,7 +43,7 @@ public:
     bool settled(std::size_t creature) const;
     std::size_t settled() const { return settled_; }
     bool all_settled() const { return settled_ == answers_.size(); }
-    // The result that counts; null unless settled.
+    // Returns the result that counts; null unless settled.
     const EvaluationResult* result(std::size_t creature) const;
 
     // The next creature that this machine must compute as a check; each is returned once.

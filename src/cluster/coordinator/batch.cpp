@@ -6,12 +6,12 @@
 namespace cambrian {
 namespace {
 
-constexpr std::size_t kUnitsAhead = 3;     // units without an answer a remote core
-constexpr std::size_t kMostPlanned = 500;  // creatures of a unit, for its result's size
-constexpr double kLeastChecked = 0.01;     // share of a worker's results
-constexpr double kCheckingShare = 0.25;    // at most, of the own cores' time
-constexpr double kLateFactor = 2.0;        // times the expected time
-constexpr double kLateGrace = 0.25;        // s, besides
+constexpr std::size_t kUnitsAhead = 3;     // unanswered units per remote core
+constexpr std::size_t kMostPlanned = 500;  // creatures per unit, to limit the size of its result
+constexpr double kLeastChecked = 0.01;     // least share of a worker's results that is checked
+constexpr double kCheckingShare = 0.25;    // largest share of the own cores' time for checks
+constexpr double kLateFactor = 2.0;  // a unit is late after this multiple of the expected time
+constexpr double kLateGrace = 0.25;  // s, in addition
 
 double checked_share(const Cores& cores) {
     const double own = static_cast<double>(cores.own) / static_cast<double>(cores.all());
@@ -45,7 +45,7 @@ std::vector<EvaluationRequest> Batch::requests_of(const std::vector<std::size_t>
 std::optional<Batch::HomeTask> Batch::next_home_task(double now, const Cores& cores) {
     if (const auto check = answers_.next_check()) return HomeTask{{*check}, std::nullopt};
     if (const auto open = ledger_.take_for_home()) return HomeTask{{*open}, std::nullopt};
-    // Without reachable workers every unit is late.
+    // If no worker can be reached, every unit is late.
     const double moment = cores.remote == 0 ? std::max(now, ledger_.next_due().value_or(now)) : now;
     auto late = ledger_.take_late(moment, cores.own);
     if (!late) return std::nullopt;
@@ -126,7 +126,7 @@ bool Batch::take_result(std::uint32_t unit, const UnitResult& result, const Core
     for (const SlotResult& each : result.results)
         take_claim(result, each, checked_share(cores));
     memory_.costs.learn(result.results.size(), total_work(result.results), result.seconds);
-    // A worker may have computed a part of a unit; the rest is open once more.
+    // A worker may have computed a part of a unit; the other creatures are open again.
     const auto creatures = ledger_.close(unit);
     std::vector<std::size_t> left;
     for (const std::size_t creature : creatures) {

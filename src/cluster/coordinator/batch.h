@@ -37,10 +37,11 @@ public:
 
     struct HomeTask {
         std::vector<std::size_t> creatures;
-        // When the late unit was published that they are part of: it may have ended its worker.
+        // Time at which the late unit was published from which the creatures come; it may have
+        // crashed its worker.
         std::optional<double> late_since;
     };
-    // The next task of a core of this machine; nothing while it can only wait.
+    // Returns the next task of a core of this machine; nothing while it must wait.
     std::optional<HomeTask> next_home_task(double now, const Cores& cores);
     std::optional<double> next_due() const { return ledger_.next_due(); }
     void finish_at_home(std::size_t creature, EvaluationResult result, double seconds);
@@ -50,7 +51,8 @@ public:
         std::vector<std::size_t> creatures;
         double seconds = 0.0;  // expected, of one core
     };
-    // The next unit to publish, which counts as published; none if enough units are outstanding.
+    // Returns the next unit to publish, which then counts as published; none if enough units are
+    // outstanding.
     std::optional<UnitPlan> next_unit(double now, const Cores& cores);
     void not_published(std::uint32_t unit);
     // Limits the following units to fewer creatures than this.
@@ -59,14 +61,14 @@ public:
     void not_deliverable(std::uint32_t unit) { ledger_.expect_no_more(unit); }
     bool anything_outstanding() const { return ledger_.outstanding() > 0; }
 
-    // False if it is no answer to this batch.
+    // Returns false if the result is no answer to this batch.
     bool take_result(std::uint32_t unit, const UnitResult& result, const Cores& cores);
 
     std::size_t settled() const { return answers_.settled(); }
     // Whether every creature has a result that counts, and the best is certain.
     bool complete() { return answers_.all_settled() && !answers_.check_leader(); }
     const EvaluationResult* result(std::size_t creature) const { return answers_.result(creature); }
-    double core_seconds() const { return core_seconds_; }  // that its results took
+    double core_seconds() const { return core_seconds_; }  // time that its results took
 
 private:
     bool is_answer(const UnitResult& result) const;

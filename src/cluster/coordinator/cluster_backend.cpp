@@ -31,11 +31,11 @@ using std::chrono::milliseconds;
 
 constexpr milliseconds kLongestPoll{50};
 constexpr milliseconds kLongestNap{50};
-constexpr std::size_t kWantedUnitBytes = 512'000;  // well below what servers take by default
-constexpr double kDeadlineFactor = 20.0;           // times the expected time
+constexpr std::size_t kWantedUnitBytes = 512'000;  // well below the default limit of servers
+constexpr double kDeadlineFactor = 20.0;           // multiple of the expected time
 constexpr double kLeastDeadline = 60.0;            // s
 constexpr double kLeastOverhead = 1e-3;            // s, of a batch
-constexpr std::size_t kDisagreements = 2;          // workers whose bits differ that end a run
+constexpr std::size_t kDisagreements = 2;  // number of workers with different bits that ends a run
 
 class ClusterBackend final : public EvaluationBackend {
 public:
@@ -56,7 +56,7 @@ private:
         std::optional<JudgingSettings> judging;  // none if they cannot travel
         EvaluationProgress& progress;
         std::uint32_t done_before = 0;
-        std::stop_source ended;  // all that still computes breaks off
+        std::stop_source ended;  // stops all computations that still run
         std::unique_ptr<Batch> batch;
     };
 
@@ -168,7 +168,7 @@ bool ClusterBackend::evaluate(std::span<const EvaluationRequest> requests,
     return whole;
 }
 
-// The settings that are sent to workers; they are the same from call to call.
+// Returns the settings that are sent to workers; they are the same from call to call.
 std::optional<JudgingSettings> ClusterBackend::travelling(const ExperimentSettings& settings) {
     if (judged_ && judge_alike(*judged_, settings)) return judging_;
     judged_ = settings;
@@ -291,7 +291,7 @@ Cores ClusterBackend::cores() const {
     return {options_.threads, usable ? roll_.cores(now(), memory_.trust) : 0};
 }
 
-// Only the dispatcher may wait for the server; the other threads evaluate.
+// Only the dispatcher's thread may wait for the server; the other threads evaluate.
 void ClusterBackend::store_settings() {
     std::optional<JudgingSettings> wanted;
     {

@@ -20,11 +20,11 @@ namespace cambrian {
 struct ClusterOptions {
     std::size_t threads = 1;  // own cores that evaluate, at least 1
     ThreadPriority priority = ThreadPriority::kNormal;
-    std::string name;          // of this machine, for people
+    std::string name;          // displayed name of this machine
     std::string server;        // for BackendStatus
     std::string cluster;       // likewise
-    std::uint64_t run = 0;     // unlike that of any other run; decides no result
-    std::uint64_t secret = 0;  // decides which results are computed again to check them
+    std::uint64_t run = 0;     // different from that of any other run; has no influence on results
+    std::uint64_t secret = 0;  // selects the results that are computed again as a check
     // Runs a unit in a separate process; see unit_child.h. Without it a unit that seems to crash
     // its workers is computed in this process.
     ChildProcess child;
@@ -33,8 +33,8 @@ struct ClusterOptions {
 };
 
 // Computes the proof set first, which takes 0.2 s. The queue need not be connected. evaluate()
-// returns false without a stop request only if the run cannot go on (two workers whose bits differ,
-// a genome that ends the process); status().failure then says why.
+// returns false without a stop request only if the run cannot continue (two workers with different
+// bits, a genome that crashes the process); status().failure has the reason.
 std::unique_ptr<EvaluationBackend> make_cluster_backend(const EvolutionKinds& kinds,
                                                         std::unique_ptr<CoordinatorQueue> queue,
                                                         ClusterOptions options);

@@ -19,8 +19,9 @@ namespace cambrian {
 
 struct Apart {
     std::vector<SlotResult> results;
-    std::string trouble;  // for people, if no process could be started, computed or was understood
-    std::string failure;  // for people, if a creature ends every process that evaluates it
+    // Message if no process could be started, gave a result or could be understood.
+    std::string trouble;
+    std::string failure;  // message if a creature crashes every process that evaluates it
 };
 
 class CrashSearch {
@@ -29,8 +30,8 @@ public:
                 const std::filesystem::path& folder)
         : kinds_(kinds), child_(child), settings_(settings), folder_(folder) {}
 
-    // At least one request. Results are missing only after a stop request, with trouble or after a
-    // failure.
+    // Needs at least one request. Results are missing only after a stop request, with `trouble` or
+    // after a failure.
     Apart compute(std::span<const EvaluationRequest> requests, const std::stop_token& stop) const;
 
 private:

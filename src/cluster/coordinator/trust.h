@@ -1,8 +1,8 @@
 #pragma once
 
-// Which workers are trusted, and which of their results this machine computes again as a check. The
-// choice depends on a secret of the run, so no worker knows which results are checked. No result
-// depends on it (cluster/README.md 2).
+// Decides which workers are trusted, and which of their results this machine computes again as a
+// check. The choice depends on a secret of the run, so that no worker knows which results are
+// checked. Results do not depend on it (cluster/README.md 2).
 
 #include "cluster/messages/hello_text.h"
 
@@ -17,8 +17,8 @@ class Trust {
 public:
     explicit Trust(std::uint64_t secret) : secret_(secret) {}
 
-    // Whether a worker's next result is to be checked: each of its first 16 is, of the following
-    // ones the n-th with a chance of 16 in n, and `least` (0 to 1) at any time.
+    // Returns whether a worker's next result is checked. Its first 16 always are; the n-th of the
+    // following ones is with probability 16/n. The probability is never below `least`.
     bool draw_check(std::uint64_t worker, std::uint32_t generation, std::uint32_t slot,
                     double least);
     void pass(std::uint64_t worker) { ++workers_[worker].passed; }

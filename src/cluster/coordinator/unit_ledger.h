@@ -15,7 +15,7 @@ namespace cambrian {
 
 class UnitLedger {
 public:
-    // seconds: that each creature may take on one core.
+    // `seconds` are the expected times of the creatures on one core.
     explicit UnitLedger(std::vector<double> seconds);
 
     double open_seconds() const { return open_seconds_; }
@@ -40,9 +40,9 @@ public:
     void expect_no_more(std::uint32_t unit);
 
     void answered(std::size_t creature);
-    void unanswered(std::size_t creature);  // its answer was revoked: open once more
+    void unanswered(std::size_t creature);  // its answer was revoked, so it is open again
 
-    // The part of the most overdue unit that one core of this machine takes over: all creatures
+    // The part of the most overdue unit that one core of this machine takes over: the creatures
     // that are neither answered nor taken over yet, divided by `parts`.
     struct Late {
         std::uint32_t unit = 0;
@@ -51,7 +51,8 @@ public:
         std::vector<std::size_t> creatures;
     };
     std::optional<Late> take_late(double now, std::size_t parts);
-    // Time at which the next unit is late; none if all outstanding units are completely taken over.
+    // Returns the time at which the next unit is late; nothing if all outstanding units are
+    // completely taken over.
     std::optional<double> next_due() const;
 
 private:

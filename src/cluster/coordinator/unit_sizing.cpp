@@ -5,10 +5,10 @@
 namespace cambrian {
 namespace {
 
-constexpr double kMemory = 200.0;  // creatures over which what was learnt fades
+constexpr double kMemory = 200.0;  // number of creatures over which old measurements fade
 constexpr double kLeastSeconds = 0.01;
 constexpr double kMostSeconds = 2.0;
-constexpr double kRounds = 3.0;  // units that every core would get if all were as long as the next
+constexpr double kRounds = 3.0;  // units per core if all were as long as the next
 
 double median_work(std::span<const EvaluationRequest> requests, double fallback) {
     std::vector<double> known;
@@ -47,7 +47,7 @@ void CostModel::learn(std::size_t creatures, std::uint64_t work, double seconds)
 double unit_seconds(double remaining, const Cores& cores) {
     const double share = remaining / static_cast<double>(cores.all());
     const double guided = std::clamp(share / kRounds, kLeastSeconds, kMostSeconds);
-    // A short batch is shared too.
+    // A short batch is divided, too.
     return std::min(guided, share * static_cast<double>(cores.remote));
 }
 

@@ -35,9 +35,9 @@ struct Cores {
     std::size_t all() const { return own + remote; }
 };
 
-// Work of the next unit, s, from 10 ms to 2 s (guided self-scheduling, Polychronopoulos and Kuck
-// 1987). It is a share of the remaining work, so the last units are short and all cores end at
-// nearly the same time.
+// Returns the work of the next unit, in s, from 10 ms to 2 s (guided self-scheduling,
+// Polychronopoulos and Kuck 1987). It is a share of the remaining work, so the last units are short
+// and all cores end at nearly the same time.
 double unit_seconds(double remaining, const Cores& cores);
 
 }  // namespace cambrian

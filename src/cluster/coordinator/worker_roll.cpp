@@ -10,8 +10,8 @@
 namespace cambrian {
 namespace {
 
-constexpr double kAway = 6.0;         // s of silence after which no one counts on a worker
-constexpr double kForgotten = 300.0;  // s of silence after which it is not listed any more
+constexpr double kAway = 6.0;         // s of silence after which a worker gets no units
+constexpr double kForgotten = 300.0;  // s of silence after which it is no longer listed
 constexpr std::size_t kMostMembers = 4'096;
 
 }  // namespace

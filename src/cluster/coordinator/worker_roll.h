@@ -30,14 +30,14 @@ public:
     void worked(std::uint64_t worker, std::uint64_t creatures, std::uint64_t work, double now);
     void worked_at_home(std::uint64_t creatures, std::uint64_t work, double now);
 
-    // Records that a unit is late which was published at that time. Workers that were silent since
-    // then may have vanished with it; they get no units until they are heard again.
+    // Must be called when a unit that was published at that time is late. Workers that have been
+    // silent since then may have crashed with it; they get no units until their next message.
     void doubt_silent(double since);
-    // Cores of workers that were heard lately and may be given units.
+    // Returns the cores of workers that sent a message recently and may get units.
     std::size_t cores(double now, const Trust& trust) const;
     struct View {
         bool own_busy = false;
-        bool reachable = false;  // whether the workers are, at this moment
+        bool reachable = false;  // whether the workers can be reached now
     };
     std::vector<WorkerStatus> rows(double now, const Trust& trust, const View& view) const;
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// Real numbers in messages, every bit of them: JSON has no infinities and no NaN, so of those the
-// bits are written under another key.
+// Real numbers in messages, with every bit. JSON has no infinities and no NaN, so their bits are
+// written under another key.
 
 #include "persist/json/json_reader.h"
 #include "persist/json/json_writer.h"

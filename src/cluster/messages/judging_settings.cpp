@@ -13,7 +13,8 @@ ExperimentSettings judging_part(const ExperimentSettings& settings) {
     part.goal = settings.goal;
     part.world = settings.world;
     part.expression = settings.expression;
-    part.selection.confirm_jitter = settings.selection.confirm_jitter;  // of probes' worlds
+    // Affects the probes' worlds.
+    part.selection.confirm_jitter = settings.selection.confirm_jitter;
     return part;
 }
 

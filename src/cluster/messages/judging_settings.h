@@ -1,6 +1,6 @@
 #pragma once
 
-// The part of an experiment's settings that a result depends on, as workers get it.
+// The part of an experiment's settings on which results depend, in the form that workers get.
 
 #include "core/result.h"
 #include "evolution/kinds/evolution_kinds.h"
@@ -13,16 +13,16 @@
 namespace cambrian {
 
 struct JudgingSettings {
-    std::string text;       // a settings file; everything else in it is at its default
+    std::string text;       // a settings file in which all other settings have their default
     std::uint64_t key = 0;  // hash of the text
 };
 
-// Whether results of trials and of probes are the same under both.
+// Returns whether results of trials and of probes are the same with both.
 bool judge_alike(const ExperimentSettings& a, const ExperimentSettings& b);
 
 std::uint64_t settings_key(std::string_view text);
 
-// Fails if the text would not read back to settings that judge the same.
+// Fails if reading the text would not give settings with the same results.
 Result<JudgingSettings> judging_settings(const ExperimentSettings& settings,
                                          const EvolutionKinds& kinds);
 

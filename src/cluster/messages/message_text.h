@@ -1,7 +1,7 @@
 #pragma once
 
-// What all messages share: one JSON object on one line, which says first which kind of message it
-// is and of which version.
+// The common form of messages: one JSON object on one line, which begins with the kind and version
+// of the message.
 
 #include "core/result.h"
 #include "persist/json/json_reader.h"
@@ -14,22 +14,23 @@
 
 namespace cambrian {
 
-inline constexpr std::size_t kLongestVersion = 32;    // bytes, of a simulator's version
-inline constexpr double kMostSlot = 4'294'967'295.0;  // of a creature in its generation
+inline constexpr std::size_t kLongestVersion = 32;  // bytes, of a simulator's version
+// Largest index of a creature in its generation.
+inline constexpr double kMostSlot = 4'294'967'295.0;
 
 struct MessageKind {
     std::string format;  // "cambrian-unit"
     int version = 1;
 };
 
-// The object that a message is; if it is none or holds a key twice, `errors` says so.
+// Parses the object of a message; reports an error if there is none or if a key is duplicated.
 std::optional<JsonValue> parse_object(std::string_view text, const JsonLimits& limits,
                                       ErrorList& errors);
 
-// The version of a message of that format, whatever it is; an error if it is of another format.
+// Returns the version of a message of that format; reports an error for another format.
 int read_version(JsonReader& reader, std::string_view format, ErrorList& errors);
 
-// Whether the object is such a message; says what it is otherwise.
+// Returns whether the object is such a message; otherwise reports what it is.
 bool read_kind(JsonReader& reader, const MessageKind& kind, ErrorList& errors);
 
 template <class Message, class Describe>

@@ -12,11 +12,11 @@
 namespace cambrian {
 namespace {
 
-constexpr std::uint64_t kProof = 1'019;  // keeps these founders apart from all others
+constexpr std::uint64_t kProof = 1'019;  // index that keeps these founders apart from all others
 constexpr double kDuration = 2.0;        // s
 constexpr std::uint64_t kMostDraws = 60;
-constexpr int kMovers = 5;           // a trial of the set
-constexpr double kLeastStir = 0.02;  // m; what moves less proves little
+constexpr int kMovers = 5;           // moving creatures per trial of the set
+constexpr double kLeastStir = 0.02;  // m; creatures that move less prove little
 
 FounderSettings joints_of_every_kind(const EvolutionKinds& kinds) {
     FounderSettings settings;
@@ -33,7 +33,7 @@ EvaluationResult judged(std::uint64_t number, const ExperimentSettings& settings
     return evaluate({.genome = std::move(genome)}, settings, kinds);
 }
 
-// Of founders until some of them have moved, each with all its numbers.
+// Returns the digest of founders, in order of their numbers, until enough of them have moved.
 std::uint64_t digest_of(std::uint64_t first, const ExperimentSettings& settings,
                         const EvolutionKinds& kinds) {
     Hash64 hash;

@@ -1,6 +1,6 @@
 #pragma once
 
-// A few built-in trials, the digests of whose results tell whether two builds on two machines
+// A few built-in trials. The digests of their results tell whether two builds on two machines
 // compute the same bits.
 
 #include "evolution/kinds/evolution_kinds.h"
@@ -19,14 +19,15 @@ struct ProofTrial {
     friend bool operator==(const ProofTrial&, const ProofTrial&) = default;
 };
 
-// Every goal with the default integrator and with the accurate one, for creatures with joints of
-// every kind; takes 0.2 s.
+// Runs every goal with the default and with the most accurate integrator, on creatures with joints
+// of every kind; takes 0.2 s.
 std::vector<ProofTrial> proof_trials(const EvolutionKinds& kinds);
 
-// One number for all of them.
+// Returns one digest of all trials.
 std::uint64_t proof_of(std::span<const ProofTrial> trials);
 
-// Names of the expected trials that `found` has otherwise or not at all: "walking, x; jumping, y".
+// Returns the names of the expected trials that are missing in `found` or differ: "walking, x;
+// jumping, y".
 std::string differing_trials(std::span<const ProofTrial> expected,
                              std::span<const ProofTrial> found);
 

@@ -13,7 +13,7 @@
 namespace cambrian {
 namespace {
 
-constexpr double kMostExact = 9007199254740992.0;  // 2^53: whole numbers are exact up to it
+constexpr double kMostExact = 9007199254740992.0;  // 2^53; integers up to it are exact
 constexpr double kMostCount = 1e9;
 constexpr std::size_t kMostScores = 128;
 const MessageKind kResultKind{"cambrian-result", 1};
@@ -60,7 +60,7 @@ void describe_audit(Archive& archive, Described& audit) {
     archive.integer("fallbacks", audit.fallbacks, 0.0, kMostExact);
 }
 
-// A list of numbers as a list of objects, because JSON has no infinities and no NaN.
+// Describes a list of numbers as a list of objects, because JSON has no infinities and no NaN.
 template <class Archive, class Scores>
 void describe_scores(Archive& archive, Scores& scores) {
     archive.list("scores", scores, 0, kMostScores, Layout::kCompact,

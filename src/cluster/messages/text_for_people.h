@@ -1,6 +1,6 @@
 #pragma once
 
-// Texts from other machines made fit to be shown: one line, of bounded length.
+// Makes texts from other machines fit for display: one line of limited length.
 
 #include <cstddef>
 #include <string>
@@ -8,9 +8,9 @@
 
 namespace cambrian {
 
-inline constexpr std::size_t kLongestName = 40;  // bytes, of machines and workers
+inline constexpr std::size_t kLongestName = 40;  // bytes of a name of a machine or worker
 
-// Control characters become question marks; what is longer is cut between two characters.
+// Control characters become question marks; longer text is cut between two characters.
 std::string text_for_people(std::string_view text, std::size_t longest);
 
 }  // namespace cambrian

@@ -16,8 +16,8 @@ namespace cambrian {
 namespace {
 
 constexpr std::size_t kMostDocument = 500'000;        // bytes, of one creature
-constexpr std::size_t kMostDocuments = 32'000'000;    // bytes, of all, inflated
-constexpr std::size_t kMostOutlineBytes = 1'000'000;  // of the line before them
+constexpr std::size_t kMostDocuments = 32'000'000;    // bytes of all documents, inflated
+constexpr std::size_t kMostOutlineBytes = 1'000'000;  // bytes of the line before them
 const MessageKind kUnitKind{"cambrian-unit", kUnitVersion};
 
 constexpr FieldRule kDeadline{.name = "deadline",
@@ -26,7 +26,7 @@ constexpr FieldRule kDeadline{.name = "deadline",
                               .high = std::numeric_limits<double>::max(),
                               .fallback = 0.0};
 
-// One creature's entry in the line: its trial and the length of its document.
+// The entry of one creature in the line: its trial and the length of its document.
 struct Entry {
     std::uint32_t slot = 0;
     std::uint64_t trial_seed = 0;

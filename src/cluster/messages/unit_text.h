@@ -1,8 +1,8 @@
 #pragma once
 
-// Units as text: creatures to be evaluated under one settings, with what a worker must know before
-// it reads on. A unit is one line of JSON that describes it and, after the line's end, the deflated
-// creature documents, one after the other.
+// Units as text: creatures to be evaluated with the same settings, and what a worker must know
+// before it reads them. A unit is one line of JSON that describes it, followed by the deflated
+// creature documents.
 
 #include "core/result.h"
 #include "evolution/evaluation/evaluation.h"
@@ -21,17 +21,17 @@ namespace cambrian {
 
 inline constexpr std::size_t kMostUnitCreatures = 2'000;
 
-// What a unit says of itself.
+// The conditions under which a unit is to be computed.
 struct UnitTerms {
     std::uint64_t settings = 0;  // key of the settings
     std::string simulator;       // version that the coordinator runs
-    std::uint64_t proof = 0;     // of the coordinator's build, proof_set.h
-    double deadline = 60.0;      // s, after which a worker gives up; above 0
+    std::uint64_t proof = 0;     // proof of the coordinator's build, see proof_set.h
+    double deadline = 60.0;      // s, after which a worker stops computing it; positive
 
     friend bool operator==(const UnitTerms&, const UnitTerms&) = default;
 };
 
-// The requests' expected work does not travel: no result depends on it.
+// The requests' expected work is not sent, since results do not depend on it.
 struct Unit {
     UnitTerms terms;
     std::vector<EvaluationRequest> requests;
@@ -40,7 +40,7 @@ struct Unit {
 class UnitWriter {
 public:
     explicit UnitWriter(const EvolutionKinds& kinds);
-    // 1 to kMostUnitCreatures requests.
+    // Needs 1 to kMostUnitCreatures requests.
     std::string write(const UnitTerms& terms, std::span<const EvaluationRequest> requests);
 
 private:
@@ -49,7 +49,7 @@ private:
     Deflater deflater_;
 };
 
-// Only the terms, of whatever version of the format: enough to know whether to read on.
+// The conditions only, for any version of the format; they tell whether the rest can be read.
 struct UnitOutline {
     int version = 0;  // of the format
     UnitTerms terms;

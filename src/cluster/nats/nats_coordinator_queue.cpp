@@ -20,14 +20,14 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using namespace std::chrono_literals;
 
-constexpr std::size_t kMostOnTheirWay = 256;  // published without an acknowledgement yet
+constexpr std::size_t kMostOnTheirWay = 256;  // published units without an acknowledgement
 constexpr auto kStoreWait = 3s;
 constexpr auto kPauseWhenFull = 500ms;
 constexpr auto kPauseWithoutStreams = 500ms;
 constexpr auto kLastResults = 100ms;
-constexpr std::size_t kHeaderBytes = 1024;       // of a message, at most
-constexpr int kMostHellosWaiting = 4096;         // that nobody has taken
-constexpr int kMostResultsWaiting = 64'000'000;  // bytes, likewise
+constexpr std::size_t kHeaderBytes = 1024;       // largest header of a message
+constexpr int kMostHellosWaiting = 4096;         // messages not yet polled
+constexpr int kMostResultsWaiting = 64'000'000;  // bytes of results not yet polled
 constexpr std::size_t kMostAtOnce = 1000;        // results of one poll
 
 // The subscriptions of a coordinator on one connection.
@@ -113,7 +113,7 @@ private:
     mutable std::mutex mutex_;
     CoordinatorSubscriptionsPtr subscriptions_;  // of the last connection
     std::optional<std::uint64_t> run_;
-    std::optional<std::uint64_t> run_before_;  // that of the same experiment which was killed
+    std::optional<std::uint64_t> run_before_;  // run of the same experiment that was killed
     std::uint64_t last_result_ = 0;            // in the stream of results
     std::uint32_t generation_ = 0;             // of the last unit
     std::uint64_t last_serial_ = 0;
@@ -164,7 +164,7 @@ std::optional<LinkFailure> NatsCoordinatorQueue::subscribe_results(CoordinatorSu
     jsSubOptions_Init(&options);
     options.Stream = stream.c_str();
     options.Config.AckPolicy = js_AckNone;
-    // The server forgets it 30 s after the connection is lost.
+    // The server deletes it 30 s after the connection is lost.
     options.Config.InactiveThreshold = std::chrono::nanoseconds(30s).count();
     if (last > 0) {
         options.Config.DeliverPolicy = js_DeliverByStartSequence;
@@ -196,7 +196,7 @@ std::optional<LinkFailure> NatsCoordinatorQueue::prepare(const NatsSessionPtr& s
         if (!made->acknowledgements || !made->hellos || !made->undeliverable)
             return LinkFailure{last_nats_error(), false};
     }
-    // A server that was started again has forgotten to whom it delivered results.
+    // A restarted server no longer knows to whom it delivered results.
     if (auto failure = subscribe_results(*made)) return failure;
     const std::lock_guard lock(mutex_);
     subscriptions_ = std::move(made);
@@ -224,7 +224,7 @@ bool NatsCoordinatorQueue::put_settings(std::string_view key, std::string_view t
                        static_cast<int>(text.size())) == NATS_OK;
 }
 
-// Nobody asks for results of a generation after the next one has begun.
+// Results of a generation are no longer needed when the next one has begun.
 void NatsCoordinatorQueue::forget_generation_before(NatsSession& session, const UnitId& unit) {
     std::uint32_t before = 0;
     {
@@ -289,7 +289,7 @@ void NatsCoordinatorQueue::take_acknowledgement(const natsMsg& message) {
         on_their_way_.erase(found);
     }
     if (stored) return;
-    // No body: nobody takes messages of the stream.
+    // An empty body means that no stream accepts the message.
     if (body_of(message).empty()) return link_.renew(kPauseWithoutStreams);
     link_.complain(
         "the server does not store more work for now, its stream is full; this machine "
@@ -346,7 +346,7 @@ void NatsCoordinatorQueue::look_up_undeliverable(NatsSession& session, std::uint
     const auto unit = subjects_.unit_of(subject_of(*message));
     if (unit) {
         const std::lock_guard lock(mutex_);
-        if (!run_ || unit->run != *run_) return;  // another coordinator's
+        if (!run_ || unit->run != *run_) return;  // a result for another coordinator
         not_deliverable_.push_back(*unit);
     }
     js_DeleteMsg(session.jetstream(), stream.c_str(), sequence, nullptr, nullptr);

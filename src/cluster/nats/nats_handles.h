@@ -1,6 +1,6 @@
 #pragma once
 
-// libnats's objects with their owners.
+// Owners of libnats's objects.
 
 #include <memory>
 #include <nats/nats.h>

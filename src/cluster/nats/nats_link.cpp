@@ -11,7 +11,7 @@ using namespace std::chrono_literals;
 constexpr auto kTick = 50ms;         // between looks at the connection
 constexpr auto kFirstPause = 100ms;  // between attempts to connect
 constexpr auto kLongestPause = 1500ms;
-constexpr auto kPauseAfterMistake = 5000ms;  // what waiting does not mend is seldom tried again
+constexpr auto kPauseAfterMistake = 5000ms;  // permanent errors are retried rarely
 constexpr std::size_t kMostJobs = 10'000;
 
 }  // namespace

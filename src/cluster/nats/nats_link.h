@@ -1,6 +1,6 @@
 #pragma once
 
-// Maintains a connection to a cluster on a thread of its own: it connects, prepares streams and
+// Maintains a connection to a cluster on a separate thread: it connects, prepares streams and
 // subscriptions, and repeats both after each loss.
 
 #include "cluster/connection/cluster_address.h"
@@ -26,7 +26,7 @@ using NatsSessionPtr = std::shared_ptr<NatsSession>;
 
 class NatsLink {
 public:
-    // Makes streams and subscriptions on a connection that was just made (again).
+    // Prepares streams and subscriptions on a new connection.
     using Prepare = std::function<std::optional<LinkFailure>(const NatsSessionPtr&)>;
     using Job = std::function<void(NatsSession&)>;
 
@@ -35,8 +35,8 @@ public:
     NatsLink(const NatsLink&) = delete;
     NatsLink& operator=(const NatsLink&) = delete;
 
-    // Makes the first attempt on the calling thread. Fails for errors that waiting does not cure;
-    // an unreachable server gives a complaint and is tried again.
+    // Makes the first attempt on the calling thread. Fails for permanent errors; for an unreachable
+    // server it adds a complaint and tries again.
     Status open();
 
     // The prepared connection; null while there is none.
@@ -44,12 +44,13 @@ public:
     // Prepares again after the pause, because streams vanished from the server or others are
     // needed.
     void renew(std::chrono::milliseconds pause);
-    // Done by the link's thread as soon as the connection is ready; forgotten if too many wait.
+    // The link's thread runs the job as soon as the connection is ready. Jobs are dropped if too
+    // many wait.
     void later(Job job);
-    // For people, each once.
+    // Adds a message for users; each is reported once.
     void complain(const std::string& words);
     std::vector<std::string> take_complaints();
-    // Until the state changes, at most so long.
+    // Waits until the state changes, for at most `longest`.
     void wait(std::chrono::milliseconds longest) const;
 
 private:
@@ -65,14 +66,14 @@ private:
     const Prepare prepare_;
     mutable std::mutex mutex_;
     mutable std::condition_variable_any changed_;
-    NatsSessionPtr session_;  // connected once
+    NatsSessionPtr session_;  // set after the first connection
     bool prepared_ = false;
-    bool renewed_ = false;      // to be prepared again at once
-    std::uint64_t losses_ = 0;  // of the session when it was prepared
+    bool renewed_ = false;      // must be prepared again at once
+    std::uint64_t losses_ = 0;  // of the session when it was last prepared
     std::chrono::steady_clock::time_point not_before_{};
     std::deque<Job> jobs_;
     Complaints complaints_;
-    int failures_ = 0;     // attempts since the last good one; the link's thread's
+    int failures_ = 0;     // attempts since the last success; used by the link's thread
     std::jthread thread_;  // last: uses everything above
 };
 

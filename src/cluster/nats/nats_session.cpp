@@ -18,11 +18,11 @@ namespace {
 
 constexpr std::int64_t kConnectWait = 2000;       // ms
 constexpr std::int64_t kPingInterval = 2000;      // ms
-constexpr int kPingsUnanswered = 2;               // then the connection is lost
+constexpr int kPingsUnanswered = 2;               // afterwards the connection counts as lost
 constexpr std::int64_t kWriteWait = 2000;         // ms
 constexpr std::int64_t kFirstReconnect = 100;     // ms
 constexpr std::int64_t kLongestReconnect = 1500;  // ms
-constexpr int kMostReconnects = 2'000'000'000;    // for ever
+constexpr int kMostReconnects = 2'000'000'000;    // practically unlimited
 constexpr std::chrono::seconds kLongestGoodbye{5};
 constexpr std::size_t kLongestWords = 300;  // bytes
 
@@ -57,7 +57,7 @@ std::string joined(const std::vector<std::string>& servers) {
     return text;
 }
 
-// Advice for people about a certificate that is not accepted.
+// Returns advice about a certificate that is not accepted.
 std::string certificate_advice(const std::string& reason) {
     if (reason.find("issuer") != std::string::npos || reason.find("self") != std::string::npos)
         return "; --ca FILE names the authority that signed it";
@@ -150,7 +150,7 @@ public:
         const std::lock_guard lock(mutex_);
         return std::exchange(refusal_, {});
     }
-    // Whether libnats has called for the last time.
+    // Returns whether libnats has made its last call.
     bool wait_for_end() {
         std::unique_lock lock(mutex_);
         return ended_.wait_for(lock, kLongestGoodbye, [this] { return closed_; });
@@ -198,7 +198,7 @@ std::string last_nats_error() {
     natsStatus status = NATS_OK;
     const char* words = nats_GetLastError(&status);
     std::string_view text = words == nullptr || *words == '\0' ? natsStatus_GetText(status) : words;
-    // "(conn.c:733): SSL handshake error: ..."
+    // Removes the prefix of "(conn.c:733): SSL handshake error: ...".
     if (text.starts_with('(')) text.remove_prefix(std::min(text.find("): ") + 3, text.size()));
     return text_for_people(text, kLongestWords);
 }
@@ -252,7 +252,7 @@ NatsSession::~NatsSession() {
     jetstream_.reset();
     natsConnection_Close(connection_.get());
     connection_.reset();
-    // A thread of libnats that still calls needs this object.
+    // If a thread of libnats may still call this object, it must not be destroyed.
     if (!events_->wait_for_end()) static_cast<void>(events_.release());
 }
 

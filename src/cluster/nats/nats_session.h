@@ -1,7 +1,7 @@
 #pragma once
 
-// One connection to a server, which libnats makes again whenever it is lost, and what libnats's own
-// threads say of it.
+// A connection to a server, which libnats restores whenever it is lost, and the events that
+// libnats's threads report.
 
 #include "cluster/connection/cluster_address.h"
 #include "cluster/nats/nats_handles.h"
@@ -16,17 +16,17 @@
 
 namespace cambrian {
 
-// What keeps a program from using a cluster.
+// A reason why a program cannot use a cluster.
 struct LinkFailure {
     std::string message;
-    bool lasting = false;  // waiting does not mend it: a mistake in the address, a file, the server
+    bool lasting = false;  // permanent: an error in the address, a file or the server
 };
 
 class NatsEvents;
 
 class NatsSession {
 public:
-    // inbox: the subject under which answers to requests arrive. Takes up to a few seconds.
+    // `inbox` is the subject on which answers to requests arrive. Takes up to a few seconds.
     static std::variant<std::shared_ptr<NatsSession>, LinkFailure> connect(
         const ClusterAddress& address, const std::string& inbox);
     ~NatsSession();
@@ -38,15 +38,15 @@ public:
     const std::string& inbox() const { return inbox_; }
 
     bool connected() const;
-    bool closed() const;               // libnats does not try any more
-    std::uint64_t times_lost() const;  // the connection, since it was made
-    // What went wrong, in the words for people; each once.
+    bool closed() const;               // libnats does not try to connect any more
+    std::uint64_t times_lost() const;  // number of losses since the connection was made
+    // Returns messages for users about problems, each once.
     std::vector<std::string> take_complaints();
-    // The last refused permission since it was last asked for; a request that is not permitted is
-    // otherwise merely never answered.
+    // Returns the last refused permission since the last call. A request without permission is
+    // otherwise never answered.
     std::string take_refusal();
 
-    // False if it cannot be sent, for example while there is no connection.
+    // Returns false if it cannot be sent, for example while there is no connection.
     bool send(const std::string& subject, std::string_view body) const;
 
 private:
@@ -58,11 +58,11 @@ private:
     NatsHandle<jsCtx> jetstream_;
 };
 
-// libnats's words for the last failure of the calling thread, on one line.
+// Returns libnats's message for the last failure of the calling thread, on one line.
 std::string last_nats_error();
 
-// How long a request to the server may take, in ms. Requests fail at once if the connection is
-// lost.
+// The longest time, in ms, that a request to the server may take. Requests fail at once if the
+// connection is lost.
 inline constexpr std::int64_t kNatsWait = 1000;
 
 }  // namespace cambrian

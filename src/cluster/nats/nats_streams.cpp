@@ -21,7 +21,7 @@ constexpr std::int64_t kMostWaiting = 4096;
 
 using Failure = std::optional<LinkFailure>;
 
-// Collects in words where two settings differ.
+// Collects the differences between two settings as text.
 class Differences {
 public:
     void compare(const char* name, const std::string& found, const std::string& expected) {
@@ -36,7 +36,7 @@ public:
         compare(name, std::to_string(found / kSecond) + " s",
                 std::to_string(expected / kSecond) + " s");
     }
-    // A failure if there is one.
+    // Returns a failure if there are differences.
     Failure found_in(const std::string& what) const {
         if (text_.empty()) return std::nullopt;
         return LinkFailure{"the server has " + what + " with other settings: " + text_ +
@@ -186,7 +186,7 @@ LinkFailure request_failure(NatsSession& session, natsStatus status, jsErrCode c
 }
 
 std::optional<LinkFailure> make_streams(NatsSession& session, const NatsSubjects& subjects) {
-    // A stream of work that is full takes no more; results give way to later ones.
+    // A full stream of work accepts no more; results are replaced by later ones.
     if (auto failure = make_stream_of(session, subjects.work_stream(), subjects.all_work(),
                                       js_WorkQueuePolicy, js_DiscardNew))
         return failure;

@@ -9,15 +9,16 @@
 
 namespace cambrian {
 
-// Makes those that are not there. One that is there with other settings is never changed: the
-// failure shows both side by side.
+// Makes the streams that do not exist. An existing stream with other settings is never changed; the
+// failure shows both settings.
 std::optional<LinkFailure> make_streams(NatsSession& session, const NatsSubjects& subjects);
 
-// Opens the bucket of settings; NATS_NOT_FOUND if nobody has made it yet.
+// Opens the bucket of settings; NATS_NOT_FOUND if it does not exist yet.
 natsStatus open_bucket(const NatsSession& session, const NatsSubjects& subjects,
                        NatsHandle<kvStore>& bucket);
 
-// What a failed request means, in words; a refused permission is found in the session's complaints.
+// Returns the meaning of a failed request. A refused permission is found in the session's
+// complaints.
 LinkFailure request_failure(NatsSession& session, natsStatus status, jsErrCode code,
                             const std::string& what);
 

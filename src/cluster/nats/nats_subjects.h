@@ -1,6 +1,6 @@
 #pragma once
 
-// The names of a cluster's streams and subjects, and what a subject says of a message.
+// The names of a cluster's streams and subjects, and the data that a subject contains.
 
 #include "cluster/messages/work_queue.h"
 
@@ -18,7 +18,7 @@ public:
     std::string work_stream() const { return cluster_ + "-WORK"; }
     std::string result_stream() const { return cluster_ + "-RESULT"; }
     std::string bucket() const { return cluster_ + "-settings"; }
-    static constexpr const char* kConsumer = "workers";  // of the stream of work
+    static constexpr const char* kConsumer = "workers";  // consumer of the stream of work
 
     std::string all_work() const { return cluster_ + ".work.>"; }
     std::string all_results() const { return cluster_ + ".result.>"; }
@@ -28,10 +28,11 @@ public:
     std::string results_of(std::uint64_t run) const;
     std::string work_of(std::uint64_t run, std::uint32_t generation) const;
     std::string results_of(std::uint64_t run, std::uint32_t generation) const;
-    // The unit of a subject of work or of a result; none if it is no such subject.
+    // Returns the unit in a subject of work or of a result; none for other subjects.
     std::optional<UnitId> unit_of(std::string_view subject) const;
 
-    // Presence. Workers hear coordinators only: a thousand workers would else hear each other.
+    // Subjects of presence. Workers listen to coordinators only; otherwise a thousand workers would
+    // receive one another's messages.
     std::string all_hellos() const { return cluster_ + ".hello.>"; }
     std::string coordinator_hellos() const { return cluster_ + ".hello.coordinator.*"; }
     std::string coordinator_hello(std::string_view sender) const {
@@ -45,11 +46,11 @@ public:
     std::string stop(std::uint64_t run) const;
     std::optional<std::uint64_t> stopped_run(std::string_view subject) const;
 
-    // Where answers to a role's requests go; only that role may listen there.
+    // Subjects on which answers to a role's requests arrive; only that role may subscribe to them.
     std::string worker_inbox() const { return "_INBOX." + cluster_ + ".worker"; }
     std::string coordinator_inbox() const { return "_INBOX." + cluster_ + ".coordinator"; }
 
-    // Sent by the server when a unit was delivered as often as it does.
+    // Subject on which the server reports a unit that was delivered as often as its limit.
     std::string undeliverable() const {
         return "$JS.EVENT.ADVISORY.CONSUMER.MAX_DELIVERIES." + work_stream() + "." + kConsumer;
     }

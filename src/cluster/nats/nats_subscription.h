@@ -1,6 +1,6 @@
 #pragma once
 
-// Messages of a subject, taken one by one by the thread that asks.
+// Messages of a subject, which the calling thread takes one by one.
 
 #include "cluster/nats/nats_handles.h"
 #include "cluster/nats/nats_session.h"
@@ -14,10 +14,10 @@ namespace cambrian {
 
 class NatsSubscription {
 public:
-    // Keeps at most so many messages that nobody has taken, and drops later ones.
+    // Keeps at most `most_messages` messages that were not taken, and drops later ones.
     static std::shared_ptr<NatsSubscription> plain(const std::shared_ptr<NatsSession>& session,
                                                    const std::string& subject, int most_messages);
-    // Of one made with JetStream's calls.
+    // Takes over a subscription made with JetStream's calls.
     NatsSubscription(std::shared_ptr<NatsSession> session, natsSubscription* subscription)
         : session_(std::move(session)), subscription_(subscription) {}
     ~NatsSubscription() { natsSubscription_Unsubscribe(subscription_.get()); }
@@ -26,7 +26,7 @@ public:
 
     natsSubscription* get() const { return subscription_.get(); }
     bool valid() const { return natsSubscription_IsValid(subscription_.get()); }
-    // Null if there is none in time.
+    // Returns null if no message arrives in time.
     NatsHandle<natsMsg> next(std::chrono::milliseconds longest) const;
 
 private:

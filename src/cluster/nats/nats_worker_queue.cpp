@@ -16,7 +16,7 @@ namespace cambrian {
 namespace {
 
 constexpr std::size_t kMostEndedRuns = 64;
-constexpr int kMostHellosHeard = 1024;  // that nobody has taken
+constexpr int kMostHellosHeard = 1024;  // messages not yet polled
 constexpr std::chrono::milliseconds kLongestFetch{1000};
 constexpr std::chrono::milliseconds kPauseWithoutStream{500};
 
@@ -63,7 +63,7 @@ private:
     void hear_stops(const WorkerSubscriptions& from);
     bool has_ended(std::uint64_t run);
     void answer(std::uint64_t ticket, const std::string& word, bool last);
-    // Waits for one unit, then takes what else there is.
+    // Waits for one unit, then takes the others that are available.
     std::vector<Delivery> take(const WorkerSubscriptions& from, int most,
                                std::chrono::milliseconds longest);
     bool request(const WorkerSubscriptions& from, jsFetchRequest& wanted,
@@ -73,10 +73,10 @@ private:
     const NatsSubjects subjects_;
     mutable std::mutex mutex_;
     WorkerSubscriptionsPtr subscriptions_;          // of the last connection
-    std::map<std::uint64_t, std::string> tickets_;  // where to answer a delivery
+    std::map<std::uint64_t, std::string> tickets_;  // reply subjects of deliveries
     std::uint64_t last_ticket_ = 0;
     std::deque<std::uint64_t> ended_;        // runs, the last ones
-    std::vector<std::uint64_t> ended_news_;  // of which poll() has not told yet
+    std::vector<std::uint64_t> ended_news_;  // runs that poll() has not reported yet
     const std::string name_ = hex_text(static_cast<std::uint64_t>(nats_NowInNanoSeconds()));
     NatsLink link_;  // last: its thread uses everything above
 };
@@ -136,7 +136,7 @@ void NatsWorkerQueue::deliver(natsMsg& message, std::vector<Delivery>& deliverie
     deliveries.push_back(std::move(delivery));
 }
 
-// Returns false if the server cannot be asked.
+// Returns false if the request cannot be sent.
 bool NatsWorkerQueue::request(const WorkerSubscriptions& from, jsFetchRequest& wanted,
                               std::vector<Delivery>& deliveries) {
     natsMsgList list{};
@@ -209,10 +209,11 @@ bool NatsWorkerQueue::has_ended(std::uint64_t run) {
 bool NatsWorkerQueue::publish_result(const UnitMessage& result) {
     const NatsSessionPtr session = link_.ready();
     if (!session || result.body.size() > kMostResultBytes) return false;
-    // Nobody would ever delete it.
+    // The result would never be deleted.
     if (has_ended(result.id.run)) return true;
     const std::string subject = subjects_.result(result.id);
-    const std::string id = subject + "." + name_;  // other workers' results of the unit are others
+    // Differs from other workers' results of the unit.
+    const std::string id = subject + "." + name_;
     jsPubOptions options;
     jsPubOptions_Init(&options);
     options.MaxWait = kNatsWait;

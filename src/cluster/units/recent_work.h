@@ -1,6 +1,6 @@
 #pragma once
 
-// What a machine computed in the last minute.
+// The work of a machine in the last minute.
 
 #include "core/recent_sum.h"
 
@@ -8,7 +8,7 @@
 
 namespace cambrian {
 
-inline constexpr int kRateSeconds = 10;  // that rates are taken over
+inline constexpr int kRateSeconds = 10;  // s over which rates are averaged
 
 struct RecentWork {
     RecentSum creatures;

@@ -19,7 +19,7 @@ namespace cambrian {
 namespace {
 
 constexpr const char* kThisProgram = "/proc/self/exe";
-constexpr std::size_t kLongestMessage = 300;  // bytes, of a refusal
+constexpr std::size_t kLongestMessage = 300;  // bytes of an error message
 
 Error cannot_start(int code) {
     return Error{"cannot compute a unit in a process of its own: " +
@@ -31,7 +31,7 @@ FileDescriptor memory_file(const char* name) {
     return FileDescriptor(::memfd_create(name, MFD_CLOEXEC));
 }
 
-// What the process reads and writes.
+// The files that the process reads and writes.
 struct Streams {
     FileDescriptor question = memory_file("question");
     FileDescriptor answer = memory_file("answer");
@@ -56,8 +56,8 @@ int spawn_unit(const Streams& streams, pid_t& process) {
     return code;
 }
 
-// Waits until the process has ended. It keeps its number until then, so no other process is ended
-// by mistake.
+// Waits until the process has ended. The process id stays reserved until then, so that no other
+// process is killed by mistake.
 void wait_for(pid_t process, const std::stop_token& stop) {
     const std::stop_callback end(stop, [process] { ::kill(process, SIGKILL); });
     siginfo_t ended{};
@@ -77,14 +77,14 @@ std::string all_of(int file) {
     }
 }
 
-// "signal 6 (Aborted)".
+// Example: "signal 6 (Aborted)".
 std::string signal_text(int signal) {
     const std::string text = "signal " + std::to_string(signal);
     const char* description = ::sigdescr_np(signal);
     return description == nullptr ? text : text + " (" + description + ")";
 }
 
-// The end of a process that refused, in its own words.
+// Returns the error of a process that refused, with its message.
 Error refusal(int status, std::string_view messages) {
     const std::string_view first = messages.substr(0, messages.find('\n'));
     return Error{"a process of its own did not compute a unit (exit status " +
@@ -94,7 +94,7 @@ Error refusal(int status, std::string_view messages) {
 Result<ChildEnd> end_of(int status, const Streams& streams) {
     const std::string messages = all_of(streams.messages.get());
     if (WIFSIGNALED(status)) {
-        write_all(STDERR_FILENO, messages);  // what a failed assertion says
+        write_all(STDERR_FILENO, messages);  // prints the message of a failed assertion
         return ChildEnd{true, signal_text(WTERMSIG(status)), ""};
     }
     if (WEXITSTATUS(status) != 0) return refusal(WEXITSTATUS(status), messages);

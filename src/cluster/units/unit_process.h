@@ -4,7 +4,7 @@
 
 namespace cambrian {
 
-// Runs this very program as `cambrian worker --unit`; a ChildProcess.
+// A ChildProcess that runs this program as `cambrian worker --unit`.
 Result<ChildEnd> run_unit_process(std::string_view question, const std::stop_token& stop);
 
 }  // namespace cambrian

@@ -11,7 +11,7 @@
 
 namespace cambrian {
 
-// Results of the creatures that were finished; all of them unless a stop was asked for.
+// Returns results of the creatures that were finished: all of them unless a stop was requested.
 UnitResult compute_unit(const Unit& unit, const ExperimentSettings& settings,
                         const EvolutionKinds& kinds, const std::stop_token& stop);
 

@@ -34,16 +34,17 @@ constexpr milliseconds kLongestWait{250};
 constexpr milliseconds kRepeatAfter{100};
 constexpr milliseconds kWithoutSettings{1'000};
 constexpr milliseconds kNotForThisBuild{5'000};
-constexpr double kProgressEvery = 2.0;     // s
-constexpr int kMostPublishing = 10;        // times, of one result
-constexpr double kRefusalShown = 10.0;     // s after the last unit that was refused
-constexpr std::size_t kMostRunsTold = 64;  // of which something was said
+constexpr double kProgressEvery = 2.0;  // s
+constexpr int kMostPublishing = 10;     // attempts to publish a result
+// Time in s for which the refusal is reported after the last refused unit.
+constexpr double kRefusalShown = 10.0;
+constexpr std::size_t kMostRunsTold = 64;  // runs about which a message was printed
 
 // A unit that the worker has taken.
 struct InHand {
     Delivery delivery;
     bool begun = false;
-    double deadline = 0.0;  // on the worker's clock, once begun
+    double deadline = 0.0;  // on the worker's clock, set when begun
     std::stop_source stop;
 };
 using InHandPtr = std::shared_ptr<InHand>;
@@ -73,7 +74,7 @@ private:
     void serve_core(const std::stop_token& stop);
     InHandPtr take();
     void work_on(InHand& unit, const std::stop_token& stop);
-    // The reason why this build does not compute it, in words; empty if it does.
+    // Returns the reason why this build does not compute the unit; empty if it does.
     std::string mismatch(const UnitOutline& outline) const;
     SettingsPtr settings_for(InHand& unit, std::uint64_t key);
     bool publish(const UnitMessage& message, const std::stop_token& stop);
@@ -90,23 +91,23 @@ private:
     const Stopwatch clock_;
     SettingsCache settings_;
 
-    std::mutex mutex_;  // guards what follows
+    std::mutex mutex_;  // guards the following members
     std::condition_variable_any changed_;
     std::list<InHandPtr> in_hand_;
-    std::size_t waiting_ = 0;  // of them, not begun
+    std::size_t waiting_ = 0;  // units in hand that are not begun
     RecentWork recent_;
     RecentSum recent_units_;
     std::set<std::pair<std::uint64_t, std::string>> told_;
-    std::string refusal_;  // of units, for kRefusalShown after refused_at_
+    std::string refusal_;  // reason of refused units, reported for kRefusalShown after refused_at_
     double refused_at_ = 0.0;
-    std::string end_;  // why a coordinator wants no more of this worker
+    std::string end_;  // why a coordinator rejects this worker
 
-    std::set<std::uint64_t> known_runs_;  // the calling thread's
+    std::set<std::uint64_t> known_runs_;  // used by the calling thread
     bool was_connected_ = false;
     double next_hello_ = 0.0;
     double next_progress_ = 0.0;
 
-    std::vector<std::jthread> cores_;  // last: use everything above
+    std::vector<std::jthread> cores_;  // last member, since they use the others
 };
 
 Status Worker::run(const std::stop_token& stop) {
@@ -140,7 +141,8 @@ void Worker::watch_link() {
     was_connected_ = connected;
 }
 
-// At most two units for each core, so that a core has its next unit while another one is fetched.
+// Fetches at most two units per core, so that a core has its next unit while another one is
+// fetched.
 void Worker::fetch() {
     std::size_t wanted = 0;
     {
@@ -197,7 +199,7 @@ void Worker::listen() {
 void Worker::hear(const Hello& hello) {
     if (hello.role != Hello::Role::kCoordinator) return;
     if (known_runs_.size() < kMostRunsTold && known_runs_.insert(hello.id).second) {
-        next_hello_ = 0.0;  // so that a new run need not wait for its workers
+        next_hello_ = 0.0;  // announces the worker to a new run at once
         if (hello.simulator == kSimulatorVersion && hello.proof != proof_)
             tell_once(hello.id, "run " + hex_text(hello.id) + ": this machine's bits differ in " +
                                     differing_trials(hello.trials, proof_trials_));
@@ -255,7 +257,7 @@ InHandPtr Worker::take() {
     const auto unit = std::find_if(in_hand_.begin(), in_hand_.end(),
                                    [](const InHandPtr& each) { return !each->begun; });
     (*unit)->begun = true;
-    (*unit)->deadline = clock_.seconds() + 3'600.0;  // until its own is known
+    (*unit)->deadline = clock_.seconds() + 3'600.0;  // until the unit's own deadline is known
     --waiting_;
     return *unit;
 }
@@ -314,9 +316,9 @@ SettingsPtr Worker::settings_for(InHand& unit, std::uint64_t key) {
     return nullptr;
 }
 
-// The result is stored before the unit is acknowledged: in the other order a crash would lose it.
-// A server that can be reached and refuses the result gets it a few times only; an unreachable one
-// gets it until it answers.
+// Stores the result before it acknowledges the unit; in the other order a crash would lose the
+// result. If the server can be reached but rejects the result, there are only a few attempts; if it
+// cannot be reached, they continue until it answers.
 bool Worker::publish(const UnitMessage& message, const std::stop_token& stop) {
     if (message.body.size() > kMostResultBytes) return false;
     for (int tried = 0; tried < kMostPublishing;) {

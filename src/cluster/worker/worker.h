@@ -1,6 +1,6 @@
 #pragma once
 
-// A worker: computes units of any coordinator until it is asked to stop.
+// A worker, which computes units of any coordinator until it is stopped.
 
 #include "cluster/messages/work_queue.h"
 #include "core/result.h"
@@ -17,17 +17,18 @@
 namespace cambrian {
 
 struct WorkerOptions {
-    std::uint64_t id = 0;     // unlike that of any other worker
+    std::uint64_t id = 0;     // different from that of any other worker
     std::size_t threads = 1;  // cores to use, at least 1
     ThreadPriority priority = ThreadPriority::kBackground;
-    std::string name;  // shown to people
-    // One line for people: connected, lost the connection, which run it refuses and why. Any
-    // thread.
+    std::string name;  // displayed name
+    // Prints a line for users: connected, connection lost, which run is refused and why. May be
+    // called on any thread.
     std::function<void(std::string_view)> say;
 };
 
-// Returns when stopped, after it has returned units that it did not start. Fails if a coordinator
-// found different bits: the message names trials of the proof set, or says that a result differed.
+// Returns after a stop request, once units that were not started are returned. Fails if a
+// coordinator found different bits: the message names trials of the proof set, or says that a
+// result differed.
 Status work_for_cluster(const EvolutionKinds& kinds, WorkerQueue& queue,
                         const WorkerOptions& options, const std::stop_token& stop);
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// The files that SQLite keeps beside a database while it is open, and that a killed program leaves.
+// The files that SQLite creates beside an open database, which remain if the program is killed.
 
 #include <array>
 #include <filesystem>
@@ -8,10 +8,10 @@
 
 namespace cambrian {
 
-// What is added to the database's name.
+// Suffixes of the database's name.
 inline constexpr std::array<std::string_view, 3> kDatabaseCompanions = {"-wal", "-shm", "-journal"};
 
-// Those that are there.
+// Deletes those that exist.
 void remove_companions(const std::filesystem::path& database);
 
 }  // namespace cambrian

@@ -8,7 +8,7 @@
 namespace cambrian {
 namespace {
 
-// Until a stream that was opened not to wait takes more.
+// Waits until a stream that was opened as non-blocking accepts more bytes.
 void wait_for_room(int file) {
     pollfd waiting{.fd = file, .events = POLLOUT, .revents = 0};
     ::poll(&waiting, 1, -1);

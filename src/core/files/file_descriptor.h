@@ -5,10 +5,10 @@
 
 namespace cambrian {
 
-// An open file of the operating system; closes it on scope exit.
+// An open file of the operating system, which is closed at the end of the scope.
 class FileDescriptor {
 public:
-    FileDescriptor() = default;  // of nothing
+    FileDescriptor() = default;  // no file
     explicit FileDescriptor(int value) : value_(value) {}
     ~FileDescriptor() { close(); }
     FileDescriptor(FileDescriptor&& other) noexcept : value_(std::exchange(other.value_, -1)) {}
@@ -19,14 +19,14 @@ public:
 
     int get() const { return value_; }
     bool is_open() const { return value_ >= 0; }
-    // The error code of closing, 0 if none.
+    // Closes the file; returns the error code, or 0.
     int close();
 
 private:
     int value_ = -1;
 };
 
-// Writes all of the bytes, waiting for a reader that is slow. The error code, 0 if none.
+// Writes all of the bytes, and waits for a slow reader. Returns the error code, or 0.
 int write_all(int file, std::string_view bytes);
 
 }  // namespace cambrian

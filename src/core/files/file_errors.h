@@ -1,6 +1,6 @@
 #pragma once
 
-// The words for files that cannot be written.
+// The errors of files that cannot be written.
 
 #include "core/result.h"
 
@@ -9,12 +9,12 @@
 
 namespace cambrian {
 
-// `name` is the path, as it was given, or "to standard output".
+// `name` is the path as it was given, or "to standard output".
 inline Error cannot_write(const std::string& name, const std::string& reason) {
     return Error{"cannot write " + name + ": " + reason};
 }
 
-// For an error code of the operating system; success for 0.
+// Returns the error for an error code of the operating system; success for 0.
 inline Status write_outcome(const std::string& name, int code) {
     if (code == 0) return {};
     return cannot_write(name, std::generic_category().message(code));

@@ -1,6 +1,7 @@
 #pragma once
 
-// Which file a name or a descriptor leads to: two names of one file have the same identity.
+// The identity of the file that a name or a descriptor refers to. Two names of one file have the
+// same identity.
 
 #include <sys/stat.h>
 #include <utility>

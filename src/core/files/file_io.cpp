@@ -31,7 +31,7 @@ int open_to_read(const std::filesystem::path& path) {
     return ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
 }
 
-// Right after opening; fails if that did.
+// Must be called right after opening; fails if opening failed.
 Result<std::size_t> size_of(const FileDescriptor& file, const std::filesystem::path& path) {
     if (file.get() < 0) return Error{"cannot open " + path.string() + ": " + system_message(errno)};
     struct stat facts {};
@@ -41,7 +41,7 @@ Result<std::size_t> size_of(const FileDescriptor& file, const std::filesystem::p
     return static_cast<std::size_t>(facts.st_size);
 }
 
-// From the start, as many as there are.
+// Reads up to `count` bytes from the start.
 Result<std::string> read_bytes(const FileDescriptor& file, std::size_t count,
                                const std::filesystem::path& path) {
     std::string bytes(count, '\0');

@@ -19,11 +19,11 @@ namespace {
 
 constexpr const char* kInUse = "it is open in another window or program";
 
-// Somebody else who looks whether the file is free holds it for a moment only.
+// Another program that checks whether the file is free holds the lock only briefly.
 constexpr int kAttempts = 10;
 constexpr auto kPause = std::chrono::milliseconds(20);
 
-// 0, or the error code.
+// Locks the file after a few attempts; returns 0 or the error code.
 int lock_soon(int file, int operation) {
     for (int attempt = 1; ::flock(file, operation | LOCK_NB) != 0; ++attempt) {
         if (errno != EWOULDBLOCK || attempt == kAttempts) return errno;
@@ -32,7 +32,7 @@ int lock_soon(int file, int operation) {
     return 0;
 }
 
-// Files that this process has locked.
+// The files that this process has locked.
 struct OwnLocks {
     std::mutex mutex;
     std::set<FileIdentity> files;
@@ -43,7 +43,7 @@ OwnLocks& own_locks() {
     return locks;
 }
 
-// Nothing if the file is free. Call with the own locks' mutex held.
+// Returns nothing if the file is free. The mutex of the own locks must be held.
 std::optional<Error> refusal(const std::filesystem::path& path) {
     struct stat facts {};
     if (::stat(path.c_str(), &facts) != 0) return Error{std::generic_category().message(errno)};
@@ -58,7 +58,7 @@ Result<FileLock> FileLock::take(const std::filesystem::path& path) {
     OwnLocks& own = own_locks();
     const std::lock_guard guard(own.mutex);
     if (auto refused = refusal(path)) return *refused;
-    // Not to wait for the other end, should it have become a FIFO.
+    // Prevents waiting for the other end if the file has become a FIFO.
     FileDescriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
     if (!file.is_open()) return Error{std::generic_category().message(errno)};
     if (const int failure = lock_soon(file.get(), LOCK_EX); failure != 0) {
@@ -75,7 +75,7 @@ Status FileLock::check_free(const std::filesystem::path& path) {
     const std::lock_guard guard(own_locks().mutex);
     if (auto refused = refusal(path)) return *refused;
     const FileDescriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
-    // What cannot be read is not locked by us.
+    // A file that cannot be read is not locked by this program.
     if (!file.is_open() || lock_soon(file.get(), LOCK_SH) != EWOULDBLOCK) return {};
     return Error{kInUse};
 }

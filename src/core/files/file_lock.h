@@ -1,7 +1,7 @@
 #pragma once
 
-// Says to other programs of ours that a file is being written to, and notices when it is not the
-// file of that name any more.
+// A lock that tells other processes of this program that a file is being written. It also detects
+// when the name leads to another file.
 
 #include "core/files/file_descriptor.h"
 #include "core/result.h"
@@ -12,19 +12,20 @@ namespace cambrian {
 
 class FileLock {
 public:
-    FileLock() = default;  // of nothing
+    FileLock() = default;  // no file
     ~FileLock();
     FileLock(FileLock&& other) noexcept = default;
     FileLock& operator=(FileLock&& other) noexcept;
 
-    // Fails if another lock on the file is held, here or in another process, and for what is no
+    // Fails if another lock on the file is held, in this or another process, or if it is not a
     // regular file.
     static Result<FileLock> take(const std::filesystem::path& path);
-    // Whether the path still leads to the locked file. True of nothing.
+    // Whether the path still leads to the locked file; true for an empty lock.
     bool in_place() const;
 
-    // Whether no lock is held on the file of that name. Any thread; a file locked by this process
-    // is not opened, for closing it would take SQLite's own locks on it away.
+    // Checks that no lock is held on the file of that name. May be called on any thread. A file
+    // locked by this process is not opened, since closing it would release SQLite's own locks on
+    // it.
     static Status check_free(const std::filesystem::path& path);
 
 private:

@@ -40,7 +40,7 @@ Status OutputStream::write(std::string_view bytes) {
 Status OutputStream::finish() {
     if (file_) return file_->commit();
     if (opened_.is_open()) return write_outcome(name_, opened_.close());
-    // Some file systems tell of a failure only when a file is closed.
+    // Some file systems report a failure only when a file is closed.
     FileDescriptor again(::fcntl(descriptor_, F_DUPFD_CLOEXEC, 0));
     return write_outcome(name_, again.is_open() ? again.close() : errno);
 }

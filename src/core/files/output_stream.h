@@ -1,7 +1,7 @@
 #pragma once
 
-// Where results go, piece by piece: standard output, a file, a FIFO or a device. Every piece and
-// the end are checked.
+// Writes results piece by piece to standard output, a file, a FIFO or a device. Every write and the
+// end are checked.
 
 #include "core/files/file_descriptor.h"
 #include "core/files/pending_file.h"
@@ -18,13 +18,13 @@ namespace cambrian {
 class OutputStream {
 public:
     static OutputStream standard_output();
-    // A regular file appears, complete, with finish() and not before; an open file of this process
-    // ("/dev/stdout", "/dev/fd/3"), a FIFO or a device takes each piece at once.
+    // A regular file appears only with finish(), complete. An open file of this process
+    // ("/dev/stdout", "/dev/fd/3"), a FIFO or a device gets each piece at once.
     static Result<OutputStream> open(const std::filesystem::path& path);
 
-    // All of the bytes. The message of a failure names the output.
+    // Writes all of the bytes. The error message names the output.
     Status write(std::string_view bytes);
-    // Flushes. Nothing may be written after it.
+    // Flushes the output. Must be the last call.
     Status finish();
 
 private:
@@ -33,7 +33,7 @@ private:
     std::string name_;  // for messages
     std::optional<PendingFile> file_;
     FileDescriptor opened_;
-    int descriptor_ = -1;  // that is written to, unless it is a file
+    int descriptor_ = -1;  // descriptor to write to, unless the output is a regular file
 };
 
 }  // namespace cambrian

@@ -13,7 +13,7 @@
 namespace cambrian {
 namespace {
 
-constexpr int kMostLinks = 40;  // as the operating system has it
+constexpr int kMostLinks = 40;  // the limit of the operating system
 
 std::filesystem::path folder_of(const std::filesystem::path& path) {
     const std::filesystem::path folder = path.parent_path();
@@ -25,7 +25,7 @@ bool is_of_processes(const std::filesystem::path& folder) {
     return ::statfs(folder.c_str(), &facts) == 0 && facts.f_type == PROC_SUPER_MAGIC;
 }
 
-// Of this process or of one of its threads.
+// Returns whether the folder belongs to this process or one of its threads.
 bool is_own(const std::filesystem::path& folder) {
     std::error_code unknown;
     const std::string own = std::filesystem::canonical("/proc/self", unknown).string();
@@ -41,7 +41,7 @@ std::optional<int> number_of(const std::string& text) {
     return number;
 }
 
-// The descriptor that a name in a folder of open files means; none elsewhere.
+// Returns the descriptor that a name in a folder of open files denotes; nothing for other names.
 Result<std::optional<int>> descriptor_of(const std::filesystem::path& name,
                                          const std::filesystem::path& asked) {
     if (!is_of_processes(folder_of(name))) return std::optional<int>();

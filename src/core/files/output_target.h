@@ -1,7 +1,7 @@
 #pragma once
 
-// What a path that is named as an output leads to. Files are replaced completely; whatever else
-// can take bytes is a stream and is never replaced.
+// The kind of output that a path leads to. Files are replaced completely; anything else that
+// accepts bytes is a stream and is never replaced.
 
 #include "core/result.h"
 
@@ -17,13 +17,13 @@ struct OutputTarget {
         kDescriptor,  // an open file of this process: /dev/stdout, /dev/fd/3
     };
 
-    std::filesystem::path path;  // links followed
+    std::filesystem::path path;  // with all links followed
     Kind kind = Kind::kFile;
     int descriptor = -1;
 };
 
-// Follows links, also one that leads to nothing yet. Fails for what cannot be an output: a disk, a
-// socket, an open file of another process, a circle of links.
+// Follows links, including one to a file that does not exist. Fails for anything that cannot be an
+// output: a disk, a socket, an open file of another process, a cycle of links.
 Result<OutputTarget> output_target(const std::filesystem::path& path);
 
 }  // namespace cambrian

@@ -26,7 +26,7 @@ void remove_with_companions(const std::filesystem::path& file) {
     remove_companions(file);
 }
 
-// The process in the name of a temporary file, ".cambrian-PID-N"; 0 in other names.
+// Returns the process id in the name of a temporary file, ".cambrian-PID-N"; 0 for other names.
 pid_t maker_of(std::string_view name) {
     if (!name.starts_with(kPrefix)) return 0;
     name.remove_prefix(kPrefix.size());
@@ -39,8 +39,8 @@ pid_t maker_of(std::string_view name) {
     return second.ec == std::errc() && second.ptr == end ? process : 0;
 }
 
-// Whether its process has gone without it. The lock tells also of processes that cannot be seen
-// from here, and of a number that was given out again.
+// Returns whether the process that made the file has ended. The lock also covers processes that are
+// not visible here, and process ids that were used again.
 bool is_stale(const std::filesystem::path& file, pid_t maker) {
     if (maker != ::getpid() && (::kill(maker, 0) == 0 || errno != ESRCH)) return false;
     const FileDescriptor held(::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK));
@@ -59,12 +59,12 @@ void remove_stale(const std::filesystem::path& folder) {
 
 struct NewFile {
     std::filesystem::path path;
-    FileDescriptor file;  // closed: it could not be made, errno says why
+    FileDescriptor file;  // closed if the file could not be made; errno has the reason
 };
 
-// Short, so that it is a possible name beside any other, and nobody else's.
+// The name is short, so that it is valid beside any other, and unique.
 NewFile make_beside(const std::filesystem::path& target, mode_t mode) {
-    static std::mutex one_at_a_time;  // a new file is not stale before it is locked
+    static std::mutex one_at_a_time;  // a new file counts as stale until it is locked
     static unsigned count = 0;
     const std::lock_guard lock(one_at_a_time);
     remove_stale(target.parent_path());
@@ -79,7 +79,7 @@ NewFile make_beside(const std::filesystem::path& target, mode_t mode) {
     return made;
 }
 
-// As far as we may.
+// Copies the permissions as far as this process may.
 void adopt_permissions(int file, const std::filesystem::path& from) {
     struct stat facts {};
     if (::stat(from.c_str(), &facts) != 0) return;
@@ -97,7 +97,7 @@ int rename_to_new(const std::filesystem::path& temporary, const std::filesystem:
     if (::renameat2(AT_FDCWD, temporary.c_str(), AT_FDCWD, target.c_str(), RENAME_NOREPLACE) == 0)
         return 0;
     if (errno != EINVAL && errno != ENOSYS) return errno;
-    // A file system that has only the plain call.
+    // Some file systems support only the plain call.
     std::error_code unknown;
     return std::filesystem::exists(target, unknown) ? EEXIST : rename_over(temporary, target);
 }
@@ -113,7 +113,7 @@ Result<PendingFile> PendingFile::beside(const std::filesystem::path& target) {
         return cannot_write(target, free.error().message);
     struct stat replaced {};
     const bool exists = ::stat(facts->path.c_str(), &replaced) == 0;
-    // Never open to more people than what it replaces.
+    // The file must never be readable by more people than the one it replaces.
     const mode_t mode = exists ? (replaced.st_mode & 0777) | S_IRUSR | S_IWUSR : 0666;
     NewFile made = make_beside(facts->path, mode);
     if (!made.file.is_open()) return write_outcome(target, errno).error();

@@ -1,8 +1,8 @@
 #pragma once
 
-// A file on its way: beside its target under another name until it is complete, on the target's own
-// name only once committed, taken away if that never comes. What a killed process left of one is
-// taken away when the next one is made in the same folder.
+// A file that is being written: it is beside its target under a temporary name until commit(), and
+// is removed if that is never called. Files left by a killed process are removed when the next one
+// is made in the same folder.
 
 #include "core/files/file_descriptor.h"
 #include "core/result.h"
@@ -15,22 +15,23 @@ namespace cambrian {
 
 class PendingFile {
 public:
-    // Makes an empty one. Fails for a target that is no regular file, or that a program of ours
-    // has locked (core/files/file_lock.h).
+    // Makes an empty file. Fails if the target is not a regular file, or is locked by a process of
+    // this program (core/files/file_lock.h).
     static Result<PendingFile> beside(const std::filesystem::path& target);
     ~PendingFile();
     PendingFile(PendingFile&& other) noexcept;
     PendingFile& operator=(PendingFile&&) = delete;
 
-    // Where another program can write to it.
+    // The temporary path, to which other programs may write.
     const std::filesystem::path& path() const { return temporary_; }
-    // What it is going to replace, links followed.
+    // The path that it replaces, with all links followed.
     const std::filesystem::path& target() const { return target_; }
-    // The error code, 0 if none.
+    // Returns the error code, or 0.
     int write(std::string_view bytes) { return write_all(file_.get(), bytes); }
 
     enum class Existing : unsigned char { kReplace, kRefuse };
-    // Flushes to the disk and renames. A file that is replaced gives it its permissions.
+    // Flushes the file to the disk and renames it. It gets the permissions of a file that it
+    // replaces.
     Status commit(Existing existing = Existing::kReplace);
 
 private:
@@ -38,9 +39,9 @@ private:
         : target_(std::move(target)), temporary_(std::move(temporary)), file_(std::move(file)) {}
     int put_in_place(Existing existing);
 
-    std::filesystem::path target_;     // links followed
-    std::filesystem::path temporary_;  // empty once renamed
-    FileDescriptor file_;              // locked, so that it is known to be written to
+    std::filesystem::path target_;     // with all links followed
+    std::filesystem::path temporary_;  // empty after the rename
+    FileDescriptor file_;              // locked to show that it is being written
 };
 
 }  // namespace cambrian

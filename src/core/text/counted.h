@@ -6,7 +6,7 @@
 
 namespace cambrian {
 
-// A number of things in words: "1 core", "3 cores". For nouns whose plural ends in s.
+// Returns a number with its noun: "1 core", "3 cores". The plural must end in s.
 inline std::string counted(std::size_t count, std::string_view noun) {
     std::string words = std::to_string(count) + " " + std::string(noun);
     if (count != 1) words += "s";

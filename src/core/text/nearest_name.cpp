@@ -8,9 +8,10 @@
 namespace cambrian {
 namespace {
 
-constexpr std::size_t kLongestName = 64;  // bounds the work; no known name is as long
+constexpr std::size_t kLongestName = 64;  // limits the work; all known names are shorter
 
-// Levenshtein distance with one row of memory; both texts no longer than the longest name.
+// Computes the Levenshtein distance with one row of memory. Both texts have at most kLongestName
+// bytes.
 std::size_t edit_distance(std::string_view from, std::string_view to) {
     std::array<std::size_t, kLongestName + 1> row{};
     std::iota(row.begin(), row.end(), std::size_t{0});

@@ -1,6 +1,6 @@
 #pragma once
 
-// "Did you mean": the known name closest to a mistyped one.
+// Finds the known name closest to a mistyped one, for "did you mean".
 
 #include <span>
 #include <string>
@@ -8,8 +8,8 @@
 
 namespace cambrian {
 
-// The known name with the smallest edit distance, if that is at most a third of the longer name's
-// length (and at least 1); otherwise empty.
+// Returns the known name with the smallest edit distance if that is at most a third of the longer
+// name's length (and at least 1); otherwise an empty text.
 std::string nearest_name(std::string_view name, std::span<const std::string> known);
 
 }  // namespace cambrian

@@ -4,12 +4,12 @@
 
 namespace cambrian {
 
-// The shortest decimal that reads back to the same bits, always with a point or an exponent, so
-// that it is a real number in every format: "1.0", "0.1", "-0.0", "1e-05". "inf" and "nan" for
-// what is not finite.
+// Returns the shortest decimal that reads back to the same bits. It always has a point or an
+// exponent, so that every format reads it as a real number: "1.0", "0.1", "-0.0", "1e-05". Numbers
+// that are not finite become "inf" and "nan".
 std::string real_text(double number);
 
-// The same for people: whole numbers in full and without the point.
+// Returns the same for people: integers are written in full and without a point.
 std::string short_text(double number);
 
 }  // namespace cambrian

@@ -17,7 +17,7 @@ void replace_all(std::string& text, const std::string& from, const std::string& 
     }
 }
 
-// Groups of three digits, parted by thin gaps.
+// Groups digits by three, separated by thin spaces.
 std::string grouped(long long whole) {
     std::string digits = std::to_string(std::llabs(whole));
     for (std::size_t end = digits.size(); end > 3; end -= 3)
@@ -26,7 +26,7 @@ std::string grouped(long long whole) {
     return digits;
 }
 
-// "−9.63 × 10⁻⁴".
+// Returns a text such as "−9.63 × 10⁻⁴".
 std::string power_of_ten(double value) {
     constexpr std::array digits = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
     const std::string text = format("%.2e", std::fabs(value));

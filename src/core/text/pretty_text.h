@@ -1,24 +1,24 @@
 #pragma once
 
-// Numbers and units as people read them.
+// Numbers and units as text for people.
 
 #include <string>
 
 namespace cambrian {
 
-// As std::snprintf.
+// Like std::snprintf.
 [[gnu::format(printf, 1, 2)]] std::string format(const char* pattern, ...);
 
-// "m/s^2" as "m/s²", "deg" as "°", "x" as "×".
+// Converts "m/s^2" to "m/s²", "deg" to "°", "x" to "×".
 std::string pretty_unit(const std::string& unit);
-// Three significant digits or so, no trailing zeros beyond them: "9.81", "0.05", "1 250".
+// Returns about three significant digits without further trailing zeros: "9.81", "0.05", "1 250".
 std::string pretty_number(double value);
 std::string with_unit(double value, const std::string& unit);
-// As with_unit, of something measured: what is smaller than half a thousandth is 0.
+// Like with_unit(), for measured values: those below 0.0005 become 0.
 std::string measured(double value, const std::string& unit);
-// "0:04", "12:30", "2 h 05"; from seconds.
+// Converts seconds to "0:04", "12:30", "2 h 05".
 std::string pretty_time(double seconds);
-// First letter large.
+// Returns the text with its first letter in upper case.
 std::string capitalized(std::string text);
 
 }  // namespace cambrian

@@ -1,7 +1,7 @@
 #pragma once
 
-// Bounded ring of values from one producer thread to one consumer thread, lock-free. A full queue
-// refuses; the producer keeps the value and tries again later.
+// A bounded lock-free queue from one producer thread to one consumer thread. A full queue rejects
+// values; the producer keeps them and tries again later.
 
 #include <array>
 #include <atomic>
@@ -14,7 +14,8 @@ namespace cambrian {
 template <class T, std::size_t Capacity>
 class CommandQueue {
 public:
-    // Producer only. False if full; the value is then untouched.
+    // May be called by the producer only. Returns false if the queue is full; the value is then
+    // unchanged.
     bool push(T&& value) {
         const std::size_t tail = tail_.load(std::memory_order_relaxed);
         const std::size_t next = (tail + 1) % kSlots;
@@ -23,7 +24,7 @@ public:
         tail_.store(next, std::memory_order_release);
         return true;
     }
-    // Consumer only.
+    // May be called by the consumer only.
     std::optional<T> pop() {
         const std::size_t head = head_.load(std::memory_order_relaxed);
         if (head == tail_.load(std::memory_order_acquire)) return std::nullopt;

@@ -1,8 +1,8 @@
 #pragma once
 
-// The newest immutable value from one writer thread to one reader thread; neither ever waits. Older
-// values that were not read are dropped. (std::atomic<std::shared_ptr> is not lock-free in our
-// library; exchanging an index among three slots is.)
+// Passes the newest immutable value from one writer thread to one reader thread; neither ever
+// waits. Older values that were not read are dropped. (In our library, std::atomic<std::shared_ptr>
+// is not lock-free; the exchange of an index among three slots is.)
 
 #include <array>
 #include <atomic>
@@ -14,12 +14,12 @@ namespace cambrian {
 template <class T>
 class SnapshotChannel {
 public:
-    // Writer only.
+    // May be called by the writer only.
     void publish(std::shared_ptr<const T> snapshot) {
         slots_[writer_] = std::move(snapshot);
         writer_ = middle_.exchange(writer_ | kFresh, std::memory_order_acq_rel) & kIndex;
     }
-    // Reader only; null until something was published.
+    // May be called by the reader only; null until something was published.
     const std::shared_ptr<const T>& latest() {
         if ((middle_.load(std::memory_order_relaxed) & kFresh) != 0) {
             reader_ = middle_.exchange(reader_, std::memory_order_acq_rel) & kIndex;

@@ -1,8 +1,8 @@
 #pragma once
 
-// A fixed set of workers for one kind of work: run the same function for every index of a range.
-// Workers take the next index from one counter, so the order of work is not fixed, and a function
-// must therefore write only what belongs to its index (and its worker's scratch).
+// A fixed set of workers that call one function for every index of a range. Workers take the next
+// index from a common counter, so the order is not fixed. The function must therefore write only
+// data of its index or its worker.
 
 #include "core/threads/thread_priority.h"
 
@@ -18,8 +18,8 @@ namespace cambrian {
 
 class ThreadPool {
 public:
-    // workers >= 1. The calling thread takes part in parallel_for, so workers - 1 threads start;
-    // it takes their priority too.
+    // `workers` must be at least 1. The calling thread takes part in parallel_for(), so workers - 1
+    // threads start; the calling thread gets their priority, too.
     explicit ThreadPool(std::size_t workers, ThreadPriority priority = ThreadPriority::kNormal);
     ~ThreadPool();
     ThreadPool(const ThreadPool&) = delete;
@@ -27,12 +27,12 @@ public:
 
     std::size_t workers() const { return threads_.size() + 1; }
 
-    // One thread a core, at least one.
+    // Returns one thread per core, at least one.
     static std::size_t default_workers();
 
-    // Calls work(index, worker) for each index of 0 .. count-1, worker in 0 .. workers()-1, and
-    // returns when all are done. After a stop request no further index is begun; then false.
-    // The first exception thrown by work stops the range and is thrown here.
+    // Calls work(index, worker) for each index of 0 .. count-1, with worker in 0 .. workers()-1,
+    // and returns when all calls have ended. After a stop request no further call begins, and it
+    // returns false. The first exception thrown by `work` ends the range and is thrown here.
     bool parallel_for(std::size_t count,
                       const std::function<void(std::size_t index, std::size_t worker)>& work,
                       std::stop_token stop = {});

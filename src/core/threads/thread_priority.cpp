@@ -9,11 +9,11 @@ namespace cambrian {
 namespace {
 
 #ifdef __linux__
-constexpr int kBackgroundNiceness = 19;  // the least share there is
+constexpr int kBackgroundNiceness = 19;  // lowest priority
 
-// Linux keeps a niceness and a policy for every thread; 0 names the calling one. The idle policy
-// gives way at once, where niceness alone waits for the end of a time slice. A refusal changes no
-// result.
+// On Linux every thread has a niceness and a scheduling policy; 0 means the calling thread. The
+// idle policy yields at once, whereas niceness alone takes effect at the end of a time slice. A
+// failure has no influence on results.
 void step_back() {
     static_cast<void>(setpriority(PRIO_PROCESS, 0, kBackgroundNiceness));
     const sched_param no_priority{};

@@ -2,14 +2,14 @@
 
 namespace cambrian {
 
-// How a thread shares a busy processor. Never changes a result.
+// A thread's share of a busy processor. It never changes a result.
 enum class ThreadPriority {
     kNormal,
-    kBackground,  // steps back whenever a normal thread has something to do
+    kBackground,  // yields to every normal thread
 };
 
-// The calling thread's from now on; threads it starts later begin with it. A thread in the
-// background stays there. Does nothing on systems without priorities of single threads.
+// Sets the priority of the calling thread and of threads that it starts later. A background thread
+// cannot become normal again. Has no effect on systems without priorities for threads.
 void take_priority(ThreadPriority priority);
 
 }  // namespace cambrian

@@ -1,7 +1,7 @@
 #pragma once
 
-// The commands of a thread that sleeps while it has nothing to do and breaks off what it does when
-// a command comes. One user thread, one worker thread.
+// The inbox of a worker thread that sleeps while it has no work, and that a command interrupts.
+// There is one sending thread and one worker thread.
 
 #include "core/threads/command_queue.h"
 
@@ -17,7 +17,8 @@ namespace cambrian {
 template <class Command, std::size_t Capacity>
 class WorkerInbox {
 public:
-    // User only. False if full; the command is then untouched.
+    // May be called by the sender only. Returns false if the inbox is full; the command is then
+    // unchanged.
     bool send(Command&& command) {
         if (!queue_.push(std::move(command))) return false;
         {
@@ -29,7 +30,8 @@ public:
         return true;
     }
 
-    // Worker only. Calls apply for every command sent so far; whether there were any.
+    // May be called by the worker only. Calls `apply` for every command sent so far; returns
+    // whether there were any.
     template <class Apply>
     bool drain(Apply apply) {
         {
@@ -44,8 +46,8 @@ public:
         return any;
     }
 
-    // Worker only. Calls work(token) unless a command waits; the token says stop once one does or
-    // `stop` does.
+    // May be called by the worker only. Calls work(token) unless a command waits. The token
+    // requests a stop when a command arrives or `stop` does.
     template <class Work>
     void work_until_command(const std::stop_token& stop, Work work) {
         std::stop_token interrupted;
@@ -62,7 +64,7 @@ public:
         work(interrupted);
     }
 
-    // Worker only. Sleeps until a command waits or a stop is asked for.
+    // May be called by the worker only. Sleeps until a command arrives or a stop is requested.
     void wait(std::stop_token stop) {
         std::unique_lock lock(mutex_);
         wake_.wait(lock, std::move(stop), [this] { return waiting_; });
@@ -70,7 +72,7 @@ public:
 
 private:
     CommandQueue<Command, Capacity> queue_;
-    // Only to sleep and to interrupt; the queue itself needs no lock.
+    // The mutex is used to sleep and to interrupt; the queue itself needs no lock.
     std::mutex mutex_;
     std::condition_variable_any wake_;
     bool waiting_ = false;           // guarded by mutex_

@@ -13,7 +13,7 @@ namespace cambrian {
 
 class LeastSquaresDynamics {
 public:
-    // time_constant: s, in which joints that have come apart close.
+    // `time_constant`, in s, is the time in which gaps of joints close.
     LeastSquaresDynamics(const PlanarModel& model, double time_constant);
 
     // Returns the accelerations (x, y, spin of every body). Of the kinematics it reads only

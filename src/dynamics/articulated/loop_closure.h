@@ -1,8 +1,8 @@
 #pragma once
 
 // Loop-closure joints (dynamics/README.md 17). Their impulses follow from a dense system with two
-// rows for each of them, the Schur complement of the trees. It is solved in the least-squares
-// sense, so redundant joints do no harm.
+// rows per joint, the Schur complement of the trees. It is solved by least squares, so that
+// redundant joints are allowed.
 
 #include "dynamics/articulated/articulated_body.h"
 

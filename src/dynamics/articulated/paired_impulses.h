@@ -1,6 +1,6 @@
 #pragma once
 
-// Responses to two sets of impulses at once, side by side in one vector.
+// Responses to two sets of impulses at once, in the halves of one vector.
 
 #include "dynamics/articulated/articulated_body.h"
 

@@ -1,8 +1,9 @@
 // Simultaneous impact of all touching contacts, with restitution and friction (dynamics/README.md
 // 12):
 //     u+ = u- + W p,   normal rows that close fast: u+ >= -e u-,   all others: u+ >= 0.
-// The change of energy is exactly p (u- + u+) / 2. Friction can make it positive, which no surface
-// can do. The problem is then solved again without restitution, and last without friction.
+// The change of energy is exactly p (u- + u+) / 2. Friction can make it positive, which is
+// impossible for real surfaces. Then the problem is solved again without restitution and, if
+// necessary, without friction.
 
 #include "dynamics/articulated/loop_closure.h"
 #include "dynamics/constraints/contact_solver.h"

@@ -10,10 +10,10 @@
 namespace cambrian {
 namespace {
 
-constexpr double kLimitBand = 1e-4;            // rad or m; a nearer limit gets a row
-constexpr double kPushShare = 0.1;             // of a penetration, undone in one nominal step
-constexpr double kPushSpeed = 0.5;             // m/s; largest speed at which it is undone
-constexpr double kLimitPushSpeed = 1.0;        // rad/s or m/s
+constexpr double kLimitBand = 1e-4;  // rad or m; a nearer limit gets a row
+constexpr double kPushShare = 0.1;   // share of a penetration that is corrected in one nominal step
+constexpr double kPushSpeed = 0.5;   // m/s; largest speed of the correction
+constexpr double kLimitPushSpeed = 1.0;        // rad/s or m/s; largest speed of the correction
 constexpr double kNominalStep = 1.0 / 120;     // s
 constexpr double kMiddleWorkAllowance = 1e-3;  // J per (kg m/s^2): M g (1 m) * this
 constexpr double kAnchorWeights = 10.0;        // weights of the creature; largest anchored friction
@@ -177,7 +177,7 @@ void ContactSolver::select_limits(const PlanarModel& model, const EvaluationCach
 
 // Sets first guesses and biases. The softness of friction rows pulls towards the last step's force
 // and not towards 0, so that a resting creature does not creep. The force is limited to a few
-// weights, because parts that wedge each other would otherwise keep any stress for ever.
+// weights, because wedged parts would otherwise keep any stress indefinitely.
 void ContactSolver::set_resting_bias(const PlanarModel& model, double h, const WarmStart& warm) {
     CAMBRIAN_TICK_ASSERT(h > 0.0, "a step takes time");
     CAMBRIAN_TICK_ASSERT(warm.count <= kMaxContacts, "remembered forces have room");
@@ -241,7 +241,7 @@ bool ContactSolver::solve_rows(const PlanarModel& model, const ContactLaw& law, 
     return false;
 }
 
-// The work of the impulses over a step of constant forces.
+// Returns the work of the impulses over a step of constant forces.
 double ContactSolver::resting_work(double h) const {
     double work = 0.0;
     for (int row = 0; row < rows_.count; ++row) {

@@ -69,7 +69,7 @@ public:
     // Solves the rows for a step of length h; held() has the forces. Returns false if the active
     // set failed and a fallback was used.
     bool solve_resting(const PlanarModel& model, const ContactLaw& law, double h, WarmStart& warm);
-    // Replaces solve_resting() for a step without rows: there are no forces.
+    // Replaces solve_resting() for a step without rows: sets all forces to 0.
     void clear();
     const HeldForces& held() const { return held_; }
     // Adds the forces to the loads, at the positions of the rows.

@@ -1,5 +1,5 @@
-// With every row's unit impulse eliminated from its bodies to the roots, u_i what arrives at joint
-// i and f what arrives at the root,
+// Every row's unit impulse is propagated from its bodies to the roots. With u_i for what reaches
+// joint i and f for what reaches the root,
 //     W_rs = sum over joints of u_ri u_si / d_i  +  f_r Phi f_s,
 // with the inverse Phi of the root's articulated inertia (R. Featherstone, Rigid Body Dynamics
 // Algorithms, 2008, chapter 8: the factors of the joint-space inertia). Only the bodies on the
@@ -16,7 +16,7 @@
 namespace cambrian {
 namespace {
 
-using BodySet = std::uint32_t;  // one bit a body
+using BodySet = std::uint32_t;  // one bit per body
 
 constexpr int kMaxGroups = kMaxRows / kLanes;
 constexpr double kRelativeSoftness = 1e-7;
@@ -26,8 +26,8 @@ CAMBRIAN_INLINE int last_of(BodySet set) {
     return 31 - std::countl_zero(set);
 }
 
-// The unit impulses of four rows as they arrive at joints and roots, and the same multiplied by 1/d
-// or by the root's inverse.
+// The unit impulses of four rows as they reach joints and roots, and the same multiplied by 1/d or
+// by the root's inverse.
 struct Arrivals {
     BodySet bodies;  // on the paths of any of the four
     Simd4d joint[kMaxBodies], joint_share[kMaxBodies];
@@ -174,9 +174,9 @@ CAMBRIAN_INLINE void fill_block(const PlanarModel& model, const Arrivals& row,
         store_lanes(rows.line(second + i) + first, block[i]);
 }
 
-// A contact in a direction in which the mechanism hardly moves would answer a millimetre with a
+// If the mechanism hardly moves in a contact's direction, a millimetre of penetration would need a
 // huge impulse. So the diagonal is at least 2 % of that of the same bodies without joints. Friction
-// rows are softer, because two sticking parts with a joint between them leave their forces
+// rows are softer, because the forces of two sticking parts with a joint between them are
 // undetermined.
 CAMBRIAN_INLINE double regularization(const PlanarModel& model, const ConstraintSystem& rows,
                                       int row, double friction_softness) {

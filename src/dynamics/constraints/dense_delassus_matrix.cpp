@@ -76,7 +76,7 @@ private:
         }
     }
 
-    // The sum over the lanes of each of the four.
+    // Returns the sum over the lanes of each of the four.
     CAMBRIAN_INLINE static Simd4d sums_of(const Simd4d (&of)[kLanes]) {
         const Simd4d first = __builtin_shufflevector(of[0], of[1], 0, 4, 2, 6) +
                              __builtin_shufflevector(of[0], of[1], 1, 5, 3, 7);

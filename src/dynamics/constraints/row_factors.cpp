@@ -73,14 +73,14 @@ template <int kFixed>
     }
 }
 
-// Both sums.
+// Returns the sums of a and of b.
 CAMBRIAN_INLINE Simd2d sums_of(const Simd4d& a, const Simd4d& b) {
     const Simd4d sums =
         __builtin_shufflevector(a, b, 0, 4, 2, 6) + __builtin_shufflevector(a, b, 1, 5, 3, 7);
     return __builtin_shufflevector(sums, sums, 0, 1) + __builtin_shufflevector(sums, sums, 2, 3);
 }
 
-// Products of a line, between two blocks, with both vectors.
+// Returns the products of a line, between two blocks, with both vectors.
 CAMBRIAN_INLINE Simd2d products(const double* line, int first_block, int end_block,
                                 const PerEquation (&vectors)[2]) {
     Simd4d sums[2] = {};

@@ -35,7 +35,7 @@ inline int friction_group(const Contact& contact) {
     return kMaxBodies + (contact.id - kGroundContactIds) / kIdsPerPair;
 }
 
-// Whether two contacts belong to the same pair: a corner and the ground, or two boxes.
+// Returns whether two contacts belong to the same pair: a corner and the ground, or two boxes.
 inline bool same_pair(const Contact& first, const Contact& second) {
     if (first.part_b < 0 || second.part_b < 0) return first.id == second.id;
     return friction_group(first) == friction_group(second);
@@ -64,7 +64,7 @@ private:
     Contact* drop_farthest(double gap);
 };
 
-// The face of a box whose normal is nearest to a direction in the box's frame.
+// Returns the face of a box whose normal is nearest to a direction in the box's frame.
 Face face_toward(double x, double y);
 
 }  // namespace cambrian

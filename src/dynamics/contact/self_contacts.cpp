@@ -67,7 +67,7 @@ void add_points(const PlanarModel& model, const Kinematics& k, const PartPlaces&
 
 }  // namespace
 
-// The list holds until a box has moved by half the enlargement relative to part 0.
+// The list is valid until a box has moved by half the enlargement relative to part 0.
 CAMBRIAN_INLINE bool PairList::has_expired(const PlanarModel& model,
                                            const PartPlaces& places) const {
     if (!built_) return true;

@@ -91,7 +91,7 @@ void compute_loads(const PlanarModel& model, const Forcing& forcing, const Evalu
 
 namespace {
 
-// A function of its own, so that the choice between the two costs little.
+// This is a separate function, so that the choice between the two costs little.
 [[gnu::noinline]] void evaluate_tree(const PlanarModel& model, const Forcing& forcing,
                                      const Motion& motion, const EvaluationPoint& point,
                                      EvaluationCache& cache, MotionRate& rate) {

@@ -1,6 +1,6 @@
 #pragma once
 
-// The right-hand side of the motion: state and forcing to accelerations and powers.
+// The right-hand side of the equations of motion: accelerations and powers from state and forcing.
 
 #include "dynamics/articulated/articulated_body.h"
 #include "dynamics/forces/motors.h"
@@ -27,12 +27,12 @@ struct EvaluationCache {
     bool is_inverted;  // whether the inverse is valid
 };
 
-// Which kinematics an evaluation computes: those that its accelerations need, or all. The factors
-// may be missing in both cases.
+// The kinematics that an evaluation computes: those that its accelerations need, or all. The
+// factors may be missing in both cases.
 enum class EvaluationDetail : std::uint8_t { kAccelerations, kEverything };
 
 struct EvaluationPoint {
-    double tick_share = 0.0;  // where in the tick, 0 to 1, for the motors' targets
+    double tick_share = 0.0;  // time in the tick, in [0, 1], for the motors' targets
     EvaluationDetail detail = EvaluationDetail::kEverything;
     const ImplicitStage* implicit = nullptr;  // for the motors' damping; null: explicit
 };

@@ -1,8 +1,8 @@
 #pragma once
 
-// Drag of four boxes at once (dynamics/README.md 7). Of two opposite faces of a box exactly one
-// leads at every place, and both have the same profile of normal speed. So two line integrals for
-// each box suffice. The normal force per length of face is
+// Drag of four boxes at once (dynamics/README.md 7). At each point exactly one of two opposite
+// faces moves against the medium, and both have the same profile of normal speed. So two line
+// integrals per box suffice. The normal force per length of face is
 //     p(u) = -(k1 u + k2 |u| u),
 // with u = u_y + spin xi along the long faces and u = u_x - spin eta along the short ones.
 // Three-point Gauss-Legendre quadrature is exact where u keeps its sign. The force at each node

@@ -6,7 +6,7 @@
 
 namespace cambrian {
 
-// Wanted rates of four motors, and their efforts per missing rate.
+// The target rates of four motors, and their efforts per difference in rate.
 struct WantedRates {
     Simd4d rate, gain;
 };
@@ -23,7 +23,7 @@ CAMBRIAN_INLINE WantedRates wanted_rates(const MotorLaw& law, const MotorDrive& 
             drive.frequency * load_lanes(law.stiffness + first) + load_lanes(law.strength + first)};
 }
 
-// Efforts at these coordinates and rates of the joints, N m or N.
+// Returns efforts at these coordinates and rates of the joints, in N m or N.
 CAMBRIAN_INLINE Simd4d motor_efforts(const PlanarModel& model, const MotorDrive& drive,
                                      double tick_share, const Simd4d& position, const Simd4d& rate,
                                      int first) {
@@ -32,7 +32,7 @@ CAMBRIAN_INLINE Simd4d motor_efforts(const PlanarModel& model, const MotorDrive&
                       load_lanes(model.max_effort + first));
 }
 
-// Efforts and damping of an implicit stage (compute_implicit_efforts).
+// Efforts and damping in an implicit stage (compute_implicit_efforts).
 struct ImplicitEfforts {
     Simd4d effort, damping;
 };

@@ -8,8 +8,8 @@
 namespace cambrian {
 
 struct MotorPower {
-    double net = 0.0;    // W
-    double gross = 0.0;  // W; sum of every joint's |power|
+    double net = 0.0;    // W, net power
+    double gross = 0.0;  // W, sum of every joint's |power|
 };
 
 // Computes the effort of every motor at a share of the tick (0 to 1), and returns the powers.

@@ -83,7 +83,7 @@ private:
             for (std::size_t j = 0; j < kStages; ++j)
                 scaled_[j] = length * weight(j);
         }
-        // From slot c on.
+        // Adds the terms from slot c on.
         template <std::size_t... kJ>
         CAMBRIAN_INLINE Simd4d add(Simd4d sum, int c, std::index_sequence<kJ...>) const {
             (add_term<kJ>(sum, c), ...);

@@ -1,7 +1,7 @@
 #pragma once
 
-// The joints of planar scenes. The equations know a joint by its motion only; a kind adds how genes
-// become limits and strength.
+// The joints of planar scenes. The equations depend only on a joint's motion; a kind adds how genes
+// determine limits and strength.
 
 #include "world/joint_kind.h"
 
@@ -12,7 +12,7 @@ void add_rigid_joint(JointRegistry& joints);
 void add_revolute_joint(JointRegistry& joints);
 void add_prismatic_joint(JointRegistry& joints);
 
-// Digests of genes count joints in this order: new kinds go to the end.
+// Digests of genes include joint numbers in this order, so new kinds must be added at the end.
 JointRegistry builtin_joints();
 
 }  // namespace cambrian

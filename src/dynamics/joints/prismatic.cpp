@@ -9,7 +9,7 @@
 namespace cambrian {
 namespace {
 
-constexpr double kMaxExtension = 0.9;  // of the part's length, either way
+constexpr double kMaxExtension = 0.9;  // share of the part's length, in both directions
 
 void shape_prismatic(const JointGenes& genes, PlannedPart& part) {
     part.limit_low = std::fmax(genes.limit_low, -kMaxExtension) * genes.length;

@@ -20,7 +20,8 @@ RestBox rest_box(const PlannedPart& part) {
             part.half_extents.x(),       part.half_extents.y()};
 }
 
-// Largest gap between the two along the axes of box a; negative if they overlap on both.
+// Returns the largest gap between the two along the axes of box a; negative if they overlap on
+// both.
 double gap_along_axes(const RestBox& a, const RestBox& b) {
     const double along = std::fabs(a.cosine * b.cosine + a.sine * b.sine);
     const double across = std::fabs(a.cosine * b.sine - a.sine * b.cosine);

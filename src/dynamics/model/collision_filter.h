@@ -1,6 +1,6 @@
 #pragma once
 
-// Which boxes may ever touch each other (dynamics/README.md 2).
+// The pairs of boxes that may collide (dynamics/README.md 2).
 
 #include "dynamics/model/planar_model.h"
 

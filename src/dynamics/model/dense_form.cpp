@@ -9,7 +9,7 @@ namespace {
 struct Arm {
     double x = 0.0, y = 0.0;  // m
 };
-using Arms = Arm[kMaxDenseBodies][kMaxDenseBodies];  // of an angle, to a body
+using Arms = Arm[kMaxDenseBodies][kMaxDenseBodies];  // from an angle to a body
 
 bool applies(const PlanarModel& model) {
     if (model.tree_count != 1 || model.body_count > kMaxDenseBodies) return false;

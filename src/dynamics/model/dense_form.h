@@ -30,8 +30,8 @@ struct DenseForm {
     double half_width[kMaxDenseBodies] = {};   // m
 };
 
-// Fills the form from the model's masses, joints and boxes. blocks is 0 unless the model is one
-// tree of at most kMaxDenseBodies bodies with revolute joints only.
+// Computes the form from the model's masses, joints and boxes. `blocks` is 0 unless the model is
+// one tree of at most kMaxDenseBodies bodies with revolute joints only.
 void derive_dense_form(const PlanarModel& model, DenseForm& form);
 
 }  // namespace cambrian

@@ -75,7 +75,7 @@ public:
         }
     }
 
-    // N m, of all forces that were added.
+    // Returns the torques, in N m, of all forces that were added.
     CAMBRIAN_INLINE Simd4d torque(int b) const {
         return cosine_[b] * turning_[b] - sine_[b] * stretching_[b];
     }

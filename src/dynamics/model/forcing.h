@@ -1,7 +1,7 @@
 #pragma once
 
-// Everything besides the state that the accelerations depend on: the medium, the targets of the
-// motors in the current tick, and forces that are constant during a step or tick.
+// All inputs of the accelerations besides the state: the medium, the targets of the motors in the
+// current tick, and forces that are constant during a step or tick.
 
 #include "dynamics/model/planar_model.h"
 

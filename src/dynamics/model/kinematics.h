@@ -20,7 +20,7 @@ struct Kinematics {
     PerBody s_x, s_y, z_x, z_y, gamma_x, gamma_y;
     PerBody axis_x, axis_y;
     // Coordinate and rate of the joint relative to the rest pose, for motors, limits and sensors.
-    PerBody joint_position, joint_rate;  // rad or m, and a second
+    PerBody joint_position, joint_rate;  // rad or m, and its rate
 };
 
 // Fills all members.
@@ -39,7 +39,7 @@ void spread_spins(const PlanarModel& model, const PerCoordinate& rates, PerBody&
 void spread_rates(const PlanarModel& model, const Kinematics& place, const PerCoordinate& rates,
                   PerBody& spin, PerBody& velocity_x, PerBody& velocity_y);
 
-// The largest overrun of a joint past its limits, rad or m; 0 if there is none.
+// Returns the largest overrun of a joint past its limits, in rad or m; 0 if there is none.
 double limit_overrun(const PlanarModel& model, const Kinematics& kinematics);
 
 double kinetic_energy(const PlanarModel& model, const Kinematics& kinematics);  // J

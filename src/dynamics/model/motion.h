@@ -49,7 +49,7 @@ inline void copy_rate(const PlanarModel& model, const MotionRate& from, MotionRa
     std::memcpy(to.power, from.power, sizeof(to.power));
 }
 
-// At rest in the plan's rest pose.
+// Returns the plan's rest pose without motion.
 Motion rest_motion(const PlanarModel& model);
 
 }  // namespace cambrian

@@ -17,7 +17,7 @@ struct Simd4dVector {
     Simd4d x, y;
 };
 
-// Four boxes at once, from `first` on.
+// Four boxes, from `first` on.
 struct PartLanes {
     Simd4d cosine, sine;  // of their bodies
     Simd4dVector offset;  // m, in the bodies' frames
@@ -33,7 +33,7 @@ CAMBRIAN_INLINE PartLanes part_lanes(const PlanarModel& model, const Kinematics&
     return {cosine, sine, {x, y}, {cosine * x - sine * y, sine * x + cosine * y}};
 }
 
-// Unit, along the boxes' lengths.
+// Returns unit vectors along the boxes' lengths.
 CAMBRIAN_INLINE Simd4dVector part_axes(const PlanarModel& model, const PartLanes& parts,
                                        int first) {
     const Simd4d cosine = load_lanes(model.part_cosine + first);
@@ -41,7 +41,7 @@ CAMBRIAN_INLINE Simd4dVector part_axes(const PlanarModel& model, const PartLanes
     return {parts.cosine * cosine - parts.sine * sine, parts.sine * cosine + parts.cosine * sine};
 }
 
-// m/s, of the boxes' centres.
+// Returns velocities of the boxes' centres, in m/s.
 CAMBRIAN_INLINE Simd4dVector part_velocities(const PlanarModel& model, const Kinematics& k,
                                              const PartLanes& parts, int first) {
     const int* bodies = model.part_body + first;

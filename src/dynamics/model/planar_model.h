@@ -1,10 +1,10 @@
 #pragma once
 
-// What articulated bodies are, once built: masses, joints and boxes in flat arrays, never changed
-// while they move. Rigidly joined parts are one body. Bodies joined to each other form a tree; the
-// trees are numbered one after the other, each depth first from its root. Boxes keep the order of
-// the plan's parts. Slots beyond the counts are 0, so that loops may run to a multiple of the
-// vector width.
+// Articulated bodies as built from a plan: masses, joints and boxes in flat arrays, which never
+// change during motion. Parts with rigid joints are one body. Bodies connected by joints form a
+// tree; the trees are numbered one after the other, each depth first from its root. Boxes keep the
+// order of the plan's parts. Slots beyond the counts are 0, so that loops may run to a multiple of
+// the vector width.
 
 #include "dynamics/model/dense_form.h"
 #include "dynamics/model/simd.h"
@@ -58,7 +58,7 @@ struct PlanarModel {
     int part_count = 0;
     double density = 1.0;              // kg/m^2, in all masses below
     double total_mass = 0.0;           // kg
-    std::uint64_t measured_parts = 0;  // bit of every part whose forces somebody reads
+    std::uint64_t measured_parts = 0;  // bits of the parts whose forces are measured
 
     int tree_begin[kMaxTrees + 1] = {};  // bodies of a tree: from its begin to the next one's
     PerTree tree_mass = {};              // kg
@@ -74,8 +74,8 @@ struct PlanarModel {
     bool has_slides = false;
     int parent[kMaxBodies] = {};       // -1 on roots
     int parent_slot[kMaxBodies] = {};  // the parent, or the slot itself on roots and padding
-    std::uint32_t roots = 0;           // bit of every root
-    std::uint32_t root_path[kMaxBodies] = {};  // bit of every body from this one to the root
+    std::uint32_t roots = 0;           // bits of the roots
+    std::uint32_t root_path[kMaxBodies] = {};  // bits of the bodies from this one to the root
     int joint_part[kMaxBodies] = {};           // plan part that carries this joint
     PerBody parent_anchor_x = {}, parent_anchor_y = {};  // m, in the parent's frame from its centre
     PerBody child_anchor_x = {}, child_anchor_y = {};    // m, in the body's frame from its centre

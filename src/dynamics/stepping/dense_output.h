@@ -16,7 +16,7 @@ struct StepEnds {
     double length = 0.0;  // s
 };
 
-// slots: number of coordinates. share: of the step, 0 to 1.
+// `slots` is the number of coordinates; `share` is in [0, 1] of the step.
 void interpolate_motion(int slots, const StepEnds& step, double share, Motion& motion);
 
 }  // namespace cambrian

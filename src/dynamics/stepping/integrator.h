@@ -15,7 +15,7 @@ struct MotionSystem {
     const Forcing& forcing;
     double tick_length = 0.0;  // s
 
-    // time: s since the tick's start. implicit: as in EvaluationPoint.
+    // `time` is in s since the tick's start; `implicit` is as in EvaluationPoint.
     void evaluate(const Motion& motion, double time, EvaluationDetail detail,
                   EvaluationCache& cache, MotionRate& rate,
                   const ImplicitStage* implicit = nullptr) const {
@@ -32,7 +32,8 @@ struct StepRequest {
     double tolerance = 0.0;  // of SceneSettings
 };
 
-// With an error up to this share of the tolerance the next step is not shorter (order 5 or less).
+// With an error of up to this share of the tolerance, the next step is not shorter (for orders up
+// to 5).
 inline constexpr double kCalmError = 0.59;
 
 struct StepResult {
@@ -44,10 +45,10 @@ struct StepResult {
 
 struct IntegratorKind {
     std::string id;
-    // Attempts one step; the cache is that of the step's end, with everything.
+    // Attempts one step. Afterwards the cache is that of the step's end, with kEverything.
     void (*attempt)(const MotionSystem& system, const StepRequest& request, EvaluationCache& cache,
                     StepResult& result) = nullptr;
-    int error_order = 1;       // of the error in the step's length
+    int error_order = 1;       // order of the error in the step's length
     double max_step = 0.0;     // s
     bool holds_loops = false;  // whether it supports loop-closure joints
     // Whether steps with contact forces are midpoint steps (midpoint_step.h) instead.

@@ -140,8 +140,8 @@ double MidpointStep::estimate_error(const PlanarModel& model, const ContactLaw& 
                                     const StepRequest& step, ContactSolver& contacts,
                                     const StepResult& result) const {
     const double h = step.length;
-    PerCoordinate errors[2];   // of speeds and positions
-    PerCoordinate changes[2];  // what the motors damp
+    PerCoordinate errors[2];   // of speeds, then of positions
+    PerCoordinate changes[2];  // changes that the motors damp
     for (int c = 0; c < coordinate_slots(model); c += kLanes) {
         const Simd4d start = load_lanes(step.start_rate.acceleration + c);
         const Simd4d end = load_lanes(result.end_rate.acceleration + c);
@@ -191,7 +191,7 @@ CAMBRIAN_INLINE void MidpointStep::damp(const PlanarModel& model, const PerCoord
                                      joint_accelerations(model, change, spin, i));
 }
 
-// Takes from the errors what the rows that hold take up of them.
+// Subtracts from the errors the part that active rows absorb.
 void MidpointStep::take_absorbed(const PlanarModel& model, const ContactLaw& law,
                                  ContactSolver& contacts, PerCoordinate (&errors)[2]) const {
     const Kinematics& k = middle_.kinematics;

@@ -1,14 +1,14 @@
 #pragma once
 
 // One step under contact forces by the midpoint rule, implicit for the motors' damping and explicit
-// for the rest. The motion is predicted to the middle of the step with the last step's
-// accelerations; there the contact-free accelerations, the rows' matrix and the contact forces are
-// found, the forces such that the rows' rates at the step's END obey their laws, and motors answer
-// the joints' rates as they are in the middle. These accelerations a hold for all of the
-// step:
+// for the rest. The last step's accelerations predict the motion at the middle of the step. There
+// the contact-free accelerations, the rows' matrix and the contact forces are computed. The forces
+// are such that the rows' rates at the step's END obey their laws; motors respond to the joints'
+// rates at the middle. These accelerations a are constant over the step:
 //     v1 = v0 + h a,   q1 = q0 + h (v0 + v1) / 2.
-// Second order, with two evaluations; the one at the end is free of contact and the next step's
-// start. (E. Hairer, S. P. Norsett, G. Wanner, Solving Ordinary Differential Equations I, II.1.)
+// It is of second order with two evaluations. The evaluation at the end is free of contact and is
+// the first one of the next step. (E. Hairer, S. P. Norsett, G. Wanner, Solving Ordinary
+// Differential Equations I, II.1.)
 
 #include "dynamics/constraints/contact_solver.h"
 #include "dynamics/stepping/integrator.h"
@@ -25,14 +25,14 @@ class MidpointStep {
 public:
     static constexpr int kErrorOrder = 3;
 
-    // One attempt with the contacts and stops chosen at the start; the system's forcing must hold
-    // nothing. cache is left at the step's end, free of contact. Returns false if the solver used a
-    // fallback.
+    // Attempts one step with the contacts and stops that were selected at its start. The system's
+    // forcing must not have contact forces. Afterwards `cache` is that of the step's end, free of
+    // contact. Returns false if the solver used a fallback.
     bool attempt(const MotionSystem& system, const ContactLaw& law, const MidpointRequest& request,
                  ContactSolver& contacts, WarmStart& warm, EvaluationCache& cache,
                  StepResult& result);
 
-    // Accelerations and mean powers over the step last attempted.
+    // Returns accelerations and mean powers of the step attempted last.
     const MotionRate& mean_rate() const { return mean_rate_; }
 
 private:

@@ -5,7 +5,7 @@
 namespace cambrian {
 namespace {
 
-// m/s, of the centre of a part.
+// Returns the velocity of a part's centre, in m/s.
 Vec2 center_velocity(const PlanarModel& model, const Kinematics& k, int part) {
     const int b = model.part_body[part];
     const double arm_x = k.cosine[b] * model.part_x[part] - k.sine[b] * model.part_y[part];

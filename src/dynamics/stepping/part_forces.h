@@ -1,25 +1,25 @@
 #pragma once
 
-// What acts on the measured parts of a model, as means over a tick: for sensors.
+// Forces on the measured parts of a model, as means over a tick, for sensors.
 
 #include "dynamics/contact/contact.h"
 
 namespace cambrian {
 
 struct PartForces {
-    // m/s^2; acceleration of the part's centre less gravity. While a tick goes on, the centre's
-    // velocity at its start.
+    // Acceleration of the part's centre minus gravity, in m/s^2. During a tick, it is the centre's
+    // velocity at the tick's start.
     PerPart specific_x = {}, specific_y = {};
-    PerPart load = {};  // N, sum of the normal forces; N s so far while a tick goes on
+    PerPart load = {};  // N, sum of the normal forces; during a tick, the impulse in N s so far
 };
 
-// The kinematics are those of the tick's start.
+// The kinematics must be those of the tick's start.
 void begin_forces(const PlanarModel& model, const Kinematics& kinematics, PartForces& forces);
 
 // Adds the normal impulse (N s) of a contact to the parts that touch.
 void add_load(const PlanarModel& model, const Contact& contact, double impulse, PartForces& forces);
 
-// The kinematics are those of the end of the tick, which lasted `duration` (s).
+// The kinematics must be those of the end of the tick, which lasted `duration` (s).
 void end_forces(const PlanarModel& model, const Medium& medium, const Kinematics& kinematics,
                 double duration, PartForces& forces);
 

@@ -15,13 +15,14 @@
 namespace cambrian {
 namespace {
 
-constexpr double kUnderflowShare = 1.0 / 32;   // of the contact step
-constexpr double kUnderflowStep = 1.0 / 1920;  // s; at most, at the usual tolerance
+constexpr double kUnderflowShare = 1.0 / 32;  // of the contact step
+// Upper bound of the underflow step at the default tolerance.
+constexpr double kUnderflowStep = 1.0 / 1920;  // s
 constexpr double kUsualTolerance = 4e-3;
 constexpr double kNoRowsShare = 1.0 / 16;  // of the contact step
 constexpr int kMaxUnderflows = 4;          // underflows in a row before a step without rows
 constexpr double kBudgetTime =
-    1.0;  // s; of evaluations that may be spent before time pays for them
+    1.0;  // s; evaluations of so much simulated time may be spent in advance
 constexpr double kHalvingStep = 1.0 / 960;   // s; shorter ones are not halved
 constexpr double kMaxDeepening = 4e-3;       // m; of the deepest contact in one step
 constexpr double kMaxTickDeepening = 8e-3;   // m; in one tick
@@ -30,7 +31,7 @@ constexpr double kOverrunGrowth = 0.01;      // of that in one step
 constexpr double kStepWorkAllowance = 5e-4;  // J per (kg m/s^2)
 constexpr double kMinStep = 1e-6;            // s
 constexpr double kSliver = 1e-9;             // s; what may be left of a tick
-constexpr int kMaxImpacts = 8;               // a tick; later ones count as slow contacts
+constexpr int kMaxImpacts = 8;               // per tick; later impacts are treated as slow contacts
 constexpr double kSafety = 0.9;
 constexpr double kShrinkMost = 0.2;
 constexpr double kGrowMost = 3.0;
@@ -38,7 +39,7 @@ constexpr double kTinyError = 1e-3;   // of the allowed one; grows the step most
 constexpr double kMaxDistance = 1e6;  // m; also rad, where sine_cosine_reduced ends
 constexpr double kMaxSpeed = 1e4;     // m/s and rad/s
 
-// Change of step that would make the error just acceptable, clipped.
+// Returns the factor of the step that would make the error just acceptable, within bounds.
 double step_factor(double error, int order) {
     if (!std::isfinite(error)) return kShrinkMost;
     if (error < kTinyError) return kGrowMost;
@@ -122,7 +123,7 @@ void StepControl::roll_back(Tick& tick, const Motion& start, const SceneAudit& a
     update_audit(tick.model, tick.forcing.medium, state);
 }
 
-// One accepted step or one impact.
+// Makes one accepted step or one impact.
 SceneStatus StepControl::step(Tick& tick) {
     CAMBRIAN_TICK_ASSERT(tick.time < tick.length, "something is left of the tick");
     make_current(tick);
@@ -215,7 +216,7 @@ void StepControl::apply_impact(Tick& tick, double restitution) {
     }
 }
 
-// The rest of the tick is divided evenly, so that no tiny step remains.
+// Divides the rest of the tick evenly, so that no tiny step remains.
 double StepControl::choose_length(Tick& tick, bool& has_rows) {
     SimulationState& state = tick.state;
     double h = std::min(state.proposed_step, integrator_->max_step);
@@ -311,7 +312,7 @@ void StepControl::try_step(Tick& tick, bool has_rows, double h) {
                          state.spare_cache(), result_);
 }
 
-// The accelerations that the constant forces add.
+// Computes the accelerations that the constant forces add.
 void StepControl::respond_to_held(const Tick& tick, BodyResponse& response) const {
     const EvaluationCache& cache = tick.state.cache();
     Loads loads;
@@ -320,7 +321,8 @@ void StepControl::respond_to_held(const Tick& tick, BodyResponse& response) cons
     solve_closed_impulse(tick.model, cache.kinematics, cache.factors, loads, response);
 }
 
-// Accelerations at the start under the constant forces: those without contact and a response.
+// Returns the accelerations at the start under the constant forces: those without contact plus a
+// response.
 const MotionRate& StepControl::held_start_rate(Tick& tick) {
     BodyResponse response;
     respond_to_held(tick, response);
@@ -392,7 +394,7 @@ void StepControl::release_forces(Tick& tick) {
     }
 }
 
-// Of a step that took `time` (s).
+// Adds a step of `time` (s) to the audit.
 void StepControl::add_to_audit(Tick& tick, double time) {
     SimulationState& state = tick.state;
     SceneAudit& audit = state.audit;

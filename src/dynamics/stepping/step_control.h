@@ -19,17 +19,18 @@ struct HeldContact {
     double force = 0.0;                     // N
 };
 
-// Everything of a scene that changes with time; a copy is a saved state.
+// All data of a scene that change with time; a copy is a saved state.
 struct SimulationState {
     Motion motion = {};
     double time = 0.0;  // s
     SceneStatus status = SceneStatus::kRunning;
     EvaluationCache caches[2] =
-        {};  // one belongs to the motion, free of contact forces; one is scratch
+        {};  // one belongs to the motion and is free of contact forces; the other is scratch space
     int current_cache = 0;
     MotionRate free_rate = {};  // of the motion, free of contact
     bool cache_is_current = false;
-    std::uint64_t detection = 0;  // number of the detection that belongs to the motion; 0: none
+    // Number of the contact detection for this motion; 0 if there is none.
+    std::uint64_t detection = 0;
     double proposed_step = 1.0 / 120;  // s
     // Accelerations of the last step, if it was a midpoint step and no impact followed.
     PerCoordinate last_acceleration = {};
@@ -49,7 +50,7 @@ struct SimulationState {
     EvaluationCache& spare_cache() { return caches[1 - current_cache]; }
 };
 
-// Numbers of complementarity problems since the start, and of those the solver failed on.
+// Numbers of complementarity problems since the start, and of those in which the solver failed.
 struct SolverTally {
     std::uint64_t resting = 0, resting_failed = 0;
     std::uint64_t impacts = 0, impacts_failed = 0;

@@ -9,7 +9,7 @@ namespace {
 
 constexpr int kMaxRounds = 40;
 
-// The deepest new contact that closes fast or is too deep.
+// The deepest new contact that closes fast or penetrates too deeply.
 struct NewContact {
     bool found = false;
     double gap = kContactMargin;

@@ -1,7 +1,7 @@
 #pragma once
 
 // Time of impact: the share of a step at which a new contact is just made (dynamics/README.md 12).
-// The step is bracketed on its dense output.
+// It is found by bracketing on the step's dense output.
 
 #include "dynamics/constraints/contact_solver.h"
 #include "dynamics/stepping/dense_output.h"
@@ -12,9 +12,9 @@ namespace cambrian {
 // solver must have detected the contacts there.
 bool has_new_impact(const ContactSolver& contacts);
 
-// Returns the share of the step, in (0, 1], at which nothing new penetrates and one new contact is
-// inside the touching band. Motion, kinematics and the solver's near contacts are those at this
-// share.
+// Returns the share of the step, in (0, 1], at which no new contact penetrates and one new contact
+// is inside the contact band. Motion, kinematics and the solver's near contacts are then those at
+// this share.
 double find_impact(const PlanarModel& model, const ContactLaw& law, const StepEnds& step,
                    ContactSolver& contacts, Motion& motion, Kinematics& kinematics);
 

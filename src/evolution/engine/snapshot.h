@@ -31,7 +31,7 @@ struct EvolutionSnapshot {
     // Newest finished generation, best first; empty at first.
     std::vector<IndividualPtr> population;
     std::vector<GenerationStatistics> history;
-    // S; evaluation time of each row of the history; 0 where unknown.
+    // Evaluation time of each row of the history, in s; 0 where unknown.
     std::vector<double> wall_times;
     std::vector<JudgedIndividual> champions;  // best creature of each finished generation
     std::vector<JournalEntry> journal;

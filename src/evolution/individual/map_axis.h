@@ -40,7 +40,7 @@ struct MapCell {
 
 MapCell cell_of(const EvaluationResult& result, const SelectionSettings& settings);
 
-// How well a population fills the map. `filled_cells` counts cells with a completed creature;
+// The coverage of the map by a population. `filled_cells` counts cells with a completed creature;
 // `quality` is the QD-score, the sum of the best fitness, at least 0, of each.
 struct MapCoverage {
     int filled_cells = 0;

@@ -11,7 +11,7 @@ namespace {
 
 const PngLimits kCardLimits{.text_bytes = JsonLimits{}.bytes};
 
-// Bytes of a file that are shown if it is not a picture.
+// Number of bytes that a message shows of a file that is not a picture.
 constexpr std::size_t kLongestSignature = 8;
 
 constexpr const char* kExpected =

@@ -7,7 +7,7 @@
 namespace cambrian {
 namespace {
 
-// Bytes; several times the size of the largest genome's text.
+// Several times the size of the largest genome's text, in bytes.
 constexpr std::size_t kMostText = 500'000;
 
 }  // namespace

@@ -92,7 +92,7 @@ private:
             nearest_[i] = std::min(nearest_[i], distance(descriptors_[i], descriptors_[one]));
     }
 
-    // Of the candidates, followed by those of the creatures shown.
+    // Descriptors of the candidates, followed by those of the creatures shown.
     std::vector<GridDescriptor> descriptors_;
     std::vector<double> merit_;
     std::vector<double> nearest_;  // distance of each candidate to the nearest creature shown

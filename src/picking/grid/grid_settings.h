@@ -1,6 +1,6 @@
 #pragma once
 
-// How the next grid is bred from the picks (picking/README.md 1).
+// The options with which the next grid is bred from the picks (picking/README.md 1).
 
 #include "core/result.h"
 

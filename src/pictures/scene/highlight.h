@@ -6,8 +6,8 @@
 
 namespace cambrian {
 
-// What is highlighted: one part of the body, all parts grown from one gene node, and the gene node
-// chosen in the inspector. -1 means none.
+// The highlighted items: one part of the body, all parts grown from one gene node, and the gene
+// node chosen in the inspector. -1 means none.
 struct Highlight {
     int part = -1;
     int node = -1;

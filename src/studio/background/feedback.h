@@ -1,6 +1,6 @@
 #pragma once
 
-// What the studio tells the user: notices in the notice strip, and events in the status log.
+// The studio's messages: notices to the user in the notice strip, and events in the status log.
 
 #include "core/result.h"
 #include "studio/background/notices.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-// What panels see of starred creatures, and what they may request of past and present generations.
+// The starred creatures that panels see, and the requests they may make of all generations.
 
 #include "evolution/engine/snapshot.h"
 #include "studio/viewer/stars.h"

@@ -34,7 +34,7 @@ public:
     void moved_to(const std::filesystem::path& path) { file_ = path; }
     // The file that the user chose; empty if none.
     const std::filesystem::path& file() const { return file_; }
-    // Where the present run is saved; may be used on any thread.
+    // The place where the present run is saved; may be used on any thread.
     const std::shared_ptr<KeptExperiment>& kept() const { return kept_; }
 
     // Must be called once a frame: sends the waiting commands and measures progress.

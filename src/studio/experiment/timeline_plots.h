@@ -25,7 +25,7 @@ struct TimelinePlot {
     std::vector<TimelineCurve> curves;
     TimelineMeasure lower = nullptr;  // lower edge of the band around the second curve, or null
     TimelineMeasure upper = nullptr;
-    // draws stacked bands of births per founder line instead of curves
+    // Whether it draws stacked bands of births per founder line instead of curves.
     bool births_by_line = false;
 };
 

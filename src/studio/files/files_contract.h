@@ -1,6 +1,6 @@
 #pragma once
 
-// What panels see of files and samples, and what they may request of them.
+// The data of files and samples that panels see, and the requests they may make of them.
 
 #include "studio/files/file_browser.h"
 #include "studio/files/sample_shelf.h"

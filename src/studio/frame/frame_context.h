@@ -1,6 +1,6 @@
 #pragma once
 
-// What panels see in this frame, by subject. Everything is const.
+// The data that panels see in this frame, by subject. Everything is const.
 
 #include "goals/goal.h"
 #include "studio/frame/requests.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-// What panels see of the window itself, and what they may request of it.
+// The data of the window itself that panels see, and the requests they may make of it.
 
 #include "studio/background/notices.h"
 #include "studio/look/view_state.h"

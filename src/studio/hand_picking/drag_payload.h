@@ -1,6 +1,6 @@
 #pragma once
 
-// What can be dragged between the picking grid and the shelf.
+// The items that can be dragged between the picking grid and the shelf.
 
 #include "picking/picking_command.h"
 

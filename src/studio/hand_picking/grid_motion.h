@@ -44,7 +44,7 @@ private:
     TrialWorld world_;
     std::vector<RecordedMotion> cells_;
     double time_ = 0.0;
-    // number of grids shown so far; identifies the grid that arriving motion belongs to
+    // The number of grids shown so far, which identifies the grid that arriving motion belongs to.
     unsigned shown_ = 0;
     BackgroundWorker worker_;
 };

@@ -1,6 +1,6 @@
 #pragma once
 
-// What panels may request of selection by hand. What they see of it is in picking_view.h.
+// The requests that panels may make of selection by hand. The data they see is in picking_view.h.
 
 #include "picking/picking_command.h"
 #include "studio/hand_picking/picking_view.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-// What panels see of selection by hand.
+// The data of selection by hand that panels see.
 
 #include "picking/picking_snapshot.h"
 #include "studio/hand_picking/grid_motion.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-// What panels see of the help pages and the tour, and what they may request of them.
+// The data of help pages and tour that panels see, and the requests they may make of them.
 
 #include "studio/help/help_book.h"
 

@@ -33,7 +33,7 @@ ImGuiHost::ImGuiHost(Window& window, float scale, ThemeKind theme) : window_(win
     set_theme(theme);
     ImGui_ImplGlfw_InitForOpenGL(window.handle(), true);
     ImGui_ImplOpenGL3_Init("#version 330 core");
-    // renders all glyphs now, so that no frame waits for them
+    // Renders all glyphs now, so that no frame waits for them.
     ImGui_ImplOpenGL3_CreateDeviceObjects();
 }
 

@@ -6,7 +6,7 @@
 
 namespace cambrian {
 
-// What the timeline plots over the generations.
+// The quantity that the timeline plots over the generations.
 enum class TimelineQuantity : unsigned char {
     kFitness,
     kDiversity,

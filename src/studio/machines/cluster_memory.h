@@ -4,7 +4,7 @@
 
 namespace cambrian {
 
-// What the studio stores about a cluster between runs of the program.
+// The data of a cluster that the studio stores between runs of the program.
 struct ClusterMemory {
     ClusterLogin login;  // the last one entered, joined or not
     bool joined = false;

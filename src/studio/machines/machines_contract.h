@@ -1,6 +1,6 @@
 #pragma once
 
-// What panels see of the machines that evaluate, and what they may request of them.
+// The data of the evaluating machines that panels see, and the requests they may make of them.
 
 #include "cluster/connection/cluster_address.h"
 #include "evolution/evaluation/backend_status.h"

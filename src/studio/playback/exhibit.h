@@ -15,7 +15,7 @@
 
 namespace cambrian {
 
-// Where the displayed creature was taken from.
+// The place from which the displayed creature was taken.
 enum class ExhibitSource : std::uint8_t { kSample, kFile, kChampion, kPopulation, kHandPicked };
 
 // A creature on display, with the settings that evaluate it and where it was taken from.

@@ -49,7 +49,7 @@ public:
     const ShownMotion& motion() const { return motion_; }
     const TrialReadings& readings() const { return readings_; }
     bool disturbed() const { return !empty() && (hold_ || replay_->disturbed()); }
-    // What the mouse pulls, or null.
+    // The present pull of the mouse, or null.
     const Hold* hold() const { return hold_ ? &*hold_ : nullptr; }
 
 private:

@@ -1,6 +1,6 @@
 #pragma once
 
-// What panels see of the displayed creature, and what they may request of the viewer.
+// The data of the displayed creature that panels see, and the requests they may make of the viewer.
 
 #include "pictures/scene/highlight.h"
 #include "studio/playback/ghosts.h"

@@ -23,13 +23,13 @@ struct ButtonStyle {
     const char* tooltip = nullptr;
 };
 
-// True when pressed.
+// Returns true when pressed.
 bool push_button(const std::string& label, const ButtonStyle& style = {});
 
 // Draws a card's close button at the right end of the present line; returns true when pressed.
 bool close_button(const std::string& label);
 
-// An on/off switch; true when flipped.
+// An on/off switch; returns true when it was flipped.
 bool toggle_switch(const std::string& label, bool& on);
 
 // A row of choices, one of which is chosen. Returns the index pressed, or -1. Narrow rows use the

@@ -10,7 +10,7 @@ namespace cambrian {
 namespace {
 
 constexpr double kFullTorqueTurn = 2.2;  // rad; arc drawn for the largest torque of a motor
-// M; length drawn for a force equal to the creature's weight.
+// Length drawn for a force equal to the creature's weight, in m.
 constexpr double kForceLength = 1.0 / 3.0;
 constexpr double kStandardGravity = 9.80665;  // m/s^2
 

@@ -99,7 +99,7 @@ void draw_speeds(const FrameContext& frame, Requests& out) {
     out.ask(ChangeView{view});
 }
 
-// Draws the button "Newest" at the right. A viewer has no evolution, so it leaves the space empty.
+// Draws the button "Newest" at the right. A viewer has no evolution and no such button.
 void draw_newest(const FrameContext& frame, Requests& out) {
     const float width = px(is_narrow_bar() ? 66 : 78);
     const float after = px(34) * 2 + px(4) * 4;
