@@ -88,7 +88,7 @@ TEST_CASE("genes name the heritable methods, in an order that digests count", "[
     const std::vector<std::string> named = {"inherit", "asexual", "crossover", "grafting"};
     CHECK(reproductions_of(methods()) == named);
     BreedingRegistry more = methods();
-    more.add({.id = "budding", .parents = 1});
+    more.add({.id = "budding", .label = "Budding", .parents = 1});
     CHECK(reproductions_of(more).back() == "budding");
     CHECK(single_parent_method(more).id == "asexual");
 }
