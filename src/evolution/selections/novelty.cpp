@@ -7,13 +7,12 @@
 //
 // Offspring more novel than a threshold join the archive; the threshold grows by 20 % after a
 // generation with more than four and falls by 5 % after ten generations with none.
+#include "evolution/selections/nearest_neighbors.h"
 #include "evolution/selections/pareto.h"
 #include "evolution/selections/survival.h"
-#include "math/distance.h"
 #include "math/elementary.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <set>
 #include <utility>
@@ -30,7 +29,7 @@ constexpr double kEasier = 0.95;
 constexpr KindParameter<int> kNeighbors{"novelty-neighbors", 15};
 constexpr KindParameter<double> kThreshold{"novelty-threshold", 1.0};  // standard deviations
 
-using Description = std::array<double, 3>;
+using Description = NeighborSearch::Point;
 
 Description describe(const Individual& individual) {
     const EvaluationResult& result = individual.result;
@@ -78,18 +77,11 @@ std::vector<ParetoPoint> judge_novelty(std::span<const IndividualPtr> population
     standardize(descriptions);
     const std::size_t near = std::min(static_cast<std::size_t>(neighbors), all.size() - 1);
     std::vector<ParetoPoint> points(population.size());
-    std::vector<std::pair<double, std::size_t>> others;
+    NeighborSearch search(descriptions);
     for (std::size_t i = 0; i < population.size() && near > 0; ++i) {
-        others.clear();
-        for (std::size_t j = 0; j < all.size(); ++j) {
-            if (j != i) others.emplace_back(distance(descriptions[i], descriptions[j]), j);
-        }
-        const auto end = others.begin() + static_cast<std::ptrdiff_t>(near);
-        std::nth_element(others.begin(), end - 1, others.end());
-        std::sort(others.begin(), end);
-        for (auto other = others.begin(); other != end; ++other) {
-            points[i].first += other->first / static_cast<double>(near);
-            const bool beaten = all[other->second]->result.fitness < population[i]->result.fitness;
+        for (const Neighbor& other : search.nearest(i, near)) {
+            points[i].first += other.distance / static_cast<double>(near);
+            const bool beaten = all[other.point]->result.fitness < population[i]->result.fitness;
             points[i].second += beaten ? 1.0 : 0.0;
         }
     }
