@@ -107,10 +107,9 @@ void draw_newest(const FrameContext& frame, Requests& out) {
     if (frame.window.viewer_only) return ImGui::SameLine(right - after + px(12));
     ImGui::SameLine(right - after - width);
     const bool newest = frame.view.newest_champion;
-    if (push_button("Newest",
-                    {.look = newest ? ButtonLook::kSelected : ButtonLook::kGhost,
-                     .width = width,
-                     .tooltip = "The best of each finished generation takes the stage (N)"}))
+    if (push_button("Newest", {.look = newest ? ButtonLook::kSelected : ButtonLook::kGhost,
+                               .width = width,
+                               .tooltip = "The best of each finished generation is displayed (N)"}))
         out.ask(ShowNewest{});
     ImGui::SameLine(0, px(12));
 }
