@@ -212,9 +212,9 @@ constexpr std::array kCellKeys = {GLFW_KEY_1, GLFW_KEY_2, GLFW_KEY_3,     GLFW_K
 constexpr std::array kPickingShortcuts = {
     Shortcut{{kCellKeys.front()},
              "1 to 9, 0, -, =",
-             "Pick one of the first twelve, or let it go",
+             "Pick or unpick one of the first twelve",
              pick_first},
-    Shortcut{{GLFW_KEY_SPACE}, "Space", "Pick the creature in focus, or let it go", pick_focused},
+    Shortcut{{GLFW_KEY_SPACE}, "Space", "Pick or unpick the creature in focus", pick_focused},
     Shortcut{{GLFW_KEY_LEFT}, "←", "Move the focus to the left", move_focus<-1, 0>},
     Shortcut{{GLFW_KEY_RIGHT}, "→", "Move the focus to the right", move_focus<1, 0>},
     Shortcut{{GLFW_KEY_UP}, "↑", "Move the focus up", move_focus<0, -1>},

@@ -122,7 +122,7 @@ class TypedSettings(ProgramTest):
         same = self.run_well(*command, "--repeat", 4, "--set", "confirm-jitter=0").stdout
         self.assertLessEqual(len(set(json.loads(same)["repeated"])), 2)  # the first one is finer
         told = self.run_well("simulate", "champion.creature.json", "--repeat", 4).stdout
-        self.assertRegex(told, r"in 4 worlds a hair different: median \S+ BL/s, \S+ to \S+")
+        self.assertRegex(told, r"in 4 slightly different worlds: median \S+ BL/s, \S+ to \S+")
 
     def test_settings_of_a_trial_are_typed(self):
         self.evolve_champion()

@@ -71,8 +71,8 @@ public:
             ->type_name("KEY=VALUE")
             ->allow_extra_args(false);
         take_whole(*app.add_option("--repeat", options_.repeat,
-                                   "Also in so many worlds a hair different, to tell merit from "
-                                   "luck: the median of the scores and how far they lie apart"),
+                                   "Also in so many slightly different worlds, which tells "
+                                   "skill from luck: the median of the scores and their range"),
                    1, 1000);
         app.add_option("--trace", options_.trace,
                        "Write every part's motion to this file, as CSV with a row a tick")

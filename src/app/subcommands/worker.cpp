@@ -28,7 +28,8 @@ public:
         take_whole(*app.add_option("-t,--threads", threads_,
                                    "Cores to use, at low priority; all unless given"),
                    1, 1024);
-        app.add_option("--name", name_, "How people see this machine; its host name unless given")
+        app.add_option("--name", name_,
+                       "The name of this machine in tables; its host name by default")
             ->type_name("TEXT");
         app.add_flag("--unit", unit_,
                      "Compute one unit from standard input and end; what `cambrian evolve` does "

@@ -59,10 +59,10 @@ std::string audit_text(const SceneAudit& audit) {
            std::to_string(audit.fallbacks) + " fallbacks";
 }
 
-// Example: "in 10 worlds a hair different: 0.93 BL/s, 0.81 to 0.99".
+// Example: "in 10 slightly different worlds: 0.93 BL/s, 0.81 to 0.99".
 std::string scores_text(const std::vector<double>& scores, const std::string& unit) {
     const auto range = std::minmax_element(scores.begin(), scores.end());
-    return "in " + std::to_string(scores.size()) + " worlds a hair different: median " +
+    return "in " + std::to_string(scores.size()) + " slightly different worlds: median " +
            rounded(median(scores)) + " " + unit + ", " + rounded(*range.first) + " to " +
            rounded(*range.second);
 }

@@ -14,7 +14,7 @@ constexpr std::size_t kMostPageBytes = 1'000'000;
 constexpr const char* kFirstSteps = R"(# First steps
 
 Press **Evolve**: creatures are bred, tried in their world and selected, generation after
-generation. The best of the newest generation is displayed.
+generation. The viewport shows the best of the newest generation.
 
 Change the world or the rules on the left at any time. The creature on display feels it at once, the
 next generation evolves under it, and the timeline marks it.

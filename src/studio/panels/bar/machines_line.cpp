@@ -12,7 +12,7 @@ void MachinesLine::draw(const FrameContext& frame, Requests& out) {
     if (ImGui::InvisibleButton("machines", room)) out.ask(ToggleMachines{});
     note_place("machines line");
     const bool hovered = ImGui::IsItemHovered();
-    tooltip("Who evaluates. Press for the table of machines (Ctrl+M).");
+    tooltip("The machines that evaluate. Press for their table (Ctrl+M).");
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float middle = at.y + 0.5F * room.y;
     const Color mark = troubled(*frame.machines) ? colors().danger : colors().accent;

@@ -183,9 +183,11 @@ void ExperimentPanel::draw_filter(const FrameContext& frame) {
     const bool escaped = escape >= 0 && ImGui::IsKeyPressed(escape) &&
                          (ImGui::IsItemDeactivated() || ImGui::IsItemActive());
     note_place("setting filter");
-    tooltip(
-        "Words of a setting's name or of what it does (/ or Ctrl+F). Enter goes to the first "
-        "one found, Esc clears.");
+    // A tooltip would cover what is found.
+    if (!any)
+        tooltip(
+            "Words of a setting's name or of what it does (/ or Ctrl+F). Enter goes to the first "
+            "one found, Esc clears.");
     draw_icon(*ImGui::GetWindowDrawList(), Icon::kSearch,
               {at.x + px(15), at.y + 0.5F * ImGui::GetItemRectSize().y}, px(13), colors().muted);
     if (any) ImGui::SameLine(0, px(4));

@@ -217,7 +217,7 @@ void BrainTab::draw_force(const FrameContext& frame, Requests& out) {
         }
     }
     tooltip(
-        "The neuron says the value beside, whatever it computes. The run counts as disturbed "
+        "The neuron outputs this value, whatever it computes. The run counts as disturbed "
         "until you restart it.");
     ImGui::SameLine();
     const float width = ImGui::GetContentRegionAvail().x;

@@ -21,8 +21,8 @@ void draw_range(const EvaluationResult& result) {
     const WithFont font(ui().fonts.small);
     muted_text(range);
     tooltip(
-        "Whoever would survive is tried again in worlds a hair different; the median of all "
-        "counts.");
+        "Creatures that would survive are tried again in slightly different worlds; the median of "
+        "all scores counts.");
 }
 
 void draw_headline(const FrameContext& frame) {

@@ -113,7 +113,7 @@ void GenotypeTab::draw(const FrameContext& frame, Requests& out) {
     if (genome_ != frame.viewer.playback.exhibit().genome())
         rebuild(frame.viewer.playback.exhibit().genome());
     muted_text(
-        "What grows from what. Loops repeat; orange mirrors; blue grows at the end of a chain.");
+        "Arrows lead to the parts that grow. Loops repeat; orange mirrors; blue ends a chain.");
     const auto rows = static_cast<float>(row_count_);
     const float most = kGraphShare * ImGui::GetContentRegionAvail().y;
     const float wanted = std::clamp(most, rows * px(kLeastRowHeight), rows * px(kGeneRowHeight));
@@ -210,7 +210,8 @@ void GenotypeTab::draw_heading(const FrameContext& frame, Requests& out) const {
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(px(4), px(4)));
     if (button("Undo", "Undo the last edit of a gene (Ctrl+Z)", can_undo)) out.ask(UndoEdit{});
     ImGui::SameLine();
-    if (button("Redo", "Make it again (Ctrl+Shift+Z)", can_redo)) out.ask(RedoEdit{});
+    if (button("Redo", "Repeat the edit that was undone (Ctrl+Shift+Z)", can_redo))
+        out.ask(RedoEdit{});
     ImGui::SameLine();
     if (button("Save", "Keep the edited creature in a file (Ctrl+S)", true))
         out.ask(OpenFilePanel{FileTask::kSaveCreature});

@@ -83,7 +83,7 @@ void PickingStrip::draw(const FrameContext& frame, Requests& out) {
                              .icon = picking.playing ? Icon::kPause : Icon::kPlay,
                              .label_shown = false,
                              .width = px(34),
-                             .tooltip = "Hold the creatures still, or let them move (P)"}))
+                             .tooltip = "Pause or resume all creatures (P)"}))
         out.ask(TogglePlayback{});
     const float gap = px(is_narrow_strip() ? 4 : 12);
     ImGui::SameLine(0, gap);

@@ -109,7 +109,7 @@ void draw_newest(const FrameContext& frame, Requests& out) {
     const bool newest = frame.view.newest_champion;
     if (push_button("Newest", {.look = newest ? ButtonLook::kSelected : ButtonLook::kGhost,
                                .width = width,
-                               .tooltip = "Display the best of each finished generation (N)"}))
+                               .tooltip = "The best of each finished generation is displayed (N)"}))
         out.ask(ShowNewest{});
     ImGui::SameLine(0, px(12));
 }
