@@ -41,8 +41,8 @@ TEST_CASE("an edited creature is scored again and saved as edited", "[studio][vi
     SessionRun run;
     run.ask(RunOneGeneration{});
     REQUIRE(run.frames_until([&] { return run.champions() == 1; }));
-    const std::string parent =
-        uid_text(run.session.frame_context().viewer.playback.exhibit().individual().uid);
+    const std::uint64_t parent =
+        run.session.frame_context().viewer.playback.exhibit().individual().uid;
     run.ask(lengthen_root(run.session.frame_context(), 1.1));
     run.ask(lengthen_root(run.session.frame_context(), 1.2));
     CHECK(run.session.frame_context().viewer.score == nullptr);
@@ -52,8 +52,8 @@ TEST_CASE("an edited creature is scored again and saved as edited", "[studio][vi
     REQUIRE(run.frames_until([&] { return std::filesystem::exists(path); }));
     const auto saved = load_creature(path, test::kinds());
     REQUIRE(saved);
-    CHECK(saved->method == "edited");
-    CHECK(saved->parents == std::vector<std::string>{parent});
+    CHECK(saved->creature.individual->method == "edited");
+    CHECK(saved->creature.individual->parents == std::array<std::uint64_t, 2>{parent, 0});
     CHECK(saved->genome().nodes[0].length == 1.2);
 }
 
