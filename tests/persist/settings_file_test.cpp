@@ -51,10 +51,11 @@ TEST_CASE("an empty settings file is the default experiment", "[persist][setting
 TEST_CASE("whatever the settings, they are read back and written to the same bytes",
           "[persist][settings_file]") {
     RandomStream stream(81);
+    const auto fields = setting_fields(kinds());
     int checked = 0;
-    while (checked < 1000) {
+    while (checked < 400) {
         ExperimentSettings settings;
-        for (const SettingField& field : setting_fields(kinds()))
+        for (const SettingField& field : fields)
             randomize(field, settings, stream);
         share_out(settings.breeding.shares);
         settings.world.trial.duration *= 1e-4;  // keeps most of them within the limit of work
