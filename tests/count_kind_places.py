@@ -29,7 +29,7 @@ SORTS = {
 # Ids that are also ordinary words, for example keys in files. Only their registration and channels
 # are searched for.
 COMMON_WORDS = {"joint", "contact", "effector", "weight", "source", "function", "root", "sum",
-                "product", "if"}
+                "product", "if", "light", "jumping"}
 # Sorts that may have an enumeration, such as kGrafting for "grafting".
 ENUMERATED = {"breeding", "selection", "integrator"}
 COMMENT = re.compile(r"//.*")

@@ -55,7 +55,7 @@ double jump_height(const GenomePtr& genome, const ExperimentSettings& settings,
                    const EvolutionKinds& kinds) {
     const auto phenotype = std::make_shared<const Phenotype>(
         express(*genome, kinds.creature, settings.expression, settings.world.scene));
-    const auto record = run_trial(phenotype, kinds.creature, settings.world);
+    const auto record = run_trial(phenotype, kinds.creature, first_trial_world(settings));
     const double gravity = settings.world.environment.gravity;
     if (!record || !(gravity > 0.0)) return 0.0;
     const double speed = std::max(0.0, record->jumps.best().take_off_speed);
@@ -103,7 +103,7 @@ ComparedRun planned_row(const PlannedRun& run, const EvolutionKinds& kinds) {
     row.seed = run.settings->seed;
     row.trials = run.trials;
     Hash64 hash;
-    hash.add(write_settings(*run.settings, kinds));
+    hash.add(digested_settings(*run.settings, kinds));
     row.settings = hex_text(hash.value());
     row.simulator = kSimulatorVersion;
     return row;

@@ -24,6 +24,7 @@ enum class Purpose : std::uint64_t {
     kTrial = 5,
     kDisplay = 6,
     kPicking = 7,
+    kLight = 8,
     kTest = 99,
 };
 

@@ -64,6 +64,7 @@ IndividualPtr Evolution::make_founder(std::size_t slot,
 bool Evolution::evaluate(EvaluationBackend& backend, EvaluationProgress& progress,
                          std::stop_token stop) {
     if (evaluated_) return true;
+    if (std::exchange(renewal_due_, false)) renew_chance();
     plan_evaluations();
     if (!backend.evaluate(requests_, results_, *settings_, progress, stop)) return false;
     std::vector<IndividualPtr> ranked;
@@ -219,6 +220,8 @@ void Evolution::forget_plan() {
 void Evolution::breed() {
     CAMBRIAN_ASSERT(evaluated_, "only an evaluated generation breeds");
     ++generation_;
+    const auto renewal = static_cast<std::uint32_t>(settings_->world.trial.renewal);
+    renewal_due_ = renewal > 0 && generation_ % renewal == 0;
     ExperimentSettings present = *settings_;
     const auto newcomers = std::lround(newcomer_share_ * present.population.size);
     present.population.immigrants += static_cast<int>(newcomers);
@@ -254,7 +257,19 @@ void Evolution::remember_scores() {
         known_results_.emplace(individual->result.phenotype, individual->result);
 }
 
+// The ways of a light and jitter; scores of before say nothing about those to come.
+void Evolution::renew_chance() {
+    ExperimentSettings renewed = *settings_;
+    ++renewed.world.trial.draw;
+    replace_settings(std::make_shared<const ExperimentSettings>(std::move(renewed)));
+}
+
 void Evolution::replace_settings(SettingsPtr settings) {
+    if (settings->world.trial.draw < settings_->world.trial.draw) {
+        ExperimentSettings kept = *settings;
+        kept.world.trial.draw = settings_->world.trial.draw;
+        settings = std::make_shared<const ExperimentSettings>(std::move(kept));
+    }
     const bool keeps_scores = same_judgement(*settings_, *settings);
     const bool keeps_threshold = settings_->terminate_early == settings->terminate_early;
     settings_ = std::move(settings);

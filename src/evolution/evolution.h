@@ -51,7 +51,7 @@ public:
     void breed();
 
     // Changes the settings from the next breed() or evaluate() on. A change of world or goal
-    // discards all scores.
+    // discards all scores. Chance never goes back to an earlier draw.
     void replace_settings(SettingsPtr settings);
     // Discards all scores: the next evaluate() evaluates all creatures again. Scores of a
     // generation that is already evaluated still decide who breeds.
@@ -79,6 +79,7 @@ private:
     std::optional<TerminationThreshold> threshold_for(const Individual& individual) const;
     void update_threshold(const std::vector<IndividualPtr>& next);
     void forget_plan();
+    void renew_chance();
     bool score_as_known(std::size_t slot, std::uint64_t phenotype);
     void remember_scores();
     void record_generation();
@@ -92,6 +93,7 @@ private:
     bool scores_outdated_ = false;  // the settings that evaluated the population were replaced
     // This generation's scores cannot be compared with those of the last.
     bool judged_anew_ = false;
+    bool renewal_due_ = false;  // chance is drawn again before this generation is evaluated
     SelectionMemory memory_;
     std::vector<IndividualPtr> population_;
     std::vector<GenomePtr> injected_;

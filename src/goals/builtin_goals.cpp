@@ -5,12 +5,14 @@ namespace cambrian {
 void register_walking(GoalRegistry& goals);
 void register_jumping(GoalRegistry& goals);
 void register_swimming(GoalRegistry& goals);
+void register_seeking(GoalRegistry& goals);
 
 GoalRegistry builtin_goals() {
     GoalRegistry goals;
     register_walking(goals);
     register_jumping(goals);
     register_swimming(goals);
+    register_seeking(goals);
     return goals;
 }
 

@@ -3,9 +3,11 @@
 // A goal: the behaviour that evolution selects for, and how a trial is scored (goals/README.md).
 
 #include "core/registry.h"
+#include "simulator/settings/trial_settings.h"
 #include "simulator/trial_record.h"
 #include "world/environment.h"
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -33,11 +35,21 @@ struct GoalKind {
     int default_confirmations = 0;
     // Returns the environment in which the goal makes sense.
     Environment (*default_environment)() = nullptr;
+    TrialSettings default_trial = {};  // the protocol that suits it
+    // Sensor channels of which a creature needs one to do what is asked; empty for none. They
+    // are of light, and the environment needs one as well.
+    std::vector<std::string> senses = {};
+    // Whether a trial may be given up halfway, judged by the best speed so far.
+    bool may_give_up = true;
     // Returns why the goal is impossible in an environment, as half a sentence; empty if it is
     // possible.
     std::string (*mismatch)(const Environment& environment) = nullptr;
     // Only completed records are scored; others score 0.
     Score (*score)(const TrialRecord& record) = nullptr;
+    // Of goals that judge all trials of a creature together: the numbers that a trial adds, and the
+    // score of the numbers of all trials. Otherwise the trials' scores are combined.
+    std::vector<double> (*shares)(const TrialRecord& record) = nullptr;
+    double (*score_of_shares)(std::span<const double> shares) = nullptr;
 };
 
 using GoalRegistry = Registry<GoalKind>;

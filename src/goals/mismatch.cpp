@@ -12,6 +12,10 @@ double pull_down(const Environment& environment) {
     return -environment.gravity * sine(to_radians(environment.gravity_direction));
 }
 
+bool is_thin(const Environment& environment) {
+    return environment.viscosity_linear < kThinnest && environment.viscosity_quadratic < kThinnest;
+}
+
 }  // namespace
 
 std::string needs_ground(const Environment& environment) {
@@ -20,10 +24,15 @@ std::string needs_ground(const Environment& environment) {
     return {};
 }
 
+std::string needs_jumping_light(const Environment& environment) {
+    if (environment.light_motion != "jumping") return "the light does not jump";
+    if (!environment.has_ground && is_thin(environment))
+        return "there is neither ground nor a medium to push off from";
+    return {};
+}
+
 std::string needs_water(const Environment& environment) {
-    const bool thin =
-        environment.viscosity_linear < kThinnest && environment.viscosity_quadratic < kThinnest;
-    if (thin) return "the medium has no viscosity to push off from";
+    if (is_thin(environment)) return "the medium has no viscosity to push off from";
     if (environment.has_ground) return "there is ground to crawl on";
     if (environment.gravity > 0.0) return "gravity makes creatures fall instead";
     return {};

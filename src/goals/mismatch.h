@@ -14,4 +14,7 @@ std::string needs_ground(const Environment& environment);
 // For goals that need a medium to push against, without ground and without falling.
 std::string needs_water(const Environment& environment);
 
+// For what follows a light: it jumps, and something to push off from, ground or medium.
+std::string needs_jumping_light(const Environment& environment);
+
 }  // namespace cambrian

@@ -13,6 +13,7 @@ SensorRegistry builtin_sensors() {
     add_spin_sensor(sensors);
     add_balance_sensor(sensors);
     add_load_sensor(sensors);
+    add_light_sensor(sensors);
     return sensors;
 }
 

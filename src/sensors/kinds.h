@@ -14,5 +14,6 @@ void add_effort_sensor(SensorRegistry& sensors);
 void add_spin_sensor(SensorRegistry& sensors);
 void add_balance_sensor(SensorRegistry& sensors);
 void add_load_sensor(SensorRegistry& sensors);
+void add_light_sensor(SensorRegistry& sensors);
 
 }  // namespace cambrian

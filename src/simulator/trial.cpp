@@ -36,14 +36,16 @@ Trial::Trial(std::shared_ptr<const Phenotype> phenotype, const Kinds& kinds,
     : phenotype_(std::move(phenotype)),
       world_(world),
       scene_(std::move(scene)),
-      surroundings_(world_.environment),
+      surroundings_(world_.environment, world_.light, phenotype_->rest_length()),
       creature_(*phenotype_, kinds, world_.scene),
       progress_{.rest = RestWatch(*phenotype_, kinds)} {
     progress_.record.duration = world_.trial.duration;
-    progress_.record.body_length = phenotype_->rest_length();
+    progress_.record.rest_length = phenotype_->rest_length();
+    progress_.record.body_length = progress_.record.rest_length;
     progress_.record.mass = scene_->mass();
     progress_.record.samples.reserve(
         static_cast<std::size_t>(ticks_in(world_.trial.duration) / kTicksPerSample) + 2);
+    if (world_.environment.has_light) progress_.record.legs.reserve(world_.trial.duration);
     place_at_start();
     scene_->add_to_digest(progress_.digest);
     progress_.settling = world_.environment.has_ground && world_.trial.settle_limit > 0.0;
@@ -103,7 +105,27 @@ void Trial::begin_test() {
     if (ticks_in(world_.trial.duration) == 0) finish();
 }
 
+double Trial::distance_to_light() const {
+    return (surroundings_.source().place() - scene_->center_of_mass()).norm();
+}
+
+// Before the creature senses it.
+void Trial::move_light() {
+    LightSource& source = surroundings_.source();
+    if (!source.is_on()) return;
+    source.move(progress_.test_ticks, scene_->center_of_mass());
+    if (!progress_.finished && progress_.test_ticks % kLegTicks == 0)
+        progress_.record.legs.begin(distance_to_light());
+}
+
+// Whether nothing can move any more: a light that moves may wake a creature.
+bool Trial::rests() {
+    return world_.trial.stop_at_rest && !surroundings_.source().moves() &&
+           progress_.rest.watch(*scene_, creature_.brain());
+}
+
 void Trial::test_tick() {
+    move_light();
     creature_.act(*scene_, surroundings_, kBrainTick);
     const SceneStatus status = scene_->advance(kBrainTick);
     ++progress_.test_ticks;
@@ -118,11 +140,12 @@ void Trial::test_tick() {
     check_guards();
     if (progress_.finished) return;
     watch_jumps();
+    if (surroundings_.source().is_on()) progress_.record.legs.watch(distance_to_light());
     const bool last = static_cast<int>(progress_.test_ticks) >= ticks_in(world_.trial.duration);
     if (last || progress_.test_ticks % kTicksPerSample == 0) sample();
     if (last) {
         finish();
-    } else if (world_.trial.stop_at_rest && progress_.rest.watch(*scene_, creature_.brain())) {
+    } else if (rests()) {
         stop_early(Outcome::kCompleted, "");
     }
 }
@@ -135,6 +158,7 @@ void Trial::stop_early(Outcome outcome, std::string reason) {
         repeated.time = static_cast<double>(tick) * kBrainTick;
         progress_.record.samples.push_back(repeated);
     }
+    progress_.record.legs.rest((all + kLegTicks - 1) / kLegTicks);
     progress_.record.outcome = outcome;
     progress_.record.reason = std::move(reason);
     finish();
@@ -179,13 +203,14 @@ void Trial::fail_with(SceneStatus status) {
 }
 
 Trial::State Trial::save() const {
-    return {scene_->save(), creature_.save(), progress_};
+    return {scene_->save(), creature_.save(), surroundings_.source().save(), progress_};
 }
 
 void Trial::restore(const State& state) {
     scene_->set_motors_off(state.progress.settling && world_.trial.settle_motors_off);
     scene_->restore(*state.scene);
     creature_.restore(state.creature);
+    surroundings_.source().restore(state.light);
     progress_ = state.progress;
 }
 

@@ -9,9 +9,9 @@
 #include "creature/creature.h"
 #include "simulator/rest_watch.h"
 #include "simulator/reversals.h"
+#include "simulator/settings/trial_settings.h"
+#include "simulator/surroundings/trial_surroundings.h"
 #include "simulator/trial_record.h"
-#include "simulator/trial_settings.h"
-#include "simulator/trial_surroundings.h"
 #include "world/environment.h"
 #include "world/physics_scene.h"
 
@@ -26,6 +26,7 @@ struct TrialWorld {
     Environment environment;
     SceneSettings scene;
     TrialSettings trial;
+    LightDraw light;  // unset in settings; follows from their seed (evolution/evaluation/trials.h)
 
     friend bool operator==(const TrialWorld&, const TrialWorld&) = default;
 };
@@ -74,7 +75,7 @@ public:
     const Phenotype& phenotype() const { return *phenotype_; }
     PhysicsScene& scene() { return *scene_; }
     const PhysicsScene& scene() const { return *scene_; }
-    const Surroundings& surroundings() const { return surroundings_; }
+    const TrialSurroundings& surroundings() const { return surroundings_; }
     // Changes the environment of the scene and the sensors from the next tick on, when a user edits
     // it. world() does not change.
     void set_environment(const Environment& environment);
@@ -84,6 +85,7 @@ public:
     struct State {
         std::unique_ptr<SceneState> scene;
         Creature::State creature;
+        LightSource::Moment light;
         Progress progress;
     };
     State save() const;
@@ -104,8 +106,11 @@ private:
     void settle_tick();
     void test_tick();
     void begin_test();
+    void move_light();
     void watch_jumps();
     void sample();
+    double distance_to_light() const;
+    bool rests();
     void check_guards();
     void fail_with(SceneStatus status);
     void fail(Outcome outcome, std::string reason);

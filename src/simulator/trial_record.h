@@ -5,6 +5,7 @@
 #include "math/bounds.h"
 #include "simulator/jump_watch.h"
 #include "simulator/outcome.h"
+#include "simulator/surroundings/light_legs.h"
 #include "world/physics_scene.h"
 
 #include <cstdint>
@@ -27,12 +28,14 @@ struct TrialRecord {
     // Computed time of the test phase, in s; less than `duration` if it ended early.
     double computed_time = 0.0;
     double body_length = 0.0;  // m, simulator/README.md 1
+    double rest_length = 0.0;  // m, of the body in its rest pose
     double mass = 0.0;         // kg
     // Hz, of the joint with the highest rate; swings over 0.05 rad count.
     double reversal_rate = 0.0;
     double mean_reversal_rate = 0.0;    // Hz, of all joints that can move
     std::vector<MotionSample> samples;  // every 0.1 s from 0 to duration, unless failed
     JumpWatch jumps;                    // of every tick of the test phase
+    LightLegs legs;                     // of the same; none without a light
     SceneAudit audit;                   // of the test phase
     std::uint64_t digest = 0;           // of the state at the start of settling and at every sample
 };

@@ -1,11 +1,19 @@
 #pragma once
 
+#include <array>
+#include <string>
+#include <string_view>
+
 namespace cambrian {
 
 inline constexpr double kEarthGravity = 9.81;  // m/s^2
 
-// The medium and ground of a trial. It is plain data, part of the settings of every experiment, and
-// independent of the physics engine.
+// How the light moves (simulator/README.md 5).
+inline constexpr std::array<std::string_view, 3> kLightMotionIds = {"still", "jumping",
+                                                                    "wandering"};
+
+// The medium, ground and light of a trial. It is plain data, part of the settings of every
+// experiment, and independent of the physics engine.
 struct Environment {
     double gravity = kEarthGravity;    // m/s^2, at least 0
     double gravity_direction = -90.0;  // degrees from +x, counter-clockwise; -90 is down
@@ -17,6 +25,13 @@ struct Environment {
         0.0;  // N s/m^2 per length of a face (N s/m^3 in 3D); drag per normal speed
     double viscosity_quadratic = 0.0;  // kg/m^2 per length of a face; drag per squared normal speed
     double density = 1.0;              // kg/m^2 of body parts; mass = density * area
+    bool has_light = false;            // a lamp, which casts no shadows
+    double light_brightness = 1.0;     // intensity at the lamp
+    double light_x = 3.0;              // m; place of the lamp, or where it starts
+    double light_y = 1.0;              // m
+    std::string light_motion = "still";  // one of kLightMotionIds
+    double light_range = 5.0;            // m; how far it wanders from its start, each way
+    double light_reach = 2.0;            // m; distance at which half the intensity is left
 
     friend bool operator==(const Environment&, const Environment&) = default;
 };

@@ -6,12 +6,19 @@
 
 namespace cambrian {
 
+// The light at one point.
+struct Light {
+    Vec3 direction = Vec3::Zero();  // unit vector to the lamp; 0 where it is dark
+    double intensity = 0.0;         // the lamp's brightness at the lamp
+};
+
 class Surroundings {
 public:
     virtual ~Surroundings() = default;
 
     // Returns the unit vector against gravity; 0 without gravity.
     virtual Vec3 up() const = 0;
+    virtual Light light(const Vec3& point) const = 0;
 };
 
 }  // namespace cambrian

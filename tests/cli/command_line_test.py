@@ -65,7 +65,7 @@ class CommandLine(ProgramTest):
     def test_settings_of_a_goal_come_with_its_world(self):
         self.run_well("settings", "--goal", "swimming", "--out", "swim.toml")
         self.assertIn("gravity = 0.0 ", (self.folder / "swim.toml").read_text())
-        self.assert_refused(self.run_program("settings", "--goal", "sleeping"), "sleeping",
+        self.assert_refused(self.run_program("settings", "--goal", "juggling"), "juggling",
                             "walking")
 
 

@@ -1,4 +1,6 @@
 #include "evolution/fields/setting_field.h"
+#include "evolution/settings/goal_defaults.h"
+#include "genome/founders/random_genome.h"
 #include "genome/source_rules.h"
 #include "support/catch.h"
 #include "support/kinds.h"
@@ -147,6 +149,42 @@ TEST_CASE("references that leave joints or central neurons nothing to read are a
           "localNeuron, parentNeuron, childNeuron, brainNeuron");
 }
 
+TEST_CASE("a goal that follows a light says what it lacks", "[evolution][settings]") {
+    ExperimentSettings settings;
+    settings.goal = "seeking";
+    CHECK(check_settings(settings, kinds()).error().message ==
+          "goal \"seeking\" has no light: set [environment] light = true");
+    settings.world.environment.has_light = true;
+    CHECK(check_settings(settings, kinds()).error().message ==
+          "goal \"seeking\" has a light but no creature may see it: set [body.sensors] "
+          "light-along = true");
+    settings.founders.channels["light-across"] = true;
+    CHECK(check_settings(settings, kinds()).has_value());
+    CHECK(setting_warnings(settings, kinds()).front().find("the light does not jump") !=
+          std::string::npos);
+    settings.world.environment.light_motion = "jumping";
+    REQUIRE(setting_warnings(settings, kinds()).size() == 1);
+    CHECK(setting_warnings(settings, kinds()).front().find("mirror image") != std::string::npos);
+    settings.world.trial.trials = 2;
+    CHECK(setting_warnings(settings, kinds()).empty());
+    settings.world.environment.light_x = std::nan("");
+    CHECK(check_settings(settings, kinds()).error().message.find("[environment] light-x") == 0);
+}
+
+TEST_CASE("trials of goals whose score can still rise are not given up", "[evolution][settings]") {
+    for (const char* id : {"seeking"}) {
+        ExperimentSettings settings;
+        settings.goal = id;
+        adopt_defaults(settings, *kinds().goals.find(id));
+        CHECK(check_settings(settings, kinds()).has_value());
+        CHECK(setting_warnings(settings, kinds()).empty());
+        settings.terminate_early = true;
+        const Status status = check_settings(settings, kinds());
+        REQUIRE_FALSE(status);
+        CHECK(status.error().message.find("[run] stop-hopeless: not with [goal] behavior") == 0);
+    }
+}
+
 TEST_CASE("early termination contradicts methods that look at everyone, and more trials",
           "[evolution][settings]") {
     ExperimentSettings settings;
@@ -216,7 +254,7 @@ TEST_CASE("a goal in its own world raises no warning", "[evolution][settings]") 
     for (const GoalKind& goal : kinds().goals.all()) {
         ExperimentSettings settings;
         settings.goal = goal.id;
-        settings.world.environment = goal.default_environment();
+        adopt_defaults(settings, goal);
         CAPTURE(goal.id);
         CHECK(setting_warnings(settings, kinds()).empty());
     }

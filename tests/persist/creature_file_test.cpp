@@ -62,6 +62,30 @@ TEST_CASE("the settings of a score survive whatever they are", "[persist][creatu
     CHECK(same_judgement(loaded->settings(), document.settings()));
 }
 
+TEST_CASE("a score without a light does not name one, a score with one keeps it",
+          "[persist][creature_file]") {
+    CreatureDocument document = sample_document();
+    change_settings(document.creature, [](ExperimentSettings& settings) {
+        settings.world.environment = {};
+        settings.world.trial = {};
+    });
+    const std::string dark = write_creature(document, kinds());
+    for (const char* key : {"\"light", "\"trials-renewed\"", "\"draw\""})
+        CHECK(dark.find(key) == std::string::npos);
+    change_settings(document.creature, [](ExperimentSettings& settings) {
+        settings.world.environment.has_light = true;
+        settings.world.environment.light_motion = "wandering";
+        settings.world.environment.light_x = -2.5;
+        settings.world.trial.draw = 7;
+    });
+    const std::string lit = write_creature(document, kinds());
+    CHECK(lit.find("\"light-motion\": \"wandering\"") != std::string::npos);
+    CHECK(lit.find("light-range") == std::string::npos);
+    const auto read = parse_creature(lit, "it", kinds());
+    REQUIRE(read);
+    CHECK(read->settings().world == document.settings().world);
+}
+
 TEST_CASE("a creature without a score or parents is complete", "[persist][creature_file]") {
     CreatureDocument document = sample_document();
     drop_score(document);

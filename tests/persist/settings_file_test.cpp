@@ -90,6 +90,41 @@ TEST_CASE("a file that only names the goal gets the goal's world", "[persist][se
     CHECK(loaded->world.environment.density == 2.0);
 }
 
+TEST_CASE("a file that only names seeking gets light, senses and pairs of trials",
+          "[persist][settings_file]") {
+    const auto settings = parse_settings("[goal]\nbehavior = \"seeking\"\n", "it", kinds());
+    REQUIRE(settings);
+    CHECK(settings->world.environment.has_light);
+    CHECK(settings->world.environment.light_motion == "jumping");
+    CHECK(settings->world.trial.trials == 4);
+    CHECK(settings->world.trial.duration == 25.0);
+    CHECK(settings->world.trial.renewal == 10);
+    CHECK(settings->founders.channels.at("light-along"));
+    const auto dark = parse_settings(
+        "[goal]\nbehavior = \"seeking\"\n[environment]\nlight = false\n", "it", kinds());
+    REQUIRE_FALSE(dark);
+    CHECK(dark.error().message ==
+          "it: goal \"seeking\" has no light: set [environment] light = true");
+    const auto wrong = parse_settings("[environment]\nlight-motion = \"dancing\"\n", "it", kinds());
+    REQUIRE_FALSE(wrong);
+    CHECK(wrong.error().message.find("light-motion") != std::string::npos);
+    CHECK(wrong.error().message.find("wandering") != std::string::npos);
+}
+
+TEST_CASE("digests of settings leave out younger settings at their default",
+          "[persist][settings_file]") {
+    ExperimentSettings settings;
+    const std::string before = digested_settings(settings, kinds());
+    CHECK(before.find("environment.gravity = 9.81\n") != std::string::npos);
+    CHECK(before.find("light") == std::string::npos);
+    CHECK(before.find("trial.draw") == std::string::npos);
+    settings.founders.channels["light"] = false;
+    CHECK(digested_settings(settings, kinds()) == before);
+    settings.world.environment.light_reach = 3.0;
+    CHECK(digested_settings(settings, kinds()).find("environment.light-reach = 3.0\n") !=
+          std::string::npos);
+}
+
 TEST_CASE("a mistyped key is located and the right one offered", "[persist][settings_file]") {
     CHECK(message_of("[environment]\ngravty = 3\n") ==
           "run.toml: line 2, [environment] gravty: unknown key; did you mean \"gravity\"?");
@@ -125,7 +160,7 @@ TEST_CASE("a value outside its range is located", "[persist][settings_file]") {
                Catch::Contains("is outside [2, 20000]"));
     CHECK_THAT(message_of("[goal]\nbehavior = \"swiming\"\n"),
                Catch::Contains("unknown \"swiming\"; did you mean \"swimming\"?"));
-    CHECK_THAT(message_of("[goal]\nbehavior = \"sleeping\"\n"),
+    CHECK_THAT(message_of("[goal]\nbehavior = \"juggling\"\n"),
                Catch::Contains("known are walking, "));
 }
 

@@ -8,8 +8,10 @@ namespace cambrian {
 class FakeSurroundings final : public Surroundings {
 public:
     Vec3 up() const override { return upwards; }
+    Light light(const Vec3& /*point*/) const override { return lit; }
 
     Vec3 upwards = Vec3::UnitY();
+    Light lit;
 };
 
 }  // namespace cambrian

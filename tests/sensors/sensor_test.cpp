@@ -72,7 +72,8 @@ TEST_CASE("channels have the absolute numbers genes rely on", "[sensors]") {
     CHECK(channels == std::vector<std::string>{"joint", "contact-distal", "contact-left",
                                                "contact-proximal", "contact-right", "accel-along",
                                                "accel-across", "joint-rate", "effort", "spin",
-                                               "up-along", "up-across", "load"});
+                                               "up-along", "up-across", "load", "light-along",
+                                               "light-across", "light"});
 }
 
 TEST_CASE("only joint and contact sensors are used unless settings say otherwise", "[sensors]") {
@@ -198,4 +199,30 @@ TEST_CASE("every lamp of a sensor is on its part", "[sensors]") {
             CHECK(kind.spot(channel, -1).y() == -spot.y());
         }
     }
+}
+
+TEST_CASE("light is read as its direction in the part's frame, in eight directions of the part",
+          "[sensors][light]") {
+    for (const Direction& direction : kDirections) {
+        Bench bench;
+        bench.turn(direction.angle);
+        bench.surroundings.lit = {Vec3(0.6, 0.8, 0.0), 0.25};
+        INFO("angle " << direction.angle);
+        const double along = 0.6 * direction.cosine + 0.8 * direction.sine;
+        const double across = 0.8 * direction.cosine - 0.6 * direction.sine;
+        for (const int handedness : {1, -1}) {
+            bench.handedness = handedness;
+            CHECK(bench.read("light-along") == Approx(along).margin(1e-12));
+            CHECK(bench.read("light-across") == Approx(handedness * across).margin(1e-12));
+            CHECK(bench.read("light") == 0.25);
+        }
+    }
+}
+
+TEST_CASE("in the dark light reads 0, and more than signals hold is limited", "[sensors][light]") {
+    Bench bench;
+    for (const char* channel : {"light-along", "light-across", "light"})
+        CHECK(bench.read(channel) == 0.0);
+    bench.surroundings.lit = {Vec3::UnitX(), 50.0};
+    CHECK(bench.read("light") == 10.0);
 }

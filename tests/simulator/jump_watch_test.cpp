@@ -1,6 +1,6 @@
 #include "simulator/jump_watch.h"
 
-#include "simulator/trial_settings.h"
+#include "simulator/settings/trial_settings.h"
 #include "support/catch.h"
 
 #include <functional>

@@ -2,8 +2,8 @@
 
 // Trial records computed by a formula, for tests of scoring.
 
+#include "simulator/settings/trial_settings.h"
 #include "simulator/trial_record.h"
-#include "simulator/trial_settings.h"
 
 #include <functional>
 

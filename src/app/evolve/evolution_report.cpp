@@ -11,6 +11,8 @@
 namespace cambrian {
 namespace {
 
+constexpr double kLearntByHeart = 0.25;  // more in its own trials than in others
+
 // Formats with four decimals, so that columns align in all generations.
 std::string fixed(double number) {
     char text[64];
@@ -115,6 +117,14 @@ std::string confirmed_in_words(const EvaluationResult& result, const std::string
            fixed(*range.second) + ")";
 }
 
+// "0.4100 points, in 8 trials no generation saw; learnt by heart: 0.7000 in its own"
+std::string held_out_in_words(double score, double trained, const std::string& unit) {
+    std::string text = fixed(score) + " " + unit + ", in 8 trials no generation saw";
+    if (trained - score > kLearntByHeart)
+        text += "; learnt by heart: " + fixed(trained) + " " + unit + " in its own";
+    return text;
+}
+
 std::string json_of_scores(const EvaluationResult& result) {
     std::vector<std::string> scores;
     for (const double score : result.scores)
@@ -148,8 +158,9 @@ std::string generation_line(const GenerationStatistics& statistics, const std::s
 }
 
 std::string final_line(const Evolution& evolution, const std::string& unit,
-                       const Individual& champion, const RunOutputs& files,
+                       const ReportedChampion& reported, const RunOutputs& files,
                        std::string_view stopped_by, bool json) {
+    const Individual& champion = reported.individual;
     const std::vector<GenerationStatistics>& history = evolution.history();
     const TerminationAudit& audit = evolution.termination_audit();
     const bool gave_up = evolution.settings().terminate_early;
@@ -157,22 +168,24 @@ std::string final_line(const Evolution& evolution, const std::string& unit,
     const GenerationStatistics& last = history.back();
     const bool interrupted = stopped_by == "interruption";
     if (json) {
-        return json_object({{"champion", json_of_path(files.champion)},
-                            {"experiment", json_of_path(files.experiment)},
-                            {"uid", quoted_text(hex_text(champion.uid))},
-                            {"born", std::to_string(champion.born)},
-                            {"method", quoted_text(champion.method)},
-                            {"parents", json_of_parents(champion)},
-                            {"mutations", json_of_mutations(champion)},
-                            {"generations", std::to_string(history.size())},
-                            {"best_of_first", real_text(first.best)},
-                            {"best_of_last", real_text(last.best)},
-                            {"fitness", real_text(champion.result.fitness)},
-                            {"scores", json_of_scores(champion.result)},
-                            {"audited", gave_up ? json_of(audit) : "null"},
-                            {"unit", quoted_text(unit)},
-                            {"stopped_by", quoted_text(stopped_by)},
-                            {"interrupted", json_truth(interrupted)}});
+        return json_object(
+            {{"champion", json_of_path(files.champion)},
+             {"experiment", json_of_path(files.experiment)},
+             {"uid", quoted_text(hex_text(champion.uid))},
+             {"born", std::to_string(champion.born)},
+             {"method", quoted_text(champion.method)},
+             {"parents", json_of_parents(champion)},
+             {"mutations", json_of_mutations(champion)},
+             {"generations", std::to_string(history.size())},
+             {"best_of_first", real_text(first.best)},
+             {"best_of_last", real_text(last.best)},
+             {"fitness", real_text(champion.result.fitness)},
+             {"scores", json_of_scores(champion.result)},
+             {"held_out", reported.held_out ? real_text(*reported.held_out) : "null"},
+             {"audited", gave_up ? json_of(audit) : "null"},
+             {"unit", quoted_text(unit)},
+             {"stopped_by", quoted_text(stopped_by)},
+             {"interrupted", json_truth(interrupted)}});
     }
     std::string text = std::string(interrupted ? "interrupted; best" : "best") + " of generation " +
                        std::to_string(first.generation) + ": " + fixed(first.best) + " " + unit +
@@ -182,6 +195,9 @@ std::string final_line(const Evolution& evolution, const std::string& unit,
     text += "(" + origin_in_words(champion) + ")";
     if (!champion.result.scores.empty())
         text += "\nconfirmed: " + confirmed_in_words(champion.result, unit);
+    if (reported.held_out)
+        text +=
+            "\nheld out: " + held_out_in_words(*reported.held_out, champion.result.fitness, unit);
     if (gave_up) {
         text += "\nearly termination: " + std::to_string(audit.finished) + " audited, " +
                 std::to_string(audit.survived) + " would have survived";

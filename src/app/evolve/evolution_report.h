@@ -3,6 +3,7 @@
 #include "app/evolve/run_outputs.h"
 #include "evolution/evolution.h"
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -17,10 +18,16 @@ std::string generation_line(const GenerationStatistics& statistics, const std::s
 // values.
 std::string origin_in_words(const Individual& individual);
 
+// A champion and, of goals that judge all trials together, its score in trials it was not bred for.
+struct ReportedChampion {
+    const Individual& individual;
+    std::optional<double> held_out = {};
+};
+
 // Returns the result of the run, its files and why it ended: a stop_reason(), "interruption" or
 // "failure". At least one generation must have been evaluated.
 std::string final_line(const Evolution& evolution, const std::string& unit,
-                       const Individual& champion, const RunOutputs& files,
+                       const ReportedChampion& champion, const RunOutputs& files,
                        std::string_view stopped_by, bool json);
 
 }  // namespace cambrian

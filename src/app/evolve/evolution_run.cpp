@@ -12,6 +12,7 @@
 #include "core/threads/thread_pool.h"
 #include "evolution/backends/thread_pool_backend.h"
 #include "evolution/engine/stopping.h"
+#include "evolution/evaluation/trials.h"
 #include "evolution/evolution.h"
 #include "evolution/fields/setting_field.h"
 #include "persist/creature/creature_file.h"
@@ -249,8 +250,11 @@ ExitStatus report(const Course& course, const Harvest& harvest, const std::strin
         outputs.champion = *saved;
     }
     if (!harvest.told) return fail(harvest.told.error(), ExitStatus::kFailed);
+    ReportedChampion champion{*harvest.champion};
+    if (kinds.goals.find(harvest.settings->goal)->shares != nullptr)
+        champion.held_out = held_out_score(harvest.champion->genome, *harvest.settings, kinds);
     return print_result_line(
-        final_line(course.evolution, unit, *harvest.champion, outputs, harvest.stopped_by, json));
+        final_line(course.evolution, unit, champion, outputs, harvest.stopped_by, json));
 }
 
 void say_how_to_go_on(const Course& course) {

@@ -10,6 +10,7 @@
 #include "app/trial/workshop.h"
 #include "core/files/file_io.h"
 #include "core/text/pretty_text.h"
+#include "evolution/evaluation/trials.h"
 #include "persist/creature/creature_card.h"
 #include "persist/creature/png_file.h"
 #include "pictures/card_picture.h"
@@ -162,7 +163,7 @@ public:
         work.begin("simulating", settings->world.trial.duration);
         const auto subject = subject_of(*document, *settings, title(), kinds, work.watch());
         if (!subject) return fail(subject.error(), ExitStatus::kFailed);
-        const Scene scene{*subject, settings->world, kinds.creature};
+        const Scene scene{*subject, first_trial_world(*settings), kinds.creature};
         if (subject->verified == false)
             say(options_.creature + ": moves otherwise than when it was scored");
         const Status made = make(*product, scene, *text, *path, work);
@@ -179,7 +180,7 @@ private:
     // The subject and all that is needed to compute its trial once more.
     struct Scene {
         const Subject& subject;
-        const TrialWorld& world;
+        TrialWorld world;
         const Kinds& kinds;
     };
 

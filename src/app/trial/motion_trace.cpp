@@ -1,6 +1,7 @@
 #include "app/trial/motion_trace.h"
 
 #include "core/text/number_text.h"
+#include "evolution/evaluation/trials.h"
 #include "simulator/trial.h"
 
 #include <memory>
@@ -46,7 +47,7 @@ Status write_motion_trace(OutputStream& output, const Genome& genome,
                           const TrialWatch& watch) {
     auto phenotype = std::make_shared<const Phenotype>(
         express(genome, kinds, settings.expression, settings.world.scene));
-    auto started = Trial::start(std::move(phenotype), kinds, settings.world);
+    auto started = Trial::start(std::move(phenotype), kinds, first_trial_world(settings));
     if (!started) return started.error();
     Trial& trial = **started;
     while (trial.settling() && trial.tick()) {

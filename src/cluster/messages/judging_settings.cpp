@@ -8,9 +8,8 @@ namespace {
 
 constexpr const char* kSource = "settings of a run";
 
-ExperimentSettings judging_part(const ExperimentSettings& settings) {
-    ExperimentSettings part;
-    part.goal = settings.goal;
+ExperimentSettings judging_part(const ExperimentSettings& settings, const EvolutionKinds& kinds) {
+    ExperimentSettings part = default_settings(settings.goal, kinds);
     part.world = settings.world;
     part.expression = settings.expression;
     // Affects the probes' worlds.
@@ -32,7 +31,7 @@ std::uint64_t settings_key(std::string_view text) {
 
 Result<JudgingSettings> judging_settings(const ExperimentSettings& settings,
                                          const EvolutionKinds& kinds) {
-    const ExperimentSettings part = judging_part(settings);
+    const ExperimentSettings part = judging_part(settings, kinds);
     JudgingSettings judging;
     judging.text = write_settings(part, kinds);
     judging.key = settings_key(judging.text);

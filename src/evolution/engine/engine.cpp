@@ -55,8 +55,11 @@ void EvolutionEngine::run(const std::stop_token& stop) {
 
 void EvolutionEngine::run_generation(const std::stop_token& interrupted) {
     const Stopwatch watch;
+    const int draw = evolution_->settings().world.trial.draw;
     const bool evaluated = evolution_->evaluate(*backend_, progress_, interrupted);
     evaluating_ += watch.seconds();
+    if (evolution_->settings().world.trial.draw != draw)
+        shown_.journal.push_back({evolution_->generation(), evolution_->shared_settings()});
     if (!evaluated && !interrupted.stop_requested()) {
         stop_with(backend_->status().failure);
         publish();
@@ -140,7 +143,7 @@ void EvolutionEngine::apply(StepGeneration) {
 void EvolutionEngine::apply(ChangeSettings command) {
     if (*command.settings == evolution_->settings() || !steer(command)) return;
     evolution_->replace_settings(command.settings);
-    shown_.journal.push_back({evolution_->generation(), std::move(command.settings)});
+    shown_.journal.push_back({evolution_->generation(), evolution_->shared_settings()});
 }
 
 void EvolutionEngine::apply(InjectGenome command) {

@@ -1,5 +1,8 @@
 #include "evolution/engine/experiment_log.h"
 
+#include <algorithm>
+#include <iterator>
+
 namespace cambrian {
 namespace {
 
@@ -42,12 +45,29 @@ void give_commands(Evolution& evolution, const std::vector<NotedCommand>& journa
     }
 }
 
+namespace {
+
+// Where chance was drawn again, as the champions' settings tell.
+void add_renewals(std::vector<JournalEntry>& changes, const SavedExperiment& saved) {
+    for (const JudgedIndividual& champion : saved.champions) {
+        const auto later = std::find_if(
+            changes.begin(), changes.end(),
+            [&](const JournalEntry& each) { return each.generation > champion.generation; });
+        const int known = std::prev(later)->settings->world.trial.draw;
+        if (champion.settings->world.trial.draw > known)
+            changes.insert(later, {champion.generation, champion.settings});
+    }
+}
+
+}  // namespace
+
 std::vector<JournalEntry> setting_changes(const SavedExperiment& saved) {
     std::vector<JournalEntry> changes = {{0, saved.settings}};
     for (const NotedCommand& noted : saved.journal) {
         if (const auto* change = std::get_if<ChangeSettings>(&noted.command))
             changes.push_back({noted.generation, change->settings});
     }
+    add_renewals(changes, saved);
     return changes;
 }
 

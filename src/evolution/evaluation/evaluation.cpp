@@ -3,6 +3,7 @@
 #include "creature/body_plan_hash.h"
 #include "creature/overlap.h"
 #include "creature/phenotype_hash.h"
+#include "evolution/evaluation/trials.h"
 #include "simulator/audit.h"
 #include "simulator/trial.h"
 
@@ -15,7 +16,7 @@ namespace {
 
 // Limit for the work of a repetition, as a multiple of the suspect trial's.
 constexpr std::uint64_t kFinerWork = 10;
-constexpr double kSuspectPenalty = 0.5;  // simulator/README.md 4
+constexpr double kSuspectPenalty = 2.0;  // divides the score, simulator/README.md 4
 
 EvaluationResult describe(const Phenotype& phenotype, const ExperimentSettings& settings) {
     EvaluationResult result;
@@ -34,13 +35,32 @@ void fail(EvaluationResult& result, Outcome outcome, std::string reason) {
     result.reason = std::move(reason);
 }
 
+// Takes from what was earned, never from a loss.
+double scaled_down(double score, double divisor) {
+    return score > 0.0 ? score / divisor : score;
+}
+
+// What a trial is worth: its own score, and its shares of a score of all trials.
+struct Marks {
+    double score = 0.0;
+    std::vector<double> shares;
+
+    void scale_down(double divisor) {
+        score = scaled_down(score, divisor);
+        for (double& share : shares)
+            share = scaled_down(share, divisor);
+    }
+};
+
 // Shaking scales the score down; see simulator/README.md 2.
-double score_of(const TrialRecord& record, const GoalKind& goal, const TrialSettings& trial) {
+Marks marks_of(const TrialRecord& record, const GoalKind& goal, const TrialSettings& trial) {
     if (record.outcome != Outcome::kCompleted && record.outcome != Outcome::kStoppedEarly)
-        return 0.0;
-    const double score = goal.score(record).value;
+        return {};
+    Marks marks{goal.score(record).value, {}};
+    if (goal.shares != nullptr) marks.shares = goal.shares(record);
     const double shaking = record.reversal_rate / trial.max_reversal_rate;
-    return shaking > 1.0 ? score / shaking : score;
+    if (shaking > 1.0) marks.scale_down(shaking);
+    return marks;
 }
 
 std::shared_ptr<const Phenotype> grow(const Genome& genome, const ExperimentSettings& settings,
@@ -58,54 +78,63 @@ const GoalKind& goal_of(const ExperimentSettings& settings, const EvolutionKinds
 struct FinerTrial {
     FinerResult result;
     std::string reason;
+    Marks marks = {};
 };
 
 FinerTrial run_finer(const std::shared_ptr<const Phenotype>& phenotype,
                      const ExperimentSettings& settings, const EvolutionKinds& kinds,
                      const std::stop_token& stop) {
-    TrialWorld world = settings.world;
+    TrialWorld world = first_trial_world(settings);
     world.scene = finer_settings(world.scene, kinds.creature.scene);
     const auto record = run_trial(phenotype, kinds.creature, world, stop);
     if (!record) return {{.outcome = Outcome::kRejected}, record.error().message};
-    return {{.outcome = record->outcome,
-             .score = score_of(*record, goal_of(settings, kinds), settings.world.trial),
-             .verdict = judge(*record)},
-            record->reason};
+    Marks marks = marks_of(*record, goal_of(settings, kinds), settings.world.trial);
+    return {{.outcome = record->outcome, .score = marks.score, .verdict = judge(*record)},
+            record->reason,
+            std::move(marks)};
 }
 
 // A suspect trial is run again more finely; one that stays suspect keeps half its score.
-void settle_suspicion(EvaluationResult& result, const std::shared_ptr<const Phenotype>& phenotype,
+void settle_suspicion(JudgedTrial& judged, const std::shared_ptr<const Phenotype>& phenotype,
                       const ExperimentSettings& settings, const EvolutionKinds& kinds,
                       const std::stop_token& stop) {
-    const FinerTrial finer = run_finer(phenotype, settings, kinds, stop);
-    result.finer = finer.result;
-    const bool clean = finer.result.verdict == AuditVerdict::kClean;
-    result.fitness = (clean ? 1.0 : kSuspectPenalty) * finer.result.score;
+    FinerTrial finer = run_finer(phenotype, settings, kinds, stop);
+    judged.result.finer = finer.result;
+    if (finer.result.verdict != AuditVerdict::kClean) finer.marks.scale_down(kSuspectPenalty);
+    judged.result.fitness = finer.marks.score;
+    judged.shares = std::move(finer.marks.shares);
     if (finer.result.outcome != Outcome::kCompleted)
-        fail(result, finer.result.outcome, "when computed more finely: " + finer.reason);
+        fail(judged.result, finer.result.outcome, "when computed more finely: " + finer.reason);
 }
 
 }  // namespace
 
 EvaluationResult evaluate(const EvaluationRequest& request, const ExperimentSettings& settings,
                           const EvolutionKinds& kinds, const std::stop_token& stop) {
+    return judge_trial(request, settings, kinds, stop).result;
+}
+
+JudgedTrial judge_trial(const EvaluationRequest& request, const ExperimentSettings& settings,
+                        const EvolutionKinds& kinds, const std::stop_token& stop) {
     const auto phenotype = grow(*request.genome, settings, kinds);
-    EvaluationResult result = describe(*phenotype, settings);
+    JudgedTrial judged{.result = describe(*phenotype, settings)};
+    EvaluationResult& result = judged.result;
     if (!phenotype->can_move() || !phenotype->has_live_control) {
         fail(result, Outcome::kRejected,
              phenotype->can_move() ? "every effector hears only constants" : "no joint can move");
-        return result;
+        return judged;
     }
     if (settings.expression.strict_overlap && overlaps_itself(phenotype->plan)) {
         fail(result, Outcome::kRejected, "parts overlap that no joint ties together");
-        return result;
+        return judged;
     }
     const GoalKind& goal = goal_of(settings, kinds);
-    const auto trial = run_terminable_trial(phenotype, kinds.creature, settings.world,
-                                            {goal, request.threshold, stop});
+    const auto threshold = goal.may_give_up ? request.threshold : std::nullopt;
+    const auto trial = run_terminable_trial(phenotype, kinds.creature, first_trial_world(settings),
+                                            {goal, threshold, stop});
     if (!trial) {
         fail(result, Outcome::kRejected, trial.error().message);
-        return result;
+        return judged;
     }
     const TrialRecord* record = &trial->record;
     result.computed_time = record->computed_time;
@@ -119,12 +148,15 @@ EvaluationResult evaluate(const EvaluationRequest& request, const ExperimentSett
     result.verdict = judge(*record);
     if (result.verdict == AuditVerdict::kSuspect) result.work *= kFinerWork;
     result.behavior = behavior_of(*phenotype, *record);
-    result.fitness = score_of(*record, goal, settings.world.trial);
+    Marks marks = marks_of(*record, goal, settings.world.trial);
+    result.fitness = marks.score;
+    judged.shares = std::move(marks.shares);
     const bool whole = record->outcome == Outcome::kCompleted;
-    if (whole && result.fitness > 0.0 && result.verdict == AuditVerdict::kSuspect)
-        settle_suspicion(result, phenotype, settings, kinds, stop);
+    const bool worth = result.fitness > 0.0 || !judged.shares.empty();
+    if (whole && worth && result.verdict == AuditVerdict::kSuspect)
+        settle_suspicion(judged, phenotype, settings, kinds, stop);
     if (!std::isfinite(result.fitness)) fail(result, Outcome::kDiverged, "the score is not finite");
-    return result;
+    return judged;
 }
 
 std::uint64_t phenotype_of(const Genome& genome, const ExperimentSettings& settings,
@@ -144,7 +176,8 @@ FinerResult recompute(const Genome& genome, const ExperimentSettings& settings,
 
 std::optional<NotedTrial> note_ticks(const Genome& genome, const ExperimentSettings& settings,
                                      const EvolutionKinds& kinds, const std::stop_token& stop) {
-    const auto trial = Trial::start(grow(genome, settings, kinds), kinds.creature, settings.world);
+    const auto trial =
+        Trial::start(grow(genome, settings, kinds), kinds.creature, first_trial_world(settings));
     if (!trial) return std::nullopt;
     NotedTrial noted;
     if (!run_noting_ticks(**trial, noted.ticks, [&] { return stop.stop_requested(); }))

@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <optional>
 #include <stop_token>
+#include <vector>
 
 namespace cambrian {
 
@@ -29,6 +30,14 @@ struct EvaluationRequest {
 // long trial that is asked to stop ends with the outcome kInterrupted.
 EvaluationResult evaluate(const EvaluationRequest& request, const ExperimentSettings& settings,
                           const EvolutionKinds& kinds, const std::stop_token& stop = {});
+
+// The same, with what the trial adds to a score of all trials (GoalKind::shares).
+struct JudgedTrial {
+    EvaluationResult result;
+    std::vector<double> shares = {};
+};
+JudgedTrial judge_trial(const EvaluationRequest& request, const ExperimentSettings& settings,
+                        const EvolutionKinds& kinds, const std::stop_token& stop = {});
 
 // Computes EvaluationResult::phenotype without a trial. Creatures with the same value have the same
 // score.

@@ -10,16 +10,21 @@
 namespace cambrian {
 namespace {
 
-EvaluationResult evaluate_jittered(const EvaluationRequest& request, const Jitter& jitter,
-                                   const ExperimentSettings& settings, const EvolutionKinds& kinds,
-                                   const std::stop_token& stop) {
+constexpr int kHeldOutTrials = 8;
+constexpr std::uint64_t kHeldOut = 103;  // keeps their chance apart from that of all generations
+
+JudgedTrial judge_jittered(const EvaluationRequest& request, const LightDraw& light,
+                           const ExperimentSettings& settings, const EvolutionKinds& kinds,
+                           const std::stop_token& stop) {
+    const Jitter jitter = jitter_of(request.trial_seed, light.trial, settings.world.trial);
     ExperimentSettings changed = settings;
     changed.world.environment.friction *= jitter.friction_factor;
+    changed.world.light = light;
     Genome tilted = *request.genome;
     tilted.root_angle = wrap_angle(tilted.root_angle + jitter.tilt);
     EvaluationRequest other = request;
     other.genome = std::make_shared<const Genome>(std::move(tilted));
-    return evaluate(other, changed, kinds, stop);
+    return judge_trial(other, changed, kinds, stop);
 }
 
 // Combines the result of all trials so far with that of the next one.
@@ -40,10 +45,36 @@ void combine(EvaluationResult& all, const EvaluationResult& next, bool minimum, 
         minimum ? std::min(all.fitness, next.fitness) : all.fitness + share * next.fitness;
 }
 
+// Of goals that judge all trials together, their score of all shares.
+EvaluationResult judge_in_trials(const EvaluationRequest& request, std::uint64_t light_seed,
+                                 const ExperimentSettings& settings, const EvolutionKinds& kinds,
+                                 const std::stop_token& stop) {
+    const TrialSettings& trials = settings.world.trial;
+    ExperimentSettings first = settings;
+    first.world.light = {light_seed, 0};
+    JudgedTrial judged = judge_trial(request, first, kinds, stop);
+    EvaluationResult& all = judged.result;
+    if (trials.trials == 1 || all.outcome != Outcome::kCompleted) return all;
+    const bool minimum = trials.combine == "minimum";
+    const double share = 1.0 / trials.trials;
+    if (!minimum) all.fitness *= share;
+    for (int trial = 1; trial < trials.trials && all.outcome == Outcome::kCompleted; ++trial) {
+        const JudgedTrial next =
+            judge_jittered(request, {light_seed, trial}, settings, kinds, stop);
+        combine(all, next.result, minimum, share);
+        judged.shares.insert(judged.shares.end(), next.shares.begin(), next.shares.end());
+    }
+    const GoalKind& goal = *kinds.goals.find(settings.goal);
+    if (!minimum && goal.score_of_shares != nullptr && all.outcome == Outcome::kCompleted)
+        all.fitness = goal.score_of_shares(judged.shares);
+    return all;
+}
+
 }  // namespace
 
 std::uint64_t trial_seed(const ExperimentSettings& settings) {
-    return stream_seed(settings.seed, 0, 0, Purpose::kTrial);
+    const auto draw = static_cast<std::uint64_t>(settings.world.trial.draw);
+    return stream_seed(settings.seed, draw, 0, Purpose::kTrial);
 }
 
 Jitter jitter_of(std::uint64_t trial_seed, int trial, const TrialSettings& settings) {
@@ -55,28 +86,33 @@ Jitter jitter_of(std::uint64_t trial_seed, int trial, const TrialSettings& setti
     return jitter;
 }
 
+TrialWorld first_trial_world(const ExperimentSettings& settings) {
+    TrialWorld world = settings.world;
+    if (world.light == LightDraw{}) world.light.seed = trial_seed(settings);
+    return world;
+}
+
 EvaluationResult evaluate_in_trials(const EvaluationRequest& request,
                                     const ExperimentSettings& settings, const EvolutionKinds& kinds,
                                     const std::stop_token& stop) {
-    if (request.probe) {
-        EvaluationRequest probed = request;
-        probed.probe.reset();
-        Genome turned = *request.genome;
-        const ExperimentSettings world = probed_world(*request.probe, settings, turned);
-        probed.genome = std::make_shared<const Genome>(std::move(turned));
-        return evaluate_in_trials(probed, world, kinds, stop);
-    }
-    const TrialSettings& trials = settings.world.trial;
-    EvaluationResult all = evaluate(request, settings, kinds, stop);
-    if (trials.trials == 1 || all.outcome != Outcome::kCompleted) return all;
-    const bool minimum = trials.combine == "minimum";
-    const double share = 1.0 / trials.trials;
-    if (!minimum) all.fitness *= share;
-    for (int trial = 1; trial < trials.trials && all.outcome == Outcome::kCompleted; ++trial) {
-        const Jitter jitter = jitter_of(request.trial_seed, trial, trials);
-        combine(all, evaluate_jittered(request, jitter, settings, kinds, stop), minimum, share);
-    }
-    return all;
+    if (!request.probe) return judge_in_trials(request, request.trial_seed, settings, kinds, stop);
+    EvaluationRequest probed = request;
+    probed.probe.reset();
+    Genome turned = *request.genome;
+    const ExperimentSettings world = probed_world(*request.probe, settings, turned);
+    probed.genome = std::make_shared<const Genome>(std::move(turned));
+    return judge_in_trials(probed, request.probe->seed, world, kinds, stop);
+}
+
+double held_out_score(const GenomePtr& genome, const ExperimentSettings& settings,
+                      const EvolutionKinds& kinds, const std::stop_token& stop) {
+    ExperimentSettings held_out = settings;
+    held_out.world.trial.draw = 0;
+    held_out.world.trial.trials = kHeldOutTrials;
+    const std::uint64_t seed = stream_seed({trial_seed(held_out), kHeldOut});
+    const EvaluationResult result =
+        evaluate_in_trials({.genome = genome, .trial_seed = seed}, held_out, kinds, stop);
+    return result.outcome == Outcome::kCompleted ? result.fitness : 0.0;
 }
 
 std::vector<double> scores_in(std::span<const Probe> probes, const GenomePtr& genome,

@@ -9,9 +9,12 @@
 
 namespace cambrian {
 
-// Returns the seed of the jitter of all trials of an experiment. It is the same for all creatures,
-// so that their scores can be compared.
+// Returns the seed of the chance in all trials of an experiment: jitter, and the ways of a light.
+// It is the same for all creatures, so that their scores can be compared, until it is renewed.
 std::uint64_t trial_seed(const ExperimentSettings& settings);
+
+// The world of the first trial, as the experiment's seed draws it: what a replay shows.
+TrialWorld first_trial_world(const ExperimentSettings& settings);
 
 // The change of world and creature in a trial; trial 0 has none.
 struct Jitter {
@@ -23,11 +26,16 @@ struct Jitter {
 Jitter jitter_of(std::uint64_t trial_seed, int trial, const TrialSettings& settings);
 
 // Calls evaluate() for each of the settings' trials. The score is their mean or minimum; if one
-// fails, the evaluation fails. A request's probe changes the world of all trials. Descriptions of
+// fails, the evaluation fails. Goals may judge all trials together instead of taking their mean.
+// A request's probe changes the world of all trials and the ways of the light. Descriptions of
 // body and motion belong to the first trial; the digest covers all.
 EvaluationResult evaluate_in_trials(const EvaluationRequest& request,
                                     const ExperimentSettings& settings, const EvolutionKinds& kinds,
                                     const std::stop_token& stop = {});
+
+// The score in eight trials with ways of the light that no generation sees; 0 if one fails.
+double held_out_score(const GenomePtr& genome, const ExperimentSettings& settings,
+                      const EvolutionKinds& kinds, const std::stop_token& stop = {});
 
 // The creature's score in each probe's world; 0 for a trial that fails.
 std::vector<double> scores_in(std::span<const Probe> probes, const GenomePtr& genome,

@@ -13,11 +13,13 @@ void add_switches(std::vector<SettingField>& fields, std::string table, const En
     TableBuilder builder(fields, std::move(table));
     for (const auto& entry : entries) {
         const std::string id(entry.id);
-        builder.flag(
-            id, std::string(entry.label), help,
-            [ flags, id, usual = is_usual(entry) ](Settings & s) -> auto& {
-                return (s.founders.*flags).try_emplace(id, usual).first->second;
-            });
+        builder
+            .flag(
+                id, std::string(entry.label), help,
+                [ flags, id, usual = is_usual(entry) ](Settings & s) -> auto& {
+                    return (s.founders.*flags).try_emplace(id, usual).first->second;
+                })
+            .later = !is_usual(entry) && flags == &FounderSettings::channels;
     }
 }
 

@@ -47,48 +47,6 @@ void add_run(std::vector<SettingField>& fields) {
         [](Settings & s) -> auto& { return s.terminate_early; });
 }
 
-void add_goal(std::vector<SettingField>& fields, const EvolutionKinds& kinds) {
-    TableBuilder goal(fields, "goal");
-    goal.choice(
-        "behavior", "Behavior", ids_of(kinds.goals), "What creatures are selected for.",
-        [](Settings & s) -> auto& { return s.goal; });
-}
-
-void add_environment(std::vector<SettingField>& fields) {
-    TableBuilder world(fields, "environment");
-    world.number(
-        "gravity", "Gravity", "m/s^2", Range{0, 1000},
-        "Pull of the world: Earth 9.81, Mars 3.71, Moon 1.62, a swimmer's water 0.",
-        [](Settings & s) -> auto& { return s.world.environment.gravity; });
-    world.number(
-        "gravity-direction", "Gravity direction", "deg", Range{-180, 180},
-        "Where the pull points, counter-clockwise from right; -90 is straight down.",
-        [](Settings & s) -> auto& { return s.world.environment.gravity_direction; });
-    world.flag(
-        "ground", "Ground", "A flat endless floor at height 0.",
-        [](Settings & s) -> auto& { return s.world.environment.has_ground; });
-    world.number(
-        "friction", "Friction", "", Range{0, 100},
-        "Grip of the ground and of parts on each other; ice 0.05, rubber 1.",
-        [](Settings & s) -> auto& { return s.world.environment.friction; });
-    world.number(
-        "elasticity", "Elasticity", "", Range{0, 1},
-        "Share of the speed kept in a bounce: clay 0, a hard ball 0.9.",
-        [](Settings & s) -> auto& { return s.world.environment.elasticity; });
-    world.number(
-        "viscosity-linear", "Viscosity, linear", "N s/m^2", Range{0, 1e4},
-        "Drag that grows with a face's speed, as in treacle.",
-        [](Settings & s) -> auto& { return s.world.environment.viscosity_linear; });
-    world.number(
-        "viscosity-quadratic", "Viscosity, quadratic", "kg/m^2", Range{0, 1e4},
-        "Drag that grows with the square of a face's speed, as in water.",
-        [](Settings & s) -> auto& { return s.world.environment.viscosity_quadratic; });
-    world.number(
-        "density", "Body density", "kg/m^2", Range{1e-3, 1e4},
-        "Mass of a body part for each square metre of it.",
-        [](Settings & s) -> auto& { return s.world.environment.density; });
-}
-
 void add_simulation(std::vector<SettingField>& fields, const EvolutionKinds& kinds) {
     TableBuilder table(fields, "simulation");
     table.choice(
@@ -346,6 +304,11 @@ Status check_order(double low, double high, const char* low_key, const char* hig
 
 Status check_early_termination(const Settings& s, const EvolutionKinds& kinds) {
     if (!s.terminate_early) return {};
+    const GoalKind* goal = kinds.goals.find(s.goal);
+    if (goal != nullptr && !goal->may_give_up) {
+        return Error{"[run] stop-hopeless: not with [goal] behavior \"" + s.goal +
+                     "\", whose score may still rise by more than speed so far tells"};
+    }
     const SelectionKind* selection = kinds.selections.find(s.selection.method);
     if (selection != nullptr && !(termination_share(*selection, s.selection) > 0.0)) {
         return Error{"[run] stop-hopeless: not with [selection] method \"" + s.selection.method +
@@ -376,6 +339,7 @@ Status check_together(const Settings& s, const EvolutionKinds& kinds) {
         !order) {
         return order;
     }
+    if (Status goal = setting_table::check_goal(s, kinds); !goal) return goal;
     if (Status cutting = check_early_termination(s, kinds); !cutting) return cutting;
     if (const auto excess = trial_excess(s.world)) return Error{"[trial] duration: " + *excess};
     double shares = 0.0;
@@ -406,8 +370,8 @@ Status check_together(const Settings& s, const EvolutionKinds& kinds) {
 std::vector<SettingField> setting_fields(const EvolutionKinds& kinds) {
     std::vector<SettingField> fields;
     add_run(fields);
-    add_goal(fields, kinds);
-    add_environment(fields);
+    setting_table::add_goal(fields, kinds);
+    setting_table::add_environment(fields);
     add_simulation(fields, kinds);
     add_trial(fields);
     add_population(fields);

@@ -17,6 +17,10 @@ std::vector<std::string> ids_of(const Registry<Kind>& registry) {
     return ids;
 }
 
+void add_environment(std::vector<SettingField>& fields);
+// The goal, and an error if its world or senses leave it out of reach.
+void add_goal(std::vector<SettingField>& fields, const EvolutionKinds& kinds);
+Status check_goal(const Settings& settings, const EvolutionKinds& kinds);
 void add_trials(TableBuilder& trial);  // number of trials per creature and their jitter
 // The settings that enable kinds of joints, neuron functions, sensors and references. The check
 // fails if no movable joint or no control remains.

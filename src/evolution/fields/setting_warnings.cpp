@@ -16,6 +16,10 @@ std::vector<std::string> setting_warnings(const ExperimentSettings& settings,
     const TrialSettings& trial = settings.world.trial;
     if (trial.trials == 1 && (trial.friction_jitter > 0.0 || trial.tilt_jitter > 0.0))
         warnings.emplace_back("[trial] trials: jitter has no effect on the first trial of 1.");
+    if (goal != nullptr && goal->shares != nullptr && trial.trials % 2 == 1)
+        warnings.push_back("[trial] trials: " + std::to_string(trial.trials) +
+                           " leaves one without its mirror image, so a habit of turning one way "
+                           "may pay.");
     return warnings;
 }
 

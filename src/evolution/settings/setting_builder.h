@@ -30,6 +30,11 @@ struct SettingField {
     // Whether it may change during a run, from the next generation on. Otherwise it defines the run
     // and a change starts a new one.
     bool live = true;
+    // Moved on by the run itself: nobody edits it.
+    bool by_run = false;
+    // Younger than files that do not name it: left out of creature files and digests of settings
+    // while it is at the default of all goals.
+    bool later = false;
     // Returns whether the setting has an effect under the other settings; null means always.
     std::function<bool(const ExperimentSettings&)> applies;
     std::function<SettingRef(ExperimentSettings&)> at;

@@ -91,7 +91,9 @@ public:
     void optional_bytes(const char* key, std::span<const std::uint8_t> bytes,
                         std::size_t line_bytes, std::size_t max_bytes);
     void setting(const SettingField& field, const ExperimentSettings& settings) {
-        json_.item(field.key.c_str(), setting_text(value_of(field, settings)));
+        const SettingValue value = value_of(field, settings);
+        if (field.later && value == value_of(field, ExperimentSettings{})) return;
+        json_.item(field.key.c_str(), setting_text(value));
     }
 
     template <class Describe>

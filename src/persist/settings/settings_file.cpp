@@ -1,6 +1,7 @@
 #include "persist/settings/settings_file.h"
 
 #include "core/files/file_io.h"
+#include "evolution/settings/goal_defaults.h"
 
 namespace cambrian {
 namespace {
@@ -12,10 +13,8 @@ constexpr std::size_t kMaxBytes = 1'000'000;
 ExperimentSettings default_settings(std::string_view goal, const EvolutionKinds& kinds) {
     ExperimentSettings settings;
     if (!goal.empty()) settings.goal = goal;
-    if (const GoalKind* kind = kinds.goals.find(settings.goal); kind != nullptr) {
-        settings.world.environment = kind->default_environment();
-        settings.selection.confirmations = kind->default_confirmations;
-    }
+    if (const GoalKind* kind = kinds.goals.find(settings.goal); kind != nullptr)
+        adopt_defaults(settings, *kind);
     return settings;
 }
 

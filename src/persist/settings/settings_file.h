@@ -41,5 +41,8 @@ Result<ExperimentSettings> merge_settings(const std::vector<SettingsText>& texts
 Result<SettingsText> read_settings_text(const std::filesystem::path& path);
 
 std::string write_settings(const ExperimentSettings& settings, const EvolutionKinds& kinds);
+// All values for digests, without words and without younger settings that are at their default
+// (SettingField::later).
+std::string digested_settings(const ExperimentSettings& settings, const EvolutionKinds& kinds);
 
 }  // namespace cambrian

@@ -41,8 +41,8 @@ std::string line(const SettingField& field, const ExperimentSettings& settings,
 std::string write_settings(const ExperimentSettings& settings, const EvolutionKinds& kinds) {
     std::string text =
         "# The settings of one experiment: `cambrian evolve THIS-FILE` evolves under them.\n"
-        "# A key left out has its default; those of [environment] and confirmations go\n"
-        "# with the goal.\n";
+        "# A key left out has its default; those of [environment], [trial] and confirmations\n"
+        "# go with the goal.\n";
     const ExperimentSettings defaults = default_settings(settings.goal, kinds);
     std::string table;
     for (const SettingField& field : setting_fields(kinds)) {
@@ -50,6 +50,16 @@ std::string write_settings(const ExperimentSettings& settings, const EvolutionKi
         table = field.table;
         const bool goal = field.table == "goal";
         text += line(field, settings, goal ? ExperimentSettings{} : defaults);
+    }
+    return text;
+}
+
+std::string digested_settings(const ExperimentSettings& settings, const EvolutionKinds& kinds) {
+    std::string text;
+    for (const SettingField& field : setting_fields(kinds)) {
+        const SettingValue value = value_of(field, settings);
+        if (field.later && value == value_of(field, ExperimentSettings{})) continue;
+        text += field.table + "." + field.key + " = " + setting_text(value) + "\n";
     }
     return text;
 }

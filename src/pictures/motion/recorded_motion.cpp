@@ -10,13 +10,16 @@ constexpr std::size_t kTicksADot = 4;  // ticks between two points of the trail
 
 }  // namespace
 
-MotionFrame motion_frame(const BodyView& body) {
+MotionFrame motion_frame(const Trial& trial) {
+    const BodyView& body = trial.scene();
     MotionFrame frame;
     frame.poses.resize(body.part_count());
     for (std::size_t part = 0; part < frame.poses.size(); ++part)
         frame.poses[part] = body.part_pose(part);
     frame.center_of_mass = body.center_of_mass();
     frame.touched = touched_faces(body);
+    const LightSource& light = trial.surroundings().source();
+    if (light.is_on()) frame.light = light.place();
     return frame;
 }
 
@@ -35,9 +38,9 @@ MotionFrame between(const MotionFrame& from, const MotionFrame& to, double share
 
 // Runs the settling phase and returns the frame at its end.
 MotionFrame settle(Trial& trial) {
-    MotionFrame start = motion_frame(trial.scene());
+    MotionFrame start = motion_frame(trial);
     while (trial.settling() && trial.tick())
-        start = motion_frame(trial.scene());
+        start = motion_frame(trial);
     return start;
 }
 
@@ -119,7 +122,7 @@ Result<RecordedTrial> record_trial(std::shared_ptr<const Phenotype> phenotype, c
         if (watch.stop.stop_requested()) return Error{"interrupted; nothing was written"};
         trial.tick();
         if (trial.scene().status() != SceneStatus::kRunning) break;
-        recorder.add(motion_frame(trial.scene()));
+        recorder.add(motion_frame(trial));
         watch.note(trial.time());
     }
     recorded.record = trial.take_record();
@@ -142,7 +145,7 @@ bool ReplayedMotion::advance() {
     if (trial_->finished()) return false;
     trial_->tick();
     if (trial_->scene().status() != SceneStatus::kRunning) return false;
-    before_ = std::exchange(after_, motion_frame(trial_->scene()));
+    before_ = std::exchange(after_, motion_frame(*trial_));
     return true;
 }
 

@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -18,10 +19,11 @@ struct MotionFrame {
     std::vector<Pose> poses;  // of each part
     Vec3 center_of_mass = Vec3::Zero();
     std::vector<FaceSet> touched;  // faces of each part that touch something
+    std::optional<Vec3> light;     // m; place of the light, if there is one
 };
 
-// Returns the present state of the body.
-MotionFrame motion_frame(const BodyView& body);
+// Returns the present moment of a trial.
+MotionFrame motion_frame(const Trial& trial);
 
 // One creature's trial from the end of settling. Every tick of 1/60 s is a frame; if that takes too
 // much memory, every second tick, every fourth, and so on.

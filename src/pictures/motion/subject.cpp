@@ -1,6 +1,7 @@
 #include "pictures/motion/subject.h"
 
 #include "core/text/pretty_text.h"
+#include "evolution/evaluation/trials.h"
 
 #include <memory>
 #include <utility>
@@ -27,7 +28,7 @@ Result<Subject> subject_of(const CreatureDocument& document, const ExperimentSet
                            const TrialWatch& watch) {
     auto phenotype = std::make_shared<const Phenotype>(
         express(document.genome(), kinds.creature, settings.expression, settings.world.scene));
-    auto trial = record_trial(phenotype, kinds.creature, settings.world, watch);
+    auto trial = record_trial(phenotype, kinds.creature, first_trial_world(settings), watch);
     if (!trial) return trial.error();
     Subject subject;
     subject.creature = document.creature;

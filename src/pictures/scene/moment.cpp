@@ -35,6 +35,7 @@ SceneFrame scene_of(const Subject& subject, const Moment& moment, const Camera& 
     scene.add_trail(subject.motion().trail(moment.time, style.trail),
                     kTrailDot * style.label_size / 13.0 * camera.pixel(),
                     with_alpha(style.palette.accent, 0.8F));
+    if (shown.light) add_light(scene, camera, viewport, shown.light->head<2>());
     add_creature(scene, style.palette, camera, look);
     return scene;
 }

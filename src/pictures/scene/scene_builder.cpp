@@ -10,6 +10,7 @@ namespace {
 constexpr double kGridPixels = 22.0;  // least distance of grid lines
 constexpr double kNodeHueStep = 0.055;
 constexpr double kPivotRadius = 0.028;  // m; largest radius of a drawn joint
+const Color kLightColor = color_of(0xF2B632);
 
 Vec2 planar(const Vec3& point) {
     return point.head<2>();
@@ -132,6 +133,23 @@ void add_ground(SceneFrame& frame, const Palette& palette, const Camera& camera,
         frame.add_box({i * spacing, -0.5 * length}, {0.5 * camera.pixel(), 0.5 * length},
                       palette.ground_line);
     }
+}
+
+void add_light(SceneFrame& frame, const Camera& camera, const Viewport& viewport,
+               const Vec2& place) {
+    const WorldWindow window = camera.window(viewport);
+    const Vec2 margin = Vec2::Constant(0.6 * kLightPixels * camera.pixel());
+    const Vec2 shown = place.cwiseMax(window.low + margin).cwiseMin(window.high - margin);
+    const double size = camera.pixel() * (shown == place ? 1.0 : 0.5);
+    constexpr int kRays = 8;
+    for (int ray = 0; ray < kRays; ++ray) {
+        const double angle = 2.0 * kPi * ray / kRays;
+        const Vec2 way(std::cos(angle), std::sin(angle));
+        frame.add_line(shown + 0.65 * kLightPixels * size * way, shown + kLightPixels * size * way,
+                       2.0 * size, kLightColor);
+    }
+    frame.add_circle(shown, 0.5 * kLightPixels * size, color_of(0x0B0E12, 0.6F));
+    frame.add_circle(shown, 0.42 * kLightPixels * size, kLightColor);
 }
 
 void add_shadow(SceneFrame& frame, const CreatureLook& look) {

@@ -34,6 +34,11 @@ void add_grid(SceneFrame& frame, const Palette& palette, const Camera& camera,
 void add_ground(SceneFrame& frame, const Palette& palette, const Camera& camera,
                 const Viewport& viewport);
 void add_shadow(SceneFrame& frame, const CreatureLook& look);
+// Adds the light of the world, a small sun. If it is outside the view, the sun is smaller and at
+// the edge.
+void add_light(SceneFrame& frame, const Camera& camera, const Viewport& viewport,
+               const Vec2& place);
+inline constexpr double kLightPixels = 16.0;  // radius of its rays
 // Adds a pale creature behind the displayed one.
 void add_ghost(SceneFrame& frame, const Camera& camera, const CreatureLook& look);
 void add_creature(SceneFrame& frame, const Palette& palette, const Camera& camera,

@@ -11,10 +11,16 @@ namespace {
 
 using Settings = ExperimentSettings;
 
-// Sets the environment but keeps the density of bodies, which is a property of the creatures.
-void change_world(Settings& settings, Environment world) {
-    world.density = settings.world.environment.density;
-    settings.world.environment = world;
+// Sets the medium and ground but keeps the density of bodies and the light.
+void change_world(Settings& settings, const Environment& medium) {
+    Environment& world = settings.world.environment;
+    world.gravity = medium.gravity;
+    world.gravity_direction = medium.gravity_direction;
+    world.has_ground = medium.has_ground;
+    world.friction = medium.friction;
+    world.elasticity = medium.elasticity;
+    world.viscosity_linear = medium.viscosity_linear;
+    world.viscosity_quadratic = medium.viscosity_quadratic;
 }
 
 void go_on_land(Settings& settings, double gravity, double friction) {
@@ -122,6 +128,12 @@ constexpr std::array kPresets = {
                   "Random creatures of long and thick parts, which are strong: to begin with for "
                   "jumping.",
                   [](Settings& s, const EvolutionKinds&) { size_founders(s, big_founders()); }},
+    SettingPreset{kSensors, "As in 1994", "Joints, touch and light, as Sims had them.",
+                  [](Settings& s, const EvolutionKinds& kinds) {
+                      allow_sensors(s, kinds, [](const SensorKind& each) {
+                          return each.usual || each.id == "light";
+                      });
+                  }},
     SettingPreset{kSensors, "Blind", "Joints and touch, by which creatures feel themselves only.",
                   [](Settings& s, const EvolutionKinds& kinds) {
                       allow_sensors(s, kinds, [](const SensorKind& each) { return each.usual; });

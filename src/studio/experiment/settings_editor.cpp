@@ -78,7 +78,7 @@ std::vector<std::string> structural_changes(const ExperimentSettings& running,
     ExperimentSettings b = draft;
     std::vector<std::string> labels;
     for (const SettingField& field : fields) {
-        if (!field.live && !same_value(field, a, b)) labels.push_back(field.label);
+        if (!field.live && !field.by_run && !same_value(field, a, b)) labels.push_back(field.label);
     }
     return labels;
 }

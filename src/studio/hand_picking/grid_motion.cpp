@@ -36,7 +36,7 @@ struct GridMotion::Recorder {
             const bool going_on = trial->tick();
             complete = !going_on || static_cast<double>(recorded) * kBrainTick >= kLongestLoop;
             if (trial->settling() && !complete) continue;
-            frames.push_back(motion_frame(trial->scene()));
+            frames.push_back(motion_frame(*trial));
             ++recorded;
         }
         return frames;

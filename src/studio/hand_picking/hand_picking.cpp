@@ -1,6 +1,7 @@
 #include "studio/hand_picking/hand_picking.h"
 
 #include "evolution/backends/thread_pool_backend.h"
+#include "evolution/evaluation/trials.h"
 
 #include <algorithm>
 
@@ -85,7 +86,7 @@ void HandPicking::follow_grid(StatusLog& log) {
         !seen_ || seen_->tree.empty() || seen_->tree.current().number != grid.number;
     const Environment& environment = snapshot_->settings->world.environment;
     if (!another && motion_.environment() == environment) return;
-    TrialWorld world = grid.settings->world;
+    TrialWorld world = first_trial_world(*grid.settings);
     world.environment = environment;
     motion_.show(grid.creatures, grid.settings->expression, world);
     if (!another) return;

@@ -1,6 +1,7 @@
 #include "studio/playback/ghosts.h"
 
 #include "core/stopwatch.h"
+#include "evolution/evaluation/trials.h"
 
 #include <algorithm>
 #include <utility>
@@ -80,7 +81,7 @@ std::vector<const JudgedIndividual*> choose_ghosts(const std::vector<JudgedIndiv
 
 std::unique_ptr<Ghost> Ghost::start(const JudgedIndividual& champion, const Kinds& kinds,
                                     const Environment& environment) {
-    TrialWorld world = champion.settings->world;
+    TrialWorld world = first_trial_world(*champion.settings);
     world.environment = environment;
     auto phenotype = std::make_shared<const Phenotype>(
         express(*champion.individual->genome, kinds, champion.settings->expression, world.scene));

@@ -1,5 +1,7 @@
 #include "studio/playback/played_creature.h"
 
+#include "evolution/evaluation/trials.h"
+
 #include <utility>
 
 namespace cambrian {
@@ -7,7 +9,7 @@ namespace cambrian {
 Status PlayedCreature::show(Exhibit exhibit) {
     auto phenotype = std::make_shared<const Phenotype>(express(
         *exhibit.genome(), *kinds_, exhibit.settings().expression, exhibit.settings().world.scene));
-    auto replay = Replay::start(phenotype, *kinds_, exhibit.settings().world);
+    auto replay = Replay::start(phenotype, *kinds_, first_trial_world(exhibit.settings()));
     if (!replay) return replay.error();
     replay_.reset();
     exhibit_ = std::move(exhibit);
@@ -17,7 +19,7 @@ Status PlayedCreature::show(Exhibit exhibit) {
 }
 
 void PlayedCreature::restart() {
-    TrialWorld world = exhibit_.settings().world;
+    TrialWorld world = first_trial_world(exhibit_.settings());
     world.environment = replay_->environment();
     auto replay = Replay::start(phenotype_, *kinds_, world);
     if (replay) begin(std::move(*replay));

@@ -31,8 +31,8 @@ std::optional<ScoreReport> report_on(const Exhibit& exhibit,
                                      const std::stop_token& stop,
                                      const std::atomic<bool>& outdated) {
     const auto unwanted = [&] { return stop.stop_requested() || outdated; };
-    auto report = run_and_score(std::move(phenotype), kinds.creature, exhibit.settings().world,
-                                goal, unwanted);
+    auto report = run_and_score(std::move(phenotype), kinds.creature,
+                                first_trial_world(exhibit.settings()), goal, unwanted);
     if (!report || exhibit.settings().world.trial.trials == 1) return report;
     const ExperimentSettings& settings = exhibit.settings();
     const EvaluationRequest request{.genome = exhibit.genome(), .trial_seed = trial_seed(settings)};

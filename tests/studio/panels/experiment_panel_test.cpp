@@ -56,6 +56,28 @@ TEST_CASE("choosing a goal brings the world it makes sense in", "[studio][experi
     CHECK_FALSE(edit.settings.world.environment.has_ground);
 }
 
+TEST_CASE("choosing a goal that follows a light brings light, senses and trials",
+          "[studio][experiment_panel]") {
+    PanelRun run;
+    run.click("goal.behavior");
+    run.click("goal.behavior=seeking");
+    const auto& edit = test::asked<EditSettings>(run.out);
+    CHECK(check_settings(edit.settings, test::kinds()).has_value());
+    CHECK(edit.settings.world.environment.light_motion == "jumping");
+    CHECK(edit.settings.founders.channels.at("light-along"));
+    CHECK(edit.settings.world.trial.trials == 4);
+}
+
+TEST_CASE("a goal chosen keeps a protocol of trials made by hand", "[studio][experiment_panel]") {
+    PanelRun run;
+    ExperimentSettings own = run.studio.editor().draft();
+    own.world.trial.duration = 8.0;
+    run.studio.editor().replace(own);
+    run.click("goal.behavior");
+    run.click("goal.behavior=seeking");
+    CHECK(test::asked<EditSettings>(run.out).settings.world.trial.duration == 8.0);
+}
+
 TEST_CASE("every integrator can be chosen, the reference mode too", "[studio][experiment_panel]") {
     for (const std::string& id : test::kinds().creature.scene.integrators) {
         PanelRun run;

@@ -121,6 +121,46 @@ TEST_CASE("the viewport draws the creature on display and takes hold of it", "[s
     CHECK(test::asked<PokePart>(out).part == 0);
 }
 
+TEST_CASE("the light is drawn in the viewport and moved by dragging it", "[studio][viewport]") {
+    NullImGui gui;
+    ViewportPanel panel(nullptr);
+    test::StudioFixture studio;
+    ExperimentSettings lit = studio.editor().draft();
+    lit.world.environment.has_light = true;
+    lit.world.environment.light_x = 0.8;
+    lit.world.environment.light_y = 1.2;
+    studio.editor().replace(lit);
+    studio.show_crawler();
+    Requests out;
+    const auto draw = [&] { panel.draw(studio.frame(), out); };
+    gui.frame(draw);
+    const std::size_t dark = panel.scene().shapes.size();
+    studio.playback().creature().set_environment(lit.world.environment);
+    studio.playback().creature().tick();
+    gui.frame(draw);
+    CHECK(panel.scene().shapes.size() > dark);
+    const Rect& area = gui.place("viewport");
+    const Vec2 sun = panel.camera().to_screen(
+        {0.8, 1.2}, {static_cast<double>(area.width), static_cast<double>(area.height)});
+    const float x = area.x + static_cast<float>(sun.x());
+    const float y = area.y + static_cast<float>(sun.y());
+    gui.move_to({x, y});
+    gui.frame(draw);
+    gui.press();
+    gui.frame(draw);
+    gui.move_to({x + 60.0F, y});
+    gui.frame(draw);
+    const auto& edit = test::asked<EditSettings>(out);
+    CHECK(edit.field == "environment.light-x");
+    CHECK(edit.settings.world.environment.light_x > 0.9);
+    CHECK(edit.settings.world.environment.light_y == Approx(1.2).margin(0.05));
+    CHECK_FALSE(test::was_asked<PokePart>(out));
+    CHECK_FALSE(test::was_asked<FinishEdit>(out));
+    gui.release();
+    gui.frame(draw);
+    CHECK(test::was_asked<FinishEdit>(out));
+}
+
 TEST_CASE("dragging with the right button lets the camera go", "[studio][viewport]") {
     NullImGui gui;
     ViewportPanel panel(nullptr);

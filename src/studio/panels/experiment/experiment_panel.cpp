@@ -1,6 +1,7 @@
 #include "studio/panels/experiment/experiment_panel.h"
 
 #include "core/text/pretty_text.h"
+#include "evolution/settings/goal_defaults.h"
 #include "studio/experiment/setting_presets.h"
 #include "studio/frame/help_mark.h"
 #include "studio/panels/experiment/setting_row.h"
@@ -54,14 +55,19 @@ std::size_t rank_of(std::string_view table) {
     return group == nullptr ? kGroups.size() : static_cast<std::size_t>(group - kGroups.data());
 }
 
-// Sets the default environment of a goal and the number of trials that confirm a score in it.
-void adopt_goal_world(ExperimentSettings& settings, const EvolutionKinds& kinds) {
+// Sets what suits a goal: environment, confirming trials, senses and, unless it was edited, the
+// protocol of trials.
+void adopt_goal_world(ExperimentSettings& settings, const std::string& before,
+                      const EvolutionKinds& kinds) {
     const GoalKind* goal = kinds.goals.find(settings.goal);
-    if (goal == nullptr || goal->default_environment == nullptr) return;
+    const GoalKind* old_goal = kinds.goals.find(before);
+    if (goal == nullptr || old_goal == nullptr) return;
     const double density = settings.world.environment.density;
-    settings.world.environment = goal->default_environment();
+    const TrialSettings trial = settings.world.trial;
+    adopt_defaults(settings, *goal);
     settings.world.environment.density = density;
-    settings.selection.confirmations = goal->default_confirmations;
+    if (!(trial == old_goal->default_trial)) settings.world.trial = trial;
+    settings.world.trial.draw = trial.draw;
 }
 
 // Draws a choice among the table's presets, if it has any.
@@ -292,7 +298,8 @@ void ExperimentPanel::draw_row(const SettingField& field, const FrameContext& fr
     ExperimentSettings edited = frame.experiment.editor.draft();
     const RowEvent event = setting_row(field, edited, defaults);
     if (event == RowEvent::kNone) return;
-    if (field.table == "goal") adopt_goal_world(edited, frame.kinds);
+    if (field.table == "goal")
+        adopt_goal_world(edited, frame.experiment.editor.draft().goal, frame.kinds);
     if (frame.kinds.breeding.find(field.key) != nullptr)
         balance_shares(frame.experiment.fields, field.key, edited);
     out.ask(EditSettings{std::move(edited), field.table + "." + field.key});

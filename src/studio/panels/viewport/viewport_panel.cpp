@@ -18,6 +18,7 @@ constexpr double kFitShare = 0.32;     // share of the viewport filled by a body
 constexpr double kWheelFactor = 1.15;  // zoom factor per notch of the wheel
 // Pixels from the top that the text about the creature takes.
 constexpr float kWordsHeight = 100.0F;
+constexpr double kFarthestLight = 1000.0;  // m; limit of the setting
 
 void shadowed_text(ImDrawList& list, ImFont* font, float size, const ImVec2& at, const Color& color,
                    const std::string& text) {
@@ -139,12 +140,38 @@ void ViewportPanel::handle_mouse(const FrameContext& frame, Requests& out) {
         }
     }
     panning_ = dragged;
-    handle_poke(frame, out);
+    if (!handle_light(frame, out)) handle_poke(frame, out);
     const int under =
         hovered ? part_at(frame.viewer.playback.creature().phenotype(),
                           frame.viewer.playback.creature().motion().poses(), mouse_in_world())
                 : -1;
     if (under >= 0) out.ask(ShowHighlight{{.part = under}});
+}
+
+// The left button drags the light, which edits the environment. Returns whether it holds the light.
+bool ViewportPanel::handle_light(const FrameContext& frame, Requests& out) {
+    const ExperimentSettings& draft = frame.experiment.editor.draft();
+    const LightSource& light = frame.viewer.playback.trial().surroundings().source();
+    const Vec2 mouse = mouse_in_world();
+    if (light_held_ && !ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
+        light_held_ = false;
+        out.ask(FinishEdit{});
+        return true;
+    }
+    if (!light_held_) {
+        const double away = (light.place().head<2>() - mouse).norm();
+        light_held_ = ImGui::IsItemActive() && ImGui::IsMouseClicked(ImGuiMouseButton_Left) &&
+                      light.is_on() && draft.world.environment.has_light &&
+                      away <= kLightPixels * canvas_.camera.pixel();
+        return light_held_;
+    }
+    if (!ImGui::IsMouseDragging(ImGuiMouseButton_Left)) return true;
+    ExperimentSettings edited = draft;
+    Environment& world = edited.world.environment;
+    world.light_x = std::clamp(mouse.x(), -kFarthestLight, kFarthestLight);
+    world.light_y = std::clamp(mouse.y(), -kFarthestLight, kFarthestLight);
+    out.ask(EditSettings{std::move(edited), "environment.light-x"});
+    return true;
 }
 
 // The left button grabs the part under the mouse and pulls it while held.
@@ -189,6 +216,8 @@ void ViewportPanel::build_scene(const FrameContext& frame) {
     for (const auto& ghost : frame.viewer.ghosts)
         add_ghost(scene, canvas_.camera,
                   {ghost->phenotype(), ghost->poses(), {}, ghost->genome().hue});
+    const LightSource& light = playback.trial().surroundings().source();
+    if (light.is_on()) add_light(scene, canvas_.camera, size_, light.place().head<2>());
     add_creature(scene, palette, canvas_.camera, look);
     add_overlays(frame, look);
     const Hold* hold = playback.creature().hold();

@@ -24,6 +24,7 @@ private:
     void fit_now(const FrameContext& frame);
     Vec2 follow_target(const FrameContext& frame) const;
     void handle_mouse(const FrameContext& frame, Requests& out);
+    bool handle_light(const FrameContext& frame, Requests& out);
     void handle_poke(const FrameContext& frame, Requests& out);
     void build_scene(const FrameContext& frame);
     void draw_words(const FrameContext& frame);
@@ -40,6 +41,7 @@ private:
     unsigned fits_seen_ = 0;           // number of FitView requests handled so far
     const Phenotype* seen_ = nullptr;  // creature of the last frame; compared only
     bool panning_ = false;
+    bool light_held_ = false;
 };
 
 }  // namespace cambrian

@@ -19,6 +19,8 @@ struct TrialSettings {
     double friction_jitter = 0.0;  // share of the friction, in both directions
     double tilt_jitter = 0.0;      // degrees of the start pose, in both directions
     std::string combine = "mean";  // how the trials' scores are combined: "mean" or "minimum"
+    int renewal = 0;               // generations after which chance is drawn again; 0 for never
+    int draw = 0;                  // how often it was
 
     friend bool operator==(const TrialSettings&, const TrialSettings&) = default;
 };

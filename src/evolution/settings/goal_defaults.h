@@ -1,0 +1,16 @@
+#pragma once
+
+#include "evolution/settings/experiment_settings.h"
+#include "goals/goal.h"
+
+namespace cambrian {
+
+// Takes over what suits a goal: environment, protocol of trials, confirmations and senses.
+void adopt_defaults(ExperimentSettings& settings, const GoalKind& goal);
+
+// Whether creatures may have one of the senses the goal needs, or it needs none.
+bool may_sense(const ExperimentSettings& settings, const GoalKind& goal);
+// Switches them on unless they may.
+void allow_senses(ExperimentSettings& settings, const GoalKind& goal);
+
+}  // namespace cambrian

@@ -1,0 +1,107 @@
+// Seeking, goals/README.md 4. In each leg of 5 s the creature comes from r0 to r1 from the light:
+//
+//     p = clamp((r0 - r1) / r0, -1, 1),    S = mean(p) / 2 + mean(worst half of all p) / 2
+//
+// The legs of all trials count together. Trials are pairs of mirror images and the worse half
+// counts twice, so a habit of going one way costs more than it earns.
+#include "goals/goal.h"
+#include "goals/mismatch.h"
+
+#include <algorithm>
+
+namespace cambrian {
+namespace {
+
+constexpr double kReached = 0.5;    // rest lengths
+constexpr double kDuration = 25.0;  // s
+constexpr int kTrials = 4;          // two pairs
+constexpr int kRenewal = 10;        // generations
+
+double progress(const LightLeg& leg) {
+    if (!(leg.start > 0.0)) return 0.0;
+    return std::clamp((leg.start - leg.end) / leg.start, -1.0, 1.0);
+}
+
+std::vector<double> leg_shares(const TrialRecord& record) {
+    std::vector<double> shares;
+    for (const LightLeg& leg : record.legs.all())
+        shares.push_back(progress(leg));
+    return shares;
+}
+
+double mean(std::span<const double> numbers) {
+    double sum = 0.0;
+    for (const double number : numbers)
+        sum += number;
+    return sum / static_cast<double>(numbers.size());
+}
+
+// Of an odd number the one in the middle counts half.
+double mean_of_worst_half(std::vector<double> shares) {
+    std::sort(shares.begin(), shares.end());
+    const std::size_t half = shares.size() / 2;
+    double sum = shares.size() % 2 == 0 ? 0.0 : 0.5 * shares[half];
+    for (std::size_t i = 0; i < half; ++i)
+        sum += shares[i];
+    return sum / (0.5 * static_cast<double>(shares.size()));
+}
+
+double score_of_legs(std::span<const double> shares) {
+    if (shares.empty()) return 0.0;
+    return 0.5 * mean(shares) + 0.5 * mean_of_worst_half({shares.begin(), shares.end()});
+}
+
+Score score_seeking(const TrialRecord& record) {
+    const std::vector<double> shares = leg_shares(record);
+    if (shares.empty() || !(record.rest_length > 0.0)) return {};
+    double reached = 0.0;
+    double distance = 0.0;
+    for (const LightLeg& leg : record.legs.all()) {
+        reached += leg.nearest < kReached * record.rest_length ? 1.0 : 0.0;
+        distance += leg.mean;
+    }
+    return {score_of_legs(shares),
+            {{"mean approach", mean(shares), ""},
+             {"legs that reached it", reached, ""},
+             {"mean distance", distance / static_cast<double>(shares.size()) / record.rest_length,
+              "rest lengths"}}};
+}
+
+Environment lit_water() {
+    Environment environment;
+    environment.gravity = 0.0;
+    environment.has_ground = false;
+    environment.viscosity_linear = 0.2;
+    environment.viscosity_quadratic = 1.0;
+    environment.has_light = true;
+    environment.light_motion = "jumping";
+    return environment;
+}
+
+TrialSettings pairs_of_trials() {
+    TrialSettings trial;
+    trial.duration = kDuration;
+    trial.trials = kTrials;
+    trial.renewal = kRenewal;
+    return trial;
+}
+
+}  // namespace
+
+void register_seeking(GoalRegistry& goals) {
+    goals.add({.id = "seeking",
+               .label = "Seeking",
+               .unit = "points",
+               .help = "How much of the way to a light that jumps is covered, on average and in "
+                       "the worse half of the legs; 1 at most.",
+               .default_environment = lit_water,
+               .default_trial = pairs_of_trials(),
+               .senses = {"light-along", "light-across", "light"},
+               .may_give_up = false,
+               .mismatch = needs_jumping_light,
+               .score = score_seeking,
+               .shares = leg_shares,
+               .score_of_shares = score_of_legs});
+}
+
+}  // namespace cambrian

@@ -1,0 +1,32 @@
+#include "simulator/surroundings/light_legs.h"
+
+#include "simulator/surroundings/light_source.h"
+
+#include <algorithm>
+
+namespace cambrian {
+
+void LightLegs::reserve(double duration) {
+    legs_.reserve(static_cast<std::size_t>(duration / kLegTime) + 1);
+}
+
+void LightLegs::begin(double distance) {
+    legs_.push_back({.start = distance, .end = distance, .nearest = distance});
+}
+
+void LightLegs::watch(double distance) {
+    if (legs_.empty()) return;
+    LightLeg& leg = legs_.back();
+    leg.end = distance;
+    leg.nearest = std::min(leg.nearest, distance);
+    leg.mean += (distance - leg.mean) / ++leg.ticks;
+}
+
+void LightLegs::rest(std::size_t legs) {
+    if (legs_.empty()) return;
+    const double distance = legs_.back().end;
+    while (legs_.size() < legs)
+        legs_.push_back({distance, distance, distance, distance, 1});
+}
+
+}  // namespace cambrian
