@@ -6,6 +6,7 @@ void register_walking(GoalRegistry& goals);
 void register_jumping(GoalRegistry& goals);
 void register_swimming(GoalRegistry& goals);
 void register_seeking(GoalRegistry& goals);
+void register_flying(GoalRegistry& goals);
 
 GoalRegistry builtin_goals() {
     GoalRegistry goals;
@@ -13,6 +14,7 @@ GoalRegistry builtin_goals() {
     register_jumping(goals);
     register_swimming(goals);
     register_seeking(goals);
+    register_flying(goals);
     return goals;
 }
 

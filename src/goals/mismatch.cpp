@@ -24,6 +24,14 @@ std::string needs_ground(const Environment& environment) {
     return {};
 }
 
+std::string needs_air(const Environment& environment) {
+    if (!(pull_down(environment) > 0.0)) return "nothing pulls creatures down";
+    if (is_thin(environment)) return "the medium is too thin to carry anything";
+    if (environment.has_ground)
+        return "creatures begin on the ground, and touching it ends a flight";
+    return {};
+}
+
 std::string needs_jumping_light(const Environment& environment) {
     if (environment.light_motion != "jumping") return "the light does not jump";
     if (!environment.has_ground && is_thin(environment))

@@ -10,15 +10,9 @@
 #include "goals/sampling.h"
 
 #include <algorithm>
-#include <array>
 
 namespace cambrian {
 namespace {
-
-constexpr std::array<double, 4> kWindowStarts = {0.2, 0.4, 0.6, 0.8};
-constexpr std::array<double, 4> kWindowWeights = {1.0, 1.0, 2.0, 3.0};
-constexpr double kWindow = 0.2;
-constexpr double kTotalWeight = 7.0;
 
 Score score_swimming(const TrialRecord& record) {
     if (record.samples.empty() || !(record.duration > 0.0 && record.body_length > 0.0)) return {};
@@ -26,19 +20,10 @@ Score score_swimming(const TrialRecord& record) {
     const double distance = path.norm();
     if (!(distance > 0.0)) return {};
     const Vec3 direction = path / distance;
-    double weighted = 0.0;
-    double slowest = 0.0;
-    for (std::size_t i = 0; i < kWindowStarts.size(); ++i) {
-        const Vec3 moved = sample_at(record, kWindowStarts[i] + kWindow).center_of_mass -
-                           sample_at(record, kWindowStarts[i]).center_of_mass;
-        const double speed = moved.dot(direction) / (kWindow * record.duration);
-        weighted += kWindowWeights[i] * speed;
-        slowest = i == 0 ? speed : std::min(slowest, speed);
-    }
-    const double speed = 0.5 * weighted / kTotalWeight + 0.5 * slowest;
-    return {std::max(0.0, speed / record.body_length),
+    const WindowSpeeds speeds = window_speeds(record, direction);
+    return {std::max(0.0, steady_speed(speeds) / record.body_length),
             {{"distance", distance, "m"},
-             {"slowest window", slowest, "m/s"},
+             {"slowest window", *std::min_element(speeds.begin(), speeds.end()), "m/s"},
              {"body length", record.body_length, "m"}}};
 }
 

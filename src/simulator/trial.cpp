@@ -1,6 +1,7 @@
 #include "simulator/trial.h"
 
 #include "core/text/number_text.h"
+#include "simulator/passive_sink.h"
 
 #include <algorithm>
 #include <cmath>
@@ -43,6 +44,8 @@ Trial::Trial(std::shared_ptr<const Phenotype> phenotype, const Kinds& kinds,
     progress_.record.rest_length = phenotype_->rest_length();
     progress_.record.body_length = progress_.record.rest_length;
     progress_.record.mass = scene_->mass();
+    progress_.record.has_ground = world_.environment.has_ground;
+    progress_.record.passive_sink = passive_sink(world_.environment);
     progress_.record.samples.reserve(
         static_cast<std::size_t>(ticks_in(world_.trial.duration) / kTicksPerSample) + 2);
     if (world_.environment.has_light) progress_.record.legs.reserve(world_.trial.duration);

@@ -30,6 +30,8 @@ struct TrialRecord {
     double body_length = 0.0;  // m, simulator/README.md 1
     double rest_length = 0.0;  // m, of the body in its rest pose
     double mass = 0.0;         // kg
+    bool has_ground = false;
+    double passive_sink = 0.0;  // m/s, of the environment (simulator/passive_sink.h)
     // Hz, of the joint with the highest rate; swings over 0.05 rad count.
     double reversal_rate = 0.0;
     double mean_reversal_rate = 0.0;    // Hz, of all joints that can move

@@ -172,7 +172,7 @@ TEST_CASE("a goal that follows a light says what it lacks", "[evolution][setting
 }
 
 TEST_CASE("trials of goals whose score can still rise are not given up", "[evolution][settings]") {
-    for (const char* id : {"seeking"}) {
+    for (const char* id : {"seeking", "flying"}) {
         ExperimentSettings settings;
         settings.goal = id;
         adopt_defaults(settings, *kinds().goals.find(id));

@@ -39,6 +39,15 @@ void go_in_fluid(Settings& settings, double linear, double quadratic) {
     change_world(settings, world);
 }
 
+void go_in_air(Settings& settings) {
+    Environment world;
+    world.gravity = 0.25;
+    world.has_ground = false;
+    world.viscosity_linear = 0.02;
+    world.viscosity_quadratic = 0.2;
+    change_world(settings, world);
+}
+
 // Sets the default mutation weights, divided by one divisor for the body's operators and one for
 // the brain's.
 void weigh_mutations(Settings& settings, const EvolutionKinds& kinds, double body_divisor,
@@ -105,6 +114,10 @@ constexpr std::array kPresets = {
                   [](Settings& s, const EvolutionKinds&) { go_in_fluid(s, 0.2, 1.0); }},
     SettingPreset{kEnvironment, "Treacle", "Weightless; drag grows with the speed, nothing glides.",
                   [](Settings& s, const EvolutionKinds&) { go_in_fluid(s, 8.0, 0.0); }},
+    SettingPreset{kEnvironment, "Air", "Weak gravity in a medium thin enough to fly in.",
+                  [](Settings& s, const EvolutionKinds&) { go_in_air(s); }},
+    SettingPreset{kEnvironment, "Thin water", "Water with a tenth of its drag.",
+                  [](Settings& s, const EvolutionKinds&) { go_in_fluid(s, 0.02, 0.1); }},
     SettingPreset{kEnvironment, "Zero-g tank", "Weightless in a thin medium.",
                   [](Settings& s, const EvolutionKinds&) { go_in_fluid(s, 0.2, 0.1); }},
     SettingPreset{
