@@ -32,6 +32,8 @@ constexpr Arm kArms[] = {
      [](ExperimentSettings& /*settings*/) {}},
     {kRandomSearch, "new random creatures only; the best are kept",
      [](ExperimentSettings& s) { s.population.immigrants = s.population.size; }},
+    {kBlind, "a light that cannot be seen",
+     [](ExperimentSettings& s) { s.world.environment.light_brightness = 0.0; }},
     {kBreedingArms[0], "all children are mutated copies",
      [](ExperimentSettings& s) { breed_only(s, "asexual"); }},
     {kBreedingArms[1], "all children come from crossover",

@@ -12,6 +12,9 @@ namespace cambrian::quality {
 // The goals of evolution. Most arms are run for the first one only.
 inline constexpr const char* kGoals[] = {"walking", "swimming", "jumping"};
 
+// Judged by the champion's score in held-out trials, and compared in a plan of its own.
+inline constexpr const char* kSeeking = "seeking";
+
 struct Arm {
     std::string_view id;
     std::string_view what;  // description
@@ -24,6 +27,7 @@ const Arm& arm_of(std::string_view id);  // the id must be known
 inline constexpr std::string_view kEvolution = "evolution";
 inline constexpr std::string_view kRepeated = "evolution-again";
 inline constexpr std::string_view kRandomSearch = "random-search";
+inline constexpr std::string_view kBlind = "blind";
 inline constexpr std::string_view kNoMutation = "no-mutation";
 inline constexpr std::string_view kMapElites = "map-elites";
 // Arms with a single breeding method have its id.

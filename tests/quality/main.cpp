@@ -110,9 +110,11 @@ int write_report(const Options& options) {
     std::string page;
     for (const auto& [plan, title, criteria] :
          {std::tuple{"standard", "3000 evaluations", standard_criteria(*runs)},
-          std::tuple{"long", "20 000 evaluations", long_criteria(*runs)}}) {
-        page += "\n## " + std::string(title) + "\n\n" + criteria_table(criteria) +
-                arm_tables(*runs, plan);
+          std::tuple{"long", "20 000 evaluations", long_criteria(*runs)},
+          std::tuple{"seeking", "Seeking a light", std::vector<Criterion>()}}) {
+        page += "\n## " + std::string(title) + "\n\n";
+        if (!criteria.empty()) page += criteria_table(criteria);
+        page += arm_tables(*runs, plan);
     }
     const Status written = write_file(options.page, page);
     return written ? 0 : refuse(written.error());
@@ -144,7 +146,7 @@ int main(int argc, char** argv) {
     CLI::App* run = app.add_subcommand("run", "Run what is missing of a plan");
     run->add_option("plan", options.plan, "Which")
         ->required()
-        ->check(CLI::IsMember({"standard", "long", "quick"}));
+        ->check(CLI::IsMember({"standard", "long", "quick", "seeking"}));
     run->add_option("-o,--out", options.folder, "Folder of runs.csv, curves.csv and champions/");
     CLI::App* report = app.add_subcommand("report", "Write the criteria and all values as a page");
     report->add_option("-i,--in", options.folder, "Folder of runs.csv");

@@ -22,7 +22,9 @@ std::vector<RunSpec> standard_plan() {
         runs.push_back(standard_run(goal, kRepeated, 1));
     for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
         for (const Arm& arm : all_arms()) {
-            if (arm.id == kEvolution || arm.id == kRepeated || arm.id == kRandomSearch) continue;
+            if (arm.id == kEvolution || arm.id == kRepeated || arm.id == kRandomSearch ||
+                arm.id == kBlind)
+                continue;
             runs.push_back(standard_run(kGoals[0], arm.id, seed));
         }
     }
@@ -68,12 +70,29 @@ std::vector<RunSpec> quick_plan() {
     return runs;
 }
 
+std::vector<RunSpec> seeking_plan() {
+    constexpr std::uint64_t kSeeds = 9;
+    std::vector<RunSpec> runs;
+    for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+        for (const std::string_view arm : {kEvolution, kBlind, kRandomSearch}) {
+            runs.push_back({.plan = "seeking",
+                            .goal = kSeeking,
+                            .arm = std::string(arm),
+                            .seed = seed,
+                            .size = 150,
+                            .budget = 6000});
+        }
+    }
+    return runs;
+}
+
 }  // namespace
 
 std::vector<RunSpec> plan_of(std::string_view name) {
     if (name == "standard") return standard_plan();
     if (name == "long") return long_plan();
     if (name == "quick") return quick_plan();
+    if (name == "seeking") return seeking_plan();
     return {};
 }
 

@@ -64,7 +64,7 @@ TEST_CASE("runs are written and read, and a torn line is not", "[quality]") {
 
 TEST_CASE("plans name known goals and arms, and no run twice", "[quality]") {
     const EvolutionKinds kinds = builtin_kinds();
-    for (const char* plan : {"standard", "long", "quick"}) {
+    for (const char* plan : {"standard", "long", "quick", "seeking"}) {
         const std::vector<RunSpec> runs = plan_of(plan);
         CHECK_FALSE(runs.empty());
         std::vector<std::string> names;

@@ -4,6 +4,8 @@
 #include "quality/arm.h"
 #include "quality/rounded.h"
 
+#include <iterator>
+
 namespace cambrian::quality {
 namespace {
 
@@ -52,7 +54,9 @@ std::string criteria_table(const std::vector<Criterion>& criteria) {
 
 std::string arm_tables(const std::vector<RunResult>& runs, std::string_view plan) {
     std::string text;
-    for (const char* goal : kGoals) {
+    std::vector<const char*> goals(std::begin(kGoals), std::end(kGoals));
+    goals.push_back(kSeeking);
+    for (const char* goal : goals) {
         const auto random = scores_of(runs_of(runs, plan, goal, kRandomSearch));
         std::string rows;
         for (const Arm& arm : all_arms()) {

@@ -4,6 +4,7 @@
 #include "core/thread_time.h"
 #include "creature/phenotype.h"
 #include "evolution/backends/thread_pool_backend.h"
+#include "evolution/evaluation/trials.h"
 #include "evolution/evolution.h"
 #include "evolution/individual/map_axis.h"
 #include "goals/sampling.h"
@@ -112,7 +113,7 @@ void judge_champion(RunResult& result, const Individual& champion,
     result.clean = champion.result.verdict == AuditVerdict::kClean;
     const auto phenotype = std::make_shared<const Phenotype>(
         express(*champion.genome, kinds.creature, settings.expression, settings.world.scene));
-    const auto record = run_trial(phenotype, kinds.creature, settings.world);
+    const auto record = run_trial(phenotype, kinds.creature, first_trial_world(settings));
     if (!record || record->samples.empty()) return;
     result.reversals = record->reversal_rate;
     const double travelled =
@@ -149,6 +150,8 @@ RunResult perform(const RunSpec& spec, const EvolutionKinds& kinds,
     observer.hash().add(champion.result.digest);
     RunResult result = observer.finish(*settings);
     judge_champion(result, champion, *settings, kinds);
+    if (kinds.goals.find(spec.goal)->shares != nullptr)
+        result.best = result.final_best = held_out_score(champion.genome, *settings, kinds);
     save_champion(spec, {.individual = evolution.population().front(), .settings = settings}, kinds,
                   champions);
     result.seconds = thread_cpu_time() - begun;
