@@ -6,6 +6,7 @@ import os
 import random
 import signal
 import socket
+import subprocess
 import time
 import unittest
 import zlib
@@ -132,7 +133,9 @@ class Runs(ClusterTest):
     def test_workers_are_used_again_soon_after_a_long_outage(self):
         server = self.start_server()
         self.start_worker(server.url)
-        run = self.evolve("long", "--cluster", server.url, settings=ENDLESS)
+        # Nobody reads its lines, and a full pipe would stop it.
+        run = self.evolve("long", "--cluster", server.url, settings=ENDLESS,
+                          stdout=subprocess.DEVNULL)
         for outage in (1, 10, 60):
             self.wait_for_results(server)
             server.kill()
