@@ -257,7 +257,7 @@ void Evolution::remember_scores() {
         known_results_.emplace(individual->result.phenotype, individual->result);
 }
 
-// The ways of a light and jitter; scores of before say nothing about those to come.
+// Draws the places of the light and jitter again, which discards all scores.
 void Evolution::renew_chance() {
     ExperimentSettings renewed = *settings_;
     ++renewed.world.trial.draw;

@@ -51,7 +51,7 @@ public:
     void breed();
 
     // Changes the settings from the next breed() or evaluate() on. A change of world or goal
-    // discards all scores. Chance never goes back to an earlier draw.
+    // discards all scores. The number of draws never decreases.
     void replace_settings(SettingsPtr settings);
     // Discards all scores: the next evaluate() evaluates all creatures again. Scores of a
     // generation that is already evaluated still decide who breeds.
@@ -93,7 +93,7 @@ private:
     bool scores_outdated_ = false;  // the settings that evaluated the population were replaced
     // This generation's scores cannot be compared with those of the last.
     bool judged_anew_ = false;
-    bool renewal_due_ = false;  // chance is drawn again before this generation is evaluated
+    bool renewal_due_ = false;  // chance is renewed before this generation is evaluated
     SelectionMemory memory_;
     std::vector<IndividualPtr> population_;
     std::vector<GenomePtr> injected_;

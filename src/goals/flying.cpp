@@ -1,5 +1,5 @@
 // Flying, goals/README.md 5. With v_k the mean speed upwards in the windows [.2,.4] [.4,.6] [.6,.8]
-// [.8,1] T, and v_ref the slowest fall of any body that does nothing (simulator/passive_sink.h):
+// [.8,1] T, and v_ref the slowest sink speed of passive bodies (simulator/passive_sink.h):
 //
 //     s_k = clamp(v_k / v_ref, -4, 1),   H = mean(s) / 2 + min(s) / 2
 //     S = 2^H + P clamp(1 + H, 0, 1)
@@ -21,7 +21,7 @@ constexpr double kFastestFall = -4.0;  // passive sink speeds
 constexpr double kFastestClimb = 1.0;  // the same
 constexpr double kTouching = 0.01;     // m; a lowest point no higher than this is on the ground
 
-// The first window in which the ground is touched, or the number of windows.
+// Returns the first window in which the creature touches the ground, or the number of windows.
 std::size_t windows_in_air(const TrialRecord& record) {
     if (!record.has_ground) return kWindowStarts.size();
     for (const MotionSample& sample : record.samples) {

@@ -35,19 +35,20 @@ struct GoalKind {
     int default_confirmations = 0;
     // Returns the environment in which the goal makes sense.
     Environment (*default_environment)() = nullptr;
-    TrialSettings default_trial = {};  // the protocol that suits it
-    // Sensor channels of which a creature needs one to do what is asked; empty for none. They
-    // are of light, and the environment needs one as well.
+    TrialSettings default_trial = {};  // default protocol of the goal's trials
+    // Ids of sensor channels of light. If any are listed, the goal needs a light in the environment
+    // and at least one of these channels enabled.
     std::vector<std::string> senses = {};
-    // Whether a trial may be given up halfway, judged by the best speed so far.
+    // Allows early termination of trials, which extrapolates from the best speed so far.
     bool may_give_up = true;
     // Returns why the goal is impossible in an environment, as half a sentence; empty if it is
     // possible.
     std::string (*mismatch)(const Environment& environment) = nullptr;
     // Only completed records are scored; others score 0.
     Score (*score)(const TrialRecord& record) = nullptr;
-    // Of goals that judge all trials of a creature together: the numbers that a trial adds, and the
-    // score of the numbers of all trials. Otherwise the trials' scores are combined.
+    // A goal that judges all trials of a creature together sets both. `shares` returns the numbers
+    // of one trial, `score_of_shares` the score of the numbers of all trials. If null, the scores
+    // of the trials are combined (TrialSettings::combine).
     std::vector<double> (*shares)(const TrialRecord& record) = nullptr;
     double (*score_of_shares)(std::span<const double> shares) = nullptr;
 };

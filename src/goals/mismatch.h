@@ -14,11 +14,10 @@ std::string needs_ground(const Environment& environment);
 // For goals that need a medium to push against, without ground and without falling.
 std::string needs_water(const Environment& environment);
 
-// For what flies: something pulls it down, the medium carries it, and there is no ground in its
-// way.
+// For goals that need gravity, a medium that carries the creature, and no ground.
 std::string needs_air(const Environment& environment);
 
-// For what follows a light: it jumps, and something to push off from, ground or medium.
+// For goals that need a jumping light, and ground or a medium to push against.
 std::string needs_jumping_light(const Environment& environment);
 
 }  // namespace cambrian

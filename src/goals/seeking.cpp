@@ -1,9 +1,9 @@
-// Seeking, goals/README.md 4. In each leg of 5 s the creature comes from r0 to r1 from the light:
+// Seeking, goals/README.md 4. The distance to the light changes from r0 to r1 in each leg of 5 s:
 //
 //     p = clamp((r0 - r1) / r0, -1, 1),    S = mean(p) / 2 + mean(worst half of all p) / 2
 //
 // The legs of all trials count together. Trials are pairs of mirror images and the worse half
-// counts twice, so a habit of going one way costs more than it earns.
+// counts twice, so a creature that always moves one way loses more than it gains.
 #include "goals/goal.h"
 #include "goals/mismatch.h"
 
@@ -36,7 +36,7 @@ double mean(std::span<const double> numbers) {
     return sum / static_cast<double>(numbers.size());
 }
 
-// Of an odd number the one in the middle counts half.
+// Returns the mean of the smaller half. The median of an odd number of shares has half weight.
 double mean_of_worst_half(std::vector<double> shares) {
     std::sort(shares.begin(), shares.end());
     const std::size_t half = shares.size() / 2;

@@ -4,8 +4,8 @@
 
 namespace cambrian {
 
-// The slowest fall of any body that does nothing, m/s: that of the thinnest part there is, flat
-// across its way, whose drag carries its weight. 0 without gravity or drag.
+// Returns the slowest steady sink speed of a passive body, m/s. The thinnest allowed part has it
+// when it falls broadside and its drag equals its weight. 0 without gravity or drag.
 double passive_sink(const Environment& environment);
 
 }  // namespace cambrian

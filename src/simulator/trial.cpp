@@ -112,7 +112,7 @@ double Trial::distance_to_light() const {
     return (surroundings_.source().place() - scene_->center_of_mass()).norm();
 }
 
-// Before the creature senses it.
+// Moves the light before the creature reads its sensors.
 void Trial::move_light() {
     LightSource& source = surroundings_.source();
     if (!source.is_on()) return;
@@ -121,7 +121,7 @@ void Trial::move_light() {
         progress_.record.legs.begin(distance_to_light());
 }
 
-// Whether nothing can move any more: a light that moves may wake a creature.
+// Returns whether nothing can move any more. A moving light may wake a resting creature.
 bool Trial::rests() {
     return world_.trial.stop_at_rest && !surroundings_.source().moves() &&
            progress_.rest.watch(*scene_, creature_.brain());

@@ -6,7 +6,7 @@
 
 namespace cambrian {
 
-// The light at one point.
+// The direction and intensity of light at one point.
 struct Light {
     Vec3 direction = Vec3::Zero();  // unit vector to the lamp; 0 where it is dark
     double intensity = 0.0;         // the lamp's brightness at the lamp

@@ -18,7 +18,8 @@ std::string generation_line(const GenerationStatistics& statistics, const std::s
 // values.
 std::string origin_in_words(const Individual& individual);
 
-// A champion and, of goals that judge all trials together, its score in trials it was not bred for.
+// A champion. Goals that judge all trials together add its score in trials that evolution did not
+// use.
 struct ReportedChampion {
     const Individual& individual;
     std::optional<double> held_out = {};

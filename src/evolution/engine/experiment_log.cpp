@@ -47,7 +47,7 @@ void give_commands(Evolution& evolution, const std::vector<NotedCommand>& journa
 
 namespace {
 
-// Where chance was drawn again, as the champions' settings tell.
+// Adds the generations in which chance was renewed, found in the settings of the champions.
 void add_renewals(std::vector<JournalEntry>& changes, const SavedExperiment& saved) {
     for (const JudgedIndividual& champion : saved.champions) {
         const auto later = std::find_if(

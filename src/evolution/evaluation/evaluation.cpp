@@ -35,12 +35,12 @@ void fail(EvaluationResult& result, Outcome outcome, std::string reason) {
     result.reason = std::move(reason);
 }
 
-// Takes from what was earned, never from a loss.
+// Divides a positive score. A negative score stays, because division would improve it.
 double scaled_down(double score, double divisor) {
     return score > 0.0 ? score / divisor : score;
 }
 
-// What a trial is worth: its own score, and its shares of a score of all trials.
+// The score of one trial, and its shares of a score of all trials (GoalKind::shares).
 struct Marks {
     double score = 0.0;
     std::vector<double> shares;

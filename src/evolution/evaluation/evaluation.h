@@ -31,7 +31,7 @@ struct EvaluationRequest {
 EvaluationResult evaluate(const EvaluationRequest& request, const ExperimentSettings& settings,
                           const EvolutionKinds& kinds, const std::stop_token& stop = {});
 
-// The same, with what the trial adds to a score of all trials (GoalKind::shares).
+// An evaluation, with what the trial adds to a score of all trials (GoalKind::shares).
 struct JudgedTrial {
     EvaluationResult result;
     std::vector<double> shares = {};

@@ -11,7 +11,8 @@ namespace cambrian {
 namespace {
 
 constexpr int kHeldOutTrials = 8;
-constexpr std::uint64_t kHeldOut = 103;  // keeps their chance apart from that of all generations
+constexpr std::uint64_t kHeldOut =
+    103;  // separates their random streams from those of all generations
 
 JudgedTrial judge_jittered(const EvaluationRequest& request, const LightDraw& light,
                            const ExperimentSettings& settings, const EvolutionKinds& kinds,
@@ -45,7 +46,7 @@ void combine(EvaluationResult& all, const EvaluationResult& next, bool minimum, 
         minimum ? std::min(all.fitness, next.fitness) : all.fitness + share * next.fitness;
 }
 
-// Of goals that judge all trials together, their score of all shares.
+// Goals that judge all trials together get the score of all shares.
 EvaluationResult judge_in_trials(const EvaluationRequest& request, std::uint64_t light_seed,
                                  const ExperimentSettings& settings, const EvolutionKinds& kinds,
                                  const std::stop_token& stop) {

@@ -9,11 +9,11 @@
 
 namespace cambrian {
 
-// Returns the seed of the chance in all trials of an experiment: jitter, and the ways of a light.
-// It is the same for all creatures, so that their scores can be compared, until it is renewed.
+// Returns the seed of chance in all trials of an experiment: jitter and the places of a light. It
+// is the same for all creatures until it is renewed, so their scores can be compared.
 std::uint64_t trial_seed(const ExperimentSettings& settings);
 
-// The world of the first trial, as the experiment's seed draws it: what a replay shows.
+// Returns the world of the first trial, with its random draw. A replay shows this trial.
 TrialWorld first_trial_world(const ExperimentSettings& settings);
 
 // The change of world and creature in a trial; trial 0 has none.
@@ -27,13 +27,14 @@ Jitter jitter_of(std::uint64_t trial_seed, int trial, const TrialSettings& setti
 
 // Calls evaluate() for each of the settings' trials. The score is their mean or minimum; if one
 // fails, the evaluation fails. Goals may judge all trials together instead of taking their mean.
-// A request's probe changes the world of all trials and the ways of the light. Descriptions of
+// A request's probe changes the world of all trials and the places of the light. Descriptions of
 // body and motion belong to the first trial; the digest covers all.
 EvaluationResult evaluate_in_trials(const EvaluationRequest& request,
                                     const ExperimentSettings& settings, const EvolutionKinds& kinds,
                                     const std::stop_token& stop = {});
 
-// The score in eight trials with ways of the light that no generation sees; 0 if one fails.
+// Returns the score in eight trials whose light has places that no generation uses; 0 if one
+// fails.
 double held_out_score(const GenomePtr& genome, const ExperimentSettings& settings,
                       const EvolutionKinds& kinds, const std::stop_token& stop = {});
 

@@ -18,7 +18,7 @@ std::vector<std::string> ids_of(const Registry<Kind>& registry) {
 }
 
 void add_environment(std::vector<SettingField>& fields);
-// The goal, and an error if its world or senses leave it out of reach.
+// Adds the goal. check_goal fails if its environment or sensors make the goal impossible.
 void add_goal(std::vector<SettingField>& fields, const EvolutionKinds& kinds);
 Status check_goal(const Settings& settings, const EvolutionKinds& kinds);
 void add_trials(TableBuilder& trial);  // number of trials per creature and their jitter

@@ -20,7 +20,7 @@ struct TrialSettings {
     double tilt_jitter = 0.0;      // degrees of the start pose, in both directions
     std::string combine = "mean";  // how the trials' scores are combined: "mean" or "minimum"
     int renewal = 0;               // generations after which chance is drawn again; 0 for never
-    int draw = 0;                  // how often it was
+    int draw = 0;                  // number of times chance was drawn again
 
     friend bool operator==(const TrialSettings&, const TrialSettings&) = default;
 };

@@ -1,7 +1,7 @@
 #pragma once
 
-// How a creature followed the light, leg by leg. A leg lasts kLegTime; distances (m) are from the
-// centre of mass to the light.
+// Distances of a creature to the light, for each leg of a trial. A leg lasts kLegTime. Distances
+// are from the centre of mass to the light, in m.
 
 #include "math/types.h"
 
@@ -20,12 +20,13 @@ struct LightLeg {
 
 class LightLegs {
 public:
-    // Memory for a trial of so many seconds.
+    // Reserves memory for a trial of this duration, s.
     void reserve(double duration);
-    // Both before a tick and after it.
+    // Records the distance at the start of a leg, before its first tick.
     void begin(double distance);
+    // Records the distance after a tick.
     void watch(double distance);
-    // Counts on as if nothing moved any more, until there are so many legs.
+    // Adds legs with the last distance until there are this many, for a trial that ended at rest.
     void rest(std::size_t legs);
 
     const std::vector<LightLeg>& all() const { return legs_; }

@@ -8,13 +8,13 @@
 namespace cambrian {
 namespace {
 
-constexpr double kLeastJump = 3.0;         // lengths of the body
+constexpr double kLeastJump = 3.0;         // rest lengths of the body
 constexpr double kMostJump = 6.0;          // the same
 constexpr double kHeight = 0.3;            // the same, above ground
-constexpr double kDark = 1e-6;             // intensity without a direction
-constexpr double kSlowing = 0.5;           // 1/s, of a light that wanders
-constexpr double kNoise = 0.6;             // m/s^1.5, of the same
-constexpr std::uint64_t kWandering = ~0U;  // a number no leg has
+constexpr double kDark = 1e-6;             // intensity below which there is no direction
+constexpr double kSlowing = 0.5;           // 1/s, damping of a wandering light
+constexpr double kNoise = 0.6;             // m/s^1.5, noise of a wandering light
+constexpr std::uint64_t kWandering = ~0U;  // stream of the noise, not the number of a leg
 
 Vec3 start_of(const Environment& environment) {
     return {environment.light_x, environment.light_y, 0.0};
@@ -25,12 +25,12 @@ std::uint64_t leg_seed(const LightDraw& draw, std::uint64_t leg) {
                         static_cast<std::uint64_t>(draw.trial / 2), leg});
 }
 
-// -1 in the mirror image of a trial.
+// Returns 1, or -1 for a trial that mirrors the one before it.
 double side_of(const LightDraw& draw) {
     return draw.trial % 2 == 0 ? 1.0 : -1.0;
 }
 
-// Turns back what went beyond an edge.
+// Reflects a position and its velocity at the edges of a range.
 void reflect(double& place, double& velocity, double low, double high) {
     if (place < low) {
         place = std::min(2.0 * low - place, high);
@@ -72,7 +72,7 @@ void LightSource::move(std::uint64_t tick, const Vec3& center) {
     }
 }
 
-// Above ground to the left or right, else in any direction.
+// Moves the light to the left or right above ground, or in any direction without ground.
 void LightSource::jump(std::uint64_t leg, const Vec3& center) {
     RandomStream stream(leg_seed(draw_, leg));
     const double distance = rest_length_ * stream.uniform(kLeastJump, kMostJump);
@@ -85,7 +85,8 @@ void LightSource::jump(std::uint64_t leg, const Vec3& center) {
     }
 }
 
-// v' = -v / 2 s + noise, within a box around the start and above ground.
+// Integrates v' = -v / (2 s) + noise. The light is reflected at a box around its start and at the
+// ground.
 void LightSource::wander() {
     const double share = kNoise * std::sqrt(kBrainTick);
     const double across = side_of(draw_) * share * moment_.noise.gauss();

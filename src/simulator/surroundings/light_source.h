@@ -11,38 +11,38 @@
 
 namespace cambrian {
 
-// What the places of a moving light follow from, besides the environment.
+// The random draw that determines the places of a moving light.
 struct LightDraw {
     std::uint64_t seed = 0;
-    int trial = 0;  // of the experiment's trials; trials 2n and 2n + 1 are mirror images
+    int trial = 0;  // index of the trial; trials 2n and 2n + 1 are mirror images
 
     friend bool operator==(const LightDraw&, const LightDraw&) = default;
 };
 
-inline constexpr double kLegTime = 5.0;  // s, from one jump to the next
+inline constexpr double kLegTime = 5.0;  // s, time between two jumps
 inline constexpr auto kLegTicks = static_cast<std::uint64_t>(kLegTime / kBrainTick + 0.5);
 
 class LightSource {
 public:
-    // Jumps are as far as 3 to 6 times the body's length at rest (m).
+    // rest_length: length of the body at rest, m. The light jumps to 3 to 6 times this distance.
     LightSource(const Environment& environment, const LightDraw& draw, double rest_length);
 
-    // A change by hand; a light that was moved begins where it was put.
+    // Applies an edit by the user. A changed position restarts the light there.
     void set_environment(const Environment& environment);
-    // Once before each tick of the test, numbered from 0. The creature's centre of mass is where
-    // jumps begin.
+    // Must be called before each tick of the test phase, numbered from 0, with the creature's
+    // centre of mass, from which the distance of a jump is measured.
     void move(std::uint64_t tick, const Vec3& center);
 
     bool is_on() const { return environment_.has_light; }
-    // Whether it may be somewhere else later.
+    // Returns whether the light may move during the trial.
     bool moves() const;
     const Vec3& place() const { return moment_.place; }
     Light at(const Vec3& point) const;
 
-    // What changes from tick to tick.
+    // The data that change from tick to tick.
     struct Moment {
         Vec3 place = Vec3::Zero();     // m
-        Vec3 velocity = Vec3::Zero();  // m/s, of one that wanders
+        Vec3 velocity = Vec3::Zero();  // m/s, of a wandering light
         RandomStream noise;
     };
     const Moment& save() const { return moment_; }

@@ -1,6 +1,6 @@
 #pragma once
 
-// What the world of a trial tells the creature in it.
+// The surroundings of a creature in the world of a trial.
 
 #include "simulator/surroundings/light_source.h"
 #include "world/environment.h"
