@@ -6,6 +6,7 @@
 // counts twice, so a creature that always moves one way loses more than it gains.
 #include "goals/goal.h"
 #include "goals/mismatch.h"
+#include "goals/water.h"
 
 #include <algorithm>
 
@@ -68,11 +69,7 @@ Score score_seeking(const TrialRecord& record) {
 }
 
 Environment lit_water() {
-    Environment environment;
-    environment.gravity = 0.0;
-    environment.has_ground = false;
-    environment.viscosity_linear = 0.2;
-    environment.viscosity_quadratic = 1.0;
+    Environment environment = water();
     environment.has_light = true;
     environment.light_motion = "jumping";
     return environment;

@@ -8,6 +8,7 @@
 #include "goals/goal.h"
 #include "goals/mismatch.h"
 #include "goals/sampling.h"
+#include "goals/water.h"
 
 #include <algorithm>
 
@@ -25,15 +26,6 @@ Score score_swimming(const TrialRecord& record) {
             {{"distance", distance, "m"},
              {"slowest window", *std::min_element(speeds.begin(), speeds.end()), "m/s"},
              {"body length", record.body_length, "m"}}};
-}
-
-Environment water() {
-    Environment environment;
-    environment.gravity = 0.0;
-    environment.has_ground = false;
-    environment.viscosity_linear = 0.2;
-    environment.viscosity_quadratic = 1.0;
-    return environment;
 }
 
 }  // namespace
