@@ -14,6 +14,7 @@ if(CAMBRIAN_SANITIZE)
   string(REGEX MATCH "fuzzer" fuzzing "${CAMBRIAN_SANITIZE}")
   target_compile_options(cambrian_options INTERFACE
     -fsanitize=${CAMBRIAN_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer
+    -g1  # lines of a report; more takes a third of the time to compile
     $<IF:$<BOOL:${fuzzing}>,-O2,-O1>)
   target_link_options(cambrian_options INTERFACE -fsanitize=${CAMBRIAN_SANITIZE})
 endif()

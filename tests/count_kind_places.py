@@ -17,6 +17,7 @@ import sys
 SORTS = {
     "sensor": ("sensors/*_sensor.cpp", r'sensors\.add\(\{\.id = "([^"]+)"'),
     "effector": ("effectors/*_effector.cpp", r'effectors\.add\(\{\.id = "([^"]+)"'),
+    "organ": ("organs/*_organ.cpp", r'organs\.add\(\s*\{\.id = "([^"]+)"'),
     "goal": ("goals/*.cpp", r'goals\.add\(\{\.id = "([^"]+)"'),
     "selection": ("evolution/selections/*.cpp", r'selections\.add\(\s*\{\.id = "([^"]+)"'),
     "breeding": ("breeding/*.cpp", r'methods\.add\(\{\.id = "([^"]+)"'),
@@ -29,7 +30,7 @@ SORTS = {
 # Ids that are also ordinary words, for example keys in files. Only their registration and channels
 # are searched for.
 COMMON_WORDS = {"joint", "contact", "effector", "weight", "source", "function", "root", "sum",
-                "product", "if", "light", "jumping"}
+                "product", "if", "light", "jumping", "organ", "sound", "scent"}
 # Sorts that may have an enumeration, such as kGrafting for "grafting".
 ENUMERATED = {"breeding", "selection", "integrator"}
 COMMENT = re.compile(r"//.*")

@@ -7,6 +7,7 @@
 #include "app/process/messages.h"
 
 #include <CLI/CLI.hpp>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <memory>
@@ -61,7 +62,7 @@ ExitStatus answer(const CLI::App& app, const CLI::ParseError& error) {
     std::string command = kProgram;
     for (const CLI::App* subcommand : app.get_subcommands())
         command += " " + subcommand->get_name();
-    return fail({std::string(error.what()) + "; `" + command + " --help` explains"});
+    return fail({fmt::format("{}; `{} --help` explains", error.what(), command)});
 }
 
 // Checks that no option has an empty value; only folders may be empty.

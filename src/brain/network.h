@@ -33,7 +33,7 @@ struct NetworkNeuron {
 struct Network {
     std::size_t sensor_count = 0;
     std::vector<NetworkNeuron> neurons;  // neuron i writes neuron_slot(i)
-    std::vector<NetworkInput> outputs;   // one per effector, in the order of parts
+    std::vector<NetworkInput> outputs;   // of effectors, then of organs, in the order of parts
     std::vector<std::uint32_t> order;    // connected neurons, in order of evaluation
     std::size_t memory_size = 0;
 

@@ -2,6 +2,8 @@
 
 #include "core/assert.h"
 
+#include <fmt/core.h>
+
 namespace cambrian {
 namespace {
 
@@ -17,6 +19,24 @@ const std::vector<NeuronGene>& neurons_of(const Genome& genome, const NeuronList
     return list.scope == SourceScope::kPart ? genome.nodes[list.node].neurons : genome.brain;
 }
 
+template <class Gene>
+std::vector<std::size_t> nodes_with_fewer(const Genome& genome, std::vector<Gene> NodeGene::*genes,
+                                          std::size_t limit) {
+    std::vector<std::size_t> nodes;
+    for (std::size_t i = 0; i < genome.nodes.size(); ++i) {
+        if ((genome.nodes[i].*genes).size() < limit) nodes.push_back(i);
+    }
+    return nodes;
+}
+
+// Adds the links of a part into its effector and its organs.
+void add_part_inputs(const Genome& genome, const NeuronListSite& list,
+                     std::vector<InputSite>& sites) {
+    sites.push_back({list, InputOwner::kEffector, 0, 0});
+    for (std::size_t organ = 0; organ < genome.nodes[list.node].organs.size(); ++organ)
+        sites.push_back({list, InputOwner::kOrgan, organ, 0});
+}
+
 }  // namespace
 
 std::vector<NeuronGene>& NeuronListSite::in(Genome& genome) const {
@@ -28,27 +48,33 @@ std::size_t NeuronListSite::limit() const {
 }
 
 std::string NeuronListSite::in_words() const {
-    return scope == SourceScope::kPart ? "part " + std::to_string(node) : "brain";
+    return scope == SourceScope::kPart ? fmt::format("part {}", node) : "brain";
 }
 
 std::string NeuronSite::in_words() const {
-    return list.in_words() + " neuron " + std::to_string(neuron);
+    return fmt::format("{} neuron {}", list.in_words(), neuron);
 }
 
 InputGene& InputSite::in(Genome& genome) const {
-    if (effector) return genome.nodes[list.node].effector;
-    CAMBRIAN_TICK_ASSERT(neuron < list.in(genome).size(), "a neuron of the list");
-    CAMBRIAN_TICK_ASSERT(input < list.in(genome)[neuron].inputs.size(), "an input of it");
-    return list.in(genome)[neuron].inputs[input];
+    if (owner == InputOwner::kEffector) return genome.nodes[list.node].effector;
+    if (owner == InputOwner::kOrgan) return OrganSite{list.node, index}.in(genome).input;
+    CAMBRIAN_TICK_ASSERT(index < list.in(genome).size(), "a neuron of the list");
+    CAMBRIAN_TICK_ASSERT(input < list.in(genome)[index].inputs.size(), "an input of it");
+    return list.in(genome)[index].inputs[input];
 }
 
 std::string InputSite::in_words() const {
-    if (effector) return list.in_words() + " effector";
-    return NeuronSite{list, neuron}.in_words() + " input " + std::to_string(input);
+    if (owner == InputOwner::kEffector) return list.in_words() + " effector";
+    if (owner == InputOwner::kOrgan) return OrganSite{list.node, index}.in_words();
+    return fmt::format("{} input {}", NeuronSite{list, index}.in_words(), input);
+}
+
+std::string OrganSite::in_words() const {
+    return fmt::format("part {} organ {}", node, organ);
 }
 
 std::string EdgeSite::in_words() const {
-    return "part " + std::to_string(node) + " edge " + std::to_string(edge);
+    return fmt::format("part {} edge {}", node, edge);
 }
 
 std::vector<NeuronSite> neuron_sites(const Genome& genome) {
@@ -63,11 +89,11 @@ std::vector<NeuronSite> neuron_sites(const Genome& genome) {
 std::vector<InputSite> input_sites(const Genome& genome) {
     std::vector<InputSite> sites;
     for (const NeuronListSite& list : neuron_lists(genome)) {
-        if (list.scope == SourceScope::kPart) sites.push_back({list, true, 0, 0});
+        if (list.scope == SourceScope::kPart) add_part_inputs(genome, list, sites);
         const std::vector<NeuronGene>& neurons = neurons_of(genome, list);
         for (std::size_t neuron = 0; neuron < neurons.size(); ++neuron) {
             for (std::size_t input = 0; input < neurons[neuron].inputs.size(); ++input)
-                sites.push_back({list, false, neuron, input});
+                sites.push_back({list, InputOwner::kNeuron, neuron, input});
         }
     }
     return sites;
@@ -82,12 +108,21 @@ std::vector<EdgeSite> edge_sites(const Genome& genome) {
     return sites;
 }
 
-std::vector<std::size_t> nodes_with_room(const Genome& genome) {
-    std::vector<std::size_t> nodes;
-    for (std::size_t i = 0; i < genome.nodes.size(); ++i) {
-        if (genome.nodes[i].edges.size() < gene_range::kMaxEdges) nodes.push_back(i);
+std::vector<OrganSite> organ_sites(const Genome& genome) {
+    std::vector<OrganSite> sites;
+    for (std::size_t node = 0; node < genome.nodes.size(); ++node) {
+        for (std::size_t organ = 0; organ < genome.nodes[node].organs.size(); ++organ)
+            sites.push_back({node, organ});
     }
-    return nodes;
+    return sites;
+}
+
+std::vector<std::size_t> nodes_with_room(const Genome& genome) {
+    return nodes_with_fewer(genome, &NodeGene::edges, gene_range::kMaxEdges);
+}
+
+std::vector<std::size_t> nodes_with_room_for_organs(const Genome& genome) {
+    return nodes_with_fewer(genome, &NodeGene::organs, gene_range::kMaxOrgans);
 }
 
 }  // namespace cambrian

@@ -7,6 +7,7 @@
 #include "genome/source_rules.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -30,15 +31,26 @@ struct NeuronSite {
     std::string in_words() const;  // "part 2 neuron 0"
 };
 
-// A weighted link into a neuron or an effector.
+enum class InputOwner : std::uint8_t { kNeuron, kEffector, kOrgan };
+
+// A weighted link into a neuron, an effector or an organ.
 struct InputSite {
     NeuronListSite list;  // neurons of the part or brain that has the link
-    bool effector = false;
-    std::size_t neuron = 0;  // unless it is an effector's
-    std::size_t input = 0;
+    InputOwner owner = InputOwner::kNeuron;
+    std::size_t index = 0;  // of the neuron or organ
+    std::size_t input = 0;  // of a neuron
 
     InputGene& in(Genome& genome) const;
-    std::string in_words() const;  // "part 2 neuron 0 input 1" or "part 2 effector"
+    // "part 2 neuron 0 input 1", "part 2 effector" or "part 2 organ 0"
+    std::string in_words() const;
+};
+
+struct OrganSite {
+    std::size_t node = 0;
+    std::size_t organ = 0;
+
+    OrganGene& in(Genome& genome) const { return genome.nodes[node].organs[organ]; }
+    std::string in_words() const;  // "part 2 organ 0"
 };
 
 struct EdgeSite {
@@ -52,8 +64,10 @@ struct EdgeSite {
 std::vector<NeuronSite> neuron_sites(const Genome& genome);
 std::vector<InputSite> input_sites(const Genome& genome);
 std::vector<EdgeSite> edge_sites(const Genome& genome);
+std::vector<OrganSite> organ_sites(const Genome& genome);
 
-// Returns the nodes that have room for another edge.
+// Returns the nodes that have room for another edge, or for another organ.
 std::vector<std::size_t> nodes_with_room(const Genome& genome);
+std::vector<std::size_t> nodes_with_room_for_organs(const Genome& genome);
 
 }  // namespace cambrian

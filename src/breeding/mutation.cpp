@@ -24,11 +24,8 @@ public:
           stream_(stream),
           first_hash_(genome_hash(genome)),
           hash_(first_hash_) {
-        for (const MutationKind& kind : kinds.all()) {
-            const auto named = settings.weights.find(kind.id);
-            const bool is_named = named != settings.weights.end();
-            weights_.push_back(is_named ? std::fmax(named->second, 0.0) : kind.default_weight);
-        }
+        for (const MutationKind& kind : kinds.all())
+            weights_.push_back(weight_of(kind, settings));
     }
 
     std::vector<MutationRecord> run(int count) {
@@ -40,6 +37,13 @@ public:
     }
 
 private:
+    double weight_of(const MutationKind& kind, const MutationSettings& settings) const {
+        if (kind.enabled != nullptr && !kind.enabled(context_)) return 0.0;
+        const auto named = settings.weights.find(kind.id);
+        return named == settings.weights.end() ? kind.default_weight
+                                               : std::fmax(named->second, 0.0);
+    }
+
     // Operators are applied by phase, and within a phase in the order of the registry.
     bool applies_before(std::size_t a, std::size_t b) const {
         return std::pair(kinds_[a].phase, a) < std::pair(kinds_[b].phase, b);

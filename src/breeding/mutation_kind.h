@@ -15,8 +15,8 @@ namespace cambrian {
 // The order in which operators are applied to one offspring.
 enum class MutationPhase : std::uint8_t { kParameters, kGrowth, kConnections };
 
-// The genes that an operator changes: parts with their joints and attachments, or neurons and
-// references.
+// The genes that an operator changes: parts with their joints and attachments, or what the hash of
+// the body leaves out: neurons, references, and organs that emit.
 enum class MutationSubject : std::uint8_t { kBody, kBrain };
 
 // The context of an operator besides the genome.
@@ -44,6 +44,10 @@ struct MutationKind {
     // applied here. The genome is repaired afterwards.
     bool (*apply)(Genome& genome, const MutationContext& context, RandomStream& stream,
                   MutationRecord& record) = nullptr;
+    // Returns whether the operator may be drawn; null means always. Otherwise its weight is 0.
+    bool (*enabled)(const MutationContext& context) = nullptr;
+    // Younger than settings files that do not name it (SettingField::later).
+    bool later = false;
 };
 
 using MutationRegistry = Registry<MutationKind>;

@@ -21,8 +21,8 @@ public:
     }
 
     void run() {
-        for (std::size_t node = 0; node < genome_.nodes.size(); ++node)
-            mark_heard(node, genome_.nodes[node].effector.source);
+        for (const Reading& reading : readings_of_parts())
+            mark_heard(reading.reader, *reading.source);
         for (std::size_t list = 0; list < lists_.size(); ++list) {
             for (std::size_t i = heard_[list].size(); i > 0; --i) {
                 if (!heard_[list][i - 1]) try_remove(list, i - 1);
@@ -82,11 +82,20 @@ private:
         }
     }
 
+    // Returns the references of effectors and organs.
+    std::vector<Reading> readings_of_parts() const {
+        std::vector<Reading> all;
+        for (std::size_t node = 0; node < genome_.nodes.size(); ++node) {
+            all.push_back({node, &genome_.nodes[node].effector.source});
+            for (OrganGene& organ : genome_.nodes[node].organs)
+                all.push_back({node, &organ.input.source});
+        }
+        return all;
+    }
+
     // Returns all references whose meaning must not change.
     std::vector<Reading> readings() const {
-        std::vector<Reading> all;
-        for (std::size_t node = 0; node < genome_.nodes.size(); ++node)
-            all.push_back({node, &genome_.nodes[node].effector.source});
+        std::vector<Reading> all = readings_of_parts();
         for (std::size_t list = 0; list < lists_.size(); ++list) {
             for (std::size_t i = 0; i < neurons(list).size(); ++i) {
                 if (!heard_[list][i]) continue;

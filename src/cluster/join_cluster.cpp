@@ -7,6 +7,8 @@
 #include "core/hash.h"
 #include "persist/text/digest_text.h"
 
+#include <fmt/core.h>
+
 #include <array>
 #include <random>
 #include <system_error>
@@ -63,8 +65,9 @@ Status check_cluster(const ClusterAddress& address) {
 
 std::string plain_text_warning(const ClusterAddress& address) {
     if (address.encrypted || address.on_this_machine) return "";
-    return "genomes and results travel to " + address.servers.front() +
-           " readable and unsigned; tls:// protects them";
+    return fmt::format(
+        "genomes and results travel to {} readable and unsigned; tls:// protects them",
+        address.servers.front());
 }
 
 }  // namespace cambrian

@@ -5,6 +5,8 @@
 #include "core/threads/thread_pool.h"
 #include "persist/creature/creature_file.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <mutex>
 #include <string>
@@ -29,7 +31,7 @@ const ComparedRun* row_of(const std::vector<ComparedRun>& table, const PlannedRu
 
 // Returns a name that is valid on every file system.
 std::string file_name(const ComparedRun& row) {
-    std::string name = row.world + "-" + row.arm + "-seed" + std::to_string(row.seed);
+    std::string name = fmt::format("{}-{}-seed{}", row.world, row.arm, row.seed);
     for (char& letter : name) {
         const auto code = static_cast<unsigned char>(letter);
         if (code <= ' ' || letter == '/' || code == 0x7F) letter = '-';
@@ -44,7 +46,8 @@ Result<std::unique_ptr<Comparison>> Comparison::open(const std::filesystem::path
                                                      const EvolutionKinds& kinds) {
     std::error_code failure;
     std::filesystem::create_directories(folder / kChampions, failure);
-    if (failure) return Error{(folder / kChampions).string() + ": " + failure.message()};
+    if (failure)
+        return Error{fmt::format("{}: {}", (folder / kChampions).string(), failure.message())};
     if (const Status writable = check_writable(folder / kTable); !writable) return writable.error();
     auto table = load_run_table(folder / kTable);
     if (!table) return table.error();

@@ -1,5 +1,7 @@
 #include "comparison/plan.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <memory>
 #include <set>
@@ -17,10 +19,11 @@ struct Contender {
 Status check_names(const std::vector<NamedSettings>& some, std::set<std::string> taken) {
     for (const NamedSettings& each : some) {
         if (each.name.find_first_of(",\"\n\r") != std::string::npos)
-            return Error{"\"" + each.name +
-                         "\" cannot be written in a table; give the file another name"};
+            return Error{fmt::format(
+                "\"{}\" cannot be written in a table; give the file another name", each.name)};
         if (!taken.insert(each.name).second)
-            return Error{"two are called \"" + each.name + "\"; give one file another name"};
+            return Error{
+                fmt::format("two are called \"{}\"; give one file another name", each.name)};
     }
     return {};
 }
@@ -35,8 +38,10 @@ Result<ExperimentSettings> settings_in(const NamedSettings* world, const NamedSe
     Result<ExperimentSettings> settings = merge_settings(texts, kinds);
     if (!settings) return settings.error();
     if (settings->goal != alone->goal || settings->world.environment != alone->world.environment) {
-        return Error{"\"" + arm.name + "\" changes the goal or the environment of the world \"" +
-                     world->name + "\"; expected only what is to be compared"};
+        return Error{
+            fmt::format("\"{}\" changes the goal or the environment of the world \"{}\"; expected "
+                        "only what is to be compared",
+                        arm.name, world->name)};
     }
     return settings;
 }
@@ -62,8 +67,9 @@ Status check_goals(const std::vector<Contender>& contenders) {
     for (const Contender& one : contenders) {
         const Contender& first = contenders.front();
         if (one.world == first.world) continue;
-        return Error{"\"" + first.arm + "\" evolves " + first.world + ", \"" + one.arm + "\" " +
-                     one.world + "; --world FILE says in which worlds to compare them"};
+        return Error{fmt::format(
+            "\"{}\" evolves {}, \"{}\" {}; --world FILE says in which worlds to compare them",
+            first.arm, first.world, one.arm, one.world)};
     }
     return {};
 }

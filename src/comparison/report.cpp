@@ -2,7 +2,10 @@
 
 #include "comparison/statistics.h"
 #include "core/sample_statistics.h"
+#include "core/text/counted.h"
 #include "core/text/pretty_text.h"
+
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +17,7 @@ namespace {
 constexpr double kAgrees = 0.1;
 
 std::string rounded(double value) {
-    return format("%.3g", value);
+    return fmt::format("{:.3g}", value);
 }
 
 template <class Number>
@@ -42,8 +45,8 @@ std::string ratio_text(double ours, double theirs) {
 
 std::string against(const std::vector<double>& ours, const std::vector<double>& theirs) {
     const RankTest comparison = mann_whitney(ours, theirs);
-    return ratio_text(median(ours), median(theirs)) + " | " + rounded(two_sided(ours, theirs)) +
-           " | " + rounded(comparison.effect);
+    return fmt::format("{} | {} | {}", ratio_text(median(ours), median(theirs)),
+                       rounded(two_sided(ours, theirs)), rounded(comparison.effect));
 }
 
 std::string row(const std::string& arm, const std::vector<ComparedRun>& runs,
@@ -54,24 +57,24 @@ std::string row(const std::string& arm, const std::vector<ComparedRun>& runs,
         return std::fabs(run.finer - run.score) <= kAgrees * run.score;
     });
     const bool reference = first.empty() || first.front().arm == arm;
-    std::string text = "| " + arm + " | " + std::to_string(runs.size()) + " | " +
-                       rounded(median(scores)) + " | " + rounded(interval.low) + " to " +
-                       rounded(interval.high) + " | " +
-                       ratio_text(*std::min_element(scores.begin(), scores.end()), median(scores));
+    std::string text =
+        fmt::format("| {} | {} | {} | {} to {} | {}", arm, runs.size(), rounded(median(scores)),
+                    rounded(interval.low), rounded(interval.high),
+                    ratio_text(*std::min_element(scores.begin(), scores.end()), median(scores)));
     text +=
         " | " + (reference ? " |  | " : against(scores, column(first, &ComparedRun::confirmed)));
     text += " | " + rounded(median(column(runs, &ComparedRun::score)));
-    text += " | " + std::to_string(exact);
+    text += fmt::format(" | {}", exact);
     for (const auto field :
          {&ComparedRun::lines, &ComparedRun::plans, &ComparedRun::parts, &ComparedRun::generations})
         text += " | " + rounded(median(column(runs, field)));
     text += " | " + rounded(median(column(runs, &ComparedRun::jump_height)));
-    text += " | " + rounded(100.0 * mean(column(runs, &ComparedRun::time_saved))) + " %";
+    text += fmt::format(" | {} %", rounded(100.0 * mean(column(runs, &ComparedRun::time_saved))));
     const auto sum = [](const std::vector<double>& values) {
         return rounded(mean(values) * static_cast<double>(values.size()));
     };
-    text += " | " + sum(column(runs, &ComparedRun::survivors)) + " of " +
-            sum(column(runs, &ComparedRun::audited));
+    text += fmt::format(" | {} of {}", sum(column(runs, &ComparedRun::survivors)),
+                        sum(column(runs, &ComparedRun::audited)));
     return text + " |\n";
 }
 
@@ -87,7 +90,7 @@ std::string overall(const std::vector<ComparedRun>& runs) {
     std::string text;
     for (std::size_t i = 1; i < arms.size(); ++i) {
         double sum = 0.0;
-        int count = 0;
+        std::size_t count = 0;
         for (const std::string& world : worlds_of(runs)) {
             const auto ours = column(runs_of(runs, world, arms[i]), &ComparedRun::confirmed);
             const auto theirs = column(runs_of(runs, world, arms[0]), &ComparedRun::confirmed);
@@ -98,9 +101,9 @@ std::string overall(const std::vector<ComparedRun>& runs) {
             ++count;
         }
         if (count == 0) continue;
-        text += "- " + arms[i] + " against " + arms[0] + ": " + rounded(std::exp(sum / count)) +
-                ", geometric mean over " + std::to_string(count) +
-                (count == 1 ? " world\n" : " worlds\n");
+        text += fmt::format("- {} against {}: {}, geometric mean over {}\n", arms[i], arms[0],
+                            rounded(std::exp(sum / static_cast<double>(count))),
+                            counted(count, "world"));
     }
     return text;
 }
@@ -127,7 +130,7 @@ std::string comparison_report(const std::vector<ComparedRun>& runs) {
     std::string text;
     const std::vector<std::string> arms = arms_of(runs);
     for (const std::string& world : worlds_of(runs)) {
-        text += "**" + world + "**\n\n" + kHead;
+        text += fmt::format("**{}**\n\n{}", world, kHead);
         const std::vector<ComparedRun> first = runs_of(runs, world, arms.front());
         for (const std::string& arm : arms) {
             const std::vector<ComparedRun> some = runs_of(runs, world, arm);

@@ -4,6 +4,8 @@
 #include "core/text/number_text.h"
 #include "persist/sqlite/columns.h"
 
+#include <fmt/core.h>
+
 #include <array>
 #include <charconv>
 #include <sstream>
@@ -114,8 +116,8 @@ std::string run_table_csv(const std::vector<ComparedRun>& runs) {
                 std::visit([&](auto field) { return cell_text(row.*field); }, column.field) + ',';
         std::string curve;
         for (const CurvePoint& point : row.curve)
-            curve += (curve.empty() ? "" : " ") + std::to_string(point.trials) + ':' +
-                     real_text(point.score);
+            curve += fmt::format("{}{}:{}", curve.empty() ? "" : " ", point.trials,
+                                 real_text(point.score));
         text += curve + '\n';
     }
     return text;
@@ -123,7 +125,7 @@ std::string run_table_csv(const std::vector<ComparedRun>& runs) {
 
 Result<std::vector<ComparedRun>> parse_run_table(std::string_view text, std::string_view source) {
     const auto refusal = [&](int line, const std::string& what) {
-        return Error{std::string(source) + ": line " + std::to_string(line) + ": " + what};
+        return Error{fmt::format("{}: line {}: {}", source, line, what)};
     };
     if (take(text, '\n') != header()) return refusal(1, "expected a table of compared runs");
     std::vector<ComparedRun> runs;

@@ -7,23 +7,28 @@
 namespace cambrian {
 Creature::Creature(const Phenotype& phenotype, const Kinds& kinds, const SceneSettings& settings)
     : phenotype_(&phenotype),
+      kinds_(&kinds),
       settings_(&settings),
       brain_(phenotype.network, kinds.functions),
       sensor_memory_(phenotype.sensors.size(), 0.0),
       effector_memory_(phenotype.effector_parts.size(), 0.0) {
     readers_.reserve(phenotype.sensors.size());
-    for (const WiredSensor& sensor : phenotype.sensors)
-        readers_.push_back(
-            {kinds.sensors[sensor.kind].read, kinds.sensors[sensor.kind].time_constant});
     drives_.reserve(phenotype.effector_kinds.size());
     for (const std::uint8_t kind : phenotype.effector_kinds)
         drives_.push_back(kinds.effectors[kind].drive);
+    for (const GrownOrgan& organ : phenotype.organs) {
+        organ_acts_.push_back(kinds.organs[organ.kind].act);
+        parameter_counts_.push_back(kinds.organs[organ.kind].parameters.size());
+    }
+    emissions_.sounds.reserve(phenotype.organs.size());
+    emissions_.scents.reserve(phenotype.organs.size());
 }
 
 void Creature::reset() {
     brain_.reset();
     std::fill(sensor_memory_.begin(), sensor_memory_.end(), 0.0);
     std::fill(effector_memory_.begin(), effector_memory_.end(), 0.0);
+    emissions_.clear();
 }
 
 SensorSite Creature::site_of(const WiredSensor& sensor, const BodyView& body,
@@ -33,35 +38,39 @@ SensorSite Creature::site_of(const WiredSensor& sensor, const BodyView& body,
             share};
 }
 
-// Computes what depends only on a tick's length.
-void Creature::use_tick(double dt) {
-    if (dt == tick_) return;
+// Computes what is the same in every tick of the same scene and length.
+void Creature::prepare(const BodyView& body, const Surroundings& surroundings, double dt) {
+    if (dt == tick_ && &body == body_ && &surroundings == surroundings_) return;
     tick_ = dt;
+    body_ = &body;
+    surroundings_ = &surroundings;
     smoothing_share_ = smoothing_share(dt, settings_->target_smoothing);
-    for (Reader& reader : readers_)
-        reader.share = smoothing_share(dt, reader.time_constant);
+    readers_.clear();
+    for (const WiredSensor& sensor : phenotype_->sensors) {
+        const SensorKind& kind = kinds_->sensors[sensor.kind];
+        const double share = smoothing_share(dt, kind.time_constant);
+        readers_.push_back({kind.read, sensor.scale, site_of(sensor, body, surroundings, share)});
+    }
 }
 
-void Creature::sense(const BodyView& body, const Surroundings& surroundings) {
+void Creature::sense() {
     const std::span<double> readings = brain_.sensors();
     for (std::size_t i = 0; i < readings.size(); ++i) {
-        const WiredSensor& sensor = phenotype_->sensors[i];
-        readings[i] =
-            sensor.scale * readers_[i].read(site_of(sensor, body, surroundings, readers_[i].share),
-                                            sensor_memory_[i]);
+        const Reader& reader = readers_[i];
+        readings[i] = reader.scale * reader.read(reader.site, sensor_memory_[i]);
     }
 }
 
 double Creature::reading(std::size_t sensor, const BodyView& body,
                          const Surroundings& surroundings) const {
     double memory = sensor_memory_[sensor];
-    return readers_[sensor].read(site_of(phenotype_->sensors[sensor], body, surroundings, 0.0),
-                                 memory);
+    const WiredSensor& wired = phenotype_->sensors[sensor];
+    return kinds_->sensors[wired.kind].read(site_of(wired, body, surroundings, 0.0), memory);
 }
 
 void Creature::act(PhysicsScene& scene, const Surroundings& surroundings, double dt) {
-    use_tick(dt);
-    sense(scene, surroundings);
+    prepare(scene, surroundings, dt);
+    sense();
     CAMBRIAN_TICK_ASSERT(settings_->brain_steps > 0 && dt > 0.0, "a brain thinks");
     const int steps = settings_->brain_steps;
     for (int step = 0; step < steps; ++step)
@@ -70,6 +79,20 @@ void Creature::act(PhysicsScene& scene, const Surroundings& surroundings, double
         const std::size_t part = phenotype_->effector_parts[i];
         drives_[i]({phenotype_->plan.parts[part], part}, brain_.output(i), smoothing_share_,
                    *settings_, effector_memory_[i], scene);
+    }
+    use_organs(scene, dt);
+}
+
+void Creature::use_organs(const BodyView& body, double dt) {
+    emissions_.clear();
+    for (std::size_t i = 0; i < organ_acts_.size(); ++i) {
+        const GrownOrgan& organ = phenotype_->organs[i];
+        organ_acts_[i]({.body = body,
+                        .part = phenotype_->plan.parts[organ.part],
+                        .index = organ.part,
+                        .parameters = {organ.parameters.data(), parameter_counts_[i]},
+                        .dt = dt},
+                       brain_.output(effector_memory_.size() + i), emissions_);
     }
 }
 

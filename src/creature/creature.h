@@ -20,6 +20,7 @@ public:
     void reset();
     // Advances control by one tick: reads sensors, evaluates the brain, sets the joints' targets.
     // Allocates nothing.
+    // The sounds and scents of its organs are in emissions() until the next call.
     void act(PhysicsScene& scene, const Surroundings& surroundings, double dt);
     // Sets the target of every joint to its rest coordinate, without evaluating the brain.
     void hold_rest(PhysicsScene& scene) const;
@@ -27,6 +28,7 @@ public:
     const Phenotype& phenotype() const { return *phenotype_; }
     const Brain& brain() const { return brain_; }
     Brain& brain() { return brain_; }
+    const Emissions& emissions() const { return emissions_; }
     // Returns the present reading of a wired sensor in its own unit; no time passes.
     double reading(std::size_t sensor, const BodyView& body,
                    const Surroundings& surroundings) const;
@@ -45,27 +47,35 @@ public:
     }
 
 private:
-    // How a sensor is read, and the time constant of its smoothing.
+    // A wired sensor in the scene of the last tick.
     struct Reader {
         SensorKind::Read read = nullptr;
-        double time_constant = 0.0;  // s
-        double share = 1.0;
+        double scale = 1.0;
+        SensorSite site;
     };
 
-    void use_tick(double dt);
-    void sense(const BodyView& body, const Surroundings& surroundings);
+    void prepare(const BodyView& body, const Surroundings& surroundings, double dt);
+    void sense();
+    void use_organs(const BodyView& body, double dt);
     SensorSite site_of(const WiredSensor& sensor, const BodyView& body,
                        const Surroundings& surroundings, double share) const;
 
     const Phenotype* phenotype_;
+    const Kinds* kinds_;
     const SceneSettings* settings_;
-    double tick_ = 0.0;             // s; length of the last tick
+    // Of the last tick.
+    const BodyView* body_ = nullptr;
+    const Surroundings* surroundings_ = nullptr;
+    double tick_ = 0.0;             // s; its length
     double smoothing_share_ = 0.0;  // share of the smoothing done in a tick of that length
     Brain brain_;
-    std::vector<Reader> readers_;              // one per wired sensor
-    std::vector<double> sensor_memory_;        // one per wired sensor
-    std::vector<EffectorKind::Drive> drives_;  // one per effector part
-    std::vector<double> effector_memory_;      // one per effector part
+    std::vector<Reader> readers_;                // one per wired sensor; built in the first tick
+    std::vector<double> sensor_memory_;          // one per wired sensor
+    std::vector<EffectorKind::Drive> drives_;    // one per effector part
+    std::vector<double> effector_memory_;        // one per effector part
+    std::vector<OrganKind::Act> organ_acts_;     // one per organ
+    std::vector<std::size_t> parameter_counts_;  // one per organ
+    Emissions emissions_;                        // of the last tick
 };
 
 }  // namespace cambrian

@@ -12,10 +12,28 @@ FunctionEntry catalog_entry(const NeuronFunctionKind& function) {
     return entry;
 }
 
+OrganEntry catalog_entry(const OrganKind& organ) {
+    OrganEntry entry{organ.id, organ.label, {}};
+    for (const OrganParameter& each : organ.parameters) {
+        // A step has the size that the parameter's range gives it, wherever in it the value is.
+        const double range = each.high - each.low;
+        entry.parameters.push_back({.name = each.name,
+                                    .key = each.key,
+                                    .low = each.low,
+                                    .high = each.high,
+                                    .fallback = each.fallback,
+                                    .step = {.relative = 0.2, .floor = range},
+                                    .unit = each.unit,
+                                    .whole = each.whole,
+                                    .help = each.help});
+    }
+    return entry;
+}
+
 }  // namespace
 
 Kinds make_kinds(NeuronFunctionRegistry functions, SensorRegistry sensors,
-                 EffectorRegistry effectors, SceneKind scene) {
+                 EffectorRegistry effectors, OrganRegistry organs, SceneKind scene) {
     KindCatalog catalog;
     for (const NeuronFunctionKind& function : functions.all())
         catalog.functions.push_back(catalog_entry(function));
@@ -23,12 +41,14 @@ Kinds make_kinds(NeuronFunctionRegistry functions, SensorRegistry sensors,
         catalog.joints.push_back({joint.id, joint.label, joint.degrees_of_freedom(), joint.usual});
     for (const EffectorKind& effector : effectors.all())
         catalog.effectors.push_back({effector.id, effector.label});
+    for (const OrganKind& organ : organs.all())
+        catalog.organs.push_back(catalog_entry(organ));
     for (const SensorKind& sensor : sensors.all()) {
         for (const SensorChannel& channel : sensor.channels)
-            catalog.channels.push_back({channel.id, channel.label, sensor.usual});
+            catalog.channels.push_back({channel.id, channel.label, sensor.usual, sensor.group});
     }
-    return {std::move(functions), std::move(sensors), std::move(effectors), std::move(scene),
-            std::move(catalog)};
+    return {std::move(functions), std::move(sensors), std::move(effectors),
+            std::move(organs),    std::move(scene),   std::move(catalog)};
 }
 
 }  // namespace cambrian

@@ -6,6 +6,7 @@
 #include "brain/neuron_function.h"
 #include "effectors/effector.h"
 #include "genome/kind_catalog.h"
+#include "organs/organ.h"
 #include "sensors/sensor.h"
 #include "world/scene_kind.h"
 
@@ -15,12 +16,13 @@ struct Kinds {
     NeuronFunctionRegistry functions;
     SensorRegistry sensors;
     EffectorRegistry effectors;
+    OrganRegistry organs;
     SceneKind scene;
     KindCatalog catalog;  // the kinds of the registries above, as genes use them
 };
 
 // Returns the registries with a catalog filled from them.
 Kinds make_kinds(NeuronFunctionRegistry functions, SensorRegistry sensors,
-                 EffectorRegistry effectors, SceneKind scene);
+                 EffectorRegistry effectors, OrganRegistry organs, SceneKind scene);
 
 }  // namespace cambrian

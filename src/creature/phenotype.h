@@ -9,6 +9,7 @@
 #include "world/body_plan.h"
 #include "world/scene_settings.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -47,6 +48,16 @@ struct WiredSensor {
     double scale = 1.0;  // 1 / length of the part for a sliding joint, otherwise 1
 };
 
+// An organ of a part.
+struct GrownOrgan {
+    std::uint16_t part = 0;
+    std::uint8_t kind = 0;  // index into the organ registry
+    std::array<double, gene_range::kMaxOrganParameters> parameters = {};
+    // Where and how it is drawn (organs/organ.h).
+    double place = 0.0;
+    OrganMark mark = OrganMark::kDots;
+};
+
 struct Phenotype {
     std::vector<BodyPart> parts;
     BodyPlan plan;  // plan.parts[i] is the body of parts[i]
@@ -57,7 +68,8 @@ struct Phenotype {
     Network network;
     std::vector<std::uint16_t> effector_parts;  // parts whose joint moves, in part order
     std::vector<std::uint8_t> effector_kinds;  // index into the effector registry, one per effector
-    std::uint32_t first_brain_neuron = 0;      // central neurons follow those of the parts
+    std::vector<GrownOrgan> organs;  // in part order; their outputs follow those of the effectors
+    std::uint32_t first_brain_neuron = 0;  // central neurons follow those of the parts
 
     // Whether any joint can move, and whether any effector reads more than constants. Without
     // either, the score is 0 by definition (simulator/README.md 1).

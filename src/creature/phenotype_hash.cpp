@@ -90,6 +90,13 @@ std::uint64_t phenotype_hash(const Phenotype& phenotype) {
         add_integer(hash, static_cast<std::int64_t>(i));
         add_integer(hash, phenotype.effector_kinds[i]);
     }
+    // Creatures without organs keep the hash that they had before there were any.
+    for (const GrownOrgan& organ : phenotype.organs) {
+        add_integer(hash, organ.part);
+        add_integer(hash, organ.kind);
+        for (const double parameter : organ.parameters)
+            hash.add(parameter);
+    }
     return hash.value();
 }
 

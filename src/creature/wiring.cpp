@@ -28,10 +28,12 @@ public:
         index_parts();
         add_neurons();
         add_effectors();
+        add_organs();
         compile(network_, kinds_.functions);
         keep_heard_sensors();
-        CAMBRIAN_TICK_ASSERT(network_.outputs.size() == phenotype_.effector_parts.size(),
-                             "an output an effector");
+        CAMBRIAN_TICK_ASSERT(
+            network_.outputs.size() == phenotype_.effector_parts.size() + phenotype_.organs.size(),
+            "an output an effector and an organ");
         CAMBRIAN_TICK_ASSERT(network_.sensor_count == phenotype_.sensors.size(), "a slot a sensor");
         phenotype_.has_live_control = hears_more_than_constants();
     }
@@ -87,6 +89,17 @@ private:
             phenotype_.effector_parts.push_back(static_cast<std::uint16_t>(i));
             phenotype_.effector_kinds.push_back(gene(i).effector_kind);
             network_.outputs.push_back({resolve(effector.source, i), to_joint * effector.weight});
+        }
+    }
+
+    void add_organs() {
+        for (std::size_t i = 0; i < phenotype_.parts.size(); ++i) {
+            for (const OrganGene& organ : gene(i).organs) {
+                const OrganKind& kind = kinds_.organs[organ.kind];
+                phenotype_.organs.push_back({static_cast<std::uint16_t>(i), organ.kind,
+                                             organ.parameters, kind.place, kind.mark});
+                network_.outputs.push_back({resolve(organ.input.source, i), organ.input.weight});
+            }
         }
     }
 
@@ -209,7 +222,8 @@ private:
                 all = all && constant[neuron.inputs[i].slot];
             constant[network_.neuron_slot(index)] = all;
         }
-        return std::any_of(network_.outputs.begin(), network_.outputs.end(),
+        const auto effectors = static_cast<std::ptrdiff_t>(phenotype_.effector_parts.size());
+        return std::any_of(network_.outputs.begin(), network_.outputs.begin() + effectors,
                            [&](const NetworkInput& output) { return !constant[output.slot]; });
     }
 

@@ -7,7 +7,7 @@
 
 namespace cambrian {
 
-// Adds network, sensors and effectors to a phenotype whose parts have grown.
+// Adds network, sensors, effectors and organs to a phenotype whose parts have grown.
 void wire(const Genome& genome, const Kinds& kinds, Phenotype& phenotype);
 
 }  // namespace cambrian

@@ -7,6 +7,8 @@
 #include "dynamics/model/loop_joints.h"
 #include "math/elementary.h"
 
+#include <fmt/core.h>
+
 #include <cmath>
 #include <string>
 
@@ -20,11 +22,11 @@ constexpr double kMaxPinGap = 1e-6;      // m, in the rest pose
 constexpr double kRateLengthShare = 0.25;
 
 Error part_error(std::size_t part, const std::string& problem) {
-    return {"body plan, part " + std::to_string(part) + ": " + problem};
+    return {fmt::format("body plan, part {}: {}", part, problem)};
 }
 
 Error loop_joint_error(std::size_t joint, const std::string& problem) {
-    return {"body plan, loop joint " + std::to_string(joint) + ": " + problem};
+    return {fmt::format("body plan, loop joint {}: {}", joint, problem)};
 }
 
 bool is_finite(const PlannedPart& part) {
@@ -66,7 +68,7 @@ Status check_loop_joint(const BodyPlan& plan, std::size_t index) {
     const int parts = static_cast<int>(plan.parts.size());
     for (const int part : {joint.part_a, joint.part_b}) {
         if (part < 0 || part >= parts)
-            return loop_joint_error(index, "there is no part " + std::to_string(part));
+            return loop_joint_error(index, fmt::format("there is no part {}", part));
     }
     for (const double number : {joint.anchor_in_a.x(), joint.anchor_in_a.y(), joint.anchor_in_b.x(),
                                 joint.anchor_in_b.y()}) {
@@ -78,16 +80,16 @@ Status check_loop_joint(const BodyPlan& plan, std::size_t index) {
 Status check_plan(const BodyPlan& plan, double density) {
     if (plan.parts.empty()) return Error{"body plan: no parts"};
     if (plan.parts.size() > kMaxParts)
-        return Error{"body plan: " + std::to_string(plan.parts.size()) + " parts, at most " +
-                     std::to_string(kMaxParts) + " expected"};
+        return Error{
+            fmt::format("body plan: {} parts, at most {} expected", plan.parts.size(), kMaxParts)};
     if (!(density > 0.0) || !std::isfinite(density))
         return Error{"environment: density must be above 0"};
     for (std::size_t i = 0; i < plan.parts.size(); ++i) {
         if (Status status = check_part(plan, i); !status) return status;
     }
     if (plan.loop_joints.size() > kMaxLoopJoints)
-        return Error{"body plan: " + std::to_string(plan.loop_joints.size()) +
-                     " loop joints, at most " + std::to_string(kMaxLoopJoints) + " expected"};
+        return Error{fmt::format("body plan: {} loop joints, at most {} expected",
+                                 plan.loop_joints.size(), kMaxLoopJoints)};
     for (std::size_t i = 0; i < plan.loop_joints.size(); ++i) {
         if (Status status = check_loop_joint(plan, i); !status) return status;
     }
@@ -151,10 +153,10 @@ private:
         for (int i = 0; i < model_.part_count; ++i) {
             if (part(i).parent >= 0) continue;
             if (model_.tree_count == kMaxTrees)
-                return Error{"body plan: over " + std::to_string(kMaxTrees) + " separate bodies"};
+                return Error{fmt::format("body plan: over {} separate bodies", kMaxTrees)};
             model_.tree_begin[model_.tree_count++] = model_.body_count;
             if (!visit(i, -1))
-                return Error{"body plan: over " + std::to_string(kMaxBodies) + " moving bodies"};
+                return Error{fmt::format("body plan: over {} moving bodies", kMaxBodies)};
             model_.tree_begin[model_.tree_count] = model_.body_count;
         }
         return {};

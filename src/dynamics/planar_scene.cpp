@@ -7,6 +7,8 @@
 #include "dynamics/stepping/step_control.h"
 #include "math/angle.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -46,6 +48,7 @@ public:
 
     std::size_t part_count() const override { return static_cast<std::size_t>(model_.part_count); }
     Pose part_pose(std::size_t part) const override;
+    Vec3 part_center(std::size_t part) const override;
     Vec3 part_axis(std::size_t part) const override;
     Twist part_twist(std::size_t part) const override;
     double joint_coordinate(std::size_t part) const override;
@@ -81,6 +84,7 @@ public:
     const SceneAudit& audit() const override { return state_.audit; }
     void restart_audit() override { start_audit(model_, forcing_.medium, state_); }
     void list_contacts(std::vector<SceneContact>& contacts) const override;
+    void list_impacts(std::vector<SceneImpact>& impacts) const override;
     void add_to_digest(Hash64& digest) const override;
 
 private:
@@ -131,10 +135,16 @@ Vec3 PlanarScene::mean_of_trees(const PerCoordinate& coordinates) const {
 }
 
 Pose PlanarScene::part_pose(std::size_t part) const {
+    const Vec3 center = part_center(part);
+    const double angle = state_.cache().kinematics.angle[body_of(part)] + model_.part_angle[part];
+    return planar_pose(center.x(), center.y(), angle);
+}
+
+Vec3 PlanarScene::part_center(std::size_t part) const {
     const int b = body_of(part);
     const Kinematics& k = state_.cache().kinematics;
     const Vec2 arm = arm_of(part, 0.0, 0.0);
-    return planar_pose(k.x[b] + arm.x(), k.y[b] + arm.y(), k.angle[b] + model_.part_angle[part]);
+    return {k.x[b] + arm.x(), k.y[b] + arm.y(), 0.0};
 }
 
 Vec3 PlanarScene::part_axis(std::size_t part) const {
@@ -322,6 +332,16 @@ void PlanarScene::list_contacts(std::vector<SceneContact>& contacts) const {
     }
 }
 
+void PlanarScene::list_impacts(std::vector<SceneImpact>& impacts) const {
+    impacts.clear();
+    for (int i = 0; i < state_.impact_count; ++i) {
+        const NotedImpact& noted = state_.impacts[i];
+        if (!(noted.impulse > 0.0)) continue;
+        const Vec3 weighted(noted.point_x, noted.point_y, 0.0);
+        impacts.push_back({weighted / noted.impulse, noted.part_a, noted.part_b, noted.impulse});
+    }
+}
+
 void PlanarScene::add_to_digest(Hash64& digest) const {
     for (int c = 0; c < coordinate_count(model_); ++c) {
         digest.add(state_.motion.position[c]);
@@ -348,18 +368,19 @@ Status check_surroundings(const Environment& environment, const SceneSettings& s
 Error unknown_integrator(const std::string& id) {
     const std::vector<std::string> known = integrator_ids();
     const std::string nearest = nearest_name(id, known);
-    std::string message = "scene settings: unknown integrator \"" + id + "\"";
-    message += nearest.empty() ? "; known are" : "; did you mean \"" + nearest + "\"?";
+    std::string message = fmt::format("scene settings: unknown integrator \"{}\"", id);
+    message += nearest.empty() ? "; known are" : fmt::format("; did you mean \"{}\"?", nearest);
     if (!nearest.empty()) return {message};
     for (const std::string& name : known)
-        message += " \"" + name + "\"";
+        message += fmt::format(" \"{}\"", name);
     return {message};
 }
 
 Error loops_refused(const std::string& id) {
-    std::string message = "body plan: closed loops need another integrator than \"" + id + "\":";
+    std::string message =
+        fmt::format("body plan: closed loops need another integrator than \"{}\":", id);
     for (const IntegratorKind& integrator : builtin_integrators().all()) {
-        if (integrator.holds_loops) message += " \"" + integrator.id + "\"";
+        if (integrator.holds_loops) message += fmt::format(" \"{}\"", integrator.id);
     }
     return {message};
 }

@@ -19,12 +19,13 @@ struct FounderSettings {
     int max_brain_neurons = 2;
     int max_recursion = 4;
     // Whether a kind may be used, by id. Functions and kinds of references that are not listed may
-    // be used. Of joints and sensor channels that are not listed, the usual ones may
+    // be used. Of joints, sensor channels and organs that are not listed, the usual ones may
     // (genome/kind_catalog.h).
     std::map<std::string, bool> functions = {};
     std::map<std::string, bool> joints = {};
     std::map<std::string, bool> channels = {};
     std::map<std::string, bool> references = {};
+    std::map<std::string, bool> organs = {};
 
     friend bool operator==(const FounderSettings&, const FounderSettings&) = default;
 };

@@ -3,6 +3,7 @@
 // The genes: plain structs with the fields, ranges and defaults of genome/README.md 1. Angles in
 // radians, lengths in metres.
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -15,6 +16,8 @@ inline constexpr std::size_t kMaxNodes = 16;
 inline constexpr std::size_t kMaxBrainNeurons = 16;
 inline constexpr std::size_t kMaxNodeNeurons = 8;
 inline constexpr std::size_t kMaxEdges = 6;
+inline constexpr std::size_t kMaxOrgans = 3;
+inline constexpr std::size_t kMaxOrganParameters = 2;
 inline constexpr int kMaxArity = 3;
 inline constexpr int kMaxRecursion = 6;
 inline constexpr int kMaxReference = 15;  // k, e, n, i
@@ -69,6 +72,17 @@ struct NeuronGene {
     friend bool operator==(const NeuronGene&, const NeuronGene&) = default;
 };
 
+// Something that a part does besides moving its joint, such as a call. Its kind has the number and
+// the rules of the parameters.
+struct OrganGene {
+    std::uint8_t kind = 0;  // index into KindCatalog::organs
+    InputGene input = {};   // the signal that it follows
+    // Those that the kind does not use are 0.
+    std::array<double, gene_range::kMaxOrganParameters> parameters = {};
+
+    friend bool operator==(const OrganGene&, const OrganGene&) = default;
+};
+
 struct EdgeGene {
     std::uint8_t target = 0;     // node index
     double position = 0.0;       // [0, 1) along the parent's outline
@@ -93,6 +107,7 @@ struct NodeGene {
     MirrorAxis mirror_axis = MirrorAxis::kAlong;
     std::uint8_t effector_kind = 0;  // index into KindCatalog::effectors
     InputGene effector;              // its source drives this part's joint
+    std::vector<OrganGene> organs;   // 0 to 3
     std::vector<NeuronGene> neurons;
     std::vector<EdgeGene> edges;
     std::uint32_t uid = 0;  // kept in copies; used only for display and alignment

@@ -1,10 +1,8 @@
 #include "genome/gene_fields.h"
 
 #include "math/elementary.h"
-#include "math/reflect.h"
 
 #include <array>
-#include <cmath>
 
 namespace cambrian {
 namespace {
@@ -113,25 +111,6 @@ std::span<const GeneField<InputGene>> input_fields() {
 }
 std::span<const GeneField<Genome>> genome_fields() {
     return kGenomeFields;
-}
-
-bool in_range(double x, const FieldRule& rule) {
-    return x >= rule.low && (rule.wraps ? x < rule.high : x <= rule.high);
-}
-
-double fit(double x, const FieldRule& rule) {
-    if (!std::isfinite(x)) return rule.fallback;
-    if (in_range(x, rule)) return x;
-    if (!rule.wraps) return reflect(x, rule.low, rule.high);
-    const double width = rule.high - rule.low;
-    const double wrapped = x - width * std::floor((x - rule.low) / width);
-    return in_range(wrapped, rule) ? wrapped : rule.low;
-}
-
-double perturb(double x, const FieldRule& rule, const GeneStep& step, RandomStream& stream) {
-    const double gauss = stream.gauss();
-    const double factor = stream.chance(step.long_share) ? step.long_factor : 1.0;
-    return fit(x + gauss * factor * step.relative * std::fmax(std::fabs(x), step.floor), rule);
 }
 
 }  // namespace cambrian

@@ -4,34 +4,12 @@
 // founders. Validation, repair, random genomes and mutation use it and name no field. Three
 // dimensions would need only a few more rows.
 
-#include "core/random.h"
-#include "genome/founder_settings.h"
+#include "genome/field_rule.h"
 #include "genome/genome.h"
 
 #include <span>
 
 namespace cambrian {
-
-// A perturbation adds gauss() * m * relative * max(|x|, floor), where m is long_factor with
-// probability long_share, else 1 (genome/README.md 5).
-struct GeneStep {
-    double relative = 0.2;
-    double floor = 0.1;
-    double long_factor = 4.0;
-    double long_share = 0.15;
-};
-
-struct FieldRule {
-    const char* name;    // in messages: "low limit"
-    const char* key;     // in files, below its gene: "limits/0"
-    double low;          // range, both ends included
-    double high;         // excluded if the field wraps
-    double fallback;     // value that replaces a number that is not finite
-    bool wraps = false;  // reduced modulo the width of the range instead of reflected
-    GeneStep step = {};
-    double (*draw)(const FounderSettings& settings, RandomStream& stream) = nullptr;
-    const char* unit = "";  // "m", "rad" or a plain number
-};
 
 template <class Gene>
 struct GeneField {
@@ -43,14 +21,5 @@ std::span<const GeneField<NodeGene>> node_fields();
 std::span<const GeneField<EdgeGene>> edge_fields();
 std::span<const GeneField<InputGene>> input_fields();  // the weight
 std::span<const GeneField<Genome>> genome_fields();    // the root's angle
-
-bool in_range(double x, const FieldRule& rule);
-
-// Returns x if it is in range; otherwise x reflected or wrapped into it, or the fallback if not
-// finite.
-double fit(double x, const FieldRule& rule);
-
-// Returns x after one mutation step, inside the range.
-double perturb(double x, const FieldRule& rule, const GeneStep& step, RandomStream& stream);
 
 }  // namespace cambrian

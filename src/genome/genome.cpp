@@ -38,6 +38,20 @@ void add_edge(Hash64& hash, const EdgeGene& edge) {
     hash.add_byte(edge.terminal_only ? 1 : 0);
 }
 
+// A mark that no count of neurons has comes first, so that nodes without organs keep the hash that
+// they had before there were any.
+void add_organs(Hash64& hash, const std::vector<OrganGene>& organs) {
+    if (organs.empty()) return;
+    constexpr std::size_t mark = 0x80;
+    hash.add_byte(static_cast<std::uint8_t>(mark + organs.size()));
+    for (const OrganGene& organ : organs) {
+        hash.add_byte(organ.kind);
+        add_input(hash, organ.input);
+        for (const double parameter : organ.parameters)
+            add_real(hash, parameter);
+    }
+}
+
 void add_node(Hash64& hash, const NodeGene& node) {
     add_real(hash, node.length);
     add_real(hash, node.width);
@@ -49,6 +63,7 @@ void add_node(Hash64& hash, const NodeGene& node) {
     hash.add_byte(static_cast<std::uint8_t>(node.mirror_axis));
     if (node.effector_kind != 0) hash.add_byte(node.effector_kind);
     add_input(hash, node.effector);
+    add_organs(hash, node.organs);
     add_neurons(hash, node.neurons);
     hash.add(std::uint64_t{node.edges.size()});
     for (const EdgeGene& edge : node.edges)
@@ -62,7 +77,8 @@ bool operator==(const NodeGene& a, const NodeGene& b) {
            a.limit_low == b.limit_low && a.limit_high == b.limit_high &&
            a.recursion_limit == b.recursion_limit && a.symmetric == b.symmetric &&
            a.mirror_axis == b.mirror_axis && a.effector_kind == b.effector_kind &&
-           a.effector == b.effector && a.neurons == b.neurons && a.edges == b.edges;
+           a.effector == b.effector && a.organs == b.organs && a.neurons == b.neurons &&
+           a.edges == b.edges;
 }
 
 bool operator==(const Genome& a, const Genome& b) {

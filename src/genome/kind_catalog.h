@@ -4,6 +4,8 @@
 // in the order of registration. Genes store indices into it, which digests of genes include; files
 // store the ids.
 
+#include "genome/field_rule.h"
+
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -36,12 +38,20 @@ struct JointChoice {
 struct ChannelEntry {
     std::string id;  // "joint", "contact-distal", ...
     std::string label;
-    bool usual = true;  // enabled by default
+    bool usual = true;       // enabled by default
+    std::string group = {};  // label of the senses that it belongs to
 };
 
 struct EffectorEntry {
     std::string id;  // "joint", ...
     std::string label;
+};
+
+struct OrganEntry {
+    std::string id;  // "sound", ...
+    std::string label;
+    std::vector<FieldRule> parameters;  // at most gene_range::kMaxOrganParameters
+    bool usual = false;                 // enabled by default
 };
 
 // The entry of KindCatalog::reproductions that leaves the breeding method to the settings.
@@ -51,6 +61,7 @@ struct KindCatalog {
     std::vector<FunctionEntry> functions;
     std::vector<JointChoice> joints;
     std::vector<EffectorEntry> effectors;
+    std::vector<OrganEntry> organs;
     std::vector<ChannelEntry> channels;  // indexed by channel number
     // "inherit", then the ids of the breeding methods that genes may name.
     std::vector<std::string> reproductions = {"inherit"};

@@ -2,6 +2,8 @@
 
 #include "genome/source_rules.h"
 
+#include <fmt/core.h>
+
 #include <array>
 #include <charconv>
 
@@ -15,13 +17,12 @@ std::string owner_in_words(const SourceRef& source) {
             return "parent ";
         case SourceKind::kChildNeuron:
         case SourceKind::kChildSensor:
-            return "child " + std::to_string(source.child) + " ";
+            return fmt::format("child {} ", source.child);
         case SourceKind::kBrainNeuron:
             return "brain ";
         case SourceKind::kPartNeuron:
         case SourceKind::kPartSensor:
-            return "part " + std::to_string(source.node) + " instance " +
-                   std::to_string(source.instance) + " ";
+            return fmt::format("part {} instance {} ", source.node, source.instance);
         default:
             return "local ";
     }
@@ -41,11 +42,11 @@ std::string in_words(const SourceRef& source, const KindCatalog& catalog) {
     const SourceRule rule = source_rule(source.kind);
     if (rule.reads == SourceReads::kConstant) return "constant";
     if (rule.reads == SourceReads::kNeuron) {
-        return owner_in_words(source) + "neuron " + std::to_string(source.index);
+        return fmt::format("{}neuron {}", owner_in_words(source), source.index);
     }
     const bool known = source.index < catalog.channels.size();
-    return owner_in_words(source) + "sensor " +
-           (known ? catalog.channels[source.index].id : std::to_string(source.index));
+    return fmt::format("{}sensor {}", owner_in_words(source),
+                       known ? catalog.channels[source.index].id : std::to_string(source.index));
 }
 
 }  // namespace cambrian

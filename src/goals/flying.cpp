@@ -74,8 +74,8 @@ void register_flying(GoalRegistry& goals) {
     goals.add({.id = "flying",
                .label = "Flying",
                .unit = "points",
-               .help = "Staying up and climbing in thin air by flapping, then travel; 0.5 is the "
-                       "best that falls without moving, 1 is level flight.",
+               .help = "Staying up and climbing in thin air by flapping, then travel. The best "
+                       "creature that falls without moving has 0.5; level flight has 1.",
                .default_environment = air,
                .may_give_up = false,
                .mismatch = needs_air,

@@ -32,8 +32,8 @@ void register_jumping(GoalRegistry& goals) {
     goals.add({.id = "jumping",
                .label = "Jumping",
                .unit = "m",
-               .help = "Height of the best jump: of the lowest point above the ground, as far as "
-                       "the body rose with it.",
+               .help = "The height of the best jump: of the lowest point above the ground, as far "
+                       "as the body rose with it.",
                .default_confirmations = 2,
                .default_environment = [] { return Environment{}; },
                .mismatch = needs_ground,

@@ -89,8 +89,8 @@ void register_seeking(GoalRegistry& goals) {
     goals.add({.id = "seeking",
                .label = "Seeking",
                .unit = "points",
-               .help = "How much of the way to a light that jumps is covered, on average and in "
-                       "the worse half of the legs; 1 at most.",
+               .help = "The share of the way to a jumping light that is covered, on average and "
+                       "in the worse half of the legs; 1 at most.",
                .default_environment = lit_water,
                .default_trial = pairs_of_trials(),
                .senses = {"light-along", "light-across", "light"},

@@ -34,7 +34,7 @@ void register_swimming(GoalRegistry& goals) {
     goals.add({.id = "swimming",
                .label = "Swimming",
                .unit = "BL/s",
-               .help = "Steady progress through water along one line, in body lengths a second.",
+               .help = "Steady progress through water along one line, in body lengths per second.",
                .default_environment = water,
                .mismatch = needs_water,
                .score = score_swimming});

@@ -65,7 +65,7 @@ void register_walking(GoalRegistry& goals) {
     goals.add({.id = "walking",
                .label = "Walking",
                .unit = "BL/s",
-               .help = "Steady progress over the ground, in body lengths a second.",
+               .help = "Steady progress over the ground, in body lengths per second.",
                .default_confirmations = 2,
                .default_environment = [] { return Environment{}; },
                .mismatch = needs_ground,

@@ -2,6 +2,8 @@
 
 #include "picking/grid/grid_settings.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -36,8 +38,7 @@ IndividualPtr scored_by(const ExperimentSettings& settings, const IndividualPtr&
 
 Status check_genomes(const std::vector<GenomePtr>& genomes, const KindCatalog& catalog) {
     if (genomes.size() > kMostPicks)
-        return Error{"a grid starts from at most 4 creatures, not " +
-                     std::to_string(genomes.size())};
+        return Error{fmt::format("a grid starts from at most 4 creatures, not {}", genomes.size())};
     for (const GenomePtr& genome : genomes) {
         if (!genome) return Error{"there is no creature to start from"};
         const std::vector<std::string> faults = validate(*genome, catalog);
@@ -82,7 +83,7 @@ Status PickingSession::carry_out(StartFromCreatures& command) {
 Status PickingSession::carry_out(RestoreGrids& command) {
     const std::size_t cells = command.tree.empty() ? 0 : command.tree.current().creatures.size();
     for (const std::size_t pick : command.picks) {
-        if (pick >= cells) return Error{"the grid has no cell " + std::to_string(pick + 1)};
+        if (pick >= cells) return Error{fmt::format("the grid has no cell {}", pick + 1)};
     }
     stop_work();
     shown_.tree = std::move(command.tree);
@@ -158,8 +159,8 @@ Status PickingSession::carry_out(const AskEvolution& command) {
     if (Status open = check_open(); !open) return open;
     if (shown_.picks.empty()) return Error{"pick at least one creature to evolve from"};
     if (command.generations < 1 || command.generations > kMostAssistedGenerations)
-        return Error{"evolution can be asked for 1 to 1000 generations, not " +
-                     std::to_string(command.generations)};
+        return Error{fmt::format("evolution can be asked for 1 to 1000 generations, not {}",
+                                 command.generations)};
     GridOrder order = order_of(parents());
     order.newcomer_cells = 0;
     GridNode draft = draft_of(GridOrigin::kAssistance);
@@ -275,7 +276,7 @@ Status PickingSession::check_cell(std::uint32_t node, std::size_t cell) const {
     if (shown_.tree.empty() || node != shown_.tree.current().number)
         return Error{"that grid is not shown any more"};
     if (cell >= shown_.tree.current().creatures.size())
-        return Error{"the grid has no cell " + std::to_string(cell + 1)};
+        return Error{fmt::format("the grid has no cell {}", cell + 1)};
     return {};
 }
 

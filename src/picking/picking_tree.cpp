@@ -1,17 +1,11 @@
 #include "picking/picking_tree.h"
 
+#include <fmt/core.h>
+
 #include <string>
 #include <utility>
 
 namespace cambrian {
-
-std::vector<std::uint32_t> PickingTree::children(std::uint32_t number) const {
-    std::vector<std::uint32_t> all;
-    for (const auto& node : nodes_) {
-        if (node->parent == number) all.push_back(node->number);
-    }
-    return all;
-}
 
 std::optional<std::uint32_t> PickingTree::next() const {
     return empty() ? std::nullopt : forward_[current_];
@@ -40,7 +34,7 @@ bool PickingTree::forward() {
 }
 
 Status PickingTree::visit(std::uint32_t number) {
-    if (number >= size()) return Error{"there is no grid " + std::to_string(number)};
+    if (number >= size()) return Error{fmt::format("there is no grid {}", number)};
     go_to(number);
     return {};
 }

@@ -48,8 +48,6 @@ public:
     const GridNode& node(std::uint32_t number) const { return *nodes_[number]; }
     // Returns the displayed grid; the tree must not be empty.
     const GridNode& current() const { return *nodes_[current_]; }
-    // Returns the children in order of creation.
-    std::vector<std::uint32_t> children(std::uint32_t number) const;
     // Returns the child to which forward() moves.
     std::optional<std::uint32_t> next() const;
 

@@ -4,6 +4,8 @@
 #include "pictures/scene/moment.h"
 #include "pictures/scene/scene_builder.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -104,8 +106,8 @@ void add_strip(PictureCanvas& canvas, const CardSpace& at, const Subject& subjec
         const Moment moment = moment_of(subject.motion(), time);
         add_moment(canvas, cell, subject, moment, style);
         canvas.round_corners(cell, 10.0 * at.unit, palette.window);
-        canvas.add_text(cell.x + 0.5 * cell.width, at.y(1182), format("%.1f s", moment.time), ink,
-                        Align::kMiddle);
+        canvas.add_text(cell.x + 0.5 * cell.width, at.y(1182), fmt::format("{:.1f} s", moment.time),
+                        ink, Align::kMiddle);
         x += width + gap;
     }
 }

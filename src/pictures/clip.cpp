@@ -2,6 +2,8 @@
 
 #include "core/text/pretty_text.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -44,7 +46,7 @@ void draw_clip_frame(PictureCanvas& canvas, const Subject& subject, const Palett
     canvas.add_text(left, 44.0 * unit, subject.name, title, Align::kLeft,
                     right - left - 120.0 * unit);
     canvas.add_text(left, 72.0 * unit, line, small);
-    canvas.add_text(right, 44.0 * unit, format("%.1f s", moment.time), title, Align::kRight);
+    canvas.add_text(right, 44.0 * unit, fmt::format("{:.1f} s", moment.time), title, Align::kRight);
 }
 
 }  // namespace cambrian

@@ -3,6 +3,8 @@
 #include "core/text/pretty_text.h"
 #include "pictures/scene/moment.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -86,7 +88,7 @@ void draw_sheet(PictureCanvas& canvas, const Subject& subject, const Palette& pa
         add_moment(canvas, cell, subject, moment, style);
         canvas.round_corners(cell, 8.0 * unit, palette.window);
         canvas.add_text(cell.x + 0.5 * width, cell.bottom() + 22.0 * unit,
-                        format("%.1f s", moment.time), ink, Align::kMiddle);
+                        fmt::format("{:.1f} s", moment.time), ink, Align::kMiddle);
         ++index;
     }
 }

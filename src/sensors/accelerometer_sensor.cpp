@@ -26,6 +26,7 @@ Vec3 acceleration_spot(std::size_t channel, int handedness) {
 void add_accelerometer(SensorRegistry& sensors) {
     sensors.add({.id = "accelerometer",
                  .label = "Accelerometer",
+                 .group = "Balance",
                  .channels = {{"accel-along", "Acceleration, along"},
                               {"accel-across", "Acceleration, across"}},
                  .read = read_acceleration,

@@ -20,6 +20,7 @@ Vec3 balance_spot(std::size_t channel, int handedness) {
 void add_balance_sensor(SensorRegistry& sensors) {
     sensors.add({.id = "balance",
                  .label = "Balance",
+                 .group = "Balance",
                  .channels = {{"up-along", "Up, along"}, {"up-across", "Up, across"}},
                  .read = read_balance,
                  .spot = balance_spot,

@@ -14,6 +14,8 @@ SensorRegistry builtin_sensors() {
     add_balance_sensor(sensors);
     add_load_sensor(sensors);
     add_light_sensor(sensors);
+    add_sound_sensor(sensors);
+    add_smell_sensor(sensors);
     return sensors;
 }
 

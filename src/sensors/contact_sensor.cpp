@@ -43,6 +43,7 @@ Vec3 contact_spot(std::size_t channel, int handedness) {
 void add_contact_sensor(SensorRegistry& sensors) {
     sensors.add({.id = "contact",
                  .label = "Contact",
+                 .group = "Joint and touch",
                  .channels = {{"contact-distal", "Contact, far end"},
                               {"contact-left", "Contact, left"},
                               {"contact-proximal", "Contact, near end"},

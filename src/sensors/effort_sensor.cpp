@@ -23,6 +23,7 @@ Vec3 effort_spot(std::size_t /*channel*/, int /*handedness*/) {
 void add_effort_sensor(SensorRegistry& sensors) {
     sensors.add({.id = "effort",
                  .label = "Effort",
+                 .group = "Proprioception",
                  .channels = {{"effort", "Muscle effort"}},
                  .read = read_effort,
                  .spot = effort_spot,

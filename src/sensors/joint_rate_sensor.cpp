@@ -26,6 +26,7 @@ Vec3 joint_rate_spot(std::size_t /*channel*/, int /*handedness*/) {
 void add_joint_rate_sensor(SensorRegistry& sensors) {
     sensors.add({.id = "joint-rate",
                  .label = "Joint rate",
+                 .group = "Proprioception",
                  .channels = {{"joint-rate", "Joint rate"}},
                  .read = read_joint_rate,
                  .spot = joint_rate_spot,

@@ -15,6 +15,7 @@ double read_joint(const SensorSite& site, double& /*memory*/) {
 void add_joint_sensor(SensorRegistry& sensors) {
     sensors.add({.id = "joint",
                  .label = "Joint",
+                 .group = "Joint and touch",
                  .channels = {{"joint", "Joint"}},
                  .read = read_joint,
                  .reads_joint = true});

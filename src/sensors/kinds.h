@@ -15,5 +15,7 @@ void add_spin_sensor(SensorRegistry& sensors);
 void add_balance_sensor(SensorRegistry& sensors);
 void add_load_sensor(SensorRegistry& sensors);
 void add_light_sensor(SensorRegistry& sensors);
+void add_sound_sensor(SensorRegistry& sensors);
+void add_smell_sensor(SensorRegistry& sensors);
 
 }  // namespace cambrian

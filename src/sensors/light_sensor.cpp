@@ -10,7 +10,7 @@ namespace {
 constexpr std::size_t kIntensity = 2;  // channel; those before are the direction's
 
 double read_light(const SensorSite& site, double& /*memory*/) {
-    const Light light = site.surroundings.light(site.body.part_pose(site.index).position);
+    const Light light = site.surroundings.light(site.body.part_center(site.index));
     if (site.channel == kIntensity) return limited_reading(light.intensity);
     return component(site, light.direction);
 }
@@ -24,6 +24,7 @@ Vec3 light_spot(std::size_t channel, int handedness) {
 void add_light_sensor(SensorRegistry& sensors) {
     sensors.add({.id = "light",
                  .label = "Light",
+                 .group = "Light",
                  .channels = {{"light-along", "Light, along"},
                               {"light-across", "Light, across"},
                               {"light", "Light, intensity"}},

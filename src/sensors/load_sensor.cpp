@@ -20,6 +20,7 @@ Vec3 load_spot(std::size_t /*channel*/, int /*handedness*/) {
 void add_load_sensor(SensorRegistry& sensors) {
     sensors.add({.id = "load",
                  .label = "Load",
+                 .group = "Strength of touch",
                  .channels = {{"load", "Load"}},
                  .read = read_load,
                  .spot = load_spot,

@@ -42,6 +42,7 @@ struct SensorKind {
 
     std::string id;
     std::string label;
+    std::string group = {};  // of senses that settings show together; the label of the group
     std::vector<SensorChannel> channels;
     Read read = nullptr;
     // The reading is the joint's coordinate. For a sliding joint, genes use lengths of the part
@@ -50,6 +51,8 @@ struct SensorKind {
     Spot spot = nullptr;         // if null, the lamp is in the middle of the part
     double time_constant = 0.0;  // s, time constant of smoothing; 0 for none
     bool reads_forces = false;   // needs PlannedPart::measures_forces
+    bool hears = false;          // reads Surroundings::sound
+    bool smells = false;         // reads Surroundings::scent
     bool usual = true;           // enabled in founders and mutations by default
 };
 

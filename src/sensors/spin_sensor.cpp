@@ -18,6 +18,7 @@ double read_spin(const SensorSite& site, double& /*memory*/) {
 void add_spin_sensor(SensorRegistry& sensors) {
     sensors.add({.id = "spin",
                  .label = "Spin",
+                 .group = "Proprioception",
                  .channels = {{"spin", "Spin"}},
                  .read = read_spin,
                  .usual = false});

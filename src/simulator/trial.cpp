@@ -3,6 +3,8 @@
 #include "core/text/number_text.h"
 #include "simulator/passive_sink.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -23,6 +25,17 @@ int ticks_in(double seconds) {
     return static_cast<int>(std::lround(seconds / kBrainTick));
 }
 
+UsedSenses senses_of(const Phenotype& phenotype, const Kinds& kinds) {
+    UsedSenses used{.voices = phenotype.organs.size()};
+    for (const GrownOrgan& organ : phenotype.organs)
+        used.scents |= kinds.organs[organ.kind].scents;
+    for (const WiredSensor& sensor : phenotype.sensors) {
+        used.hears |= kinds.sensors[sensor.kind].hears;
+        used.smells |= kinds.sensors[sensor.kind].smells;
+    }
+    return used;
+}
+
 }  // namespace
 
 Result<std::unique_ptr<Trial>> Trial::start(std::shared_ptr<const Phenotype> phenotype,
@@ -37,7 +50,8 @@ Trial::Trial(std::shared_ptr<const Phenotype> phenotype, const Kinds& kinds,
     : phenotype_(std::move(phenotype)),
       world_(world),
       scene_(std::move(scene)),
-      surroundings_(world_.environment, world_.light, phenotype_->rest_length()),
+      surroundings_(world_.environment, world_.light, phenotype_->rest_length(),
+                    senses_of(*phenotype_, kinds)),
       creature_(*phenotype_, kinds, world_.scene),
       progress_{.rest = RestWatch(*phenotype_, kinds)} {
     progress_.record.duration = world_.trial.duration;
@@ -48,6 +62,7 @@ Trial::Trial(std::shared_ptr<const Phenotype> phenotype, const Kinds& kinds,
     progress_.record.passive_sink = passive_sink(world_.environment);
     progress_.record.samples.reserve(
         static_cast<std::size_t>(ticks_in(world_.trial.duration) / kTicksPerSample) + 2);
+    impacts_.reserve(kMostImpacts);
     if (world_.environment.has_light) progress_.record.legs.reserve(world_.trial.duration);
     place_at_start();
     scene_->add_to_digest(progress_.digest);
@@ -121,16 +136,23 @@ void Trial::move_light() {
         progress_.record.legs.begin(distance_to_light());
 }
 
-// Returns whether nothing can move any more. A moving light may wake a resting creature.
+// Returns whether nothing can move any more. A moving light or a smell may wake a resting creature.
 bool Trial::rests() {
-    return world_.trial.stop_at_rest && !surroundings_.source().moves() &&
+    return world_.trial.stop_at_rest && !surroundings_.changes() &&
            progress_.rest.watch(*scene_, creature_.brain());
+}
+
+// What the creature and its impacts gave off in this tick can be sensed in the next one.
+void Trial::pass_on_emissions() {
+    scene_->list_impacts(impacts_);
+    surroundings_.take(creature_.emissions(), impacts_, progress_.test_ticks);
 }
 
 void Trial::test_tick() {
     move_light();
     creature_.act(*scene_, surroundings_, kBrainTick);
     const SceneStatus status = scene_->advance(kBrainTick);
+    pass_on_emissions();
     ++progress_.test_ticks;
     if (progress_.finished) return;
     if (status != SceneStatus::kRunning) {
@@ -198,22 +220,23 @@ void Trial::fail_with(SceneStatus status) {
     const std::string when = progress_.settling ? " while settling" : "";
     if (status == SceneStatus::kOverBudget) {
         fail(Outcome::kOverBudget,
-             "the motion is too stiff or too violent to compute" + when + ": it takes more than " +
-                 short_text(world_.scene.max_evaluations) + " evaluations a second");
+             fmt::format("the motion is too stiff or too violent to compute{}: it takes more than "
+                         "{} evaluations a second",
+                         when, short_text(world_.scene.max_evaluations)));
     } else {
         fail(Outcome::kDiverged, "the motion diverged" + when);
     }
 }
 
 Trial::State Trial::save() const {
-    return {scene_->save(), creature_.save(), surroundings_.source().save(), progress_};
+    return {scene_->save(), creature_.save(), surroundings_.save(), progress_};
 }
 
 void Trial::restore(const State& state) {
     scene_->set_motors_off(state.progress.settling && world_.trial.settle_motors_off);
     scene_->restore(*state.scene);
     creature_.restore(state.creature);
-    surroundings_.source().restore(state.light);
+    surroundings_.restore(state.surroundings);
     progress_ = state.progress;
 }
 

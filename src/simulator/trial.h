@@ -85,7 +85,7 @@ public:
     struct State {
         std::unique_ptr<SceneState> scene;
         Creature::State creature;
-        LightSource::Moment light;
+        TrialSurroundings::Moment surroundings;
         Progress progress;
     };
     State save() const;
@@ -107,6 +107,7 @@ private:
     void test_tick();
     void begin_test();
     void move_light();
+    void pass_on_emissions();
     void watch_jumps();
     void sample();
     double distance_to_light() const;
@@ -120,6 +121,7 @@ private:
     TrialWorld world_;
     std::unique_ptr<PhysicsScene> scene_;
     TrialSurroundings surroundings_;
+    std::vector<SceneImpact> impacts_;  // of the last tick
     Creature creature_;
     Progress progress_;
 };

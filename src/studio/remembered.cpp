@@ -7,6 +7,8 @@
 #include "studio/look/overlays.h"
 #include "studio/panels/generations/tile_list.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <cstdlib>
@@ -87,17 +89,17 @@ std::string write_view(const ViewState& view) {
     std::string text;
     ViewState copy = view;
     for (const Flag& flag : kFlags)
-        text += std::string(flag.name) + " = " + (flag.of(copy) ? "yes" : "no") + "\n";
+        text += fmt::format("{} = {}\n", flag.name, flag.of(copy) ? "yes" : "no");
     for (const OverlayKind& overlay : overlay_kinds())
-        text += std::string(overlay.name) + " = " + (view.overlays.*overlay.shown ? "yes" : "no") +
-                "\n";
-    text += std::string("ghosts = ") + kGhostChoices[static_cast<std::size_t>(view.ghosts)] + "\n";
+        text += fmt::format("{} = {}\n", overlay.name, view.overlays.*overlay.shown ? "yes" : "no");
+    text += fmt::format("ghosts = {}\n", kGhostChoices[static_cast<std::size_t>(view.ghosts)]);
     for (const Size& size : kSizes)
-        text += format("%s = %.0f\n", size.name, static_cast<double>(view.panels.*size.place));
-    text += std::string("theme = ") + (view.theme == ThemeKind::kLight ? "light" : "dark") + "\n";
-    text += std::string("timeline = ") + timeline_plot(view.quantity).id + "\n";
-    text += std::string("population = ") + tile_sorting(view.order).id + "\n";
-    return text + format("speed = %g\n", view.speed);
+        text +=
+            fmt::format("{} = {:.0f}\n", size.name, static_cast<double>(view.panels.*size.place));
+    text += fmt::format("theme = {}\n", view.theme == ThemeKind::kLight ? "light" : "dark");
+    text += fmt::format("timeline = {}\n", timeline_plot(view.quantity).id);
+    text += fmt::format("population = {}\n", tile_sorting(view.order).id);
+    return text + fmt::format("speed = {:g}\n", view.speed);
 }
 
 ViewState parse_view(std::string_view text) {
@@ -114,9 +116,9 @@ ViewState parse_view(std::string_view text) {
 }
 
 std::string write_cluster(const ClusterMemory& cluster) {
-    std::string text = std::string("joined = ") + (cluster.joined ? "yes" : "no") + "\n";
+    std::string text = fmt::format("joined = {}\n", cluster.joined ? "yes" : "no");
     for (const ClusterLine& line : kClusterLines)
-        text += std::string(line.name) + " = " + cluster.login.*line.place + "\n";
+        text += fmt::format("{} = {}\n", line.name, cluster.login.*line.place);
     return text;
 }
 
@@ -154,7 +156,7 @@ Status remember(const std::filesystem::path& folder, const Remembered& remembere
                 const EvolutionKinds& kinds) {
     std::error_code error;
     std::filesystem::create_directories(folder, error);
-    if (error) return Error{folder.string() + " cannot be made: " + error.message()};
+    if (error) return Error{fmt::format("{} cannot be made: {}", folder.string(), error.message())};
     if (Status status = write_file(folder / "view.conf", write_view(remembered.view)); !status)
         return status;
     if (Status status = write_file(folder / "experiment.path", remembered.experiment); !status)

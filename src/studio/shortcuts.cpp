@@ -1,6 +1,7 @@
 #include "studio/shortcuts.h"
 
 #include <GLFW/glfw3.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>
@@ -262,7 +263,7 @@ bool press_in_grid(const KeyPress& press, const FrameContext& frame, Requests& o
 std::string table_of(std::span<const Shortcut> keys) {
     std::string text = "| key | what it does |\n|---|---|\n";
     for (const Shortcut& shortcut : keys)
-        text += std::string("| `") + shortcut.keys + "` | " + shortcut.what + " |\n";
+        text += fmt::format("| `{}` | {} |\n", shortcut.keys, shortcut.what);
     return text;
 }
 
@@ -277,10 +278,11 @@ std::span<const Shortcut> picking_shortcuts() {
 }
 
 std::string keys_text() {
-    return "# Keys\n\n" + table_of(shortcuts()) + "\n## While picking by hand\n\n" +
-           table_of(picking_shortcuts()) +
-           "\nIn the filter of the settings, `Enter` goes to the value of the first setting found "
-           "and `Esc` clears it. Among the samples, arrows choose and `Enter` opens.\n";
+    return fmt::format(
+        "# Keys\n\n{}\n## While picking by hand\n\n{}\nIn the filter of the settings, `Enter` goes "
+        "to the value of the first setting found and `Esc` clears it. Among the samples, arrows "
+        "choose and `Enter` opens.\n",
+        table_of(shortcuts()), table_of(picking_shortcuts()));
 }
 
 void press_shortcut(const KeyPress& press, bool typing, const FrameContext& frame, Requests& out) {

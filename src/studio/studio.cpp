@@ -13,6 +13,8 @@
 #include "studio/session.h"
 #include "studio/shortcuts.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -141,7 +143,7 @@ private:
 
     void keep_picture(std::filesystem::path path) {
         for (int number = 1; path.empty() || std::filesystem::exists(path); ++number)
-            path = "cambrian-" + std::to_string(number) + ".png";
+            path = fmt::format("cambrian-{}.png", number);
         session_.files().save_picture(std::filesystem::absolute(path), picture());
     }
 

@@ -17,6 +17,7 @@ public:
 
     virtual std::size_t part_count() const = 0;
     virtual Pose part_pose(std::size_t part) const = 0;
+    virtual Vec3 part_center(std::size_t part) const = 0;  // m; faster than the pose
     virtual Vec3 part_axis(std::size_t part) const = 0;    // unit vector along the part's length
     virtual Twist part_twist(std::size_t part) const = 0;  // at the part's centre
 
@@ -43,5 +44,11 @@ public:
     virtual double kinetic_energy() const = 0;         // J
     virtual Bounds bounds() const = 0;                 // of all corners of all parts
 };
+
+// Returns the point of a part at this share of its half length from its centre, in m.
+inline Vec3 point_on_axis(const BodyView& body, std::size_t index, const PlannedPart& part,
+                          double share) {
+    return body.part_center(index) + share * part.half_extents.x() * body.part_axis(index);
+}
 
 }  // namespace cambrian

@@ -32,6 +32,8 @@ struct Environment {
     std::string light_motion = "still";  // one of kLightMotionIds
     double light_range = 5.0;            // m; how far it wanders from its start, each way
     double light_reach = 2.0;            // m; distance at which half the intensity is left
+    bool deaf = false;                   // nobody hears anything
+    bool scentless = false;              // nobody smells anything
 
     friend bool operator==(const Environment&, const Environment&) = default;
 };

@@ -28,6 +28,14 @@ struct SceneContact {
     double force = 0.0;          // N along the normal
 };
 
+// The impacts of two parts, or of a part on the ground, during one tick.
+struct SceneImpact {
+    Vec3 point = Vec3::Zero();  // m, world
+    int part = 0;
+    int other_part = -1;   // -1: the ground
+    double impulse = 0.0;  // N s, sum of the normal impulses
+};
+
 // The energy audit of the motion so far (simulator/README.md 4). Works are in J.
 struct SceneAudit {
     double motor_work = 0.0;         // net work
@@ -55,6 +63,8 @@ class SceneState {
 public:
     virtual ~SceneState() = default;
 };
+
+inline constexpr std::size_t kMostImpacts = 16;
 
 class PhysicsScene : public BodyView {
 public:
@@ -91,6 +101,9 @@ public:
     // Restarts the audit and its counters at the present state.
     virtual void restart_audit() = 0;
     virtual void list_contacts(std::vector<SceneContact>& contacts) const = 0;
+    // Lists the impacts of the last tick, each pair of bodies once, in the order of their first
+    // impact; at most kMostImpacts. Impacts within one creature are left out.
+    virtual void list_impacts(std::vector<SceneImpact>& impacts) const = 0;
 
     // Adds the bits of the state (positions and velocities) to a digest of the motion.
     virtual void add_to_digest(Hash64& digest) const = 0;

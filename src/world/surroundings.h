@@ -19,6 +19,10 @@ public:
     // Returns the unit vector against gravity; 0 without gravity.
     virtual Vec3 up() const = 0;
     virtual Light light(const Vec3& point) const = 0;
+    // Returns the loudness of a band of sound; what the creature itself gave off is left out.
+    virtual double sound(const Vec3& point, int band) const = 0;
+    // Returns the concentration of scent, at least 0.
+    virtual double scent(const Vec3& point) const = 0;
 };
 
 }  // namespace cambrian

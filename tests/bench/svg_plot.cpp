@@ -1,5 +1,7 @@
 #include "bench/svg_plot.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -52,8 +54,8 @@ std::string format(const char* pattern, Values... values) {
 }
 
 std::string line(double x1, double y1, double x2, double y2, const char* color) {
-    return format("<line x1='%.1f' y1='%.1f' x2='%.1f' y2='%.1f' stroke='%s'/>\n", x1, y1, x2, y2,
-                  color);
+    return fmt::format("<line x1='{:.1f}' y1='{:.1f}' x2='{:.1f}' y2='{:.1f}' stroke='{}'/>\n", x1,
+                       y1, x2, y2, color);
 }
 
 std::string power_of_ten(double x, double y, const char* anchor, int exponent) {
@@ -85,15 +87,15 @@ std::string marker(std::size_t index, double x, double y) {
     const char* color = kColors[index % kColors.size()];
     switch (index % 5) {
         case 0:
-            return format("<circle cx='%.1f' cy='%.1f' r='4' fill='%s'/>\n", x, y, color);
+            return fmt::format("<circle cx='{:.1f}' cy='{:.1f}' r='4' fill='{}'/>\n", x, y, color);
         case 1:
-            return format("<rect x='%.1f' y='%.1f' width='7' height='7' fill='%s'/>\n", x - 3.5,
-                          y - 3.5, color);
+            return fmt::format("<rect x='{:.1f}' y='{:.1f}' width='7' height='7' fill='{}'/>\n",
+                               x - 3.5, y - 3.5, color);
         case 2:
-            return format("<path d='M%.1f %.1fl4.5 8h-9z' fill='%s'/>\n", x, y - 5, color);
+            return fmt::format("<path d='M{:.1f} {:.1f}l4.5 8h-9z' fill='{}'/>\n", x, y - 5, color);
         case 3:
-            return format("<path d='M%.1f %.1fl4.8 4.8l-4.8 4.8l-4.8-4.8z' fill='%s'/>\n", x,
-                          y - 4.8, color);
+            return fmt::format("<path d='M{:.1f} {:.1f}l4.8 4.8l-4.8 4.8l-4.8-4.8z' fill='{}'/>\n",
+                               x, y - 4.8, color);
         default:
             return format(
                 "<circle cx='%.1f' cy='%.1f' r='3.4' fill='#fff' stroke='%s' stroke-width='2'/>\n",
@@ -107,11 +109,11 @@ std::string curve(const PlotSeries& series, std::size_t index, const Axis& x, co
     for (const PlotPoint& point : series.points) {
         const double at_x = x.pixel(std::log10(point.x));
         const double at_y = y.pixel(std::log10(point.y));
-        path += format("%.1f,%.1f ", at_x, at_y);
+        path += fmt::format("{:.1f},{:.1f} ", at_x, at_y);
         markers += marker(index, at_x, at_y);
     }
-    return format("<polyline fill='none' stroke-width='1.6' stroke='%s' points='",
-                  kColors[index % kColors.size()]) +
+    return fmt::format("<polyline fill='none' stroke-width='1.6' stroke='{}' points='",
+                       kColors[index % kColors.size()]) +
            path + "'/>\n" + markers;
 }
 
@@ -121,8 +123,8 @@ std::string legend(const Plot& plot) {
         const double y = kTop + 12 + kLegendStep * static_cast<double>(i);
         svg += line(kLegendX, y, kLegendX + 24, y, kColors[i % kColors.size()]);
         svg += marker(i, kLegendX + 12, y);
-        svg += format("<text x='%.1f' y='%.1f' fill='#222'>%s</text>\n", kLegendX + 32, y + 4,
-                      plot.series[i].label.c_str());
+        svg += fmt::format("<text x='{:.1f}' y='{:.1f}' fill='#222'>{}</text>\n", kLegendX + 32,
+                           y + 4, plot.series[i].label.c_str());
     }
     return svg;
 }
@@ -130,10 +132,10 @@ std::string legend(const Plot& plot) {
 std::string titles(const Plot& plot) {
     const double middle_x = 0.5 * (kLeft + kRight);
     const double middle_y = 0.5 * (kTop + kBottom);
-    return format("<text x='%.1f' y='26' font-size='15' fill='#111'>%s</text>\n", kLeft,
-                  plot.title.c_str()) +
-           format("<text x='%.1f' y='%.1f' text-anchor='middle' fill='#222'>%s</text>\n", middle_x,
-                  kBottom + 46, plot.x_label.c_str()) +
+    return fmt::format("<text x='{:.1f}' y='26' font-size='15' fill='#111'>{}</text>\n", kLeft,
+                       plot.title.c_str()) +
+           fmt::format("<text x='{:.1f}' y='{:.1f}' text-anchor='middle' fill='#222'>{}</text>\n",
+                       middle_x, kBottom + 46, plot.x_label.c_str()) +
            format(
                "<text transform='translate(20 %.1f) rotate(-90)' text-anchor='middle' "
                "fill='#222'>%s</text>\n",

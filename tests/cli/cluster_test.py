@@ -47,10 +47,15 @@ class Runs(ClusterTest):
         for worker in workers:
             self.wait_for_message(worker, "waiting")
         self.assertEqual(self.run_well("cluster", server.url).stdout, NOBODY_HEARD)
-        for name in ("first", "second"):
-            generations = self.finish(self.evolve(name, "--cluster", server.url))
+        generations = []
+        for number in range(6):
+            name = f"run{number}"
+            generations += self.finish(self.evolve(name, "--cluster", server.url))
             self.assert_same_run(expected, name)
-        sums = self.sums(generations)
+            sums = self.sums(generations)
+            # On a busy machine the coordinator may end a short run before workers answer.
+            if number > 0 and sums["checked"] > 0:
+                break
         self.assertGreater(sums["units"], 12)
         self.assertGreater(sums["checked"], 0)
         for count in ("refused", "malformed"):

@@ -15,7 +15,7 @@ BEYOND = ["E01", "E02", "E09", "E13", "E10_keys", "E07_overflow"]
 
 
 def schema():
-    return json.loads((ROOT / "assets/schema/creature-2.schema.json").read_text())
+    return json.loads((ROOT / "assets/schema/creature-3.schema.json").read_text())
 
 
 class Schema(ProgramTest):
@@ -29,7 +29,7 @@ class Schema(ProgramTest):
                 yield path.name, json.loads(path.read_text(encoding="utf-8-sig"))
 
     def test_the_kept_schema_is_as_the_program_writes_it(self):
-        kept = (ROOT / "assets/schema/creature-2.schema.json").read_text()
+        kept = (ROOT / "assets/schema/creature-3.schema.json").read_text()
         self.assertEqual(self.run_well("schema").stdout, kept)
         jsonschema.Draft202012Validator.check_schema(schema())
 

@@ -19,7 +19,7 @@ size = 24
 duration = 2
 """
 CLOSED_AT_FIRST = ["breeding", "mutation.weights", "body", "body.joints", "body.functions",
-                   "body.sensors", "body.references", "simulation", "trial", "run"]
+                   "body.sensors", "body.organs", "body.references", "simulation", "trial", "run"]
 INSPECTOR_TABS = ["Creature", "Brain", "Genotype", "Ancestry", "Energy"]
 PLOTS = ["fitness", "diversity", "kinds", "lines", "parts", "neurons", "trials", "invalid"]
 TOUR_STEPS = 5

@@ -2,6 +2,7 @@
 
 #include "cluster/coordinator/answers.h"
 #include "cluster/coordinator/batch.h"
+#include "cluster/coordinator/patience.h"
 #include "cluster/coordinator/trust.h"
 #include "cluster/coordinator/unit_ledger.h"
 #include "cluster/coordinator/unit_sizing.h"
@@ -306,8 +307,52 @@ TEST_CASE("the proof set moves creatures towards every goal", "[cluster]") {
     CHECK(differing_trials(trials, trials).empty());
 }
 
+TEST_CASE("patience follows the turnaround of most units, not of a few slow ones", "[cluster]") {
+    Patience patience;
+    for (int unit = 0; unit < 1'000; ++unit)
+        patience.learn(0.5, 1.0);
+    CHECK(patience.factor() == 1.0);
+    // Units that wait for those of other runs take four times their expected time.
+    for (int unit = 0; unit < 1'000; ++unit)
+        patience.learn(4.0, 1.0);
+    CHECK(patience.factor() == Approx(4.0).epsilon(0.06));
+    // One unit of five is held by a slow worker.
+    for (int unit = 0; unit < 5'000; ++unit)
+        patience.learn(unit % 5 == 0 ? 40.0 : 2.0, 1.0);
+    CHECK(patience.factor() == Approx(2.0).epsilon(0.06));
+    for (int unit = 0; unit < 1'000; ++unit)
+        patience.learn(1e6, 1.0);
+    CHECK(patience.factor() == 100.0);
+}
+
+TEST_CASE("a late unit comes home early and casts doubt on its worker only later", "[cluster]") {
+    Batch::Memory memory{.trust = Trust(1)};
+    auto genome = std::make_shared<Genome>();
+    genome->nodes.resize(1);
+    std::vector<EvaluationRequest> requests(1);
+    requests[0].genome = genome;
+    Batch batch(requests, 1, memory);
+    const Cores cores{.own = 1, .remote = 3};
+    const auto plan = batch.next_unit(10.0, cores);
+    REQUIRE(plan);
+    const double due = 10.0 + 1.2 * plan->seconds + 0.02;
+    CHECK(batch.next_due() == Approx(due));
+    CHECK_FALSE(batch.next_home_task(due - 1e-6, cores));
+    SECTION("just late") {
+        const auto task = batch.next_home_task(due + 1e-6, cores);
+        REQUIRE(task);
+        CHECK(task->late);
+        CHECK_FALSE(task->silent_since);
+    }
+    SECTION("long late") {
+        const auto task = batch.next_home_task(10.0 + 2.0 * (due - 10.0) + 0.26, cores);
+        REQUIRE(task);
+        CHECK(task->silent_since == 10.0);
+    }
+}
+
 TEST_CASE("answers to another batch are told apart", "[cluster]") {
-    Batch::Memory memory{.costs = {}, .trust = Trust(1), .counts = {}, .other_bits = {}};
+    Batch::Memory memory{.trust = Trust(1)};
     auto genome = std::make_shared<Genome>();
     genome->nodes.resize(1);
     std::vector<EvaluationRequest> requests(3);
@@ -321,7 +366,7 @@ TEST_CASE("answers to another batch are told apart", "[cluster]") {
         UnitResult unit;
         unit.worker = 1;
         unit.results.push_back({slot, hash, with_fitness(1.0)});
-        return batch.take_result(plan->number, unit, cores);
+        return batch.take_result(plan->number, unit, 0.0, cores);
     };
     CHECK_FALSE(answer(3, genome_hash(*genome)));
     CHECK_FALSE(answer(0, genome_hash(*genome) ^ 1U));

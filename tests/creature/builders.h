@@ -9,7 +9,7 @@ namespace cambrian {
 
 inline const Kinds& kinds() {
     static const Kinds all = make_kinds(builtin_neuron_functions(), builtin_sensors(),
-                                        builtin_effectors(), fake_scene_kind());
+                                        builtin_effectors(), builtin_organs(), fake_scene_kind());
     return all;
 }
 

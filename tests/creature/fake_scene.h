@@ -24,6 +24,7 @@ public:
 
     std::size_t part_count() const override { return coordinates.size(); }
     Pose part_pose(std::size_t part) const override { return poses[part]; }
+    Vec3 part_center(std::size_t part) const override { return poses[part].position; }
     Vec3 part_axis(std::size_t part) const override {
         return poses[part].orientation * Vec3::UnitX();
     }
@@ -57,6 +58,7 @@ public:
     const SceneAudit& audit() const override { return audit_; }
     void restart_audit() override {}
     void list_contacts(std::vector<SceneContact>&) const override {}
+    void list_impacts(std::vector<SceneImpact>&) const override {}
     void add_to_digest(Hash64&) const override {}
 
     std::vector<double> coordinates;

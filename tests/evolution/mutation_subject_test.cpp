@@ -16,7 +16,9 @@ struct Effects {
 
 Effects effects_of(const MutationKind& kind) {
     const KindCatalog& catalog = test::kinds().creature.catalog;
-    const FounderSettings founders;
+    FounderSettings founders;
+    for (const auto& organ : catalog.organs)
+        founders.organs[organ.id] = true;
     Effects effects;
     for (std::uint64_t number = 0; number < 300; ++number) {
         RandomStream stream(stream_seed(11, 0, number, Purpose::kTest));

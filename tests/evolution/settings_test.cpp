@@ -307,3 +307,27 @@ TEST_CASE("random creatures do not depend on senses that are off", "[evolution][
     for (int i = 0; i < 200; ++i)
         REQUIRE(random_genome({}, now, stream) == random_genome({}, before, same));
 }
+
+TEST_CASE("kinds of organs are switches that are off", "[evolution][settings]") {
+    ExperimentSettings settings;
+    std::size_t switches = 0;
+    for (const SettingField& field : setting_fields(kinds())) {
+        if (field.table != "body.organs") continue;
+        ++switches;
+        INFO(field.key);
+        CHECK_FALSE(*std::get<bool*>(field.at(settings)));
+        CHECK(field.later);
+    }
+    CHECK(switches == kinds().creature.catalog.organs.size());
+}
+
+TEST_CASE("mutations of organs do not count while no kind is allowed", "[evolution][settings]") {
+    ExperimentSettings settings;
+    for (const MutationKind& kind : kinds().mutations.all())
+        settings.mutation.weights[kind.id] = kind.enabled == nullptr ? 0.0 : 1.0;
+    const Status refused = check_settings(settings, kinds());
+    REQUIRE_FALSE(refused);
+    CHECK_THAT(refused.error().message, Catch::StartsWith("[mutation.weights]: all weights are 0"));
+    settings.founders.organs["sound"] = true;
+    CHECK(check_settings(settings, kinds()).has_value());
+}

@@ -1,31 +1,39 @@
-// A joint, an integrator, an effector, a sensor, a neuron function, a mutation, a breeding method,
-// a selection and a goal that only this file knows. An experiment that uses only these kinds
-// evolves and is saved, loaded and drawn. A list of known kinds or a switch over them makes a test
-// fail.
+// A joint, an integrator, an effector, an organ, a sensor, a neuron function, a mutation, a
+// breeding method, a selection and a goal that only this file knows. An experiment that uses only
+// these kinds evolves and is saved, loaded and drawn. A list of known kinds or a switch over them
+// makes a test fail.
 
 #include "evolution/backends/thread_pool_backend.h"
 #include "evolution/evolution.h"
 #include "persist/creature/creature_file.h"
+#include "persist/creature/rescoring.h"
 #include "persist/experiment/experiment_file.h"
 #include "persist/settings/settings_file.h"
 #include "pictures/card_picture.h"
 #include "render/opengl/offscreen_context.h"
+#include "simulator/trial.h"
 #include "support/catch.h"
 #include "support/kinds.h"
 #include "support/temporary_directory.h"
 
 #include <array>
 #include <atomic>
+#include <cmath>
 #include <set>
 
 namespace cambrian {
 namespace {
+
+// In rad: the joint's limit on either side, and how far a load may press a joint past its limit.
+constexpr double kStiffLimit = 0.3;
+constexpr double kLimitCompliance = 0.1;
 
 // The number of calls of each made-up kind.
 struct Calls {
     std::atomic<int> joint = 0;
     std::atomic<int> integrator = 0;
     std::atomic<int> effector = 0;
+    std::atomic<int> organ = 0;
     std::atomic<int> sensor = 0;
     std::atomic<int> function = 0;
     std::atomic<int> mutation = 0;
@@ -38,8 +46,8 @@ Calls calls;
 // A hinge with narrow limits, whatever the genes are.
 void shape_stiff(const JointGenes& genes, PlannedPart& part) {
     ++calls.joint;
-    part.limit_low = -0.3;
-    part.limit_high = 0.3;
+    part.limit_low = -kStiffLimit;
+    part.limit_high = kStiffLimit;
     part.max_effort = genes.muscle_strength * genes.width * genes.width;
 }
 
@@ -67,6 +75,17 @@ void drive_flip(const EffectorSite& site, double signal, double /*share*/,
     ++calls.effector;
     memory = signal > 0.0 ? site.part.limit_high : site.part.limit_low;
     scene.set_target(site.index, memory);
+}
+
+// Gives off nothing; counts calls with parameters in their ranges.
+void hum(const OrganSite& site, double /*signal*/, Emissions& /*emissions*/) {
+    const double depth = site.parameters[0];
+    const double count = site.parameters[1];
+    if (depth >= -7.0 && depth <= -3.0 && count >= 1.0 && count <= 9.0) ++calls.organ;
+}
+
+std::string hum_in_words(std::span<const double> /*parameters*/) {
+    return "Hums.";
 }
 
 double read_height(const SensorSite& site, double& /*memory*/) {
@@ -134,6 +153,23 @@ EvolutionKinds with_made_up_kinds() {
                  .read = read_height});
     EffectorRegistry effectors = builtin_effectors();
     effectors.add({.id = "flip", .label = "Flip", .drive = drive_flip});
+    OrganRegistry organs = builtin_organs();
+    organs.add({.id = "hum",
+                .label = "Hum",
+                .parameters = {{.name = "depth",
+                                .key = "depth",
+                                .low = -7.0,
+                                .high = -3.0,
+                                .fallback = -4.0,
+                                .unit = "m"},
+                               {.name = "count",
+                                .key = "count",
+                                .low = 1.0,
+                                .high = 9.0,
+                                .fallback = 1.0,
+                                .whole = true}},
+                .act = hum,
+                .words = hum_in_words});
     SceneKind scene = with_halving(test::kinds().creature.scene);
     scene.joints.add({.id = "stiff",
                       .label = "Stiff",
@@ -158,10 +194,10 @@ EvolutionKinds with_made_up_kinds() {
                .default_environment = [] { return Environment{}; },
                .mismatch = [](const Environment&) { return std::string(); },
                .score = score_mass});
-    return make_evolution_kinds(make_kinds(std::move(functions), std::move(sensors),
-                                           std::move(effectors), std::move(scene)),
-                                std::move(mutations), std::move(breeding), std::move(goals),
-                                std::move(selections));
+    return make_evolution_kinds(
+        make_kinds(std::move(functions), std::move(sensors), std::move(effectors),
+                   std::move(organs), std::move(scene)),
+        std::move(mutations), std::move(breeding), std::move(goals), std::move(selections));
 }
 
 const EvolutionKinds& kinds() {
@@ -190,6 +226,7 @@ ExperimentSettings made_up_settings() {
     settings.breeding.shares = only(kinds().breeding.all(), "second", 1.0, 0.0);
     settings.mutation.weights = only(kinds().mutations.all(), "lean", 1.0, 0.0);
     settings.founders.joints = only(catalog.joints, "stiff", true, false);
+    settings.founders.organs = only(catalog.organs, "hum", true, false);
     settings.founders.functions = only(catalog.functions, "triple", true, false);
     settings.founders.channels = only(catalog.channels, "height-middle", true, false);
     return settings;
@@ -223,7 +260,7 @@ SavedExperiment saved_and_loaded() {
 TEST_CASE("settings that name made-up kinds are written and read", "[extension]") {
     const std::string text = write_settings(made_up_settings(), kinds());
     for (const char* id : {"heavy", "halving", "part", "one-in = 3", "second", "lean", "stiff",
-                           "triple", "height-middle"})
+                           "triple", "height-middle", "hum = true"})
         CHECK_THAT(text, Catch::Contains(id));
     const auto read = parse_settings(text, "made-up.toml", kinds());
     INFO((read ? "" : read.error().message));
@@ -233,13 +270,14 @@ TEST_CASE("settings that name made-up kinds are written and read", "[extension]"
 
 TEST_CASE("two generations are bred with nothing but made-up kinds", "[extension]") {
     for (std::atomic<int>* count :
-         {&calls.joint, &calls.integrator, &calls.effector, &calls.sensor, &calls.function,
-          &calls.mutation, &calls.breeding, &calls.selection, &calls.goal})
+         {&calls.joint, &calls.integrator, &calls.effector, &calls.organ, &calls.sensor,
+          &calls.function, &calls.mutation, &calls.breeding, &calls.selection, &calls.goal})
         *count = 0;
     const SavedExperiment saved = saved_and_loaded();
     CHECK(calls.joint > 0);
     CHECK(calls.integrator > 0);
     CHECK(calls.effector > 0);
+    CHECK(calls.organ > 0);
     CHECK(calls.sensor > 0);
     CHECK(calls.function > 0);
     CHECK(calls.mutation > 0);
@@ -255,6 +293,41 @@ TEST_CASE("two generations are bred with nothing but made-up kinds", "[extension
     CHECK(saved.digests.size() == 3);
     CHECK(std::any_of(saved.latest->population.begin(), saved.latest->population.end(),
                       [](const IndividualPtr& each) { return each->method == "second"; }));
+}
+
+TEST_CASE("the trials of made-up kinds are verified from their files", "[extension]") {
+    const SavedExperiment saved = saved_and_loaded();
+    for (const IndividualPtr& individual : saved.latest->population) {
+        const CreatureDocument document = creature_document(
+            {.individual = individual, .settings = saved.latest->settings}, kinds());
+        const auto read =
+            parse_creature(write_creature(document, kinds()), "made-up.creature.json", kinds());
+        INFO((read ? "" : read.error().message));
+        REQUIRE(read);
+        REQUIRE(read->scored());
+        const EvaluationResult again = run_scored_trial(*read, kinds());
+        CHECK(again.digest == individual->result.digest);
+        CHECK(again.fitness == read->score());
+    }
+}
+
+TEST_CASE("a made-up joint moves, within its own limits", "[extension]") {
+    const SavedExperiment saved = saved_and_loaded();
+    const ExperimentSettings& settings = *saved.latest->settings;
+    double farthest = 0.0;
+    for (const IndividualPtr& individual : saved.latest->population) {
+        const auto phenotype = std::make_shared<const Phenotype>(express(
+            *individual->genome, kinds().creature, settings.expression, settings.world.scene));
+        auto trial = Trial::start(phenotype, kinds().creature, settings.world);
+        if (!trial) continue;  // the body is not possible in this world
+        while ((*trial)->tick()) {
+            for (const std::uint16_t part : phenotype->effector_parts) {
+                farthest = std::fmax(farthest, std::fabs((*trial)->scene().joint_coordinate(part)));
+            }
+        }
+    }
+    CHECK(farthest > 0.5 * kStiffLimit);
+    CHECK(farthest < kStiffLimit + kLimitCompliance);
 }
 
 TEST_CASE("creatures of made-up kinds are saved, loaded and drawn", "[extension]") {

@@ -45,6 +45,8 @@ TEST_CASE("every gene changes hash and equality", "[genome][hash]") {
         [](Genome& g) { g.nodes[1].mirror_axis = MirrorAxis(1 - int(g.nodes[1].mirror_axis)); },
         [](Genome& g) { g.nodes[1].effector.weight += 1e-9; },
         [](Genome& g) { g.nodes[1].effector.source.index ^= 1; },
+        [](Genome& g) { g.nodes[1].organs.emplace_back(); },
+        [](Genome& g) { g.nodes[0].organs.resize(3); },
         [](Genome& g) {
             g.nodes[1].neurons.push_back({2, {{}}});
         },
@@ -60,6 +62,24 @@ TEST_CASE("every gene changes hash and equality", "[genome][hash]") {
         Genome other = genome;
         changes[i](other);
         INFO("change " << i);
+        CHECK_FALSE(other == genome);
+        CHECK(genome_hash(other) != genome_hash(genome));
+    }
+}
+
+TEST_CASE("every gene of an organ changes hash and equality", "[genome][hash]") {
+    const std::vector<std::function<void(OrganGene&)>> changes = {
+        [](OrganGene& organ) { organ.kind = 1; },
+        [](OrganGene& organ) { organ.input.weight += 1e-9; },
+        [](OrganGene& organ) { organ.input.source.kind = SourceKind::kLocalSensor; },
+        [](OrganGene& organ) { organ.parameters[0] = 2.0; },
+        [](OrganGene& organ) { organ.parameters[1] = 2.0; },
+    };
+    Genome genome = founder();
+    genome.nodes[1].organs.resize(2);
+    for (const auto& change : changes) {
+        Genome other = genome;
+        change(other.nodes[1].organs[1]);
         CHECK_FALSE(other == genome);
         CHECK(genome_hash(other) != genome_hash(genome));
     }

@@ -52,6 +52,11 @@ inline NodeGene garbage_node(RandomStream& stream) {
     node.symmetric = stream.chance(0.5);
     node.mirror_axis = MirrorAxis(stream.below(4));
     node.effector = garbage_input(stream);
+    for (std::size_t i = stream.below(6); i > 0; --i) {
+        node.organs.push_back({static_cast<std::uint8_t>(stream.below(4)),
+                               garbage_input(stream),
+                               {garbage_real(stream), garbage_real(stream)}});
+    }
     node.neurons = garbage_neurons(stream);
     for (std::size_t i = stream.below(9); i > 0; --i) {
         node.edges.push_back({garbage_byte(stream), garbage_real(stream), garbage_real(stream),

@@ -17,6 +17,16 @@ inline KindCatalog small_catalog() {
     catalog.joints = {
         {"rigid", "Rigid", 0}, {"rotary", "Rotary", 1}, {"linear", "Linear", 1, false}};
     catalog.effectors = {{"joint", "Joint"}};
+    catalog.organs = {{"voice",
+                       "Voice",
+                       {{.name = "band",
+                         .key = "band",
+                         .low = 0.0,
+                         .high = 3.0,
+                         .fallback = 0.0,
+                         .step = {.relative = 0.2, .floor = 3.0},
+                         .whole = true}}},
+                      {"gland", "Gland", {}}};
     catalog.channels = {{"joint", "Joint"},
                         {"contact-distal", "Distal"},
                         {"contact-left", "Left"},

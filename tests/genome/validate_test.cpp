@@ -55,6 +55,33 @@ TEST_CASE("validate finds unknown kinds", "[genome][validate]") {
     CHECK(only_complaint(genome) == "/nodes/1/neurons/0/fn: is not a known function");
 }
 
+TEST_CASE("validate finds what is wrong with organs", "[genome][validate]") {
+    Genome genome = two_parts();
+    genome.nodes[1].organs = {{.kind = 0, .parameters = {2.0}}, {.kind = 1}};
+    CHECK(validate(genome, small_catalog()).empty());
+    const auto complaint_after = [&](auto change) {
+        Genome changed = genome;
+        change(changed.nodes[1].organs);
+        return only_complaint(changed);
+    };
+    using Organs = std::vector<OrganGene>;
+    CHECK(complaint_after([](Organs& organs) { organs[1].kind = 2; }) ==
+          "/nodes/1/organs/1/kind: is not a known organ");
+    CHECK(complaint_after([](Organs& organs) { organs[0].parameters[0] = 4.0; }) ==
+          "/nodes/1/organs/0/band: 4 is outside [0, 3] or not a whole number");
+    CHECK(complaint_after([](Organs& organs) { organs[0].parameters[0] = 1.5; }) ==
+          "/nodes/1/organs/0/band: 1.5 is outside [0, 3] or not a whole number");
+    CHECK(complaint_after([](Organs& organs) { organs[1].parameters[0] = 1.0; }) ==
+          "/nodes/1/organs/1: has a parameter that its kind does not use");
+    CHECK(complaint_after([](Organs& organs) { organs[0].input.weight = 5.0; }) ==
+          "/nodes/1/organs/0/w: 5 is outside [-4, 4]");
+    CHECK(complaint_after([](Organs& organs) {
+              organs[0].input.source.kind = SourceKind::kPartSensor;
+          }) == "/nodes/1/organs/0/from/kind: is only for central neurons");
+    CHECK(complaint_after([](Organs& organs) { organs.resize(4, {.kind = 1}); }) ==
+          "/nodes/1/organs: 4 entries, allowed are 0 to 3");
+}
+
 TEST_CASE("validate finds unreachable nodes, bad targets and another order", "[genome][validate]") {
     Genome genome = two_parts();
     genome.nodes.emplace_back();

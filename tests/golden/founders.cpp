@@ -16,4 +16,19 @@ Genome founder(int number) {
     return random_genome(all_joints(), test::kinds().creature.catalog, random);
 }
 
+FounderSettings all_organs() {
+    const KindCatalog& catalog = test::kinds().creature.catalog;
+    FounderSettings settings = all_joints();
+    for (const OrganEntry& organ : catalog.organs)
+        settings.organs[organ.id] = true;
+    for (const ChannelEntry& channel : catalog.channels)
+        settings.channels[channel.id] = true;
+    return settings;
+}
+
+Genome founder_with_organs(int number) {
+    RandomStream random(stream_seed({14, static_cast<std::uint64_t>(number)}));
+    return random_genome(all_organs(), test::kinds().creature.catalog, random);
+}
+
 }  // namespace cambrian::golden

@@ -8,4 +8,8 @@ namespace cambrian::golden {
 FounderSettings all_joints();
 Genome founder(int number);
 
+// The same with organs and senses of every kind.
+FounderSettings all_organs();
+Genome founder_with_organs(int number);
+
 }  // namespace cambrian::golden

@@ -56,8 +56,8 @@ std::uint64_t digest_of_bodies(const std::vector<Genome>& genomes) {
     return hash.value();
 }
 
-std::vector<Genome> mutants_of(std::vector<Genome> genomes, const MutationSettings& settings) {
-    const FounderSettings founders = all_joints();
+std::vector<Genome> mutants_of(std::vector<Genome> genomes, const MutationSettings& settings,
+                               const FounderSettings& founders = all_joints()) {
     const MutationContext context{test::kinds().creature.catalog, founders, true};
     for (std::size_t i = 0; i < genomes.size(); ++i) {
         RandomStream random(stream_seed({12, i}));
@@ -96,6 +96,12 @@ void add_genome_digests(Digests& digests) {
     for (const BreedingKind& method : test::kinds().breeding.all())
         digests.push_back(
             {"genome.children." + method.id, digest_of(children_of(mutants, method))});
+    std::vector<Genome> with_organs;
+    for (int i = 0; i < kFounders; ++i)
+        with_organs.push_back(founder_with_organs(i));
+    digests.push_back({"genome.organs", digest_of(with_organs)});
+    digests.push_back(
+        {"genome.organs.mutants", digest_of(mutants_of(with_organs, {}, all_organs()))});
 }
 
 }  // namespace cambrian::golden

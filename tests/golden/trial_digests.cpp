@@ -44,6 +44,34 @@ std::uint64_t digest_of_trials(const GoalKind& goal, int first) {
     return hash.value();
 }
 
+// Adds what was heard and smelled in the last tick.
+void add_surroundings(Hash64& hash, const TrialSurroundings& surroundings) {
+    for (const Sound& sound : surroundings.sounds()) {
+        hash.add_byte(static_cast<std::uint8_t>(sound.band));
+        hash.add(sound.loudness);
+        hash.add(sound.place.x());
+    }
+    if (const ScentField* field = surroundings.scent_field()) hash.add(field->total());
+}
+
+std::uint64_t digest_of_organs() {
+    TrialWorld world;
+    world.trial.duration = kDuration;
+    Hash64 hash;
+    for (int number = 0, done = 0; done < kTrials; ++number) {
+        const auto grown = std::make_shared<const Phenotype>(
+            express(founder_with_organs(number), test::kinds().creature, {}, world.scene));
+        if (!grown->has_live_control || grown->organs.empty()) continue;
+        ++done;
+        auto trial = Trial::start(grown, test::kinds().creature, world);
+        if (!trial) continue;
+        while ((*trial)->tick())
+            add_surroundings(hash, (*trial)->surroundings());
+        add_record(hash, (*trial)->record());
+    }
+    return hash.value();
+}
+
 }  // namespace
 
 void add_trial_digests(Digests& digests) {
@@ -52,6 +80,7 @@ void add_trial_digests(Digests& digests) {
         digests.push_back({"trial." + goal.id, digest_of_trials(goal, first)});
         first += 1000;
     }
+    digests.push_back({"trial.organs", digest_of_organs()});
 }
 
 }  // namespace cambrian::golden

@@ -66,8 +66,8 @@ TEST_CASE("E03: a file of another kind is named", "[persist][creature_error]") {
 }
 
 TEST_CASE("E04: a version from the future or none at all is refused", "[persist][creature_error]") {
-    CHECK(message_of_creature(changed("\"version\": 2", "\"version\": 3")) ==
-          "some.creature.json: E04 /version: 3 is newer than this program (2)");
+    CHECK(message_of_creature(changed("\"version\": 2", "\"version\": 4")) ==
+          "some.creature.json: E04 /version: 4 is newer than this program (3)");
     CHECK_THAT(message_of_creature(changed("\"version\": 2", "\"version\": 0")),
                Catch::Contains("E04"));
     CHECK_THAT(message_of_creature(changed("\"version\": 2", "\"version\": -1.5")),
@@ -185,6 +185,34 @@ TEST_CASE("E12: a source in the wrong place says where it belongs", "[persist][c
 TEST_CASE("E13: a key that appears twice is named", "[persist][creature_error]") {
     CHECK(message_of_creature(changed("\"length\": 0.5,", "\"length\": 0.5, \"length\": 0.6,")) ==
           "some.creature.json: E13 /nodes/0: key \"length\" appears twice");
+}
+
+TEST_CASE("what is wrong with an organ is said in one message", "[persist][creature_error]") {
+    const std::string sound = write_creature(with_organs(sample_document()), kinds());
+    const auto message_after = [&](std::string_view from, std::string_view to) {
+        std::string text = sound;
+        const std::size_t place = text.find(from);
+        REQUIRE(place != std::string::npos);
+        return message_of_creature(text.replace(place, from.size(), to));
+    };
+    CHECK(message_after("\"kind\": \"sound\"", "\"kind\": \"soud\"") ==
+          "some.creature.json: E08 /nodes/1/organs/0/kind: unknown organ \"soud\"; did you mean "
+          "\"sound\"?");
+    CHECK(message_after("\"band\": 2", "\"band\": 4") ==
+          "some.creature.json: E07 /nodes/1/organs/0/band: 4 is outside [0, 3]");
+    CHECK(message_after("\"band\": 2", "\"band\": 1.5") ==
+          "some.creature.json: E06 /nodes/1/organs/0/band: expected a whole number, found 1.5");
+    CHECK(message_after(", \"band\": 2", "") ==
+          "some.creature.json: E05 /nodes/1/organs/0/band: missing");
+    CHECK(message_after("\"kind\": \"childSensor\", \"e\": 3",
+                        "\"kind\": \"childSensor\", \"e\": 16") ==
+          "some.creature.json: E07 /nodes/1/organs/1/source/e: 16 is outside [0, 15]");
+    CHECK(message_after("\"kind\": \"childSensor\", \"e\": 3, \"ch\": \"joint\"",
+                        "\"kind\": \"partNeuron\", \"n\": 0, \"i\": 0, \"k\": 0") ==
+          "some.creature.json: E12 /nodes/1/organs/1/source/kind: \"partNeuron\" is only for "
+          "central neurons");
+    CHECK(message_after("\"organs\": [", "\"organs\": [ {}, {},") ==
+          "some.creature.json: E10 /nodes/1/organs: 4 entries, limit 3");
 }
 
 TEST_CASE("several errors come together, the first with the file's name",

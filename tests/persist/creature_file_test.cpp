@@ -8,6 +8,7 @@
 #include "support/creatures.h"
 #include "support/temporary_directory.h"
 
+#include <algorithm>
 #include <array>
 
 using namespace cambrian;
@@ -44,6 +45,31 @@ TEST_CASE("random creatures are saved, loaded and saved again to the same bytes"
         REQUIRE(loaded->genome() == document.genome());
         REQUIRE(write_creature(*loaded, kinds()) == text);
     }
+}
+
+TEST_CASE("creatures with organs come back, as version 3; those without are version 2",
+          "[persist][creature_file]") {
+    FounderSettings founders;
+    founders.organs = {{"sound", true}, {"scent", true}};
+    RandomStream stream(62);
+    int with = 0;
+    for (int i = 0; i < 600; ++i) {
+        const CreatureDocument document{unjudged(std::make_shared<const Genome>(
+            random_genome(founders, kinds().creature.catalog, stream)))};
+        const std::string text = write_creature(document, kinds());
+        const auto& nodes = document.genome().nodes;
+        const bool organs = std::any_of(nodes.begin(), nodes.end(),
+                                        [](const NodeGene& node) { return !node.organs.empty(); });
+        with += organs ? 1 : 0;
+        CHECK_THAT(text, Catch::Contains(organs ? "\"version\": 3" : "\"version\": 2"));
+        CHECK((text.find("organs") != std::string::npos) == organs);
+        const auto loaded = parse_creature(text, "test", kinds());
+        REQUIRE(loaded);
+        REQUIRE(loaded->warnings.empty());
+        REQUIRE(loaded->genome() == document.genome());
+        REQUIRE(write_creature(*loaded, kinds()) == text);
+    }
+    CHECK(with > 100);
 }
 
 TEST_CASE("the settings of a score survive whatever they are", "[persist][creature_file]") {

@@ -67,6 +67,16 @@ CreatureDocument with_genome(CreatureDocument document, Change change) {
     return document;
 }
 
+// Gives the leg a voice that hears its neuron and a scent gland that hears the joint of a child.
+inline CreatureDocument with_organs(CreatureDocument document) {
+    return with_genome(std::move(document), [](Genome& genome) {
+        const SourceRef child{SourceKind::kChildSensor, 0, 3};
+        genome.nodes[1].organs = {
+            {.kind = 0, .input = {{SourceKind::kLocalNeuron}, 2.0}, .parameters = {2.0}},
+            {.kind = 1, .input = {child, -0.5}}};
+    });
+}
+
 inline void drop_score(CreatureDocument& document) {
     document.creature.individual = without_score(*document.creature.individual);
 }

@@ -73,7 +73,7 @@ TEST_CASE("every setting is written with its range, default and meaning",
           "[persist][settings_file]") {
     const std::string text = write_settings(ExperimentSettings{}, kinds());
     CHECK_THAT(text, Catch::Contains("gravity = 9.81                # 0 to 1000 m/s^2; default "
-                                     "9.81. Pull of the world"));
+                                     "9.81. The acceleration of free fall"));
     for (const SettingField& field : setting_fields(kinds())) {
         CHECK_THAT(text, Catch::Contains("\n[" + field.table + "]\n"));
         CHECK_THAT(text, Catch::Contains("\n" + field.key + " = "));

@@ -5,6 +5,7 @@
 #include "support/kinds.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace cambrian {
 namespace {
@@ -22,6 +23,34 @@ std::vector<Pose> rest_poses(const Phenotype& phenotype) {
     for (const PlannedPart& part : phenotype.plan.parts)
         poses.push_back(part.rest_pose);
     return poses;
+}
+
+TEST_CASE("organs have signs inside their parts", "[pictures][scene_builder]") {
+    const KindCatalog& catalog = test::kinds().creature.catalog;
+    Genome genome = *test::crawler(catalog);
+    const auto shapes_of = [&] {
+        const Phenotype phenotype = express(genome, test::kinds().creature, {}, {});
+        SceneFrame frame;
+        add_creature(frame, kPalette, kCamera, {phenotype, rest_poses(phenotype)});
+        return frame.shapes;
+    };
+    const auto plain = shapes_of();
+    for (std::size_t kind = 0; kind < catalog.organs.size(); ++kind) {
+        genome.nodes[0].organs = {{.kind = static_cast<std::uint8_t>(kind)}};
+        const auto marked = shapes_of();
+        INFO(catalog.organs[kind].id);
+        REQUIRE(marked.size() > plain.size() + 2);
+        const Vec2 half(0.4, 0.1);
+        for (const Shape& shape : marked) {
+            const bool is_new = std::none_of(plain.begin(), plain.end(), [&](const Shape& each) {
+                return each.center == shape.center && each.half_extents == shape.half_extents;
+            });
+            if (!is_new) continue;
+            CHECK(shape.half_extents.maxCoeff() < half.y());
+            CHECK(std::fabs(shape.center.x()) < half.x());
+            CHECK(std::fabs(shape.center.y()) < half.y());
+        }
+    }
 }
 
 TEST_CASE("every part is drawn at its pose in its size", "[pictures][scene_builder]") {

@@ -1,6 +1,9 @@
 #pragma once
 
+#include "world/emissions.h"
 #include "world/surroundings.h"
+
+#include <array>
 
 namespace cambrian {
 
@@ -10,8 +13,19 @@ public:
     Vec3 up() const override { return upwards; }
     Light light(const Vec3& /*point*/) const override { return lit; }
 
+    double sound(const Vec3& /*point*/, int band) const override {
+        return loudness[static_cast<std::size_t>(band)];
+    }
+    double scent(const Vec3& point) const override {
+        scented = point;
+        return concentration;
+    }
+
     Vec3 upwards = Vec3::UnitY();
     Light lit;
+    std::array<double, kSoundBands> loudness = {};
+    double concentration = 0.0;
+    mutable Vec3 scented = Vec3::Zero();  // where scent was last asked for
 };
 
 }  // namespace cambrian

@@ -69,11 +69,13 @@ TEST_CASE("channels have the absolute numbers genes rely on", "[sensors]") {
         for (const SensorChannel& channel : sensor.channels)
             channels.push_back(channel.id);
     }
-    CHECK(channels == std::vector<std::string>{"joint", "contact-distal", "contact-left",
-                                               "contact-proximal", "contact-right", "accel-along",
-                                               "accel-across", "joint-rate", "effort", "spin",
-                                               "up-along", "up-across", "load", "light-along",
-                                               "light-across", "light"});
+    CHECK(channels == std::vector<std::string>{
+                          "joint",         "contact-distal", "contact-left", "contact-proximal",
+                          "contact-right", "accel-along",    "accel-across", "joint-rate",
+                          "effort",        "spin",           "up-along",     "up-across",
+                          "load",          "light-along",    "light-across", "light",
+                          "sound-1",       "sound-2",        "sound-3",      "sound-4",
+                          "smell"});
 }
 
 TEST_CASE("only joint and contact sensors are used unless settings say otherwise", "[sensors]") {
@@ -225,4 +227,34 @@ TEST_CASE("in the dark light reads 0, and more than signals hold is limited", "[
         CHECK(bench.read(channel) == 0.0);
     bench.surroundings.lit = {Vec3::UnitX(), 50.0};
     CHECK(bench.read("light") == 10.0);
+}
+
+TEST_CASE("each ear reads its own band, limited like all signals", "[sensors][sound]") {
+    Bench bench;
+    bench.surroundings.loudness = {0.1, 0.2, 0.4, 50.0};
+    for (const int handedness : {1, -1}) {
+        bench.handedness = handedness;
+        CHECK(bench.read("sound-1") == 0.1);
+        CHECK(bench.read("sound-2") == 0.2);
+        CHECK(bench.read("sound-3") == 0.4);
+        CHECK(bench.read("sound-4") == 10.0);
+    }
+}
+
+TEST_CASE("the nose is at the far end and reads the logarithm of the scent", "[sensors][smell]") {
+    for (const Direction& direction : kDirections) {
+        Bench bench;
+        bench.turn(direction.angle);
+        bench.part.half_extents = Vec3(0.4, 0.1, 0.0);
+        struct Row {
+            double scent, reading;
+        };
+        for (const Row& row : {Row{0.0, 0.0}, Row{0.001, 0.25 * std::log(2.0)},
+                               Row{0.001 * (std::exp(4.0) - 1.0), 1.0}, Row{1e30, 5.0}}) {
+            bench.surroundings.concentration = row.scent;
+            CHECK(bench.read("smell") == Approx(row.reading).margin(1e-12));
+        }
+        const Vec3 nose(0.3 + 0.4 * direction.cosine, 0.7 + 0.4 * direction.sine, 0.0);
+        CHECK((bench.surroundings.scented - nose).norm() < 1e-12);
+    }
 }

@@ -15,6 +15,8 @@ TEST_CASE("a trial allocates nothing from its first tick to its last", "[simulat
     FounderSettings founders;
     for (const ChannelEntry& channel : kinds.catalog.channels)
         founders.channels[channel.id] = true;
+    for (const OrganEntry& organ : kinds.catalog.organs)
+        founders.organs[organ.id] = true;
     RandomStream stream(stream_seed(9, 0, 0, Purpose::kTest));
     int completed = 0;
     for (int i = 0; i < 40; ++i) {

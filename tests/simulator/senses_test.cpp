@@ -37,6 +37,18 @@ Phenotype mirror_twin(Phenotype creature) {
     return creature;
 }
 
+// Returns the creature with parts turned by the rounding of an angle, to either side in turn.
+Phenotype nudged(Phenotype creature) {
+    double angle = 1e-15;  // rad
+    for (PlannedPart& part : creature.plan.parts) {
+        part.rest_angle += angle;
+        part.rest_pose =
+            planar_pose(part.rest_pose.position.x(), part.rest_pose.position.y(), part.rest_angle);
+        angle = -angle;
+    }
+    return creature;
+}
+
 std::unique_ptr<Trial> begin(const Phenotype& phenotype, const TrialWorld& world) {
     auto trial =
         Trial::start(std::make_shared<const Phenotype>(phenotype), test::creature_kinds(), world);
@@ -75,26 +87,34 @@ TrialWorld long_trial(bool has_ground) {
 
 }  // namespace
 
-// The rounding of angles occasionally changes the result of a threshold in a brain.
+// Angles of a twin are rounded, and some creatures amplify the rounding: one balances on a corner,
+// in others a neuron feeds a sensor back. So they do without mirroring, which shows in a creature
+// nudged by a hair.
 TEST_CASE("mirror twins feel the same until their contacts differ", "[simulator][senses]") {
     RandomStream stream(stream_seed({18, 73}));
     for (const bool has_ground : {false, true}) {
         int compared = 0;
-        int grown_apart = 0;
+        int unstable = 0;
         for (int i = 0; i < 200; ++i) {
             const Phenotype creature = random_senser(stream);
             const auto trial = begin(creature, long_trial(has_ground));
             const auto mirrored = begin(mirror_twin(creature), long_trial(has_ground));
-            double most = 0.0;
+            const auto rounded = begin(nudged(creature), long_trial(has_ground));
+            double from_twin = 0.0;
+            double from_rounded = 0.0;
             for (int tick = 0; tick < 300; ++tick) {
                 if (!trial->tick() || !mirrored->tick()) break;
                 if (!touches_alike(trial->scene(), mirrored->scene())) break;
-                most = std::fmax(most, difference(*trial, *mirrored));
+                rounded->tick();
+                from_twin = std::fmax(from_twin, difference(*trial, *mirrored));
+                from_rounded = std::fmax(from_rounded, difference(*trial, *rounded));
                 ++compared;
             }
-            grown_apart += most > 1e-9 ? 1 : 0;
+            CAPTURE(has_ground, i, from_rounded);
+            CHECK(from_twin <= 1e-9 + 10.0 * from_rounded);
+            unstable += from_rounded > 1e-10 ? 1 : 0;
         }
-        CHECK(grown_apart <= 4);
+        CHECK(unstable <= 10);
         CHECK(compared > 20000);
     }
 }

@@ -46,6 +46,13 @@ public:
         drive(node, neuron(node, "oscillate-wave", {constant(frequency), constant(phase)}),
               amplitude);
     }
+    // Adds an organ that follows one of the part's own neurons.
+    void organ(std::uint8_t node, std::string_view kind, std::uint8_t neuron, double weight,
+               double parameter = 0.0) {
+        const std::uint8_t index = index_of(catalog_.organs, kind);
+        genome_.nodes[node].organs.push_back(
+            {index, {from(neuron).source, weight}, {parameter, 0.0}});
+    }
     void limits(std::uint8_t node, double low, double high) {
         genome_.nodes[node].limit_low = low;
         genome_.nodes[node].limit_high = high;

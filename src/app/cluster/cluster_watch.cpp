@@ -3,6 +3,8 @@
 #include "core/text/counted.h"
 #include "persist/json/json_text.h"
 
+#include <fmt/core.h>
+
 #include <chrono>
 #include <condition_variable>
 #include <mutex>
@@ -25,7 +27,7 @@ public:
         if (!status.trouble.empty() && said_.insert(status.trouble).second) say_(status.trouble);
         for (const WorkerStatus& worker : status.workers) {
             if (worker.state != WorkerState::kRefused) continue;
-            const std::string words = worker.name + " is refused: " + worker.refusal;
+            const std::string words = fmt::format("{} is refused: {}", worker.name, worker.refusal);
             if (said_.insert(words).second) say_(words);
         }
     }
@@ -63,7 +65,7 @@ std::string cluster_remark(const BackendStatus& status) {
     if (status.link != ClusterLink::kConnected) return "cluster away, working alone";
     const WorkerTotals all = totals(status);
     if (all.machines <= 1) return "no other machine, working alone";
-    return counted(all.machines, "machine") + ", " + counted(all.cores, "core");
+    return fmt::format("{}, {}", counted(all.machines, "machine"), counted(all.cores, "core"));
 }
 
 ClusterWatch::ClusterWatch(const EvaluationBackend& backend,

@@ -7,6 +7,8 @@
 #include "core/files/file_lock.h"
 #include "core/files/output_target.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cerrno>
 #include <sys/stat.h>
@@ -54,7 +56,8 @@ void add(std::vector<fs::path>& paths, const std::string& path) {
 Status check_there(const fs::path& path) {
     struct stat facts {};
     if (::stat(path.c_str(), &facts) == 0) return {};
-    return Error{"cannot open " + path.string() + ": " + std::generic_category().message(errno)};
+    return Error{
+        fmt::format("cannot open {}: {}", path.string(), std::generic_category().message(errno))};
 }
 
 // Checks a file that is appended to: it must be writable or, if new, its folder must be.
@@ -139,8 +142,10 @@ Status CommandFiles::check() const {
     }
     for (const fs::path& input : inputs_) {
         if (is_standard_output(input))
-            return Error{"cannot write to standard output: it leads to " + input.string() +
-                         ", which is read by the same command"};
+            return Error{
+                fmt::format("cannot write to standard output: it leads to {}, which is read by the "
+                            "same command",
+                            input.string())};
     }
     for (const fs::path& experiment : experiments_) {
         if (Status other = check_inputs(experiment); !other) return other;

@@ -1,5 +1,7 @@
 #include "app/command_line/manual.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cctype>
 #include <sstream>
@@ -27,10 +29,10 @@ std::string plain(std::string_view text) {
 }
 
 std::string bold(std::string_view text) {
-    return "\\fB" + plain(text) + "\\fR";
+    return fmt::format("\\fB{}\\fR", plain(text));
 }
 std::string italic(std::string_view text) {
-    return "\\fI" + plain(text) + "\\fR";
+    return fmt::format("\\fI{}\\fR", plain(text));
 }
 
 std::string upper(std::string text) {
@@ -47,18 +49,18 @@ std::string heading(const CommandOption& option) {
         names += option.positional ? italic(upper(name)) : bold(name);
     }
     if (option.positional || option.value.empty()) return names;
-    return names + " " + italic(option.value) + (option.several ? "..." : "");
+    return fmt::format("{} {}{}", names, italic(option.value), option.several ? "..." : "");
 }
 
 std::string option_entry(const CommandOption& option) {
     const bool shows_kind = option.positional && !option.value.empty();
-    return ".TP\n" + heading(option) + "\n" + plain(option.help) + "\n" +
-           (shows_kind ? "(" + italic(option.value) + ")\n" : "");
+    return fmt::format(".TP\n{}\n{}\n{}", heading(option), plain(option.help),
+                       shows_kind ? fmt::format("({})\n", italic(option.value)) : "");
 }
 
 std::string synopsis_of(const CommandOption& option) {
     std::string text = italic(upper(option.names.front())) + (option.several ? "..." : "");
-    return option.required ? text : "[" + text + "]";
+    return option.required ? text : fmt::format("[{}]", text);
 }
 
 // Returns the entries of the positionals, then those of the options.
@@ -80,18 +82,20 @@ std::string footer_text(const std::string& footer) {
         const std::size_t start = line.find_first_not_of(' ');
         if (start == std::string::npos) continue;
         const std::string shown = plain(line.substr(start));
-        text += start == 0 ? ".PP\n" + shown + "\n" : ".PP\n.nf\n.RS\n" + shown + "\n.RE\n.fi\n";
+        text += start == 0 ? fmt::format(".PP\n{}\n", shown)
+                           : fmt::format(".PP\n.nf\n.RS\n{}\n.RE\n.fi\n", shown);
     }
     return text;
 }
 
 std::string subcommand_section(const Command& program, const Command& command) {
-    std::string line = bold(program.name + " " + command.name);
+    std::string line = bold(fmt::format("{} {}", program.name, command.name));
     for (const CommandOption& option : command.options) {
         if (option.positional) line += " " + synopsis_of(option);
     }
-    return ".SS " + plain(command.name) + "\n" + line + " [" + italic("OPTIONS") + "]\n.PP\n" +
-           plain(command.summary) + "\n" + option_entries(command) + footer_text(command.footer);
+    return fmt::format(".SS {}\n{} [{}]\n.PP\n{}\n{}{}", plain(command.name), line,
+                       italic("OPTIONS"), plain(command.summary), option_entries(command),
+                       footer_text(command.footer));
 }
 
 // Removes the program's name: "Cambrian: evolve creatures in two dimensions. Without ...".
@@ -104,13 +108,15 @@ std::string short_summary(const std::string& summary) {
 }  // namespace
 
 std::string manual_page(const Command& program, std::string_view version) {
-    std::string text = ".TH " + upper(program.name) + " 1 \"\" \"" + program.name + " " +
-                       std::string(version) + "\" \"User Commands\"\n";
-    text += ".SH NAME\n" + program.name + " \\- " + plain(short_summary(program.summary)) + "\n";
-    text += ".SH SYNOPSIS\n" + bold(program.name) + " [" + italic("SUBCOMMAND") + " [" +
-            italic("OPTIONS") + "]]\n";
-    text += ".SH DESCRIPTION\n" + plain(program.summary) + "\n" + footer_text(program.footer);
-    text += ".SH OPTIONS\n" + option_entries(program) + ".SH SUBCOMMANDS\n";
+    std::string text = fmt::format(".TH {} 1 \"\" \"{} {}\" \"User Commands\"\n",
+                                   upper(program.name), program.name, version);
+    text +=
+        fmt::format(".SH NAME\n{} \\- {}\n", program.name, plain(short_summary(program.summary)));
+    text += fmt::format(".SH SYNOPSIS\n{} [{} [{}]]\n", bold(program.name), italic("SUBCOMMAND"),
+                        italic("OPTIONS"));
+    text +=
+        fmt::format(".SH DESCRIPTION\n{}\n{}", plain(program.summary), footer_text(program.footer));
+    text += fmt::format(".SH OPTIONS\n{}.SH SUBCOMMANDS\n", option_entries(program));
     for (const Command& command : program.subcommands)
         text += subcommand_section(program, command);
     return text +

@@ -3,6 +3,7 @@
 #include "core/text/number_text.h"
 
 #include <CLI/CLI.hpp>
+#include <fmt/core.h>
 
 #include <charconv>
 #include <cmath>
@@ -24,20 +25,20 @@ std::optional<double> number_of(std::string_view text) {
 }
 
 std::string range_text(double low, double high) {
-    return "[" + short_text(low) + ", " + short_text(high) + "]";
+    return fmt::format("[{}, {}]", short_text(low), short_text(high));
 }
 
 // Returns an error message; empty if the number is in the range.
 std::string fault(const std::string& typed, double low, double high) {
     const std::optional<double> number = number_of(typed);
-    if (!number) return "'" + typed + "' is no number";
+    if (!number) return fmt::format("'{}' is no number", typed);
     if (!std::isfinite(*number)) return typed + " is not finite";
     if (*number >= low && *number <= high) return "";
-    return typed + " is outside " + range_text(low, high);
+    return fmt::format("{} is outside {}", typed, range_text(low, high));
 }
 
 std::string described(const char* sort, double low, double high) {
-    return std::string(sort) + " in [" + short_text(low) + " - " + short_text(high) + "]";
+    return fmt::format("{} in [{} - {}]", sort, short_text(low), short_text(high));
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 
 #include "core/files/file_io.h"
 
+#include <fmt/core.h>
+
 #include <system_error>
 
 namespace cambrian {
@@ -12,7 +14,8 @@ Result<std::filesystem::path> output_path(const std::string& asked, const std::s
     std::error_code failure;
     if (!asked.empty() && asked.back() == '/') {
         std::filesystem::create_directories(path, failure);
-        if (failure) return Error{"cannot make the folder " + asked + ": " + failure.message()};
+        if (failure)
+            return Error{fmt::format("cannot make the folder {}: {}", asked, failure.message())};
     }
     if (std::filesystem::is_directory(path, failure)) path /= name;
     if (const Status other = files.check_output(path); !other) return other.error();

@@ -1,5 +1,7 @@
 #include "app/command_line/seed_list.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <charconv>
 #include <optional>
@@ -33,11 +35,12 @@ Result<std::vector<std::uint64_t>> parse_seeds(std::string_view text) {
         const auto last =
             dots == std::string_view::npos ? first : parse_seed(part.substr(dots + 2));
         if (!first || !last || *last < *first)
-            return Error{"'" + whole + "' is no list of seeds; expected as 7, 1..9 or 1..9,12"};
+            return Error{
+                fmt::format("'{}' is no list of seeds; expected as 7, 1..9 or 1..9,12", whole)};
         for (std::uint64_t seed = *first; seed <= *last && seeds.size() <= kMostSeeds; ++seed)
             seeds.insert(seed);
         if (seeds.size() > kMostSeeds)
-            return Error{"'" + whole + "' are more than " + std::to_string(kMostSeeds) + " seeds"};
+            return Error{fmt::format("'{}' are more than {} seeds", whole, kMostSeeds)};
     }
     return std::vector<std::uint64_t>(seeds.begin(), seeds.end());
 }

@@ -1,5 +1,7 @@
 #include "app/command_line/completion.h"
 
+#include <fmt/core.h>
+
 namespace cambrian {
 namespace {
 
@@ -39,10 +41,10 @@ std::string words_of(const std::vector<std::string>& words) {
 std::string offer(const std::string& value) {
     if (is_folder(value)) return "_cambrian_folders";
     if (const auto words = value_words(value); !words.empty())
-        return "_cambrian_words '" + words_of(words) + "'";
+        return fmt::format("_cambrian_words '{}'", words_of(words));
     std::string endings;
     for (const std::string& ending : file_endings(value))
-        endings += " '" + ending + "'";
+        endings += fmt::format(" '{}'", ending);
     return endings.empty() ? "" : "_cambrian_files" + endings;
 }
 
@@ -53,9 +55,10 @@ std::string value_cases(const Command& command) {
         if (option.positional || option.value.empty()) continue;
         text += "        ";
         for (const std::string& name : option.names)
-            text += (name == option.names.front() ? "" : " | ") + command.name + "," + name;
+            text += fmt::format("{}{},{}", name == option.names.front() ? "" : " | ", command.name,
+                                name);
         const std::string values = offer(option.value);
-        text += ") " + (values.empty() ? "" : values + "; ") + "return ;;\n";
+        text += fmt::format(") {}return ;;\n", values.empty() ? "" : values + "; ");
     }
     return text;
 }
@@ -66,9 +69,10 @@ std::string command_case(const Command& command, const std::string& positionals)
     for (const CommandOption& option : command.options) {
         if (!option.positional) names.insert(names.end(), option.names.begin(), option.names.end());
     }
-    std::string text = "        " + command.name + ")\n";
-    text += "            if [[ $word == -* ]]; then _cambrian_words '" + words_of(names) + "'\n";
-    text += "            else " + (positionals.empty() ? ":" : positionals) + "\n";
+    std::string text = fmt::format("        {})\n", command.name);
+    text += fmt::format("            if [[ $word == -* ]]; then _cambrian_words '{}'\n",
+                        words_of(names));
+    text += fmt::format("            else {}\n", positionals.empty() ? ":" : positionals);
     return text + "            fi ;;\n";
 }
 
@@ -95,7 +99,7 @@ std::string bash_completion(const Command& program) {
         cases += value_cases(command);
         commands += command_case(command, positionals_of(command));
     }
-    commands += command_case(program, "_cambrian_words '" + words_of(names) + "'");
+    commands += command_case(program, fmt::format("_cambrian_words '{}'", words_of(names)));
     return std::string(kHelpers) + "_cambrian() {\n" +
            "    local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD - 1]}\n"
            "    local command=" +

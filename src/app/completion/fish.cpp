@@ -1,5 +1,7 @@
 #include "app/command_line/completion.h"
 
+#include <fmt/core.h>
+
 namespace cambrian {
 namespace {
 
@@ -20,15 +22,15 @@ std::string values_of(const std::string& value) {
         text += (text.empty() ? "" : " ") + word;
     for (const std::string& ending : file_endings(value)) {
         text += text.empty() ? "" : " ";
-        text +=
-            ending.empty() ? "(__fish_complete_path)" : "(__fish_complete_suffix " + ending + ")";
+        text += ending.empty() ? "(__fish_complete_path)"
+                               : fmt::format("(__fish_complete_suffix {})", ending);
     }
     return text;
 }
 
 std::string line(const std::string& program, const std::string& condition,
                  const CommandOption& option) {
-    std::string text = "complete -c " + program + " -n " + quoted_for_fish(condition);
+    std::string text = fmt::format("complete -c {} -n {}", program, quoted_for_fish(condition));
     for (const std::string& name : option.names) {
         if (option.positional) break;
         text += name.starts_with("--") ? " -l " + name.substr(2) : " -s " + name.substr(1);
@@ -37,18 +39,19 @@ std::string line(const std::string& program, const std::string& condition,
     const std::string values = values_of(option.value);
     if (option.positional && values.empty()) return "";
     if (!values.empty()) text += " -a " + quoted_for_fish(values);
-    return text + (option.positional ? "" : " -d " + quoted_for_fish(option.help)) + "\n";
+    return fmt::format("{}{}\n", text,
+                       option.positional ? "" : " -d " + quoted_for_fish(option.help));
 }
 
 }  // namespace
 
 std::string fish_completion(const Command& program) {
-    std::string text = "# Completion for fish.\n\ncomplete -c " + program.name + " -f\n";
+    std::string text = fmt::format("# Completion for fish.\n\ncomplete -c {} -f\n", program.name);
     for (const CommandOption& option : program.options)
         text += line(program.name, "__fish_use_subcommand", option);
     for (const Command& command : program.subcommands) {
-        text += "complete -c " + program.name + " -n '__fish_use_subcommand' -a " + command.name +
-                " -d " + quoted_for_fish(command.summary) + "\n";
+        text += fmt::format("complete -c {} -n '__fish_use_subcommand' -a {} -d {}\n", program.name,
+                            command.name, quoted_for_fish(command.summary));
         for (const CommandOption& option : command.options)
             text += line(program.name, "__fish_seen_subcommand_from " + command.name, option);
     }

@@ -1,5 +1,7 @@
 #include "app/command_line/completion.h"
 
+#include <fmt/core.h>
+
 namespace cambrian {
 namespace {
 
@@ -25,19 +27,21 @@ std::string action(const std::string& value) {
     if (const auto words = value_words(value); !words.empty()) {
         for (const std::string& word : words)
             text += (text.empty() ? "" : " ") + word;
-        return "(" + text + ")";
+        return fmt::format("({})", text);
     }
     for (const std::string& ending : file_endings(value))
         text += (text.empty() ? "*" : "|*") + ending;
     if (text.empty()) return " ";
-    return "_files -g \"" + (text.find('|') == std::string::npos ? text : "(" + text + ")") + "\"";
+    return fmt::format("_files -g \"{}\"",
+                       text.find('|') == std::string::npos ? text : fmt::format("({})", text));
 }
 
 std::string argument(const CommandOption& option) {
-    const std::string message = quoted_for_zsh(option.help) + ":" + action(option.value);
+    const std::string message =
+        fmt::format("{}:{}", quoted_for_zsh(option.help), action(option.value));
     if (option.positional) {
         const std::string place = option.several ? "*" : option.required ? "1" : "::";
-        return "'" + (place == "::" ? "1::" : place + ":") + message + "'";
+        return fmt::format("'{}{}'", place == "::" ? "1::" : place + ":", message);
     }
     std::string names;
     std::string excluded;
@@ -45,18 +49,18 @@ std::string argument(const CommandOption& option) {
         names += (names.empty() ? "" : ",") + name;
         excluded += (excluded.empty() ? "" : " ") + name;
     }
-    if (option.names.size() > 1) names = "{" + names + "}";
-    std::string text = option.several ? "'*'" : "'(" + excluded + ")'";
-    text += names + "'[" + quoted_for_zsh(option.help) + "]";
+    if (option.names.size() > 1) names = fmt::format("{{{}}}", names);
+    std::string text = option.several ? "'*'" : fmt::format("'({})'", excluded);
+    text += fmt::format("{}'[{}]", names, quoted_for_zsh(option.help));
     if (!option.value.empty())
-        text += ":" + quoted_for_zsh(option.value) + ":" + action(option.value);
+        text += fmt::format(":{}:{}", quoted_for_zsh(option.value), action(option.value));
     return text + "'";
 }
 
 std::string arguments(const Command& command, const std::string& indent) {
     std::string text;
     for (const CommandOption& option : command.options)
-        text += " \\\n" + indent + argument(option);
+        text += fmt::format(" \\\n{}{}", indent, argument(option));
     return text;
 }
 
@@ -66,9 +70,9 @@ std::string zsh_completion(const Command& program) {
     std::string names;
     std::string cases;
     for (const Command& command : program.subcommands) {
-        names += "        '" + command.name + ":" + quoted_for_zsh(command.summary) + "'\n";
-        cases += "            " + command.name + ")\n                _arguments" +
-                 arguments(command, "                    ") + " ;;\n";
+        names += fmt::format("        '{}:{}'\n", command.name, quoted_for_zsh(command.summary));
+        cases += fmt::format("            {})\n                _arguments{} ;;\n", command.name,
+                             arguments(command, "                    "));
     }
     return "#compdef " + program.name +
            "\n# Completion for zsh.\n\n_cambrian() {\n    local curcontext=$curcontext state line\n"

@@ -4,9 +4,12 @@
 #include "comparison/curves.h"
 #include "comparison/report.h"
 #include "core/files/file_io.h"
+#include "core/text/counted.h"
 #include "core/text/pretty_text.h"
 #include "persist/creature/png_file.h"
 #include "pictures/curves_picture.h"
+
+#include <fmt/core.h>
 
 #include <utility>
 
@@ -23,10 +26,9 @@ std::vector<BandedCurve> curves_of(const std::vector<ComparedRun>& runs, const s
         const std::vector<ComparedRun> some = runs_of(runs, world, arm);
         if (some.empty()) continue;
         CurveBand band = band_of(some, kPoints);
-        const std::string count =
-            std::to_string(some.size()) + (some.size() == 1 ? " run" : " runs");
-        curves.push_back({arm + ", " + count, std::move(band.trials), std::move(band.lower),
-                          std::move(band.middle), std::move(band.upper)});
+        const std::string count = counted(some.size(), "run");
+        curves.push_back({fmt::format("{}, {}", arm, count), std::move(band.trials),
+                          std::move(band.lower), std::move(band.middle), std::move(band.upper)});
     }
     return curves;
 }
@@ -47,7 +49,7 @@ Status save_comparison_pictures(const std::filesystem::path& folder,
                     palette_of(ThemeKind::kLight));
         const Result<std::string> png = encode_png(canvas.finish());
         if (!png) return png.error();
-        const Status written = write_file(folder / ("curves-" + world + ".png"), *png);
+        const Status written = write_file(folder / fmt::format("curves-{}.png", world), *png);
         if (!written) return written;
     }
     return {};

@@ -5,8 +5,9 @@
 #include "persist/text/digest_text.h"
 #include "persist/text/quoted_text.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
-#include <cstdio>
 
 namespace cambrian {
 namespace {
@@ -15,9 +16,7 @@ constexpr double kLearntByHeart = 0.25;  // more in its own trials than in other
 
 // Formats with four decimals, so that columns align in all generations.
 std::string fixed(double number) {
-    char text[64];
-    std::snprintf(text, sizeof text, "%.4f", number);
-    return text;
+    return fmt::format("{:.4f}", number);
 }
 
 std::string right_aligned(std::string text, std::size_t width) {
@@ -29,8 +28,8 @@ std::string right_aligned(std::string text, std::size_t width) {
 std::string remarks(const GenerationStatistics& statistics) {
     std::string text;
     if (stagnant(statistics)) {
-        text += "   no progress for " + std::to_string(statistics.generations_without_progress) +
-                " generations";
+        text += fmt::format("   no progress for {} generations",
+                            statistics.generations_without_progress);
     }
     if (statistics.giving_up_distrusted)
         text += "   trials are not given up any more: an audited one would have survived";
@@ -112,16 +111,15 @@ std::string json_of(const TerminationAudit& audit) {
 // Example: "0.93 BL/s, the median of 11 worlds (0.81 to 0.99)".
 std::string confirmed_in_words(const EvaluationResult& result, const std::string& unit) {
     const auto range = std::minmax_element(result.scores.begin(), result.scores.end());
-    return fixed(result.fitness) + " " + unit + ", the median of " +
-           std::to_string(result.scores.size()) + " worlds (" + fixed(*range.first) + " to " +
-           fixed(*range.second) + ")";
+    return fmt::format("{} {}, the median of {} worlds ({} to {})", fixed(result.fitness), unit,
+                       result.scores.size(), fixed(*range.first), fixed(*range.second));
 }
 
 // "0.4100 points, in 8 trials no generation saw; learnt by heart: 0.7000 in its own"
 std::string held_out_in_words(double score, double trained, const std::string& unit) {
-    std::string text = fixed(score) + " " + unit + ", in 8 trials no generation saw";
+    std::string text = fmt::format("{} {}, in 8 trials no generation saw", fixed(score), unit);
     if (trained - score > kLearntByHeart)
-        text += "; learnt by heart: " + fixed(trained) + " " + unit + " in its own";
+        text += fmt::format("; learnt by heart: {} {} in its own", fixed(trained), unit);
     return text;
 }
 
@@ -139,11 +137,11 @@ std::string json_of_path(const std::filesystem::path& path) {
 }  // namespace
 
 std::string origin_in_words(const Individual& individual) {
-    std::string text =
-        "born in generation " + std::to_string(individual.born) + ", " + individual.method;
+    std::string text = fmt::format("born in generation {}, {}", individual.born, individual.method);
     for (const MutationRecord& mutation : individual.mutations) {
-        text += "; " + mutation.place + ": ";
-        text += mutation.from.empty() ? mutation.to : mutation.from + " to " + mutation.to;
+        text += fmt::format("; {}: ", mutation.place);
+        text += mutation.from.empty() ? mutation.to
+                                      : fmt::format("{} to {}", mutation.from, mutation.to);
     }
     return text;
 }
@@ -152,9 +150,9 @@ std::string generation_line(const GenerationStatistics& statistics, const std::s
                             bool json, const std::string& cluster) {
     if (json) return json_of(statistics, unit, cluster);
     const std::string number = std::to_string(statistics.generation);
-    return "generation " + right_aligned(number, 4) + "   best " +
-           right_aligned(fixed(statistics.best), 8) + " " + unit + "   median " +
-           right_aligned(fixed(statistics.median), 8) + " " + unit + remarks(statistics);
+    return fmt::format("generation {}   best {} {}   median {} {}{}", right_aligned(number, 4),
+                       right_aligned(fixed(statistics.best), 8), unit,
+                       right_aligned(fixed(statistics.median), 8), unit, remarks(statistics));
 }
 
 std::string final_line(const Evolution& evolution, const std::string& unit,
@@ -187,20 +185,20 @@ std::string final_line(const Evolution& evolution, const std::string& unit,
              {"stopped_by", quoted_text(stopped_by)},
              {"interrupted", json_truth(interrupted)}});
     }
-    std::string text = std::string(interrupted ? "interrupted; best" : "best") + " of generation " +
-                       std::to_string(first.generation) + ": " + fixed(first.best) + " " + unit +
-                       ", of generation " + std::to_string(last.generation) + ": " +
-                       fixed(last.best) + " " + unit + "\nchampion: ";
+    std::string text =
+        fmt::format("{} of generation {}: {} {}, of generation {}: {} {}\nchampion: ",
+                    interrupted ? "interrupted; best" : "best", first.generation, fixed(first.best),
+                    unit, last.generation, fixed(last.best), unit);
     if (!files.champion.empty()) text += files.champion.string() + " ";
-    text += "(" + origin_in_words(champion) + ")";
+    text += fmt::format("({})", origin_in_words(champion));
     if (!champion.result.scores.empty())
         text += "\nconfirmed: " + confirmed_in_words(champion.result, unit);
     if (reported.held_out)
         text +=
             "\nheld out: " + held_out_in_words(*reported.held_out, champion.result.fitness, unit);
     if (gave_up) {
-        text += "\nearly termination: " + std::to_string(audit.finished) + " audited, " +
-                std::to_string(audit.survived) + " would have survived";
+        text += fmt::format("\nearly termination: {} audited, {} would have survived",
+                            audit.finished, audit.survived);
     }
     if (!files.experiment.empty()) text += "\nexperiment: " + files.experiment.string();
     return text;

@@ -22,6 +22,8 @@
 #include "persist/settings/settings_file.h"
 #include "persist/settings/typed_setting.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <memory>
 #include <optional>
@@ -49,8 +51,8 @@ Result<std::vector<GenomePtr>> founders_of(const EvolutionRun& run,
                                            const EvolutionKinds& kinds) {
     const int places = settings.population.size;
     if (run.founders.size() > static_cast<std::size_t>(places)) {
-        return Error{"--founders: " + std::to_string(run.founders.size()) +
-                     " creatures, but [population] size is " + std::to_string(places)};
+        return Error{fmt::format("--founders: {} creatures, but [population] size is {}",
+                                 run.founders.size(), places)};
     }
     std::vector<GenomePtr> founders;
     for (const std::string& file : run.founders) {
@@ -72,9 +74,9 @@ Result<std::filesystem::path> save_champion(const std::filesystem::path& path,
     std::error_code failure;
     const std::filesystem::path refuge =
         std::filesystem::temp_directory_path(failure) /
-        ("rescued-" + std::to_string(::getpid()) + "-" + path.filename().string());
+        fmt::format("rescued-{}-{}", ::getpid(), path.filename().string());
     if (failure || !save_creature(refuge, champion, kinds)) return saved.error();
-    return Error{saved.error().message + "; the champion is in " + refuge.string()};
+    return Error{fmt::format("{}; the champion is in {}", saved.error().message, refuge.string())};
 }
 
 // The evolution to run, its limits and its files.
@@ -114,8 +116,9 @@ Result<Course> new_course(const EvolutionRun& run, const EvolutionKinds& kinds) 
 Status check_unfinished(const std::string& file, const SavedExperiment& saved,
                         const ExperimentSettings& limits) {
     if (!saved.latest || stop_reason(saved.latest->history, limits).empty()) return {};
-    return Error{file + ": has come to its end, " + std::to_string(saved.latest->history.size()) +
-                 " generations; --generations N asks for more"};
+    return Error{
+        fmt::format("{}: has come to its end, {} generations; --generations N asks for more", file,
+                    saved.latest->history.size())};
 }
 
 ExperimentSettings limits_of(const EvolutionRun& run, const SavedExperiment& saved) {
@@ -304,8 +307,8 @@ RunEnd run_once(const EvolutionRun& run, const EvolutionKinds& kinds) {
         status = report(*course, harvest, unit, run.json, kinds);
     } else if (harvest.kept) {
         const bool first = course->evolution.history().empty();
-        say(std::string("interrupted before the ") + (first ? "first" : "next") +
-            " generation was judged");
+        say(fmt::format("interrupted before the {} generation was judged",
+                        first ? "first" : "next"));
     }
     if (!harvest.kept) status = fail(harvest.kept.error(), ExitStatus::kFailed);
     if (harvest.stopped_by == "interruption" || harvest.stopped_by == "failure")
@@ -318,7 +321,8 @@ Status check_place_of_several(const EvolutionRun& run) {
     const bool folder =
         run.out.empty() || run.out.ends_with('/') || std::filesystem::is_directory(run.out);
     if (folder) return {};
-    return Error{"--out " + run.out + ": several seeds need a folder; " + run.out + "/ makes one"};
+    return Error{
+        fmt::format("--out {}: several seeds need a folder; {}/ makes one", run.out, run.out)};
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 
 #include "app/command_line/output_path.h"
 
+#include <fmt/core.h>
+
 #include <system_error>
 
 namespace cambrian {
@@ -11,8 +13,8 @@ constexpr int kMostOfOneName = 10'000;
 
 // Returns the names of a run's files in a folder. The names of run 1 have no number.
 RunOutputs named_in(const std::filesystem::path& folder, const std::string& name, int number) {
-    const std::string numbered = number == 1 ? name : name + "-" + std::to_string(number);
-    return {.champion = folder / ("champion-" + numbered + ".creature.json"),
+    const std::string numbered = number == 1 ? name : fmt::format("{}-{}", name, number);
+    return {.champion = folder / fmt::format("champion-{}.creature.json", numbered),
             .experiment = folder / (numbered + ".cambrian")};
 }
 
@@ -27,8 +29,8 @@ bool is_free(const RunOutputs& outputs) {
 Result<RunOutputs> run_outputs(const std::string& asked, const ExperimentSettings& settings,
                                const CommandFiles& files) {
     if (is_experiment_name(asked)) return RunOutputs{.champion = {}, .experiment = asked};
-    const std::string name = settings.goal + "-seed" + std::to_string(settings.seed);
-    const auto place = output_path(asked, "champion-" + name + ".creature.json", files);
+    const std::string name = fmt::format("{}-seed{}", settings.goal, settings.seed);
+    const auto place = output_path(asked, fmt::format("champion-{}.creature.json", name), files);
     if (!place) return place.error();
     if (!asked.empty() && place->string() == asked)
         return RunOutputs{.champion = *place, .experiment = {}};

@@ -5,6 +5,7 @@
 #include "app/process/messages.h"
 
 #include <CLI/CLI.hpp>
+#include <fmt/core.h>
 
 namespace cambrian {
 
@@ -19,7 +20,7 @@ ExitStatus WithoutWindow::run(const Error& reason, const EvolutionKinds& kinds) 
         say(reason.message + "; `cambrian evolve SETTINGS.toml` works without a window");
         return ExitStatus::kFailed;
     }
-    say(reason.message + "; evolving " + settings_ + " without a window");
+    say(fmt::format("{}; evolving {} without a window", reason.message, settings_));
     EvolutionRun run;
     run.settings_file = settings_;
     return run_evolution(run, kinds);

@@ -1,5 +1,7 @@
 #include "app/process/process.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <csignal>
 #include <fcntl.h>
@@ -31,9 +33,9 @@ Status provide_stack() {
         ::setrlimit(RLIMIT_STACK, &stack);
     }
     if (stack.rlim_cur < kLeastStack) {
-        return Error{"the stack is limited to " + std::to_string(stack.rlim_cur / 1024) +
-                     " kB; at least " + std::to_string(kLeastStack / 1024) +
-                     " kB are needed (ulimit -s)"};
+        return Error{
+            fmt::format("the stack is limited to {} kB; at least {} kB are needed (ulimit -s)",
+                        stack.rlim_cur / 1024, kLeastStack / 1024)};
     }
     pthread_attr_t attributes;
     ::pthread_attr_init(&attributes);

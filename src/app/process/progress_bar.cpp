@@ -2,6 +2,8 @@
 
 #include "app/process/messages.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 
 namespace cambrian {
@@ -39,12 +41,12 @@ std::string ProgressBar::numbers() const {
     const double share = complete ? 1.0 : (finished_ + done / total) / generations_;
     const double seconds = line_.seconds();
     const double trials = static_cast<double>(trials_done_) + done;
-    const std::string line = "generation " + std::to_string(finished_) + " of " +
-                             std::to_string(generations_) + " " + bar_text(share);
+    const std::string line =
+        fmt::format("generation {} of {} {}", finished_, generations_, bar_text(share));
     const std::string left = time_left_text(share, seconds);
     if (left.empty()) return line;
-    return line + "  " + std::to_string(static_cast<long long>(trials / seconds)) + " creatures/s" +
-           left;
+    return fmt::format("{}  {} creatures/s{}", line, static_cast<long long>(trials / seconds),
+                       left);
 }
 
 }  // namespace cambrian

@@ -1,5 +1,7 @@
 #include "app/process/progress_line.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <chrono>
 #include <condition_variable>
@@ -16,27 +18,22 @@ constexpr double kTooEarlyToTell = 0.5;  // s; before this time no remaining tim
 
 std::string clock_text(double seconds) {
     const auto whole = static_cast<long long>(std::min(seconds, 1e9));
-    char text[32];
-    if (whole >= 3600) {
-        std::snprintf(text, sizeof text, "%lld:%02lld:%02lld", whole / 3600, whole / 60 % 60,
-                      whole % 60);
-    } else {
-        std::snprintf(text, sizeof text, "%lld:%02lld", whole / 60, whole % 60);
-    }
-    return text;
+    if (whole >= 3600)
+        return fmt::format("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60);
+    return fmt::format("{}:{:02}", whole / 60, whole % 60);
 }
 
 }  // namespace
 
 std::string bar_text(double share) {
     const auto filled = static_cast<std::size_t>(share * kCells);
-    return "[" + std::string(filled, '#') + std::string(kCells - filled, '.') + "] " +
-           std::to_string(static_cast<int>(share * 100)) + " %";
+    return fmt::format("[{}{}] {} %", std::string(filled, '#'), std::string(kCells - filled, '.'),
+                       static_cast<int>(share * 100));
 }
 
 std::string time_left_text(double share, double seconds) {
     if (seconds < kTooEarlyToTell || share <= 0.0) return "";
-    return "  " + clock_text(seconds / share - seconds) + " left";
+    return fmt::format("  {} left", clock_text(seconds / share - seconds));
 }
 
 ProgressLine::ProgressLine(std::function<std::string()> text)

@@ -10,6 +10,7 @@
 #include "persist/text/quoted_text.h"
 
 #include <CLI/CLI.hpp>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <chrono>
@@ -63,10 +64,10 @@ std::string left_aligned(std::string text, std::size_t width) {
 }
 
 std::string row_of(const Hello& hello) {
-    return left_aligned(hello.name, 24) + "  " + left_aligned(role_word(hello.role), 11) + "  " +
-           left_aligned(std::to_string(hello.cores), 5) + "  " +
-           left_aligned(short_text(std::round(hello.creatures_per_second)), 11) + "  " +
-           state_words(hello);
+    return fmt::format(
+        "{}  {}  {}  {}  {}", left_aligned(hello.name, 24), left_aligned(role_word(hello.role), 11),
+        left_aligned(std::to_string(hello.cores), 5),
+        left_aligned(short_text(std::round(hello.creatures_per_second)), 11), state_words(hello));
 }
 
 std::string table_of(const std::vector<Hello>& hellos) {
@@ -80,8 +81,8 @@ std::string table_of(const std::vector<Hello>& hellos) {
     }
     if (hellos.empty())
         return "nobody is heard on this cluster; workers that wait for its first run are silent";
-    return text + "\n" + counted(hellos.size(), "machine") + ", " + counted(cores, "core") + ", " +
-           short_text(std::round(creatures)) + " creatures/s";
+    return fmt::format("{}\n{}, {}, {} creatures/s", text, counted(hellos.size(), "machine"),
+                       counted(cores, "core"), short_text(std::round(creatures)));
 }
 
 class ClusterSubcommand final : public Subcommand {

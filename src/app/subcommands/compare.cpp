@@ -19,6 +19,7 @@
 #include "persist/settings/typed_setting.h"
 
 #include <CLI/CLI.hpp>
+#include <fmt/core.h>
 
 #include <optional>
 
@@ -60,11 +61,11 @@ Result<std::vector<NamedSettings>> swept(const std::vector<NamedSettings>& arms,
     std::vector<NamedSettings> all;
     for (const NamedSettings& arm : arms) {
         for (const std::string& value : CLI::detail::split(sweep.substr(sign + 1), ',')) {
-            const std::string assignment = key + "=" + value;
+            const std::string assignment = fmt::format("{}={}", key, value);
             Result<SettingsText> text = typed_setting(assignment, kinds);
             if (!text) return Error{"--sweep: " + text.error().message};
             NamedSettings& one = all.emplace_back(arm);
-            one.name = arms.size() == 1 ? assignment : arm.name + " " + assignment;
+            one.name = arms.size() == 1 ? assignment : fmt::format("{} {}", arm.name, assignment);
             one.texts.push_back(*std::move(text));
         }
     }
@@ -115,9 +116,9 @@ Result<BackendMaking> backend_making(const ClusterLogin& cluster, const Evolutio
 }
 
 std::string run_line(const ComparedRun& run) {
-    return run.world + ", " + run.arm + ", seed " + std::to_string(run.seed) + ": " +
-           format("%.3g", run.confirmed) + " (" + format("%.3g", run.score) + " before) after " +
-           std::to_string(run.evaluations) + " trials, " + pretty_time(run.seconds);
+    return fmt::format("{}, {}, seed {}: {:.3g} ({:.3g} before) after {} trials, {}", run.world,
+                       run.arm, run.seed, run.confirmed, run.score, run.evaluations,
+                       pretty_time(run.seconds));
 }
 
 class CompareSubcommand final : public Subcommand {
@@ -187,7 +188,7 @@ private:
     Status run_all(Comparison& comparison, const BackendMaking& making,
                    const Interruption& interruption) const {
         if (comparison.missing() == 0) return {};
-        say(std::to_string(comparison.missing()) + " runs to do");
+        say(fmt::format("{} runs to do", comparison.missing()));
         const Stopwatch watch;
         ProgressLine line([&] {
             const double share = comparison.share_done();

@@ -18,6 +18,7 @@
 #include "pictures/sheet.h"
 
 #include <CLI/CLI.hpp>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <charconv>
@@ -64,8 +65,9 @@ std::optional<Size> parse_size(const std::string& text) {
 
 std::string check_size(const std::string& text) {
     if (parse_size(text)) return "";
-    return "'" + text + "' is no size; expected WIDTHxHEIGHT in pixels, each " +
-           std::to_string(kLeastSide) + " to " + std::to_string(kMostSide) + ", as 1280x720";
+    return fmt::format(
+        "'{}' is no size; expected WIDTHxHEIGHT in pixels, each {} to {}, as 1280x720", text,
+        kLeastSide, kMostSide);
 }
 
 Result<Product> product_of(const RenderOptions& options) {

@@ -11,6 +11,7 @@
 #include "persist/creature/rescoring.h"
 
 #include <CLI/CLI.hpp>
+#include <fmt/core.h>
 
 #include <algorithm>
 
@@ -19,8 +20,8 @@ namespace {
 
 // Example: "1.23 BL/s by simulator 1.0".
 std::string score_text(const CreatureDocument& document) {
-    return short_text(document.score()) + " " + document.notes.unit + " by simulator " +
-           document.notes.simulator;
+    return fmt::format("{} {} by simulator {}", short_text(document.score()), document.notes.unit,
+                       document.notes.simulator);
 }
 
 ExitStatus rescore_run(const std::string& file, const EvolutionKinds& kinds, LongWork& work) {
@@ -31,13 +32,13 @@ ExitStatus rescore_run(const std::string& file, const EvolutionKinds& kinds, Lon
         return fail(done.error(), work.interrupted() ? ExitStatus::kFailed : ExitStatus::kBadInput);
     const std::string& unit = kinds.goals.find(done->after.settings->goal)->unit;
     const auto best_of = [&](const JudgedIndividual& champion, std::string_view simulator) {
-        return "best of generation " + std::to_string(champion.generation) + " " +
-               short_text(unconfirmed_score(champion.individual->result)) + " " + unit +
-               " by simulator " + std::string(simulator);
+        return fmt::format("best of generation {} {} {} by simulator {}", champion.generation,
+                           short_text(unconfirmed_score(champion.individual->result)), unit,
+                           simulator);
     };
-    std::string words = file + ": " + best_of(done->after, kSimulatorVersion) + "; " +
-                        best_of(done->before, done->simulator);
-    if (done->again) words += ", now " + short_text(*done->again) + " " + unit;
+    std::string words = fmt::format("{}: {}; {}", file, best_of(done->after, kSimulatorVersion),
+                                    best_of(done->before, done->simulator));
+    if (done->again) words += fmt::format(", now {} {}", short_text(*done->again), unit);
     return print_result_line(words);
 }
 
@@ -60,7 +61,7 @@ public:
 
     ExitStatus run(const EvolutionKinds& kinds) override {
         if (!out_.empty() && files_.size() > 1)
-            return fail({"--out is for one creature, found " + std::to_string(files_.size())});
+            return fail({fmt::format("--out is for one creature, found {}", files_.size())});
         if (changes_creatures() && std::any_of(files_.begin(), files_.end(), is_experiment))
             return fail({"--out and --default-integration are for creatures, not experiments"});
         LongWork work;
@@ -87,14 +88,15 @@ private:
         work.begin("scoring " + file, trial.duration * trial.trials);
         const Result<CreatureDocument> after = rescored(asked_of(*before), kinds, work.stop());
         if (!after)
-            return fail({file + ": left as it is: " + after.error().message}, ExitStatus::kFailed);
+            return fail({fmt::format("{}: left as it is: {}", file, after.error().message)},
+                        ExitStatus::kFailed);
         if (out_.empty() && same_score(*before, *after)) {
-            return print_result_line(file + ": unchanged, " + score_text(*after));
+            return print_result_line(fmt::format("{}: unchanged, {}", file, score_text(*after)));
         }
         const Status written = save_creature(target, *after, kinds);
         if (!written) return fail(written.error(), ExitStatus::kFailed);
-        return print_result_line(target + ": " + score_text(*after) + ", was " +
-                                 score_text(*before));
+        return print_result_line(
+            fmt::format("{}: {}, was {}", target, score_text(*after), score_text(*before)));
     }
 
     // Reads a creature from a file whose score can be replaced.

@@ -20,7 +20,7 @@ public:
 SubcommandKind schema_subcommand() {
     return {.id = "schema",
             .summary = "Write the rules of creature files as a JSON Schema.",
-            .example = "cambrian schema > creature-2.schema.json",
+            .example = "cambrian schema > creature-3.schema.json",
             .make = make_subcommand<SchemaSubcommand>};
 }
 

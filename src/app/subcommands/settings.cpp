@@ -7,6 +7,7 @@
 #include "persist/text/quoted_text.h"
 
 #include <CLI/CLI.hpp>
+#include <fmt/core.h>
 
 namespace cambrian {
 namespace {
@@ -37,7 +38,7 @@ public:
 
 private:
     std::string starting_text() const {
-        return goal_.empty() ? "" : "[goal]\nbehavior = " + quoted_text(goal_) + "\n";
+        return goal_.empty() ? "" : fmt::format("[goal]\nbehavior = {}\n", quoted_text(goal_));
     }
 
     std::string file_;

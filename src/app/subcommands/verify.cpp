@@ -15,6 +15,7 @@
 #include "persist/text/digest_text.h"
 
 #include <CLI/CLI.hpp>
+#include <fmt/core.h>
 
 namespace cambrian {
 namespace {
@@ -39,9 +40,9 @@ std::string where_different(const CreatureDocument& document, const EvolutionKin
     const auto noted = note_ticks(document.genome(), document.settings(), kinds);
     if (!noted) return " before its first tick";
     const auto tick = first_different_tick(noted->ticks, ticks);
-    if (tick) return " from tick " + std::to_string(*tick) + " on";
+    if (tick) return fmt::format(" from tick {} on", *tick);
     return noted->ticks.size() == kMostTickChecks
-               ? " after tick " + std::to_string(kMostTickChecks)
+               ? fmt::format(" after tick {}", kMostTickChecks)
                : std::string(", though the motion of the first trial does not");
 }
 
@@ -58,18 +59,19 @@ ExitStatus verify(const std::string& file, const EvolutionKinds& kinds, LongWork
     if (result.digest == scored.digest && result.fitness == document->score()) {
         if (scored.finer && result.finer != scored.finer)
             return fail(
-                {file + ": computed more finely it differs: " + finer_text(*result.finer, unit) +
-                 " instead of " + finer_text(*scored.finer, unit)},
+                {fmt::format("{}: computed more finely it differs: {} instead of {}", file,
+                             finer_text(*result.finer, unit), finer_text(*scored.finer, unit))},
                 ExitStatus::kFailed);
-        std::string message = file + ": replay verified, " + short_text(result.fitness) + " " +
-                              unit + ", " + std::string(verdict_name(result.verdict));
+        std::string message =
+            fmt::format("{}: replay verified, {} {}, {}", file, short_text(result.fitness), unit,
+                        verdict_name(result.verdict));
         if (scored.finer) message += "; computed more finely " + finer_text(*scored.finer, unit);
         return print_result_line(message);
     }
-    std::string message = file + ": the replay differs" + where_different(*document, kinds) + ": " +
-                          short_text(result.fitness) + " " + unit + " with motion " +
-                          digest_text(result.digest) + " instead of " +
-                          short_text(document->score()) + " with " + digest_text(scored.digest);
+    std::string message = fmt::format(
+        "{}: the replay differs{}: {} {} with motion {} instead of {} with {}", file,
+        where_different(*document, kinds), short_text(result.fitness), unit,
+        digest_text(result.digest), short_text(document->score()), digest_text(scored.digest));
     return fail({message}, ExitStatus::kFailed);
 }
 
@@ -78,10 +80,10 @@ std::string other_simulators(const SavedExperiment& saved) {
     std::string words;
     for (const SimulatorChange& change : saved.simulators) {
         if (change.version == kSimulatorVersion) continue;
-        words += "; from generation " + std::to_string(change.generation) +
-                 " on it was computed by simulator " + change.version;
+        words += fmt::format("; from generation {} on it was computed by simulator {}",
+                             change.generation, change.version);
     }
-    return words.empty() ? words : words + ", this is " + std::string(kSimulatorVersion);
+    return words.empty() ? words : fmt::format("{}, this is {}", words, kSimulatorVersion);
 }
 
 ExitStatus verify_experiment(const std::string& file, const EvolutionKinds& kinds, LongWork& work) {
@@ -90,16 +92,17 @@ ExitStatus verify_experiment(const std::string& file, const EvolutionKinds& kind
     const auto backend = make_thread_pool_backend(kinds, ThreadPool::default_workers());
     work.begin("replaying", static_cast<double>(saved->digests.size()), "generations");
     const ReplayOutcome outcome = replay_experiment(*saved, kinds, *backend, work.watch());
-    const std::string done = std::to_string(outcome.generations) + " of " +
-                             std::to_string(saved->digests.size()) + " generations";
+    const std::string done =
+        fmt::format("{} of {} generations", outcome.generations, saved->digests.size());
     if (outcome.different) {
-        return fail({file + ": the replay differs from generation " +
-                     std::to_string(*outcome.different) + " on" + other_simulators(*saved)},
+        return fail({fmt::format("{}: the replay differs from generation {} on{}", file,
+                                 *outcome.different, other_simulators(*saved))},
                     ExitStatus::kFailed);
     }
-    if (outcome.stopped) return fail({file + ": stopped after " + done}, ExitStatus::kFailed);
-    return print_result_line(file + ": replay verified, " + done + ", " +
-                             std::to_string(saved->journal.size()) + " commands on the way");
+    if (outcome.stopped)
+        return fail({fmt::format("{}: stopped after {}", file, done)}, ExitStatus::kFailed);
+    return print_result_line(fmt::format("{}: replay verified, {}, {} commands on the way", file,
+                                         done, saved->journal.size()));
 }
 
 class VerifySubcommand final : public Subcommand {

@@ -2,6 +2,8 @@
 
 #include "core/text/number_text.h"
 
+#include <fmt/core.h>
+
 #include <array>
 #include <cerrno>
 #include <csignal>
@@ -36,15 +38,14 @@ std::vector<std::string> encoder_of(const std::filesystem::path& path) {
 std::vector<std::string> arguments_of(const std::filesystem::path& target,
                                       const std::filesystem::path& temporary, int width, int height,
                                       double frames_a_second) {
-    std::vector<std::string> arguments = {
-        "ffmpeg",       "-nostdin",
-        "-hide_banner", "-loglevel",
-        "error",        "-y",
-        "-f",           "rawvideo",
-        "-pix_fmt",     "rgb24",
-        "-s",           std::to_string(width) + "x" + std::to_string(height),
-        "-r",           short_text(frames_a_second),
-        "-i",           "pipe:0"};
+    std::vector<std::string> arguments = {"ffmpeg",       "-nostdin",
+                                          "-hide_banner", "-loglevel",
+                                          "error",        "-y",
+                                          "-f",           "rawvideo",
+                                          "-pix_fmt",     "rgb24",
+                                          "-s",           fmt::format("{}x{}", width, height),
+                                          "-r",           short_text(frames_a_second),
+                                          "-i",           "pipe:0"};
     for (std::string& argument : encoder_of(target))
         arguments.push_back(std::move(argument));
     // The prefix prevents a name from being read as a protocol or an option.
@@ -173,8 +174,8 @@ Status ClipFile::failure() {
     const ssize_t count = ::read(complaints_, words.data(), words.size());
     words.resize(count > 0 ? static_cast<std::size_t>(count) : 0);
     words = words.substr(0, words.find('\n'));
-    return Error{"cannot make " + name_ + ": ffmpeg " +
-                 (words.empty() ? "failed" : "says " + words)};
+    return Error{fmt::format("cannot make {}: ffmpeg {}", name_,
+                             words.empty() ? "failed" : "says " + words)};
 }
 
 ClipFile::~ClipFile() {

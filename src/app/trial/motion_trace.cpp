@@ -4,6 +4,8 @@
 #include "evolution/evaluation/trials.h"
 #include "simulator/trial.h"
 
+#include <fmt/core.h>
+
 #include <memory>
 #include <string>
 
@@ -12,13 +14,21 @@ namespace {
 
 constexpr std::size_t kPiece = 65536;  // bytes per write
 
-std::string heading(const Trial& trial) {
+std::string heading(const Trial& trial, const Kinds& kinds) {
     std::string line = "time,mass_x,mass_y";
     for (std::size_t part = 0; part < trial.scene().part_count(); ++part) {
-        const std::string name = ",part" + std::to_string(part);
+        const std::string name = fmt::format(",part{}", part);
         for (const char* quantity : {"_x", "_y", "_angle", "_joint"})
             line.append(name).append(quantity);
     }
+    const std::vector<GrownOrgan>& organs = trial.phenotype().organs;
+    std::size_t before = 0;  // organs on the same part so far
+    for (std::size_t i = 0; i < organs.size(); ++i) {
+        before = i > 0 && organs[i - 1].part == organs[i].part ? before + 1 : 0;
+        line += fmt::format(",part{}_organ{}_{}", organs[i].part, before,
+                            kinds.organs[organs[i].kind].id);
+    }
+    if (trial.surroundings().scent_field() != nullptr) line += ",scent";
     return line + "\n";
 }
 
@@ -37,6 +47,11 @@ void add_row(std::string& text, const Trial& trial) {
         cell(planar_angle(pose));
         cell(scene.joint_coordinate(part));
     }
+    // The signals of organs, and all the scent in the world.
+    const std::size_t effectors = trial.phenotype().effector_parts.size();
+    for (std::size_t i = 0; i < trial.phenotype().organs.size(); ++i)
+        cell(trial.creature().brain().output(effectors + i));
+    if (const ScentField* field = trial.surroundings().scent_field()) cell(field->total());
     text += '\n';
 }
 
@@ -52,7 +67,7 @@ Status write_motion_trace(OutputStream& output, const Genome& genome,
     Trial& trial = **started;
     while (trial.settling() && trial.tick()) {
     }
-    std::string text = heading(trial);
+    std::string text = heading(trial, kinds);
     add_row(text, trial);
     for (bool more = !trial.finished(); more;) {
         if (watch.stop.stop_requested()) return Error{"interrupted; nothing was written"};

@@ -3,11 +3,13 @@
 #include "app/process/messages.h"
 #include "persist/creature/rescoring.h"
 
+#include <fmt/core.h>
+
 namespace cambrian {
 namespace {
 
 void say_other(const std::string& file, const std::optional<std::string>& other) {
-    if (other) say(file + ": " + *other + "; 'cambrian rescore' scores it with this one");
+    if (other) say(fmt::format("{}: {}; 'cambrian rescore' scores it with this one", file, *other));
 }
 
 }  // namespace

@@ -6,21 +6,20 @@
 #include "persist/text/digest_text.h"
 #include "persist/text/quoted_text.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
-#include <cstdio>
 
 namespace cambrian {
 namespace {
 
 // Formats with three significant digits.
 std::string rounded(double number) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.3g", number);
-    return text;
+    return fmt::format("{:.3g}", number);
 }
 
 std::string percent_of(double number, double whole) {
-    return whole > 0.0 ? " (" + rounded(100.0 * number / whole) + " %)" : "";
+    return whole > 0.0 ? fmt::format(" ({} %)", rounded(100.0 * number / whole)) : "";
 }
 
 std::string audit_json(const SceneAudit& audit) {
@@ -45,26 +44,24 @@ std::string audit_json(const SceneAudit& audit) {
 }
 
 std::string audit_text(const SceneAudit& audit) {
-    return "muscles worked " + rounded(audit.gross_motor_work) + " J; unexplained " +
-           rounded(audit.energy_residual) + " J" +
-           percent_of(audit.energy_residual, audit.energy_scale) +
-           ", given by contacts and limits " + rounded(audit.positive_work) + " J" +
-           percent_of(audit.positive_work, audit.energy_scale) + "\ndeepest contact " +
-           rounded(1e3 * audit.max_penetration) + " mm, farthest past a limit " +
-           rounded(audit.max_limit_overrun) + " rad, fastest part " +
-           rounded(audit.max_part_speed) + " m/s, fastest spin " + rounded(audit.max_part_spin) +
-           " rad/s\n" + std::to_string(audit.evaluations) + " evaluations, " +
-           std::to_string(audit.steps) + " steps, " + std::to_string(audit.rejections) +
-           " rejections, " + std::to_string(audit.events) + " impacts, " +
-           std::to_string(audit.fallbacks) + " fallbacks";
+    return fmt::format(
+        "muscles worked {} J; unexplained {} J{}, given by contacts and limits {} J{}\ndeepest "
+        "contact {} mm, farthest past a limit {} rad, fastest part {} m/s, fastest spin {} "
+        "rad/s\n{} evaluations, {} steps, {} rejections, {} impacts, {} fallbacks",
+        rounded(audit.gross_motor_work), rounded(audit.energy_residual),
+        percent_of(audit.energy_residual, audit.energy_scale), rounded(audit.positive_work),
+        percent_of(audit.positive_work, audit.energy_scale), rounded(1e3 * audit.max_penetration),
+        rounded(audit.max_limit_overrun), rounded(audit.max_part_speed),
+        rounded(audit.max_part_spin), audit.evaluations, audit.steps, audit.rejections,
+        audit.events, audit.fallbacks);
 }
 
 // Example: "in 10 slightly different worlds: 0.93 BL/s, 0.81 to 0.99".
 std::string scores_text(const std::vector<double>& scores, const std::string& unit) {
     const auto range = std::minmax_element(scores.begin(), scores.end());
-    return "in " + std::to_string(scores.size()) + " slightly different worlds: median " +
-           rounded(median(scores)) + " " + unit + ", " + rounded(*range.first) + " to " +
-           rounded(*range.second);
+    return fmt::format("in {} slightly different worlds: median {} {}, {} to {}", scores.size(),
+                       rounded(median(scores)), unit, rounded(*range.first),
+                       rounded(*range.second));
 }
 
 std::string scores_json(const std::vector<double>& scores) {
@@ -78,20 +75,19 @@ std::string scores_json(const std::vector<double>& scores) {
 
 std::string finer_text(const FinerResult& finer, const std::string& unit) {
     const std::string came_to = finer.outcome == Outcome::kCompleted
-                                    ? short_text(finer.score) + " " + unit
+                                    ? fmt::format("{} {}", short_text(finer.score), unit)
                                     : std::string(outcome_name(finer.outcome));
-    return came_to + ", " + std::string(verdict_name(finer.verdict));
+    return fmt::format("{}, {}", came_to, verdict_name(finer.verdict));
 }
 
 std::string trial_text(const EvaluationResult& result, const std::string& unit) {
     std::string text(outcome_name(result.outcome));
-    if (!result.reason.empty()) text += " (" + result.reason + ")";
-    text += ": " + short_text(result.fitness) + " " + unit + "\n" + std::to_string(result.parts) +
-            " parts, " + std::to_string(result.neurons) + " neurons at work, " +
-            short_text(result.body_length) + " m long, " + short_text(result.mass) +
-            " kg\nmotion " + digest_text(result.digest) +
-            "\naudit: " + std::string(verdict_name(result.verdict)) + "; " +
-            audit_text(result.audit);
+    if (!result.reason.empty()) text += fmt::format(" ({})", result.reason);
+    text += fmt::format(
+        ": {} {}\n{} parts, {} neurons at work, {} m long, {} kg\nmotion {}\naudit: {}; {}",
+        short_text(result.fitness), unit, result.parts, result.neurons,
+        short_text(result.body_length), short_text(result.mass), digest_text(result.digest),
+        verdict_name(result.verdict), audit_text(result.audit));
     if (!result.scores.empty()) text += "\n" + scores_text(result.scores, unit);
     if (result.finer) text += "\ncomputed more finely: " + finer_text(*result.finer, unit);
     return text;

@@ -12,6 +12,9 @@ MutationRegistry builtin_mutations() {
     add_edge_operators(mutations);
     add_connection_operators(mutations);
     add_removal_operators(mutations);
+    add_organ_growth(mutations);
+    add_organ_removal(mutations);
+    add_organ_change(mutations);
     return mutations;
 }
 

@@ -1,6 +1,8 @@
 #include "breeding/gene_sites.h"
 #include "breeding/mutations/operators.h"
 
+#include <fmt/core.h>
+
 namespace cambrian {
 namespace {
 
@@ -31,9 +33,8 @@ bool add_edge(Genome& genome, const MutationContext& context, RandomStream& stre
         duplicate ? duplicate_of(stream.pick(edges), genome, context, stream)
                   : random_edge(stream.below(genome.nodes.size()), pool_of(context), stream);
     edges.push_back(edge);
-    record.place = "part " + std::to_string(node);
-    record.to =
-        (duplicate ? "second edge to part " : "new edge to part ") + std::to_string(edge.target);
+    record.place = fmt::format("part {}", node);
+    record.to = fmt::format("{} edge to part {}", duplicate ? "second" : "new", edge.target);
     return true;
 }
 
@@ -43,7 +44,7 @@ bool remove_edge(Genome& genome, const MutationContext& /*context*/, RandomStrea
     if (sites.empty()) return false;
     const EdgeSite& site = stream.pick(sites);
     record.place = site.in_words();
-    record.from = "to part " + std::to_string(site.in(genome).target);
+    record.from = fmt::format("to part {}", site.in(genome).target);
     record.to = "removed";
     std::vector<EdgeGene>& edges = genome.nodes[site.node].edges;
     edges.erase(edges.begin() + static_cast<std::ptrdiff_t>(site.edge));

@@ -3,6 +3,8 @@
 #include "genome/gene_fields.h"
 #include "genome/words.h"
 
+#include <fmt/core.h>
+
 namespace cambrian {
 namespace {
 
@@ -16,7 +18,7 @@ bool mutate_edge_scalar(Genome& genome, const MutationContext& /*context*/, Rand
     const auto fields = edge_fields();
     const GeneField<EdgeGene>& field = stream.pick(fields);
     double& x = site.in(genome).*field.value;
-    record.place = site.in_words() + " " + field.rule.name;
+    record.place = fmt::format("{} {}", site.in_words(), field.rule.name);
     record.from = in_words(x);
     x = perturb(x, field.rule, field.rule.step, stream);
     record.to = in_words(x);
@@ -45,9 +47,9 @@ bool retarget(Genome& genome, const MutationContext& /*context*/, RandomStream& 
     EdgeGene& edge = site.in(genome);
     const std::size_t step = 1 + stream.below(genome.nodes.size() - 1);
     record.place = site.in_words() + " target";
-    record.from = "part " + std::to_string(edge.target);
+    record.from = fmt::format("part {}", edge.target);
     edge.target = static_cast<std::uint8_t>((edge.target + step) % genome.nodes.size());
-    record.to = "part " + std::to_string(edge.target);
+    record.to = fmt::format("part {}", edge.target);
     return true;
 }
 

@@ -4,6 +4,8 @@
 #include "genome/founders/enabled_kinds.h"
 #include "genome/words.h"
 
+#include <fmt/core.h>
+
 namespace cambrian {
 namespace {
 
@@ -22,7 +24,7 @@ NodeGene new_node(const Genome& genome, const MutationContext& context, RandomSt
     const std::size_t original = stream.below(genome.nodes.size());
     node = genome.nodes[original];
     node.uid = uid;
-    record.to = "copy of part " + std::to_string(original);
+    record.to = fmt::format("copy of part {}", original);
     return node;
 }
 
@@ -39,7 +41,7 @@ bool add_node(Genome& genome, const MutationContext& context, RandomStream& stre
     edges.push_back(edge);
     const bool second = genome.nodes[index].symmetric && stream.chance(kSecondLimbShare);
     if (second && edges.size() < gene_range::kMaxEdges) edges.push_back(edge);
-    record.place = "part " + std::to_string(parent) + (second ? " new pair" : " new child");
+    record.place = fmt::format("part {} new {}", parent, second ? "pair" : "child");
     return true;
 }
 

@@ -3,6 +3,8 @@
 #include "genome/gene_fields.h"
 #include "genome/words.h"
 
+#include <fmt/core.h>
+
 namespace cambrian {
 namespace {
 
@@ -27,19 +29,11 @@ void negate_weight(InputGene& input, MutationRecord& record) {
     record.to = in_words(input.weight);
 }
 
-void replace_source(InputGene& input, const SourceRef& source, const KindCatalog& catalog,
-                    MutationRecord& record) {
-    record.place += " source";
-    record.from = in_words(input.source, catalog);
-    input.source = source;
-    record.to = in_words(input.source, catalog);
-}
-
 bool mutate_effector(Genome& genome, const MutationContext& context, RandomStream& stream,
                      MutationRecord& record) {
     const std::size_t index = stream.below(genome.nodes.size());
     NodeGene& node = genome.nodes[index];
-    record.place = "part " + std::to_string(index) + " effector";
+    record.place = fmt::format("part {} effector", index);
     const double kind = stream.uniform();
     if (kind < kPerturbEffectorShare) {
         perturb_weight(node.effector, kEffectorStep, stream, record);
@@ -78,6 +72,14 @@ bool mutate_source(Genome& genome, const MutationContext& context, RandomStream&
 }
 
 }  // namespace
+
+void replace_source(InputGene& input, const SourceRef& source, const KindCatalog& catalog,
+                    MutationRecord& record) {
+    record.place += " source";
+    record.from = in_words(input.source, catalog);
+    input.source = source;
+    record.to = in_words(input.source, catalog);
+}
 
 void add_input_operators(MutationRegistry& mutations) {
     mutations.add({"effector", "Effector", MutationPhase::kParameters, MutationSubject::kBrain, 9,

@@ -4,6 +4,8 @@
 #include "genome/words.h"
 #include "math/reflect.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 
 namespace cambrian {
@@ -23,7 +25,7 @@ void perturb_field(Gene& gene, const GeneField<Gene>& field, const std::string& 
 }
 
 std::string part_in_words(std::size_t node) {
-    return "part " + std::to_string(node) + " ";
+    return fmt::format("part {} ", node);
 }
 
 bool mutate_node_scalar(Genome& genome, const MutationContext& /*context*/, RandomStream& stream,

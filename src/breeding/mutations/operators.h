@@ -14,6 +14,16 @@ void add_growth_operators(MutationRegistry& mutations);      // add-node, add-ne
 void add_edge_operators(MutationRegistry& mutations);        // edge-scalar, edge-flag, retarget
 void add_connection_operators(MutationRegistry& mutations);  // add-edge, remove-edge
 void add_removal_operators(MutationRegistry& mutations);     // remove-neuron
+void add_organ_growth(MutationRegistry& mutations);          // add-organ
+void add_organ_removal(MutationRegistry& mutations);         // remove-organ
+void add_organ_change(MutationRegistry& mutations);          // organ
+
+// Whether any kind of organ is enabled.
+bool organs_enabled(const MutationContext& context);
+
+// Replaces the source of a link; adds the word "source" to the record's place.
+void replace_source(InputGene& input, const SourceRef& source, const KindCatalog& catalog,
+                    MutationRecord& record);
 
 inline GenePool pool_of(const MutationContext& context) {
     return {context.founders, context.catalog};

@@ -66,7 +66,10 @@ bool remove_neuron(Genome& genome, const MutationContext& context, RandomStream&
             removal.rewrite(input.source);
     }
     if (site.list.scope == SourceScope::kPart) {
-        removal.rewrite(genome.nodes[site.list.node].effector.source);
+        NodeGene& node = genome.nodes[site.list.node];
+        removal.rewrite(node.effector.source);
+        for (OrganGene& organ : node.organs)
+            removal.rewrite(organ.input.source);
     }
     return true;
 }

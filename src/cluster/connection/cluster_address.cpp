@@ -1,5 +1,7 @@
 #include "cluster/connection/cluster_address.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <charconv>
 #include <optional>
@@ -24,8 +26,8 @@ struct Server {
 
 // The message does not quote anything that could be a password.
 Error not_a_server(std::string_view text) {
-    return Error{"'" + std::string(text) +
-                 "' is no server: expected nats://HOST, nats://HOST:PORT or tls://HOST"};
+    return Error{fmt::format(
+        "'{}' is no server: expected nats://HOST, nats://HOST:PORT or tls://HOST", text)};
 }
 
 std::optional<int> port_of(std::string_view text) {
@@ -104,15 +106,15 @@ Status check_name(const std::string& name) {
         return is_letter_or_digit(letter) || letter == '-' || letter == '_';
     });
     if (plain && !name.empty() && name.size() <= kLongestClusterName) return {};
-    return Error{"a cluster's name has 1 to " + std::to_string(kLongestClusterName) +
-                 " letters, digits, '-' or '_', found '" + name + "'"};
+    return Error{fmt::format("a cluster's name has 1 to {} letters, digits, '-' or '_', found '{}'",
+                             kLongestClusterName, name)};
 }
 
 // Sets the name unless another one was set before.
 Status take_name(const std::string& name, std::string& taken) {
     if (name.empty() || name == taken) return {};
     if (!taken.empty())
-        return Error{"two different names of the cluster, '" + taken + "' and '" + name + "'"};
+        return Error{fmt::format("two different names of the cluster, '{}' and '{}'", taken, name)};
     taken = name;
     return {};
 }
@@ -133,11 +135,11 @@ Result<ClusterAddress> cluster_address(const ClusterLogin& login) {
         if (Status named = take_name(server->cluster, address.name); !named) return named.error();
         address.encrypted = server->encrypted;
         address.on_this_machine = address.on_this_machine && is_loopback(server->host);
-        address.servers.push_back((server->encrypted ? "tls://" : "nats://") + server->host + ":" +
-                                  std::to_string(server->port));
+        address.servers.push_back(fmt::format("{}{}:{}", server->encrypted ? "tls://" : "nats://",
+                                              server->host, server->port));
     }
     if (address.servers.size() > kMostServers)
-        return Error{"more than " + std::to_string(kMostServers) + " servers"};
+        return Error{fmt::format("more than {} servers", kMostServers)};
     if (address.name.empty()) address.name = kStandardClusterName;
     if (Status named = check_name(address.name); !named) return named.error();
     if (!address.authority.empty() && !address.encrypted)

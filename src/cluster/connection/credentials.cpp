@@ -3,6 +3,8 @@
 #include "core/files/file_io.h"
 #include "persist/settings/toml.h"
 
+#include <fmt/core.h>
+
 #include <string_view>
 
 namespace cambrian {
@@ -14,10 +16,10 @@ constexpr std::string_view kKey = "-----BEGIN USER NKEY SEED-----";
 
 // The message does not quote the file, which may contain a password.
 Error malformed(const std::string& file, const std::string& found) {
-    return Error{file +
-                 ": no credentials: expected two lines, user = \"...\" and password = "
-                 "\"...\", or a file made by NATS's tools (*.creds); found " +
-                 found};
+    return Error{
+        fmt::format("{}: no credentials: expected two lines, user = \"...\" and password = "
+                    "\"...\", or a file made by NATS's tools (*.creds); found {}",
+                    file, found)};
 }
 
 }  // namespace
@@ -32,7 +34,7 @@ Result<Credentials> read_credentials(const std::string& file) {
     const toml::parse_result document = toml::parse(*text);
     if (!document) {
         return malformed(
-            file, "something else in line " + std::to_string(document.error().source().begin.line));
+            file, fmt::format("something else in line {}", document.error().source().begin.line));
     }
     const auto user = document["user"].value<std::string>();
     const auto password = document["password"].value<std::string>();

@@ -10,8 +10,13 @@ constexpr std::size_t kUnitsAhead = 3;     // unanswered units per remote core
 constexpr std::size_t kMostPlanned = 500;  // creatures per unit, to limit the size of its result
 constexpr double kLeastChecked = 0.01;     // least share of a worker's results that is checked
 constexpr double kCheckingShare = 0.25;    // largest share of the own cores' time for checks
-constexpr double kLateFactor = 2.0;  // a unit is late after this multiple of the expected time
-constexpr double kLateGrace = 0.25;  // s, in addition
+// An idle core of this machine takes over a unit after this multiple of the expected time and this
+// many seconds. Too early a moment costs time that would be idle; a late one delays the generation.
+constexpr double kLateFactor = 1.2;
+constexpr double kLateGrace = 0.02;
+// After twice the time and some more, its worker may have vanished.
+constexpr double kSilentFactor = 2.0;
+constexpr double kSilentGrace = 0.25;
 
 double checked_share(const Cores& cores) {
     const double own = static_cast<double>(cores.own) / static_cast<double>(cores.all());
@@ -43,14 +48,17 @@ std::vector<EvaluationRequest> Batch::requests_of(const std::vector<std::size_t>
 }
 
 std::optional<Batch::HomeTask> Batch::next_home_task(double now, const Cores& cores) {
-    if (const auto check = answers_.next_check()) return HomeTask{{*check}, std::nullopt};
-    if (const auto open = ledger_.take_for_home()) return HomeTask{{*open}, std::nullopt};
+    if (const auto check = answers_.next_check()) return HomeTask{.creatures = {*check}};
+    if (const auto open = ledger_.take_for_home()) return HomeTask{.creatures = {*open}};
     // If no worker can be reached, every unit is late.
     const double moment = cores.remote == 0 ? std::max(now, ledger_.next_due().value_or(now)) : now;
     auto late = ledger_.take_late(moment, cores.own);
     if (!late) return std::nullopt;
     if (late->first) ++memory_.counts.overdue_at_home;
-    return HomeTask{std::move(late->creatures), late->published};
+    HomeTask task{.creatures = std::move(late->creatures), .late = true};
+    if (now > late->published + kSilentFactor * (late->due - late->published) + kSilentGrace)
+        task.silent_since = late->published;
+    return task;
 }
 
 void Batch::finish_at_home(std::size_t creature, EvaluationResult result, double seconds) {
@@ -86,11 +94,13 @@ std::optional<Batch::UnitPlan> Batch::next_unit(double now, const Cores& cores) 
     const double seconds = unit_seconds(ledger_.open_seconds(), cores);
     plan.creatures = ledger_.take_for_unit(seconds, most_creatures_);
     if (plan.creatures.empty()) return std::nullopt;
-    plan.number = next_number_++;
+    plan.number = static_cast<std::uint32_t>(published_.size());
     plan.seconds = ledger_.seconds_of(plan.creatures);
     const double before = ledger_.outstanding_seconds() / static_cast<double>(cores.remote);
+    const double expected = before + plan.seconds;
+    published_.push_back({now, expected});
     ledger_.publish(plan.number, plan.creatures, now,
-                    now + kLateFactor * (before + plan.seconds) + kLateGrace);
+                    now + kLateFactor * memory_.patience.factor() * expected + kLateGrace);
     ++memory_.counts.units;
     return plan;
 }
@@ -114,12 +124,27 @@ bool Batch::is_answer(const UnitResult& result) const {
     });
 }
 
-bool Batch::take_result(std::uint32_t unit, const UnitResult& result, const Cores& cores) {
+std::vector<std::size_t> Batch::close(std::uint32_t unit, double now) {
+    std::vector<std::size_t> creatures = ledger_.close(unit);
+    if (creatures.empty()) return creatures;
+    const Published& published = published_[unit];
+    memory_.patience.learn(now - published.at, published.expected);
+    return creatures;
+}
+
+bool Batch::complete() {
+    if (!answers_.all_settled() || answers_.check_leader()) return false;
+    memory_.last_best = best_;
+    return true;
+}
+
+bool Batch::take_result(std::uint32_t unit, const UnitResult& result, double now,
+                        const Cores& cores) {
     if (!is_answer(result)) return false;
     if (result.deliveries > 1) ++memory_.counts.redelivered;
     if (memory_.trust.refused(result.worker)) {
         ++memory_.counts.refused;
-        ledger_.reopen(ledger_.close(unit));
+        ledger_.reopen(close(unit, now));
         return true;
     }
     core_seconds_ += result.seconds;
@@ -127,9 +152,8 @@ bool Batch::take_result(std::uint32_t unit, const UnitResult& result, const Core
         take_claim(result, each, checked_share(cores));
     memory_.costs.learn(result.results.size(), total_work(result.results), result.seconds);
     // A worker may have computed a part of a unit; the other creatures are open again.
-    const auto creatures = ledger_.close(unit);
     std::vector<std::size_t> left;
-    for (const std::size_t creature : creatures) {
+    for (const std::size_t creature : close(unit, now)) {
         if (!answers_.claimed(creature)) left.push_back(creature);
     }
     ledger_.reopen(left);
@@ -140,8 +164,10 @@ void Batch::take_claim(const UnitResult& unit, const SlotResult& each, double le
     // The worker may have been refused by an earlier result of the same unit.
     if (memory_.trust.refused(unit.worker)) return;
     const bool drawn = memory_.trust.draw_check(unit.worker, generation_, each.slot, least);
-    const bool leads = each.result.outcome == Outcome::kCompleted && each.result.fitness > best_;
-    if (leads) best_ = each.result.fitness;
+    // Few creatures lead the last batch's best; the best of a batch is always checked at its end.
+    const bool completed = each.result.outcome == Outcome::kCompleted;
+    const bool leads = completed && each.result.fitness > std::max(best_, memory_.last_best);
+    if (completed) best_ = std::max(best_, each.result.fitness);
     const auto claimed = answers_.claim(each.slot, unit.worker, each.result, drawn || leads);
     ledger_.answered(each.slot);
     if (claimed.first) return;

@@ -4,6 +4,7 @@
 // certainty (cluster/README.md 1). It is not thread-safe. The caller gives the time, in seconds.
 
 #include "cluster/coordinator/answers.h"
+#include "cluster/coordinator/patience.h"
 #include "cluster/coordinator/trust.h"
 #include "cluster/coordinator/unit_ledger.h"
 #include "cluster/coordinator/unit_sizing.h"
@@ -23,10 +24,12 @@ class Batch {
 public:
     // Data that outlives a batch.
     struct Memory {
-        CostModel costs;
+        CostModel costs = {};
         Trust trust;
-        BackendCounts counts;
-        std::vector<std::uint64_t> other_bits;  // workers refused since a result differed
+        Patience patience = {};
+        double last_best = 0.0;  // fitness in the last batch
+        BackendCounts counts = {};
+        std::vector<std::uint64_t> other_bits = {};  // workers refused since a result differed
     };
     // The requests in the order of publication; their slots become their places in it.
     Batch(std::vector<EvaluationRequest> requests, std::uint32_t generation, Memory& memory);
@@ -37,9 +40,9 @@ public:
 
     struct HomeTask {
         std::vector<std::size_t> creatures;
-        // Time at which the late unit was published from which the creatures come; it may have
-        // crashed its worker.
-        std::optional<double> late_since;
+        bool late = false;  // of a late unit, which may have crashed its worker
+        // Workers that have sent nothing since this time may have vanished.
+        std::optional<double> silent_since = std::nullopt;
     };
     // Returns the next task of a core of this machine; nothing while it must wait.
     std::optional<HomeTask> next_home_task(double now, const Cores& cores);
@@ -62,11 +65,11 @@ public:
     bool anything_outstanding() const { return ledger_.outstanding() > 0; }
 
     // Returns false if the result is no answer to this batch.
-    bool take_result(std::uint32_t unit, const UnitResult& result, const Cores& cores);
+    bool take_result(std::uint32_t unit, const UnitResult& result, double now, const Cores& cores);
 
     std::size_t settled() const { return answers_.settled(); }
     // Whether every creature has a result that counts, and the best is certain.
-    bool complete() { return answers_.all_settled() && !answers_.check_leader(); }
+    bool complete();
     const EvaluationResult* result(std::size_t creature) const { return answers_.result(creature); }
     double core_seconds() const { return core_seconds_; }  // time that its results took
 
@@ -75,13 +78,19 @@ private:
     void take_claim(const UnitResult& unit, const SlotResult& each, double least);
     void compare(const Comparison& comparison);
     void refuse(std::uint64_t worker);
+    // Closes an answered unit and learns from its turnaround.
+    std::vector<std::size_t> close(std::uint32_t unit, double now);
 
     std::vector<EvaluationRequest> requests_;
     std::uint32_t generation_;
     Memory& memory_;
     UnitLedger ledger_;
     Answers answers_;
-    std::uint32_t next_number_ = 0;
+    struct Published {
+        double at = 0.0;
+        double expected = 0.0;  // turnaround by work alone, s
+    };
+    std::vector<Published> published_;  // by unit
     std::size_t most_creatures_;
     double best_ = 0.0;  // fitness of any result so far
     double core_seconds_ = 0.0;

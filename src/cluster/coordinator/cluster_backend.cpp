@@ -126,7 +126,7 @@ ClusterBackend::ClusterBackend(const EvolutionKinds& kinds, std::unique_ptr<Coor
       queue_(std::move(queue)),
       pool_(options_.threads, options_.priority),
       writer_(kinds),
-      memory_{.costs = {}, .trust = Trust(options_.secret), .counts = {}, .other_bits = {}},
+      memory_{.trust = Trust(options_.secret)},
       roll_({std::string(kSimulatorVersion), proof_}, options_.name, options_.threads) {
     queue_->begin_run(options_.run);
     dispatcher_ = std::jthread([this](const std::stop_token& stop) { dispatch(stop); });
@@ -218,7 +218,7 @@ void ClusterBackend::serve_core(Call& call, const std::stop_token& stop) {
     while (!stop.stop_requested() && failure_.empty() && !call.batch->complete()) {
         const double moment = now();
         if (const auto task = call.batch->next_home_task(moment, cores())) {
-            if (task->late_since) roll_.doubt_silent(*task->late_since);
+            if (task->silent_since) roll_.doubt_silent(*task->silent_since);
             lock.unlock();
             perform(call, *task);
             lock.lock();
@@ -233,7 +233,7 @@ void ClusterBackend::serve_core(Call& call, const std::stop_token& stop) {
 }
 
 void ClusterBackend::perform(Call& call, const Batch::HomeTask& task) {
-    if (task.late_since && options_.child) return compute_apart(call, task.creatures);
+    if (task.late && options_.child) return compute_apart(call, task.creatures);
     for (const std::size_t creature : task.creatures) {
         if (call.ended.stop_requested()) return;
         compute_here(call, creature);
@@ -424,7 +424,7 @@ void ClusterBackend::take_result(const UnitMessage& message) {
     if (!result) return note_malformed();
     const std::lock_guard lock(mutex_);
     if (!is_of_call(message.id)) return;
-    if (!call_->batch->take_result(message.id.unit, *result, cores())) {
+    if (!call_->batch->take_result(message.id.unit, *result, now(), cores())) {
         ++memory_.counts.malformed;
         return;
     }

@@ -4,6 +4,8 @@
 #include "persist/creature/creature_file.h"
 #include "persist/text/digest_text.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <iterator>
 #include <utility>
@@ -57,12 +59,14 @@ void CrashSearch::take_answer(std::string_view output, std::span<const Evaluatio
 std::string CrashSearch::describe(const EvaluationRequest& request,
                                   const std::string& cause) const {
     const std::filesystem::path file =
-        folder_ / ("crash-" + hex_text(genome_hash(*request.genome)) + ".creature.json");
+        folder_ / fmt::format("crash-{}.creature.json", hex_text(genome_hash(*request.genome)));
     const Status written = save_creature(file, {unjudged(request.genome)}, kinds_);
-    return "the genome in " + file.string() + " ends the process that evaluates it (" + cause +
-           "): a fault of this program, please report it with that file. The run stops here, since "
-           "without this creature it would not be the same run." +
-           (written ? "" : " The file could not be written: " + written.error().message);
+    return fmt::format(
+        "the genome in {} ends the process that evaluates it ({}): a fault of this program, please "
+        "report it with that file. The run stops here, since without this creature it would not be "
+        "the same run.{}",
+        file.string(), cause,
+        written ? "" : " The file could not be written: " + written.error().message);
 }
 
 }  // namespace cambrian

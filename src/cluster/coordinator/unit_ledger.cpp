@@ -108,8 +108,11 @@ std::optional<UnitLedger::Late> UnitLedger::take_late(double now, std::size_t pa
     }
     if (latest == units_.end()) return std::nullopt;
     OutstandingUnit& unit = latest->second;
-    Late late{
-        .unit = latest->first, .first = !unit.taken, .published = unit.published, .creatures = {}};
+    Late late{.unit = latest->first,
+              .first = !unit.taken,
+              .published = unit.published,
+              .due = unit.due,
+              .creatures = {}};
     unit.taken = true;
     const std::size_t share = (unit.creatures.size() + parts - 1) / parts;
     // Takes the last creatures first, because a living worker starts with the first.

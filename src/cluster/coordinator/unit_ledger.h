@@ -48,6 +48,7 @@ public:
         std::uint32_t unit = 0;
         bool first = false;  // nothing of the unit was taken before
         double published = 0.0;
+        double due = 0.0;
         std::vector<std::size_t> creatures;
     };
     std::optional<Late> take_late(double now, std::size_t parts);

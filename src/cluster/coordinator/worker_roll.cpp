@@ -3,6 +3,8 @@
 #include "cluster/coordinator/trust.h"
 #include "persist/text/digest_text.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <tuple>
 #include <utility>
@@ -62,7 +64,7 @@ std::string WorkerRoll::refusal(const Member& member, const Trust& trust) const 
     const Hello& hello = member.hello;
     if (trust.refused(hello.id)) return trust.refusal(hello.id);
     if (hello.simulator != build_.simulator)
-        return "simulator " + hello.simulator + ", this run is of " + build_.simulator;
+        return fmt::format("simulator {}, this run is of {}", hello.simulator, build_.simulator);
     if (hello.proof != build_.proof) return "other bits in the proof set";
     return {};
 }

@@ -1,5 +1,7 @@
 #include "cluster/messages/message_text.h"
 
+#include <fmt/core.h>
+
 namespace cambrian {
 namespace {
 
@@ -22,7 +24,7 @@ int read_version(JsonReader& reader, std::string_view format, ErrorList& errors)
     reader.text("format", found, kLongestFormat);
     if (errors.empty() && found != format)
         errors.error("E03", "/format",
-                     "this is a " + in_quotes(found) + ", expected " + in_quotes(format));
+                     fmt::format("this is a {}, expected {}", in_quotes(found), in_quotes(format)));
     if (errors.empty()) reader.integer("version", version, 1.0, kMostVersion);
     return version;
 }
@@ -30,9 +32,8 @@ int read_version(JsonReader& reader, std::string_view format, ErrorList& errors)
 bool read_kind(JsonReader& reader, const MessageKind& kind, ErrorList& errors) {
     const int version = read_version(reader, kind.format, errors);
     if (errors.empty() && version != kind.version)
-        errors.error(
-            "E04", "/version",
-            "expected " + std::to_string(kind.version) + ", found " + std::to_string(version));
+        errors.error("E04", "/version",
+                     fmt::format("expected {}, found {}", kind.version, version));
     return errors.empty();
 }
 

@@ -6,6 +6,8 @@
 #include "evolution/evaluation/evaluation.h"
 #include "genome/founders/random_genome.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <memory>
 
@@ -59,7 +61,8 @@ std::vector<ProofTrial> proof_trials(const EvolutionKinds& kinds) {
             settings.world.environment = goal.default_environment();
             settings.world.scene.integrator = integrator;
             settings.world.trial.duration = kDuration;
-            trials.push_back({goal.id + ", " + integrator, digest_of(first, settings, kinds)});
+            trials.push_back(
+                {fmt::format("{}, {}", goal.id, integrator), digest_of(first, settings, kinds)});
             first += kMostDraws;
         }
     }

@@ -7,6 +7,8 @@
 #include "genome/gene_fields.h"
 #include "persist/creature/creature_file.h"
 
+#include <fmt/core.h>
+
 #include <limits>
 #include <memory>
 #include <optional>
@@ -85,8 +87,7 @@ std::pair<std::string_view, std::string_view> line_and_rest(std::string_view bod
 }
 
 Error too_large(std::size_t bytes, std::size_t most) {
-    return {kUnitKind.format + ": " + std::to_string(bytes) + " bytes, limit " +
-            std::to_string(most)};
+    return {fmt::format("{}: {} bytes, limit {}", kUnitKind.format, bytes, most)};
 }
 
 Result<GenomePtr> read_genome(std::string_view document, const Entry& entry,
@@ -94,8 +95,8 @@ Result<GenomePtr> read_genome(std::string_view document, const Entry& entry,
     Result<CreatureDocument> creature = parse_creature(document, kUnitKind.format, kinds);
     if (!creature) return creature.error();
     if (creature->creature.individual->genome_hash != entry.genome_hash)
-        return Error{kUnitKind.format + ": the genome of slot " + std::to_string(entry.slot) +
-                     " is not the one that was sent"};
+        return Error{fmt::format("{}: the genome of slot {} is not the one that was sent",
+                                 kUnitKind.format, entry.slot)};
     return creature->creature.individual->genome;
 }
 
@@ -154,7 +155,8 @@ Result<Unit> UnitReader::read(std::string_view body) {
         bytes += entry.bytes;
     if (bytes > kMostDocuments) return too_large(bytes, kMostDocuments);
     const Result<std::string> documents = inflater_.inflate(deflated, bytes);
-    if (!documents) return Error{kUnitKind.format + ": " + documents.error().message};
+    if (!documents)
+        return Error{fmt::format("{}: {}", kUnitKind.format, documents.error().message)};
     Unit unit{.terms = outline->terms, .requests = {}};
     std::string_view rest = *documents;
     for (const Entry& entry : outline->entries) {

@@ -8,6 +8,8 @@
 #include "persist/text/digest_text.h"
 #include "persist/text/quoted_text.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <charconv>
 #include <map>
@@ -242,7 +244,7 @@ bool NatsCoordinatorQueue::send_unit(NatsSession& session, const UnitMessage& un
         const std::lock_guard lock(mutex_);
         serial = ++last_serial_;
         on_their_way_[serial] = {unit.id, Clock::now() + kStoreWait};
-        reply = session.inbox() + ".published." + std::to_string(serial);
+        reply = fmt::format("{}.published.{}", session.inbox(), serial);
     }
     const std::string subject = subjects_.work(unit.id);
     natsMsg* made = nullptr;

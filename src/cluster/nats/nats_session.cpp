@@ -4,6 +4,8 @@
 #include "cluster/connection/credentials.h"
 #include "cluster/messages/text_for_people.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <atomic>
 #include <chrono>
@@ -71,28 +73,30 @@ LinkFailure connection_failure(natsStatus status, const ClusterAddress& address)
     const std::string reason = last_nats_error();
     switch (status) {
         case NATS_NO_SERVER:
-            return {"cannot reach " + servers + ": nothing answers there", false};
+            return {fmt::format("cannot reach {}: nothing answers there", servers), false};
         case NATS_SSL_ERROR:
-            return {
-                "cannot trust the server " + servers + ": " + reason + certificate_advice(reason),
-                true};
+            return {fmt::format("cannot trust the server {}: {}{}", servers, reason,
+                                certificate_advice(reason)),
+                    true};
         case NATS_SECURE_CONNECTION_WANTED:
-            return {"the server " + servers + " has no encryption; expected one with TLS at tls://",
+            return {fmt::format("the server {} has no encryption; expected one with TLS at tls://",
+                                servers),
                     true};
         case NATS_CONNECTION_AUTH_FAILED:
             if (address.credentials.empty())
-                return {"the server " + servers + " wants to know who you are: --credentials FILE",
+                return {fmt::format("the server {} wants to know who you are: --credentials FILE",
+                                    servers),
                         true};
-            return {"the server " + servers + " does not accept the credentials of " +
-                        address.credentials,
+            return {fmt::format("the server {} does not accept the credentials of {}", servers,
+                                address.credentials),
                     true};
         case NATS_PROTOCOL_ERROR:
         case NATS_LINE_TOO_LONG:
         case NATS_TIMEOUT:
         case NATS_IO_ERROR:
-            return {"no NATS server answers at " + servers + " (" + reason + ")", true};
+            return {fmt::format("no NATS server answers at {} ({})", servers, reason), true};
         default:
-            return {"cannot connect to " + servers + ": " + reason, true};
+            return {fmt::format("cannot connect to {}: {}", servers, reason), true};
     }
 }
 
@@ -108,7 +112,7 @@ Failure set_credentials(natsOptions* options, const ClusterAddress& address) {
             : natsOptions_SetUserInfo(options, credentials->user.c_str(),
                                       credentials->password.c_str());
     if (set == NATS_OK) return std::nullopt;
-    return LinkFailure{address.credentials + ": " + last_nats_error(), true};
+    return LinkFailure{fmt::format("{}: {}", address.credentials, last_nats_error()), true};
 }
 
 // Host name and chain are always verified.
@@ -118,8 +122,8 @@ Failure set_encryption(natsOptions* options, const ClusterAddress& address) {
     if (address.authority.empty()) return std::nullopt;
     if (natsOptions_LoadCATrustedCertificates(options, address.authority.c_str()) == NATS_OK)
         return std::nullopt;
-    return LinkFailure{"--ca " + address.authority + ": expected a file with certificates (PEM); " +
-                           last_nats_error(),
+    return LinkFailure{fmt::format("--ca {}: expected a file with certificates (PEM); {}",
+                                   address.authority, last_nats_error()),
                        true};
 }
 
@@ -176,8 +180,9 @@ private:
     void note_error(natsStatus error, const std::string& words) {
         const std::lock_guard lock(mutex_);
         if (error == NATS_NOT_PERMITTED) {
-            refusal_ = "the server does not permit this: " + text_for_people(words, kLongestWords) +
-                       "; --credentials names the file of another role";
+            refusal_ = fmt::format(
+                "the server does not permit this: {}; --credentials names the file of another role",
+                text_for_people(words, kLongestWords));
             complaints_.add(refusal_);
         } else if (error == NATS_SLOW_CONSUMER) {
             complaints_.add(

@@ -1,7 +1,11 @@
 #include "cluster/nats/nats_streams.h"
 
+#include <fmt/core.h>
+
+#include <chrono>
 #include <cstring>
 #include <string>
+#include <thread>
 #include <vector>
 
 namespace cambrian {
@@ -18,6 +22,8 @@ constexpr std::int64_t kWorkWait = 10 * kSecond;
 constexpr std::int64_t kMostDeliveries = 5;
 constexpr std::int64_t kMostUnacknowledged = 20'000;
 constexpr std::int64_t kMostWaiting = 4096;
+constexpr int kCreationTries = 3;
+constexpr std::chrono::milliseconds kBetweenTries{100};
 
 using Failure = std::optional<LinkFailure>;
 
@@ -26,21 +32,22 @@ class Differences {
 public:
     void compare(const char* name, const std::string& found, const std::string& expected) {
         if (found == expected) return;
-        text_ += (text_.empty() ? "" : "; ") + std::string(name) + " " + found + " (expected " +
-                 expected + ")";
+        text_ +=
+            fmt::format("{}{} {} (expected {})", text_.empty() ? "" : "; ", name, found, expected);
     }
     void compare(const char* name, std::int64_t found, std::int64_t expected) {
         compare(name, std::to_string(found), std::to_string(expected));
     }
     void compare_seconds(const char* name, std::int64_t found, std::int64_t expected) {
-        compare(name, std::to_string(found / kSecond) + " s",
-                std::to_string(expected / kSecond) + " s");
+        compare(name, fmt::format("{} s", found / kSecond),
+                fmt::format("{} s", expected / kSecond));
     }
     // Returns a failure if there are differences.
     Failure found_in(const std::string& what) const {
         if (text_.empty()) return std::nullopt;
-        return LinkFailure{"the server has " + what + " with other settings: " + text_ +
-                               "; delete it there or choose another --cluster-name",
+        return LinkFailure{fmt::format("the server has {} with other settings: {}; delete it there "
+                                       "or choose another --cluster-name",
+                                       what, text_),
                            true};
     }
 
@@ -76,6 +83,18 @@ Failure compare_streams(const jsStreamConfig& found, const jsStreamConfig& expec
     return differences.found_in("a stream " + std::string(expected.Name));
 }
 
+// A server sometimes fails to make a folder for the first stream of an account, and then succeeds.
+natsStatus add_stream(NatsSession& session, jsStreamConfig& config, jsErrCode& code) {
+    natsStatus status = NATS_OK;
+    for (int tries = 0; tries < kCreationTries; ++tries) {
+        if (tries > 0) std::this_thread::sleep_for(kBetweenTries);
+        code = jsErrCode(0);
+        status = js_AddStream(nullptr, session.jetstream(), &config, nullptr, &code);
+        if (status == NATS_OK || code != JSStreamCreateErr) return status;
+    }
+    return status;
+}
+
 Failure make_stream(NatsSession& session, jsStreamConfig& config) {
     jsStreamInfo* received = nullptr;
     jsErrCode code = jsErrCode(0);
@@ -85,7 +104,7 @@ Failure make_stream(NatsSession& session, jsStreamConfig& config) {
     if (status == NATS_OK) return compare_streams(*info->Config, config);
     if (status != NATS_NOT_FOUND)
         return request_failure(session, status, code, std::string("stream ") + config.Name);
-    status = js_AddStream(nullptr, session.jetstream(), &config, nullptr, &code);
+    status = add_stream(session, config, code);
     if (status == NATS_OK) return std::nullopt;
     return request_failure(session, status, code, std::string("stream ") + config.Name);
 }
@@ -121,8 +140,8 @@ Failure make_consumer(NatsSession& session, const NatsSubjects& subjects) {
         differences.compare("deliveries", info->Config->MaxDeliver, kMostDeliveries);
         differences.compare("unacknowledged", info->Config->MaxAckPending, kMostUnacknowledged);
         differences.compare("waiting", info->Config->MaxWaiting, kMostWaiting);
-        return differences.found_in("a consumer " + std::string(NatsSubjects::kConsumer) + " of " +
-                                    stream);
+        return differences.found_in(
+            fmt::format("a consumer {} of {}", NatsSubjects::kConsumer, stream));
     }
     if (status == NATS_NOT_FOUND) {
         jsConsumerConfig config;
@@ -182,7 +201,7 @@ LinkFailure request_failure(NatsSession& session, natsStatus status, jsErrCode c
         return {"the server has no JetStream: start it with -js or the sample configuration", true};
     const bool lost = status == NATS_TIMEOUT || status == NATS_CONNECTION_DISCONNECTED ||
                       status == NATS_CONNECTION_CLOSED;
-    return {"the server did not give " + what + ": " + last_nats_error(), !lost};
+    return {fmt::format("the server did not give {}: {}", what, last_nats_error()), !lost};
 }
 
 std::optional<LinkFailure> make_streams(NatsSession& session, const NatsSubjects& subjects) {

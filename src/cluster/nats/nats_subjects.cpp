@@ -2,6 +2,8 @@
 
 #include "persist/text/digest_text.h"
 
+#include <fmt/core.h>
+
 #include <charconv>
 
 namespace cambrian {
@@ -29,29 +31,29 @@ std::string_view token(std::string_view& text) {
 }
 
 std::string generation_name(std::uint64_t run, std::uint32_t generation) {
-    return hex_text(run) + "." + std::to_string(generation);
+    return fmt::format("{}.{}", hex_text(run), generation);
 }
 
 }  // namespace
 
 std::string NatsSubjects::unit_name(const UnitId& unit) {
-    return generation_name(unit.run, unit.generation) + "." + std::to_string(unit.unit);
+    return fmt::format("{}.{}", generation_name(unit.run, unit.generation), unit.unit);
 }
 
 std::string NatsSubjects::work_of(std::uint64_t run) const {
-    return cluster_ + ".work." + hex_text(run) + ".>";
+    return fmt::format("{}.work.{}.>", cluster_, hex_text(run));
 }
 
 std::string NatsSubjects::results_of(std::uint64_t run) const {
-    return cluster_ + ".result." + hex_text(run) + ".>";
+    return fmt::format("{}.result.{}.>", cluster_, hex_text(run));
 }
 
 std::string NatsSubjects::work_of(std::uint64_t run, std::uint32_t generation) const {
-    return cluster_ + ".work." + generation_name(run, generation) + ".>";
+    return fmt::format("{}.work.{}.>", cluster_, generation_name(run, generation));
 }
 
 std::string NatsSubjects::results_of(std::uint64_t run, std::uint32_t generation) const {
-    return cluster_ + ".result." + generation_name(run, generation) + ".>";
+    return fmt::format("{}.result.{}.>", cluster_, generation_name(run, generation));
 }
 
 std::optional<UnitId> NatsSubjects::unit_of(std::string_view subject) const {
@@ -66,7 +68,7 @@ std::optional<UnitId> NatsSubjects::unit_of(std::string_view subject) const {
 }
 
 std::string NatsSubjects::stop(std::uint64_t run) const {
-    return cluster_ + ".stop." + hex_text(run);
+    return fmt::format("{}.stop.{}", cluster_, hex_text(run));
 }
 
 std::optional<std::uint64_t> NatsSubjects::stopped_run(std::string_view subject) const {

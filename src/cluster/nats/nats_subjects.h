@@ -4,6 +4,8 @@
 
 #include "cluster/messages/work_queue.h"
 
+#include <fmt/core.h>
+
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -22,8 +24,12 @@ public:
 
     std::string all_work() const { return cluster_ + ".work.>"; }
     std::string all_results() const { return cluster_ + ".result.>"; }
-    std::string work(const UnitId& unit) const { return cluster_ + ".work." + unit_name(unit); }
-    std::string result(const UnitId& unit) const { return cluster_ + ".result." + unit_name(unit); }
+    std::string work(const UnitId& unit) const {
+        return fmt::format("{}.work.{}", cluster_, unit_name(unit));
+    }
+    std::string result(const UnitId& unit) const {
+        return fmt::format("{}.result.{}", cluster_, unit_name(unit));
+    }
     std::string work_of(std::uint64_t run) const;
     std::string results_of(std::uint64_t run) const;
     std::string work_of(std::uint64_t run, std::uint32_t generation) const;
@@ -36,10 +42,10 @@ public:
     std::string all_hellos() const { return cluster_ + ".hello.>"; }
     std::string coordinator_hellos() const { return cluster_ + ".hello.coordinator.*"; }
     std::string coordinator_hello(std::string_view sender) const {
-        return cluster_ + ".hello.coordinator." + std::string(sender);
+        return fmt::format("{}.hello.coordinator.{}", cluster_, sender);
     }
     std::string worker_hello(std::string_view sender) const {
-        return cluster_ + ".hello.worker." + std::string(sender);
+        return fmt::format("{}.hello.worker.{}", cluster_, sender);
     }
 
     std::string all_stops() const { return cluster_ + ".stop.*"; }
@@ -47,12 +53,13 @@ public:
     std::optional<std::uint64_t> stopped_run(std::string_view subject) const;
 
     // Subjects on which answers to a role's requests arrive; only that role may subscribe to them.
-    std::string worker_inbox() const { return "_INBOX." + cluster_ + ".worker"; }
-    std::string coordinator_inbox() const { return "_INBOX." + cluster_ + ".coordinator"; }
+    std::string worker_inbox() const { return fmt::format("_INBOX.{}.worker", cluster_); }
+    std::string coordinator_inbox() const { return fmt::format("_INBOX.{}.coordinator", cluster_); }
 
     // Subject on which the server reports a unit that was delivered as often as its limit.
     std::string undeliverable() const {
-        return "$JS.EVENT.ADVISORY.CONSUMER.MAX_DELIVERIES." + work_stream() + "." + kConsumer;
+        return fmt::format("$JS.EVENT.ADVISORY.CONSUMER.MAX_DELIVERIES.{}.{}", work_stream(),
+                           kConsumer);
     }
 
 private:

@@ -7,6 +7,8 @@
 #include "persist/json/json_text.h"
 #include "persist/text/digest_text.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <deque>
 #include <map>
@@ -213,7 +215,7 @@ bool NatsWorkerQueue::publish_result(const UnitMessage& result) {
     if (has_ended(result.id.run)) return true;
     const std::string subject = subjects_.result(result.id);
     // Differs from other workers' results of the unit.
-    const std::string id = subject + "." + name_;
+    const std::string id = fmt::format("{}.{}", subject, name_);
     jsPubOptions options;
     jsPubOptions_Init(&options);
     options.MaxWait = kNatsWait;

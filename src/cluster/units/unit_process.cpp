@@ -3,6 +3,8 @@
 #include "cluster/messages/text_for_people.h"
 #include "core/files/file_descriptor.h"
 
+#include <fmt/core.h>
+
 #include <array>
 #include <cerrno>
 #include <csignal>
@@ -79,16 +81,16 @@ std::string all_of(int file) {
 
 // Example: "signal 6 (Aborted)".
 std::string signal_text(int signal) {
-    const std::string text = "signal " + std::to_string(signal);
+    const std::string text = fmt::format("signal {}", signal);
     const char* description = ::sigdescr_np(signal);
-    return description == nullptr ? text : text + " (" + description + ")";
+    return description == nullptr ? text : fmt::format("{} ({})", text, description);
 }
 
 // Returns the error of a process that refused, with its message.
 Error refusal(int status, std::string_view messages) {
     const std::string_view first = messages.substr(0, messages.find('\n'));
-    return Error{"a process of its own did not compute a unit (exit status " +
-                 std::to_string(status) + "): " + text_for_people(first, kLongestMessage)};
+    return Error{fmt::format("a process of its own did not compute a unit (exit status {}): {}",
+                             status, text_for_people(first, kLongestMessage))};
 }
 
 Result<ChildEnd> end_of(int status, const Streams& streams) {

@@ -12,6 +12,8 @@
 #include "persist/text/digest_text.h"
 #include "simulator/simulator_version.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <condition_variable>
 #include <deque>
@@ -201,13 +203,14 @@ void Worker::hear(const Hello& hello) {
     if (known_runs_.size() < kMostRunsTold && known_runs_.insert(hello.id).second) {
         next_hello_ = 0.0;  // announces the worker to a new run at once
         if (hello.simulator == kSimulatorVersion && hello.proof != proof_)
-            tell_once(hello.id, "run " + hex_text(hello.id) + ": this machine's bits differ in " +
-                                    differing_trials(hello.trials, proof_trials_));
+            tell_once(hello.id,
+                      fmt::format("run {}: this machine's bits differ in {}", hex_text(hello.id),
+                                  differing_trials(hello.trials, proof_trials_)));
     }
     for (const Refusal& refusal : hello.refusals) {
         if (refusal.worker != options_.id) continue;
         const std::lock_guard lock(mutex_);
-        end_ = "run " + hex_text(hello.id) + " refuses this worker: " + refusal.reason;
+        end_ = fmt::format("run {} refuses this worker: {}", hex_text(hello.id), refusal.reason);
     }
 }
 
@@ -293,11 +296,11 @@ void Worker::work_on(InHand& unit, const std::stop_token& stop) {
 
 std::string Worker::mismatch(const UnitOutline& outline) const {
     if (outline.version != kUnitVersion)
-        return "wants units of version " + std::to_string(outline.version) + ", this is " +
-               std::to_string(kUnitVersion);
+        return fmt::format("wants units of version {}, this is {}", outline.version, kUnitVersion);
     if (outline.terms.simulator != kSimulatorVersion)
-        return "wants simulator " + text_for_people(outline.terms.simulator, kLongestName) +
-               ", this is " + std::string(kSimulatorVersion);
+        return fmt::format("wants simulator {}, this is {}",
+                           text_for_people(outline.terms.simulator, kLongestName),
+                           kSimulatorVersion);
     if (outline.terms.proof != proof_) return "gets other bits in the proof trials";
     return {};
 }
@@ -338,7 +341,7 @@ void Worker::note_done(std::size_t creatures, std::uint64_t work) {
 void Worker::refuse_unit(const InHand& unit, const std::string& why) {
     const std::uint64_t run = unit.delivery.unit.id.run;
     queue_.give_back(unit.delivery.ticket, kNotForThisBuild);
-    tell_once(run, "run " + hex_text(run) + " " + why);
+    tell_once(run, fmt::format("run {} {}", hex_text(run), why));
     const std::lock_guard lock(mutex_);
     refusal_ = why;
     refused_at_ = clock_.seconds();
@@ -347,8 +350,8 @@ void Worker::refuse_unit(const InHand& unit, const std::string& why) {
 void Worker::discard(const InHand& unit, const std::string& why) {
     const std::uint64_t run = unit.delivery.unit.id.run;
     queue_.discard(unit.delivery.ticket);
-    tell_once(run, "run " + hex_text(run) +
-                       " sent what cannot be read: " + text_for_people(why, kLongestReason));
+    tell_once(run, fmt::format("run {} sent what cannot be read: {}", hex_text(run),
+                               text_for_people(why, kLongestReason)));
 }
 
 void Worker::tell_once(std::uint64_t run, const std::string& line) {

@@ -4,6 +4,8 @@
 
 #include "core/result.h"
 
+#include <fmt/core.h>
+
 #include <string>
 #include <system_error>
 
@@ -11,7 +13,7 @@ namespace cambrian {
 
 // `name` is the path as it was given, or "to standard output".
 inline Error cannot_write(const std::string& name, const std::string& reason) {
-    return Error{"cannot write " + name + ": " + reason};
+    return Error{fmt::format("cannot write {}: {}", name, reason)};
 }
 
 // Returns the error for an error code of the operating system; success for 0.

@@ -6,9 +6,10 @@
 #include "core/files/output_target.h"
 #include "core/files/pending_file.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cerrno>
-#include <cstdio>
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <system_error>
@@ -22,9 +23,7 @@ std::string system_message(int code) {
 }
 
 std::string megabytes(double bytes) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.1f MB", bytes / 1e6);
-    return text;
+    return fmt::format("{:.1f} MB", bytes / 1e6);
 }
 
 int open_to_read(const std::filesystem::path& path) {
@@ -33,7 +32,8 @@ int open_to_read(const std::filesystem::path& path) {
 
 // Must be called right after opening; fails if opening failed.
 Result<std::size_t> size_of(const FileDescriptor& file, const std::filesystem::path& path) {
-    if (file.get() < 0) return Error{"cannot open " + path.string() + ": " + system_message(errno)};
+    if (file.get() < 0)
+        return Error{fmt::format("cannot open {}: {}", path.string(), system_message(errno))};
     struct stat facts {};
     if (::fstat(file.get(), &facts) != 0 || !S_ISREG(facts.st_mode)) {
         return Error{path.string() + " is not a regular file"};
@@ -49,7 +49,8 @@ Result<std::string> read_bytes(const FileDescriptor& file, std::size_t count,
     while (filled < bytes.size()) {
         const ssize_t got = ::read(file.get(), bytes.data() + filled, bytes.size() - filled);
         if (got < 0 && errno == EINTR) continue;
-        if (got < 0) return Error{"cannot read " + path.string() + ": " + system_message(errno)};
+        if (got < 0)
+            return Error{fmt::format("cannot read {}: {}", path.string(), system_message(errno))};
         if (got == 0) break;
         filled += static_cast<std::size_t>(got);
     }
@@ -64,8 +65,9 @@ Result<std::string> read_file(const std::filesystem::path& path, std::size_t max
     const Result<std::size_t> size = size_of(file, path);
     if (!size) return size.error();
     if (*size > max_bytes) {
-        return Error{path.string() + ": file too large: " + megabytes(static_cast<double>(*size)) +
-                     ", limit " + megabytes(static_cast<double>(max_bytes))};
+        return Error{fmt::format("{}: file too large: {}, limit {}", path.string(),
+                                 megabytes(static_cast<double>(*size)),
+                                 megabytes(static_cast<double>(max_bytes)))};
     }
     return read_bytes(file, *size, path);
 }

@@ -5,6 +5,8 @@
 #include "core/files/file_lock.h"
 #include "core/files/output_target.h"
 
+#include <fmt/core.h>
+
 #include <cerrno>
 #include <charconv>
 #include <csignal>
@@ -68,10 +70,10 @@ NewFile make_beside(const std::filesystem::path& target, mode_t mode) {
     static unsigned count = 0;
     const std::lock_guard lock(one_at_a_time);
     remove_stale(target.parent_path());
-    const std::string start = std::string(kPrefix) + std::to_string(::getpid()) + "-";
+    const std::string start = fmt::format("{}{}-", kPrefix, ::getpid());
     NewFile made;
     do {
-        made.path = target.parent_path() / (start + std::to_string(++count));
+        made.path = target.parent_path() / fmt::format("{}{}", start, ++count);
         made.file =
             FileDescriptor(::open(made.path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, mode));
     } while (!made.file.is_open() && errno == EEXIST);

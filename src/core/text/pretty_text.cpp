@@ -1,11 +1,11 @@
 #include "core/text/pretty_text.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <cctype>
 #include <cmath>
-#include <cstdarg>
-#include <cstdio>
 
 namespace cambrian {
 namespace {
@@ -29,25 +29,16 @@ std::string grouped(long long whole) {
 // Returns a text such as "−9.63 × 10⁻⁴".
 std::string power_of_ten(double value) {
     constexpr std::array digits = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
-    const std::string text = format("%.2e", std::fabs(value));
+    const std::string text = fmt::format("{:.2e}", std::fabs(value));
     const std::size_t mark = text.find('e');
     const int exponent = std::stoi(text.substr(mark + 1));
     std::string raised = exponent < 0 ? "⁻" : "";
     for (const char digit : std::to_string(std::abs(exponent)))
         raised += digits[static_cast<std::size_t>(digit - '0')];
-    return (value < 0.0 ? "−" : "") + text.substr(0, mark) + " × 10" + raised;
+    return fmt::format("{}{} × 10{}", value < 0.0 ? "−" : "", text.substr(0, mark), raised);
 }
 
 }  // namespace
-
-std::string format(const char* pattern, ...) {
-    std::array<char, 512> buffer{};
-    va_list arguments;
-    va_start(arguments, pattern);
-    std::vsnprintf(buffer.data(), buffer.size(), pattern, arguments);
-    va_end(arguments);
-    return buffer.data();
-}
 
 std::string pretty_unit(const std::string& unit) {
     if (unit == "deg") return "°";
@@ -64,7 +55,7 @@ std::string pretty_number(double value) {
     if (size >= 1e7 || (size > 0.0 && size < 1e-3)) return power_of_ten(value);
     if (size >= 1000.0 || value == std::floor(value)) return grouped(std::llround(value));
     const int decimals = size >= 100.0 ? 1 : size >= 1.0 ? 2 : 3;
-    std::string text = format("%.*f", decimals, size);
+    std::string text = fmt::format("{:.{}f}", size, decimals);
     while (text.back() == '0')
         text.pop_back();
     if (text.back() == '.') text.pop_back();
@@ -86,8 +77,8 @@ std::string measured(double value, const std::string& unit) {
 
 std::string pretty_time(double seconds) {
     const auto whole = static_cast<long long>(std::ceil(std::fmax(0.0, seconds)));
-    if (whole >= 3600) return format("%lld h %02lld", whole / 3600, whole / 60 % 60);
-    return format("%lld:%02lld", whole / 60, whole % 60);
+    if (whole >= 3600) return fmt::format("{} h {:02}", whole / 3600, whole / 60 % 60);
+    return fmt::format("{}:{:02}", whole / 60, whole % 60);
 }
 
 std::string capitalized(std::string text) {

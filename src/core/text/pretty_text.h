@@ -6,9 +6,6 @@
 
 namespace cambrian {
 
-// Like std::snprintf.
-[[gnu::format(printf, 1, 2)]] std::string format(const char* pattern, ...);
-
 // Converts "m/s^2" to "m/s²", "deg" to "°", "x" to "×".
 std::string pretty_unit(const std::string& unit);
 // Returns about three significant digits without further trailing zeros: "9.81", "0.05", "1 250".

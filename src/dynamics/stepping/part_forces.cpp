@@ -25,13 +25,8 @@ void each_measured(const PlanarModel& model, const Visit& visit) {
 
 }  // namespace
 
-void begin_forces(const PlanarModel& model, const Kinematics& kinematics, PartForces& forces) {
-    each_measured(model, [&](int part) {
-        const Vec2 velocity = center_velocity(model, kinematics, part);
-        forces.specific_x[part] = velocity.x();
-        forces.specific_y[part] = velocity.y();
-        forces.load[part] = 0.0;
-    });
+void begin_forces(const PlanarModel& model, PartForces& forces) {
+    each_measured(model, [&](int part) { forces.load[part] = 0.0; });
 }
 
 void add_load(const PlanarModel& model, const Contact& contact, double impulse,
@@ -45,9 +40,11 @@ void end_forces(const PlanarModel& model, const Medium& medium, const Kinematics
     each_measured(model, [&](int part) {
         const Vec2 velocity = center_velocity(model, kinematics, part);
         forces.specific_x[part] =
-            (velocity.x() - forces.specific_x[part]) / duration - medium.gravity_x;
+            (velocity.x() - forces.speed_x[part]) / duration - medium.gravity_x;
         forces.specific_y[part] =
-            (velocity.y() - forces.specific_y[part]) / duration - medium.gravity_y;
+            (velocity.y() - forces.speed_y[part]) / duration - medium.gravity_y;
+        forces.speed_x[part] = velocity.x();
+        forces.speed_y[part] = velocity.y();
         forces.load[part] /= duration;
     });
 }

@@ -7,14 +7,12 @@
 namespace cambrian {
 
 struct PartForces {
-    // Acceleration of the part's centre minus gravity, in m/s^2. During a tick, it is the centre's
-    // velocity at the tick's start.
-    PerPart specific_x = {}, specific_y = {};
+    PerPart speed_x = {}, speed_y = {};        // m/s, of the part's centre at the end of the tick
+    PerPart specific_x = {}, specific_y = {};  // m/s^2, acceleration of the centre minus gravity
     PerPart load = {};  // N, sum of the normal forces; during a tick, the impulse in N s so far
 };
 
-// The kinematics must be those of the tick's start.
-void begin_forces(const PlanarModel& model, const Kinematics& kinematics, PartForces& forces);
+void begin_forces(const PlanarModel& model, PartForces& forces);
 
 // Adds the normal impulse (N s) of a contact to the parts that touch.
 void add_load(const PlanarModel& model, const Contact& contact, double impulse, PartForces& forces);

@@ -53,6 +53,29 @@ void note_touch(const Contact& contact, SimulationState& state) {
         state.touched[contact.part_b] |= static_cast<std::uint8_t>(1U << contact.face_b);
 }
 
+bool is_within_creature(const PlanarModel& model, const Contact& contact) {
+    if (contact.body_b < 0) return false;
+    const std::uint32_t paths = model.root_path[contact.body_a] & model.root_path[contact.body_b];
+    return (paths & model.roots) != 0;
+}
+
+void note_impact(const PlanarModel& model, const Kinematics& kinematics, const Contact& contact,
+                 double impulse, SimulationState& state) {
+    if (is_within_creature(model, contact)) return;
+    const auto end = state.impacts + state.impact_count;
+    auto* noted = std::find_if(state.impacts, end, [&](const NotedImpact& each) {
+        return each.body_a == contact.body_a && each.body_b == contact.body_b;
+    });
+    if (noted == end) {
+        if (state.impact_count == static_cast<int>(kMostImpacts)) return;
+        ++state.impact_count;
+        *noted = {contact.body_a, contact.body_b, contact.part_a, contact.part_b};
+    }
+    noted->impulse += impulse;
+    noted->point_x += impulse * (kinematics.x[contact.body_a] + contact.arm_ax);
+    noted->point_y += impulse * (kinematics.y[contact.body_a] + contact.arm_ay);
+}
+
 double deepest(const ContactSet& contacts) {
     double depth = 0.0;
     for (int c = 0; c < contacts.count; ++c)
@@ -82,7 +105,8 @@ void StepControl::advance(const PlanarModel& model, const ContactLaw& law, Forci
     CAMBRIAN_TICK_ASSERT(are_parents_before_children(model), "a parent comes before its children");
     for (std::uint8_t& faces : state.touched)
         faces = 0;
-    if (model.measured_parts != 0) begin_forces(model, state.cache().kinematics, state.forces);
+    state.impact_count = 0;
+    if (model.measured_parts != 0) begin_forces(model, state.forces);
     state.evaluation_debt = std::max(0.0, state.evaluation_debt - max_evaluations_ * duration);
     Tick tick{model, law, forcing, state, duration};
     tick.detected = state.cache_is_current && state.detection == detection_;
@@ -210,9 +234,11 @@ void StepControl::apply_impact(Tick& tick, double restitution) {
     const ContactSet& touching = contacts_.selected();
     CAMBRIAN_TICK_ASSERT(touching.count <= kMaxContacts, "contacts have room");
     for (int c = 0; c < touching.count; ++c) {
+        const double impulse = contacts_.normal_impulse_of(c);
         note_touch(touching.items[c], state);
+        note_impact(tick.model, state.cache().kinematics, touching.items[c], impulse, state);
         if (tick.model.measured_parts != 0)
-            add_load(tick.model, touching.items[c], contacts_.normal_impulse_of(c), state.forces);
+            add_load(tick.model, touching.items[c], impulse, state.forces);
     }
 }
 

@@ -19,6 +19,14 @@ struct HeldContact {
     double force = 0.0;                     // N
 };
 
+// The impacts of a body on another or on the ground in one tick.
+struct NotedImpact {
+    int body_a = 0, body_b = -1;          // -1: the ground
+    int part_a = 0, part_b = -1;          // those of the first contact
+    double impulse = 0.0;                 // N s, sum of the normal impulses
+    double point_x = 0.0, point_y = 0.0;  // m, world; sums weighted by the impulse
+};
+
 // All data of a scene that change with time; a copy is a saved state.
 struct SimulationState {
     Motion motion = {};
@@ -42,6 +50,8 @@ struct SimulationState {
     PartForces forces;                         // of the last tick; 0 but for the measured parts
     int held_count = 0;
     HeldContact held[kMaxContacts];
+    int impact_count = 0;  // of the last tick
+    NotedImpact impacts[kMostImpacts];
     SceneAudit audit;
     double energy_reference = 0.0;  // J, at the start of the audit
 

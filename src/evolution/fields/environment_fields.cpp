@@ -18,40 +18,56 @@ void add_light(TableBuilder& world) {
     };
     world
         .flag(
-            "light", "Light", "A light that casts no shadows; creatures need senses to see it.",
+            "light", "Light",
+            "The world has a light, which casts no shadows. Creatures need light sensors to see "
+            "it.",
             [](Settings & s) -> auto& { return s.world.environment.has_light; })
         .later = true;
     later(world.number(
               "light-brightness", "Light, brightness", "", Range{0, 10},
-              "What the sense of light reads at the light; 0 is darkness.",
+              "The brightness that a sensor reads at the light. 0 is darkness.",
               [](Settings & s) -> auto& { return s.world.environment.light_brightness; }),
           has_light);
     later(world.number(
               "light-x", "Light, across", "m", Range{-1000, 1000},
-              "Place of the light to the right of the start; where it begins if it moves.",
+              "The position of the light to the right of the start. A moving light begins there.",
               [](Settings & s) -> auto& { return s.world.environment.light_x; }),
           has_light);
     later(world.number(
               "light-y", "Light, up", "m", Range{-1000, 1000},
-              "Height of the light; where it begins if it moves.",
+              "The height of the light. A moving light begins there.",
               [](Settings & s) -> auto& { return s.world.environment.light_y; }),
           has_light);
     later(world.choice(
               "light-motion", "Light, motion", {kLightMotionIds.begin(), kLightMotionIds.end()},
-              "Stays; jumps every 5 s to somewhere 3 to 6 body lengths from the creature; or "
-              "wanders about.",
+              "The light stays, jumps every 5 s to a point 3 to 6 body lengths from the creature, "
+              "or wanders.",
               [](Settings & s) -> auto& { return s.world.environment.light_motion; }),
           has_light);
     later(world.number(
               "light-range", "Light, range", "m", Range{0, 1000},
-              "How far it wanders from where it begins, each way.",
+              "The largest distance of a wandering light from where it begins, in each direction.",
               [](Settings & s) -> auto& { return s.world.environment.light_range; }),
           wanders);
     later(world.number(
               "light-reach", "Light, reach", "m", Range{0.1, 100},
-              "Distance at which half of the light is left.",
+              "The distance at which half of the brightness is left.",
               [](Settings & s) -> auto& { return s.world.environment.light_reach; }),
           has_light);
+}
+
+// Switches for comparisons, which do not change what creatures are made of.
+void add_missing_senses(TableBuilder& world) {
+    world
+        .flag(
+            "deafness", "Deafness", "Nobody hears anything, whatever its senses.",
+            [](Settings & s) -> auto& { return s.world.environment.deaf; })
+        .later = true;
+    world
+        .flag(
+            "anosmia", "No sense of smell", "Nobody smells anything, whatever its senses.",
+            [](Settings & s) -> auto& { return s.world.environment.scentless; })
+        .later = true;
 }
 
 }  // namespace
@@ -60,36 +76,41 @@ void add_environment(std::vector<SettingField>& fields) {
     TableBuilder world(fields, "environment");
     world.number(
         "gravity", "Gravity", "m/s^2", Range{0, 1000},
-        "Pull of the world: Earth 9.81, Mars 3.71, Moon 1.62, a swimmer's water 0.",
+        "The acceleration of free fall. Earth has 9.81, Mars 3.71, the Moon 1.62; the swimmers' "
+        "water has 0.",
         [](Settings & s) -> auto& { return s.world.environment.gravity; });
     world.number(
         "gravity-direction", "Gravity direction", "deg", Range{-180, 180},
-        "Where the pull points, counter-clockwise from right; -90 is straight down.",
+        "The direction of gravity, counter-clockwise from the right. -90 is straight down.",
         [](Settings & s) -> auto& { return s.world.environment.gravity_direction; });
     world.flag(
-        "ground", "Ground", "A flat endless floor at height 0.",
+        "ground", "Ground", "The ground is a flat, endless floor at height 0.",
         [](Settings & s) -> auto& { return s.world.environment.has_ground; });
     world.number(
         "friction", "Friction", "", Range{0, 100},
-        "Grip of the ground and of parts on each other; ice 0.05, rubber 1.",
+        "The coefficient of friction between parts and the ground, and between parts. Ice has "
+        "0.05, rubber 1.",
         [](Settings & s) -> auto& { return s.world.environment.friction; });
     world.number(
         "elasticity", "Elasticity", "", Range{0, 1},
-        "Share of the speed kept in a bounce: clay 0, a hard ball 0.9.",
+        "The coefficient of restitution, which is the share of the speed that is left after a "
+        "bounce. Clay has 0, a hard ball 0.9.",
         [](Settings & s) -> auto& { return s.world.environment.elasticity; });
     world.number(
         "viscosity-linear", "Viscosity, linear", "N s/m^2", Range{0, 1e4},
-        "Drag that grows with a face's speed, as in treacle.",
+        "The coefficient of linear drag, which grows with the speed of a face, as in syrup.",
         [](Settings & s) -> auto& { return s.world.environment.viscosity_linear; });
     world.number(
         "viscosity-quadratic", "Viscosity, quadratic", "kg/m^2", Range{0, 1e4},
-        "Drag that grows with the square of a face's speed, as in water.",
+        "The coefficient of quadratic drag, which grows with the square of the speed of a face, as "
+        "in water.",
         [](Settings & s) -> auto& { return s.world.environment.viscosity_quadratic; });
     world.number(
         "density", "Body density", "kg/m^2", Range{1e-3, 1e4},
-        "Mass of a body part for each square metre of it.",
+        "The mass of a body part for each square metre of its area.",
         [](Settings & s) -> auto& { return s.world.environment.density; });
     add_light(world);
+    add_missing_senses(world);
 }
 
 }  // namespace cambrian::setting_table

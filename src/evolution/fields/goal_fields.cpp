@@ -1,24 +1,28 @@
 #include "evolution/fields/setting_table.h"
 #include "evolution/settings/goal_defaults.h"
 
+#include <fmt/core.h>
+
 namespace cambrian::setting_table {
 
 void add_goal(std::vector<SettingField>& fields, const EvolutionKinds& kinds) {
     TableBuilder goal(fields, "goal");
     goal.choice(
-        "behavior", "Behavior", ids_of(kinds.goals), "What creatures are selected for.",
+        "behavior", "Behavior", ids_of(kinds.goals),
+        "The behavior that creatures are selected for.",
         [](Settings & s) -> auto& { return s.goal; });
 }
 
 Status check_goal(const Settings& settings, const EvolutionKinds& kinds) {
     const GoalKind* goal = kinds.goals.find(settings.goal);
     if (goal == nullptr || goal->senses.empty()) return {};
-    const std::string name = "goal \"" + goal->id + "\"";
+    const std::string name = fmt::format("goal \"{}\"", goal->id);
     if (!settings.world.environment.has_light)
         return Error{name + " has no light: set [environment] light = true"};
     if (may_sense(settings, *goal)) return {};
-    return Error{name + " has a light but no creature may see it: set [body.sensors] " +
-                 goal->senses.front() + " = true"};
+    return Error{
+        fmt::format("{} has a light but no creature may see it: set [body.sensors] {} = true", name,
+                    goal->senses.front())};
 }
 
 }  // namespace cambrian::setting_table

@@ -1,6 +1,8 @@
-// Settings that enable or disable each kind of joint, neuron function, sensor and reference.
+// Settings that enable or disable each kind of joint, neuron function, sensor, organ and reference.
 #include "evolution/fields/setting_table.h"
 #include "genome/founders/enabled_kinds.h"
+
+#include <fmt/core.h>
 
 namespace cambrian::setting_table {
 namespace {
@@ -13,13 +15,13 @@ void add_switches(std::vector<SettingField>& fields, std::string table, const En
     TableBuilder builder(fields, std::move(table));
     for (const auto& entry : entries) {
         const std::string id(entry.id);
-        builder
-            .flag(
-                id, std::string(entry.label), help,
-                [ flags, id, usual = is_usual(entry) ](Settings & s) -> auto& {
-                    return (s.founders.*flags).try_emplace(id, usual).first->second;
-                })
-            .later = !is_usual(entry) && flags == &FounderSettings::channels;
+        SettingField& field = builder.flag(
+            id, std::string(entry.label), help,
+            [ flags, id, usual = is_usual(entry) ](Settings & s) -> auto& {
+                return (s.founders.*flags).try_emplace(id, usual).first->second;
+            });
+        field.later = !is_usual(entry) && flags != &FounderSettings::joints;
+        if constexpr (requires { entry.group; }) field.group = entry.group;
     }
 }
 
@@ -31,7 +33,7 @@ Status check_any(const std::vector<Entry>& entries, const std::vector<std::uint8
         const auto flag = flags.find(entries[entry].id);
         if (flag == flags.end() || flag->second) return {};
     }
-    return Error{std::string("[") + table + "]: all are false; at least one must be true"};
+    return Error{fmt::format("[{}]: all are false; at least one must be true", table)};
 }
 
 std::string joined_ids(const std::vector<SourceKind>& kinds) {
@@ -72,16 +74,17 @@ Status check_references(const FounderSettings& founders, const KindCatalog& cata
 void add_body_kinds(std::vector<SettingField>& fields, const EvolutionKinds& kinds) {
     const KindCatalog& catalog = kinds.creature.catalog;
     add_switches(fields, "body.joints", catalog.joints,
-                 "Whether random creatures and mutations may use this joint.",
-                 &FounderSettings::joints);
+                 "Random creatures and mutations may use this joint.", &FounderSettings::joints);
     add_switches(fields, "body.functions", catalog.functions,
-                 "Whether random creatures and mutations may use this neuron.",
+                 "Random creatures and mutations may use this neuron function.",
                  &FounderSettings::functions);
     add_switches(fields, "body.sensors", catalog.channels,
-                 "Whether random creatures and mutations may connect to this sensor.",
+                 "Random creatures and mutations may connect to this sensor.",
                  &FounderSettings::channels);
+    add_switches(fields, "body.organs", catalog.organs,
+                 "Random creatures and mutations may use this organ.", &FounderSettings::organs);
     add_switches(fields, "body.references", source_rules(),
-                 "Whether random creatures and mutations may connect to this.",
+                 "Random creatures and mutations may connect to this source.",
                  &FounderSettings::references);
 }
 

@@ -19,25 +19,28 @@ void add_survival(TableBuilder& selection, const SelectionRegistry& selections) 
     selection
         .number(
             "survival", "Survivors", "", Range{0.01, 1},
-            "Share of a generation that survives and breeds; smaller is harsher.",
+            "The share of a generation that survives and breeds. A smaller share is a stronger "
+            "selection.",
             [](Settings & s) -> auto& { return s.population.survival; })
         .applies = best_share;
     selection
         .number(
             "max-clones", "Clones kept", "", Range{1, 1000},
-            "Creatures with the same body and live brain that may survive together.",
+            "The largest number of survivors with the same body and live brain.",
             [](Settings & s) -> auto& { return s.population.max_clones; })
         .applies = [own_rule](const Settings& settings) { return !own_rule(settings); };
     selection
         .number(
             "line-share", "Share of a line", "", Range{0.01, 1},
-            "Share of the survivors that may descend from one founder, by mothers; 1 for no limit.",
+            "The largest share of the survivors that may descend from one founder through mothers. "
+            "1 means no limit.",
             [](Settings & s) -> auto& { return s.selection.line_share; })
         .applies = best_share;
     selection
         .number(
             "plan-copies", "Copies of a body plan", "creatures", Range{0, 20000},
-            "Survivors whose parts and joints form the same tree; 0 for no limit.",
+            "The largest number of survivors whose parts and joints form the same tree. 0 means no "
+            "limit.",
             [](Settings & s) -> auto& { return s.selection.plan_copies; })
         .applies = best_share;
 }
@@ -45,14 +48,14 @@ void add_survival(TableBuilder& selection, const SelectionRegistry& selections) 
 void add_confirmation(TableBuilder& selection) {
     selection.number(
         "confirmations", "Confirming trials", "", Range{0, 20},
-        "Worlds a hair different in which whoever would survive is tried again; its score is then "
-        "the median of all.",
+        "The number of slightly different worlds in which creatures that would survive are tried "
+        "again. Their score is then the median of all trials.",
         [](Settings & s) -> auto& { return s.selection.confirmations; });
     selection
         .number(
             "confirm-jitter", "Confirming changes", "", Range{0, 0.2},
-            "Share by which gravity, friction and drag of these worlds differ at most, and rad by "
-            "which the start pose does.",
+            "The largest relative change of gravity, friction and drag in these worlds, and the "
+            "largest change of the start pose in rad.",
             [](Settings & s) -> auto& { return s.selection.confirm_jitter; })
         .applies = [](const Settings& settings) { return settings.selection.confirmations > 0; };
 }
@@ -74,7 +77,8 @@ void add_own_settings(TableBuilder& selection, const SelectionRegistry& selectio
 void add_selection(std::vector<SettingField>& fields, const EvolutionKinds& kinds) {
     TableBuilder selection(fields, "selection");
     selection.choice(
-        "method", "Method", ids_of(kinds.selections), "Who survives and who breeds how often.",
+        "method", "Method", ids_of(kinds.selections),
+        "The rule that decides which creatures survive and how often they breed.",
         [](Settings & s) -> auto& { return s.selection.method; });
     add_survival(selection, kinds.selections);
     add_confirmation(selection);

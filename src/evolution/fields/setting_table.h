@@ -22,8 +22,8 @@ void add_environment(std::vector<SettingField>& fields);
 void add_goal(std::vector<SettingField>& fields, const EvolutionKinds& kinds);
 Status check_goal(const Settings& settings, const EvolutionKinds& kinds);
 void add_trials(TableBuilder& trial);  // number of trials per creature and their jitter
-// The settings that enable kinds of joints, neuron functions, sensors and references. The check
-// fails if no movable joint or no control remains.
+// The settings that enable kinds of joints, neuron functions, sensors, organs and references. The
+// check fails if no movable joint or no control remains.
 void add_body_kinds(std::vector<SettingField>& fields, const EvolutionKinds& kinds);
 Status check_body_kinds(const Settings& settings, const EvolutionKinds& kinds);
 void add_selection(std::vector<SettingField>& fields, const EvolutionKinds& kinds);

@@ -1,5 +1,7 @@
 #include "evolution/fields/setting_field.h"
 
+#include <fmt/core.h>
+
 namespace cambrian {
 
 std::vector<std::string> setting_warnings(const ExperimentSettings& settings,
@@ -9,17 +11,19 @@ std::vector<std::string> setting_warnings(const ExperimentSettings& settings,
     if (goal != nullptr && goal->mismatch != nullptr) {
         const std::string mismatch = goal->mismatch(settings.world.environment);
         if (!mismatch.empty()) {
-            warnings.push_back("[goal] behavior: " + goal->id +
-                               " makes little sense in this [environment]: " + mismatch + ".");
+            warnings.push_back(
+                fmt::format("[goal] behavior: {} makes little sense in this [environment]: {}.",
+                            goal->id, mismatch));
         }
     }
     const TrialSettings& trial = settings.world.trial;
     if (trial.trials == 1 && (trial.friction_jitter > 0.0 || trial.tilt_jitter > 0.0))
         warnings.emplace_back("[trial] trials: jitter has no effect on the first trial of 1.");
     if (goal != nullptr && goal->shares != nullptr && trial.trials % 2 == 1)
-        warnings.push_back("[trial] trials: " + std::to_string(trial.trials) +
-                           " leaves one without its mirror image, so a habit of turning one way "
-                           "may pay.");
+        warnings.push_back(
+            fmt::format("[trial] trials: {} leaves one without its mirror image, so a habit of "
+                        "turning one way may pay.",
+                        trial.trials));
     return warnings;
 }
 

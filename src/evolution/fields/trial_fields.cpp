@@ -17,37 +17,38 @@ bool depends_on_chance(const Settings& settings) {
 void add_trials(TableBuilder& trial) {
     trial.number(
         "trials", "Trials", "", Range{1, 50},
-        "Trials of each creature: the first in the world as it is, further ones with the changes "
-        "below, the same for everyone.",
+        "The number of trials of each creature. The first is in the world as it is; further ones "
+        "have the changes below, the same for all creatures.",
         [](Settings & s) -> auto& { return s.world.trial.trials; });
     trial
         .number(
             "friction-jitter", "Friction, more or less", "", Range{0, 1},
-            "Share of the friction by which further trials differ at most.",
+            "The largest relative change of the friction in further trials.",
             [](Settings & s) -> auto& { return s.world.trial.friction_jitter; })
         .applies = several;
     trial
         .number(
             "tilt-jitter", "Start tilt", "deg", Range{0, 90},
-            "Angle by which the start pose of further trials is turned at most.",
+            "The largest angle by which the start pose of further trials is turned.",
             [](Settings & s) -> auto& { return s.world.trial.tilt_jitter; })
         .applies = several;
     trial
         .choice(
             "combine", "Score of trials", {"mean", "minimum"},
-            "What the scores of several trials come to; the minimum asks for robust creatures.",
+            "The rule that makes one score of several trials. The minimum selects for robust "
+            "creatures.",
             [](Settings & s) -> auto& { return s.world.trial.combine; })
         .applies = several;
     SettingField& renewal = trial.number(
         "trials-renewed", "Renewed every", "generations", Range{0, 1e6},
-        "Generations after which changes and ways of the light are drawn again, for everyone, and "
-        "all scores computed again; 0 for never.",
+        "The number of generations after which the changes and the motions of the light are drawn "
+        "again, for all creatures, and all scores are computed again. 0 means never.",
         [](Settings & s) -> auto& { return s.world.trial.renewal; });
     renewal.later = true;
     renewal.applies = depends_on_chance;
     SettingField& draw = trial.number(
         "draw", "Times renewed", "", Range{0, 1e6},
-        "How often these were drawn again so far; the run itself counts on.",
+        "The number of times that these were drawn again so far. The run itself counts them.",
         [](Settings & s) -> auto& { return s.world.trial.draw; });
     draw.later = true;
     draw.live = false;

@@ -38,10 +38,11 @@ SelectionResult select_by_age(std::span<const IndividualPtr> ranked,
 }  // namespace
 
 void add_age_protection(SelectionRegistry& selections) {
-    selections.add({.id = "age-protection",
-                    .label = "Age protection",
-                    .help = "The young compete with the young: new bodies get time to adapt.",
-                    .select = select_by_age});
+    selections.add(
+        {.id = "age-protection",
+         .label = "Age protection",
+         .help = "Young creatures compete with young ones, so new bodies have time to adapt.",
+         .select = select_by_age});
 }
 
 }  // namespace cambrian

@@ -59,12 +59,14 @@ void add_map_settings(SelectionRows& rows) {
         axes.emplace_back(axis.id);
     rows.table
         .choice(
-            "map-across", "Map, across", axes, "What kinds of creatures differ in, one of two.",
+            "map-across", "Map, across", axes,
+            "The first of two quantities in which kinds of creatures differ.",
             [](ExperimentSettings & s) -> auto& { return s.selection.map_across; })
         .applies = rows.in_force;
     rows.table
         .choice(
-            "map-up", "Map, up", axes, "What kinds of creatures differ in, the other of two.",
+            "map-up", "Map, up", axes,
+            "The second of two quantities in which kinds of creatures differ.",
             [](ExperimentSettings & s) -> auto& { return s.selection.map_up; })
         .applies = rows.in_force;
 }
@@ -72,12 +74,13 @@ void add_map_settings(SelectionRows& rows) {
 }  // namespace
 
 void add_map_elites(SelectionRegistry& selections) {
-    selections.add({.id = "map-elites",
-                    .label = "MAP-Elites",
-                    .help = "Many kinds: the fittest of every kind of body survives and breeds.",
-                    .fills_map = true,
-                    .add_settings = add_map_settings,
-                    .select = select_by_map});
+    selections.add(
+        {.id = "map-elites",
+         .label = "MAP-Elites",
+         .help = "Many kinds: the fittest creature of every kind of body survives and breeds.",
+         .fills_map = true,
+         .add_settings = add_map_settings,
+         .select = select_by_map});
 }
 
 }  // namespace cambrian

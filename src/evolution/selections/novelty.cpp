@@ -135,14 +135,14 @@ void add_novelty_settings(SelectionRows& rows) {
     rows.table
         .number(
             kNeighbors.key, "Neighbors", "creatures", {1, 1000},
-            "The most similar creatures that novelty is measured against.",
+            "The number of most similar creatures against which novelty is measured.",
             [](ExperimentSettings & s) -> auto& { return kNeighbors.in(s.selection.own); })
         .applies = rows.in_force;
     rows.table
         .number(
             kThreshold.key, "Novelty to be kept", "", {1e-3, 100},
-            "Distance from others, in standard deviations, from which a creature is remembered as "
-            "novel; only where it begins, since it adapts.",
+            "The distance from other creatures, in standard deviations, from which on a creature "
+            "is remembered as novel. This is the initial value; it adapts.",
             [](ExperimentSettings & s) -> auto& { return kThreshold.in(s.selection.own); })
         .applies = rows.in_force;
 }
@@ -150,11 +150,13 @@ void add_novelty_settings(SelectionRows& rows) {
 }  // namespace
 
 void add_novelty(SelectionRegistry& selections) {
-    selections.add({.id = "novelty",
-                    .label = "Novelty",
-                    .help = "Those unlike the others and better than their neighbors survive.",
-                    .add_settings = add_novelty_settings,
-                    .select = select_by_novelty});
+    selections.add(
+        {.id = "novelty",
+         .label = "Novelty",
+         .help =
+             "Creatures survive that differ from the others and are better than their neighbors.",
+         .add_settings = add_novelty_settings,
+         .select = select_by_novelty});
 }
 
 }  // namespace cambrian

@@ -22,7 +22,7 @@ SelectionResult select_by_rank(std::span<const IndividualPtr> ranked,
 void add_rank(SelectionRegistry& selections) {
     selections.add({.id = "rank",
                     .label = "Rank",
-                    .help = "The best share survives and breeds by its place in the ranking alone.",
+                    .help = "The best share survives and breeds by its rank alone.",
                     .survival = best_share,
                     .select = select_by_rank});
 }

@@ -41,7 +41,7 @@ void add_roulette_settings(SelectionRows& rows) {
     rows.table
         .number(
             "elites", "Elites", "creatures", {1, 1000},
-            "The best that survive where everybody may breed.",
+            "The number of best creatures that survive while all creatures may breed.",
             [](ExperimentSettings & s) -> auto& { return s.selection.elites; })
         .applies = rows.elites_only;
 }
@@ -49,12 +49,13 @@ void add_roulette_settings(SelectionRows& rows) {
 }  // namespace
 
 void add_roulette(SelectionRegistry& selections) {
-    selections.add({.id = "roulette",
-                    .label = "Roulette",
-                    .help = "Everybody may breed, the fitter the more often; only elites survive.",
-                    .survival = [](const SelectionSettings&) { return SurvivalRule::kElitesOnly; },
-                    .add_settings = add_roulette_settings,
-                    .select = select_by_roulette});
+    selections.add(
+        {.id = "roulette",
+         .label = "Roulette",
+         .help = "All creatures may breed, fitter ones more often; only the elites survive.",
+         .survival = [](const SelectionSettings&) { return SurvivalRule::kElitesOnly; },
+         .add_settings = add_roulette_settings,
+         .select = select_by_roulette});
 }
 
 }  // namespace cambrian

@@ -71,13 +71,13 @@ void add_tournament_settings(SelectionRows& rows) {
     rows.table
         .number(
             kSize.key, "Tournament size", "creatures", {1, 100},
-            "Contestants of a tournament; more are harsher.",
+            "The number of contestants of a tournament. More contestants are a stronger selection.",
             [](ExperimentSettings & s) -> auto& { return kSize.in(s.selection.own); })
         .applies = rows.in_force;
     rows.table
         .flag(
             kOfAll.key, "Tournaments of all",
-            "Contestants come from all of the generation instead of its survivors.",
+            "Contestants are drawn from the complete generation instead of its survivors.",
             [](ExperimentSettings & s) -> auto& { return kOfAll.in(s.selection.own); })
         .applies = rows.in_force;
 }
@@ -87,7 +87,7 @@ void add_tournament_settings(SelectionRows& rows) {
 void add_tournament(SelectionRegistry& selections) {
     selections.add({.id = "tournament",
                     .label = "Tournament",
-                    .help = "Each parent is the best of a few drawn at random.",
+                    .help = "Each parent is the best of a few creatures drawn at random.",
                     .survival = survival_rule,
                     .add_settings = add_tournament_settings,
                     .select = select_by_tournament});

@@ -41,7 +41,7 @@ SelectionResult select_by_truncation(std::span<const IndividualPtr> ranked,
 void add_truncation(SelectionRegistry& selections) {
     selections.add({.id = "truncation",
                     .label = "Truncation",
-                    .help = "The best share survives and breeds in proportion to its success.",
+                    .help = "The best share survives, and its fitter creatures breed more often.",
                     .survival = best_share,
                     .select = select_by_truncation});
 }

@@ -23,7 +23,9 @@ struct SettingField {
     std::string label;  // "Gravity"
     std::string unit;   // "m/s^2", or empty
     std::string help;   // one sentence
-    double low = 0.0;   // range of numbers, both ends included
+    // Switches of one table with the same group are shown together, with one for all of them.
+    std::string group = {};
+    double low = 0.0;  // range of numbers, both ends included
     double high = 0.0;
     std::vector<std::string> choices;  // allowed values of a text
     bool logarithmic = false;          // whether a slider should be logarithmic

@@ -15,7 +15,8 @@ struct DisabledKind {
     std::string what;   // "joint \"linear\""
 };
 
-// Returns such joints, functions and sensor channels, each once, in the order of the genome.
+// Returns such joints, functions, organs and sensor channels, each once, in the order of the
+// genome.
 std::vector<DisabledKind> disabled_kinds(const Genome& genome, const FounderSettings& settings,
                                          const KindCatalog& catalog);
 

@@ -45,6 +45,11 @@ std::vector<std::uint8_t> enabled_channels(const FounderSettings& settings,
     return enabled(catalog.channels, settings.channels);
 }
 
+std::vector<std::uint8_t> enabled_organs(const FounderSettings& settings,
+                                         const KindCatalog& catalog) {
+    return enabled(catalog.organs, settings.organs);
+}
+
 std::vector<SourceKind> enabled_references(SourceScope scope, const FounderSettings& settings,
                                            const KindCatalog& catalog) {
     const bool has_sensors = !enabled_channels(settings, catalog).empty();

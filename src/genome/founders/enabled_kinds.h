@@ -31,6 +31,10 @@ std::vector<std::uint8_t> enabled_joints(const FounderSettings& settings,
 std::vector<std::uint8_t> enabled_channels(const FounderSettings& settings,
                                            const KindCatalog& catalog);
 
+// Returns the kinds of organs that new genes may have; none by default.
+std::vector<std::uint8_t> enabled_organs(const FounderSettings& settings,
+                                         const KindCatalog& catalog);
+
 // Returns the kinds of new references that are allowed in the scope; may be empty. References to
 // sensors need an enabled channel.
 std::vector<SourceKind> enabled_references(SourceScope scope, const FounderSettings& settings,

@@ -18,6 +18,7 @@ constexpr SourceShares kBrainShares = {.25, 0, 0, 0, 0, 0, 0, .45, .15, .15};
 constexpr double kReflectShare = 0.2;
 constexpr double kTerminalShare = 0.15;
 constexpr double kSingleOccurrenceShare = 0.6;  // share of nodes with recursion limit 1
+constexpr double kFounderOrganShare = 0.15;     // share of parts with an organ of an enabled kind
 constexpr double kFounderEffectorShare = 0.6;   // share of effectors that read a local neuron
 
 template <class Gene>
@@ -29,6 +30,20 @@ void draw_fields(Gene& gene, std::span<const GeneField<Gene>> fields,
 
 bool may_draw(SourceKind kind, SourceScope scope, const GenePool& pool) {
     return is_enabled(kind, scope, pool.settings, pool.catalog);
+}
+
+double draw_parameter(const FieldRule& rule, RandomStream& stream) {
+    if (!rule.whole) return stream.uniform(rule.low, rule.high);
+    return rule.low + stream.between(0, static_cast<int>(rule.high - rule.low));
+}
+
+// Draws nothing if no kind of organ is enabled.
+void draw_organs(NodeGene& node, const GenePool& pool, RandomStream& stream) {
+    for (const std::uint8_t kind : enabled_organs(pool.settings, pool.catalog)) {
+        const bool grows = stream.chance(kFounderOrganShare);
+        if (grows && node.organs.size() < gene_range::kMaxOrgans)
+            node.organs.push_back(random_organ(kind, node, pool, stream));
+    }
 }
 
 std::uint8_t random_reference(RandomStream& stream) {
@@ -111,6 +126,19 @@ std::uint8_t random_joint(const GenePool& pool, RandomStream& stream) {
     return stream.pick(rigid);
 }
 
+OrganGene random_organ(std::uint8_t kind, const NodeGene& node, const GenePool& pool,
+                       RandomStream& stream) {
+    CAMBRIAN_TICK_ASSERT(kind < pool.catalog.organs.size(), "an organ of the catalog");
+    OrganGene organ;
+    organ.kind = kind;
+    const std::vector<FieldRule>& rules = pool.catalog.organs[kind].parameters;
+    for (std::size_t i = 0; i < rules.size(); ++i)
+        organ.parameters[i] = draw_parameter(rules[i], stream);
+    draw_fields(organ.input, input_fields(), pool.settings, stream);
+    organ.input.source = random_effector_source(node, kFounderEffectorShare, pool, stream);
+    return organ;
+}
+
 NodeGene random_node(const GenePool& pool, RandomStream& stream) {
     const FounderSettings& settings = pool.settings;
     NodeGene node;
@@ -126,6 +154,7 @@ NodeGene random_node(const GenePool& pool, RandomStream& stream) {
     node.effector_kind = random_effector_kind(pool.catalog, stream);
     draw_fields(node.effector, input_fields(), settings, stream);
     node.effector.source = random_effector_source(node, kFounderEffectorShare, pool, stream);
+    draw_organs(node, pool, stream);
     node.uid = static_cast<std::uint32_t>(stream.bits() >> 32);
     return node;
 }

@@ -36,6 +36,9 @@ SourceRef random_effector_source(const NodeGene& node, double local_neuron_share
 std::uint8_t random_joint(const GenePool& pool, RandomStream& stream);
 // Returns the index of an effector kind. Draws no random number if there is only one.
 std::uint8_t random_effector_kind(const KindCatalog& catalog, RandomStream& stream);
+// Returns an organ of that kind with random parameters, source and weight.
+OrganGene random_organ(std::uint8_t kind, const NodeGene& node, const GenePool& pool,
+                       RandomStream& stream);
 // Returns a node without edges and with a new uid.
 NodeGene random_node(const GenePool& pool, RandomStream& stream);
 EdgeGene random_edge(std::size_t target, const GenePool& pool, RandomStream& stream);

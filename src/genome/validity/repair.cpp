@@ -50,6 +50,23 @@ int reflect_recursion(int limit) {
     return static_cast<int>(reflect(limit, 1, gene_range::kMaxRecursion));
 }
 
+void repair_parameters(OrganGene& organ, const OrganEntry& kind) {
+    for (std::size_t i = 0; i < organ.parameters.size(); ++i) {
+        double& parameter = organ.parameters[i];
+        parameter = i < kind.parameters.size() ? fit(parameter, kind.parameters[i]) : 0.0;
+    }
+}
+
+void repair_organs(std::vector<OrganGene>& organs, const KindCatalog& catalog) {
+    std::erase_if(organs,
+                  [&](const OrganGene& organ) { return organ.kind >= catalog.organs.size(); });
+    trim(organs, gene_range::kMaxOrgans);
+    for (OrganGene& organ : organs) {
+        repair_input(organ.input, SourceScope::kPart);
+        repair_parameters(organ, catalog.organs[organ.kind]);
+    }
+}
+
 void repair_node(NodeGene& node, std::size_t node_count, const KindCatalog& catalog) {
     std::erase_if(node.edges, [&](const EdgeGene& edge) { return edge.target >= node_count; });
     fit_fields(node, node_fields());
@@ -61,6 +78,7 @@ void repair_node(NodeGene& node, std::size_t node_count, const KindCatalog& cata
     if (node.mirror_axis > MirrorAxis::kAcross) node.mirror_axis = MirrorAxis::kAlong;
     if (node.effector_kind >= catalog.effectors.size()) node.effector_kind = 0;
     repair_input(node.effector, SourceScope::kPart);
+    repair_organs(node.organs, catalog);
     repair_neurons(node.neurons, gene_range::kMaxNodeNeurons, SourceScope::kPart, catalog);
     trim(node.edges, gene_range::kMaxEdges);
     for (EdgeGene& edge : node.edges)

@@ -4,6 +4,8 @@
 #include "genome/source_rules.h"
 #include "genome/words.h"
 
+#include <fmt/core.h>
+
 #include <string_view>
 
 namespace cambrian {
@@ -24,32 +26,34 @@ public:
         }
         check_neurons("/brain", genome_.brain, SourceScope::kBrain);
         for (std::size_t i = 0; i < genome_.nodes.size(); ++i)
-            check_node("/nodes/" + std::to_string(i), genome_.nodes[i]);
+            check_node(fmt::format("/nodes/{}", i), genome_.nodes[i]);
         if (!genome_.nodes.empty()) check_order();
         return std::move(complaints_);
     }
 
 private:
     void complain(const std::string& place, const std::string& what) {
-        complaints_.push_back(place + ": " + what);
+        complaints_.push_back(fmt::format("{}: {}", place, what));
     }
 
     void check_size(const std::string& place, std::size_t size, std::size_t low, std::size_t high) {
         if (size >= low && size <= high) return;
-        complain(place, std::to_string(size) + " entries, allowed are " + std::to_string(low) +
-                            " to " + std::to_string(high));
+        complain(place, fmt::format("{} entries, allowed are {} to {}", size, low, high));
     }
 
     template <class Gene>
     void check_fields(const std::string& place, const Gene& gene,
                       std::span<const GeneField<Gene>> fields) {
-        for (const GeneField<Gene>& field : fields) {
-            const double x = gene.*field.value;
-            if (in_range(x, field.rule)) continue;
-            complain(place + "/" + field.rule.key,
-                     in_words(x) + " is outside [" + in_words(field.rule.low) + ", " +
-                         in_words(field.rule.high) + (field.rule.wraps ? ")" : "]"));
-        }
+        for (const GeneField<Gene>& field : fields)
+            check_number(place, gene.*field.value, field.rule);
+    }
+
+    void check_number(const std::string& place, double x, const FieldRule& rule) {
+        if (in_range(x, rule)) return;
+        complain(fmt::format("{}/{}", place, rule.key),
+                 fmt::format("{} is outside [{}, {}{}{}", in_words(x), in_words(rule.low),
+                             in_words(rule.high), rule.wraps ? ")" : "]",
+                             rule.whole ? " or not a whole number" : ""));
     }
 
     void check_input(const std::string& place, const InputGene& input, SourceScope scope) {
@@ -68,7 +72,7 @@ private:
     void check_neurons(const std::string& place, const std::vector<NeuronGene>& neurons,
                        SourceScope scope) {
         for (std::size_t i = 0; i < neurons.size(); ++i)
-            check_neuron(place + "/" + std::to_string(i), neurons[i], scope);
+            check_neuron(fmt::format("{}/{}", place, i), neurons[i], scope);
     }
 
     void check_neuron(const std::string& place, const NeuronGene& neuron, SourceScope scope) {
@@ -78,12 +82,11 @@ private:
         }
         const FunctionEntry& function = catalog_.functions[neuron.function];
         if (neuron.inputs.size() != static_cast<std::size_t>(function.arity)) {
-            complain(place + "/in", "function \"" + function.id + "\" needs " +
-                                        std::to_string(function.arity) + " inputs, found " +
-                                        std::to_string(neuron.inputs.size()));
+            complain(place + "/in", fmt::format("function \"{}\" needs {} inputs, found {}",
+                                                function.id, function.arity, neuron.inputs.size()));
         }
         for (std::size_t i = 0; i < neuron.inputs.size(); ++i)
-            check_input(place + "/in/" + std::to_string(i), neuron.inputs[i], scope);
+            check_input(fmt::format("{}/in/{}", place, i), neuron.inputs[i], scope);
     }
 
     void check_node(const std::string& place, const NodeGene& node) {
@@ -92,33 +95,52 @@ private:
             complain(place + "/joint", "is not a known joint");
         if (node.recursion_limit < 1 || node.recursion_limit > gene_range::kMaxRecursion) {
             complain(place + "/recursionLimit",
-                     std::to_string(node.recursion_limit) + " is outside [1, " +
-                         std::to_string(gene_range::kMaxRecursion) + "]");
+                     fmt::format("{} is outside [1, {}]", node.recursion_limit,
+                                 gene_range::kMaxRecursion));
         }
         if (node.mirror_axis > MirrorAxis::kAcross) complain(place + "/mirrorAxis", "is unknown");
         if (node.effector_kind >= catalog_.effectors.size())
             complain(place + "/effector/kind", "is not a known effector");
         check_input(place + "/effector", node.effector, SourceScope::kPart);
+        check_size(place + "/organs", node.organs.size(), 0, gene_range::kMaxOrgans);
+        for (std::size_t i = 0; i < node.organs.size(); ++i)
+            check_organ(fmt::format("{}/organs/{}", place, i), node.organs[i]);
         check_size(place + "/neurons", node.neurons.size(), 0, gene_range::kMaxNodeNeurons);
         check_neurons(place + "/neurons", node.neurons, SourceScope::kPart);
         check_size(place + "/edges", node.edges.size(), 0, gene_range::kMaxEdges);
         for (std::size_t i = 0; i < node.edges.size(); ++i)
-            check_edge(place + "/edges/" + std::to_string(i), node.edges[i]);
+            check_edge(fmt::format("{}/edges/{}", place, i), node.edges[i]);
+    }
+
+    void check_organ(const std::string& place, const OrganGene& organ) {
+        check_input(place, organ.input, SourceScope::kPart);
+        if (organ.kind >= catalog_.organs.size()) {
+            complain(place + "/kind", "is not a known organ");
+            return;
+        }
+        const std::vector<FieldRule>& rules = catalog_.organs[organ.kind].parameters;
+        for (std::size_t i = 0; i < organ.parameters.size(); ++i) {
+            if (i < rules.size()) {
+                check_number(place, organ.parameters[i], rules[i]);
+            } else if (organ.parameters[i] != 0.0) {
+                complain(place, "has a parameter that its kind does not use");
+            }
+        }
     }
 
     void check_edge(const std::string& place, const EdgeGene& edge) {
         check_fields(place, edge, edge_fields());
         if (edge.target >= genome_.nodes.size()) {
-            complain(place + "/target", std::to_string(edge.target) + ", but there are " +
-                                            std::to_string(genome_.nodes.size()) + " nodes");
+            complain(place + "/target",
+                     fmt::format("{}, but there are {} nodes", edge.target, genome_.nodes.size()));
         }
     }
 
     void check_order() {
         const std::vector<std::size_t> order = breadth_first(genome_, 0);
         if (order.size() < genome_.nodes.size()) {
-            complain("/nodes", std::to_string(genome_.nodes.size() - order.size()) +
-                                   " cannot be reached from the root");
+            complain("/nodes", fmt::format("{} cannot be reached from the root",
+                                           genome_.nodes.size() - order.size()));
         }
         for (std::size_t i = 0; i < order.size(); ++i) {
             if (order[i] == i) continue;

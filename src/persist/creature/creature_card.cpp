@@ -4,6 +4,8 @@
 #include "persist/creature/png_file.h"
 #include "persist/json/json_value.h"
 
+#include <fmt/core.h>
+
 #include <vector>
 
 namespace cambrian {
@@ -19,7 +21,7 @@ constexpr const char* kExpected =
     "creature of at most 4.0 MB";
 
 Error refusal(std::string_view source, const std::string& reason) {
-    return Error{std::string(source) + ": " + reason + "; " + kExpected};
+    return Error{fmt::format("{}: {}; {}", source, reason, kExpected)};
 }
 
 }  // namespace
@@ -46,7 +48,7 @@ Result<std::string> card_document(std::string_view bytes, std::string_view sourc
     if (!texts) return refusal(source, "the picture cannot be read: " + texts.error().message);
     if (texts->empty()) return refusal(source, "a picture without a creature inside");
     if (texts->size() > 1)
-        return refusal(source, std::to_string(texts->size()) + " creatures in one picture");
+        return refusal(source, fmt::format("{} creatures in one picture", texts->size()));
     return std::move(texts->front());
 }
 

@@ -1,6 +1,7 @@
 #include "persist/creature/creature_file.h"
 
 #include "core/files/file_io.h"
+#include "core/text/counted.h"
 #include "core/text/number_text.h"
 #include "evolution/evaluation/evaluation.h"
 #include "evolution/individual/ancestry_digest.h"
@@ -10,6 +11,8 @@
 #include "persist/creature/creature_format.h"
 #include "persist/json/json_reader.h"
 #include "persist/text/digest_text.h"
+
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
@@ -39,8 +42,9 @@ bool read_header(const JsonValue& root, JsonReader& reader, ErrorList& errors) {
     }
     reader.text("format", format, kMaxFormat);
     if (errors.empty() && format != kFormat) {
-        errors.error("E03", "/format",
-                     "this is a " + in_quotes(format) + ", expected " + in_quotes(kFormat));
+        errors.error(
+            "E03", "/format",
+            fmt::format("this is a {}, expected {}", in_quotes(format), in_quotes(kFormat)));
     }
     if (!errors.empty()) return false;
     double version = 1.0;
@@ -49,7 +53,7 @@ bool read_header(const JsonValue& root, JsonReader& reader, ErrorList& errors) {
     if (version > kVersion) {
         errors.error(
             "E04", "/version",
-            short_text(version) + " is newer than this program (" + std::to_string(kVersion) + ")");
+            fmt::format("{} is newer than this program ({})", short_text(version), kVersion));
     } else if (found != nullptr && (version < 1.0 || version != std::floor(version))) {
         errors.error("E04", "/version", "not a positive whole number");
     }
@@ -78,9 +82,9 @@ void finish_genome(Genome& genome, std::uint64_t check, const KindCatalog& catal
     repair(genome, catalog);
     if (genome.nodes.size() < nodes) {
         const std::size_t removed = nodes - genome.nodes.size();
-        errors.warn("W02", "/nodes",
-                    std::to_string(removed) + (removed == 1 ? " node" : " nodes") +
-                        " cannot be reached from the root, removed");
+        errors.warn(
+            "W02", "/nodes",
+            fmt::format("{} cannot be reached from the root, removed", counted(removed, "node")));
     }
     if (!unchanged) {
         errors.warn("W03", "/check", "does not match: the creature was changed by hand");
@@ -173,7 +177,7 @@ std::optional<ConfirmedScore> confirmed_score(const EvaluationResult& result) {
 void creature_format::write_genotype(std::string& text, const Individual& individual,
                                      const KindNames& names) {
     JsonWriter writer(text, Layout::kCompact);
-    begin_document(writer);
+    begin_document(writer, *individual.genome);
     const Identity identity = identity_of(individual, hex_text(individual.uid));
     describe_identity(writer, identity, names);
     describe_genes(writer, *individual.genome, names);
@@ -204,7 +208,7 @@ Result<CreatureDocument> parse_creature(std::string_view text, std::string_view 
 std::string write_creature(const CreatureDocument& document, const EvolutionKinds& kinds) {
     std::string text;
     JsonWriter writer(text);
-    begin_document(writer);
+    begin_document(writer, document.genome());
     const KindNames names = names_of(kinds.creature.catalog);
     const Individual& individual = *document.creature.individual;
     Identity identity = identity_of(individual, uid_text(individual.uid));

@@ -33,6 +33,10 @@ KindNames names_of(const KindCatalog& catalog) {
         names.effectors.push_back(effector.id);
     for (const ChannelEntry& channel : catalog.channels)
         names.channels.names.push_back(channel.id);
+    for (const OrganEntry& organ : catalog.organs) {
+        names.organs.push_back(organ.id);
+        names.parameters.push_back(organ.parameters);
+    }
     names.reproductions = catalog.reproductions;
     names.channels.numbered.assign(kChannelsOfVersion1.begin(), kChannelsOfVersion1.end());
     return names;

@@ -4,10 +4,13 @@
 // JsonReader, write it with a JsonWriter and write its schema with a JsonSchemaWriter. Objects are
 // const when writing.
 
+#include "core/text/counted.h"
 #include "genome/gene_fields.h"
 #include "genome/source_rules.h"
 #include "persist/creature/creature_file.h"
 #include "persist/json/json_writer.h"
+
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <string>
@@ -16,7 +19,10 @@
 namespace cambrian::creature_format {
 
 inline const std::string kFormat = "cambrian-creature";
-inline constexpr int kVersion = 2;  // version 1 has numbers for sensor channels, version 2 names
+// Version 1 has numbers for sensor channels, version 2 names, version 3 organs. Creatures without
+// organs are written as version 2.
+inline constexpr int kVersion = 3;
+inline constexpr int kVersionWithoutOrgans = 2;
 inline constexpr std::size_t kMaxName = 64;  // bytes
 inline constexpr std::size_t kMaxUid = 32;
 inline constexpr std::size_t kMaxWord = 64;
@@ -50,6 +56,8 @@ struct KindNames {
     std::vector<std::string> effectors;
     std::vector<int> arities;  // one per function
     NumberedNames channels;
+    std::vector<std::string> organs;
+    std::vector<std::vector<FieldRule>> parameters;  // those of each kind of organ
     std::vector<std::string> reproductions;
 };
 
@@ -92,8 +100,9 @@ void describe_source(Archive& archive, Source& source, SourceScope scope, const 
     archive.type(scope == SourceScope::kPart ? "partSource" : "centralSource");
     if (!archive.variant("kind", source.kind, kSources, "source")) return;
     archive.require(is_allowed(source.kind, scope), "E12", "kind",
-                    "\"" + kSources[static_cast<std::size_t>(source.kind)] + "\" is only for " +
-                        (scope == SourceScope::kPart ? "central" : "part") + " neurons");
+                    fmt::format("\"{}\" is only for {} neurons",
+                                kSources[static_cast<std::size_t>(source.kind)],
+                                scope == SourceScope::kPart ? "central" : "part"));
     const SourceRule rule = source_rule(source.kind);
     if (rule.uses_child) archive.integer("e", source.child, 0, gene_range::kMaxReference);
     if (rule.uses_instance) {
@@ -127,10 +136,10 @@ void describe_neuron(Archive& archive, Neuron& neuron, SourceScope scope, const 
                  });
     if (!known) return;
     const auto arity = static_cast<std::size_t>(names.arities[neuron.function]);
-    archive.require_count("in", neuron.inputs.size(), arity, "E11",
-                          "function \"" + names.functions[neuron.function] + "\" needs " +
-                              std::to_string(arity) + (arity == 1 ? " input" : " inputs") +
-                              ", found " + std::to_string(neuron.inputs.size()));
+    archive.require_count(
+        "in", neuron.inputs.size(), arity, "E11",
+        fmt::format("function \"{}\" needs {}, found {}", names.functions[neuron.function],
+                    counted(arity, "input"), neuron.inputs.size()));
 }
 
 template <class Archive, class Edge>
@@ -142,6 +151,16 @@ void describe_edge(Archive& archive, Edge& edge, std::size_t node_count) {
     archive.real("scale", edge.scale, rule_of(edge_fields(), "scale"));
     archive.flag("reflect", edge.reflect);
     archive.flag("terminalOnly", edge.terminal_only);
+}
+
+template <class Archive, class Organ>
+void describe_organ(Archive& archive, Organ& organ, const KindNames& names) {
+    archive.type("organ");
+    if (!archive.variant("kind", organ.kind, names.organs, "organ")) return;
+    describe_input(archive, organ.input, SourceScope::kPart, "source", "weight", names);
+    const std::vector<FieldRule>& rules = names.parameters[organ.kind];
+    for (std::size_t i = 0; i < rules.size(); ++i)
+        archive.real(rules[i].key, organ.parameters[i], rules[i]);
 }
 
 template <class Archive, class Node>
@@ -161,6 +180,9 @@ void describe_node(Archive& archive, Node& node, std::size_t node_count, const K
         inner.optional_choice("kind", node.effector_kind, names.effectors, "effector");
         describe_input(inner, node.effector, SourceScope::kPart, "source", "weight", names);
     });
+    archive.optional_list(
+        "organs", node.organs, gene_range::kMaxOrgans, Layout::kCompact,
+        [&](Archive& inner, auto& organ) { describe_organ(inner, organ, names); });
     archive.list("neurons", node.neurons, 0, gene_range::kMaxNodeNeurons, Layout::kLines,
                  [&](Archive& inner, auto& neuron) {
                      describe_neuron(inner, neuron, SourceScope::kPart, names);
@@ -181,10 +203,17 @@ void describe_genes(Archive& archive, Genes& genome, const KindNames& names) {
                  });
 }
 
+// The oldest version of the format that has all genes of a genome.
+inline int version_of(const Genome& genome) {
+    const bool organs = std::any_of(genome.nodes.begin(), genome.nodes.end(),
+                                    [](const NodeGene& node) { return !node.organs.empty(); });
+    return organs ? kVersion : kVersionWithoutOrgans;
+}
+
 template <class Archive>
-void begin_document(Archive& archive) {
+void begin_document(Archive& archive, const Genome& genome) {
     archive.text("format", kFormat, kMaxWord);
-    archive.integer("version", kVersion, 1, kVersion);
+    archive.integer("version", version_of(genome), 1, kVersion);
 }
 
 inline constexpr FieldRule kHue{

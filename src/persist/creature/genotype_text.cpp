@@ -2,6 +2,8 @@
 
 #include "persist/creature/creature_file.h"
 
+#include <fmt/core.h>
+
 #include <memory>
 
 namespace cambrian {
@@ -22,7 +24,7 @@ PackedGenotype GenotypePacker::pack(const Individual& individual) {
 }
 
 Result<GenomePtr> GenotypeReader::read(std::string_view bytes, std::size_t size) {
-    if (size > kMostText) return Error{"genotype too large: " + std::to_string(size) + " bytes"};
+    if (size > kMostText) return Error{fmt::format("genotype too large: {} bytes", size)};
     const Result<std::string> text = inflater_.inflate(bytes, size);
     if (!text) return text.error();
     Result<CreatureDocument> document = parse_creature(*text, "genotype", kinds_);

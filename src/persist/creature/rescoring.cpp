@@ -2,6 +2,8 @@
 
 #include "evolution/evaluation/trials.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <limits>
 #include <memory>
@@ -30,7 +32,7 @@ std::uint32_t last_judgement(const SavedExperiment& saved, std::uint32_t until) 
 
 std::optional<std::string> other_simulator(const std::string& version) {
     if (version == kSimulatorVersion) return std::nullopt;
-    return "scored by simulator " + version + ", this is " + std::string(kSimulatorVersion);
+    return fmt::format("scored by simulator {}, this is {}", version, kSimulatorVersion);
 }
 
 std::optional<std::string> other_simulator(const CreatureDocument& document) {
@@ -73,8 +75,8 @@ Result<CreatureDocument> rescored(CreatureDocument document, const EvolutionKind
     const EvaluationResult result = run_scored_trial(document, kinds, stop);
     if (result.outcome == Outcome::kInterrupted) return Error{"interrupted"};
     if (result.outcome != Outcome::kCompleted) {
-        return Error{"its trial is not finished by this simulator (" +
-                     std::string(outcome_name(result.outcome)) + ", " + result.reason + ")"};
+        return Error{fmt::format("its trial is not finished by this simulator ({}, {})",
+                                 outcome_name(result.outcome), result.reason)};
     }
     // Scores in other worlds are valid only for the same motion.
     if (other_simulator(document) || document.result().digest != result.digest)

@@ -10,6 +10,8 @@
 #include "persist/experiment/experiment_writer.h"
 #include "persist/records/experiment_schema.h"
 
+#include <fmt/core.h>
+
 #include <cerrno>
 #include <system_error>
 #include <utility>
@@ -19,7 +21,7 @@ namespace {
 
 Error failure(const char* task, const std::filesystem::path& path, const std::string& reason) {
     const std::string place = path.empty() ? "a temporary file" : path.string();
-    return Error{std::string(task) + " " + place + ": " + reason};
+    return Error{fmt::format("{} {}: {}", task, place, reason)};
 }
 
 constexpr const char* kKeeping = "cannot keep the experiment in";

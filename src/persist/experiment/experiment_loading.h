@@ -6,6 +6,8 @@
 #include "persist/experiment/experiment_upgrade.h"
 #include "persist/sqlite/read_only_database.h"
 
+#include <fmt/core.h>
+
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -18,7 +20,7 @@ namespace cambrian {
 template <class Part, class Read>
 Result<Part> load_from_experiment(const std::filesystem::path& path, Read read) {
     const auto refusal = [&path](const std::string& reason) {
-        return Error{"cannot open " + path.string() + ": " + reason};
+        return Error{fmt::format("cannot open {}: {}", path.string(), reason)};
     };
     try {
         std::optional<Result<Part>> part;

@@ -7,6 +7,8 @@
 #include "persist/records/experiment_schema.h"
 #include "persist/sqlite/read_only_database.h"
 
+#include <fmt/core.h>
+
 #include <optional>
 #include <string>
 #include <utility>
@@ -39,8 +41,8 @@ Result<KeptChampion> load_champion(const std::filesystem::path& path,
             if (last < 0) return Error{path.string() + ": no generation has been finished yet"};
             const std::int64_t wanted = generation.value_or(static_cast<std::uint32_t>(last));
             if (wanted > last) {
-                return Error{path.string() + ": has no generation " + std::to_string(wanted) +
-                             "; the last is " + std::to_string(last)};
+                return Error{fmt::format("{}: has no generation {}; the last is {}", path.string(),
+                                         wanted, last)};
             }
             KeptChampion kept;
             kept.creature = read_champion(database, static_cast<std::uint32_t>(wanted), kinds);
@@ -56,11 +58,11 @@ Result<KeptChampion> load_champion(const std::filesystem::path& path,
 
 Status copy_experiment(const std::filesystem::path& from, const std::filesystem::path& to) {
     const auto refusal = [&from](const std::string& reason) {
-        return Error{"cannot copy " + from.string() + ": " + reason};
+        return Error{fmt::format("cannot copy {}: {}", from.string(), reason)};
     };
     std::error_code unknown;
     if (std::filesystem::exists(to, unknown))
-        return Error{"cannot keep the experiment in " + to.string() + ": File exists"};
+        return Error{fmt::format("cannot keep the experiment in {}: File exists", to.string())};
     try {
         std::optional<PendingFile> file;
         Status copied;

@@ -6,6 +6,8 @@
 #include "persist/records/statistics_columns.h"
 #include "persist/settings/settings_file.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <charconv>
 #include <map>
@@ -25,7 +27,7 @@ template <std::size_t Count>
 std::size_t index_of(std::string_view name, const std::array<std::string_view, Count>& names) {
     const auto found = std::find(names.begin(), names.end(), name);
     if (found == names.end())
-        throw DatabaseError("\"" + std::string(name.substr(0, 40)) + "\" is not known");
+        throw DatabaseError(fmt::format("\"{}\" is not known", name.substr(0, 40)));
     return static_cast<std::size_t>(found - names.begin());
 }
 
@@ -46,7 +48,7 @@ double share_of(const Statement& row, int column) {
 // Generations must be numbered from 0 without a gap.
 void check_order(const GenerationStatistics& statistics, std::size_t expected) {
     if (statistics.generation != expected)
-        throw DatabaseError("generation " + std::to_string(expected) + " is missing");
+        throw DatabaseError(fmt::format("generation {} is missing", expected));
 }
 
 // Adds the births of each line to the history of generations that have none yet.
@@ -77,7 +79,7 @@ RowRef row_ref(const Statement& row, int column) {
 SettingsPtr read_settings(const Database& database, std::int64_t id, const EvolutionKinds& kinds) {
     Statement row = database.prepare("SELECT toml FROM settings WHERE id = ?");
     row.bind(id);
-    const std::string name = "settings " + std::to_string(id);
+    const std::string name = fmt::format("settings {}", id);
     if (!row.step()) throw DatabaseError(name + " are missing");
     if (row.text(0).size() > kMostSettings) throw DatabaseError(name + " are too large");
     Result<ExperimentSettings> parsed = parse_settings(row.text(0), name, kinds);
@@ -172,8 +174,8 @@ private:
             std::uint32_t generation = 0;
             read_column(row, 0, generation);
             if (generation > present) {
-                throw DatabaseError("a command was given in generation " +
-                                    std::to_string(generation) + ", which was never reached");
+                throw DatabaseError(fmt::format(
+                    "a command was given in generation {}, which was never reached", generation));
             }
             read_command(row, generation);
         }
@@ -190,8 +192,8 @@ private:
             check_count(++commands, "commands");
             if (row.text(1) != "start" && row.text(1) != "settings") continue;
             if (++changes > kMostSettingsChanges + 1)
-                throw DatabaseError("more than " + std::to_string(kMostSettingsChanges) +
-                                    " changes of settings");
+                throw DatabaseError(
+                    fmt::format("more than {} changes of settings", kMostSettingsChanges));
             std::uint32_t generation = 0;
             read_column(row, 0, generation);
             const SettingsPtr present = settings(row.integer(2));
@@ -228,18 +230,18 @@ private:
         } else if (command == "rescore") {
             journal.push_back({generation, RescorePopulation{}});
         } else {
-            throw DatabaseError("unknown command \"" + std::string(command) + "\"");
+            throw DatabaseError(fmt::format("unknown command \"{}\"", command));
         }
     }
 
     void read_generations() {
         const int more = static_cast<int>(kStatisticsColumns.size());
-        Statement row =
-            database_.prepare("SELECT " + column_names<GenerationStatistics>(kStatisticsColumns) +
-                              ", champion, champion_judged, settings, population_digest, audited, "
-                              "audited_survivors, novelty_threshold, novelty_quiet, " +
-                              column_names<GenerationStatistics>(kLaterStatisticsColumns) +
-                              " FROM generations ORDER BY generation");
+        Statement row = database_.prepare(
+            fmt::format("SELECT {}, champion, champion_judged, settings, population_digest, "
+                        "audited, audited_survivors, novelty_threshold, novelty_quiet, {} FROM "
+                        "generations ORDER BY generation",
+                        column_names<GenerationStatistics>(kStatisticsColumns),
+                        column_names<GenerationStatistics>(kLaterStatisticsColumns)));
         EvolutionState latest;
         while (row.step()) {
             GenerationStatistics statistics;
@@ -296,7 +298,7 @@ private:
         PickingTree& tree = read_.picking.tree;
         while (row.step()) {
             if (row.integer(8) != static_cast<std::int64_t>(tree.size()))
-                throw DatabaseError("grid " + std::to_string(tree.size()) + " is missing");
+                throw DatabaseError(fmt::format("grid {} is missing", tree.size()));
             if (row.is_null(0) != tree.empty()) throw DatabaseError("a grid has no parent");
             if (!tree.empty()) {
                 std::uint32_t parent = 0;
@@ -334,7 +336,7 @@ private:
         const auto picks = parse_picks(text);
         if (!picks || std::any_of(picks->begin(), picks->end(),
                                   [cells](std::size_t cell) { return cell >= cells; }))
-            throw DatabaseError("\"" + std::string(text.substr(0, 40)) + "\" are no picks");
+            throw DatabaseError(fmt::format("\"{}\" are no picks", text.substr(0, 40)));
         return *picks;
     }
 
@@ -351,7 +353,7 @@ private:
 
     void check_count(std::size_t count, const char* what) const {
         if (count <= most_rows_) return;
-        throw DatabaseError("it is damaged: more " + std::string(what) + " than it can hold");
+        throw DatabaseError(fmt::format("it is damaged: more {} than it can hold", what));
     }
 
     std::string fact(const char* name) {
@@ -410,8 +412,7 @@ JudgedIndividual read_champion(const Database& database, std::uint32_t generatio
     Statement row = database.prepare(
         "SELECT champion, champion_judged, settings FROM generations WHERE generation = ?");
     row.bind(std::uint64_t{generation});
-    if (!row.step())
-        throw DatabaseError("generation " + std::to_string(generation) + " is missing");
+    if (!row.step()) throw DatabaseError(fmt::format("generation {} is missing", generation));
     const SettingsPtr settings = read_settings(database, row.integer(2), kinds);
     return {generation, IndividualReader(database, kinds).read(row_ref(row, 0), *settings),
             settings};
@@ -426,9 +427,9 @@ std::optional<std::string> read_only_simulator(const Database& database) {
 
 std::vector<GenerationStatistics> read_history(const Database& database) {
     Statement row =
-        database.prepare("SELECT " + column_names<GenerationStatistics>(kStatisticsColumns) + ", " +
-                         column_names<GenerationStatistics>(kLaterStatisticsColumns) +
-                         " FROM generations ORDER BY generation");
+        database.prepare(fmt::format("SELECT {}, {} FROM generations ORDER BY generation",
+                                     column_names<GenerationStatistics>(kStatisticsColumns),
+                                     column_names<GenerationStatistics>(kLaterStatisticsColumns)));
     std::vector<GenerationStatistics> history;
     while (row.step()) {
         GenerationStatistics& statistics = history.emplace_back();

@@ -2,6 +2,8 @@
 
 #include "persist/records/experiment_schema.h"
 
+#include <fmt/core.h>
+
 #include <array>
 #include <map>
 #include <string>
@@ -50,7 +52,7 @@ Status bring_up_to_date(Database& database) {
     if (!version) return version.error();
     for (std::int64_t i = *version; i < kExperimentVersion; ++i) {
         kSteps[static_cast<std::size_t>(i - 1)](database);
-        database.execute("PRAGMA user_version = " + std::to_string(i + 1));
+        database.execute(fmt::format("PRAGMA user_version = {}", i + 1));
     }
     return check_tables(database);
 }

@@ -5,6 +5,8 @@
 #include "persist/records/experiment_schema.h"
 #include "persist/settings/settings_file.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <utility>
 
@@ -28,13 +30,13 @@ ExperimentWriter::ExperimentWriter(Database database, const EvolutionKinds& kind
       insert_place_(database_.prepare("INSERT INTO population VALUES (?, ?, ?)")),
       clear_novel_(database_.prepare("DELETE FROM novel")),
       insert_novel_(database_.prepare("INSERT INTO novel VALUES (?, ?, ?)")),
-      insert_generation_(
-          database_.prepare("INSERT INTO generations VALUES (?" +
-                            more_places(kStatisticsColumns.size() + kMoreGenerationColumns +
-                                        kLaterStatisticsColumns.size() - 1) +
-                            ")")),
+      insert_generation_(database_.prepare(
+          fmt::format("INSERT INTO generations VALUES (?{})",
+                      more_places(kStatisticsColumns.size() + kMoreGenerationColumns +
+                                  kLaterStatisticsColumns.size() - 1)))),
       insert_births_(database_.prepare("INSERT INTO births VALUES (?, ?, ?)")),
-      insert_grid_(database_.prepare("INSERT INTO grids VALUES (?" + more_places(8) + ")")),
+      insert_grid_(
+          database_.prepare(fmt::format("INSERT INTO grids VALUES (?{})", more_places(8)))),
       insert_cell_(database_.prepare("INSERT INTO grid_cells VALUES (?, ?, ?, ?)")),
       clear_kept_(database_.prepare("DELETE FROM kept WHERE role = ?")),
       insert_kept_(database_.prepare("INSERT INTO kept VALUES (?, ?, ?, ?, ?, ?)")),
@@ -199,8 +201,9 @@ void ExperimentWriter::insert_genotype(const char* command, std::uint32_t genera
 void ExperimentWriter::insert(std::uint32_t generation, const ChangeSettings& command) {
     if (database_.integer("SELECT count(*) FROM journal WHERE command = 'settings'") >=
         kMostSettingsChanges) {
-        throw DatabaseError("it holds " + std::to_string(kMostSettingsChanges) +
-                            " changes of settings, the most of one experiment; start a new run");
+        throw DatabaseError(fmt::format(
+            "it holds {} changes of settings, the most of one experiment; start a new run",
+            kMostSettingsChanges));
     }
     insert_command("settings", generation, row_of(command.settings), std::nullopt);
 }

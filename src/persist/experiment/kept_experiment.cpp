@@ -2,6 +2,8 @@
 
 #include "core/files/file_lock.h"
 
+#include <fmt/core.h>
+
 #include <system_error>
 #include <utility>
 
@@ -15,7 +17,7 @@ std::filesystem::path free_name(const std::filesystem::path& wanted) {
     std::filesystem::path path = wanted;
     for (int i = 2; !FileLock::check_free(path) && i < kMostWindows; ++i) {
         path = wanted.parent_path() /
-               (wanted.stem().string() + "-" + std::to_string(i) + wanted.extension().string());
+               fmt::format("{}-{}{}", wanted.stem().string(), i, wanted.extension().string());
     }
     return path;
 }

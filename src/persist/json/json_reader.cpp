@@ -5,6 +5,8 @@
 #include "genome/gene_fields.h"
 #include "persist/text/digest_text.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -15,8 +17,8 @@ constexpr double kLargestWhole = 9e15;  // larger doubles may not be exact integ
 constexpr double kAnySize = 1e300;
 
 std::string range_message(double number, double low, double high, bool open = false) {
-    return short_text(number) + " is outside [" + short_text(low) + ", " + short_text(high) +
-           (open ? ")" : "]");
+    return fmt::format("{} is outside [{}, {}{}", short_text(number), short_text(low),
+                       short_text(high), open ? ")" : "]");
 }
 
 // In JSON, 15 and 15.0 are the same number, so integer settings accept both.
@@ -54,8 +56,9 @@ void JsonReader::end() {
         if (std::find(known_.begin(), known_.end(), key) != known_.end()) continue;
         const std::string near = nearest_name(key, known_);
         errors_.warn("W01", place(shown(key)),
-                     near.empty() ? "unknown key, ignored"
-                                  : "unknown key, ignored; did you mean \"" + near + "\"?");
+                     near.empty()
+                         ? "unknown key, ignored"
+                         : fmt::format("unknown key, ignored; did you mean \"{}\"?", near));
     }
 }
 
@@ -63,7 +66,7 @@ void JsonReader::wrong_type(const std::string& where, const char* expected,
                             const JsonValue& found) {
     const std::string what =
         found.kind == Kind::kText ? in_quotes(found.text) : found.kind_in_words();
-    errors_.error("E06", where, std::string("expected ") + expected + ", found " + what);
+    errors_.error("E06", where, fmt::format("expected {}, found {}", expected, what));
 }
 
 const JsonValue* JsonReader::member(const char* key, Kind kind, const char* expected) {
@@ -90,6 +93,10 @@ bool JsonReader::check_real(const std::string& where, const JsonValue& value,
         return false;
     }
     if (in_range(value.number, rule)) return true;
+    if (rule.whole && value.number != std::floor(value.number)) {
+        errors_.error("E06", where, "expected a whole number, found " + short_text(value.number));
+        return false;
+    }
     errors_.error("E07", where, range_message(value.number, rule.low, rule.high, rule.wraps));
     return false;
 }
@@ -111,7 +118,7 @@ void JsonReader::pair(const char* key, double& first, const FieldRule& first_rul
     if (both->values.size() != 2) {
         errors_.error(
             "E06", place(key),
-            "expected a list of 2 numbers, found one of " + std::to_string(both->values.size()));
+            fmt::format("expected a list of 2 numbers, found one of {}", both->values.size()));
         return;
     }
     if (check_real(place(key) + "/0", both->values[0], first_rule)) first = both->values[0].number;
@@ -137,7 +144,7 @@ std::optional<double> JsonReader::index_number(const char* key, std::size_t coun
     const auto number = whole_number(key, -kAnySize, kAnySize);
     if (!number || (*number >= 0.0 && *number < static_cast<double>(count))) return number;
     errors_.error("E09", place(key),
-                  short_text(*number) + ", but there are " + std::to_string(count) + " " + of_what);
+                  fmt::format("{}, but there are {} {}", short_text(*number), count, of_what));
     return std::nullopt;
 }
 
@@ -154,8 +161,8 @@ std::optional<std::size_t> JsonReader::choice_index(const char* key,
     const auto found = std::find(names.begin(), names.end(), value->text);
     if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
     const std::string near = nearest_name(value->text, names);
-    std::string message = std::string("unknown ") + what + " " + in_quotes(value->text);
-    if (!near.empty()) message += "; did you mean \"" + near + "\"?";
+    std::string message = fmt::format("unknown {} {}", what, in_quotes(value->text));
+    if (!near.empty()) message += fmt::format("; did you mean \"{}\"?", near);
     errors_.error("E08", place(key), message);
     return std::nullopt;
 }
@@ -178,8 +185,7 @@ std::optional<std::size_t> JsonReader::numbered_index(const char* key, const Num
 bool JsonReader::check_size(const std::string& where, const std::string& text,
                             std::size_t max_bytes) {
     if (text.size() <= max_bytes) return true;
-    errors_.error("E10", where,
-                  std::to_string(text.size()) + " bytes, limit " + std::to_string(max_bytes));
+    errors_.error("E10", where, fmt::format("{} bytes, limit {}", text.size(), max_bytes));
     return false;
 }
 
@@ -194,8 +200,8 @@ const JsonValue* JsonReader::sized_list(const char* key, std::size_t low, std::s
     const std::size_t size = list->values.size();
     if (size >= low && size <= high) return list;
     errors_.error("E10", place(key),
-                  size < low ? std::to_string(size) + " entries, at least " + std::to_string(low)
-                             : std::to_string(size) + " entries, limit " + std::to_string(high));
+                  size < low ? fmt::format("{} entries, at least {}", size, low)
+                             : fmt::format("{} entries, limit {}", size, high));
     return nullptr;
 }
 
@@ -205,7 +211,7 @@ void JsonReader::texts(const char* key, std::vector<std::string>& values, std::s
     if (list == nullptr) return;
     for (std::size_t i = 0; i < list->values.size(); ++i) {
         const JsonValue& each = list->values[i];
-        const std::string where = place(key) + "/" + std::to_string(i);
+        const std::string where = fmt::format("{}/{}", place(key), i);
         if (each.kind != Kind::kText) {
             wrong_type(where, "a text", each);
         } else if (check_size(where, each.text, max_bytes)) {
@@ -229,12 +235,12 @@ void JsonReader::optional_bytes(const char* key, std::vector<std::uint8_t>& byte
     const JsonValue* list = sized_list(key, 1, lines_of(max_bytes, line_bytes));
     if (list == nullptr) return;
     const std::string expected =
-        "1 to " + std::to_string(line_bytes) + " pairs of hexadecimal digits 0 to f";
+        fmt::format("1 to {} pairs of hexadecimal digits 0 to f", line_bytes);
     for (std::size_t i = 0; i < list->values.size(); ++i) {
         const JsonValue& each = list->values[i];
         const auto line = each.kind == Kind::kText ? parse_hex_pairs(each.text) : std::nullopt;
         if (!line || line->empty() || line->size() > line_bytes)
-            return wrong_type(place(key) + "/" + std::to_string(i), expected.c_str(), each);
+            return wrong_type(fmt::format("{}/{}", place(key), i), expected.c_str(), each);
         bytes.insert(bytes.end(), line->begin(), line->end());
     }
 }

@@ -6,6 +6,8 @@
 #include "persist/json/json_value.h"
 #include "persist/text/setting_value.h"
 
+#include <fmt/core.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -112,6 +114,12 @@ public:
         value.emplace();
         object(key, layout, [&](JsonReader& reader) { describe(reader, *value); });
     }
+    // Reads a list if the key exists.
+    template <class Items, class Describe>
+    void optional_list(const char* key, Items& items, std::size_t high, Layout layout,
+                       Describe describe) {
+        if (has(key)) list(key, items, 0, high, layout, describe);
+    }
     // Reads a list of `low` to `high` objects.
     template <class Items, class Describe>
     void list(const char* key, Items& items, std::size_t low, std::size_t high, Layout /*layout*/,
@@ -120,7 +128,7 @@ public:
         if (value == nullptr) return;
         items.resize(value->values.size());
         for (std::size_t i = 0; i < items.size(); ++i) {
-            read_object(value->values[i], place(key) + "/" + std::to_string(i),
+            read_object(value->values[i], fmt::format("{}/{}", place(key), i),
                         [&](JsonReader& reader) { describe(reader, items[i]); });
         }
     }
@@ -128,7 +136,7 @@ public:
 private:
     using Kind = JsonValue::Kind;
 
-    std::string place(std::string_view key) const { return pointer_ + "/" + std::string(key); }
+    std::string place(std::string_view key) const { return fmt::format("{}/{}", pointer_, key); }
     // Returns the value of a key if it exists and is of that kind; otherwise null, after an error.
     const JsonValue* member(const char* key, Kind kind, const char* expected);
     const JsonValue* number_member(const char* key, const char* expected);

@@ -3,6 +3,8 @@
 #include "genome/gene_fields.h"
 #include "persist/text/digest_text.h"
 
+#include <fmt/core.h>
+
 #include <cmath>
 #include <type_traits>
 
@@ -22,14 +24,21 @@ Json number_between(double low, double high) {
     return {{"type", "number"}, {"minimum", bound(low)}, {"maximum", bound(high)}};
 }
 
+Json whole_number_between(double low, double high) {
+    Json schema = number_between(low, high);
+    schema["type"] = "integer";
+    return schema;
+}
+
 Json number_schema(const FieldRule& rule) {
+    if (rule.whole) return whole_number_between(rule.low, rule.high);
     if (!rule.wraps) return number_between(rule.low, rule.high);
     return {
         {"type", "number"}, {"minimum", bound(rule.low)}, {"exclusiveMaximum", bound(rule.high)}};
 }
 
 std::string with_unit(const std::string& meaning, std::string_view unit) {
-    return unit.empty() ? meaning : meaning + " Unit: " + std::string(unit) + ".";
+    return unit.empty() ? meaning : fmt::format("{} Unit: {}.", meaning, unit);
 }
 
 Json text_up_to(std::size_t max_bytes) {
@@ -75,9 +84,7 @@ Json JsonSchemaWriter::define(Library& library, const std::string& type, Json sc
 }
 
 Json JsonSchemaWriter::whole_number(double low, double high) {
-    Json schema = number_between(low, high);
-    schema["type"] = "integer";
-    return schema;
+    return whole_number_between(low, high);
 }
 
 Json JsonSchemaWriter::one_of(std::span<const std::string> names) {
@@ -111,8 +118,8 @@ void JsonSchemaWriter::require_count(const char* key, std::size_t /*found*/, std
 }
 
 void JsonSchemaWriter::real(const char* key, double /*value*/, const FieldRule& rule) {
-    put_described(key, with_unit(library_.meaning(type_, key), rule.unit), number_schema(rule),
-                  take_optional(key));
+    const std::string meaning = *rule.help != '\0' ? rule.help : library_.meaning(type_, key);
+    put_described(key, with_unit(meaning, rule.unit), number_schema(rule), take_optional(key));
 }
 
 void JsonSchemaWriter::plain_real(const char* key, double /*value*/) {
@@ -153,7 +160,7 @@ void JsonSchemaWriter::digest(const char* key, std::uint64_t /*value*/) {
 
 void JsonSchemaWriter::optional_bytes(const char* key, std::span<const std::uint8_t> /*bytes*/,
                                       std::size_t line_bytes, std::size_t max_bytes) {
-    const std::string pairs = "^([0-9a-f]{2}){1," + std::to_string(line_bytes) + "}$";
+    const std::string pairs = fmt::format("^([0-9a-f]{{2}}){{1,{}}}$", line_bytes);
     put(key,
         list_of(Json({{"type", "string"}, {"pattern", pairs}}), 1, lines_of(max_bytes, line_bytes)),
         true);

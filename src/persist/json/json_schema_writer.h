@@ -134,6 +134,12 @@ public:
             true);
     }
     template <class Items, class Describe>
+    void optional_list(const char* key, Items& items, std::size_t high, Layout layout,
+                       Describe describe) {
+        has(key);
+        list(key, items, 0, high, layout, describe);
+    }
+    template <class Items, class Describe>
     void list(const char* key, Items& /*items*/, std::size_t low, std::size_t high,
               Layout /*layout*/, Describe describe) {
         const bool optional = take_optional(key);

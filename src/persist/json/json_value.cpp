@@ -1,5 +1,6 @@
 #include "persist/json/json_value.h"
 
+#include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -14,7 +15,7 @@ constexpr int kNumberOverflow = 406;  // the parser's number for that error
 
 std::string megabytes(std::size_t bytes) {
     const std::size_t tenths = (bytes + 50'000) / 100'000;
-    return std::to_string(tenths / 10) + "." + std::to_string(tenths % 10) + " MB";
+    return fmt::format("{}.{} MB", tenths / 10, tenths % 10);
 }
 
 std::string line_and_column(std::string_view text, std::size_t position) {
@@ -22,7 +23,7 @@ std::string line_and_column(std::string_view text, std::size_t position) {
     const auto lines = std::count(before.begin(), before.end(), '\n');
     const std::size_t last = before.rfind('\n');
     const std::size_t column = before.size() - (last == std::string_view::npos ? 0 : last + 1);
-    return "line " + std::to_string(lines + 1) + ", column " + std::to_string(column + 1);
+    return fmt::format("line {}, column {}", lines + 1, column + 1);
 }
 
 // Returns the parser's explanation without its preamble and the text it had read.
@@ -73,11 +74,11 @@ public:
     bool key(std::string& name) override {
         std::vector<std::string>& keys = open_.back()->keys;
         if (keys.size() >= limits_.keys) {
-            errors_.error("E10", pointer(), "more than " + std::to_string(keys.size()) + " keys");
+            errors_.error("E10", pointer(), fmt::format("more than {} keys", keys.size()));
             return false;
         }
         if (std::find(keys.begin(), keys.end(), name) != keys.end()) {
-            errors_.error("E13", pointer(), "key " + in_quotes(name) + " appears twice");
+            errors_.error("E13", pointer(), fmt::format("key {} appears twice", in_quotes(name)));
         }
         keys.push_back(std::move(name));
         return true;
@@ -99,9 +100,8 @@ private:
     // Adds the next value; returns null and reports an error if there are too many.
     JsonValue* add(Kind kind) {
         if (++count_ > limits_.values) {
-            errors_.error(
-                "E02", pointer(),
-                "file too large: more than " + std::to_string(limits_.values) + " values");
+            errors_.error("E02", pointer(),
+                          fmt::format("file too large: more than {} values", limits_.values));
             return nullptr;
         }
         JsonValue* place = open_.empty() ? &root_ : &open_.back()->values.emplace_back();
@@ -115,8 +115,7 @@ private:
     }
     bool open(Kind kind) {
         if (open_.size() >= limits_.depth) {
-            errors_.error("E02", "",
-                          "nested deeper than " + std::to_string(limits_.depth) + " levels");
+            errors_.error("E02", "", fmt::format("nested deeper than {} levels", limits_.depth));
             return false;
         }
         JsonValue* place = add(kind);
@@ -136,7 +135,7 @@ private:
             const bool innermost = i + 1 == open_.size();
             if (value.kind == Kind::kList) {
                 const std::size_t begun = value.values.size();
-                place += "/" + std::to_string(innermost ? begun : begun - 1);
+                place += fmt::format("/{}", innermost ? begun : begun - 1);
             } else if (value.keys.size() > value.values.size() || !innermost) {
                 place += "/" + shown(value.keys.back());
             }
@@ -183,9 +182,9 @@ const char* JsonValue::kind_in_words() const {
 std::optional<JsonValue> parse_json(std::string_view text, const JsonLimits& limits,
                                     ErrorList& errors) {
     if (text.size() > limits.bytes) {
-        errors.error(
-            "E02", "",
-            "file too large: " + megabytes(text.size()) + ", limit " + megabytes(limits.bytes));
+        errors.error("E02", "",
+                     fmt::format("file too large: {}, limit {}", megabytes(text.size()),
+                                 megabytes(limits.bytes)));
         return std::nullopt;
     }
     if (text.empty()) {

@@ -1,13 +1,15 @@
 #include "persist/json/json_writer.h"
 
 #include "core/text/number_text.h"
+#include "genome/field_rule.h"
 #include "persist/text/digest_text.h"
 
 #include <algorithm>
 
 namespace cambrian {
 
-void JsonWriter::real(const char* key, double value, const FieldRule& /*rule*/) {
+void JsonWriter::real(const char* key, double value, const FieldRule& rule) {
+    if (rule.whole) return integer(key, static_cast<int>(value), rule.low, rule.high);
     plain_real(key, value);
 }
 

@@ -110,6 +110,12 @@ public:
         if (!value) return;
         object(key, layout, [&](JsonWriter& writer) { describe(writer, *value); });
     }
+    // Writes a list if it has any items.
+    template <class Items, class Describe>
+    void optional_list(const char* key, Items& items, std::size_t high, Layout layout,
+                       Describe describe) {
+        if (!items.empty()) list(key, items, 0, high, layout, describe);
+    }
     // Writes one object per item.
     template <class Items, class Describe>
     void list(const char* key, Items& items, std::size_t /*low*/, std::size_t /*high*/,

@@ -1,5 +1,7 @@
 #include "persist/records/experiment_schema.h"
 
+#include <fmt/core.h>
+
 #include <map>
 #include <string>
 
@@ -56,8 +58,8 @@ template <class Row>
 void add_columns(Database& database, const char* table, std::span<const Column<Row>> columns) {
     for (const Column<Row>& column : columns) {
         const bool whole = !std::holds_alternative<double Row::*>(column.field);
-        database.execute(std::string("ALTER TABLE ") + table + " ADD COLUMN " + column.name +
-                         (whole ? " INTEGER NOT NULL DEFAULT 0" : ""));
+        database.execute(fmt::format("ALTER TABLE {} ADD COLUMN {}{}", table, column.name,
+                                     whole ? " INTEGER NOT NULL DEFAULT 0" : ""));
     }
 }
 
@@ -83,8 +85,8 @@ void add_lines_and_confirmations(Database& database) {
 }
 
 void create_tables(Database& database) {
-    database.execute("PRAGMA application_id = " + std::to_string(kExperimentApplication));
-    database.execute("PRAGMA user_version = " + std::to_string(kExperimentVersion));
+    database.execute(fmt::format("PRAGMA application_id = {}", kExperimentApplication));
+    database.execute(fmt::format("PRAGMA user_version = {}", kExperimentVersion));
     database.execute(tables());
     add_lines_and_confirmations(database);
 }
@@ -94,10 +96,10 @@ Result<std::int64_t> version_of_tables(const Database& database) {
         return Error{"it is another program's database"};
     const std::int64_t version = database.integer("PRAGMA user_version");
     if (version > kExperimentVersion) {
-        return Error{"its version " + std::to_string(version) + " is newer than this program (" +
-                     std::to_string(kExperimentVersion) + ")"};
+        return Error{fmt::format("its version {} is newer than this program ({})", version,
+                                 kExperimentVersion)};
     }
-    if (version < 1) return Error{"its version " + std::to_string(version) + " never existed"};
+    if (version < 1) return Error{fmt::format("its version {} never existed", version)};
     return version;
 }
 
@@ -109,9 +111,9 @@ Status check_tables(const Database& database) {
     const auto found = statements_of(database);
     for (const auto& [name, sql] : statements_of(model)) {
         const auto table = found.find(name);
-        if (table == found.end()) return Error{"table \"" + name + "\" is missing"};
+        if (table == found.end()) return Error{fmt::format("table \"{}\" is missing", name)};
         if (table->second != sql)
-            return Error{"table \"" + name + "\" has other columns than expected"};
+            return Error{fmt::format("table \"{}\" has other columns than expected", name)};
     }
     return {};
 }

@@ -6,6 +6,8 @@
 #include "persist/records/mutation_text.h"
 #include "persist/records/score_text.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -21,7 +23,7 @@ constexpr std::size_t kLongestWord = 64;  // bytes
 template <class Choice>
 Choice choice_of(std::string_view name, const std::vector<std::string>& names) {
     const auto found = std::find(names.begin(), names.end(), name);
-    if (found == names.end()) throw DatabaseError("\"" + std::string(name) + "\" is no outcome");
+    if (found == names.end()) throw DatabaseError(fmt::format("\"{}\" is no outcome", name));
     return static_cast<Choice>(found - names.begin());
 }
 
@@ -58,13 +60,12 @@ IndividualReader::IndividualReader(const Database& database, const EvolutionKind
                            "neurons, line FROM individuals WHERE id = ?")),
       select_genotype_(
           database.prepare("SELECT size, document FROM genotypes WHERE individual = ?")),
-      select_result_(database.prepare(
-          "SELECT outcome, verdict, finer_outcome, finer_fitness, finer_verdict, " +
-          column_names<EvaluationResult>(kResultColumns) + ", " +
-          column_names<Behavior>(kBehaviorColumns) + ", " +
-          column_names<SceneAudit>(kAuditColumns) + ", " +
-          column_names<EvaluationResult>(kLaterResultColumns) +
-          ", scores FROM results WHERE individual = ? AND judged = ?")) {}
+      select_result_(database.prepare(fmt::format(
+          "SELECT outcome, verdict, finer_outcome, finer_fitness, finer_verdict, {}, {}, {}, {}, "
+          "scores FROM results WHERE individual = ? AND judged = ?",
+          column_names<EvaluationResult>(kResultColumns), column_names<Behavior>(kBehaviorColumns),
+          column_names<SceneAudit>(kAuditColumns),
+          column_names<EvaluationResult>(kLaterResultColumns)))) {}
 
 IndividualPtr IndividualReader::read(const RowRef& row, const ExperimentSettings& settings) {
     IndividualPtr& place = individuals_[{row.individual, row.judged}];
@@ -84,7 +85,7 @@ IndividualPtr IndividualReader::read(const RowRef& row, const ExperimentSettings
 IndividualReader::Row IndividualReader::read_row(std::int64_t id) {
     Statement& row = select_individual_;
     row.bind(id);
-    if (!row.step()) throw DatabaseError("individual " + std::to_string(id) + " is missing");
+    if (!row.step()) throw DatabaseError(fmt::format("individual {} is missing", id));
     Individual one;
     one.uid = static_cast<std::uint64_t>(row.integer(0));
     read_column(row, 1, one.born);

@@ -4,6 +4,8 @@
 #include "persist/records/mutation_text.h"
 #include "persist/records/score_text.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <string>
 
@@ -13,11 +15,10 @@ namespace {
 constexpr std::size_t kWordColumns = 6;  // outcome, verdict, those of the finer trial, scores
 
 Statement result_insertion(const Database& database) {
-    return database.prepare("INSERT OR REPLACE INTO results VALUES (?, ?" +
-                            more_places(kWordColumns + kResultColumns.size() +
-                                        kBehaviorColumns.size() + kAuditColumns.size() +
-                                        kLaterResultColumns.size()) +
-                            ")");
+    return database.prepare(
+        fmt::format("INSERT OR REPLACE INTO results VALUES (?, ?{})",
+                    more_places(kWordColumns + kResultColumns.size() + kBehaviorColumns.size() +
+                                kAuditColumns.size() + kLaterResultColumns.size())));
 }
 
 }  // namespace
@@ -27,7 +28,7 @@ KeptIndividuals::KeptIndividuals(const Database& database, const EvolutionKinds&
     : known_(known),
       packer_(kinds),
       insert_individual_(
-          database.prepare("INSERT INTO individuals VALUES (?" + more_places(16) + ")")),
+          database.prepare(fmt::format("INSERT INTO individuals VALUES (?{})", more_places(16)))),
       insert_genotype_(database.prepare("INSERT INTO genotypes VALUES (?, ?, ?)")),
       insert_result_(result_insertion(database)),
       update_individual_(

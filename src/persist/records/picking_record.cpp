@@ -1,5 +1,7 @@
 #include "persist/records/picking_record.h"
 
+#include <fmt/core.h>
+
 #include <charconv>
 
 namespace cambrian {
@@ -7,7 +9,7 @@ namespace cambrian {
 std::string picks_text(std::span<const std::size_t> picks) {
     std::string text;
     for (const std::size_t cell : picks)
-        text += (text.empty() ? "" : " ") + std::to_string(cell);
+        text += fmt::format("{}{}", text.empty() ? "" : " ", cell);
     return text;
 }
 

@@ -4,6 +4,8 @@
 #include "persist/records/statistics_columns.h"
 #include "persist/text/digest_text.h"
 
+#include <fmt/core.h>
+
 #include <variant>
 
 namespace cambrian {
@@ -34,7 +36,7 @@ void add_values(std::string& text, const Row& row, std::span<const Column<Row>> 
 std::string births_text(std::span<const LineBirths> births) {
     std::string text;
     for (const LineBirths& line : births)
-        text += (text.empty() ? "" : " ") + hex_text(line.line) + ':' + std::to_string(line.births);
+        text += fmt::format("{}{}:{}", text.empty() ? "" : " ", hex_text(line.line), line.births);
     return text;
 }
 
@@ -52,7 +54,7 @@ std::string statistics_csv(std::span<const GenerationStatistics> history) {
         trials += row.evaluations;
         add_values(text, row, kStatisticsColumns);
         add_values(text, row, kLaterStatisticsColumns);
-        text += std::to_string(trials) + ',' + births_text(row.births) + '\n';
+        text += fmt::format("{},{}\n", trials, births_text(row.births));
     }
     return text;
 }

@@ -4,13 +4,15 @@
 #include "persist/text/error_list.h"
 #include "persist/text/setting_value.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 
 namespace cambrian {
 namespace {
 
 std::string line_of(const toml::source_region& region) {
-    return "line " + std::to_string(region.begin.line);
+    return fmt::format("line {}", region.begin.line);
 }
 
 SettingValue setting_value(const toml::node& node) {
@@ -66,23 +68,24 @@ private:
             fields_.begin(), fields_.end(),
             [&](const SettingField& each) { return each.table == table && each.key == key; });
         if (names_table(joined(table, key))) {
-            errors_.error("", line + ", " + place(table, key, false), "expected a table");
+            errors_.error("", fmt::format("{}, {}", line, place(table, key, false)),
+                          "expected a table");
             return;
         }
         if (field == fields_.end()) {
             const bool is_table = node.is_table();
-            errors_.error("", line + ", " + place(table, key, is_table),
+            errors_.error("", fmt::format("{}, {}", line, place(table, key, is_table)),
                           is_table ? unknown_table(table, key) : unknown_key(table, key));
             return;
         }
         const SettingCheck check = assign(*field, setting_value(node), settings_);
         if (check.fault != SettingFault::kNone)
-            errors_.error("", line + ", " + place(table, key, false), check.message);
+            errors_.error("", fmt::format("{}, {}", line, place(table, key, false)), check.message);
     }
 
     static std::string place(const std::string& table, const std::string& key, bool is_table) {
-        if (is_table) return "[" + joined(table, shown(key)) + "]";
-        return table.empty() ? shown(key) : "[" + table + "] " + shown(key);
+        if (is_table) return fmt::format("[{}]", joined(table, shown(key)));
+        return table.empty() ? shown(key) : fmt::format("[{}] {}", table, shown(key));
     }
 
     std::string unknown_table(const std::string& table, const std::string& key) const {
@@ -90,7 +93,8 @@ private:
         for (const SettingField& field : fields_)
             tables.push_back(field.table);
         const std::string near = nearest_name(joined(table, key), tables);
-        return near.empty() ? "unknown table" : "unknown table; did you mean [" + near + "]?";
+        return near.empty() ? "unknown table"
+                            : fmt::format("unknown table; did you mean [{}]?", near);
     }
 
     // Suggests the nearest key of the same table, else the nearest of any table, else all of the
@@ -103,12 +107,12 @@ private:
             if (field.table == table) here.push_back(field.key);
         }
         std::string near = nearest_name(key, here);
-        if (!near.empty()) return "unknown key; did you mean \"" + near + "\"?";
+        if (!near.empty()) return fmt::format("unknown key; did you mean \"{}\"?", near);
         near = nearest_name(key, anywhere);
         if (near.empty()) return "unknown key" + known_in_words(here);
         const auto field = std::find_if(fields_.begin(), fields_.end(),
                                         [&](const SettingField& each) { return each.key == near; });
-        return "unknown key; did you mean [" + field->table + "] " + near + "?";
+        return fmt::format("unknown key; did you mean [{}] {}?", field->table, near);
     }
 
     static std::string known_in_words(const std::vector<std::string>& keys) {
@@ -154,7 +158,7 @@ Result<ExperimentSettings> merge_settings(const std::vector<SettingsText>& texts
         sources += (i == 0 ? "" : " with ") + texts[i].source;
     }
     if (const Status contradiction = check_settings(reader.settings(), kinds); !contradiction)
-        return Error{sources + ": " + contradiction.error().message};
+        return Error{fmt::format("{}: {}", sources, contradiction.error().message)};
     return reader.settings();
 }
 

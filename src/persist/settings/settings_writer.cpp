@@ -2,6 +2,8 @@
 #include "persist/settings/settings_file.h"
 #include "persist/text/setting_value.h"
 
+#include <fmt/core.h>
+
 #include <type_traits>
 
 namespace cambrian {
@@ -13,8 +15,9 @@ constexpr std::size_t kCommentColumn = 30;
 std::string allowed(const SettingField& field, const SettingValue& value) {
     if (std::holds_alternative<bool>(value)) return "true or false";
     if (!std::holds_alternative<std::string>(value)) {
-        const std::string range = short_text(field.low) + " to " + short_text(field.high);
-        return field.unit.empty() ? range : range + " " + field.unit;
+        const std::string range =
+            fmt::format("{} to {}", short_text(field.low), short_text(field.high));
+        return field.unit.empty() ? range : fmt::format("{} {}", range, field.unit);
     }
     std::string choices;
     for (const std::string& choice : field.choices)
@@ -24,16 +27,16 @@ std::string allowed(const SettingField& field, const SettingValue& value) {
 
 std::string comment(const SettingField& field, const SettingValue& value,
                     const ExperimentSettings& defaults) {
-    return "# " + allowed(field, value) + "; default " + setting_text(value_of(field, defaults)) +
-           ". " + field.help;
+    return fmt::format("# {}; default {}. {}", allowed(field, value),
+                       setting_text(value_of(field, defaults)), field.help);
 }
 
 std::string line(const SettingField& field, const ExperimentSettings& settings,
                  const ExperimentSettings& defaults) {
     const SettingValue value = value_of(field, settings);
-    std::string text = field.key + " = " + setting_text(value) + " ";
+    std::string text = fmt::format("{} = {} ", field.key, setting_text(value));
     if (text.size() < kCommentColumn) text.resize(kCommentColumn, ' ');
-    return text + comment(field, value, defaults) + "\n";
+    return fmt::format("{}{}\n", text, comment(field, value, defaults));
 }
 
 }  // namespace
@@ -46,7 +49,7 @@ std::string write_settings(const ExperimentSettings& settings, const EvolutionKi
     const ExperimentSettings defaults = default_settings(settings.goal, kinds);
     std::string table;
     for (const SettingField& field : setting_fields(kinds)) {
-        if (field.table != table) text += "\n[" + field.table + "]\n";
+        if (field.table != table) text += fmt::format("\n[{}]\n", field.table);
         table = field.table;
         const bool goal = field.table == "goal";
         text += line(field, settings, goal ? ExperimentSettings{} : defaults);
@@ -59,7 +62,7 @@ std::string digested_settings(const ExperimentSettings& settings, const Evolutio
     for (const SettingField& field : setting_fields(kinds)) {
         const SettingValue value = value_of(field, settings);
         if (field.later && value == value_of(field, ExperimentSettings{})) continue;
-        text += field.table + "." + field.key + " = " + setting_text(value) + "\n";
+        text += fmt::format("{}.{} = {}\n", field.table, field.key, setting_text(value));
     }
     return text;
 }

@@ -5,13 +5,15 @@
 #include "persist/text/error_list.h"
 #include "persist/text/quoted_text.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 
 namespace cambrian {
 namespace {
 
 std::string path_of(const SettingField& field) {
-    return field.table + "." + field.key;
+    return fmt::format("{}.{}", field.table, field.key);
 }
 
 // Returns the fields that a name may mean: the one with that table and key or, without a table, all
@@ -32,7 +34,7 @@ std::string unknown_setting(std::string_view name, const EvolutionKinds& kinds) 
     }
     const std::string near = nearest_name(name, known);
     return near.empty() ? "unknown setting; 'cambrian settings' lists them"
-                        : "unknown setting; did you mean \"" + near + "\"?";
+                        : fmt::format("unknown setting; did you mean \"{}\"?", near);
 }
 
 std::string several_settings(const std::vector<SettingField>& fields) {
@@ -45,19 +47,19 @@ std::string several_settings(const std::vector<SettingField>& fields) {
 }  // namespace
 
 Result<SettingsText> typed_setting(std::string_view assignment, const EvolutionKinds& kinds) {
-    const std::string source = "\"" + shown(assignment) + "\"";
+    const std::string source = fmt::format("\"{}\"", shown(assignment));
     const std::size_t sign = assignment.find('=');
     if (sign == std::string_view::npos)
         return Error{source + ": expected a setting and its value, as selection.method=rank"};
     const std::string_view name = assignment.substr(0, sign);
     const std::string value(assignment.substr(sign + 1));
     const std::vector<SettingField> fields = fields_called(name, kinds);
-    if (fields.empty()) return Error{source + ": " + unknown_setting(name, kinds)};
-    if (fields.size() > 1) return Error{source + ": " + several_settings(fields)};
+    if (fields.empty()) return Error{fmt::format("{}: {}", source, unknown_setting(name, kinds))};
+    if (fields.size() > 1) return Error{fmt::format("{}: {}", source, several_settings(fields))};
     const SettingField& field = fields.front();
     const bool quoted = !field.choices.empty() && !value.starts_with('"');
     return SettingsText{
-        "[" + field.table + "]\n" + field.key + " = " + (quoted ? quoted_text(value) : value),
+        fmt::format("[{}]\n{} = {}", field.table, field.key, quoted ? quoted_text(value) : value),
         source};
 }
 

@@ -4,6 +4,8 @@
 
 #include "persist/sqlite/database.h"
 
+#include <fmt/core.h>
+
 #include <cstdint>
 #include <limits>
 #include <span>
@@ -42,7 +44,7 @@ template <class Whole>
 void read_column(const Statement& statement, int column, Whole& place) {
     const std::int64_t number = statement.integer(column);
     if (number < std::numeric_limits<Whole>::min() || number > std::numeric_limits<Whole>::max())
-        throw DatabaseError(std::to_string(number) + " is too large or too small");
+        throw DatabaseError(fmt::format("{} is too large or too small", number));
     place = static_cast<Whole>(number);
 }
 

@@ -1,5 +1,7 @@
 #include "persist/sqlite/database.h"
 
+#include <fmt/core.h>
+
 #include <cerrno>
 #include <limits>
 #include <sqlite3.h>
@@ -26,7 +28,7 @@ constexpr int kPatience = 2000;           // ms to wait while another program re
         case SQLITE_NOTADB:
             throw DatabaseError("it is not an SQLite database");
         case SQLITE_CORRUPT:
-            throw DatabaseError("it is damaged (" + std::string(sqlite3_errmsg(connection)) + ")");
+            throw DatabaseError(fmt::format("it is damaged ({})", sqlite3_errmsg(connection)));
         default:
             throw DatabaseError(sqlite3_errmsg(connection));
     }
@@ -138,8 +140,9 @@ void Statement::refuse(int column, const char* expected) const {
     static constexpr const char* names[] = {"nothing", "a whole number", "a number",
                                             "a text",  "bytes",          "nothing"};
     const int found = sqlite3_column_type(statement_.get(), column);
-    throw DatabaseError("column \"" + std::string(sqlite3_column_name(statement_.get(), column)) +
-                        "\": expected " + expected + ", found " + names[found]);
+    throw DatabaseError(fmt::format("column \"{}\": expected {}, found {}",
+                                    sqlite3_column_name(statement_.get(), column), expected,
+                                    names[found]));
 }
 
 bool Statement::is_null(int column) const {

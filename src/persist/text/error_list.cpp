@@ -1,5 +1,7 @@
 #include "persist/text/error_list.h"
 
+#include <fmt/core.h>
+
 namespace cambrian {
 namespace {
 
@@ -24,7 +26,7 @@ std::string shown(std::string_view text, std::size_t longest) {
 }
 
 std::string in_quotes(std::string_view text) {
-    return "\"" + shown(text) + "\"";
+    return fmt::format("\"{}\"", shown(text));
 }
 
 void ErrorList::error(std::string_view code, std::string_view place, std::string_view message) {
@@ -38,10 +40,10 @@ void ErrorList::warn(std::string_view code, std::string_view place, std::string_
 
 Error ErrorList::as_error(std::string_view source) const {
     CAMBRIAN_ASSERT(!errors_.empty(), "an error to report");
-    std::string message = std::string(source) + ": " + errors_.front();
+    std::string message = fmt::format("{}: {}", source, errors_.front());
     for (std::size_t i = 1; i < errors_.size(); ++i)
         message += "\n  " + errors_[i];
-    if (full()) message += "\n  no more errors are looked for after " + std::to_string(kLimit);
+    if (full()) message += fmt::format("\n  no more errors are looked for after {}", kLimit);
     return {std::move(message)};
 }
 

@@ -5,6 +5,8 @@
 #include "persist/text/error_list.h"
 #include "persist/text/quoted_text.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <type_traits>
@@ -18,13 +20,13 @@ constexpr const char* kFound[] = {"something else", "true or false", "a whole nu
 
 SettingCheck wrong_type(const char* expected, const SettingValue& value) {
     return {SettingFault::kType,
-            std::string("expected ") + expected + ", found " + kFound[value.index()]};
+            fmt::format("expected {}, found {}", expected, kFound[value.index()])};
 }
 
 SettingCheck check_range(const SettingField& field, double number) {
     if (number >= field.low && number <= field.high) return {};
-    std::string message = short_text(number) + " is outside [" + short_text(field.low) + ", " +
-                          short_text(field.high) + "]";
+    std::string message = fmt::format("{} is outside [{}, {}]", short_text(number),
+                                      short_text(field.low), short_text(field.high));
     if (!field.unit.empty()) message += " " + field.unit;
     return {SettingFault::kRange, std::move(message)};
 }
@@ -72,7 +74,7 @@ SettingCheck assign_to(std::string& place, const SettingField& field, const Sett
     std::string message = "unknown " + in_quotes(*text);
     const std::string near = nearest_name(*text, field.choices);
     if (!near.empty()) {
-        message += "; did you mean \"" + near + "\"?";
+        message += fmt::format("; did you mean \"{}\"?", near);
     } else {
         message += "; known are";
         for (const std::string& choice : field.choices)

@@ -1,5 +1,7 @@
 #include "picking/grid/grid_settings.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <string>
 
@@ -7,8 +9,7 @@ namespace cambrian {
 
 Status check_grid(const GridSettings& grid) {
     if (std::find(kGridSizes.begin(), kGridSizes.end(), grid.cells) == kGridSizes.end()) {
-        return Error{"a grid has 4, 6, 9, 12, 16 or 25 creatures, not " +
-                     std::to_string(grid.cells)};
+        return Error{fmt::format("a grid has 4, 6, 9, 12, 16 or 25 creatures, not {}", grid.cells)};
     }
     if (!(grid.fitness_weight >= 0.0 && grid.fitness_weight <= 1.0))
         return Error{"the weight of fitness in a grid is from 0 to 1"};

@@ -5,6 +5,8 @@
 #include "pictures/scene/follow_camera.h"
 #include "pictures/scene/scene_builder.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -111,10 +113,10 @@ void add_moment(PictureCanvas& canvas, const Area& area, const Subject& subject,
 
 std::string facts_line(const Subject& subject) {
     const Phenotype& phenotype = subject.phenotype();
-    return counted(phenotype.parts.size(), "part") + "  ·  " +
-           counted(phenotype.effector_parts.size(), "moving joint") + "  ·  " +
-           counted(phenotype.network.order.size(), "neuron") + "  ·  " +
-           measured(subject.mass, "kg");
+    return fmt::format("{}  ·  {}  ·  {}  ·  {}", counted(phenotype.parts.size(), "part"),
+                       counted(phenotype.effector_parts.size(), "moving joint"),
+                       counted(phenotype.network.order.size(), "neuron"),
+                       measured(subject.mass, "kg"));
 }
 
 }  // namespace cambrian

@@ -1,5 +1,7 @@
 #include "pictures/scene/scene_builder.h"
 
+#include "pictures/scene/organ_marks.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -193,6 +195,7 @@ void add_creature(SceneFrame& frame, const Palette& palette, const Camera& camer
         frame.shapes.push_back(shape);
         if (!look.touched.empty()) add_touched_faces(frame, look, i, palette.plot_best, pixel);
     }
+    add_organ_marks(frame, look.phenotype, look.poses, pixel);
     add_pivots(frame, look, pixel);
 }
 

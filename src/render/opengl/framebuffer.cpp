@@ -2,6 +2,8 @@
 
 #include "render/opengl/gl.h"
 
+#include <fmt/core.h>
+
 #include <string>
 #include <utility>
 
@@ -20,8 +22,8 @@ Result<Framebuffer> Framebuffer::create(int width, int height) {
     const GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     if (status == GL_FRAMEBUFFER_COMPLETE) return result;
-    return Error{"the graphics driver cannot make a picture of " + std::to_string(width) + " x " +
-                 std::to_string(height) + " pixels"};
+    return Error{
+        fmt::format("the graphics driver cannot make a picture of {} x {} pixels", width, height)};
 }
 
 Framebuffer::Framebuffer(Framebuffer&& other) noexcept

@@ -1,23 +1,95 @@
 #include "simulator/surroundings/trial_surroundings.h"
 
 #include "math/angle.h"
+#include "simulator/surroundings/impact_noise.h"
 
 namespace cambrian {
+namespace {
+
+constexpr std::uint32_t kOwnNumber = 0;  // of the only creature
+
+constexpr int kColumns = 128;  // 64 m around the start
+constexpr int kRows = 64;      // 32 m
+
+// Without ground, the area is around the start in both directions, with open edges.
+ScentArea scent_area(const Environment& environment) {
+    const double height = kRows * kScentCell;
+    return {.left = -0.5 * kColumns * kScentCell,
+            .bottom = environment.has_ground ? 0.0 : -0.5 * height,
+            .columns = kColumns,
+            .rows = kRows,
+            .wall_bottom = environment.has_ground};
+}
+
+}  // namespace
 
 TrialSurroundings::TrialSurroundings(const Environment& environment, const LightDraw& draw,
-                                     double rest_length)
-    : source_(environment, draw, rest_length) {
-    find_up(environment);
+                                     double rest_length, const UsedSenses& used)
+    : environment_(environment), used_(used), source_(environment, draw, rest_length) {
+    sounds_.reserve(used.voices + kMostImpacts);
+    loudness_.reserve(used.voices + kMostImpacts);
+    find_up();
+    lay_out_field();
 }
 
 void TrialSurroundings::set_environment(const Environment& environment) {
-    find_up(environment);
+    const bool moved_ground = environment.has_ground != environment_.has_ground;
+    environment_ = environment;
+    find_up();
     source_.set_environment(environment);
+    if (moved_ground) lay_out_field();
 }
 
-void TrialSurroundings::find_up(const Environment& environment) {
-    const SineCosine pull = sine_cosine_of_degrees(environment.gravity_direction);
-    up_ = environment.gravity > 0.0 ? Vec3(-pull.cosine, -pull.sine, 0.0) : Vec3(Vec3::Zero());
+void TrialSurroundings::find_up() {
+    const SineCosine pull = sine_cosine_of_degrees(environment_.gravity_direction);
+    up_ = environment_.gravity > 0.0 ? Vec3(-pull.cosine, -pull.sine, 0.0) : Vec3(Vec3::Zero());
+}
+
+void TrialSurroundings::lay_out_field() {
+    field_.reset();
+    if (used_.scents || used_.smells) field_.emplace(scent_area(environment_));
+}
+
+double TrialSurroundings::sound(const Vec3& point, int band) const {
+    return environment_.deaf ? 0.0 : loudness_.at(point, band, kOwnNumber);
+}
+
+double TrialSurroundings::scent(const Vec3& point) const {
+    return environment_.scentless || !field_ ? 0.0 : field_->at(point);
+}
+
+void TrialSurroundings::sum_sounds() {
+    if (!used_.hears) return;
+    loudness_.clear();
+    for (const Sound& sound : sounds_)
+        loudness_.add(sound, kOwnNumber);
+    loudness_.finish();
+}
+
+void TrialSurroundings::take(const Emissions& emissions, std::span<const SceneImpact> impacts,
+                             std::uint64_t tick) {
+    sounds_.assign(emissions.sounds.begin(), emissions.sounds.end());
+    add_noise(impacts, sounds_);
+    sum_sounds();
+    if (!field_) return;
+    for (const Scent& scent : emissions.scents)
+        field_->add(scent.place, scent.amount);
+    if ((tick + 1) % kTicksPerScentStep == 0) field_->step();
+}
+
+bool TrialSurroundings::changes() const {
+    return source_.moves() || (used_.smells && !environment_.scentless && field_ && field_->any());
+}
+
+TrialSurroundings::Moment TrialSurroundings::save() const {
+    return {source_.save(), sounds_, field_ ? field_->save() : ScentField::Moment{}};
+}
+
+void TrialSurroundings::restore(const Moment& moment) {
+    source_.restore(moment.light);
+    sounds_.assign(moment.sounds.begin(), moment.sounds.end());
+    sum_sounds();
+    if (field_) field_->restore(moment.scent);
 }
 
 }  // namespace cambrian

@@ -3,28 +3,73 @@
 // The surroundings of a creature in the world of a trial.
 
 #include "simulator/surroundings/light_source.h"
+#include "simulator/surroundings/loudness_sum.h"
+#include "simulator/surroundings/scent_field.h"
 #include "world/environment.h"
+#include "world/physics_scene.h"
 #include "world/surroundings.h"
+
+#include <optional>
+#include <span>
 
 namespace cambrian {
 
+// What a creature has of the organs and senses that need something of its surroundings.
+struct UsedSenses {
+    bool scents = false;     // has an organ that gives off scent
+    bool hears = false;      // has an ear that something reads
+    bool smells = false;     // has a sense of smell that something reads
+    std::size_t voices = 0;  // largest number of sounds that its organs make in a tick
+};
+
 class TrialSurroundings final : public Surroundings {
 public:
-    TrialSurroundings(const Environment& environment, const LightDraw& draw, double rest_length);
+    TrialSurroundings(const Environment& environment, const LightDraw& draw, double rest_length,
+                      const UsedSenses& used = {});
 
     void set_environment(const Environment& environment);
 
     Vec3 up() const override { return up_; }
     Light light(const Vec3& point) const override { return source_.at(point); }
+    // A trial has one creature, which does not hear itself, so there is nothing to hear.
+    double sound(const Vec3& point, int band) const override;
+    double scent(const Vec3& point) const override;
 
     const LightSource& source() const { return source_; }
     LightSource& source() { return source_; }
+    // Returns the sounds of the last tick: those of the creature's organs, then those of its
+    // impacts.
+    std::span<const Sound> sounds() const { return sounds_; }
+    // The scent, or null if the creature has no use for it.
+    const ScentField* scent_field() const { return field_ ? &*field_ : nullptr; }
+
+    // Takes what the creature gave off in a tick. It can be heard and smelled from the next tick
+    // on. `tick` counts the ticks of the test from 0. Allocates nothing.
+    void take(const Emissions& emissions, std::span<const SceneImpact> impacts, std::uint64_t tick);
+    // Returns whether the world may still change for a creature that rests.
+    bool changes() const;
+
+    // The data that change from tick to tick.
+    struct Moment {
+        LightSource::Moment light;
+        std::vector<Sound> sounds;
+        ScentField::Moment scent;
+    };
+    Moment save() const;
+    void restore(const Moment& moment);
 
 private:
-    void find_up(const Environment& environment);
+    void find_up();
+    void lay_out_field();
+    void sum_sounds();
 
+    Environment environment_;
+    UsedSenses used_;
     Vec3 up_ = Vec3::Zero();
     LightSource source_;
+    std::vector<Sound> sounds_;
+    LoudnessSum loudness_;
+    std::optional<ScentField> field_;
 };
 
 }  // namespace cambrian

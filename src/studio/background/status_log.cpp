@@ -4,13 +4,15 @@
 #include "persist/json/json_text.h"
 #include "persist/text/quoted_text.h"
 
+#include <fmt/core.h>
+
 namespace cambrian {
 namespace {
 
 std::string json_value(const StatusLog::Value& value) {
     if (const auto* text = std::get_if<std::string>(&value)) return quoted_text(*text);
     if (const auto* flag = std::get_if<bool>(&value)) return json_truth(*flag);
-    return format("%.10g", *std::get_if<double>(&value));
+    return fmt::format("{:.10g}", *std::get_if<double>(&value));
 }
 
 }  // namespace

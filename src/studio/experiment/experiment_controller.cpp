@@ -4,6 +4,8 @@
 #include "genome/founders/random_genome.h"
 #include "picking/handover.h"
 
+#include <fmt/core.h>
+
 #include <system_error>
 #include <utility>
 
@@ -147,8 +149,9 @@ void ExperimentController::follow_status() {
             services_.feedback.log().write("paused");
             break;
         case EngineStatus::kFailed:
-            services_.feedback.tell(NoticeKind::kProblem, "Evolution stopped: " + snapshot.failure +
-                                                              ". Press Evolve to try again.");
+            services_.feedback.tell(
+                NoticeKind::kProblem,
+                fmt::format("Evolution stopped: {}. Press Evolve to try again.", snapshot.failure));
             break;
     }
 }

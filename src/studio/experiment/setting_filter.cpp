@@ -1,5 +1,7 @@
 #include "studio/experiment/setting_filter.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cctype>
 #include <sstream>
@@ -22,8 +24,8 @@ SettingFilter::SettingFilter(std::string_view words) {
 }
 
 bool SettingFilter::finds(const SettingField& field, std::string_view group_title) const {
-    const std::string all = small_letters(field.label + '\n' + field.key + '\n' + field.help +
-                                          '\n' + std::string(group_title));
+    const std::string all = small_letters(
+        fmt::format("{}\n{}\n{}\n{}", field.label, field.key, field.help, group_title));
     return std::all_of(words_.begin(), words_.end(), [&all](const std::string& word) {
         return all.find(word) != std::string::npos;
     });

@@ -141,15 +141,15 @@ constexpr std::array kPresets = {
                   "Random creatures of long and thick parts, which are strong: to begin with for "
                   "jumping.",
                   [](Settings& s, const EvolutionKinds&) { size_founders(s, big_founders()); }},
+    SettingPreset{kSensors, "Blind", "Joints and touch, by which creatures feel themselves only.",
+                  [](Settings& s, const EvolutionKinds& kinds) {
+                      allow_sensors(s, kinds, [](const SensorKind& each) { return each.usual; });
+                  }},
     SettingPreset{kSensors, "As in 1994", "Joints, touch and light, as Sims had them.",
                   [](Settings& s, const EvolutionKinds& kinds) {
                       allow_sensors(s, kinds, [](const SensorKind& each) {
                           return each.usual || each.id == "light";
                       });
-                  }},
-    SettingPreset{kSensors, "Blind", "Joints and touch, by which creatures feel themselves only.",
-                  [](Settings& s, const EvolutionKinds& kinds) {
-                      allow_sensors(s, kinds, [](const SensorKind& each) { return each.usual; });
                   }},
     SettingPreset{kSensors, "All senses", "Every sensor there is.",
                   [](Settings& s, const EvolutionKinds& kinds) {

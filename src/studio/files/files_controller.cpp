@@ -1,8 +1,11 @@
 #include "studio/files/files_controller.h"
 
+#include "core/text/counted.h"
 #include "core/text/pretty_text.h"
 #include "studio/experiment/timeline_plots.h"
 #include "studio/files/creature_exhibit.h"
+
+#include <fmt/core.h>
 
 #include <cctype>
 #include <utility>
@@ -29,9 +32,9 @@ std::string file_stem(const std::string& words) {
 // Example: "Opened wanderer.creature.json. The first warning (2 more)".
 std::string opened_words(const std::filesystem::path& path,
                          const std::vector<std::string>& warnings) {
-    std::string text = "Opened " + path.filename().string() + ".";
+    std::string text = fmt::format("Opened {}.", path.filename().string());
     if (!warnings.empty()) text += " " + warnings.front();
-    if (warnings.size() > 1) text += format(" (%zu more)", warnings.size() - 1);
+    if (warnings.size() > 1) text += fmt::format(" ({} more)", warnings.size() - 1);
     return text;
 }
 
@@ -136,15 +139,18 @@ struct FilesController::Receiver {
         const Status status = self.subjects_.experiment.open().replace(event.settings);
         if (!status) return feedback().report(status);
         log("loaded", event.path);
-        feedback().tell(NoticeKind::kDone, "Opened " + event.path.filename().string() +
-                                               ". Press Evolve to begin with these settings.");
+        feedback().tell(NoticeKind::kDone,
+                        fmt::format("Opened {}. Press Evolve to begin with these settings.",
+                                    event.path.filename().string()));
     }
     void operator()(ExperimentLoaded& event) const {
         OpenExperiment& experiment = self.subjects_.experiment.open();
         if (std::exchange(self.reopening_, false) && !experiment.fresh()) {
-            return feedback().tell(NoticeKind::kProblem, "The experiment left last time stays in " +
-                                                             event.path.string() +
-                                                             "; open it from the File menu.");
+            return feedback().tell(
+                NoticeKind::kProblem,
+                fmt::format(
+                    "The experiment left last time stays in {}; open it from the File menu.",
+                    event.path.string()));
         }
         OpenedExperiment& opened = *event.experiment;
         const std::size_t generations = opened.saved.champions.size();
@@ -154,10 +160,10 @@ struct FilesController::Receiver {
         self.view_.newest_champion = true;
         feedback().log().write("experiment", {{"path", event.path.string()},
                                               {"generations", static_cast<double>(generations)}});
-        feedback().tell(NoticeKind::kDone,
-                        "The experiment is where it was left: " + std::to_string(generations) +
-                            (generations == 1 ? " generation" : " generations") +
-                            ". Press Evolve to go on.");
+        feedback().tell(
+            NoticeKind::kDone,
+            fmt::format("The experiment is where it was left: {}. Press Evolve to go on.",
+                        counted(generations, "generation")));
     }
     void operator()(const FileSaved& event) const {
         log("saved", event.path);

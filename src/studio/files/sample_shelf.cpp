@@ -3,6 +3,8 @@
 #include "core/text/pretty_text.h"
 #include "persist/creature/creature_file.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <system_error>
 #include <tuple>
@@ -17,7 +19,7 @@ std::string account_of(const CreatureDocument& document, const EvolutionKinds& k
     const std::string& id = document.settings().goal;
     const GoalKind* goal = kinds.goals.find(id);
     const std::string name = goal == nullptr ? capitalized(id) : goal->label;
-    return name + ", " + measured(document.score(), document.notes.unit);
+    return fmt::format("{}, {}", name, measured(document.score(), document.notes.unit));
 }
 
 Sample read_sample(const std::filesystem::path& path, const EvolutionKinds& kinds) {

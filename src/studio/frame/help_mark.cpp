@@ -6,7 +6,6 @@ namespace cambrian {
 namespace {
 
 constexpr float kMarkWidth = 24.0F;
-constexpr float kMarkHeight = 22.0F;
 
 }  // namespace
 
@@ -15,14 +14,14 @@ void help_mark(const char* page, Requests& out) {
                                                .icon = Icon::kHelp,
                                                .label_shown = false,
                                                .width = px(kMarkWidth),
-                                               .height = px(kMarkHeight),
+                                               .height = px(kHelpMarkHeight),
                                                .tooltip = "What is this? Opens its help page."}))
         out.ask(ShowHelp{page});
 }
 
 void place_title(const std::string& title, const char* page, Requests& out) {
     const ImVec2 corner = ImGui::GetCursorPos();
-    const float lower = 0.5F * (ImGui::GetFrameHeight() - px(kMarkHeight));
+    const float lower = 0.5F * (ImGui::GetFrameHeight() - px(kHelpMarkHeight));
     ImGui::SetCursorPos({ImGui::GetWindowContentRegionMax().x - px(kMarkWidth), corner.y + lower});
     help_mark(page, out);
     ImGui::SetCursorPos(corner);

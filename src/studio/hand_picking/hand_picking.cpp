@@ -3,6 +3,8 @@
 #include "evolution/backends/thread_pool_backend.h"
 #include "evolution/evaluation/trials.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 
 namespace cambrian {
@@ -115,8 +117,7 @@ bool HandPicking::has_cell(std::size_t cell) const {
 Exhibit HandPicking::exhibit(std::size_t cell) const {
     const GridNode& grid = snapshot_->tree.current();
     Exhibit exhibit = exhibit_of(grid.cell(cell), ExhibitSource::kHandPicked);
-    exhibit.title =
-        "Creature " + std::to_string(cell + 1) + " of grid " + std::to_string(grid.number + 1);
+    exhibit.title = fmt::format("Creature {} of grid {}", cell + 1, grid.number + 1);
     return exhibit;
 }
 

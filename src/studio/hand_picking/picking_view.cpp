@@ -3,6 +3,8 @@
 #include "core/text/counted.h"
 #include "core/text/pretty_text.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 
 namespace cambrian {
@@ -27,8 +29,8 @@ int pick_number(const PickingSnapshot& snapshot, std::size_t cell) {
 std::string picking_words(const PickingSnapshot& snapshot) {
     if (!snapshot.message.empty()) return capitalized(snapshot.message);
     if (snapshot.status == PickingStatus::kEvolving) {
-        return format("Evolving: %d of %d generations", snapshot.generations_done,
-                      snapshot.generations_asked);
+        return fmt::format("Evolving: {} of {} generations", snapshot.generations_done,
+                           snapshot.generations_asked);
     }
     if (snapshot.tree.empty()) return "Making the first grid";
     if (deciding(snapshot)) return "Breeding the next grid";
@@ -48,7 +50,7 @@ std::string origin_words(const GridNode& node) {
         case GridOrigin::kNewcomers:
             return "newcomers beside " + picks;
         case GridOrigin::kAssistance:
-            return format("evolved for %d generations from ", node.generations) + picks;
+            return fmt::format("evolved for {} generations from {}", node.generations, picks);
         case GridOrigin::kShelf:
             break;
     }
@@ -60,11 +62,11 @@ std::string change_words(const Individual& creature) {
     const std::size_t shown = std::min(creature.mutations.size(), kMostChanges);
     for (std::size_t i = 0; i < shown; ++i) {
         const MutationRecord& change = creature.mutations[i];
-        words += "\n" + capitalized(change.operator_id) + ": " + change.place + " " + change.from +
-                 (change.to.empty() ? "" : " → " + change.to);
+        words += fmt::format("\n{}: {} {}{}", capitalized(change.operator_id), change.place,
+                             change.from, change.to.empty() ? "" : " → " + change.to);
     }
     if (shown < creature.mutations.size())
-        words += "\nand " + std::to_string(creature.mutations.size() - shown) + " more";
+        words += fmt::format("\nand {} more", creature.mutations.size() - shown);
     return words;
 }
 

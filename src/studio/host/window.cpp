@@ -3,6 +3,7 @@
 #include "render/opengl/gl.h"
 
 #include <GLFW/glfw3.h>
+#include <fmt/core.h>
 
 #include <utility>
 
@@ -38,8 +39,9 @@ GLFWwindow* create_window(int width, int height, const std::string& title) {
 
 Result<std::unique_ptr<Window>> Window::open(int width, int height, const std::string& title) {
     if (glfwInit() != GLFW_TRUE) {
-        return Error{"no display to open a window on (" + last_glfw_error() +
-                     "); the subcommands work without one"};
+        return Error{
+            fmt::format("no display to open a window on ({}); the subcommands work without one",
+                        last_glfw_error())};
     }
     GLFWwindow* window = create_window(width, height, title);
     if (window == nullptr) {

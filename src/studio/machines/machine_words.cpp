@@ -2,13 +2,15 @@
 
 #include "core/text/pretty_text.h"
 
+#include <fmt/core.h>
+
 #include <cmath>
 
 namespace cambrian {
 namespace {
 
 std::string counted(double count, const std::string& one, const std::string& many) {
-    return pretty_number(count) + " " + (count == 1.0 ? one : many);
+    return fmt::format("{} {}", pretty_number(count), count == 1.0 ? one : many);
 }
 
 std::string with_reason(std::string words, const std::string& reason) {
@@ -38,9 +40,9 @@ std::string state_words(const WorkerStatus& worker) {
 
 std::string totals_words(const BackendStatus& status) {
     const WorkerTotals sum = totals(status);
-    return counted(sum.machines, "machine", "machines") + " · " +
-           counted(sum.cores, "core", "cores") + " · " +
-           pretty_number(std::round(sum.creatures_per_second)) + " creatures/s";
+    return fmt::format("{} · {} · {} creatures/s", counted(sum.machines, "machine", "machines"),
+                       counted(sum.cores, "core", "cores"),
+                       pretty_number(std::round(sum.creatures_per_second)));
 }
 
 std::string useful_cores_words(const BackendStatus& status) {
@@ -50,14 +52,15 @@ std::string useful_cores_words(const BackendStatus& status) {
 
 std::string machines_words(const MachinesView& machines) {
     const BackendStatus& status = machines.status;
-    if (machines.joining) return "Reaching " + server_words(machines) + "…";
+    if (machines.joining) return fmt::format("Reaching {}…", server_words(machines));
     if (!machines.joined) return with_reason("Working alone", machines.problem);
     if (!status.failure.empty()) return status.failure;
     switch (status.link) {
         case ClusterLink::kNone:
         case ClusterLink::kConnecting:
-            return with_reason("Working alone until " + server_words(machines) + " answers",
-                               status.trouble);
+            return with_reason(
+                fmt::format("Working alone until {} answers", server_words(machines)),
+                status.trouble);
         case ClusterLink::kAway:
             return with_reason("Cluster away, working alone", status.trouble);
         case ClusterLink::kConnected:

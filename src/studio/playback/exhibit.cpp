@@ -2,6 +2,8 @@
 
 #include "evolution/individual/ancestry_digest.h"
 
+#include <fmt/core.h>
+
 #include <utility>
 
 namespace cambrian {
@@ -10,8 +12,8 @@ Exhibit exhibit_of(JudgedIndividual creature, ExhibitSource source) {
     Exhibit exhibit;
     exhibit.source = source;
     exhibit.title = source == ExhibitSource::kChampion
-                        ? "Champion of generation " + std::to_string(creature.generation)
-                        : "Creature of generation " + std::to_string(creature.generation);
+                        ? fmt::format("Champion of generation {}", creature.generation)
+                        : fmt::format("Creature of generation {}", creature.generation);
     exhibit.ancestry = ancestry_digest(*creature.individual);
     exhibit.creature = std::move(creature);
     return exhibit;

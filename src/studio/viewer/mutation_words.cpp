@@ -3,6 +3,8 @@
 #include "core/text/pretty_text.h"
 #include "studio/widgets/widgets.h"
 
+#include <fmt/core.h>
+
 namespace cambrian {
 
 std::string operator_words(const MutationRecord& mutation, const MutationRegistry& kinds) {
@@ -13,11 +15,12 @@ std::string operator_words(const MutationRecord& mutation, const MutationRegistr
 
 std::string change_words(const MutationRecord& mutation) {
     if (mutation.from.empty() || mutation.to.empty()) return mutation.from + mutation.to;
-    return mutation.from + " → " + mutation.to;
+    return fmt::format("{} → {}", mutation.from, mutation.to);
 }
 
 std::string mutation_words(const MutationRecord& mutation, const MutationRegistry& kinds) {
-    return operator_words(mutation, kinds) + ": " + mutation.place + " " + change_words(mutation);
+    return fmt::format("{}: {} {}", operator_words(mutation, kinds), mutation.place,
+                       change_words(mutation));
 }
 
 void draw_mutation(const MutationRecord& mutation, const MutationRegistry& kinds) {

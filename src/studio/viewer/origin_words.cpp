@@ -4,6 +4,8 @@
 #include "studio/playback/exhibit.h"
 #include "studio/viewer/mutation_words.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 
 namespace cambrian {
@@ -17,7 +19,7 @@ std::string parent_words(std::uint64_t parent, std::span<const IndividualPtr> po
         std::find_if(population.begin(), population.end(),
                      [parent](const IndividualPtr& each) { return each->uid == parent; });
     if (living == population.end()) return uid_text(parent).substr(0, kShortUid);
-    return format("rank %td", living - population.begin() + 1);
+    return fmt::format("rank {}", living - population.begin() + 1);
 }
 
 std::string method_words(const std::string& method, const EvolutionKinds& kinds) {
@@ -29,8 +31,8 @@ std::string method_words(const std::string& method, const EvolutionKinds& kinds)
 
 std::string origin_words(const Individual& individual, std::span<const IndividualPtr> population,
                          const EvolutionKinds& kinds) {
-    std::string words = "Born in generation " + std::to_string(individual.born) + "\n" +
-                        method_words(individual.method, kinds);
+    std::string words = fmt::format("Born in generation {}\n{}", individual.born,
+                                    method_words(individual.method, kinds));
     for (std::size_t i = 0; i < individual.parents.size(); ++i) {
         if (individual.parents[i] == 0) continue;
         words += i == 0 ? ", from " : " and ";
@@ -40,7 +42,7 @@ std::string origin_words(const Individual& individual, std::span<const Individua
     for (std::size_t i = 0; i < std::min(mutations.size(), kMostMutations); ++i)
         words += "\n" + mutation_words(mutations[i], kinds.mutations);
     if (mutations.size() > kMostMutations)
-        words += format("\nand %zu more mutations", mutations.size() - kMostMutations);
+        words += fmt::format("\nand {} more mutations", mutations.size() - kMostMutations);
     return words;
 }
 

@@ -2,6 +2,8 @@
 
 #include "core/text/pretty_text.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 
 namespace cambrian {
@@ -9,8 +11,8 @@ namespace cambrian {
 std::string confirmed_range(const EvaluationResult& result) {
     if (result.scores.empty()) return {};
     const auto range = std::minmax_element(result.scores.begin(), result.scores.end());
-    return measured(*range.first, "") + " to " + measured(*range.second, "") + " in " +
-           std::to_string(result.scores.size()) + " worlds";
+    return fmt::format("{} to {} in {} worlds", measured(*range.first, ""),
+                       measured(*range.second, ""), result.scores.size());
 }
 
 }  // namespace cambrian

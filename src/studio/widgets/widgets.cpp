@@ -77,15 +77,6 @@ bool push_button(const std::string& label, const ButtonStyle& style) {
     return pressed && style.enabled;
 }
 
-bool close_button(const std::string& label) {
-    ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - px(34));
-    return push_button(label, {.look = ButtonLook::kGhost,
-                               .icon = Icon::kClose,
-                               .label_shown = false,
-                               .width = px(34),
-                               .tooltip = "Close (Esc)"});
-}
-
 bool toggle_switch(const std::string& label, bool& on) {
     const ImVec2 size = {px(38), px(22)};
     const bool pressed = ImGui::InvisibleButton(label.c_str(), size);
@@ -101,6 +92,29 @@ bool toggle_switch(const std::string& label, bool& on) {
     const float knob_x = on ? high.x - radius : low.x + radius;
     list.AddCircleFilled({knob_x, low.y + radius}, radius - px(4),
                          paint(on ? p.on_accent : p.muted), 20);
+    return pressed;
+}
+
+bool tick_box(const std::string& label, Tick tick) {
+    const float side = px(18);
+    const bool pressed = ImGui::InvisibleButton(label.c_str(), {side, side});
+    note_place(label);
+    const Palette& p = colors();
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const ImVec2 low = ImGui::GetItemRectMin();
+    const ImVec2 high = ImGui::GetItemRectMax();
+    const Color empty = ImGui::IsItemHovered() ? p.hovered : p.raised;
+    list.AddRectFilled(low, high, paint(tick == Tick::kOff ? empty : p.accent), px(4));
+    const ImVec2 middle = {0.5F * (low.x + high.x), 0.5F * (low.y + high.y)};
+    const float width = px(2);
+    if (tick == Tick::kSome) {
+        list.AddLine({middle.x - px(4), middle.y}, {middle.x + px(4), middle.y}, paint(p.on_accent),
+                     width);
+    } else if (tick == Tick::kOn) {
+        const ImVec2 bend = {middle.x - px(1), middle.y + px(4)};
+        list.AddLine({middle.x - px(5), middle.y}, bend, paint(p.on_accent), width);
+        list.AddLine(bend, {middle.x + px(5), middle.y - px(4)}, paint(p.on_accent), width);
+    }
     return pressed;
 }
 

@@ -26,11 +26,13 @@ struct ButtonStyle {
 // Returns true when pressed.
 bool push_button(const std::string& label, const ButtonStyle& style = {});
 
-// Draws a card's close button at the right end of the present line; returns true when pressed.
-bool close_button(const std::string& label);
-
 // An on/off switch; returns true when it was flipped.
 bool toggle_switch(const std::string& label, bool& on);
+
+enum class Tick : unsigned char { kOff, kSome, kOn };
+
+// A tick box for several things at once; returns true when pressed.
+bool tick_box(const std::string& label, Tick tick);
 
 // A row of choices, one of which is chosen. Returns the index pressed, or -1. Narrow rows use the
 // small font and, if that is not enough, several lines. Each label has its tooltip.

@@ -1,6 +1,7 @@
 #include "studio/panels/experiment/experiment_panel.h"
 
 #include "panel_press.h"
+#include "studio/panels/experiment/switch_group.h"
 
 namespace cambrian {
 namespace {
@@ -30,11 +31,58 @@ TEST_CASE("once its groups are open, every setting that applies has a control",
     const auto fields = setting_fields(test::kinds());
     for (const SettingField& field : fields) {
         if (field.applies && !field.applies(run.studio.editor().draft())) continue;
-        if (!run.gui.has(field.table + "." + field.key)) run.click("group " + field.table);
-        run.frame();
-        INFO(field.table << "." << field.key);
-        CHECK(run.gui.has(field.table + "." + field.key));
+        const std::string control = field.table + "." + field.key;
+        const std::string senses = "senses " + field.group;
+        const auto shown = [&] {
+            run.frame();
+            return run.gui.has(control);
+        };
+        if (!shown() && !run.gui.has(senses)) run.click("group " + field.table);
+        if (!shown() && run.gui.has(senses)) run.click(senses);
+        INFO(control);
+        CHECK(shown());
     }
+}
+
+TEST_CASE("a tick box switches a group of senses on, and off again once all are on",
+          "[studio][experiment_panel]") {
+    PanelRun run;
+    run.click("group body.sensors");
+    run.frame();
+    CHECK_FALSE(run.gui.has("body.sensors.smell"));
+    run.click("tick Sound");
+    auto edit = test::asked<EditSettings>(run.out);
+    for (const char* ear : {"sound-1", "sound-2", "sound-3", "sound-4"})
+        CHECK(edit.settings.founders.channels.at(ear));
+    CHECK(test::was_asked<FinishEdit>(run.out));
+    edit.settings.founders.channels["sound-2"] = false;
+    run.studio.editor().replace(edit.settings);
+    run.click("tick Sound");
+    edit = test::asked<EditSettings>(run.out);
+    CHECK(edit.settings.founders.channels.at("sound-2"));
+    run.studio.editor().replace(edit.settings);
+    run.click("tick Sound");
+    CHECK_FALSE(test::asked<EditSettings>(run.out).settings.founders.channels.at("sound-1"));
+    run.click("senses Smell");
+    run.frame();
+    CHECK(run.gui.has("body.sensors.smell"));
+}
+
+TEST_CASE("groups of senses are ticked as their switches are", "[studio][experiment_panel]") {
+    const auto fields = setting_fields(test::kinds());
+    ExperimentSettings settings;
+    std::size_t switches = 0;
+    for (const SwitchGroup& group : switch_groups(fields, "body.sensors")) {
+        switches += group.switches.size();
+        set_all(group, false, settings);
+        CHECK(tick_of(group, settings) == Tick::kOff);
+        *std::get<bool*>(group.switches[0]->at(settings)) = true;
+        CHECK(tick_of(group, settings) == (group.switches.size() > 1 ? Tick::kSome : Tick::kOn));
+        set_all(group, true, settings);
+        CHECK(tick_of(group, settings) == Tick::kOn);
+    }
+    CHECK(switches == test::kinds().creature.catalog.channels.size());
+    CHECK(switch_groups(fields, "environment").empty());
 }
 
 TEST_CASE("an edit asks for all settings with that field changed", "[studio][experiment_panel]") {
@@ -68,14 +116,16 @@ TEST_CASE("choosing a goal that follows a light brings light, senses and trials"
     CHECK(edit.settings.world.trial.trials == 4);
 }
 
-TEST_CASE("a goal chosen keeps a protocol of trials made by hand", "[studio][experiment_panel]") {
+TEST_CASE("a goal chosen keeps what was edited by hand", "[studio][experiment_panel]") {
     PanelRun run;
     ExperimentSettings own = run.studio.editor().draft();
     own.world.trial.duration = 8.0;
     run.studio.editor().replace(own);
     run.click("goal.behavior");
     run.click("goal.behavior=seeking");
-    CHECK(test::asked<EditSettings>(run.out).settings.world.trial.duration == 8.0);
+    const TrialSettings& trial = test::asked<EditSettings>(run.out).settings.world.trial;
+    CHECK(trial.duration == 8.0);
+    CHECK(trial.trials == 4);
 }
 
 TEST_CASE("every integrator can be chosen, the reference mode too", "[studio][experiment_panel]") {

@@ -126,6 +126,36 @@ TEST_CASE("a neuron of another function gets as many inputs as it needs", "[stud
     CHECK(validate(*edit.genome, catalog).empty());
 }
 
+TEST_CASE("organs are added to a gene, edited and removed", "[studio][inspector]") {
+    TabRun<GenotypeTab> run;
+    const KindCatalog& catalog = test::kinds().creature.catalog;
+    const auto show = [&](const GenomePtr& genome) {
+        Exhibit exhibit = test::crawler_exhibit();
+        exhibit.creature = unjudged(genome, exhibit.creature.settings, "");
+        REQUIRE(run.studio.playback().show(exhibit));
+    };
+    EditGenes edit = test::asked<EditGenes>(run.click("Add sound"));
+    REQUIRE(edit.genome->nodes[0].organs.size() == 1);
+    CHECK(edit.change.place == "part 0 organ 0");
+    CHECK(edit.change.to == "new organ sound");
+    CHECK(validate(*edit.genome, catalog).empty());
+    show(edit.genome);
+
+    run.click("part 0 organ 0 source");
+    edit = test::asked<EditGenes>(run.click("part 0 organ 0 source=Local sensor joint"));
+    CHECK(edit.genome->nodes[0].organs[0].input.source.kind == SourceKind::kLocalSensor);
+    show(edit.genome);
+    edit = test::asked<EditGenes>(run.click("part 0 organ 0 band"));
+    CHECK(edit.genome->nodes[0].organs[0].parameters[0] == Approx(1.5).margin(0.6));
+    CHECK(validate(*edit.genome, catalog).empty());
+
+    const Requests out = run.click("Remove");
+    edit = test::asked<EditGenes>(out);
+    CHECK(edit.genome->nodes[0].organs.empty());
+    CHECK(edit.change.to == "removed");
+    CHECK(test::was_asked<FinishGeneEdit>(out));
+}
+
 TEST_CASE("a click on an ancestor shows it, and the line stays to come back by",
           "[studio][inspector]") {
     TabRun<AncestryTab> run;

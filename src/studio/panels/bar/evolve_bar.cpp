@@ -4,6 +4,8 @@
 #include "studio/panels/bar/main_menu.h"
 #include "studio/widgets/widgets.h"
 
+#include <fmt/core.h>
+
 #include <cmath>
 
 namespace cambrian {
@@ -26,10 +28,11 @@ float draw_reading(const ImVec2& at, const std::string& value, const std::string
 std::string done_words(const FrameContext& frame) {
     const ProgressView& progress = frame.experiment.progress;
     if (progress.total > 0)
-        return pretty_number(progress.done) + " of " + pretty_number(progress.total) + " creatures";
+        return fmt::format("{} of {} creatures", pretty_number(progress.done),
+                           pretty_number(progress.total));
     const std::size_t kept = frame.experiment.snapshot.history.size();
     if (kept == 0) return "nothing evaluated yet";
-    return kept == 1 ? "1 generation kept" : std::to_string(kept) + " generations kept";
+    return kept == 1 ? "1 generation kept" : fmt::format("{} generations kept", kept);
 }
 
 std::string best_text(const FrameContext& frame) {
@@ -98,9 +101,9 @@ void EvolveBar::draw_picking(const FrameContext& frame) {
         x += std::fmax(px(least), draw_reading({x, at.y - px(1)}, value, name) + px(22));
     };
     const std::size_t grids = snapshot.tree.size();
-    reading(grids == 0 ? "–" : format("%u of %zu", snapshot.tree.current().number + 1, grids),
+    reading(grids == 0 ? "–" : fmt::format("{} of {}", snapshot.tree.current().number + 1, grids),
             "grid", 84);
-    reading(format("%zu of %zu", snapshot.picks.size(), kMostPicks), "picked", 72);
+    reading(fmt::format("{} of {}", snapshot.picks.size(), kMostPicks), "picked", 72);
     const float width = at.x + ImGui::GetContentRegionAvail().x - x;
     const Color color = snapshot.message.empty() ? colors().muted : colors().danger;
     ImDrawList& list = *ImGui::GetWindowDrawList();

@@ -1,7 +1,10 @@
 #include "studio/panels/cards/help_panel.h"
 
+#include "studio/panels/cards/card_title.h"
 #include "studio/widgets/markdown_view.h"
 #include "studio/widgets/widgets.h"
+
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -41,11 +44,7 @@ void follow(const std::string& link, Requests& out) {
 }  // namespace
 
 void HelpPanel::draw(const FrameContext& frame, Requests& out) {
-    {
-        const WithFont font(ui().fonts.title);
-        ImGui::TextUnformatted("Help");
-    }
-    if (close_button("Close help")) out.ask(ToggleHelp{});
+    if (card_title("Help", "Close help", nullptr, out)) out.ask(ToggleHelp{});
     if (frame.guide.help == nullptr) return;
     const HelpBook& book = *frame.guide.help;
     ImGui::BeginChild("pages", {px(190), 0}, false, ImGuiWindowFlags_NoBackground);
@@ -58,7 +57,7 @@ void HelpPanel::draw(const FrameContext& frame, Requests& out) {
     const auto page = std::find_if(book.pages.begin(), book.pages.end(),
                                    [&](const HelpPage& each) { return each.name == book.open; });
     if (page == book.pages.end()) {
-        muted_text("There is no page called \"" + book.open + "\" in the help folder.");
+        muted_text(fmt::format("There is no page called \"{}\" in the help folder.", book.open));
     } else {
         follow(draw_markdown(page->blocks), out);
     }

@@ -1,9 +1,11 @@
 #include "studio/panels/cards/machines_panel.h"
 
 #include "core/text/pretty_text.h"
-#include "studio/frame/help_mark.h"
 #include "studio/machines/machine_words.h"
+#include "studio/panels/cards/card_title.h"
 #include "studio/widgets/widgets.h"
+
+#include <fmt/core.h>
 
 #include <cmath>
 #include <string>
@@ -35,17 +37,6 @@ constexpr std::array kFields = {
           &ClusterLogin::authority},
 };
 
-void draw_title(Requests& out) {
-    {
-        const WithFont font(ui().fonts.title);
-        ImGui::TextUnformatted("Several machines");
-    }
-    const float right = ImGui::GetWindowContentRegionMax().x;
-    if (close_button("Close machines")) out.ask(ToggleMachines{});
-    ImGui::SameLine(right - px(34 + kHelpMarkRoom));
-    help_mark(kHelpPage, out);
-}
-
 void draw_state(const MachinesView& machines) {
     const bool bad = cluster_wanted(machines) && troubled(machines);
     const WithTextColor color(bad ? colors().danger : colors().muted);
@@ -74,17 +65,18 @@ std::string share_words(const WorkerStatus& worker) {
 }
 
 const std::array kColumns = {
-    Column{"Machine", "The worker's name; the host's unless it was given another", 0, false,
+    Column{"Machine", "The name of the worker, which is the host's by default", 0, false,
            name_words},
-    Column{"Cores", "Cores that evaluate", 64, true,
+    Column{"Cores", "The number of cores that evaluate", 64, true,
            [](const WorkerStatus& worker) { return pretty_number(worker.cores); }},
-    Column{"State", "What it does now", 244, false, state_words},
-    Column{"Creatures/s", "Evaluated in the last seconds", 104, true,
+    Column{"State", "The present state of the worker", 244, false, state_words},
+    Column{"Creatures/s", "The rate of evaluation in the last seconds", 104, true,
            [](const WorkerStatus& worker) {
                return pretty_number(std::round(worker.creatures_per_second));
            }},
-    Column{"Share", "Of the last minute's work", 68, true, share_words},
-    Column{"Checks", "Creatures evaluated again elsewhere that had the same bits", 76, true,
+    Column{"Share", "The share of the work of the last minute", 68, true, share_words},
+    Column{"Checks", "The number of creatures that another machine evaluated with the same bits",
+           76, true,
            [](const WorkerStatus& worker) {
                return pretty_number(static_cast<double>(worker.checks_passed));
            }},
@@ -149,10 +141,11 @@ std::string counts_words(const BackendStatus& status) {
     const auto number = [](std::uint64_t count) {
         return pretty_number(static_cast<double>(count));
     };
-    return number(counts.units) + " units handed out, " + number(counts.redelivered) +
-           " more than once, " + number(counts.overdue_at_home) + " overdue done here · " +
-           number(counts.checked) + " creatures checked · " + number(counts.refused) +
-           " results refused · " + number(counts.malformed) + " unreadable messages";
+    return fmt::format(
+        "{} units handed out, {} more than once, {} overdue done here · {} creatures checked · {} "
+        "results refused · {} unreadable messages",
+        number(counts.units), number(counts.redelivered), number(counts.overdue_at_home),
+        number(counts.checked), number(counts.refused), number(counts.malformed));
 }
 
 }  // namespace
@@ -178,7 +171,7 @@ void MachinesPanel::draw(const FrameContext& frame, Requests& out) {
     const bool opened = ImGui::GetFrameCount() != drawn_ + 1;
     drawn_ = ImGui::GetFrameCount();
     if (opened || machines.login != shown_) show(machines.login);
-    draw_title(out);
+    if (card_title("Several machines", "Close machines", kHelpPage, out)) out.ask(ToggleMachines{});
     muted_text(
         "Machines that run “cambrian worker” evaluate for this run, beside this one. Which machine "
         "computes a creature changes nothing about it.");

@@ -1,8 +1,11 @@
 #include "studio/panels/cards/samples_panel.h"
 
+#include "studio/panels/cards/card_title.h"
 #include "studio/widgets/creature_tile.h"
 #include "studio/widgets/panel_keys.h"
 #include "studio/widgets/widgets.h"
+
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
@@ -33,7 +36,8 @@ bool draw_tile(const Sample& sample, bool aimed) {
                  fit_text(sample.title, px(kSampleWidth - 28)).c_str());
     list.AddText(ui().fonts.small, px(13), {low.x + px(12), high.y - px(25)}, paint(colors().muted),
                  fit_text(sample.account, px(kSampleWidth - 24)).c_str());
-    tooltip(sample.title + ": " + sample.account + "\nDisplays it in the world it was scored in.");
+    tooltip(fmt::format("{}: {}\nDisplays it in the world it was scored in.", sample.title,
+                        sample.account));
     return pressed;
 }
 
@@ -74,11 +78,7 @@ void SamplesPanel::draw_tiles(const SampleShelf& shelf, Requests& out) {
 }
 
 void SamplesPanel::draw(const FrameContext& frame, Requests& out) {
-    {
-        const WithFont font(ui().fonts.title);
-        ImGui::TextUnformatted("Samples");
-    }
-    if (close_button("Close samples")) out.ask(ToggleSamples{});
+    if (card_title("Samples", "Close samples", nullptr, out)) out.ask(ToggleSamples{});
     muted_text("Creatures that were evolved before, each in the world it was scored in.");
     ImGui::BeginChild("samples", {0, 0}, false, ImGuiWindowFlags_NoBackground);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(px(kSampleGap), px(kSampleGap)));

@@ -1,11 +1,14 @@
 #include "studio/panels/experiment/experiment_panel.h"
 
 #include "core/text/pretty_text.h"
-#include "evolution/settings/goal_defaults.h"
+#include "studio/experiment/goal_choice.h"
 #include "studio/experiment/setting_presets.h"
 #include "studio/frame/help_mark.h"
 #include "studio/panels/experiment/setting_row.h"
+#include "studio/panels/experiment/switch_group.h"
 #include "studio/widgets/widgets.h"
+
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>
@@ -38,6 +41,7 @@ constexpr std::array kGroups = {
     GroupName{"body.joints", "Joints allowed", false},
     GroupName{"body.functions", "Neurons allowed", false},
     GroupName{"body.sensors", "Sensors allowed", false},
+    GroupName{"body.organs", "Organs allowed", false},
     GroupName{"body.references", "Links allowed", false},
     GroupName{"simulation", "Physics", false},
     GroupName{"trial", "Trial", false},
@@ -55,19 +59,11 @@ std::size_t rank_of(std::string_view table) {
     return group == nullptr ? kGroups.size() : static_cast<std::size_t>(group - kGroups.data());
 }
 
-// Sets what suits a goal: environment, confirming trials, senses and, unless it was edited, the
-// protocol of trials.
-void adopt_goal_world(ExperimentSettings& settings, const std::string& before,
-                      const EvolutionKinds& kinds) {
-    const GoalKind* goal = kinds.goals.find(settings.goal);
-    const GoalKind* old_goal = kinds.goals.find(before);
-    if (goal == nullptr || old_goal == nullptr) return;
-    const double density = settings.world.environment.density;
-    const TrialSettings trial = settings.world.trial;
-    adopt_defaults(settings, *goal);
-    settings.world.environment.density = density;
-    if (!(trial == old_goal->default_trial)) settings.world.trial = trial;
-    settings.world.trial.draw = trial.draw;
+void adopt_goal(ExperimentSettings& edited, const FrameContext& frame) {
+    const GoalKind* chosen = frame.kinds.goals.find(edited.goal);
+    const GoalKind* before = frame.kinds.goals.find(frame.experiment.editor.draft().goal);
+    if (chosen != nullptr && before != nullptr)
+        change_goal(edited, *before, *chosen, frame.experiment.fields);
 }
 
 // Draws a choice among the table's presets, if it has any.
@@ -239,7 +235,8 @@ void ExperimentPanel::draw_run_warning(const FrameContext& frame, Requests& out)
     std::string names = waiting.front();
     for (std::size_t i = 1; i < waiting.size(); ++i)
         names += ", " + waiting[i];
-    muted_text(names + (waiting.size() == 1 ? " takes" : " take") + " effect in a new run.");
+    muted_text(
+        fmt::format("{} {} effect in a new run.", names, waiting.size() == 1 ? "takes" : "take"));
     if (push_button("New run", {.look = ButtonLook::kPrimary, .tooltip = "From random creatures."}))
         out.ask(StartNewRun{false});
     ImGui::SameLine();
@@ -283,13 +280,31 @@ void ExperimentPanel::draw_group(const Group& group, const FrameContext& frame, 
     ImGui::PushID(group.table.c_str());
     draw_presets(group.table, frame, out);
     for (const SettingField& field : frame.experiment.fields) {
-        if (field.table != group.table) continue;
+        if (field.table != group.table || !field.group.empty()) continue;
         if (!field.applies || field.applies(frame.experiment.editor.draft()))
             draw_row(field, frame, out);
     }
+    draw_switch_groups(group.table, frame, out);
     if (group.table == "goal") draw_goal_help(frame);
     ImGui::Dummy({0, px(4)});
     ImGui::PopID();
+}
+
+void ExperimentPanel::draw_switch_groups(const std::string& table, const FrameContext& frame,
+                                         Requests& out) {
+    for (const SwitchGroup& group : switch_groups(frame.experiment.fields, table)) {
+        ExperimentSettings edited = frame.experiment.editor.draft();
+        const std::string name = table + "/" + group.label;
+        bool& open = open_[name];
+        if (switch_group_row(group, edited, open)) {
+            set_all(group, tick_of(group, edited) != Tick::kOn, edited);
+            out.ask(EditSettings{std::move(edited), name});
+            out.ask(FinishEdit{});
+        }
+        if (!open) continue;
+        for (const SettingField* field : group.switches)
+            draw_row(*field, frame, out);
+    }
 }
 
 void ExperimentPanel::draw_row(const SettingField& field, const FrameContext& frame,
@@ -298,11 +313,10 @@ void ExperimentPanel::draw_row(const SettingField& field, const FrameContext& fr
     ExperimentSettings edited = frame.experiment.editor.draft();
     const RowEvent event = setting_row(field, edited, defaults);
     if (event == RowEvent::kNone) return;
-    if (field.table == "goal")
-        adopt_goal_world(edited, frame.experiment.editor.draft().goal, frame.kinds);
+    if (field.table == "goal") adopt_goal(edited, frame);
     if (frame.kinds.breeding.find(field.key) != nullptr)
         balance_shares(frame.experiment.fields, field.key, edited);
-    out.ask(EditSettings{std::move(edited), field.table + "." + field.key});
+    out.ask(EditSettings{std::move(edited), fmt::format("{}.{}", field.table, field.key)});
     if (event == RowEvent::kFinished) out.ask(FinishEdit{});
 }
 

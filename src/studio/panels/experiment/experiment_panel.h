@@ -26,6 +26,7 @@ private:
     void draw_found(const std::vector<Group>& groups, const SettingFilter& filter,
                     const FrameContext& frame, Requests& out);
     void draw_group(const Group& group, const FrameContext& frame, Requests& out);
+    void draw_switch_groups(const std::string& table, const FrameContext& frame, Requests& out);
     void draw_row(const SettingField& field, const FrameContext& frame, Requests& out);
     bool draw_header(const Group& group);
     std::vector<Group> list_groups(const FrameContext& frame, ExperimentSettings& draft,

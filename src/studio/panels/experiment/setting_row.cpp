@@ -4,6 +4,8 @@
 #include "studio/experiment/settings_editor.h"
 #include "studio/widgets/widgets.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <type_traits>
@@ -30,10 +32,11 @@ std::string value_text(const SettingField& field, const SettingRef& ref) {
 }
 
 std::string help_text(const SettingField& field, ExperimentSettings& defaults) {
-    std::string text = field.help + "\n\nDefault " + value_text(field, field.at(defaults)) + ".";
+    std::string text =
+        fmt::format("{}\n\nDefault {}.", field.help, value_text(field, field.at(defaults)));
     if (field.high > field.low && !std::holds_alternative<bool*>(field.at(defaults))) {
-        text += " Allowed " + pretty_number(field.low) + " to " +
-                with_unit(field.high, field.unit) + "; Ctrl+click to type.";
+        text += fmt::format(" Allowed {} to {}; Ctrl+click to type.", pretty_number(field.low),
+                            with_unit(field.high, field.unit));
     }
     if (!field.live) text += "\nDefines the run: a change starts a new one.";
     return text;
@@ -84,7 +87,7 @@ bool choice_box(const SettingField& field, std::string& value, float width) {
                 edited = choice != value;
                 value = choice;
             }
-            note_place(field.table + "." + field.key + "=" + choice);
+            note_place(fmt::format("{}.{}={}", field.table, field.key, choice));
         }
         ImGui::EndCombo();
     }
@@ -149,7 +152,7 @@ SliderRange slider_range(const SettingField& field, double standard, double pres
 
 RowEvent setting_row(const SettingField& field, ExperimentSettings& settings,
                      ExperimentSettings& defaults) {
-    const std::string name = field.table + "." + field.key;
+    const std::string name = fmt::format("{}.{}", field.table, field.key);
     ImGui::PushID(name.c_str());
     const float full = ImGui::GetContentRegionAvail().x;
     const float control_width =

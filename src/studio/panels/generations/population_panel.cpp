@@ -7,6 +7,8 @@
 #include "studio/widgets/creature_tile.h"
 #include "studio/widgets/widgets.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 
 namespace cambrian {
@@ -31,8 +33,8 @@ bool judged(const EvaluationResult& result) {
 std::string tile_words(const Tile& tile, const FrameContext& frame) {
     const Individual& individual = *tile.creature.individual;
     const EvaluationResult& result = individual.result;
-    std::string text = tile.rank > 0 ? format("Rank %zu\n", tile.rank)
-                                     : format("Of generation %u\n", tile.creature.generation);
+    std::string text = tile.rank > 0 ? fmt::format("Rank {}\n", tile.rank)
+                                     : fmt::format("Of generation {}\n", tile.creature.generation);
     if (judged(result)) {
         const std::string unit = goal_unit(tile.creature.settings->goal, frame.kinds.goals);
         text += "Fitness " + with_unit(result.fitness, unit);
@@ -42,8 +44,8 @@ std::string tile_words(const Tile& tile, const FrameContext& frame) {
         text += capitalized(std::string(outcome_name(result.outcome)));
         if (!result.reason.empty()) text += ": " + result.reason;
     }
-    text += format("\n%d parts, %d neurons, ", result.parts, result.neurons);
-    text += measured(result.mass, "kg") + "\n\n";
+    text += fmt::format("\n{} parts, {} neurons, {}\n\n", result.parts, result.neurons,
+                        measured(result.mass, "kg"));
     return text + origin_words(individual, frame.experiment.snapshot.population, frame.kinds);
 }
 
@@ -58,7 +60,7 @@ void draw_order(const FrameContext& frame, Requests& out) {
             view.order = sorting.order;
             out.ask(ChangeView{view});
         }
-        note_place(format("by %s", sorting.id));
+        note_place(fmt::format("by {}", sorting.id));
         tooltip(sorting.what);
     }
     ImGui::EndCombo();
@@ -104,10 +106,10 @@ void draw_heading(const FrameContext& frame, std::size_t count, Requests& out) {
     draw_filter(frame, out);
     if (frame.experiment.snapshot.history.empty()) return;
     const char* plans = frame.view.one_a_plan ? "plans " : "";
-    const std::string words = frame.view.starred_only
-                                  ? format("%zu kept", count)
-                                  : format("%zu %sof generation %u", count, plans,
-                                           frame.experiment.snapshot.history.back().generation);
+    const std::string words =
+        frame.view.starred_only ? fmt::format("{} kept", count)
+                                : fmt::format("{} {}of generation {}", count, plans,
+                                              frame.experiment.snapshot.history.back().generation);
     ImGui::SameLine(0, px(12));
     const float room =
         ImGui::GetContentRegionAvail().x - px(kHelpMarkRoom) - ImGui::CalcTextSize(words.c_str()).x;
@@ -198,7 +200,7 @@ void PopulationPanel::draw_tiles(const FrameContext& frame, Requests& out) {
 
 void PopulationPanel::draw_tile(std::size_t index, const FrameContext& frame, Requests& out) {
     const Tile& tile = tiles_[index];
-    const std::string name = format("tile %zu", index);
+    const std::string name = fmt::format("tile {}", index);
     const bool pressed =
         ImGui::InvisibleButton(name.c_str(), {px(kCreatureWidth), px(kCreatureHeight)});
     const ImVec2 low = ImGui::GetItemRectMin();
@@ -206,7 +208,7 @@ void PopulationPanel::draw_tile(std::size_t index, const FrameContext& frame, Re
     const Rect star = star_of(area);
     if (index < kNotedTiles) {
         note_place(name);
-        note_place(format("star %zu", index), star);
+        note_place(fmt::format("star {}", index), star);
     }
     if (pressed && star.contains(ImGui::GetIO().MousePos)) {
         out.ask(ToggleStar{tile.creature});
@@ -236,7 +238,7 @@ void PopulationPanel::draw_content(const Tile& tile, const Rect& area, const Fra
                                               settings.expression, settings.world.scene);
     if (phenotype != nullptr) draw_creature_tile(list, body, *phenotype, individual.genome->hue);
     const std::string place =
-        tile.rank > 0 ? std::to_string(tile.rank) : format("gen %u", tile.creature.generation);
+        tile.rank > 0 ? std::to_string(tile.rank) : fmt::format("gen {}", tile.creature.generation);
     small_words(place, {area.x + px(6), area.y + px(3)}, colors().muted);
     draw_star(star_of(area), tile.starred, hovered);
     const bool valid = judged(individual.result);

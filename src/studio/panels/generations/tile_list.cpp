@@ -11,12 +11,12 @@ namespace cambrian {
 namespace {
 
 constexpr std::array kSortings = {
-    TileSorting{TileOrder::kFitness, "fitness", "Fitness", "The fittest first."},
-    TileSorting{TileOrder::kAge, "age", "Age", "Those born in the earliest generation first."},
-    TileSorting{TileOrder::kParts, "parts", "Parts", "Those of the most parts first."},
-    TileSorting{TileOrder::kMass, "mass", "Mass", "The heaviest first."},
+    TileSorting{TileOrder::kFitness, "fitness", "Fitness", "The fittest creatures first."},
+    TileSorting{TileOrder::kAge, "age", "Age", "The creatures of the earliest generation first."},
+    TileSorting{TileOrder::kParts, "parts", "Parts", "The creatures with the most parts first."},
+    TileSorting{TileOrder::kMass, "mass", "Mass", "The heaviest creatures first."},
     TileSorting{TileOrder::kDifference, "difference", "Difference",
-                "Those first that are farthest from the average creature in parts, mass, height, "
+                "The creatures first that differ most from the average in parts, mass, height, "
                 "joint frequency and distance."},
 };
 

@@ -3,6 +3,8 @@
 #include "core/text/pretty_text.h"
 #include "pictures/scene/scene_builder.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -165,7 +167,7 @@ std::size_t TimelineChart::row_at(const PlotScale& scale, float pixel) const {
 
 std::string timeline_title(const TimelinePlot& plot, const std::string& unit) {
     const bool of_goal = plot.quantity == TimelineQuantity::kFitness && !unit.empty();
-    return of_goal ? std::string(plot.name) + " in " + pretty_unit(unit) : plot.name;
+    return of_goal ? fmt::format("{} in {}", plot.name, pretty_unit(unit)) : plot.name;
 }
 
 float legend_width(const TimelinePlot& plot) {

@@ -5,6 +5,8 @@
 #include "studio/panels/generations/export_menu.h"
 #include "studio/widgets/widgets.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -74,8 +76,8 @@ void draw_stagnation(const FrameContext& frame, Requests& out) {
     const WithFont font(ui().fonts.small);
     const float height = ImGui::GetFrameHeight();
     ImGui::AlignTextToFramePadding();
-    muted_text(format("The best has not risen for %d generations.",
-                      history.back().generations_without_progress));
+    muted_text(fmt::format("The best has not risen for {} generations.",
+                           history.back().generations_without_progress));
     ImGui::SameLine(0, px(10));
     if (push_button("Add newcomers",
                     {.height = height,
@@ -126,7 +128,7 @@ std::string change_near(const FrameContext& frame, const PlotScale& scale, float
         const float away = std::fabs(scale.x_at(generation) - pixel);
         if (generation > scale.x_high || away > nearest) continue;
         const bool same_mark = journal[i].generation == journal[i - 1].generation && !text.empty();
-        if (!same_mark) text = format("Changed at generation %u:", journal[i].generation);
+        if (!same_mark) text = fmt::format("Changed at generation {}:", journal[i].generation);
         text += difference(frame, *journal[i - 1].settings, *journal[i].settings);
         nearest = away;
     }
@@ -138,22 +140,24 @@ std::string percent(double share) {
 }
 
 std::string reading(const GenerationStatistics& stats, const std::string& unit) {
-    std::string text = format("Generation %u\nBest ", stats.generation);
-    text += with_unit(stats.best, unit);
+    std::string text =
+        fmt::format("Generation {}\nBest {}", stats.generation, with_unit(stats.best, unit));
     if (stats.best_lowest < stats.best_highest) {
-        text += " (" + pretty_number(stats.best_lowest) + " to " +
-                pretty_number(stats.best_highest) + " in other worlds)";
+        text += fmt::format(" ({} to {} in other worlds)", pretty_number(stats.best_lowest),
+                            pretty_number(stats.best_highest));
     }
     text += ", median " + pretty_number(stats.median);
-    text += "\n10–90 %: " + pretty_number(stats.lower) + " to " + pretty_number(stats.upper);
-    text += format("\n%d distinct of %d, ", stats.distinct_genomes, stats.size);
-    text += format("%d founder lines and %d body plans survive, ", stats.lines, stats.plans);
-    text += percent(stats.invalid_share) + " invalid\nOn average ";
-    text += pretty_number(stats.mean_parts) + " parts, " + pretty_number(stats.mean_neurons);
-    text += format(" neurons\nMap: %d cells filled, quality ", stats.filled_cells);
-    text += pretty_number(stats.quality);
-    text += format("\n%d trials, %d to confirm, ", stats.evaluations, stats.confirmations);
-    return text + percent(stats.time_saved) + " of the time saved";
+    text +=
+        fmt::format("\n10–90 %: {} to {}", pretty_number(stats.lower), pretty_number(stats.upper));
+    text += fmt::format("\n{} distinct of {}, ", stats.distinct_genomes, stats.size);
+    text += fmt::format("{} founder lines and {} body plans survive, {} invalid", stats.lines,
+                        stats.plans, percent(stats.invalid_share));
+    text += fmt::format("\nOn average {} parts, {} neurons", pretty_number(stats.mean_parts),
+                        pretty_number(stats.mean_neurons));
+    text += fmt::format("\nMap: {} cells filled, quality {}", stats.filled_cells,
+                        pretty_number(stats.quality));
+    return text + fmt::format("\n{} trials, {} to confirm, {} of the time saved", stats.evaluations,
+                              stats.confirmations, percent(stats.time_saved));
 }
 
 // Returns the time that the evaluation of a generation took; empty if unknown.

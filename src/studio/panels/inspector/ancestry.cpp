@@ -1,5 +1,7 @@
 #include "studio/panels/inspector/ancestry.h"
 
+#include <fmt/core.h>
+
 #include <utility>
 
 namespace cambrian {
@@ -49,7 +51,7 @@ Exhibit ancestor_exhibit(const Exhibit& head, const std::vector<AncestryStep>& l
                                   .individual = known ? ancestor : without_score(*ancestor),
                                   .settings = settings ? settings : head.creature.settings},
                                  ExhibitSource::kPopulation);
-    exhibit.title = "Ancestor of generation " + std::to_string(ancestor->born);
+    exhibit.title = fmt::format("Ancestor of generation {}", ancestor->born);
     exhibit.experiment = head.experiment;
     return exhibit;
 }

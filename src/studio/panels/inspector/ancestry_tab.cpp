@@ -1,9 +1,12 @@
 #include "studio/panels/inspector/ancestry_tab.h"
 
+#include "core/text/counted.h"
 #include "core/text/pretty_text.h"
 #include "studio/viewer/mutation_words.h"
 #include "studio/widgets/creature_tile.h"
 #include "studio/widgets/widgets.h"
+
+#include <fmt/core.h>
 
 #include <algorithm>
 
@@ -26,7 +29,7 @@ std::string place_line(const Individual& individual) {
     if (individual.mutations.empty()) return breeding_words(individual);
     const std::string& place = individual.mutations.front().place;
     const std::size_t others = individual.mutations.size() - 1;
-    return others == 0 ? place : place + format("  +%zu", others);
+    return others == 0 ? place : fmt::format("{}  +{}", place, others);
 }
 
 std::string change_line(const Individual& individual) {
@@ -47,21 +50,20 @@ std::string born_words(const Individual& individual, const Exhibit& head) {
     if (individual.method == "edited") return "Edited by hand";
     // It was not bred in any experiment known here.
     if (head.experiment == 0) return "The original";
-    return "Generation " + std::to_string(individual.born);
+    return fmt::format("Generation {}", individual.born);
 }
 
 std::string length_words(std::size_t steps) {
     if (steps == 0) return "From the creature to its first ancestor.";
-    return format("%zu %s to its first ancestor; click one to show it.", steps,
-                  steps == 1 ? "step" : "steps");
+    return fmt::format("{} to its first ancestor; click one to show it.", counted(steps, "step"));
 }
 
 std::string step_words(const Individual& individual, const MutationRegistry& kinds) {
     std::string words = breeding_words(individual);
     if (individual.evaluated) words += "\nFitness " + pretty_number(individual.result.fitness);
     for (const MutationRecord& mutation : individual.mutations) {
-        words += "\n" + operator_words(mutation, kinds) + ", " + mutation.place + ": " +
-                 change_words(mutation);
+        words += fmt::format("\n{}, {}: {}", operator_words(mutation, kinds), mutation.place,
+                             change_words(mutation));
     }
     return words;
 }
@@ -104,8 +106,8 @@ void draw_words(const AncestryStep& step, const std::string& born, const std::st
 
 void end_of_line(const Individual& oldest) {
     if (oldest.parents[0] != 0) {
-        muted_text("Nothing more is known of this line; its parent was " +
-                   uid_text(oldest.parents[0]) + ".");
+        muted_text(fmt::format("Nothing more is known of this line; its parent was {}.",
+                               uid_text(oldest.parents[0])));
     } else {
         muted_text(oldest.method == "random" ? "The line begins with this random creature."
                                              : "The line begins with this creature.");
@@ -143,7 +145,7 @@ void AncestryTab::draw(const FrameContext& frame, Requests& out) {
 void AncestryTab::draw_step(std::size_t index, const FrameContext& frame, Requests& out) {
     const AncestryStep& step = line_[index];
     const Individual& individual = *step.individual;
-    const std::string name = format("ancestor %zu", index);
+    const std::string name = fmt::format("ancestor {}", index);
     const float width = ImGui::GetContentRegionAvail().x;
     if (ImGui::InvisibleButton(name.c_str(), {width, px(kAncestorHeight)})) {
         out.ask(ShowExhibit{index == 0 ? head_

@@ -53,6 +53,14 @@ private:
             graph_.nodes.push_back(
                 {BrainNodeKind::kEffector, "Joint", body_.effector_parts[i], i, {}});
         }
+        for (const GrownOrgan& organ : body_.organs) {
+            const std::size_t output = graph_.nodes.size() - first_effector_;
+            graph_.nodes.push_back({BrainNodeKind::kEffector,
+                                    kinds_.organs[organ.kind].label,
+                                    organ.part,
+                                    output,
+                                    {}});
+        }
     }
     void add(BrainNode node, Slot slot) {
         node_of_[slot] = graph_.nodes.size();
@@ -69,7 +77,7 @@ private:
             for (std::size_t i = 0; i < neuron.arity; ++i)
                 link(neuron.inputs[i], node_of_.at(body_.network.neuron_slot(index)));
         }
-        for (std::size_t i = 0; i < body_.effector_parts.size(); ++i)
+        for (std::size_t i = 0; i < body_.network.outputs.size(); ++i)
             link(body_.network.outputs[i], first_effector_ + i);
     }
     // Places sensors at the top, neurons below their inputs, effectors in the last row.

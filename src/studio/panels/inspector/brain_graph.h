@@ -1,6 +1,6 @@
 #pragma once
 
-// The compiled network as a graph to draw: sensors in use, neurons, effectors.
+// The compiled network as a graph to draw: sensors in use, neurons, effectors and organs.
 
 #include "creature/phenotype.h"
 #include "studio/widgets/graph_layout.h"
@@ -14,9 +14,10 @@ enum class BrainNodeKind : unsigned char { kSensor, kNeuron, kEffector };
 
 struct BrainNode {
     BrainNodeKind kind = BrainNodeKind::kNeuron;
-    std::string label;      // "Sine", "Joint angle", "Joint"
-    int part = -1;          // part that it belongs to; -1 for central neurons
-    std::size_t index = 0;  // value slot of a sensor or neuron, output index of an effector
+    std::string label;  // "Sine", "Joint angle", "Joint"
+    int part = -1;      // part that it belongs to; -1 for central neurons
+    std::size_t index =
+        0;  // value slot of a sensor or neuron, output index of an effector or organ
     GraphPoint place;
 };
 
@@ -26,7 +27,7 @@ struct BrainLink {
 };
 
 struct BrainGraph {
-    std::vector<BrainNode> nodes;  // sensors, neurons in order of evaluation, effectors
+    std::vector<BrainNode> nodes;  // sensors, neurons in order of evaluation, effectors, organs
     std::vector<BrainLink> links;
     std::size_t row_count = 1;
 };

@@ -5,6 +5,8 @@
 #include "studio/widgets/value_slider.h"
 #include "studio/widgets/widgets.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -41,10 +43,10 @@ std::string words_for(const BrainNode& node, double value) {
                        : node.kind == BrainNodeKind::kNeuron ? "Neuron"
                                                              : "Effector";
     const std::string where =
-        node.part < 0 ? std::string("central brain") : "part " + std::to_string(node.part);
-    return std::string(kind) + ": " + node.label + "\n" + where + "\nNow " + pretty_number(value) +
-           "\nClick for its history" +
-           (node.kind == BrainNodeKind::kNeuron ? " and to force it." : ".");
+        node.part < 0 ? std::string("central brain") : fmt::format("part {}", node.part);
+    return fmt::format("{}: {}\n{}\nNow {}\nClick for its history{}", kind, node.label, where,
+                       pretty_number(value),
+                       node.kind == BrainNodeKind::kNeuron ? " and to force it." : ".");
 }
 
 struct ShapeStyle {
@@ -148,7 +150,7 @@ void BrainTab::draw_nodes(const Rect& area, const FrameContext& frame, Requests&
         if (ImGui::InvisibleButton("node", {2 * radius, 2 * radius + px(kTraceHeight)}))
             chosen_ = i;
         ImGui::PopID();
-        note_place("brain node " + std::to_string(i));
+        note_place(fmt::format("brain node {}", i));
         const double value = value_of(node, brain);
         const bool lit =
             node.part >= 0 &&
@@ -185,7 +187,7 @@ std::size_t BrainTab::neuron_of(const BrainNode& node) const {
 void BrainTab::draw_history(const FrameContext& frame) const {
     const BrainNode& node = graph_.nodes[chosen_];
     const double value = value_of(node, frame.viewer.playback.trial().creature().brain());
-    caption(node.label + ", the last 3 s; now " + pretty_number(value));
+    caption(fmt::format("{}, the last 3 s; now {}", node.label, pretty_number(value)));
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const Rect area = {at.x, at.y, ImGui::GetContentRegionAvail().x, px(52)};
     draw_trace(*ImGui::GetWindowDrawList(), area,

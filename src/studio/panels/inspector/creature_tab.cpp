@@ -6,6 +6,8 @@
 #include "studio/viewer/score_words.h"
 #include "studio/widgets/widgets.h"
 
+#include <fmt/core.h>
+
 namespace cambrian {
 namespace {
 
@@ -46,7 +48,7 @@ std::string difference(const FrameContext& frame) {
     const TickChecks& kept = frame.viewer.playback.exhibit().ticks;
     const auto tick =
         kept.empty() ? std::nullopt : first_different_tick(kept, frame.viewer.score->ticks);
-    return tick ? "Replay differs from tick " + std::to_string(*tick) + " on"
+    return tick ? fmt::format("Replay differs from tick {} on", *tick)
                 : std::string("Replay differs from its record");
 }
 
@@ -108,6 +110,18 @@ void draw_body(const FrameContext& frame) {
     fact("Length at rest", measured(phenotype.rest_length(), "m"));
 }
 
+// Says of each organ where it is and what it does.
+void draw_grown_organs(const FrameContext& frame) {
+    const std::vector<GrownOrgan>& organs = frame.viewer.playback.creature().phenotype().organs;
+    if (organs.empty()) return;
+    section("Organs");
+    for (const GrownOrgan& organ : organs) {
+        const OrganKind& kind = frame.kinds.creature.organs[organ.kind];
+        fact(kind.label, fmt::format("part {}", organ.part));
+        muted_text(kind.words(std::span(organ.parameters.data(), kind.parameters.size())));
+    }
+}
+
 void draw_origin(const FrameContext& frame) {
     section("Where it comes from");
     const Individual& individual = frame.viewer.playback.exhibit().individual();
@@ -128,6 +142,7 @@ void CreatureTab::draw(const FrameContext& frame, Requests&) {
     draw_headline(frame);
     draw_score(frame);
     draw_body(frame);
+    draw_grown_organs(frame);
     draw_origin(frame);
     ImGui::PopStyleVar();
 }

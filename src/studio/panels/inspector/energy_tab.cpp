@@ -4,6 +4,8 @@
 #include "studio/widgets/plot.h"
 #include "studio/widgets/widgets.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 
@@ -21,18 +23,18 @@ struct EnergyShare {
 };
 
 constexpr std::array kShares = {
-    EnergyShare{"Lost to drag", "Taken by the medium that the parts move through.",
+    EnergyShare{"Lost to drag", "The energy that the medium took from moving parts.",
                 &EnergySample::drag, [] { return colors().plot_median; }},
     EnergyShare{"Lost to friction, impacts",
-                "Taken by sliding contacts, blows against the ground and stops of joints.",
+                "The energy that sliding contacts, impacts and the stops of joints took.",
                 &EnergySample::contacts, [] { return colors().plot_best; }},
     EnergyShare{"Stored",
-                "Kinetic and potential energy, less what the creature began with. Below zero it "
-                "lives on what it had.",
+                "The kinetic and potential energy beyond that at the start. Below zero, the "
+                "creature uses what it had.",
                 &EnergySample::stored, [] { return colors().accent; }},
     EnergyShare{"Unexplained",
-                "What the energy audit does not account for: rounding, or your hand if you pulled "
-                "at the creature.",
+                "The energy that the audit does not account for: rounding, or your hand if you "
+                "pulled at the creature.",
                 &EnergySample::unexplained, [] { return colors().danger; }},
 };
 
@@ -135,7 +137,7 @@ void draw_verdict(AuditVerdict verdict) {
 }
 
 std::string share_text(double work, double scale) {
-    return scale > 0.0 ? format("%.2g %%", 100.0 * work / scale) : measured(work, "J");
+    return scale > 0.0 ? fmt::format("{:.2g} %", 100.0 * work / scale) : measured(work, "J");
 }
 
 void draw_audit(const FrameContext& frame) {

@@ -2,12 +2,17 @@
 
 #include "core/text/pretty_text.h"
 #include "genome/gene_fields.h"
+#include "genome/source_rules.h"
 #include "genome/words.h"
 #include "math/angle.h"
 #include "studio/widgets/value_slider.h"
 #include "studio/widgets/widgets.h"
 
+#include <fmt/core.h>
+
+#include <algorithm>
 #include <array>
+#include <span>
 #include <string_view>
 #include <utility>
 
@@ -38,8 +43,8 @@ std::string pattern_of(const ShownUnit& unit) {
 }
 
 std::string range_words(const FieldRule& rule, const ShownUnit& unit) {
-    return "Allowed " + number_words(rule.low, unit) + " to " + number_words(rule.high, unit) +
-           "; Ctrl+click to type.";
+    return fmt::format("Allowed {} to {}; Ctrl+click to type.", number_words(rule.low, unit),
+                       number_words(rule.high, unit));
 }
 
 // Draws the rows and records which gene changed.
@@ -77,8 +82,7 @@ public:
         const SliderRange range = {static_cast<double>(low), static_cast<double>(high)};
         if (value_slider(value, {.range = range, .width = width_}))
             note(place, before, std::to_string(value));
-        end_slider(place, "Allowed " + std::to_string(low) + " to " + std::to_string(high) +
-                              "; Ctrl+click to type.");
+        end_slider(place, fmt::format("Allowed {} to {}; Ctrl+click to type.", low, high));
     }
 
     void flag(const std::string& place, const std::string& label, bool& value, const char* help) {
@@ -102,7 +106,7 @@ public:
                     finish(place, labels[chosen], labels[i]);
                     changed = true;
                 }
-                note_place(place + "=" + labels[i]);
+                note_place(fmt::format("{}={}", place, labels[i]));
             }
             ImGui::EndCombo();
         }
@@ -116,20 +120,49 @@ public:
         number(place, "From " + source, gene.weight, input_fields().front().rule, {"", 1.0});
     }
 
+    void parameter(const std::string& place, double& value, const FieldRule& rule) {
+        const std::string label = capitalized(rule.name);
+        if (!rule.whole) return number(place, label, value, rule, shown_unit(rule.unit, false));
+        int whole_value = static_cast<int>(value);
+        whole(place, label, whole_value, static_cast<int>(rule.low), static_cast<int>(rule.high));
+        value = whole_value;
+    }
+
+    void source(const std::string& place, SourceRef& source, std::vector<SourceRef> choices) {
+        if (std::find(choices.begin(), choices.end(), source) == choices.end())
+            choices.push_back(source);
+        std::vector<std::string> labels;
+        for (const SourceRef& each : choices)
+            labels.push_back(capitalized(in_words(each, kinds_.catalog)));
+        auto chosen = static_cast<std::size_t>(std::find(choices.begin(), choices.end(), source) -
+                                               choices.begin());
+        if (choice(place, "Follows", chosen, labels)) source = choices[chosen];
+    }
+
+    // A button for a change that is complete at once; returns true when pressed.
+    bool button(const std::string& label, const std::string& place, std::string from,
+                std::string to, const char* help) {
+        ImGui::PushID(place.c_str());
+        const bool pressed = push_button(label, {.height = px(26), .tooltip = help});
+        ImGui::PopID();
+        if (pressed) finish(place, std::move(from), std::move(to));
+        return pressed;
+    }
+
     void neurons(const std::string& owner, std::vector<NeuronGene>& neurons) {
         std::vector<std::string> labels;
         for (const FunctionEntry& function : kinds_.catalog.functions)
             labels.push_back(function.label);
         for (std::size_t i = 0; i < neurons.size(); ++i) {
-            const std::string place = owner + "neuron " + std::to_string(i);
+            const std::string place = fmt::format("{}neuron {}", owner, i);
             NeuronGene& neuron = neurons[i];
-            heading("Neuron " + std::to_string(i));
+            heading(fmt::format("Neuron {}", i));
             if (choice(place + " function", "Function", neuron.function, labels)) {
                 const int arity = kinds_.catalog.functions[neuron.function].arity;
                 neuron.inputs.resize(static_cast<std::size_t>(arity), InputGene{{}, 0.0});
             }
             for (std::size_t k = 0; k < neuron.inputs.size(); ++k)
-                input(place + " input " + std::to_string(k), neuron.inputs[k]);
+                input(fmt::format("{} input {}", place, k), neuron.inputs[k]);
         }
     }
 
@@ -151,7 +184,7 @@ private:
         const std::string shown = fit_text(label, label_width - px(8));
         const float y = std::floor(at.y + 0.5F * (height - ImGui::GetFontSize()));
         ImGui::GetWindowDrawList()->AddText({at.x, y}, paint(colors().muted), shown.c_str());
-        tooltip(label + "\nIn words of mutations: " + place);
+        tooltip(fmt::format("{}\nIn words of mutations: {}", label, place));
         ImGui::SameLine(0.0F, 0.0F);
         width_ = full - label_width;
     }
@@ -183,7 +216,7 @@ std::vector<std::string> labels_of(const std::vector<Entry>& entries) {
 }
 
 void draw_part(GeneRows& rows, NodeGene& node, std::size_t index, const Kinds& kinds) {
-    const std::string owner = "part " + std::to_string(index) + " ";
+    const std::string owner = fmt::format("part {} ", index);
     const bool slides = kinds.scene.joints[node.joint].motion == JointMotion::kSlide;
     if (index > 0)
         rows.choice(owner + "joint", "Joint", node.joint, labels_of(kinds.catalog.joints));
@@ -206,12 +239,81 @@ void draw_part(GeneRows& rows, NodeGene& node, std::size_t index, const Kinds& k
     }
 }
 
+// The sources that can be chosen for an organ: a constant, the part's neurons and senses, and the
+// central neurons.
+std::vector<SourceRef> organ_sources(const Genome& genome, const NodeGene& node,
+                                     const KindCatalog& catalog) {
+    const auto numbered = [](SourceKind kind, std::size_t index) {
+        return SourceRef{kind, static_cast<std::uint8_t>(index)};
+    };
+    std::vector<SourceRef> sources = {SourceRef{}};
+    for (std::size_t i = 0; i < node.neurons.size(); ++i)
+        sources.push_back(numbered(SourceKind::kLocalNeuron, i));
+    for (std::size_t i = 0; i < genome.brain.size(); ++i)
+        sources.push_back(numbered(SourceKind::kBrainNeuron, i));
+    for (std::size_t i = 0; i < catalog.channels.size(); ++i)
+        sources.push_back(numbered(SourceKind::kLocalSensor, i));
+    return sources;
+}
+
+// Returns an organ with the usual parameters that hears the part's first neuron, if it has one.
+OrganGene new_organ(std::size_t kind, const NodeGene& node, const KindCatalog& catalog) {
+    OrganGene organ;
+    organ.kind = static_cast<std::uint8_t>(kind);
+    if (!node.neurons.empty()) organ.input.source = own_neuron(SourceScope::kPart, 0);
+    const std::vector<FieldRule>& rules = catalog.organs[kind].parameters;
+    for (std::size_t i = 0; i < rules.size(); ++i)
+        organ.parameters[i] = rules[i].fallback;
+    return organ;
+}
+
+// Draws an organ; returns true if it is to be removed.
+bool draw_organ(GeneRows& rows, OrganGene& organ, const std::string& place,
+                const std::vector<SourceRef>& sources, const Kinds& kinds) {
+    const OrganKind& kind = kinds.organs[organ.kind];
+    const std::vector<FieldRule>& rules = kinds.catalog.organs[organ.kind].parameters;
+    GeneRows::heading(kind.label);
+    muted_text(kind.words(std::span(organ.parameters.data(), rules.size())));
+    rows.source(place + " source", organ.input.source, sources);
+    rows.number(place + " weight", "Weight", organ.input.weight, input_fields().front().rule,
+                {"", 1.0});
+    for (std::size_t i = 0; i < rules.size(); ++i)
+        rows.parameter(place + " " + rules[i].name, organ.parameters[i], rules[i]);
+    return rows.button("Remove", place, kinds.organs[organ.kind].id, "removed",
+                       "Remove this organ from the gene.");
+}
+
+void draw_organs(GeneRows& rows, Genome& genome, std::size_t index, const Kinds& kinds) {
+    NodeGene& node = genome.nodes[index];
+    const std::string owner = fmt::format("part {}", index);
+    const std::vector<SourceRef> sources = organ_sources(genome, node, kinds.catalog);
+    std::optional<std::size_t> removed;
+    for (std::size_t i = 0; i < node.organs.size(); ++i) {
+        const std::string place = fmt::format("{} organ {}", owner, i);
+        if (draw_organ(rows, node.organs[i], place, sources, kinds)) removed = i;
+    }
+    if (removed) node.organs.erase(node.organs.begin() + static_cast<std::ptrdiff_t>(*removed));
+    if (node.organs.size() >= gene_range::kMaxOrgans || kinds.organs.size() == 0) return;
+    GeneRows::heading("New organ");
+    for (std::size_t kind = 0; kind < kinds.organs.size(); ++kind) {
+        const std::string place = fmt::format("{} organ {}", owner, node.organs.size());
+        const OrganKind& added = kinds.organs[kind];
+        const OrganGene organ = new_organ(kind, node, kinds.catalog);
+        const std::string help =
+            added.words(std::span(organ.parameters.data(), added.parameters.size()));
+        if (kind > 0) ImGui::SameLine();
+        if (!rows.button("Add " + added.id, place, "", "new organ " + added.id, help.c_str()))
+            continue;
+        node.organs.push_back(organ);
+        return;
+    }
+}
+
 void draw_edges(GeneRows& rows, NodeGene& node, std::size_t index) {
     for (std::size_t i = 0; i < node.edges.size(); ++i) {
         EdgeGene& edge = node.edges[i];
-        const std::string owner =
-            "part " + std::to_string(index) + " edge " + std::to_string(i) + " ";
-        GeneRows::heading("Grows gene " + std::to_string(edge.target));
+        const std::string owner = fmt::format("part {} edge {} ", index, i);
+        GeneRows::heading(fmt::format("Grows gene {}", edge.target));
         rows.numbers(owner, edge, edge_fields());
         rows.flag(owner + "reflect", "Mirrored", edge.reflect,
                   "What grows here is a mirror image.");
@@ -229,8 +331,9 @@ GeneEdit gene_table(Genome& genome, std::size_t node, const Kinds& kinds) {
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(px(8), px(3)));
     if (node == 0) rows.numbers("", genome, genome_fields());
     draw_part(rows, genome.nodes[node], node, kinds);
+    draw_organs(rows, genome, node, kinds);
     draw_edges(rows, genome.nodes[node], node);
-    rows.neurons("part " + std::to_string(node) + " ", genome.nodes[node].neurons);
+    rows.neurons(fmt::format("part {} ", node), genome.nodes[node].neurons);
     if (node == 0 && !genome.brain.empty()) {
         section("Central brain");
         rows.neurons("brain ", genome.brain);

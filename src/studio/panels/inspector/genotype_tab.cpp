@@ -5,6 +5,8 @@
 #include "studio/panels/inspector/gene_table.h"
 #include "studio/widgets/widgets.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <deque>
@@ -31,7 +33,7 @@ void draw_loop(ImDrawList& list, const ImVec2& at, const ImVec2& half, const Col
     const ImVec2 center = {at.x + half.x + px(7), at.y};
     list.AddCircle(center, px(9), paint(color), 20, px(1.5F));
     if (times < 2) return;
-    const std::string text = format("×%d", times);
+    const std::string text = fmt::format("×{}", times);
     list.AddText(ui().fonts.small, 13.0F * ui().scale, {center.x + px(12), at.y - px(8)},
                  paint(colors().muted), text.c_str());
 }
@@ -168,7 +170,7 @@ void GenotypeTab::draw_nodes(const FrameContext& frame, Requests& out) {
             chosen_ = i;
         }
         ImGui::PopID();
-        note_place("gene " + std::to_string(i));
+        note_place(fmt::format("gene {}", i));
         if (ImGui::IsItemHovered()) out.ask(ShowHighlight{{.node = static_cast<int>(i)}});
         tooltip("Click to edit its genes and keep its parts lit; click again to stop.");
         BodyPart part;
@@ -193,12 +195,12 @@ void GenotypeTab::draw_nodes(const FrameContext& frame, Requests& out) {
 
 // Draws the name of the gene shown below, and the buttons for an edited creature.
 void GenotypeTab::draw_heading(const FrameContext& frame, Requests& out) const {
-    panel_title(chosen_ == 0 ? "Gene 0, the root" : "Gene " + std::to_string(chosen_));
+    panel_title(chosen_ == 0 ? "Gene 0, the root" : fmt::format("Gene {}", chosen_));
     const auto& parts = frame.viewer.playback.creature().phenotype().parts;
     const auto grown = std::count_if(parts.begin(), parts.end(),
                                      [this](const BodyPart& part) { return part.node == chosen_; });
     ImGui::SameLine(0, px(10));
-    caption(grown == 1 ? "1 part" : std::to_string(grown) + " parts");
+    caption(grown == 1 ? "1 part" : fmt::format("{} parts", grown));
     const GeneEditor* genes = frame.viewer.genes;
     const bool can_undo = genes != nullptr && genes->can_undo();
     const bool can_redo = genes != nullptr && genes->can_redo();

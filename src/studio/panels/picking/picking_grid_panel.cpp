@@ -6,6 +6,8 @@
 #include "studio/hand_picking/drag_payload.h"
 #include "studio/widgets/widgets.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -183,7 +185,7 @@ void PickingGridPanel::draw_cell(std::size_t cell, const FrameContext& frame, Re
     SceneCanvas& canvas = canvases_[cell];
     const Rect& area = canvas.area;
     const GridNode& grid = grid_of(frame);
-    const std::string name = "cell " + std::to_string(cell + 1);
+    const std::string name = fmt::format("cell {}", cell + 1);
     ImGui::SetCursorScreenPos(area.low());
     const TogglePick toggle{grid.number, cell};
     if (ImGui::InvisibleButton(name.c_str(), {area.width, area.height}))
@@ -225,7 +227,7 @@ void PickingGridPanel::draw_words(std::size_t cell, const FrameContext& frame) {
         list.AddRectFilled(area.low(), area.high(), paint(with_alpha(colors().sky, 0.55F)));
     const bool parent = cell == 0 && grid_of(frame).origin == GridOrigin::kBreeding;
     words(area.x + px(9), area.y + px(7), colors().muted,
-          std::to_string(cell + 1) + (parent ? " · parent" : ""));
+          fmt::format("{}{}", cell + 1, parent ? " · parent" : ""));
     const float foot = area.y + area.height - px(18);
     if (picking.options.scores)
         words(area.x + px(9), foot, colors().text,

@@ -4,6 +4,8 @@
 #include "studio/frame/help_mark.h"
 #include "studio/widgets/widgets.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 
@@ -31,8 +33,8 @@ void draw_size(GridSettings& grid) {
     for (std::size_t i = 0; i < kGridSizes.size(); ++i) {
         const int columns = grid_columns(kGridSizes[i]);
         labels.push_back(std::to_string(kGridSizes[i]));
-        hints.push_back(format("%d by %d, from the next grid on", columns,
-                               (kGridSizes[i] + columns - 1) / columns));
+        hints.push_back(fmt::format("{} by {}, from the next grid on", columns,
+                                    (kGridSizes[i] + columns - 1) / columns));
         if (kGridSizes[i] == grid.cells) chosen = static_cast<int>(i);
     }
     const int pressed = segmented("cells", labels, chosen, hints);
@@ -67,7 +69,7 @@ void draw_evolving(const PickingView& picking, Requests& out) {
     const PickingSnapshot& snapshot = picking.snapshot;
     progress_bar(picking.progress, 0, px(7));
     muted_text(
-        format("%d of %d generations", snapshot.generations_done, snapshot.generations_asked));
+        fmt::format("{} of {} generations", snapshot.generations_done, snapshot.generations_asked));
     if (wide_button("Cancel", "Stop, and stay with this grid", true))
         out.ask(AskPicking{CancelDecision{}});
 }
@@ -76,7 +78,7 @@ void draw_generations(const PickingView& picking, Requests& out) {
     std::vector<std::string> labels;
     int chosen = -1;
     for (std::size_t i = 0; i < kGenerations.size(); ++i) {
-        labels.push_back("×" + std::to_string(kGenerations[i]));
+        labels.push_back(fmt::format("×{}", kGenerations[i]));
         if (kGenerations[i] == picking.options.assisted_generations) chosen = static_cast<int>(i);
     }
     const int pressed = segmented("generations", labels, chosen);

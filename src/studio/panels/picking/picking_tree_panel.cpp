@@ -6,6 +6,8 @@
 #include "studio/widgets/creature_tile.h"
 #include "studio/widgets/widgets.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -18,9 +20,8 @@ constexpr float kRowStep = 58.0F;
 constexpr int kTreeGrown = 8;
 
 std::string grid_words(const GridNode& grid) {
-    std::string words = format("Grid %u", grid.number + 1);
-    words += "\n" + capitalized(origin_words(grid));
-    return words + format("\n%zu creatures", grid.creatures.size());
+    return fmt::format("Grid {}\n{}\n{} creatures", grid.number + 1,
+                       capitalized(origin_words(grid)), grid.creatures.size());
 }
 
 // Returns the creature that represents a grid: the first pick from which another grid was bred,
@@ -56,9 +57,9 @@ void PickingTreePanel::draw(const FrameContext& frame, Requests& out) {
         const WithTextColor muted(colors().muted);
         ImGui::SameLine(0, px(10));
         const PickingSnapshot& picking = frame.picking->snapshot;
-        const std::string counts =
-            counted(static_cast<std::size_t>(picking.decisions), "decision") + ", " +
-            std::to_string(picking.branches) + (picking.branches == 1 ? " branch" : " branches");
+        const std::string counts = fmt::format(
+            "{}, {} {}", counted(static_cast<std::size_t>(picking.decisions), "decision"),
+            picking.branches, picking.branches == 1 ? "branch" : "branches");
         ImGui::TextUnformatted(counts.c_str());
     }
     bodies_.begin_frame(kTreeGrown);
@@ -90,7 +91,7 @@ void PickingTreePanel::draw_grid(std::uint32_t number, const Rect& tile, const F
                                  Requests& out) {
     const PickingTree& tree = frame.picking->snapshot.tree;
     const GridNode& grid = tree.node(number);
-    const std::string name = "grid " + std::to_string(number + 1);
+    const std::string name = fmt::format("grid {}", number + 1);
     ImGui::SetCursorScreenPos(tile.low());
     if (ImGui::InvisibleButton(name.c_str(), {tile.width, tile.height}))
         out.ask(AskPicking{VisitGrid{number}});

@@ -5,6 +5,8 @@
 #include "studio/widgets/creature_tile.h"
 #include "studio/widgets/widgets.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 
 namespace cambrian {
@@ -43,7 +45,7 @@ void ShelfPanel::draw(const FrameContext& frame, Requests& out) {
 void ShelfPanel::draw_tile(std::size_t place, const FrameContext& frame, Requests& out) {
     const PickingSnapshot& snapshot = frame.picking->snapshot;
     const JudgedIndividual& pinned = snapshot.shelf[place];
-    const std::string name = "pin " + std::to_string(place + 1);
+    const std::string name = fmt::format("pin {}", place + 1);
     const ImVec2 size = {px(kShelfWidth), px(kShelfHeight)};
     const bool pressed = ImGui::InvisibleButton(name.c_str(), size);
     note_place(name);
@@ -63,9 +65,10 @@ void ShelfPanel::draw_tile(std::size_t place, const FrameContext& frame, Request
                      pinned.settings->world.scene);
     if (phenotype != nullptr)
         draw_creature_tile(list, body, *phenotype, pinned.individual->genome->hue);
-    tooltip("Drag it into a cell of any grid, or click: it takes cell " +
-            std::to_string(frame.picking->focus + 1) +
-            ", the one in focus. Right-click to take it off the shelf.");
+    tooltip(
+        fmt::format("Drag it into a cell of any grid, or click: it takes cell {}, the one in "
+                    "focus. Right-click to take it off the shelf.",
+                    frame.picking->focus + 1));
 }
 
 }  // namespace cambrian

@@ -3,6 +3,8 @@
 #include "core/text/pretty_text.h"
 #include "studio/widgets/widgets.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -28,7 +30,7 @@ bool icon_button(const char* name, Icon icon, const char* hint, bool chosen = fa
 // Returns a tick's time in the words of the clock above the creature.
 std::string moment_text(std::uint64_t tick, std::uint64_t settled) {
     if (tick < settled) return "settling";
-    return format("%.2f s", static_cast<double>(tick - settled) * kBrainTick);
+    return fmt::format("{:.2f} s", static_cast<double>(tick - settled) * kBrainTick);
 }
 
 // Draws the time bar of the trial. A click or drag seeks a tick.
@@ -63,8 +65,9 @@ void draw_time_bar(const FrameContext& frame, Requests& out) {
     list.AddCircleFilled({low.x + now * size.x, middle}, aimed ? px(6) : px(4),
                          paint(colors().accent));
     if (aimed)
-        tooltip("Go to " + moment_text(aimed_tick, settled) +
-                ". Drag to go through the trial; the mark is where the test begins.");
+        tooltip(fmt::format(
+            "Go to {}. Drag to go through the trial; the mark is where the test begins.",
+            moment_text(aimed_tick, settled)));
 }
 
 // Draws the speeds as a list, for narrow bars. Returns the index chosen, or -1.

@@ -6,6 +6,8 @@
 #include "studio/panels/viewport/viewport_tools.h"
 #include "studio/widgets/widgets.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -35,7 +37,7 @@ std::string second_line(const FrameContext& frame) {
         line += "  ·  " + measured(frame.viewer.score->score.value, goal->unit);
     }
     const Trial& trial = frame.viewer.playback.trial();
-    const std::string clock = trial.settling() ? "settling" : format("%.1f s", trial.time());
+    const std::string clock = trial.settling() ? "settling" : fmt::format("{:.1f} s", trial.time());
     line += (line.empty() ? "" : "  ·  ") + clock;
     if (trial.finished()) line += " (trial over)";
     return line;
@@ -291,8 +293,7 @@ void ViewportPanel::draw_part_names(const FrameContext& frame) const {
     const double line = static_cast<double>(px(20)) * canvas_.camera.pixel();
     for (std::size_t i = 0; i < frame.viewer.playback.creature().motion().poses().size(); ++i) {
         const std::string name =
-            i == 0 ? "root"
-                   : std::to_string(i) + " · gene " + std::to_string(phenotype.parts[i].node);
+            i == 0 ? "root" : fmt::format("{} · gene {}", i, phenotype.parts[i].node);
         const Vec2 at = frame.viewer.playback.creature().motion().poses()[i].position.head<2>();
         const auto covers = [&](const Vec2& other) {
             return std::fabs(other.x() - at.x()) < 5.0 * line &&
@@ -325,7 +326,7 @@ void ViewportPanel::draw_ghost_labels(const FrameContext& frame) const {
             at.y() += step;
         }
         taken.push_back(at);
-        draw_plate(at, "generation " + std::to_string(ghost->generation()));
+        draw_plate(at, fmt::format("generation {}", ghost->generation()));
     }
 }
 

@@ -1,0 +1,64 @@
+#pragma once
+
+// A registered kind of organ: what a part does with a signal besides moving its joint
+// (creature/README.md 9).
+
+#include "core/registry.h"
+#include "world/body_view.h"
+#include "world/emissions.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace cambrian {
+
+// A number that genes give each organ of a kind.
+struct OrganParameter {
+    const char* name;  // in messages: "band"
+    const char* key;   // in files
+    double low = 0.0;  // range, both ends included
+    double high = 1.0;
+    double fallback = 0.0;  // of a new organ
+    bool whole = false;     // only whole numbers are in range
+    const char* unit = "";
+    const char* help = "";  // what it means, in a sentence
+};
+
+// The part that an organ belongs to.
+struct OrganSite {
+    const BodyView& body;
+    const PlannedPart& part;
+    std::size_t index = 0;               // index of the part
+    std::span<const double> parameters;  // as many as the kind has
+    double dt = 0.0;                     // s, length of the tick
+};
+
+// How an organ is drawn on its part.
+enum class OrganMark : std::uint8_t { kArcs, kDots };
+
+struct OrganKind {
+    // Uses a signal (within +-10, weight included) for one tick. Allocates nothing while the lists
+    // of emissions have room for one more.
+    using Act = void (*)(const OrganSite& site, double signal, Emissions& emissions);
+    // Returns what an organ does, in one sentence.
+    using Words = std::string (*)(std::span<const double> parameters);
+
+    std::string id;
+    std::string label;
+    std::vector<OrganParameter> parameters = {};  // at most 2
+    Act act = nullptr;
+    Words words = nullptr;
+    // Place on the part, along its length from the middle, as a share of its half length.
+    double place = 0.0;
+    OrganMark mark = OrganMark::kDots;
+    bool scents = false;  // gives off scent
+};
+
+using OrganRegistry = Registry<OrganKind>;
+
+OrganRegistry builtin_organs();
+
+}  // namespace cambrian

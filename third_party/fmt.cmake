@@ -1,0 +1,11 @@
+# A cross build has no library of its own, so it compiles the functions from the headers.
+if(CMAKE_CROSSCOMPILING)
+  find_path(FMT_INCLUDE_DIR fmt/core.h REQUIRED)
+  add_library(cambrian_fmt_headers INTERFACE)
+  target_include_directories(cambrian_fmt_headers SYSTEM INTERFACE ${FMT_INCLUDE_DIR})
+  target_compile_definitions(cambrian_fmt_headers INTERFACE FMT_HEADER_ONLY)
+  cambrian_wrap(fmt cambrian_fmt_headers)
+else()
+  find_package(fmt 9.1 REQUIRED)
+  cambrian_wrap(fmt fmt::fmt)
+endif()
