@@ -20,7 +20,7 @@ ENDLESS = """
 [run]
 generations = 10000
 [population]
-size = 40
+size = 300
 [trial]
 duration = 60
 """

@@ -59,7 +59,9 @@ class ClusterTest(ProgramTest):
         return process
 
     def start_worker(self, url, name="worker", *options, **more):
-        return self.start("worker", url, "--threads", 1, "--name", name, *options, **more)
+        """The worker has normal priority, so that other tests do not starve it."""
+        return self.start("worker", url, "--threads", 1, "--name", name, "--priority", "normal",
+                          *options, **more)
 
     def wait_for_workers(self, url, count, *options):
         """Waits until so many workers announce themselves."""

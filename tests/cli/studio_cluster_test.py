@@ -27,7 +27,8 @@ class StudioOnSeveralMachines(StudioTest):
 
     def start_worker(self, server, name):
         worker = subprocess.Popen(
-            [CAMBRIAN, "worker", server.url, "--threads", "1", "--name", name],
+            [CAMBRIAN, "worker", server.url, "--threads", "1", "--name", name,
+             "--priority", "normal"],
             stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         self.addCleanup(self.stop, worker)
         return worker

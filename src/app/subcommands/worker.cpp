@@ -17,17 +17,24 @@
 #include <iostream>
 #include <iterator>
 #include <optional>
+#include <string>
 
 namespace cambrian {
 namespace {
+
+constexpr const char* kBackground = "background";
+constexpr const char* kNormal = "normal";
 
 class WorkerSubcommand final : public Subcommand {
 public:
     void add_options(CLI::App& app) override {
         add_cluster_address(app, login_);
-        take_whole(*app.add_option("-t,--threads", threads_,
-                                   "Cores to use, at low priority; all unless given"),
-                   1, 1024);
+        take_whole(*app.add_option("-t,--threads", threads_, "Cores to use; all unless given"), 1,
+                   1024);
+        app.add_option("--priority", priority_,
+                       "'background' yields to all other programs, 'normal' does not")
+            ->check(CLI::IsMember({kBackground, kNormal}))
+            ->capture_default_str();
         app.add_option("--name", name_,
                        "The name of this machine in tables; its host name by default")
             ->type_name("TEXT");
@@ -50,6 +57,7 @@ private:
 
     ClusterLogin login_;
     std::optional<std::size_t> threads_;
+    std::string priority_ = kBackground;
     std::string name_;
     bool unit_ = false;
 };
@@ -71,6 +79,7 @@ ExitStatus WorkerSubcommand::work(const EvolutionKinds& kinds) {
     WorkerOptions options;
     options.id = random_id();
     options.threads = threads_.value_or(ThreadPool::default_workers());
+    options.priority = priority_ == kNormal ? ThreadPriority::kNormal : ThreadPriority::kBackground;
     options.name = name_.empty() ? machine_name() : text_for_people(name_, kLongestName);
     options.say = [](std::string_view words) { say(words); };
     const Status worked = work_for_cluster(kinds, **queue, options, interruption.token());
