@@ -27,6 +27,9 @@ duration = 60
 # Lasts longer than any test.
 ENDLESS = SLOW.replace("generations = 6", "generations = 10000")
 
+# Unpacks to a megabyte.
+MANY_ZEROS = zlib.compress(b"0" * 1_000_000)
+
 NOBODY_HEARD = ("nobody is heard on this cluster; workers that wait for its first run are "
                 "silent\n")
 
@@ -182,7 +185,7 @@ class Garbage(ClusterTest):
         if kind == 1:
             return b"[" * chance.randrange(1, 5000)
         if kind == 2:
-            return zlib.compress(b"0" * 1_000_000)
+            return MANY_ZEROS
         if kind == 3:
             return b"{\"format\": \"cambrian-unit\", \"version\": 1, \"creatures\": " + b"9" * 400
         return chance.randbytes(20_000)
