@@ -39,9 +39,10 @@ class Schema(ProgramTest):
         for sample in samples:
             self.rules.validate(json.loads(sample.read_text()))
 
-    def test_a_thousand_random_creatures_keep_to_the_schema(self):
-        creatures = json.loads(subprocess.check_output([RANDOM_CREATURES, "1000"]))
-        self.assertEqual(len(creatures), 1000)
+    def test_hundreds_of_random_creatures_keep_to_the_schema(self):
+        """Three hundred without a fault mean that fewer than 1 % have one, at 95 % confidence."""
+        creatures = json.loads(subprocess.check_output([RANDOM_CREATURES, "300"]))
+        self.assertEqual(len(creatures), 300)
         for creature in creatures:
             self.rules.validate(creature)
 
