@@ -23,8 +23,7 @@
 namespace cambrian {
 namespace {
 
-constexpr double kFrameTime = 1.0 / 60.0;  // s; used where the display does not set the frame rate
-constexpr double kIdleSleep = 0.25;        // s between frames while nothing moves
+constexpr double kIdleSleep = 0.25;  // s between frames while nothing moves
 // Frames drawn after the last activity, for hover effects and layout.
 constexpr int kSettledFrames = 3;
 
@@ -36,8 +35,7 @@ public:
           window_(window),
           renderer_(renderer),
           session_(remembered(options, kinds), kinds, machines(options), options.status_log),
-          host_(window, options.scale > 0.0 ? static_cast<float>(options.scale) : window.scale(),
-                session_.view().theme),
+          host_(window, scale_in(options.drawing, window), session_.view().theme),
           main_window_(builtin_panels(), &renderer),
           frame_log_(options.frame_log) {
         if (options.viewer) session_.window().be_viewer();
@@ -75,6 +73,10 @@ private:
         return remembered;
     }
 
+    static float scale_in(const WindowDrawing& drawing, const Window& window) {
+        return drawing.scale > 0.0 ? static_cast<float>(drawing.scale) : window.scale();
+    }
+
     static MachineOptions machines(const StudioOptions& options) {
         MachineOptions machines = options.machines;
         if (machines.workers == 0) machines.workers = ThreadPool::default_workers();
@@ -98,11 +100,11 @@ private:
         }
     }
 
-    // Waits for the next frame where the display does not set the frame rate.
+    // Waits for the next frame; a display that sets a lower frame rate makes it later.
     void wait_for_frame(const Stopwatch& clock, double last_start) {
         if (window_.take_activity() || session_.animating()) quiet_frames_ = 0;
         const bool idle = ++quiet_frames_ > kSettledFrames;
-        const double due = last_start + (idle ? kIdleSleep : kFrameTime);
+        const double due = last_start + (idle ? kIdleSleep : 1.0 / options_.drawing.frame_rate);
         window_.poll(0.0);
         while (clock.seconds() < due) {
             window_.poll(std::max(0.0, due - clock.seconds()));
@@ -196,7 +198,7 @@ private:
 }  // namespace
 
 Status run_studio(const StudioOptions& options, const EvolutionKinds& kinds) {
-    auto window = Window::open(options.width, options.height, "Cambrian");
+    auto window = Window::open(options.drawing.width, options.drawing.height, "Cambrian");
     if (!window) return window.error();
     auto renderer = Renderer::create();
     if (!renderer) return renderer.error();

@@ -14,6 +14,14 @@
 
 namespace cambrian {
 
+// How the window is drawn.
+struct WindowDrawing {
+    int width = 1280;  // size of the window, in units of 1/96 inch
+    int height = 800;
+    double scale = 0.0;        // pixels per 1/96 inch; 0 takes the display's
+    double frame_rate = 60.0;  // Hz; most frames a second
+};
+
 struct StudioOptions {
     std::filesystem::path open_file;        // creature or settings file; empty for none
     std::filesystem::path assets;           // folder of help pages and samples
@@ -26,9 +34,7 @@ struct StudioOptions {
     bool viewer = false;               // shows only the viewport and its transport bar
     std::optional<ThemeKind> theme;    // replaces the stored theme
     bool evolve = false;               // starts evolution at once
-    int width = 1280;                  // size of the window, in units of 1/96 inch
-    int height = 800;
-    double scale = 0.0;  // pixels per 1/96 inch; 0 takes the display's
+    WindowDrawing drawing;
     MachineOptions machines;
     // Folder of the state stored between runs; empty stores nothing.
     std::filesystem::path state_dir;

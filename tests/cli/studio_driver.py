@@ -15,6 +15,7 @@ import zlib
 from program import CAMBRIAN, DONE, ProgramTest
 
 PICTURES = pathlib.Path(os.environ.get("CAMBRIAN_PICTURES", "pictures"))
+FRAME_RATE = 15  # Hz; shows every key and click, and costs little without a graphics card
 PATIENCE = 120  # s to wait for any event on a busy machine
 
 
@@ -101,7 +102,8 @@ class StudioTest(ProgramTest):
         self.messages = self.folder / "messages.txt"
         with self.messages.open("wb") as messages:
             studio = subprocess.Popen(
-                [CAMBRIAN, subcommand, "--status-log", str(self.log), *map(str, arguments)],
+                [CAMBRIAN, subcommand, "--status-log", str(self.log), "--frame-rate",
+                 str(FRAME_RATE), *map(str, arguments)],
                 cwd=self.folder, env=display.environment, stdout=subprocess.DEVNULL,
                 stderr=messages)
         self.addCleanup(self.stop, studio)

@@ -8,9 +8,11 @@
 namespace cambrian {
 
 void add_window_options(CLI::App& app, StudioOptions& options) {
-    take_whole(*app.add_option("--width", options.width, "Width of the window"), 320, 16384);
-    take_whole(*app.add_option("--height", options.height, "Height of the window"), 240, 16384);
-    take_real(*app.add_option("--scale", options.scale,
+    take_whole(*app.add_option("--width", options.drawing.width, "Width of the window"), 320,
+               16384);
+    take_whole(*app.add_option("--height", options.drawing.height, "Height of the window"), 240,
+               16384);
+    take_real(*app.add_option("--scale", options.drawing.scale,
                               "Size of everything drawn; the display's unless given"),
               0.5, 4.0);
     app.add_option("--status-log", options.status_log,
@@ -23,6 +25,9 @@ void add_window_options(CLI::App& app, StudioOptions& options) {
     take_real(*app.add_option("--quit-after", options.quit_after,
                               "Close the window after so many seconds"),
               0.0, 1e9);
+    take_real(*app.add_option("--frame-rate", options.drawing.frame_rate,
+                              "Draw at most so many frames a second"),
+              1.0, 1000.0);
 }
 
 CommandFiles window_files(const StudioOptions& options) {

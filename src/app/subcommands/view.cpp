@@ -14,8 +14,8 @@ public:
     ViewSubcommand() {
         options_.viewer = true;
         options_.machines.workers = 1;
-        options_.width = 960;
-        options_.height = 640;
+        options_.drawing.width = 960;
+        options_.drawing.height = 640;
     }
     void add_options(CLI::App& app) override {
         app.add_option("creature", options_.open_file,
