@@ -8,6 +8,7 @@ they can only fall.
 """
 
 import argparse
+import functools
 import pathlib
 import re
 import sys
@@ -67,16 +68,17 @@ def is_named(name, text, path):
     return name in text
 
 
+@functools.cache
+def sources(src):
+    """Returns (path, text without comments) of all files but the lists."""
+    return [(path, COMMENT.sub("", path.read_text())) for path in sorted(src.rglob("*"))
+            if path.suffix in (".h", ".cpp") and not path.name.startswith("builtin_")]
+
+
 def places(src, own, names):
     """Returns the files that name it other than its own file, its declaration and the list."""
-    found = []
-    for path in sorted(src.rglob("*")):
-        if path.suffix not in (".h", ".cpp") or path == own or path.name.startswith("builtin_"):
-            continue
-        text = COMMENT.sub("", path.read_text())
-        if any(is_named(name, text, path) for name in names):
-            found.append(path)
-    return found
+    return [path for path, text in sources(src)
+            if path != own and any(is_named(name, text, path) for name in names)]
 
 
 def main():
