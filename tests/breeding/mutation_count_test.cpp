@@ -1,6 +1,7 @@
 // The scheme of breeding/README.md 1: a quarter of all offspring is not mutated, a half once.
 
 #include "breeding/corpora.h"
+#include "support/build_speed.h"
 #include "support/catch.h"
 
 #include <cmath>
@@ -9,7 +10,7 @@ using namespace cambrian;
 
 namespace {
 
-constexpr int kDraws = 20000;
+constexpr int kDraws = test::by_build(20'000, 4'000);
 constexpr double kCritical = 18.42;  // quantile of chi-square for 2 degrees of freedom, p = 1e-4
 
 // Returns the sum over {0, 1, more} of (seen - expected)^2 / expected.

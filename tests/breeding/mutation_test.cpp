@@ -1,4 +1,5 @@
 #include "breeding/corpora.h"
+#include "support/build_speed.h"
 #include "support/catch.h"
 
 #include <map>
@@ -26,7 +27,7 @@ TEST_CASE("thousands of breedings and mutations in a row keep genomes valid and 
     const BreedingRegistry methods = builtin_breeding();
     std::vector<Genome> population = founder_corpus(60);
     RandomStream stream = test_stream(6);
-    for (int i = 0; i < 15000; ++i) {
+    for (int i = 0; i < test::by_build(15'000, 1'000); ++i) {
         const std::size_t method = stream.below(methods.size());
         Genome child = methods[method].breed(stream.pick(population), stream.pick(population),
                                              full_catalog(), stream);

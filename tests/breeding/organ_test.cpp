@@ -3,6 +3,7 @@
 #include "breeding/corpora.h"
 #include "breeding/gene_sites.h"
 #include "breeding/mute_neurons.h"
+#include "support/build_speed.h"
 #include "support/catch.h"
 
 #include <algorithm>
@@ -66,9 +67,10 @@ TEST_CASE("a hundred thousand operators keep genomes with organs valid", "[breed
     const MutationRegistry mutations = builtin_mutations();
     std::vector<Genome> population = organ_corpus(60);
     RandomStream stream = test_stream(40);
+    constexpr std::size_t most_operators = test::by_build(100'000, 4'000);
     std::size_t operators = 0;
     std::size_t most = 0;
-    for (int i = 0; operators < 100'000; ++i) {
+    for (int i = 0; operators < most_operators; ++i) {
         const std::size_t method = stream.below(methods.size());
         Genome child = methods[method].breed(stream.pick(population), stream.pick(population),
                                              full_catalog(), stream);

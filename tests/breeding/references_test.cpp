@@ -3,6 +3,7 @@
 #include "breeding/corpora.h"
 #include "breeding/gene_sites.h"
 #include "genome/founders/enabled_kinds.h"
+#include "support/build_speed.h"
 #include "support/catch.h"
 
 #include <algorithm>
@@ -63,7 +64,7 @@ TEST_CASE("founders and mutations never draw a kind of reference that is forbidd
           "[breeding][references]") {
     RandomStream stream = test_stream(90);
     std::set<SourceKind> ever;
-    for (int lineage = 0; lineage < 1500; ++lineage) {
+    for (int lineage = 0; lineage < test::by_build(1500, 150); ++lineage) {
         const FounderSettings settings = random_settings(stream);
         for (const SourceKind kind : kinds_in_lineage(settings, 12, stream)) {
             const std::string id(source_rule(kind).id);

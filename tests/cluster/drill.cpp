@@ -4,6 +4,7 @@
 #include "evolution/backends/thread_pool_backend.h"
 #include "evolution/evolution.h"
 #include "evolution/individual/population_digest.h"
+#include "support/build_speed.h"
 #include "support/kinds.h"
 
 #include <map>
@@ -76,12 +77,7 @@ private:
     WorkerHabits habits_;
 };
 
-// s of a trial. Builds with assertions and sanitizers are slow, so that shorter trials suffice.
-#ifdef NDEBUG
-constexpr double kDuration = 3.0;
-#else
-constexpr double kDuration = 1.0;
-#endif
+constexpr double kDuration = by_build(2.0, 1.0);  // s of a trial
 
 }  // namespace
 

@@ -2,6 +2,7 @@
 // depends on the order of rows, corners or pairs.
 
 #include "dynamics/bodies.h"
+#include "support/build_speed.h"
 #include "support/catch.h"
 #include "support/mirror_image.h"
 
@@ -73,6 +74,7 @@ std::vector<double> distances(Distance distance, int parts, int creatures,
 // Negating angles changes only signs, without rounding. Half a turn minus an angle is rounded;
 // frequent collisions amplify the difference, mirrored or not.
 TEST_CASE("without ground mirror images do the same", "[dynamics][mirror]") {
+    constexpr int kCreatures = test::by_build(6, 2);
     Environment air;
     air.has_ground = false;
     for (const Environment& environment : {air, empty_space(), open_water()}) {
@@ -82,8 +84,8 @@ TEST_CASE("without ground mirror images do the same", "[dynamics][mirror]") {
                                 << environment.viscosity_quadratic << ", " << parts
                                 << " parts, flip " << static_cast<int>(flip));
                 const double rounding =
-                    distances(distance_from_rounded, parts, 6, environment, flip).back();
-                CHECK(distances(distance_from_image, parts, 6, environment, flip).back() <=
+                    distances(distance_from_rounded, parts, kCreatures, environment, flip).back();
+                CHECK(distances(distance_from_image, parts, kCreatures, environment, flip).back() <=
                       std::fmax(1e-11, 10.0 * rounding));
             }
         }

@@ -1,5 +1,6 @@
 #include "dynamics/contact/box_contacts.h"
 #include "dynamics/rig.h"
+#include "support/build_speed.h"
 #include "support/catch.h"
 
 #include <cmath>
@@ -100,7 +101,8 @@ TEST_CASE("arms that clap touch and do not pass through each other", "[dynamics]
 // up to 1.5e-4 kg m^2/s at 1e-6 and 3.5e-5 at 1e-7.
 TEST_CASE("touching itself does not move or turn a creature in empty space",
           "[dynamics][self_contact]") {
-    for (std::uint64_t seed = 0; seed < 10; ++seed) {
+    constexpr std::uint64_t seeds = test::by_build(10, 3);
+    for (std::uint64_t seed = 0; seed < seeds; ++seed) {
         RandomStream random(stream_seed({seed, 53}));
         const BodyPlan plan = random_tree(random, 10, 0.2, 30.0, 0.0);
         Rig rig(plan, empty_space(), "bogacki-shampine", 1e-7);

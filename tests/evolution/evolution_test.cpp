@@ -2,6 +2,7 @@
 
 #include "evolution/fields/setting_field.h"
 #include "genome/founders/random_genome.h"
+#include "support/build_speed.h"
 #include "support/catch.h"
 #include "support/fake_backend.h"
 #include "support/kinds.h"
@@ -104,12 +105,7 @@ TEST_CASE("a population of 2 evolves under every selection and every way of bree
     }
 }
 
-// Builds with assertions and sanitizers need minutes for the largest population.
-#ifdef NDEBUG
-constexpr int kLargePopulation = 20'000;
-#else
-constexpr int kLargePopulation = 2'000;
-#endif
+constexpr int kLargePopulation = test::by_build(20'000, 1'000);
 
 TEST_CASE("a large population evolves under every selection, bred in every way", "[evolution]") {
     const auto& ways = kinds().breeding.all();

@@ -1,6 +1,7 @@
 #include "evolution/individual/parent_link.h"
 
 #include "evolution/evolution.h"
+#include "support/build_speed.h"
 #include "support/catch.h"
 #include "support/fake_backend.h"
 #include "support/kinds.h"
@@ -89,7 +90,7 @@ TEST_CASE("every creature bred keeps its line to a founder", "[evolution][parent
 
 TEST_CASE("lines that died out are forgotten", "[evolution][parent_link]") {
     constexpr int size = 60;
-    constexpr int generations = 100;
+    constexpr int generations = test::by_build(100, 40);
     const Evolution evolution = evolved(size, generations);
     std::set<const Individual*> kept;
     for (IndividualPtr one : evolution.population()) {

@@ -5,6 +5,7 @@
 #include "core/threads/thread_pool.h"
 #include "genome/founders/random_genome.h"
 #include "simulator/trial.h"
+#include "support/build_speed.h"
 #include "support/catch.h"
 #include "support/kinds.h"
 
@@ -20,7 +21,7 @@ using test::kinds;
 
 namespace {
 
-constexpr std::size_t kUsually = 400;
+constexpr std::size_t kUsually = test::by_build(400, 100);
 constexpr int kRounds = 10;  // rounds of mutation, before and after breeding
 
 std::size_t wanted_count() {

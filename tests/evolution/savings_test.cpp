@@ -3,6 +3,7 @@
 #include "evolution/evaluation/longest_first.h"
 #include "evolution/evaluation/trials.h"
 #include "evolution/evolution.h"
+#include "support/build_speed.h"
 #include "support/catch.h"
 #include "support/creatures.h"
 #include "support/kinds.h"
@@ -12,6 +13,8 @@ using namespace cambrian;
 using test::kinds;
 
 namespace {
+
+constexpr int kGenerations = test::by_build(30, 11);
 
 std::shared_ptr<ExperimentSettings> short_walks(int size) {
     auto settings = std::make_shared<ExperimentSettings>();
@@ -27,12 +30,12 @@ struct History {
     std::vector<GenerationStatistics> statistics;
 };
 
-History evolve(const SettingsPtr& settings, int generations) {
+History evolve(const SettingsPtr& settings) {
     const auto backend = make_thread_pool_backend(kinds(), 2);
     Evolution evolution(settings, kinds());
     EvaluationProgress progress;
     History history;
-    for (int i = 0; i < generations; ++i) {
+    for (int i = 0; i < kGenerations; ++i) {
         REQUIRE(evolution.evaluate(*backend, progress, {}));
         evolution.breed();
         std::vector<std::uint64_t>& survivors = history.survivors.emplace_back();
@@ -55,15 +58,15 @@ TrialRecord first_half(TrialRecord record) {
 
 }  // namespace
 
-TEST_CASE("stopping at rest changes no survivor, champion or best in 30 generations",
+TEST_CASE("stopping at rest changes no survivor, champion or best of any generation",
           "[evolution][savings]") {
     auto settings = short_walks(30);
-    const History saved = evolve(settings, 30);
+    const History saved = evolve(settings);
     auto thorough = std::make_shared<ExperimentSettings>(*settings);
     thorough->world.trial.stop_at_rest = false;
-    const History full = evolve(thorough, 30);
+    const History full = evolve(thorough);
     int rested = 0;
-    for (std::size_t i = 0; i < 30; ++i) {
+    for (std::size_t i = 0; i < kGenerations; ++i) {
         CAPTURE(i);
         CHECK(saved.survivors[i] == full.survivors[i]);
         CHECK(saved.statistics[i].best == Approx(full.statistics[i].best).margin(1e-3));
@@ -76,7 +79,7 @@ TEST_CASE("stopping at rest changes no survivor, champion or best in 30 generati
     CHECK(saved.statistics[0].time_saved > full.statistics[0].time_saved);
 }
 
-TEST_CASE("terminating trials early changes no survivor of 30 generations",
+TEST_CASE("terminating trials early changes no survivor of any generation",
           "[evolution][savings]") {
     const bool limited = GENERATE(true, false);
     auto settings = short_walks(90);
@@ -84,18 +87,18 @@ TEST_CASE("terminating trials early changes no survivor of 30 generations",
         settings->selection.line_share = 1.0;
         settings->selection.plan_copies = 0;
     }
-    const History full = evolve(settings, 30);
+    const History full = evolve(settings);
     auto hasty = std::make_shared<ExperimentSettings>(*settings);
     hasty->terminate_early = true;
-    const History saved = evolve(hasty, 30);
+    const History saved = evolve(hasty);
     int given_up = 0;
     int same = 0;
-    for (std::size_t i = 0; i < 30; ++i) {
+    for (std::size_t i = 0; i < kGenerations; ++i) {
         same += saved.survivors[i] == full.survivors[i] ? 1 : 0;
         given_up += saved.statistics[i].given_up;
         CHECK(full.statistics[i].given_up == 0);
     }
-    CHECK(same == 30);
+    CHECK(same == kGenerations);
     CHECK(given_up > 0);
 }
 
@@ -190,7 +193,7 @@ TEST_CASE("until thirty doomed trials were finished, all of them are", "[evoluti
     EvaluationProgress progress;
     int unproven = 0;
     int given_up = 0;
-    for (int i = 0; i < 20; ++i) {
+    for (int i = 0; i < test::by_build(20, 11); ++i) {
         const bool proven = evolution.termination_audit().proven();
         REQUIRE(evolution.evaluate(*backend, progress, {}));
         if (!proven) CHECK(evolution.history().back().given_up == 0);

@@ -1,6 +1,7 @@
 #include "genome/genome.h"
 #include "genome/random_garbage.h"
 #include "genome/small_catalog.h"
+#include "support/build_speed.h"
 #include "support/catch.h"
 
 using namespace cambrian;
@@ -19,7 +20,7 @@ NodeGene node_with_edges(std::initializer_list<int> targets) {
 TEST_CASE("repair makes any garbage valid and is idempotent", "[genome][repair]") {
     const KindCatalog catalog = small_catalog();
     RandomStream stream(stream_seed(1, 0, 0, Purpose::kTest));
-    for (int i = 0; i < 6000; ++i) {
+    for (int i = 0; i < test::by_build(6000, 1500); ++i) {
         Genome genome = garbage_genome(stream);
         repair(genome, catalog);
         const auto complaints = validate(genome, catalog);

@@ -5,6 +5,7 @@
 #include "genome/founders/random_genome.h"
 #include "persist/sample_creature.h"
 #include "persist/settings/settings_file.h"
+#include "support/build_speed.h"
 #include "support/catch.h"
 
 using namespace cambrian;
@@ -81,7 +82,7 @@ TEST_CASE("a creature file cut off anywhere fails to load", "[persist][damage]")
 TEST_CASE("no damage to a settings file does more than fail to load", "[persist][damage]") {
     RandomStream stream(73);
     const std::string sample = write_settings(ExperimentSettings{}, kinds());
-    for (int i = 0; i < 2000; ++i) {
+    for (int i = 0; i < test::by_build(2000, 600); ++i) {
         const std::string text = i % 2 == 0 ? damaged(sample, stream) : altered(sample, stream);
         const auto loaded = parse_settings(text, "damaged", kinds());
         if (!loaded) {

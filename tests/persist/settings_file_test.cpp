@@ -3,6 +3,7 @@
 #include "core/random.h"
 #include "evolution/fields/setting_field.h"
 #include "persist/settings_message.h"
+#include "support/build_speed.h"
 #include "support/catch.h"
 #include "support/kinds.h"
 #include "support/temporary_directory.h"
@@ -53,7 +54,7 @@ TEST_CASE("whatever the settings, they are read back and written to the same byt
     RandomStream stream(81);
     const auto fields = setting_fields(kinds());
     int checked = 0;
-    while (checked < 400) {
+    while (checked < test::by_build(400, 60)) {
         ExperimentSettings settings;
         for (const SettingField& field : fields)
             randomize(field, settings, stream);

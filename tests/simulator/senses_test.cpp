@@ -2,6 +2,7 @@
 
 #include "genome/founders/random_genome.h"
 #include "simulator/trial.h"
+#include "support/build_speed.h"
 #include "support/catch.h"
 #include "support/kinds.h"
 #include "support/mirror_image.h"
@@ -91,11 +92,12 @@ TrialWorld long_trial(bool has_ground) {
 // in others a neuron feeds a sensor back. So they do without mirroring, which shows in a creature
 // nudged by a hair.
 TEST_CASE("mirror twins feel the same until their contacts differ", "[simulator][senses]") {
+    constexpr int creatures = test::by_build(200, 50);
     RandomStream stream(stream_seed({18, 73}));
     for (const bool has_ground : {false, true}) {
         int compared = 0;
         int unstable = 0;
-        for (int i = 0; i < 200; ++i) {
+        for (int i = 0; i < creatures; ++i) {
             const Phenotype creature = random_senser(stream);
             const auto trial = begin(creature, long_trial(has_ground));
             const auto mirrored = begin(mirror_twin(creature), long_trial(has_ground));
@@ -115,7 +117,7 @@ TEST_CASE("mirror twins feel the same until their contacts differ", "[simulator]
             unstable += from_rounded > 1e-10 ? 1 : 0;
         }
         CHECK(unstable <= 10);
-        CHECK(compared > 20000);
+        CHECK(compared > 100 * creatures);
     }
 }
 
