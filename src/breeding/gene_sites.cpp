@@ -57,7 +57,7 @@ std::string NeuronSite::in_words() const {
 
 InputGene& InputSite::in(Genome& genome) const {
     if (owner == InputOwner::kEffector) return genome.nodes[list.node].effector;
-    if (owner == InputOwner::kOrgan) return OrganSite{list.node, index}.in(genome).input;
+    if (owner == InputOwner::kOrgan) return OrganGeneSite{list.node, index}.in(genome).input;
     CAMBRIAN_TICK_ASSERT(index < list.in(genome).size(), "a neuron of the list");
     CAMBRIAN_TICK_ASSERT(input < list.in(genome)[index].inputs.size(), "an input of it");
     return list.in(genome)[index].inputs[input];
@@ -65,11 +65,11 @@ InputGene& InputSite::in(Genome& genome) const {
 
 std::string InputSite::in_words() const {
     if (owner == InputOwner::kEffector) return list.in_words() + " effector";
-    if (owner == InputOwner::kOrgan) return OrganSite{list.node, index}.in_words();
+    if (owner == InputOwner::kOrgan) return OrganGeneSite{list.node, index}.in_words();
     return fmt::format("{} input {}", NeuronSite{list, index}.in_words(), input);
 }
 
-std::string OrganSite::in_words() const {
+std::string OrganGeneSite::in_words() const {
     return fmt::format("part {} organ {}", node, organ);
 }
 
@@ -108,8 +108,8 @@ std::vector<EdgeSite> edge_sites(const Genome& genome) {
     return sites;
 }
 
-std::vector<OrganSite> organ_sites(const Genome& genome) {
-    std::vector<OrganSite> sites;
+std::vector<OrganGeneSite> organ_sites(const Genome& genome) {
+    std::vector<OrganGeneSite> sites;
     for (std::size_t node = 0; node < genome.nodes.size(); ++node) {
         for (std::size_t organ = 0; organ < genome.nodes[node].organs.size(); ++organ)
             sites.push_back({node, organ});

@@ -45,7 +45,7 @@ struct InputSite {
     std::string in_words() const;
 };
 
-struct OrganSite {
+struct OrganGeneSite {
     std::size_t node = 0;
     std::size_t organ = 0;
 
@@ -64,7 +64,7 @@ struct EdgeSite {
 std::vector<NeuronSite> neuron_sites(const Genome& genome);
 std::vector<InputSite> input_sites(const Genome& genome);
 std::vector<EdgeSite> edge_sites(const Genome& genome);
-std::vector<OrganSite> organ_sites(const Genome& genome);
+std::vector<OrganGeneSite> organ_sites(const Genome& genome);
 
 // Returns the nodes that have room for another edge, or for another organ.
 std::vector<std::size_t> nodes_with_room(const Genome& genome);

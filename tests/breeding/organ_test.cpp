@@ -54,7 +54,7 @@ TEST_CASE("founders have organs in 15 per cent of parts a kind, if a kind is ena
     int voices = 0;
     for (const Genome& genome : organ_corpus(600)) {
         parts += static_cast<int>(genome.nodes.size());
-        for (const OrganSite& site : organ_sites(genome))
+        for (const OrganGeneSite& site : organ_sites(genome))
             voices += genome.nodes[site.node].organs[site.organ].kind == 0 ? 1 : 0;
     }
     CHECK(voices == Approx(0.15 * parts).epsilon(0.15));
@@ -100,7 +100,7 @@ TEST_CASE("the operators of organs add, change and remove one", "[breeding][orga
     const MutationRecord added = apply("add-organ");
     CHECK_THAT(added.to, Catch::StartsWith("new organ "));
     REQUIRE(organ_count(genome) == 1);
-    const OrganSite site = organ_sites(genome)[0];
+    const OrganGeneSite site = organ_sites(genome)[0];
     const OrganGene before = site.in(genome);
     const MutationRecord changed = apply("organ");
     CHECK_THAT(changed.place, Catch::StartsWith(site.in_words()));

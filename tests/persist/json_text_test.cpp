@@ -8,17 +8,17 @@ using namespace cambrian;
 TEST_CASE("an object is written in every layout", "[persist][json]") {
     const JsonMembers members = {{"a", "1"}, {"b", quoted_text("x\n")}};
     CHECK(json_object(members) == R"({"a": 1, "b": "x\u000a"})");
-    CHECK(json_object(members, Layout::kDense) == R"({"a":1,"b":"x\u000a"})");
-    CHECK(json_object(members, Layout::kCompact) == R"({ "a": 1, "b": "x\u000a" })");
-    CHECK(json_object(members, Layout::kLines) == "{\n  \"a\": 1,\n  \"b\": \"x\\u000a\"\n}");
+    CHECK(json_object(members, JsonLayout::kDense) == R"({"a":1,"b":"x\u000a"})");
+    CHECK(json_object(members, JsonLayout::kCompact) == R"({ "a": 1, "b": "x\u000a" })");
+    CHECK(json_object(members, JsonLayout::kLines) == "{\n  \"a\": 1,\n  \"b\": \"x\\u000a\"\n}");
     CHECK(json_object({}) == "{}");
     CHECK(json_list({"1", "2"}) == "[1, 2]");
-    CHECK(json_list({"1", "2"}, Layout::kDense) == "[1,2]");
+    CHECK(json_list({"1", "2"}, JsonLayout::kDense) == "[1,2]");
 }
 
 TEST_CASE("a list inside has the layout of what surrounds it unless that is lines",
           "[persist][json]") {
-    const auto nested = [](Layout outer, Layout inner) {
+    const auto nested = [](JsonLayout outer, JsonLayout inner) {
         std::string text;
         JsonText json(text);
         json.open('{', outer);
@@ -30,7 +30,7 @@ TEST_CASE("a list inside has the layout of what surrounds it unless that is line
         json.close('}');
         return text;
     };
-    CHECK(nested(Layout::kDense, Layout::kLines) == R"({"in":[1,2]})");
-    CHECK(nested(Layout::kCompact, Layout::kLines) == R"({ "in": [ 1, 2 ] })");
-    CHECK(nested(Layout::kLines, Layout::kLine) == "{\n  \"in\": [1, 2]\n}");
+    CHECK(nested(JsonLayout::kDense, JsonLayout::kLines) == R"({"in":[1,2]})");
+    CHECK(nested(JsonLayout::kCompact, JsonLayout::kLines) == R"({ "in": [ 1, 2 ] })");
+    CHECK(nested(JsonLayout::kLines, JsonLayout::kLine) == "{\n  \"in\": [1, 2]\n}");
 }

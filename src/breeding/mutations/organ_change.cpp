@@ -15,7 +15,7 @@ bool mutate_organ(Genome& genome, const MutationContext& context, RandomStream& 
                   MutationRecord& record) {
     const auto sites = organ_sites(genome);
     if (sites.empty()) return false;
-    const OrganSite& site = stream.pick(sites);
+    const OrganGeneSite& site = stream.pick(sites);
     OrganGene& organ = site.in(genome);
     const std::vector<FieldRule>& rules = context.catalog.organs[organ.kind].parameters;
     if (!rules.empty() && stream.chance(kParameterShare)) {

@@ -8,7 +8,7 @@ bool remove_organ(Genome& genome, const MutationContext& context, RandomStream& 
                   MutationRecord& record) {
     const auto sites = organ_sites(genome);
     if (sites.empty()) return false;
-    const OrganSite& site = stream.pick(sites);
+    const OrganGeneSite& site = stream.pick(sites);
     record.place = site.in_words();
     record.from = context.catalog.organs[site.in(genome).kind].id;
     record.to = "removed";

@@ -36,7 +36,7 @@ void Answers::want_check(std::size_t creature) {
 Answers::Claimed Answers::claim(std::size_t creature, std::uint64_t worker, EvaluationResult result,
                                 bool check) {
     const Answer& answer = answers_[creature];
-    if (answer.home) return {false, Comparison{worker, same_result(result, *answer.home)}};
+    if (answer.home) return {false, ResultComparison{worker, same_result(result, *answer.home)}};
     const bool first = answer.claims.empty();
     const bool disputed = !first && !same_result(result, answer.claims.front().result);
     change(creature, [&](Answer& each) { each.claims.push_back({worker, std::move(result)}); });
@@ -44,8 +44,8 @@ Answers::Claimed Answers::claim(std::size_t creature, std::uint64_t worker, Eval
     return {first, std::nullopt};
 }
 
-std::vector<Comparison> Answers::compute(std::size_t creature, EvaluationResult result) {
-    std::vector<Comparison> comparisons;
+std::vector<ResultComparison> Answers::compute(std::size_t creature, EvaluationResult result) {
+    std::vector<ResultComparison> comparisons;
     for (const Claim& claim : answers_[creature].claims)
         comparisons.push_back({claim.worker, same_result(claim.result, result)});
     change(creature, [&](Answer& answer) {

@@ -14,7 +14,7 @@
 namespace cambrian {
 
 // The comparison of a worker's result with that of this machine.
-struct Comparison {
+struct ResultComparison {
     std::uint64_t worker = 0;
     bool equal = false;  // every bit
 };
@@ -27,11 +27,11 @@ public:
     // too.
     struct Claimed {
         bool first = false;  // of this creature
-        std::optional<Comparison> comparison;
+        std::optional<ResultComparison> comparison;
     };
     Claimed claim(std::size_t creature, std::uint64_t worker, EvaluationResult result, bool check);
     // Adds the result of this machine; returns its comparison with each claim.
-    std::vector<Comparison> compute(std::size_t creature, EvaluationResult result);
+    std::vector<ResultComparison> compute(std::size_t creature, EvaluationResult result);
     // Revokes results that no other worker claims too. Returns the creatures that lost theirs.
     std::vector<std::size_t> drop_worker(std::uint64_t worker);
 

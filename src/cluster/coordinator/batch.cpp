@@ -65,13 +65,13 @@ void Batch::finish_at_home(std::size_t creature, EvaluationResult result, double
     memory_.costs.learn(1, result.work, seconds);
     core_seconds_ += seconds;
     if (result.outcome == Outcome::kCompleted) best_ = std::max(best_, result.fitness);
-    const std::vector<Comparison> comparisons = answers_.compute(creature, std::move(result));
+    const std::vector<ResultComparison> comparisons = answers_.compute(creature, std::move(result));
     ledger_.answered(creature);
-    for (const Comparison& comparison : comparisons)
+    for (const ResultComparison& comparison : comparisons)
         compare(comparison);
 }
 
-void Batch::compare(const Comparison& comparison) {
+void Batch::compare(const ResultComparison& comparison) {
     ++memory_.counts.checked;
     if (comparison.equal)
         memory_.trust.pass(comparison.worker);

@@ -76,7 +76,7 @@ public:
 private:
     bool is_answer(const UnitResult& result) const;
     void take_claim(const UnitResult& unit, const SlotResult& each, double least);
-    void compare(const Comparison& comparison);
+    void compare(const ResultComparison& comparison);
     void refuse(std::uint64_t worker);
     // Closes an answered unit and learns from its turnaround.
     std::vector<std::size_t> close(std::uint32_t unit, double now);

@@ -38,12 +38,12 @@ void describe_hello(Archive& archive, Said& hello) {
     archive.real("creatures", hello.creatures_per_second, kRate);
     archive.real("work", hello.work_per_second, kRate);
     archive.text("refused", hello.refused, kLongestReasonOfHello);
-    archive.list("refusals", hello.refusals, 0, kMostRefusals, Layout::kCompact,
+    archive.list("refusals", hello.refusals, 0, kMostRefusals, JsonLayout::kCompact,
                  [](Archive& inner, auto& refusal) {
                      inner.digest("worker", refusal.worker);
                      inner.text("reason", refusal.reason, kLongestReasonOfHello);
                  });
-    archive.list("trials", hello.trials, 0, kMostTrials, Layout::kCompact,
+    archive.list("trials", hello.trials, 0, kMostTrials, JsonLayout::kCompact,
                  [](Archive& inner, auto& trial) {
                      inner.text("name", trial.name, kLongestName);
                      inner.digest("digest", trial.digest);

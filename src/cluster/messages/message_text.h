@@ -36,7 +36,7 @@ bool read_kind(JsonReader& reader, const MessageKind& kind, ErrorList& errors);
 template <class Message, class Describe>
 std::string write_message(const MessageKind& kind, Message& message, Describe describe) {
     std::string text;
-    JsonWriter writer(text, Layout::kCompact);
+    JsonWriter writer(text, JsonLayout::kCompact);
     writer.text("format", kind.format, kind.format.size());
     writer.integer("version", kind.version, kind.version, kind.version);
     describe(writer, message);

@@ -63,7 +63,7 @@ void describe_audit(Archive& archive, Described& audit) {
 // Describes a list of numbers as a list of objects, because JSON has no infinities and no NaN.
 template <class Archive, class Scores>
 void describe_scores(Archive& archive, Scores& scores) {
-    archive.list("scores", scores, 0, kMostScores, Layout::kCompact,
+    archive.list("scores", scores, 0, kMostScores, JsonLayout::kCompact,
                  [](Archive& inner, auto& score) { exact_real(inner, "score", score); });
 }
 
@@ -78,7 +78,7 @@ void describe_result(Archive& archive, Described& result) {
     exact_real(archive, "mass", result.mass);
     archive.integer("parts", result.parts, -kMostCount, kMostCount);
     archive.integer("neurons", result.neurons, -kMostCount, kMostCount);
-    archive.object("behavior", Layout::kCompact,
+    archive.object("behavior", JsonLayout::kCompact,
                    [&](Archive& inner) { describe_behavior(inner, result.behavior); });
     exact_real(archive, "time", result.computed_time);
     archive.integer("work", result.work, 0.0, kMostExact);
@@ -86,10 +86,10 @@ void describe_result(Archive& archive, Described& result) {
     describe_scores(archive, result.scores);
     archive.text("reason", result.reason, kLongestResultReason);
     archive.choice("verdict", result.verdict, creature_format::kVerdicts, "verdict");
-    archive.object("audit", Layout::kCompact,
+    archive.object("audit", JsonLayout::kCompact,
                    [&](Archive& inner) { describe_audit(inner, result.audit); });
     archive.optional_object(
-        "finer", result.finer, Layout::kCompact, [](Archive& inner, auto& finer) {
+        "finer", result.finer, JsonLayout::kCompact, [](Archive& inner, auto& finer) {
             inner.choice("outcome", finer.outcome, kOutcomes, "outcome");
             exact_real(inner, "score", finer.score);
             inner.choice("verdict", finer.verdict, creature_format::kVerdicts, "verdict");
@@ -101,7 +101,7 @@ void describe_unit_result(Archive& archive, Described& unit) {
     archive.digest("worker", unit.worker);
     archive.integer("deliveries", unit.deliveries, 1.0, kMostCount);
     archive.real("seconds", unit.seconds, kSeconds);
-    archive.list("results", unit.results, 0, kMostUnitCreatures, Layout::kCompact,
+    archive.list("results", unit.results, 0, kMostUnitCreatures, JsonLayout::kCompact,
                  [](Archive& inner, auto& each) {
                      inner.integer("slot", each.slot, 0.0, kMostSlot);
                      inner.digest("genome", each.genome_hash);

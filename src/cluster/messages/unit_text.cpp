@@ -57,12 +57,12 @@ void describe_entry(Archive& archive, Described& entry) {
     archive.digest("seed", entry.trial_seed);
     archive.digest("genome", entry.genome_hash);
     archive.integer("bytes", entry.bytes, 1.0, static_cast<double>(kMostDocument));
-    archive.optional_object("bar", entry.threshold, Layout::kCompact,
+    archive.optional_object("bar", entry.threshold, JsonLayout::kCompact,
                             [](Archive& inner, auto& threshold) {
                                 exact_real(inner, "score", threshold.score);
                                 inner.flag("audited", threshold.audited);
                             });
-    archive.optional_object("probe", entry.probe, Layout::kCompact,
+    archive.optional_object("probe", entry.probe, JsonLayout::kCompact,
                             [](Archive& inner, auto& probe) {
                                 inner.digest("seed", probe.seed);
                                 inner.flag("finer", probe.finer);
@@ -72,7 +72,7 @@ void describe_entry(Archive& archive, Described& entry) {
 template <class Archive, class Described>
 void describe_outline(Archive& archive, Described& outline) {
     describe_terms(archive, outline.terms);
-    archive.list("creatures", outline.entries, 1, kMostUnitCreatures, Layout::kCompact,
+    archive.list("creatures", outline.entries, 1, kMostUnitCreatures, JsonLayout::kCompact,
                  [](Archive& inner, auto& entry) { describe_entry(inner, entry); });
 }
 

@@ -66,7 +66,7 @@ void read_document(JsonReader& reader, CreatureText& text, ExperimentSettings& s
     describe_identity(reader, text, names);
     describe_genes(reader, text.genome, names);
     if (reader.has("scored")) {
-        reader.object("scored", Layout::kLines, [&](JsonReader& inner) {
+        reader.object("scored", JsonLayout::kLines, [&](JsonReader& inner) {
             read_scored(inner, text.scored.emplace(), settings, kinds);
         });
     }
@@ -176,7 +176,7 @@ std::optional<ConfirmedScore> confirmed_score(const EvaluationResult& result) {
 
 void creature_format::write_genotype(std::string& text, const Individual& individual,
                                      const KindNames& names) {
-    JsonWriter writer(text, Layout::kCompact);
+    JsonWriter writer(text, JsonLayout::kCompact);
     begin_document(writer, *individual.genome);
     const Identity identity = identity_of(individual, hex_text(individual.uid));
     describe_identity(writer, identity, names);
@@ -217,7 +217,7 @@ std::string write_creature(const CreatureDocument& document, const EvolutionKind
     describe_genes(writer, document.genome(), names);
     if (document.scored()) {
         const ScoreText scored = score_text(document);
-        writer.object("scored", Layout::kLines, [&](JsonWriter& inner) {
+        writer.object("scored", JsonLayout::kLines, [&](JsonWriter& inner) {
             describe_scored(inner, scored, document.settings(), score_tables(kinds));
         });
     }

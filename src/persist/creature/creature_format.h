@@ -119,7 +119,7 @@ void describe_source(Archive& archive, Source& source, SourceScope scope, const 
 template <class Archive, class Input>
 void describe_input(Archive& archive, Input& input, SourceScope scope, const char* source_key,
                     const char* weight_key, const KindNames& names) {
-    archive.object(source_key, Layout::kCompact,
+    archive.object(source_key, JsonLayout::kCompact,
                    [&](Archive& inner) { describe_source(inner, input.source, scope, names); });
     archive.real(weight_key, input.weight, input_fields().front().rule);
 }
@@ -129,7 +129,7 @@ void describe_neuron(Archive& archive, Neuron& neuron, SourceScope scope, const 
     const bool part = scope == SourceScope::kPart;
     archive.type(part ? "partNeuron" : "centralNeuron");
     const bool known = archive.variant("fn", neuron.function, names.functions, "function");
-    archive.list("in", neuron.inputs, 0, gene_range::kMaxArity, Layout::kCompact,
+    archive.list("in", neuron.inputs, 0, gene_range::kMaxArity, JsonLayout::kCompact,
                  [&](Archive& inner, auto& input) {
                      inner.type(part ? "partInput" : "centralInput");
                      describe_input(inner, input, scope, "from", "w", names);
@@ -175,29 +175,29 @@ void describe_node(Archive& archive, Node& node, std::size_t node_count, const K
     archive.integer("recursionLimit", node.recursion_limit, 1, gene_range::kMaxRecursion);
     archive.flag("symmetric", node.symmetric);
     archive.choice("mirrorAxis", node.mirror_axis, kMirrorAxes, "axis");
-    archive.object("effector", Layout::kCompact, [&](Archive& inner) {
+    archive.object("effector", JsonLayout::kCompact, [&](Archive& inner) {
         inner.type("effector");
         inner.optional_choice("kind", node.effector_kind, names.effectors, "effector");
         describe_input(inner, node.effector, SourceScope::kPart, "source", "weight", names);
     });
     archive.optional_list(
-        "organs", node.organs, gene_range::kMaxOrgans, Layout::kCompact,
+        "organs", node.organs, gene_range::kMaxOrgans, JsonLayout::kCompact,
         [&](Archive& inner, auto& organ) { describe_organ(inner, organ, names); });
-    archive.list("neurons", node.neurons, 0, gene_range::kMaxNodeNeurons, Layout::kLines,
+    archive.list("neurons", node.neurons, 0, gene_range::kMaxNodeNeurons, JsonLayout::kLines,
                  [&](Archive& inner, auto& neuron) {
                      describe_neuron(inner, neuron, SourceScope::kPart, names);
                  });
-    archive.list("edges", node.edges, 0, gene_range::kMaxEdges, Layout::kCompact,
+    archive.list("edges", node.edges, 0, gene_range::kMaxEdges, JsonLayout::kCompact,
                  [&](Archive& inner, auto& edge) { describe_edge(inner, edge, node_count); });
 }
 
 template <class Archive, class Genes>
 void describe_genes(Archive& archive, Genes& genome, const KindNames& names) {
-    archive.list("nodes", genome.nodes, 1, gene_range::kMaxNodes, Layout::kLines,
+    archive.list("nodes", genome.nodes, 1, gene_range::kMaxNodes, JsonLayout::kLines,
                  [&](Archive& inner, auto& node) {
                      describe_node(inner, node, genome.nodes.size(), names);
                  });
-    archive.list("brain", genome.brain, 0, gene_range::kMaxBrainNeurons, Layout::kLines,
+    archive.list("brain", genome.brain, 0, gene_range::kMaxBrainNeurons, JsonLayout::kLines,
                  [&](Archive& inner, auto& neuron) {
                      describe_neuron(inner, neuron, SourceScope::kBrain, names);
                  });
@@ -265,7 +265,7 @@ void describe_scored(Archive& archive, Scored& scored, Settings& settings,
     archive.type("scored");
     for (const ScoreTable& table : tables) {
         if (!archive.has(table.name.c_str())) continue;
-        archive.object(table.name.c_str(), Layout::kLines, [&](Archive& inner) {
+        archive.object(table.name.c_str(), JsonLayout::kLines, [&](Archive& inner) {
             for (const SettingField& field : table.fields)
                 inner.setting(field, settings);
         });
@@ -274,11 +274,11 @@ void describe_scored(Archive& archive, Scored& scored, Settings& settings,
     archive.integer("seed", scored.seed, 0, kMaxSeed);
     archive.plain_real("fitness", scored.fitness);
     archive.text("unit", scored.unit, kMaxWord);
-    archive.optional_object("confirmed", scored.confirmed, Layout::kCompact,
+    archive.optional_object("confirmed", scored.confirmed, JsonLayout::kCompact,
                             [](Archive& inner, auto& each) { describe_confirmed(inner, each); });
     archive.digest("trajectory", scored.trajectory);
     archive.optional_bytes("ticks", scored.ticks, kTicksASecond, kMostTickChecks);
-    archive.optional_object("recomputed", scored.finer, Layout::kCompact,
+    archive.optional_object("recomputed", scored.finer, JsonLayout::kCompact,
                             [](Archive& inner, auto& finer) { describe_finer(inner, finer); });
 }
 

@@ -116,7 +116,7 @@ void describe_creature(JsonSchemaWriter& writer, CreatureText& document,
     describe_genes(writer, document.genome, names);
     ExperimentSettings settings;
     if (writer.has("scored")) {
-        writer.object("scored", Layout::kLines, [&](JsonSchemaWriter& inner) {
+        writer.object("scored", JsonLayout::kLines, [&](JsonSchemaWriter& inner) {
             describe_scored(inner, document.scored.emplace(), settings, score_tables(kinds));
         });
     }

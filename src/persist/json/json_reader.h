@@ -102,13 +102,13 @@ public:
     void setting(const SettingField& field, ExperimentSettings& settings);
 
     template <class Describe>
-    void object(const char* key, Layout /*layout*/, Describe describe) {
+    void object(const char* key, JsonLayout /*layout*/, Describe describe) {
         const JsonValue* value = member(key, JsonValue::Kind::kObject, "an object");
         if (value != nullptr) read_object(*value, place(key), describe);
     }
     // Reads an object if the key exists.
     template <class Value, class Describe>
-    void optional_object(const char* key, std::optional<Value>& value, Layout layout,
+    void optional_object(const char* key, std::optional<Value>& value, JsonLayout layout,
                          Describe describe) {
         if (!has(key)) return;
         value.emplace();
@@ -116,14 +116,14 @@ public:
     }
     // Reads a list if the key exists.
     template <class Items, class Describe>
-    void optional_list(const char* key, Items& items, std::size_t high, Layout layout,
+    void optional_list(const char* key, Items& items, std::size_t high, JsonLayout layout,
                        Describe describe) {
         if (has(key)) list(key, items, 0, high, layout, describe);
     }
     // Reads a list of `low` to `high` objects.
     template <class Items, class Describe>
-    void list(const char* key, Items& items, std::size_t low, std::size_t high, Layout /*layout*/,
-              Describe describe) {
+    void list(const char* key, Items& items, std::size_t low, std::size_t high,
+              JsonLayout /*layout*/, Describe describe) {
         const JsonValue* value = sized_list(key, low, high);
         if (value == nullptr) return;
         items.resize(value->values.size());

@@ -99,12 +99,12 @@ bool JsonSchemaWriter::take_optional(std::string_view key) {
     return std::exchange(optional_key_, "") == key;
 }
 
-void JsonSchemaWriter::put(const char* key, Json schema, bool optional) {
-    put_described(key, library_.meaning(type_, key), std::move(schema), optional);
+void JsonSchemaWriter::put(const char* key, const Json& schema, bool optional) {
+    put_described(key, library_.meaning(type_, key), schema, optional);
 }
 
-void JsonSchemaWriter::put_described(const char* key, const std::string& meaning, Json schema,
-                                     bool optional) {
+void JsonSchemaWriter::put_described(const char* key, const std::string& meaning,
+                                     const Json& schema, bool optional) {
     Json property = {{"description", meaning}};
     property.update(schema);
     rules_.properties[key] = std::move(property);

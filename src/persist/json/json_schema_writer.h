@@ -122,26 +122,26 @@ public:
     void setting(const SettingField& field, ExperimentSettings& settings);
 
     template <class Describe>
-    void object(const char* key, Layout /*layout*/, Describe describe) {
+    void object(const char* key, JsonLayout /*layout*/, Describe describe) {
         const bool optional = take_optional(key);
         put(key, object_schema(library_, describe), optional);
     }
     template <class Value, class Describe>
-    void optional_object(const char* key, std::optional<Value>& value, Layout /*layout*/,
+    void optional_object(const char* key, std::optional<Value>& value, JsonLayout /*layout*/,
                          Describe describe) {
         value.emplace();
         put(key, object_schema(library_, [&](JsonSchemaWriter& inner) { describe(inner, *value); }),
             true);
     }
     template <class Items, class Describe>
-    void optional_list(const char* key, Items& items, std::size_t high, Layout layout,
+    void optional_list(const char* key, Items& items, std::size_t high, JsonLayout layout,
                        Describe describe) {
         has(key);
         list(key, items, 0, high, layout, describe);
     }
     template <class Items, class Describe>
     void list(const char* key, Items& /*items*/, std::size_t low, std::size_t high,
-              Layout /*layout*/, Describe describe) {
+              JsonLayout /*layout*/, Describe describe) {
         const bool optional = take_optional(key);
         typename Items::value_type item{};
         put(key,
@@ -176,9 +176,10 @@ private:
     static Json one_of(std::span<const std::string> names);
     static Json list_of(Json item, std::size_t low, std::size_t high);
     bool take_optional(std::string_view key);
-    void put(const char* key, Json schema) { put(key, std::move(schema), take_optional(key)); }
-    void put(const char* key, Json schema, bool optional);
-    void put_described(const char* key, const std::string& meaning, Json schema, bool optional);
+    void put(const char* key, const Json& schema) { put(key, schema, take_optional(key)); }
+    void put(const char* key, const Json& schema, bool optional);
+    void put_described(const char* key, const std::string& meaning, const Json& schema,
+                       bool optional);
 
     Library& library_;
     std::size_t variant_;  // index of the variant being described

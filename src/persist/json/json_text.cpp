@@ -4,8 +4,8 @@
 
 namespace cambrian {
 
-void JsonText::open(char bracket, Layout layout) {
-    const bool nested = !levels_.empty() && levels_.back().layout != Layout::kLines;
+void JsonText::open(char bracket, JsonLayout layout) {
+    const bool nested = !levels_.empty() && levels_.back().layout != JsonLayout::kLines;
     text_ += bracket;
     levels_.push_back({nested ? levels_.back().layout : layout});
 }
@@ -13,22 +13,22 @@ void JsonText::open(char bracket, Layout layout) {
 void JsonText::close(char bracket) {
     const Level level = levels_.back();
     levels_.pop_back();
-    if (!level.empty && level.layout == Layout::kCompact) text_ += ' ';
-    if (!level.empty && level.layout == Layout::kLines) begin_line();
+    if (!level.empty && level.layout == JsonLayout::kCompact) text_ += ' ';
+    if (!level.empty && level.layout == JsonLayout::kLines) begin_line();
     text_ += bracket;
 }
 
 void JsonText::begin_item(std::string_view key) {
     Level& level = levels_.back();
     if (!level.empty) text_ += ',';
-    if (level.layout == Layout::kLines) {
+    if (level.layout == JsonLayout::kLines) {
         begin_line();
-    } else if (level.layout == Layout::kCompact ||
-               (level.layout == Layout::kLine && !level.empty)) {
+    } else if (level.layout == JsonLayout::kCompact ||
+               (level.layout == JsonLayout::kLine && !level.empty)) {
         text_ += ' ';
     }
     level.empty = false;
-    if (!key.empty()) text_ += quoted_text(key) + (level.layout == Layout::kDense ? ":" : ": ");
+    if (!key.empty()) text_ += quoted_text(key) + (level.layout == JsonLayout::kDense ? ":" : ": ");
 }
 
 void JsonText::item(std::string_view key, std::string_view value) {
@@ -41,7 +41,7 @@ void JsonText::begin_line() {
     text_.append(2 * levels_.size(), ' ');
 }
 
-std::string json_object(const JsonMembers& members, Layout layout) {
+std::string json_object(const JsonMembers& members, JsonLayout layout) {
     std::string text;
     JsonText json(text);
     json.open('{', layout);
@@ -51,7 +51,7 @@ std::string json_object(const JsonMembers& members, Layout layout) {
     return text;
 }
 
-std::string json_list(const std::vector<std::string>& values, Layout layout) {
+std::string json_list(const std::vector<std::string>& values, JsonLayout layout) {
     std::string text;
     JsonText json(text);
     json.open('[', layout);

@@ -16,7 +16,7 @@ public:
     // Everything is appended to `text`, which must outlive this object.
     explicit JsonText(std::string& text) : text_(text) {}
 
-    void open(char bracket, Layout layout);
+    void open(char bracket, JsonLayout layout);
     void close(char bracket);
     // Writes the comma, the space and the key before a value. The key of a list's item is empty.
     void begin_item(std::string_view key);
@@ -24,7 +24,7 @@ public:
 
 private:
     struct Level {
-        Layout layout;
+        JsonLayout layout;
         bool empty = true;
     };
     void begin_line();
@@ -39,8 +39,9 @@ struct JsonMember {
 };
 using JsonMembers = std::vector<JsonMember>;
 
-std::string json_object(const JsonMembers& members, Layout layout = Layout::kLine);
-std::string json_list(const std::vector<std::string>& values, Layout layout = Layout::kLine);
+std::string json_object(const JsonMembers& members, JsonLayout layout = JsonLayout::kLine);
+std::string json_list(const std::vector<std::string>& values,
+                      JsonLayout layout = JsonLayout::kLine);
 inline std::string json_truth(bool truth) {
     return truth ? "true" : "false";
 }

@@ -31,7 +31,7 @@ struct JsonValue {
 
 // How an object or a list is written. One inside an object or a list that is not kLines has the
 // layout of that one.
-enum class Layout : std::uint8_t {
+enum class JsonLayout : std::uint8_t {
     kLines,    // one value per line, indented by two spaces
     kCompact,  // { "a": 1, "b": 2 }
     kLine,     // {"a": 1, "b": 2}

@@ -25,6 +25,7 @@ void JsonWriter::pair(const char* key, double first, const FieldRule& /*first_ru
 void JsonWriter::texts(const char* key, const std::vector<std::string>& values,
                        std::size_t /*max_count*/, std::size_t /*max_bytes*/) {
     std::vector<std::string> quoted;
+    quoted.reserve(values.size());
     for (const std::string& value : values)
         quoted.push_back(quoted_text(value));
     json_.item(key, json_list(quoted));
@@ -38,7 +39,7 @@ void JsonWriter::optional_bytes(const char* key, std::span<const std::uint8_t> b
                                 std::size_t line_bytes, std::size_t /*max_bytes*/) {
     if (bytes.empty()) return;
     json_.begin_item(key);
-    json_.open('[', Layout::kLines);
+    json_.open('[', JsonLayout::kLines);
     for (std::size_t start = 0; start < bytes.size(); start += line_bytes) {
         const auto line = bytes.subspan(start, std::min(line_bytes, bytes.size() - start));
         json_.item("", quoted_text(hex_pairs(line)));

@@ -23,7 +23,7 @@ struct FieldRule;
 class JsonWriter {
 public:
     // Writes one object into `text`: the constructor begins it, end() ends it.
-    explicit JsonWriter(std::string& text, Layout layout = Layout::kLines) : json_(text) {
+    explicit JsonWriter(std::string& text, JsonLayout layout = JsonLayout::kLines) : json_(text) {
         json_.open('{', layout);
     }
     void end() { json_.close('}'); }
@@ -97,7 +97,7 @@ public:
     }
 
     template <class Describe>
-    void object(const char* key, Layout layout, Describe describe) {
+    void object(const char* key, JsonLayout layout, Describe describe) {
         json_.begin_item(key);
         json_.open('{', layout);
         describe(*this);
@@ -105,23 +105,23 @@ public:
     }
     // Writes an object if there is a value.
     template <class Value, class Describe>
-    void optional_object(const char* key, const std::optional<Value>& value, Layout layout,
+    void optional_object(const char* key, const std::optional<Value>& value, JsonLayout layout,
                          Describe describe) {
         if (!value) return;
         object(key, layout, [&](JsonWriter& writer) { describe(writer, *value); });
     }
     // Writes a list if it has any items.
     template <class Items, class Describe>
-    void optional_list(const char* key, Items& items, std::size_t high, Layout layout,
+    void optional_list(const char* key, Items& items, std::size_t high, JsonLayout layout,
                        Describe describe) {
         if (!items.empty()) list(key, items, 0, high, layout, describe);
     }
     // Writes one object per item.
     template <class Items, class Describe>
     void list(const char* key, Items& items, std::size_t /*low*/, std::size_t /*high*/,
-              Layout layout, Describe describe) {
+              JsonLayout layout, Describe describe) {
         json_.begin_item(key);
-        json_.open('[', Layout::kLines);
+        json_.open('[', JsonLayout::kLines);
         for (auto& each : items) {
             json_.begin_item("");
             json_.open('{', layout);

@@ -25,9 +25,9 @@ std::optional<std::string> mutations_text(std::span<const MutationRecord> mutati
     for (const MutationRecord& each : mutations) {
         records.push_back(json_list({quoted_text(each.operator_id), quoted_text(each.place),
                                      quoted_text(each.from), quoted_text(each.to)},
-                                    Layout::kDense));
+                                    JsonLayout::kDense));
     }
-    return json_list(records, Layout::kDense);
+    return json_list(records, JsonLayout::kDense);
 }
 
 Result<std::vector<MutationRecord>> parse_mutations(std::string_view text) {

@@ -27,7 +27,7 @@ void StatusLog::write(const std::string& event, std::initializer_list<Field> fie
     if (frame_ > 0) members.push_back({"frame", std::to_string(frame_)});
     for (const auto& [name, value] : fields)
         members.push_back({name, json_value(value)});
-    file_ << json_object(members, Layout::kDense) << "\n" << std::flush;
+    file_ << json_object(members, JsonLayout::kDense) << "\n" << std::flush;
 }
 
 }  // namespace cambrian

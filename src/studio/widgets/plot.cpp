@@ -48,7 +48,7 @@ std::vector<double> round_marks(double low, double high, int most) {
     return marks;
 }
 
-Range plot_range(double low, double high) {
+PlotRange plot_range(double low, double high) {
     if (!(high > low)) {
         const double size = std::fmax(1.0, std::fabs(low));
         return {low, low + size};

@@ -29,11 +29,11 @@ std::vector<double> round_marks(double low, double high, int most);
 
 // The range of an axis. plot_range() widens [low, high] so that the two differ and there is some
 // room at the top.
-struct Range {
+struct PlotRange {
     double low = 0.0;
     double high = 1.0;
 };
-Range plot_range(double low, double high);
+PlotRange plot_range(double low, double high);
 
 // Returns the points that a curve needs at this size: of all points in a pixel column, the first,
 // the lowest, the highest and the last. `xs` must not decrease.

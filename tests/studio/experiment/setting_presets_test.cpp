@@ -10,7 +10,7 @@
 namespace cambrian {
 namespace {
 
-const std::vector<SettingField>& fields() {
+const std::vector<SettingField>& preset_fields() {
     static const std::vector<SettingField> all = setting_fields(test::kinds());
     return all;
 }
@@ -18,7 +18,7 @@ const std::vector<SettingField>& fields() {
 std::vector<std::string> in_force(std::string_view table, const ExperimentSettings& settings) {
     std::vector<std::string> labels;
     for (const SettingPreset& preset : setting_presets(table)) {
-        if (is_in_force(preset, settings, test::kinds(), fields()))
+        if (is_in_force(preset, settings, test::kinds(), preset_fields()))
             labels.emplace_back(preset.label);
     }
     return labels;
@@ -37,7 +37,7 @@ TEST_CASE("the presets of all tables are valid and the only ones in force once a
         CHECK(settings.world.environment.density == 2.0);
         CHECK(in_force(preset.table, settings) == std::vector<std::string>{preset.label});
         if (tables.insert(preset.table).second) listed += setting_presets(preset.table).size();
-        CHECK(std::any_of(fields().begin(), fields().end(),
+        CHECK(std::any_of(preset_fields().begin(), preset_fields().end(),
                           [&](const SettingField& field) { return field.table == preset.table; }));
     }
     CHECK(listed == setting_presets().size());
@@ -52,7 +52,7 @@ TEST_CASE("presets change nothing outside their table", "[studio][presets]") {
         before.mutation.weights["weight"] = 123.0;
         ExperimentSettings after = before;
         preset.apply(after, test::kinds());
-        for (const SettingField& field : fields()) {
+        for (const SettingField& field : preset_fields()) {
             if (field.table.starts_with(preset.table)) continue;
             INFO(preset.label << ": " << field.table << "." << field.key);
             CHECK(same_value(field, before, after));

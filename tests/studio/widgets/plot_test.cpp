@@ -77,7 +77,7 @@ TEST_CASE("a dense band has one extent a pixel that covers all of its points", "
 
 TEST_CASE("an empty range has no marks and a flat one can still be drawn", "[studio][plot]") {
     CHECK(round_marks(1.0, 1.0, 5).empty());
-    const Range flat = plot_range(2.0, 2.0);
+    const PlotRange flat = plot_range(2.0, 2.0);
     CHECK(flat.high > flat.low);
     CHECK(plot_range(0.0, 1.0).high > 1.0);
 }

@@ -129,7 +129,7 @@ PlotScale TimelineChart::scale_for(const Rect& area) const {
         include(band);
     include(lower_);
     include(upper_);
-    const Range y = plot_range(lowest, highest);
+    const PlotRange y = plot_range(lowest, highest);
     const double last = std::max(generations_.back(), generations_.front() + kLeastSpan);
     return {area, generations_.front(), last, y.low, y.high};
 }

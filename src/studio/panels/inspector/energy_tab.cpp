@@ -74,7 +74,7 @@ Stacks stack_up(const std::vector<EnergySample>& samples) {
     return stacks;
 }
 
-Range energy_range(const Stacks& stacks) {
+PlotRange energy_range(const Stacks& stacks) {
     const Stack& outermost = stacks.back();
     double low = 0.0;
     double high = 0.0;
@@ -91,7 +91,7 @@ void draw_plot(const std::vector<EnergySample>& samples, double duration) {
     ImGui::Dummy({width, px(kPlotHeight + 24)});
     note_place("energy");
     const Stacks stacks = stack_up(samples);
-    const Range range = energy_range(stacks);
+    const PlotRange range = energy_range(stacks);
     const PlotScale scale{{at.x + px(44), at.y + px(6), width - px(52), px(kPlotHeight - 6)},
                           0.0,
                           duration,
