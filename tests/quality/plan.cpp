@@ -74,7 +74,7 @@ std::vector<RunSpec> quick_plan() {
 }
 
 std::vector<RunSpec> seeking_plan() {
-    constexpr std::uint64_t kSeeds = 9;
+    constexpr std::uint64_t kSeeds = 5;
     std::vector<RunSpec> runs;
     for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
         for (const std::string_view arm : {kEvolution, kBlind, kRandomSearch}) {
@@ -82,8 +82,8 @@ std::vector<RunSpec> seeking_plan() {
                             .goal = kSeeking,
                             .arm = std::string(arm),
                             .seed = seed,
-                            .size = 150,
-                            .budget = 6000});
+                            .size = 300,
+                            .budget = 20000});
         }
     }
     return runs;
