@@ -31,14 +31,15 @@ target_compile_options(cambrian_warnings INTERFACE
 target_compile_options(cambrian_warnings INTERFACE
   $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized;-Wno-restrict;-Wno-stringop-overflow;-Wno-array-bounds>)
 
-# cambrian_layer(<name> SOURCES <file>... [DEPENDS <layer or third_party target>...])
-# declares the library cambrian_<name>; includes are written from src/.
+# cambrian_layer(<name> [WAITS] SOURCES <file>... [DEPENDS <layer or third_party target>...])
+# declares the library cambrian_<name>; includes are written from src/. A layer that WAITS for people,
+# files or other programs most of its time is compiled with less optimisation, in less time.
 function(cambrian_layer name)
-  cmake_parse_arguments(LAYER "" "" "SOURCES;DEPENDS" ${ARGN})
+  cmake_parse_arguments(LAYER "WAITS" "" "SOURCES;DEPENDS" ${ARGN})
   add_library(cambrian_${name} STATIC ${LAYER_SOURCES})
   target_include_directories(cambrian_${name} PUBLIC ${CMAKE_SOURCE_DIR}/src)
   target_link_libraries(cambrian_${name} PUBLIC ${LAYER_DEPENDS} cambrian_options PRIVATE cambrian_warnings)
-  if(CAMBRIAN_TIDY)
-    set_target_properties(cambrian_${name} PROPERTIES CXX_CLANG_TIDY clang-tidy)
+  if(LAYER_WAITS)
+    target_compile_options(cambrian_${name} PRIVATE $<$<CONFIG:Release>:-O1>)
   endif()
 endfunction()

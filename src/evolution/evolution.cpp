@@ -62,7 +62,7 @@ IndividualPtr Evolution::make_founder(std::size_t slot,
 }
 
 bool Evolution::evaluate(EvaluationBackend& backend, EvaluationProgress& progress,
-                         std::stop_token stop) {
+                         const std::stop_token& stop) {
     if (evaluated_) return true;
     if (std::exchange(renewal_due_, false)) renew_chance();
     plan_evaluations();

@@ -39,7 +39,8 @@ public:
 
     // Evaluates the present generation. Returns false if stopped; finished trials are kept and the
     // call may be repeated.
-    bool evaluate(EvaluationBackend& backend, EvaluationProgress& progress, std::stop_token stop);
+    bool evaluate(EvaluationBackend& backend, EvaluationProgress& progress,
+                  const std::stop_token& stop);
 
     // Returns the best of the survivors, confirmed in ten more slightly changed worlds. Without
     // confirmation in the settings, or if stopped, it is the best by score. Must be called after

@@ -42,8 +42,8 @@ void JumpWatch::fly(double lowest, double center) {
 void JumpWatch::measure_speed(double center) {
     double& oldest = recent_[watched_ % kSpeedTicks];
     if (watched_ >= kSpeedTicks) {
-        constexpr double kTime = kSpeedTicks * kBrainTick;
-        upward_speed_ = std::max(upward_speed_, (center - oldest) / kTime);
+        constexpr double time = kSpeedTicks * kBrainTick;
+        upward_speed_ = std::max(upward_speed_, (center - oldest) / time);
     }
     oldest = center;
     ++watched_;

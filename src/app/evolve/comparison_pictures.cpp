@@ -49,7 +49,7 @@ Status save_comparison_pictures(const std::filesystem::path& folder,
                     palette_of(ThemeKind::kLight));
         const Result<std::string> png = encode_png(canvas.finish());
         if (!png) return png.error();
-        const Status written = write_file(folder / fmt::format("curves-{}.png", world), *png);
+        Status written = write_file(folder / fmt::format("curves-{}.png", world), *png);
         if (!written) return written;
     }
     return {};

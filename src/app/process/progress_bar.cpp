@@ -41,7 +41,7 @@ std::string ProgressBar::numbers() const {
     const double share = complete ? 1.0 : (finished_ + done / total) / generations_;
     const double seconds = line_.seconds();
     const double trials = static_cast<double>(trials_done_) + done;
-    const std::string line =
+    std::string line =
         fmt::format("generation {} of {} {}", finished_, generations_, bar_text(share));
     const std::string left = time_left_text(share, seconds);
     if (left.empty()) return line;

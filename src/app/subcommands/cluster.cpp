@@ -25,7 +25,8 @@ constexpr std::chrono::milliseconds kListening{3000};  // each member announces 
 std::vector<Hello> last_words(const std::vector<std::string>& texts) {
     std::map<std::uint64_t, Hello> by_id;
     for (const std::string& text : texts) {
-        if (Result<Hello> hello = parse_hello(text)) by_id[hello->id] = *std::move(hello);
+        const Result<Hello> hello = parse_hello(text);
+        if (hello) by_id.insert_or_assign(hello->id, *hello);
     }
     std::vector<Hello> all;
     for (auto& [id, hello] : by_id) {

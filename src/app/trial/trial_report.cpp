@@ -66,6 +66,7 @@ std::string scores_text(const std::vector<double>& scores, const std::string& un
 
 std::string scores_json(const std::vector<double>& scores) {
     std::vector<std::string> values;
+    values.reserve(scores.size());
     for (const double score : scores)
         values.push_back(real_text(score));
     return json_list(values);

@@ -49,12 +49,12 @@ CAMBRIAN_INLINE bool eliminate_column(const Lines<kFixed>& lines, int pivot, dou
 template <int kBlock, int kFixed>
 CAMBRIAN_INLINE int eliminate_from(const Lines<kFixed>& lines, const double* least) {
     if constexpr (kBlock < kFixed) {
-        constexpr int kLast = (kBlock + 1) * kLanes - 1;
-        for (int pivot = kBlock * kLanes; pivot < std::min(lines.count, kLast); ++pivot) {
+        constexpr int last = (kBlock + 1) * kLanes - 1;
+        for (int pivot = kBlock * kLanes; pivot < std::min(lines.count, last); ++pivot) {
             if (!eliminate_column(lines, pivot, least[pivot], kBlock)) return pivot;
         }
-        if (lines.count <= kLast) return lines.count;
-        if (!eliminate_column(lines, kLast, least[kLast], kBlock + 1)) return kLast;
+        if (lines.count <= last) return lines.count;
+        if (!eliminate_column(lines, last, least[last], kBlock + 1)) return last;
         return eliminate_from<kBlock + 1>(lines, least);
     }
     return lines.count;

@@ -10,7 +10,7 @@ namespace {
 template <int kBlocks, bool kSpins>
 CAMBRIAN_INLINE BodyVectors<kBlocks> sum_arms(const PlanarModel& model, const Kinematics& k,
                                               const double* rates, double x, double y) {
-    constexpr int kLines = kBlocks * kLanes;
+    constexpr int lines = kBlocks * kLanes;
     const DenseForm& form = model.dense;
     BodyVectors<kBlocks> sum;
     sum.x.fill(x);
@@ -23,8 +23,8 @@ CAMBRIAN_INLINE BodyVectors<kBlocks> sum_arms(const PlanarModel& model, const Ki
         const double along = -square * cosine - rates[angle] * sine;
         const double across = rates[angle] * cosine - square * sine;
         for (int b = 0; b < kBlocks; ++b) {
-            const Simd4d d_x = load_lanes(form.arm_x + angle * kLines + b * kLanes);
-            const Simd4d d_y = load_lanes(form.arm_y + angle * kLines + b * kLanes);
+            const Simd4d d_x = load_lanes(form.arm_x + angle * lines + b * kLanes);
+            const Simd4d d_y = load_lanes(form.arm_y + angle * lines + b * kLanes);
             sum.x[b] += along * d_x - across * d_y;
             sum.y[b] += across * d_x + along * d_y;
         }

@@ -46,12 +46,12 @@ struct BodyVectors {
 template <int kBlocks>
 CAMBRIAN_INLINE BodyLanes<kBlocks> times_inverse(const double* inverse, int bodies,
                                                  const BodyLanes<kBlocks>& vector) {
-    constexpr int kLines = kBlocks * kLanes;
+    constexpr int lines = kBlocks * kLanes;
     BodyLanes<kBlocks> product = {};
     for (int k = 0; k < (kBlocks == 1 ? kLanes : bodies); ++k) {
         const Simd4d value = all_lanes(vector.at(k));
         for (int b = 0; b < kBlocks; ++b)
-            product[b] += load_lanes(inverse + k * kLines + b * kLanes) * value;
+            product[b] += load_lanes(inverse + k * lines + b * kLanes) * value;
     }
     return product;
 }
@@ -66,10 +66,10 @@ public:
     }
 
     CAMBRIAN_INLINE void add_force(int body, double x, double y) {
-        constexpr int kLines = kBlocks * kLanes;
+        constexpr int lines = kBlocks * kLanes;
         for (int b = 0; b < kBlocks; ++b) {
-            const Simd4d d_x = load_lanes(form_.lever_x + body * kLines + b * kLanes);
-            const Simd4d d_y = load_lanes(form_.lever_y + body * kLines + b * kLanes);
+            const Simd4d d_x = load_lanes(form_.lever_x + body * lines + b * kLanes);
+            const Simd4d d_y = load_lanes(form_.lever_y + body * lines + b * kLanes);
             turning_[b] += d_x * y - d_y * x;
             stretching_[b] += d_x * x + d_y * y;
         }

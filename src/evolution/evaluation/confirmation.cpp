@@ -24,6 +24,7 @@ bool Confirmation::confirm(std::vector<IndividualPtr>& ranked, const Survivors& 
         std::erase_if(places, [&](std::size_t i) { return !unconfirmed(ranked[i]->result); });
         if (places.empty()) return true;
         std::vector<IndividualPtr> creatures;
+        creatures.reserve(places.size());
         for (const std::size_t place : places)
             creatures.push_back(ranked[place]);
         if (!try_again(creatures, probes, trials)) return false;

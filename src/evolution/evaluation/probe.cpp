@@ -18,6 +18,7 @@ constexpr std::uint64_t kWorlds = 101;  // index that keeps these seeds apart fr
 std::vector<Probe> probes_of(const ExperimentSettings& settings, std::uint32_t generation,
                              int count) {
     std::vector<Probe> probes;
+    probes.reserve(static_cast<std::size_t>(count));
     for (int world = 0; world < count; ++world) {
         probes.push_back({stream_seed({trial_seed(settings), kWorlds, generation,
                                        static_cast<std::uint64_t>(world)}),

@@ -14,6 +14,7 @@ struct Neighbor {
     double distance = 0.0;
     std::size_t point = 0;
 
+    // NOLINTNEXTLINE(modernize-use-nullptr): a false alarm of clang-tidy 14
     friend auto operator<=>(const Neighbor&, const Neighbor&) = default;
 };
 

@@ -31,7 +31,7 @@ public:
     void ask(FilesRequest request) { all_.emplace_back(std::move(request)); }
     void ask(GuideRequest request) { all_.emplace_back(std::move(request)); }
     void ask(MachinesRequest request) { all_.emplace_back(std::move(request)); }
-    void ask(WindowRequest request) { all_.emplace_back(std::move(request)); }
+    void ask(WindowRequest request) { all_.emplace_back(request); }
 
     const std::vector<StudioRequest>& all() const { return all_; }
     std::vector<StudioRequest> take() { return std::exchange(all_, {}); }

@@ -34,7 +34,7 @@ public:
     void set_environment(const Environment& environment);
     // Pulls a point of a part towards a point in the world until called with nothing. The motion
     // counts as disturbed until it is restarted or goes back to before the pull.
-    void pull(std::optional<Hold> hold) { hold_ = hold; }
+    void pull(std::optional<Hold> hold) { hold_ = std::move(hold); }
     // Forces the value of a neuron from the next tick on, until restarted or called with nothing.
     // This also disturbs the motion.
     void force(std::size_t neuron, std::optional<double> value);

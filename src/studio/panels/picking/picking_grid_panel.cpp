@@ -120,8 +120,10 @@ void PickingGridPanel::place_cells(std::size_t count, const Rect& area) {
     const float width = std::floor((area.width + gap) / static_cast<float>(columns)) - gap;
     const float height = std::floor((area.height + gap) / static_cast<float>(rows)) - gap;
     for (std::size_t cell = 0; cell < count; ++cell) {
-        const auto column = static_cast<float>(static_cast<int>(cell) % columns);
-        const auto row = static_cast<float>(static_cast<int>(cell) / columns);
+        const int columns_before = static_cast<int>(cell) % columns;
+        const int rows_before = static_cast<int>(cell) / columns;
+        const auto column = static_cast<float>(columns_before);
+        const auto row = static_cast<float>(rows_before);
         canvases_[cell].area = {area.x + column * (width + gap), area.y + row * (height + gap),
                                 std::max(1.0F, width), std::max(1.0F, height)};
     }
