@@ -4,6 +4,7 @@
 #include "picking/body_backend.h"
 #include "picking/creatures.h"
 #include "picking/grid/grid_settings.h"
+#include "support/build_speed.h"
 #include "support/catch.h"
 
 #include <algorithm>
@@ -78,7 +79,8 @@ TEST_CASE("the same grid comes out on one worker and on two", "[picking][making]
 
 TEST_CASE("grids of random picks from random grids have no dead cells", "[picking][making]") {
     const auto backend = make_thread_pool_backend(kinds(), 2);
-    for (std::uint64_t seed = 0; seed < 100; ++seed) {
+    constexpr std::uint64_t seeds = test::by_build(100, 12);
+    for (std::uint64_t seed = 0; seed < seeds; ++seed) {
         RandomStream stream(seed);
         GridOrder first;
         first.node = static_cast<std::uint32_t>(1000 + seed);
@@ -105,7 +107,8 @@ TEST_CASE("no dead cells either where most candidates are", "[picking][making]")
         if (lot == 4) result.outcome = Outcome::kDiverged;
         if (lot == 5) result.outcome = Outcome::kCheated;
     };
-    for (std::uint64_t seed = 0; seed < 400; ++seed) {
+    constexpr std::uint64_t seeds = test::by_build(400, 60);
+    for (std::uint64_t seed = 0; seed < seeds; ++seed) {
         const auto grid = make_grid(
             children_of(test::strangers(1 + seed % 4, seed), kGridSizes[seed % 6]), backend);
         CAPTURE(seed);
