@@ -57,6 +57,7 @@ public:
             frame(now, now - last_start);
             const double work = clock.seconds() - now;
             window_.show_frame();
+            if (!std::exchange(started_, true)) session_.feedback().log().write("started");
             frame_log_.end_frame({now - last_start, work, session_.playback_seconds()});
             last_start = now;
             if (options_.quit_after > 0.0 && now > options_.quit_after) break;
@@ -136,7 +137,6 @@ private:
         if (orders.card) keep_card(*orders.card);
         session_.carry_out(requests);
         if (!options_.status_log.empty()) screen_report_.write(session_.feedback().log());
-        if (!std::exchange(started_, true)) session_.feedback().log().write("started");
     }
 
     Image picture() {

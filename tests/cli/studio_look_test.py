@@ -49,6 +49,8 @@ def place_faults(places):
 
 
 class StudioLook(StudioTest):
+    frame_rate = 15  # all keys are held
+
     def test_everything_looks_right_at_1280x720(self):
         self.look_at_everything(1280, 720, 1, painted=True)
 
@@ -233,7 +235,7 @@ class StudioLook(StudioTest):
 
     def type(self, text):
         time.sleep(0.4)
-        self.display.tool("key", "ctrl+a", "type", "--delay", "15", text)
+        self.type_over(text)
 
     def point_at(self, name):
         self.wait_until(lambda: name in self.seen(), f"no '{name}' in sight")
