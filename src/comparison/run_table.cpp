@@ -2,12 +2,12 @@
 
 #include "core/files/file_io.h"
 #include "core/text/number_text.h"
+#include "core/text/parsed_number.h"
 #include "persist/sqlite/columns.h"
 
 #include <fmt/core.h>
 
 #include <array>
-#include <charconv>
 #include <sstream>
 #include <type_traits>
 #include <variant>
@@ -59,20 +59,15 @@ std::string cell_text(Whole number) {
     return std::to_string(number);
 }
 
-template <class Number>
-bool read_number(std::string_view cell, Number& number) {
-    const char* const end = cell.data() + cell.size();
-    const auto read = std::from_chars(cell.data(), end, number);
-    return read.ec == std::errc() && read.ptr == end;
-}
-
 bool read_cell(std::string_view cell, std::string& text) {
     text = cell;
     return true;
 }
 template <class Number>
 bool read_cell(std::string_view cell, Number& number) {
-    return read_number(cell, number);
+    const auto read = parsed_number<Number>(cell);
+    number = read.value_or(number);
+    return read.has_value();
 }
 bool read_cell(std::string_view /*cell*/, bool& /*flag*/) {
     return false;  // no column is a flag
@@ -90,7 +85,7 @@ bool read_curve(std::string_view text, std::vector<CurvePoint>& curve) {
     while (!text.empty()) {
         std::string_view point = take(text, ' ');
         CurvePoint& next = curve.emplace_back();
-        if (!read_number(take(point, ':'), next.trials) || !read_number(point, next.score))
+        if (!read_cell(take(point, ':'), next.trials) || !read_cell(point, next.score))
             return false;
     }
     return true;

@@ -10,7 +10,6 @@ namespace cambrian {
 using Vec2 = Eigen::Vector2d;
 using Vec3 = Eigen::Vector3d;
 using Mat2 = Eigen::Matrix2d;
-using Mat3 = Eigen::Matrix3d;
 using Rotation = Eigen::Quaterniond;  // unit quaternion
 
 }  // namespace cambrian

@@ -1,9 +1,10 @@
 #include "cluster/connection/cluster_address.h"
 
+#include "core/text/parsed_number.h"
+
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <charconv>
 #include <optional>
 #include <string_view>
 
@@ -31,11 +32,8 @@ Error not_a_server(std::string_view text) {
 }
 
 std::optional<int> port_of(std::string_view text) {
-    int port = 0;
-    const auto parsed = std::from_chars(text.data(), text.data() + text.size(), port);
-    if (parsed.ec != std::errc() || parsed.ptr != text.data() + text.size()) return std::nullopt;
-    if (port < 1 || port > 65535) return std::nullopt;
-    return port;
+    const auto port = parsed_number<int>(text);
+    return port && *port >= 1 && *port <= 65535 ? port : std::nullopt;
 }
 
 bool is_letter_or_digit(char letter) {

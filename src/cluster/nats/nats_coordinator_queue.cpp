@@ -4,6 +4,7 @@
 #include "cluster/nats/nats_streams.h"
 #include "cluster/nats/nats_subjects.h"
 #include "cluster/nats/nats_subscription.h"
+#include "core/text/parsed_number.h"
 #include "persist/json/json_text.h"
 #include "persist/text/digest_text.h"
 #include "persist/text/quoted_text.h"
@@ -11,7 +12,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <charconv>
 #include <map>
 #include <mutex>
 #include <thread>
@@ -50,9 +50,7 @@ struct OnItsWay {
 
 std::uint64_t serial_of(std::string_view subject) {
     subject.remove_prefix(std::min(subject.rfind('.') + 1, subject.size()));
-    std::uint64_t serial = 0;
-    std::from_chars(subject.data(), subject.data() + subject.size(), serial);
-    return serial;
+    return parsed_number<std::uint64_t>(subject).value_or(0);
 }
 
 // The number under a key of the server's own JSON; 0 if there is none.

@@ -4,7 +4,7 @@
 #include "cluster/connection/credentials.h"
 #include "cluster/messages/text_for_people.h"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <atomic>
@@ -52,13 +52,6 @@ bool is_known_host(const std::string& host) {
     return failure == 0;
 }
 
-std::string joined(const std::vector<std::string>& servers) {
-    std::string text;
-    for (const std::string& server : servers)
-        text.append(text.empty() ? "" : ",").append(server);
-    return text;
-}
-
 // Returns advice about a certificate that is not accepted.
 std::string certificate_advice(const std::string& reason) {
     if (reason.find("issuer") != std::string::npos || reason.find("self") != std::string::npos)
@@ -69,7 +62,7 @@ std::string certificate_advice(const std::string& reason) {
 }
 
 LinkFailure connection_failure(natsStatus status, const ClusterAddress& address) {
-    const std::string servers = joined(address.servers);
+    const std::string servers = fmt::format("{}", fmt::join(address.servers, ","));
     const std::string reason = last_nats_error();
     switch (status) {
         case NATS_NO_SERVER:

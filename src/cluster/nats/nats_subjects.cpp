@@ -1,22 +1,14 @@
 #include "cluster/nats/nats_subjects.h"
 
+#include "core/text/parsed_number.h"
 #include "persist/text/digest_text.h"
 
 #include <fmt/core.h>
-
-#include <charconv>
 
 namespace cambrian {
 namespace {
 
 constexpr std::size_t kHexDigits = 16;
-
-std::optional<std::uint32_t> whole_number(std::string_view text) {
-    std::uint32_t number = 0;
-    const auto parsed = std::from_chars(text.data(), text.data() + text.size(), number);
-    if (parsed.ec != std::errc() || parsed.ptr != text.data() + text.size()) return std::nullopt;
-    return number;
-}
 
 std::optional<std::uint64_t> id_of(std::string_view text) {
     return text.size() == kHexDigits ? parse_hex(text) : std::nullopt;
@@ -61,8 +53,8 @@ std::optional<UnitId> NatsSubjects::unit_of(std::string_view subject) const {
     const std::string_view kind = token(subject);
     if (kind != "work" && kind != "result") return std::nullopt;
     const auto run = id_of(token(subject));
-    const auto generation = whole_number(token(subject));
-    const auto unit = whole_number(subject);
+    const auto generation = parsed_number<std::uint32_t>(token(subject));
+    const auto unit = parsed_number<std::uint32_t>(subject);
     if (!run || !generation || !unit) return std::nullopt;
     return UnitId{*run, *generation, *unit};
 }

@@ -1,8 +1,8 @@
 #include "core/files/output_target.h"
 
 #include "core/files/file_errors.h"
+#include "core/text/parsed_number.h"
 
-#include <charconv>
 #include <linux/magic.h>
 #include <optional>
 #include <string>
@@ -34,11 +34,8 @@ bool is_own(const std::filesystem::path& folder) {
 }
 
 std::optional<int> number_of(const std::string& text) {
-    int number = 0;
-    const char* end = text.data() + text.size();
-    const auto parsed = std::from_chars(text.data(), end, number);
-    if (parsed.ec != std::errc() || parsed.ptr != end || number < 0) return std::nullopt;
-    return number;
+    const auto number = parsed_number<int>(text);
+    return number && *number >= 0 ? number : std::nullopt;
 }
 
 // Returns the descriptor that a name in a folder of open files denotes; nothing for other names.

@@ -4,11 +4,11 @@
 #include "core/files/file_errors.h"
 #include "core/files/file_lock.h"
 #include "core/files/output_target.h"
+#include "core/text/parsed_number.h"
 
 #include <fmt/core.h>
 
 #include <cerrno>
-#include <charconv>
 #include <csignal>
 #include <fcntl.h>
 #include <mutex>
@@ -32,13 +32,9 @@ void remove_with_companions(const std::filesystem::path& file) {
 pid_t maker_of(std::string_view name) {
     if (!name.starts_with(kPrefix)) return 0;
     name.remove_prefix(kPrefix.size());
-    pid_t process = 0;
-    unsigned number = 0;
-    const char* end = name.data() + name.size();
-    const auto first = std::from_chars(name.data(), end, process);
-    if (first.ec != std::errc() || first.ptr == end || *first.ptr != '-') return 0;
-    const auto second = std::from_chars(first.ptr + 1, end, number);
-    return second.ec == std::errc() && second.ptr == end ? process : 0;
+    const std::size_t dash = name.find('-');
+    if (dash == std::string_view::npos || !parsed_number<unsigned>(name.substr(dash + 1))) return 0;
+    return parsed_number<pid_t>(name.substr(0, dash)).value_or(0);
 }
 
 // Returns whether the process that made the file has ended. The lock also covers processes that are

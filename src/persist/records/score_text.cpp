@@ -1,8 +1,9 @@
 #include "persist/records/score_text.h"
 
 #include "core/text/number_text.h"
+#include "core/text/parsed_number.h"
 
-#include <charconv>
+#include <algorithm>
 #include <cmath>
 
 namespace cambrian {
@@ -20,19 +21,11 @@ std::string scores_text(std::span<const double> scores) {
 }
 
 std::optional<std::vector<double>> parse_scores(std::string_view text) {
-    std::vector<double> scores;
-    const char* at = text.data();
-    const char* const end = at + text.size();
-    while (scores.size() < kMostScores) {
-        double score = 0.0;
-        const auto [after, failure] = std::from_chars(at, end, score);
-        if (failure != std::errc() || !std::isfinite(score)) return std::nullopt;
-        scores.push_back(score);
-        if (after == end) return scores;
-        if (*after != ' ') return std::nullopt;
-        at = after + 1;
-    }
-    return std::nullopt;
+    auto scores = parsed_numbers<double>(text, kMostScores);
+    const auto finite = [](double score) { return std::isfinite(score); };
+    if (!scores || scores->empty() || !std::all_of(scores->begin(), scores->end(), finite))
+        return std::nullopt;
+    return scores;
 }
 
 }  // namespace cambrian

@@ -2,7 +2,7 @@
 #include "persist/settings/settings_file.h"
 #include "persist/text/setting_value.h"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <type_traits>
 
@@ -19,10 +19,7 @@ std::string allowed(const SettingField& field, const SettingValue& value) {
             fmt::format("{} to {}", short_text(field.low), short_text(field.high));
         return field.unit.empty() ? range : fmt::format("{} {}", range, field.unit);
     }
-    std::string choices;
-    for (const std::string& choice : field.choices)
-        choices += (choices.empty() ? "" : ", ") + choice;
-    return choices;
+    return fmt::format("{}", fmt::join(field.choices, ", "));
 }
 
 std::string comment(const SettingField& field, const SettingValue& value,
