@@ -31,9 +31,9 @@ constexpr const char* kSummary =
 
 // Declares all subcommands and options of the program.
 std::vector<Offered> offer_all(CLI::App& app) {
-    app.set_version_flag("--version", "cambrian " CAMBRIAN_VERSION, "Tell the version and exit");
+    app.set_version_flag("--version", "cambrian " CAMBRIAN_VERSION, "Print the version and exit");
     app.require_subcommand(0, 1);
-    app.footer("`cambrian SUBCOMMAND --help` explains one of them, with an example.");
+    app.footer("`cambrian SUBCOMMAND --help` explains a subcommand, with an example.");
     std::vector<Offered> offered;
     const SubcommandRegistry subcommands = builtin_subcommands();
     for (const SubcommandKind& kind : subcommands.all()) {

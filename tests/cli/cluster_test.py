@@ -30,8 +30,8 @@ ENDLESS = SLOW.replace("generations = 6", "generations = 10000")
 # Unpacks to a megabyte.
 MANY_ZEROS = zlib.compress(b"0" * 1_000_000)
 
-NOBODY_HEARD = ("nobody is heard on this cluster; workers that wait for its first run are "
-                "silent\n")
+NOBODY_HEARD = ("no machine announces itself on this cluster; workers that wait for its first run "
+                "are silent\n")
 
 
 class Runs(ClusterTest):

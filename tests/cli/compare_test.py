@@ -56,9 +56,9 @@ class Compare(ProgramTest):
         self.compare(*command)
         before = (self.folder / "comparison" / "runs.csv").read_bytes()
         again = self.compare(*command)
-        self.assertNotIn("runs to do", again.stderr)
+        self.assertNotIn("to do", again.stderr)
         self.assertEqual((self.folder / "comparison" / "runs.csv").read_bytes(), before)
-        self.assertIn("1 runs to do", self.compare("quick.toml", "--seeds", "1..3").stderr)
+        self.assertIn("1 run to do", self.compare("quick.toml", "--seeds", "1..3").stderr)
 
     def test_a_setting_is_swept(self):
         self.compare("quick.toml", "--sweep", "selection.method=rank,truncation", "--set",
@@ -76,7 +76,7 @@ class Compare(ProgramTest):
         process.send_signal(signal.SIGINT)
         message = process.communicate(timeout=600)[1]
         self.assertEqual(process.returncode, FAILED, message)
-        self.assertIn("goes on with the runs that are missing", message)
+        self.assertIn("continues with the missing runs", message)
         done = self.rows()
         self.assertTrue(1 <= len(done) < 9)
         self.run_well(*command)
@@ -85,9 +85,9 @@ class Compare(ProgramTest):
 
     def test_bad_usage_is_told(self):
         for arguments, part in [
-                ([], "what to compare"),
+                ([], "expected settings files"),
                 (["none.toml"], "none.toml"),
-                (["quick.toml", "--seeds", "9..1"], "'9..1' is no list of seeds"),
+                (["quick.toml", "--seeds", "9..1"], "'9..1' is not a list of seeds"),
                 (["quick.toml", "--seeds", "1..200"], "more than 100 seeds"),
                 (["quick.toml", "--set", "gravty=3"], 'did you mean "gravity"?'),
                 (["quick.toml", "--set", "gravity=deep"], "gravity"),
@@ -148,7 +148,7 @@ class TypedSettings(ProgramTest):
         refused = self.run_program("evolve", "quick.toml", "--seeds", "1,2", "-o", "a.cambrian")
         self.assert_refused(refused, "several seeds need a folder")
         self.assert_refused(self.run_program("evolve", "quick.toml", "--seeds", "x"),
-                            "'x' is no list of seeds")
+                            "'x' is not a list of seeds")
 
 
 if __name__ == "__main__":

@@ -38,6 +38,14 @@ class Documents(ProgramTest):
             for option in options - {"-q"}:
                 self.assertIn(f"\\fB{option}\\fR", section)
 
+    def test_each_option_is_explained_by_a_phrase_about_it(self):
+        page = self.run_well("manual").stdout.replace("\\-", "-")
+        options = re.findall(r"^\.TP\n(\\f.*)\n(.*)", page.split(".SH EXIT STATUS")[0], re.MULTILINE)
+        self.assertGreater(len(options), 60)
+        for names, text in options:
+            self.assertRegex(text, r"^([A-Z]|[0-9])\w*", names)
+            self.assertNotRegex(text, r"^(Which|What|How|Where|Who|So) ", names)
+
     def test_the_manual_is_good_roff(self):
         self.write("cambrian.1", self.run_well("manual").stdout)
         for checker in [["mandoc", "-T", "lint", "-W", "error"],

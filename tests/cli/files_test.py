@@ -328,7 +328,7 @@ class Files(ProgramTest):
                 (["evolve", "small.toml", "--seed", "-1"], "--seed: -1 is outside [0, 1e+15]"),
                 (["evolve", "small.toml", "--seed", "1e16"], "--seed: 1e16 is outside"),
                 (["evolve", "small.toml", "--seed", "1.5"], "whole number, found 1.5"),
-                (["evolve", "small.toml", "--seed", "x"], "--seed: 'x' is no number"),
+                (["evolve", "small.toml", "--seed", "x"], "--seed: 'x' is not a number"),
                 (["evolve", "small.toml", "--seed", "99999999999999999999"],
                  "--seed: 99999999999999999999 is outside"),
                 (["evolve", "small.toml", "-n", "0"], "--generations: 0 is outside [1, 1000000]"),

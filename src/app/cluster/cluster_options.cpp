@@ -10,19 +10,25 @@ namespace cambrian {
 namespace {
 
 constexpr const char* kAddress =
-    "The cluster's server, as nats://HOST or tls://HOST; several with commas between are one";
+    "Address of the cluster's NATS server, nats://HOST or tls://HOST; commas separate several "
+    "servers of the same cluster";
 constexpr const char* kAddressType = "URL";
 
 std::vector<CLI::Option*> add_login(CLI::App& app, ClusterLogin& login) {
     return {
         app.add_option("--credentials", login.credentials,
-                       "File that says who you are: user and password, or *.creds")
+                       "File with user and password for the server, or a NATS credentials file "
+                       "(*.creds); no "
+                       "login by default")
             ->type_name(option_type::kFile),
-        app.add_option("--ca", login.authority,
-                       "Certificate authority of tls:// (PEM), if it is not the system's")
+        app.add_option(
+               "--ca", login.authority,
+               "Certificates (PEM) of the authorities that tls:// trusts; the system's by default")
             ->type_name(option_type::kFile),
-        app.add_option("--cluster-name", login.name, "Which of the server's clusters (cambrian)")
-            ->type_name("NAME")};
+        app.add_option("--cluster-name", login.name,
+                       "Name of the cluster; several clusters may share a server")
+            ->type_name("NAME")
+            ->default_str(kStandardClusterName)};
 }
 
 }  // namespace
@@ -33,9 +39,10 @@ void add_cluster_address(CLI::App& app, ClusterLogin& login) {
 }
 
 void add_cluster_choice(CLI::App& app, ClusterLogin& login) {
-    auto* cluster = app.add_option("--cluster", login.servers,
-                                   std::string("Work on several machines. ") + kAddress)
-                        ->type_name(kAddressType);
+    auto* cluster =
+        app.add_option("--cluster", login.servers,
+                       std::string(kAddress) + "; only this machine evaluates by default")
+            ->type_name(kAddressType);
     for (CLI::Option* option : add_login(app, login))
         option->needs(cluster);
 }

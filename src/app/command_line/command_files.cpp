@@ -119,7 +119,7 @@ Status CommandFiles::check_inputs(const fs::path& output) const {
 
 Status CommandFiles::check_output(const fs::path& path) const {
     if (is_experiment_name(path) || belongs_to_experiment(path))
-        return cannot_write(path, "*.cambrian are experiments, which this would not be");
+        return cannot_write(path, "the ending .cambrian is reserved for experiments");
     if (Status other = check_inputs(path); !other) return other;
     return check_free(path);
 }

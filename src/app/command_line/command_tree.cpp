@@ -24,6 +24,7 @@ CommandOption describe(const CLI::Option& option) {
     CommandOption described{.names = {},
                             .value = value_of(option),
                             .help = option.get_description(),
+                            .standard = option.get_default_str(),
                             .positional = option.get_positional(),
                             .required = option.get_required(),
                             .several = option.get_items_expected_max() > 1};

@@ -16,6 +16,7 @@ struct CommandOption {
     std::vector<std::string> names;  // "-n", "--generations"; the plain name of a positional
     std::string value;               // type of the value: "FILE.toml" or "INT"; empty for a switch
     std::string help;
+    std::string standard;  // default value; empty if there is none or the help tells it
     bool positional = false;
     bool required = false;
     bool several = false;  // may take more than one value

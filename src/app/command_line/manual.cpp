@@ -54,7 +54,9 @@ std::string heading(const CommandOption& option) {
 
 std::string option_entry(const CommandOption& option) {
     const bool shows_kind = option.positional && !option.value.empty();
-    return fmt::format(".TP\n{}\n{}\n{}", heading(option), plain(option.help),
+    const std::string standard =
+        option.standard.empty() ? "" : fmt::format(" (default: {})", plain(option.standard));
+    return fmt::format(".TP\n{}\n{}{}\n{}", heading(option), plain(option.help), standard,
                        shows_kind ? fmt::format("({})\n", italic(option.value)) : "");
 }
 
@@ -120,8 +122,8 @@ std::string manual_page(const Command& program, std::string_view version) {
     for (const Command& command : program.subcommands)
         text += subcommand_section(program, command);
     return text +
-           ".SH EXIT STATUS\n.TP\n0\nDone.\n.TP\n2\nA mistake in the command or in a file.\n"
-           ".TP\n1\nAnything else.\n.PP\nMessages go to standard error.\n";
+           ".SH EXIT STATUS\n.TP\n0\nSuccess.\n.TP\n2\nA fault in the command line or in a file.\n"
+           ".TP\n1\nAny other fault.\n.PP\nMessages go to standard error.\n";
 }
 
 }  // namespace cambrian

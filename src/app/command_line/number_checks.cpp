@@ -31,7 +31,7 @@ std::string range_text(double low, double high) {
 // Returns an error message; empty if the number is in the range.
 std::string fault(const std::string& typed, double low, double high) {
     const std::optional<double> number = number_of(typed);
-    if (!number) return fmt::format("'{}' is no number", typed);
+    if (!number) return fmt::format("'{}' is not a number", typed);
     if (!std::isfinite(*number)) return typed + " is not finite";
     if (*number >= low && *number <= high) return "";
     return fmt::format("{} is outside {}", typed, range_text(low, high));

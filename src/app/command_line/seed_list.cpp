@@ -1,9 +1,10 @@
 #include "app/command_line/seed_list.h"
 
+#include "core/text/parsed_number.h"
+
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <charconv>
 #include <optional>
 #include <set>
 #include <string>
@@ -12,12 +13,8 @@ namespace cambrian {
 namespace {
 
 std::optional<std::uint64_t> parse_seed(std::string_view text) {
-    std::uint64_t seed = 0;
-    const char* const end = text.data() + text.size();
-    const auto read = std::from_chars(text.data(), end, seed);
-    if (read.ec != std::errc() || read.ptr != end || seed > std::uint64_t{kMostSeed})
-        return std::nullopt;
-    return seed;
+    const auto seed = parsed_number<std::uint64_t>(text);
+    return seed && *seed <= std::uint64_t{kMostSeed} ? seed : std::nullopt;
 }
 
 }  // namespace
@@ -36,11 +33,11 @@ Result<std::vector<std::uint64_t>> parse_seeds(std::string_view text) {
             dots == std::string_view::npos ? first : parse_seed(part.substr(dots + 2));
         if (!first || !last || *last < *first)
             return Error{
-                fmt::format("'{}' is no list of seeds; expected as 7, 1..9 or 1..9,12", whole)};
+                fmt::format("'{}' is not a list of seeds; expected 7, 1..9 or 1..9,12", whole)};
         for (std::uint64_t seed = *first; seed <= *last && seeds.size() <= kMostSeeds; ++seed)
             seeds.insert(seed);
         if (seeds.size() > kMostSeeds)
-            return Error{fmt::format("'{}' are more than {} seeds", whole, kMostSeeds)};
+            return Error{fmt::format("'{}' has more than {} seeds", whole, kMostSeeds)};
     }
     return std::vector<std::uint64_t>(seeds.begin(), seeds.end());
 }

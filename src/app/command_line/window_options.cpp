@@ -8,25 +8,30 @@
 namespace cambrian {
 
 void add_window_options(CLI::App& app, StudioOptions& options) {
-    take_whole(*app.add_option("--width", options.drawing.width, "Width of the window"), 320,
-               16384);
-    take_whole(*app.add_option("--height", options.drawing.height, "Height of the window"), 240,
-               16384);
+    take_whole(*app.add_option("--width", options.drawing.width,
+                               "Width of the window in units of 1/96 inch")
+                    ->capture_default_str(),
+               320, 16384);
+    take_whole(*app.add_option("--height", options.drawing.height,
+                               "Height of the window in units of 1/96 inch")
+                    ->capture_default_str(),
+               240, 16384);
     take_real(*app.add_option("--scale", options.drawing.scale,
-                              "Size of everything drawn; the display's unless given"),
+                              "Pixels per 1/96 inch of everything drawn; the display's by default"),
               0.5, 4.0);
     app.add_option("--status-log", options.status_log,
-                   "Append what happens to this file, one JSON object a line")
+                   "File to append events to, as JSON, one object per line")
         ->type_name(option_type::kFile);
-    app.add_option("--frame-log", options.frame_log, "Write the time of every frame to this file")
+    app.add_option("--frame-log", options.frame_log, "File for the times of every frame, as CSV")
         ->type_name(option_type::kFile);
-    app.add_option("--screenshot", options.screenshot, "Write a picture of the window at the end")
+    app.add_option("--screenshot", options.screenshot,
+                   "File for a picture of the window at its end")
         ->type_name(option_type::kPicture);
     take_real(*app.add_option("--quit-after", options.quit_after,
-                              "Close the window after so many seconds"),
+                              "Time in seconds after which the window closes; never by default"),
               0.0, 1e9);
     take_real(*app.add_option("--frame-rate", options.drawing.frame_rate,
-                              "Draw at most so many frames a second"),
+                              "Largest number of frames per second; the display's rate by default"),
               1.0, 1000.0);
 }
 

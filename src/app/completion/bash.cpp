@@ -1,6 +1,6 @@
 #include "app/command_line/completion.h"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 namespace cambrian {
 namespace {
@@ -30,18 +30,11 @@ _cambrian_files() {
 
 )";
 
-std::string words_of(const std::vector<std::string>& words) {
-    std::string text;
-    for (const std::string& word : words)
-        text += (text.empty() ? "" : " ") + word;
-    return text;
-}
-
 // Returns the command that completes a value; empty if there is none.
 std::string offer(const std::string& value) {
     if (is_folder(value)) return "_cambrian_folders";
     if (const auto words = value_words(value); !words.empty())
-        return fmt::format("_cambrian_words '{}'", words_of(words));
+        return fmt::format("_cambrian_words '{}'", fmt::join(words, " "));
     std::string endings;
     for (const std::string& ending : file_endings(value))
         endings += fmt::format(" '{}'", ending);
@@ -71,7 +64,7 @@ std::string command_case(const Command& command, const std::string& positionals)
     }
     std::string text = fmt::format("        {})\n", command.name);
     text += fmt::format("            if [[ $word == -* ]]; then _cambrian_words '{}'\n",
-                        words_of(names));
+                        fmt::join(names, " "));
     text += fmt::format("            else {}\n", positionals.empty() ? ":" : positionals);
     return text + "            fi ;;\n";
 }
@@ -92,14 +85,12 @@ std::string bash_completion(const Command& program) {
     std::vector<std::string> names;
     std::string cases = value_cases(program);
     std::string commands;
-    std::string either;
     for (const Command& command : program.subcommands) {
         names.push_back(command.name);
-        either += (either.empty() ? "" : " | ") + command.name;
         cases += value_cases(command);
         commands += command_case(command, positionals_of(command));
     }
-    commands += command_case(program, fmt::format("_cambrian_words '{}'", words_of(names)));
+    commands += command_case(program, fmt::format("_cambrian_words '{}'", fmt::join(names, " ")));
     return std::string(kHelpers) + "_cambrian() {\n" +
            "    local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD - 1]}\n"
            "    local command=" +
@@ -108,7 +99,7 @@ std::string bash_completion(const Command& program) {
            "    COMPREPLY=()\n"
            "    for ((i = 1; i < COMP_CWORD; i++)); do\n"
            "        case ${COMP_WORDS[i]} in " +
-           either +
+           fmt::format("{}", fmt::join(names, " | ")) +
            ") command=${COMP_WORDS[i]} && break ;; esac\n"
            "    done\n"
            "    case $command,$before in\n" +

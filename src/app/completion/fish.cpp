@@ -1,6 +1,6 @@
 #include "app/command_line/completion.h"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 namespace cambrian {
 namespace {
@@ -16,16 +16,13 @@ std::string quoted_for_fish(std::string_view text) {
 
 // Returns the words and files that a value may be, as a list that fish evaluates.
 std::string values_of(const std::string& value) {
-    std::string text;
     if (is_folder(value)) return "(__fish_complete_directories)";
-    for (const std::string& word : value_words(value))
-        text += (text.empty() ? "" : " ") + word;
+    std::vector<std::string> values = value_words(value);
     for (const std::string& ending : file_endings(value)) {
-        text += text.empty() ? "" : " ";
-        text += ending.empty() ? "(__fish_complete_path)"
-                               : fmt::format("(__fish_complete_suffix {})", ending);
+        values.push_back(ending.empty() ? "(__fish_complete_path)"
+                                        : fmt::format("(__fish_complete_suffix {})", ending));
     }
-    return text;
+    return fmt::format("{}", fmt::join(values, " "));
 }
 
 std::string line(const std::string& program, const std::string& condition,

@@ -1,6 +1,6 @@
 #include "app/command_line/completion.h"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 namespace cambrian {
 namespace {
@@ -24,11 +24,8 @@ std::string quoted_for_zsh(std::string_view text) {
 std::string action(const std::string& value) {
     if (is_folder(value)) return "_files -/";
     std::string text;
-    if (const auto words = value_words(value); !words.empty()) {
-        for (const std::string& word : words)
-            text += (text.empty() ? "" : " ") + word;
-        return fmt::format("({})", text);
-    }
+    if (const auto words = value_words(value); !words.empty())
+        return fmt::format("({})", fmt::join(words, " "));
     for (const std::string& ending : file_endings(value))
         text += (text.empty() ? "*" : "|*") + ending;
     if (text.empty()) return " ";
@@ -43,14 +40,9 @@ std::string argument(const CommandOption& option) {
         const std::string place = option.several ? "*" : option.required ? "1" : "::";
         return fmt::format("'{}{}'", place == "::" ? "1::" : place + ":", message);
     }
-    std::string names;
-    std::string excluded;
-    for (const std::string& name : option.names) {
-        names += (names.empty() ? "" : ",") + name;
-        excluded += (excluded.empty() ? "" : " ") + name;
-    }
+    std::string names = fmt::format("{}", fmt::join(option.names, ","));
     if (option.names.size() > 1) names = fmt::format("{{{}}}", names);
-    std::string text = option.several ? "'*'" : fmt::format("'({})'", excluded);
+    std::string text = option.several ? "'*'" : fmt::format("'({})'", fmt::join(option.names, " "));
     text += fmt::format("{}'[{}]", names, quoted_for_zsh(option.help));
     if (!option.value.empty())
         text += fmt::format(":{}:{}", quoted_for_zsh(option.value), action(option.value));

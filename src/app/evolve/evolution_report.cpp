@@ -12,7 +12,8 @@
 namespace cambrian {
 namespace {
 
-constexpr double kLearntByHeart = 0.25;  // more in its own trials than in others
+constexpr double kOverfitting =
+    0.25;  // excess of the score in trials of evolution over the held-out score
 
 // Formats with four decimals, so that columns align in all generations.
 std::string fixed(double number) {
@@ -32,7 +33,7 @@ std::string remarks(const GenerationStatistics& statistics) {
                             statistics.generations_without_progress);
     }
     if (statistics.giving_up_distrusted)
-        text += "   trials are not given up any more: an audited one would have survived";
+        text += "   early termination is off: an audited trial would have survived";
     return text;
 }
 
@@ -115,11 +116,14 @@ std::string confirmed_in_words(const EvaluationResult& result, const std::string
                        result.scores.size(), fixed(*range.first), fixed(*range.second));
 }
 
-// "0.4100 points, in 8 trials no generation saw; learnt by heart: 0.7000 in its own"
+// Example: "0.4100 points, in 8 trials that no generation used; overfitted: 0.7000 points
+// in trials of its generation".
 std::string held_out_in_words(double score, double trained, const std::string& unit) {
-    std::string text = fmt::format("{} {}, in 8 trials no generation saw", fixed(score), unit);
-    if (trained - score > kLearntByHeart)
-        text += fmt::format("; learnt by heart: {} {} in its own", fixed(trained), unit);
+    std::string text =
+        fmt::format("{} {}, in 8 trials that no generation used", fixed(score), unit);
+    if (trained - score > kOverfitting)
+        text +=
+            fmt::format("; overfitted: {} {} in trials of its generation", fixed(trained), unit);
     return text;
 }
 

@@ -116,9 +116,8 @@ Result<Course> new_course(const EvolutionRun& run, const EvolutionKinds& kinds) 
 Status check_unfinished(const std::string& file, const SavedExperiment& saved,
                         const ExperimentSettings& limits) {
     if (!saved.latest || stop_reason(saved.latest->history, limits).empty()) return {};
-    return Error{
-        fmt::format("{}: has come to its end, {} generations; --generations N asks for more", file,
-                    saved.latest->history.size())};
+    return Error{fmt::format("{}: is complete with {} generations; --generations N continues it",
+                             file, saved.latest->history.size())};
 }
 
 ExperimentSettings limits_of(const EvolutionRun& run, const SavedExperiment& saved) {
@@ -262,7 +261,7 @@ ExitStatus report(const Course& course, const Harvest& harvest, const std::strin
 
 void say_how_to_go_on(const Course& course) {
     if (course.file)
-        say("to go on: cambrian evolve --resume " + course.outputs.experiment.string());
+        say("to continue: cambrian evolve --resume " + course.outputs.experiment.string());
 }
 
 // How a run ended.

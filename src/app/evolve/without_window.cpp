@@ -11,7 +11,7 @@ namespace cambrian {
 
 void WithoutWindow::add_options(CLI::App& app) {
     app.add_option("--if-no-display", settings_,
-                   "Where no window can be opened, evolve these settings instead")
+                   "Settings file to evolve without a window if none can be opened")
         ->type_name(option_type::kSettings);
 }
 

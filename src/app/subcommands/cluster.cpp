@@ -59,16 +59,10 @@ std::string json_of(const Hello& hello) {
                         {"refused", quoted_text(hello.refused)}});
 }
 
-std::string left_aligned(std::string text, std::size_t width) {
-    text.resize(std::max(width, text.size()), ' ');
-    return text;
-}
-
 std::string row_of(const Hello& hello) {
-    return fmt::format(
-        "{}  {}  {}  {}  {}", left_aligned(hello.name, 24), left_aligned(role_word(hello.role), 11),
-        left_aligned(std::to_string(hello.cores), 5),
-        left_aligned(short_text(std::round(hello.creatures_per_second)), 11), state_words(hello));
+    return fmt::format("{:24}  {:11}  {:<5}  {:11}  {}", hello.name, role_word(hello.role),
+                       hello.cores, short_text(std::round(hello.creatures_per_second)),
+                       state_words(hello));
 }
 
 std::string table_of(const std::vector<Hello>& hellos) {
@@ -81,7 +75,9 @@ std::string table_of(const std::vector<Hello>& hellos) {
         creatures += hello.creatures_per_second;
     }
     if (hellos.empty())
-        return "nobody is heard on this cluster; workers that wait for its first run are silent";
+        return "no machine announces itself on this cluster; workers that wait for its first run "
+               "are "
+               "silent";
     return fmt::format("{}\n{}, {}, {} creatures/s", text, counted(hellos.size(), "machine"),
                        counted(cores, "core"), short_text(std::round(creatures)));
 }
@@ -90,7 +86,7 @@ class ClusterSubcommand final : public Subcommand {
 public:
     void add_options(CLI::App& app) override {
         add_cluster_address(app, login_);
-        app.add_flag("--json", json_, "As JSON, one object a line");
+        app.add_flag("--json", json_, "Output as JSON, one object per line");
     }
     CommandFiles files() const override {
         CommandFiles files;
@@ -121,7 +117,7 @@ ExitStatus ClusterSubcommand::run(const EvolutionKinds& /*kinds*/) {
 
 SubcommandKind cluster_subcommand() {
     return {.id = "cluster",
-            .summary = "Show which machines work on a cluster, and how fast.",
+            .summary = "List the machines that work on a cluster and their speeds.",
             .example = "cambrian cluster nats://lab-server",
             .make = make_subcommand<ClusterSubcommand>};
 }

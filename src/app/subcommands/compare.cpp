@@ -13,6 +13,7 @@
 #include "comparison/report.h"
 #include "core/files/file_io.h"
 #include "core/stopwatch.h"
+#include "core/text/counted.h"
 #include "core/text/pretty_text.h"
 #include "core/threads/thread_pool.h"
 #include "evolution/backends/thread_pool_backend.h"
@@ -124,36 +125,41 @@ std::string run_line(const ComparedRun& run) {
 class CompareSubcommand final : public Subcommand {
 public:
     void add_options(CLI::App& app) override {
-        app.add_option("arms", options_.arms,
-                       "Settings files to compare; the first is what the others are measured "
-                       "against. Without any, the worlds' own settings")
+        app.add_option(
+               "arms", options_.arms,
+               "Settings files to compare, of which the first is the reference; the worlds' own "
+               "settings by default")
             ->type_name(option_type::kSettings);
-        app.add_option("-w,--world", options_.worlds,
-                       "Settings file of a world to compare in, in which an arm changes only what "
-                       "it says; may be given again for more worlds")
+        app.add_option(
+               "-w,--world", options_.worlds,
+               "Settings file of a world to compare in, of which each arm changes only its own "
+               "settings; may be given several times")
             ->type_name(option_type::kSettings)
             ->allow_extra_args(false);
         app.add_option("--set", options_.sets,
-                       "A setting of all arms, as selection.survival=0.1; may be given again")
+                       "Value of a setting in all arms, as selection.survival=0.1; may be given "
+                       "several times")
             ->type_name("KEY=VALUE")
             ->allow_extra_args(false);
-        app.add_option("--sweep", options_.sweep, "Every arm once for each value of a setting")
+        app.add_option("--sweep", options_.sweep,
+                       "Values of a setting, each of which makes one arm of every settings file")
             ->type_name("KEY=VALUE,VALUE...");
-        app.add_flag("--random-search", options_.random_search,
-                     "One more arm: new random creatures only; the best are kept");
+        app.add_flag(
+            "--random-search", options_.random_search,
+            "Random search as a further arm, which keeps the best of new random creatures");
         app.add_option("-s,--seeds", options_.seeds, "Seeds of the runs, as 1..9 or 1..9,12")
             ->capture_default_str();
         take_whole(*app.add_option("-n,--trials", options_.trials,
-                                   "Trials of each run, counted to the end of a generation")
+                                   "Number of trials of each run, which ends with a generation")
                         ->capture_default_str(),
                    1, 1'000'000'000);
         take_whole(*app.add_option("-t,--threads", options_.threads,
-                                   "Runs at a time; one a core unless given"),
+                                   "Number of runs at the same time; one per core by default"),
                    1, 1024);
         add_cluster_choice(app, options_.cluster);
         app.add_option("-o,--out", options_.out,
-                       "Folder of runs.csv, report.md, curves and champions; runs that it has "
-                       "already are not run again")
+                       "Folder for runs.csv, report.md, curves and champions; runs that it already "
+                       "contains are not repeated")
             ->type_name(option_type::kFolder)
             ->capture_default_str();
     }
@@ -168,7 +174,7 @@ public:
     }
     ExitStatus run(const EvolutionKinds& kinds) override {
         if (options_.arms.empty() && options_.worlds.empty())
-            return fail({"what to compare: settings files, or --world FILE"});
+            return fail({"expected settings files to compare, or --world FILE"});
         auto runs = runs_of(options_, kinds);
         if (!runs) return fail(runs.error());
         const auto making = backend_making(options_.cluster, kinds);
@@ -180,7 +186,7 @@ public:
             return fail(ran.error(), ExitStatus::kFailed);
         const ExitStatus told = tell((*comparison)->finished());
         if (!interruption.requested()) return told;
-        say("interrupted; the same command goes on with the runs that are missing");
+        say("interrupted; the same command continues with the missing runs");
         return ExitStatus::kFailed;
     }
 
@@ -188,7 +194,7 @@ private:
     Status run_all(Comparison& comparison, const BackendMaking& making,
                    const Interruption& interruption) const {
         if (comparison.missing() == 0) return {};
-        say(fmt::format("{} runs to do", comparison.missing()));
+        say(counted(comparison.missing(), "run") + " to do");
         const Stopwatch watch;
         ProgressLine line([&] {
             const double share = comparison.share_done();
@@ -217,14 +223,15 @@ private:
 }  // namespace
 
 SubcommandKind compare_subcommand() {
-    return {.id = "compare",
-            .summary =
-                "Evolve under several settings side by side and say which does better, and "
-                "whether by more than chance.",
-            .example =
-                "cambrian compare --world assets/settings/walking.toml --sweep "
-                "selection.method=truncation,rank --random-search --seeds 1..9 --out comparison/",
-            .make = make_subcommand<CompareSubcommand>};
+    return {
+        .id = "compare",
+        .summary =
+            "Compare settings: evolve with each of them and test whether their scores differ by "
+            "more than chance.",
+        .example =
+            "cambrian compare --world assets/settings/walking.toml --sweep "
+            "selection.method=truncation,rank --random-search --seeds 1..9 --out comparison/",
+        .make = make_subcommand<CompareSubcommand>};
 }
 
 }  // namespace cambrian

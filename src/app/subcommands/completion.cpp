@@ -17,7 +17,7 @@ public:
         std::vector<std::string> names;
         for (const CompletionShell& shell : kCompletionShells)
             names.emplace_back(shell.name);
-        app.add_option("shell", shell_, "The shell to write for")
+        app.add_option("shell", shell_, "Name of the shell")
             ->required()
             ->check(CLI::IsMember(names));
     }

@@ -16,38 +16,44 @@ namespace {
 class EvolveSubcommand final : public Subcommand {
 public:
     void add_options(CLI::App& app) override {
-        auto* settings = app.add_option("settings", run_.settings_file, "Settings file (*.toml)")
-                             ->type_name(option_type::kSettings);
+        auto* settings =
+            app.add_option("settings", run_.settings_file,
+                           "Settings file (*.toml) of the run; required unless --resume is given")
+                ->type_name(option_type::kSettings);
         take_whole(*app.add_option("-n,--generations", run_.generations,
-                                   "Generations, instead of the file's"),
+                                   "Number of generations, instead of the file's"),
                    1, 1'000'000);
-        auto* seed = app.add_option("-s,--seed", seed_, "Seed, instead of the file's");
+        auto* seed =
+            app.add_option("-s,--seed", seed_, "Seed of all random numbers, instead of the file's");
         take_whole(*seed, 0, kMostSeed);
-        auto* seeds = app.add_option("--seeds", seeds_,
-                                     "A run with each of these, one after the other, as 1..9 or "
-                                     "1..9,12")
-                          ->excludes(seed);
+        auto* seeds =
+            app.add_option("--seeds", seeds_,
+                           "Seeds of several runs, one after the other, as 1..9 or 1..9,12")
+                ->excludes(seed);
         auto* sets = app.add_option("--set", run_.sets,
-                                    "A setting instead of the file's, as selection.method=rank; "
-                                    "may be given again")
+                                    "Value of a setting instead of the file's, as "
+                                    "selection.method=rank; may be given several times")
                          ->type_name("KEY=VALUE")
                          ->allow_extra_args(false);
         auto* founders = app.add_option("-f,--founders", run_.founders,
-                                        "Creature files to begin with instead of random creatures")
+                                        "Creature files of founders, which replace random ones")
                              ->type_name(option_type::kCreature);
-        take_whole(*app.add_option("-t,--threads", run_.threads,
-                                   "Threads; one a core unless given. Never changes a result"),
-                   1, 1024);
+        take_whole(
+            *app.add_option("-t,--threads", run_.threads,
+                            "Number of threads, which has no influence on results; one per core "
+                            "by default"),
+            1, 1024);
         app.add_option("-o,--out", run_.out,
-                       "Experiment file to keep (*.cambrian), file of the champion, or folder "
-                       "for both (current folder)")
+                       "Experiment file (*.cambrian) or creature file of the champion to write, or "
+                       "folder for both; the current folder by default")
             ->type_name(option_type::kExperiment);
         app.add_option("-r,--resume", run_.resume,
-                       "Go on with an experiment file, to the generations given")
+                       "Experiment file to continue, up to its number of generations or that of "
+                       "--generations")
             ->type_name(option_type::kExperiment)
             ->excludes(settings, seed, seeds, sets, founders);
         add_cluster_choice(app, run_.cluster);
-        app.add_flag("--json", run_.json, "Report as JSON, one object a line");
+        app.add_flag("--json", run_.json, "Output as JSON, one object per line");
     }
     CommandFiles files() const override { return files_of(run_); }
     ExitStatus run(const EvolutionKinds& kinds) override {
@@ -69,14 +75,15 @@ private:
 }  // namespace
 
 SubcommandKind evolve_subcommand() {
-    return {.id = "evolve",
-            .summary =
-                "Evolve without a window; keep the experiment and its champion. Ctrl+C stops and "
-                "says how to go on.",
-            .example =
-                "cambrian evolve assets/settings/walking.toml --generations 30 --seed 7 "
-                "--out champions/",
-            .make = make_subcommand<EvolveSubcommand>};
+    return {
+        .id = "evolve",
+        .summary =
+            "Evolve without a window and save the experiment and its champion. Ctrl+C stops the "
+            "run, which can be continued.",
+        .example =
+            "cambrian evolve assets/settings/walking.toml --generations 30 --seed 7 "
+            "--out champions/",
+        .make = make_subcommand<EvolveSubcommand>};
 }
 
 }  // namespace cambrian

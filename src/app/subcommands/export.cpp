@@ -27,22 +27,23 @@ public:
             ->type_name(option_type::kExperiment)
             ->required();
         auto* champion =
-            app.add_flag("--champion", champion_, "The best creature of the last generation");
+            app.add_flag("--champion", champion_, "Best creature of the last generation");
         auto* generation =
-            app.add_option("-g,--generation", generation_, "The best creature of this generation")
+            app.add_option("-g,--generation", generation_,
+                           "Number of the generation whose best creature is exported")
                 ->excludes(champion);
         take_whole(*generation, 0, 10'000'000);
-        auto* stats = app.add_flag("--stats", stats_, "Every generation's statistics, as CSV")
+        auto* stats = app.add_flag("--stats", stats_, "Statistics of every generation, as CSV")
                           ->excludes(champion, generation);
-        app.add_flag("--settings", settings_, "The settings of the last generation")
+        app.add_flag("--settings", settings_, "Settings of the last generation")
             ->excludes(champion, generation, stats);
-        app.add_option("-o,--out", out_, "File to write; standard output unless given")
+        app.add_option("-o,--out", out_, "File to write; standard output by default")
             ->type_name(option_type::kFile);
     }
     CommandFiles files() const override { return CommandFiles().reads(file_).writes(out_); }
     ExitStatus run(const EvolutionKinds& kinds) override {
         if (!champion_ && !generation_ && !stats_ && !settings_)
-            return fail({"what to export: --champion, --generation G, --stats or --settings"});
+            return fail({"expected --champion, --generation G, --stats or --settings"});
         // This must fail before the work begins, so that no result is lost.
         const Result<std::filesystem::path> path =
             out_.empty() ? std::filesystem::path() : output_path(out_, "", files());

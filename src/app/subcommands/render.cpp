@@ -9,6 +9,8 @@
 #include "app/trial/score_notice.h"
 #include "app/trial/workshop.h"
 #include "core/files/file_io.h"
+#include "core/text/number_text.h"
+#include "core/text/parsed_number.h"
 #include "core/text/pretty_text.h"
 #include "evolution/evaluation/trials.h"
 #include "persist/creature/creature_card.h"
@@ -21,7 +23,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <charconv>
 #include <optional>
 
 namespace cambrian {
@@ -29,6 +30,7 @@ namespace {
 
 constexpr int kLeastSide = 64;  // pixels
 constexpr int kMostSide = 4096;
+constexpr int kUsualPoses = 12;
 
 struct Size {
     int width = 0;
@@ -52,21 +54,19 @@ enum class Product : unsigned char { kSheet, kCard, kClip };
 
 // Parses "1280x720"; returns nothing for other text and for sizes that cannot be drawn.
 std::optional<Size> parse_size(const std::string& text) {
-    Size size;
-    const char* end = text.data() + text.size();
-    const auto width = std::from_chars(text.data(), end, size.width);
-    if (width.ec != std::errc() || width.ptr == end || *width.ptr != 'x') return std::nullopt;
-    const auto height = std::from_chars(width.ptr + 1, end, size.height);
-    if (height.ec != std::errc() || height.ptr != end) return std::nullopt;
+    const std::string_view both = text;
+    const std::size_t cross = std::min(both.find('x'), both.size());
+    const auto width = parsed_number<int>(both.substr(0, cross));
+    const auto height = parsed_number<int>(both.substr(std::min(cross + 1, both.size())));
     const auto possible = [](int side) { return side >= kLeastSide && side <= kMostSide; };
-    if (!possible(size.width) || !possible(size.height)) return std::nullopt;
-    return size;
+    if (!width || !height || !possible(*width) || !possible(*height)) return std::nullopt;
+    return Size{*width, *height};
 }
 
 std::string check_size(const std::string& text) {
     if (parse_size(text)) return "";
     return fmt::format(
-        "'{}' is no size; expected WIDTHxHEIGHT in pixels, each {} to {}, as 1280x720", text,
+        "'{}' is not a size; expected WIDTHxHEIGHT in pixels, each {} to {}, as 1280x720", text,
         kLeastSide, kMostSide);
 }
 
@@ -113,30 +113,37 @@ public:
             ->type_name(option_type::kCreature)
             ->required();
         app.add_option("-o,--out", options_.out,
-                       "Picture to write: a sheet of poses (*.png), a clip (*.mp4, *.gif; needs "
-                       "ffmpeg) or a card that carries the creature (*.card.png)")
+                       "File to write: a sheet of poses (*.png), a clip (*.mp4, *.gif; needs "
+                       "ffmpeg) or a card that contains the creature (*.card.png)")
             ->type_name(option_type::kDrawing)
             ->required();
-        app.add_flag("--card", options_.card, "A card, whatever the picture's name");
+        app.add_flag("--card", options_.card,
+                     "Card instead of a sheet, also if the name does not end in .card.png");
         app.add_option("--size", options_.size,
-                       "WIDTHxHEIGHT in pixels (sheet 1600x900, clip 1280x720, card 960x1280)")
+                       "Size in pixels, each side 64 to 4096; 1600x900 for a sheet, 1280x720 for a "
+                       "clip and 960x1280 for a card by default")
             ->type_name("WIDTHxHEIGHT")
             ->check(check_size);
-        app.add_option("--theme", options_.theme, "dark or light")
+        app.add_option("--theme", options_.theme, "Theme of the colors")
             ->check(CLI::IsMember({"dark", "light"}))
             ->capture_default_str();
-        take_whole(*app.add_option("--poses", options_.poses, "Poses of a sheet (12)"), 1,
-                   kMostPoses);
-        take_real(
-            *app.add_option("--fps", options_.frames_a_second, "Frames a second of a clip (30)"),
-            1.0, 120.0);
-        take_real(*app.add_option("--speed", options_.speed, "Speed of a clip; 1 is real time"),
+        take_whole(*app.add_option("--poses", options_.poses, "Number of poses of a sheet")
+                        ->default_str(std::to_string(kUsualPoses)),
+                   1, kMostPoses);
+        take_real(*app.add_option("--fps", options_.frames_a_second, "Frames per second of a clip")
+                       ->default_str(short_text(ClipTiming().frames_a_second)),
+                  1.0, 120.0);
+        take_real(*app.add_option("--speed", options_.speed,
+                                  "Speed of a clip, as a multiple of real time")
+                       ->default_str(short_text(ClipTiming().speed)),
                   0.05, 20.0);
         take_real(*app.add_option("--seconds", options_.seconds,
-                                  "So much of the trial from its start; all of it unless given"),
+                                  "Duration, in seconds from the start of the trial, of what a "
+                                  "clip shows; the complete trial by default"),
                   0.01, 86400.0);
-        app.add_option("-e,--environment", options_.environment,
-                       "Settings file whose world and goal to use instead of the creature's own")
+        app.add_option(
+               "-e,--environment", options_.environment,
+               "Settings file whose environment and goal are used instead of the creature's own")
             ->type_name(option_type::kSettings);
     }
 
@@ -167,7 +174,7 @@ public:
         if (!subject) return fail(subject.error(), ExitStatus::kFailed);
         const Scene scene{*subject, first_trial_world(*settings), kinds.creature};
         if (subject->verified == false)
-            say(options_.creature + ": moves otherwise than when it was scored");
+            say(options_.creature + ": the motion differs from that of the scored trial");
         const Status made = make(*product, scene, *text, *path, work);
         return made ? ExitStatus::kDone : fail(made.error(), ExitStatus::kFailed);
     }
@@ -200,7 +207,7 @@ private:
             draw_card(canvas, subject, palette);
             return save_card(path, canvas.finish(), text);
         }
-        draw_sheet(canvas, subject, palette, options_.poses.value_or(12));
+        draw_sheet(canvas, subject, palette, options_.poses.value_or(kUsualPoses));
         const Result<std::string> png = encode_png(canvas.finish());
         return png ? write_file(path, *png) : Status(png.error());
     }

@@ -47,14 +47,15 @@ public:
     void add_options(CLI::App& app) override {
         app.add_option(
                "creatures", files_,
-               "Creature files, each replaced completely, or experiments, whose creatures are "
-               "judged again as their next generation")
+               "Creature files, which are replaced, or experiment files, whose creatures are "
+               "judged again as the next generation")
             ->type_name(option_type::kCreatureOrExperiment)
             ->required();
-        app.add_option("-o,--out", out_, "File to write instead of replacing the only one given")
+        app.add_option("-o,--out", out_,
+                       "Creature file to write instead of replacing the only input")
             ->type_name("FILE.creature.json");
         app.add_flag("--default-integration", default_integration_,
-                     "With the usual integrator, tolerance and contact step instead of the file's");
+                     "Default integrator, tolerance and contact step instead of the file's");
     }
 
     CommandFiles files() const override { return CommandFiles().reads_each(files_).writes(out_); }
@@ -105,7 +106,7 @@ private:
         if (!card) return card.error();
         if (*card && out_.empty()) {
             return Error{file +
-                         ": a card's picture tells its score; write a creature file with --out and "
+                         ": a card's picture shows its score; write a creature file with --out and "
                          "draw that one's card with 'cambrian render'"};
         }
         Result<CreatureDocument> document = load_creature(file, kinds);

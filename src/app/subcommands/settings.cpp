@@ -15,11 +15,17 @@ namespace {
 class SettingsSubcommand final : public Subcommand {
 public:
     void add_options(CLI::App& app) override {
-        app.add_option("settings", file_, "Settings file to complete; without one, the defaults")
+        app.add_option(
+               "settings", file_,
+               "Settings file to complete; what it lacks, and all without a file, has its default")
             ->type_name(option_type::kSettings);
-        app.add_option("-g,--goal", goal_, "What is selected for, with the world it makes sense in")
+        app.add_option("-g,--goal", goal_, "Goal of the settings, with the environment it needs")
+            ->default_str(ExperimentSettings().goal)
             ->excludes("settings");
-        app.add_option("-o,--out", out_, "File or folder to write to, instead of the screen")
+        app.add_option(
+               "-o,--out", out_,
+               "File to write, or folder of a file named after the goal; standard output by "
+               "default")
             ->type_name(option_type::kSettings);
     }
     CommandFiles files() const override { return CommandFiles().reads(file_).writes(out_); }

@@ -53,31 +53,35 @@ Result<ExperimentSettings> settings_for(const SimulateOptions& options,
 class SimulateSubcommand final : public Subcommand {
 public:
     void add_options(CLI::App& app) override {
-        app.add_option("creature", options_.creature, "Creature file (*.creature.json)")
+        app.add_option("creature", options_.creature,
+                       "Creature file (*.creature.json) or card (*.card.png)")
             ->type_name(option_type::kCreature)
             ->required();
-        app.add_option("-e,--environment", options_.environment,
-                       "Settings file whose world and goal to use instead of the creature's own")
+        app.add_option(
+               "-e,--environment", options_.environment,
+               "Settings file whose environment and goal are used instead of the creature's own")
             ->type_name(option_type::kSettings);
         app.add_option("--integrator", options_.integrator,
-                       "Integrator to use instead of the world's; 'cambrian settings' lists them");
-        take_finite(*app.add_option("--seconds", options_.seconds,
-                                    "Length of the trial, instead of its own"));
+                       "Integrator instead of the settings' one; 'cambrian settings' lists them");
+        take_finite(
+            *app.add_option("--seconds", options_.seconds,
+                            "Duration of the trial in seconds, instead of the settings' one"));
         take_finite(*app.add_option("--tolerance", options_.tolerance,
-                                    "Error allowed in a step, instead of the world's"));
-        app.add_option("--set", options_.sets,
-                       "Another setting of the world, as environment.gravity=1.62; may be given "
-                       "again")
+                                    "Permitted error of a time step, 1e-8 to 0.1, instead of the "
+                                    "settings' one"));
+        app.add_option(
+               "--set", options_.sets,
+               "Value of a setting, as environment.gravity=1.62; may be given several times")
             ->type_name("KEY=VALUE")
             ->allow_extra_args(false);
         take_whole(*app.add_option("--repeat", options_.repeat,
-                                   "Also in so many slightly different worlds, which tells "
-                                   "skill from luck: the median of the scores and their range"),
+                                   "Number of further trials in slightly different worlds, whose "
+                                   "median score and range tell skill from luck; none by default"),
                    1, 1000);
         app.add_option("--trace", options_.trace,
-                       "Write every part's motion to this file, as CSV with a row a tick")
+                       "File for every part's motion, as CSV with one row per tick (1/60 s)")
             ->type_name(option_type::kTable);
-        app.add_flag("--json", options_.json, "Report as one JSON object");
+        app.add_flag("--json", options_.json, "Output as one JSON object");
     }
     CommandFiles files() const override {
         return CommandFiles()

@@ -53,16 +53,19 @@ public:
         if (std::filesystem::exists(sample, ignored)) options_.sample_creature = sample;
     }
     void add_options(CLI::App& app) override {
-        app.add_option("file", options_.open_file, "Creature file, card or settings file to open")
+        app.add_option("file", options_.open_file,
+                       "Creature file, card, settings file or experiment file to open")
             ->type_name(option_type::kAnyOfOurs);
-        app.add_flag("--evolve", options_.evolve, "Begin to evolve at once");
-        take_whole(*app.add_option("-t,--threads", options_.machines.workers,
-                                   "Threads that evaluate; one a core unless given"),
-                   1, 1024);
+        app.add_flag("--evolve", options_.evolve, "Evolution begins when the window opens");
+        take_whole(
+            *app.add_option("-t,--threads", options_.machines.workers,
+                            "Number of threads that evaluate creatures; one per core by default"),
+            1, 1024);
         add_cluster_choice(app, cluster_);
         add_window_options(app, options_);
         app.add_option("--state-dir", options_.state_dir,
-                       "Folder of what is remembered from one start to the next; \"\" for nothing")
+                       "Folder that keeps the state from one start to the next, \"\" for none; "
+                       "$XDG_STATE_HOME/cambrian or ~/.local/state/cambrian by default")
             ->type_name(option_type::kFolder);
         without_window_.add_options(app);
     }

@@ -108,7 +108,7 @@ ExitStatus verify_experiment(const std::string& file, const EvolutionKinds& kind
 class VerifySubcommand final : public Subcommand {
 public:
     void add_options(CLI::App& app) override {
-        app.add_option("creatures", files_, "Creature files, or experiments to be computed again")
+        app.add_option("creatures", files_, "Creature files and experiment files to compute again")
             ->type_name(option_type::kCreatureOrExperiment)
             ->required();
     }

@@ -22,7 +22,7 @@ public:
                        "Creature file (*.creature.json) or card (*.card.png)")
             ->type_name(option_type::kCreature)
             ->required();
-        app.add_option("--theme", theme_, "dark or light")
+        app.add_option("--theme", theme_, "Theme of the window")
             ->check(CLI::IsMember({"dark", "light"}))
             ->capture_default_str();
         add_window_options(app, options_);

@@ -29,18 +29,18 @@ class WorkerSubcommand final : public Subcommand {
 public:
     void add_options(CLI::App& app) override {
         add_cluster_address(app, login_);
-        take_whole(*app.add_option("-t,--threads", threads_, "Cores to use; all unless given"), 1,
-                   1024);
+        take_whole(
+            *app.add_option("-t,--threads", threads_, "Number of cores to use; all by default"), 1,
+            1024);
         app.add_option("--priority", priority_,
-                       "'background' yields to all other programs, 'normal' does not")
+                       "Priority of the computation; 'background' yields to all other programs")
             ->check(CLI::IsMember({kBackground, kNormal}))
             ->capture_default_str();
-        app.add_option("--name", name_,
-                       "The name of this machine in tables; its host name by default")
+        app.add_option("--name", name_, "Name of this machine in tables; its host name by default")
             ->type_name("TEXT");
         app.add_flag("--unit", unit_,
-                     "Compute one unit from standard input and end; what `cambrian evolve` does "
-                     "with work that seems to end workers");
+                     "Single unit of work, read from standard input, instead of a cluster's; "
+                     "`cambrian evolve` computes units in this way that may have crashed a worker");
     }
     CommandFiles files() const override {
         CommandFiles files;

@@ -45,8 +45,8 @@ std::string audit_json(const SceneAudit& audit) {
 
 std::string audit_text(const SceneAudit& audit) {
     return fmt::format(
-        "muscles worked {} J; unexplained {} J{}, given by contacts and limits {} J{}\ndeepest "
-        "contact {} mm, farthest past a limit {} rad, fastest part {} m/s, fastest spin {} "
+        "muscles worked {} J; unexplained {} J{}, gained from contacts and limits {} J{}\ndeepest "
+        "penetration {} mm, largest limit violation {} rad, fastest part {} m/s, fastest spin {} "
         "rad/s\n{} evaluations, {} steps, {} rejections, {} impacts, {} fallbacks",
         rounded(audit.gross_motor_work), rounded(audit.energy_residual),
         percent_of(audit.energy_residual, audit.energy_scale), rounded(audit.positive_work),
@@ -85,7 +85,7 @@ std::string trial_text(const EvaluationResult& result, const std::string& unit) 
     std::string text(outcome_name(result.outcome));
     if (!result.reason.empty()) text += fmt::format(" ({})", result.reason);
     text += fmt::format(
-        ": {} {}\n{} parts, {} neurons at work, {} m long, {} kg\nmotion {}\naudit: {}; {}",
+        ": {} {}\n{} parts, {} live neurons, {} m long, {} kg\nmotion {}\naudit: {}; {}",
         short_text(result.fitness), unit, result.parts, result.neurons,
         short_text(result.body_length), short_text(result.mass), digest_text(result.digest),
         verdict_name(result.verdict), audit_text(result.audit));
