@@ -38,7 +38,7 @@ TEST_CASE("only loopback addresses are on this machine") {
     CHECK_FALSE(cluster_address({.servers = "nats://127.evil.invalid"})->on_this_machine);
 }
 
-TEST_CASE("what is no address is refused in words") {
+TEST_CASE("an invalid address is refused with a message") {
     for (const char* servers :
          {"", "lab-server", "http://lab", "nats://", "nats://lab:0", "nats://lab:65536",
           "nats://lab:", "nats://lab:4222x", "nats://la b", "nats://[::1", "nats://a,,nats://b",

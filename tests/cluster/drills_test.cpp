@@ -70,7 +70,8 @@ TEST_CASE("any number of workers gives the bits of one machine", "[cluster][thre
     if (count > 0) CHECK(status.workers.front().share < 1.0);
 }
 
-TEST_CASE("several trials, probes and bars travel", "[cluster][threads]") {
+TEST_CASE("several trials, probes and early-termination thresholds are transferred",
+          "[cluster][threads]") {
     ExperimentSettings settings = drill_settings();
     settings.generations = 6;
     settings.terminate_early = true;
@@ -148,7 +149,7 @@ TEST_CASE("a server that goes away and comes back is used again", "[cluster][thr
     CHECK(cluster.counts().units > units_before);
 }
 
-TEST_CASE("a server that stops in mid-generation holds no one up", "[cluster][threads]") {
+TEST_CASE("a server that stops in mid-generation does not delay the run", "[cluster][threads]") {
     int units = 0;  // outlives the workers that count it
     Cluster cluster(0);
     const auto stop_server = [&](UnitMessage&) {
@@ -228,7 +229,7 @@ TEST_CASE("two workers that differ end the run and say why", "[cluster][threads]
     CHECK(cluster.backend->status().failure.find("two workers") != std::string::npos);
 }
 
-TEST_CASE("a genome that ends its workers is found and written down", "[cluster][threads]") {
+TEST_CASE("a genome that crashes workers is found and saved", "[cluster][threads]") {
     const TemporaryDirectory folder;
     std::mutex mutex;
     std::string poison;  // hash of the genome, as units say it

@@ -338,13 +338,13 @@ TEST_CASE("a late unit comes home early and casts doubt on its worker only later
     const double due = 10.0 + 1.2 * plan->seconds + 0.02;
     CHECK(batch.next_due() == Approx(due));
     CHECK_FALSE(batch.next_home_task(due - 1e-6, cores));
-    SECTION("just late") {
+    SECTION("just after its due time") {
         const auto task = batch.next_home_task(due + 1e-6, cores);
         REQUIRE(task);
         CHECK(task->late);
         CHECK_FALSE(task->silent_since);
     }
-    SECTION("long late") {
+    SECTION("long after its due time") {
         const auto task = batch.next_home_task(10.0 + 2.0 * (due - 10.0) + 0.26, cores);
         REQUIRE(task);
         CHECK(task->silent_since == 10.0);

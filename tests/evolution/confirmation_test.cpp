@@ -79,7 +79,7 @@ TEST_CASE("a trial in another world gives another score, the same every time",
     }
 }
 
-TEST_CASE("only who would survive is tried again, and the median counts",
+TEST_CASE("only creatures that would survive are confirmed, and the median counts",
           "[evolution][confirmation]") {
     FakeBackend backend;
     auto settings = of_twenty();
@@ -107,8 +107,9 @@ TEST_CASE("only who would survive is tried again, and the median counts",
     CHECK(statistics.best_lowest == Approx(0.6 * statistics.best_highest));
 }
 
-TEST_CASE("who was lucky makes way for who was not, and is not tried twice",
-          "[evolution][confirmation]") {
+TEST_CASE(
+    "creatures that replace those with a lucky score are confirmed too, and nobody twice",
+    "[evolution][confirmation]") {
     FakeBackend backend;
     backend.in_probe = luck_lost;
     const Evolution evolution = evolved(of_twenty(), backend, 4);
@@ -139,7 +140,7 @@ TEST_CASE("every selection confirms all that live on", "[evolution][confirmation
     }
 }
 
-TEST_CASE("confirming that is stopped goes on where it was, to the same end",
+TEST_CASE("an interrupted confirmation is continued with the same result",
           "[evolution][confirmation]") {
     FakeBackend whole;
     whole.in_probe = luck_lost;

@@ -92,7 +92,7 @@ TEST_CASE("giving trials up keeps a distance where lines and plans are limited",
     CHECK(termination_share(*kinds().selections.find("map-elites"), settings) == 0.0);
 }
 
-TEST_CASE("a child belongs to its mother's line, founders and newcomers begin their own",
+TEST_CASE("a child belongs to its mother's line, founders and random immigrants begin their own",
           "[evolution][lines]") {
     test::FakeBackend backend;
     auto settings = std::make_shared<ExperimentSettings>();

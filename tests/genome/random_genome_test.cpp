@@ -54,7 +54,7 @@ TEST_CASE("random genomes are valid and within the user's limits", "[genome][ran
     }
 }
 
-TEST_CASE("random genomes use rigid and rotary joints unless others are named",
+TEST_CASE("random genomes use rigid and revolute joints unless settings name others",
           "[genome][random]") {
     FounderSettings settings;
     CHECK(enabled_joints(settings, small_catalog()) == std::vector<std::uint8_t>{0, 1});

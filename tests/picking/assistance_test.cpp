@@ -39,7 +39,7 @@ std::vector<std::uint64_t> hashes(const std::vector<IndividualPtr>& creatures) {
 
 }  // namespace
 
-TEST_CASE("assistance runs the generations asked for and gives the better half",
+TEST_CASE("assistance runs the requested generations and returns the better half",
           "[picking][assistance]") {
     const auto elites = elites_of(assisted(10));
     CHECK(elites.size() == 30);
@@ -49,13 +49,14 @@ TEST_CASE("assistance runs the generations asked for and gives the better half",
     CHECK(elites.front()->result.fitness > seeds.front()->result.fitness);
 }
 
-TEST_CASE("assistance repeats for a grid, and differs from grid to grid", "[picking][assistance]") {
+TEST_CASE("assistance is reproducible for a grid and differs between grids",
+          "[picking][assistance]") {
     const auto once = hashes(elites_of(assisted(3)));
     CHECK(once == hashes(elites_of(assisted(3))));
     CHECK(once != hashes(elites_of(assisted(3, {}, 3))));
 }
 
-TEST_CASE("scores that depend on the seed are not taken over", "[picking][assistance]") {
+TEST_CASE("assistance drops scores that depend on the seed", "[picking][assistance]") {
     ExperimentSettings jittered;
     jittered.world.trial.trials = 2;
     for (const IndividualPtr& elite : elites_of(assisted(1, jittered)))
@@ -64,7 +65,7 @@ TEST_CASE("scores that depend on the seed are not taken over", "[picking][assist
         CHECK(elite->evaluated);
 }
 
-TEST_CASE("picks go back into an automatic population", "[picking][handover]") {
+TEST_CASE("picks can join an automatic population", "[picking][handover]") {
     auto settings = std::make_shared<ExperimentSettings>();
     settings->population.size = 20;
     Evolution evolution(settings, kinds());

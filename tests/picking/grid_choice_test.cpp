@@ -107,7 +107,7 @@ double least_distance(const Creatures& all, const std::vector<std::size_t>& chos
 
 }  // namespace
 
-TEST_CASE("descriptors are what a person sees, scaled by their range", "[picking][choice]") {
+TEST_CASE("descriptors are visible quantities, scaled by their range", "[picking][choice]") {
     Individual tall = creature(1, 3.0, 0.5);
     tall.result.body_length = 2.0;
     tall.result.parts = 7;
@@ -128,7 +128,7 @@ TEST_CASE("descriptors are what a person sees, scaled by their range", "[picking
     CHECK(describe_for_grid({})[2] == 0.0);  // without a length and a mass
 }
 
-TEST_CASE("the choice is the one defined, for any dial", "[picking][choice]") {
+TEST_CASE("the choice equals its definition for any weight of fitness", "[picking][choice]") {
     RandomStream stream(7);
     for (int i = 0; i < 300; ++i) {
         const Creatures candidates = random_creatures(1 + stream.below(8), stream);
@@ -140,7 +140,8 @@ TEST_CASE("the choice is the one defined, for any dial", "[picking][choice]") {
     }
 }
 
-TEST_CASE("what is chosen is spread at least half as well as can be", "[picking][choice]") {
+TEST_CASE("the least distance among the chosen is at least half of the optimum",
+          "[picking][choice]") {
     // Gonzalez (1985): the greedy choice is within a factor of two of the optimum.
     RandomStream stream(8);
     for (int i = 0; i < 100; ++i) {
@@ -159,7 +160,8 @@ TEST_CASE("what is chosen is spread at least half as well as can be", "[picking]
     }
 }
 
-TEST_CASE("all fitness takes the fittest, all me does not look at fitness", "[picking][choice]") {
+TEST_CASE("full weight of fitness chooses the fittest, no weight ignores fitness",
+          "[picking][choice]") {
     RandomStream stream(9);
     for (int i = 0; i < 50; ++i) {
         Creatures candidates = random_creatures(20, stream);
@@ -191,13 +193,14 @@ TEST_CASE("the fittest is first if no creature is displayed", "[picking][choice]
     CHECK(choose_diverse({}, candidates, 2, 0.5).empty());
 }
 
-TEST_CASE("candidates that all look the same are taken in their order", "[picking][choice]") {
+TEST_CASE("candidates with equal descriptors are chosen in their order", "[picking][choice]") {
     const Creatures same = {shared(creature(1, 1.0, 1.0)), shared(creature(2, 1.0, 1.0)),
                             shared(creature(3, 1.0, 1.0))};
     CHECK(choose_diverse(same, Creatures{same[0]}, 2, 0.0) == std::vector<std::size_t>{0, 1});
 }
 
-TEST_CASE("dead, equal and invalid candidates are told from living ones", "[picking][choice]") {
+TEST_CASE("dead, equal and invalid candidates are distinguished from living ones",
+          "[picking][choice]") {
     Individual still = creature(1, 0.0, 1.0);
     still.result.behavior.stir = 0.009;
     Individual stirring = creature(2, 0.0, 1.0);

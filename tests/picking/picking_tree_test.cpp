@@ -53,7 +53,7 @@ std::vector<Trace> traces(const PickingTree& tree) {
 
 }  // namespace
 
-TEST_CASE("an empty tree leads nowhere", "[picking][tree]") {
+TEST_CASE("an empty tree has no grid to go to", "[picking][tree]") {
     PickingTree tree;
     CHECK(tree.empty());
     CHECK_FALSE(tree.back());
@@ -78,7 +78,7 @@ TEST_CASE("nothing is lost or changed in thousands of random walks", "[picking][
     }
 }
 
-TEST_CASE("forward undoes what back did, however far", "[picking][tree]") {
+TEST_CASE("going forward undoes any number of steps back", "[picking][tree]") {
     for (std::uint64_t walk = 0; walk < 1000; ++walk) {
         RandomStream stream(stream_seed({2, walk}));
         PickingTree tree;
@@ -124,7 +124,8 @@ TEST_CASE("breeding again from an earlier grid makes a branch", "[picking][tree]
     CHECK(tree.next() == 3U);
 }
 
-TEST_CASE("a visit makes its way the way forward", "[picking][tree]") {
+TEST_CASE("after a visit, going forward follows the branch of the visited grid",
+          "[picking][tree]") {
     PickingTree tree;
     tree.add(grid());
     tree.add(grid());
@@ -140,7 +141,8 @@ TEST_CASE("a visit makes its way the way forward", "[picking][tree]") {
     CHECK(tree.current().number == 1);
 }
 
-TEST_CASE("every grid hangs on the first one, and copies share grids", "[picking][tree]") {
+TEST_CASE("every grid descends from the first one, and copies of a tree share grids",
+          "[picking][tree]") {
     RandomStream stream(4);
     PickingTree tree;
     tree.add(grid());
@@ -156,7 +158,7 @@ TEST_CASE("every grid hangs on the first one, and copies share grids", "[picking
     CHECK(copy.size() + 1 == tree.size());
 }
 
-TEST_CASE("a way of ten thousand grids is no trouble", "[picking][tree]") {
+TEST_CASE("a tree can have a path of ten thousand grids", "[picking][tree]") {
     PickingTree tree;
     for (int i = 0; i < 10000; ++i) {
         GridNode node;

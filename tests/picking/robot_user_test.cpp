@@ -92,7 +92,8 @@ Spread spread_of(const std::function<int(std::uint64_t seed)>& run) {
 
 }  // namespace
 
-TEST_CASE("who likes many parts has 14 of them after at most 10 decisions", "[picking][robot]") {
+TEST_CASE("a simulated user who prefers many parts has 14 after at most 10 decisions",
+          "[picking][robot]") {
     const Spread decisions = spread_of([](std::uint64_t seed) {
         Robot robot(seed);
         REQUIRE(robot.start(parts) == 2.0);
@@ -103,7 +104,7 @@ TEST_CASE("who likes many parts has 14 of them after at most 10 decisions", "[pi
     CHECK(decisions.worst < kMostDecisions);
 }
 
-TEST_CASE("who likes tall creatures has one six times as tall after at most 8 decisions",
+TEST_CASE("a simulated user who prefers tall creatures has one six times as tall after 8 decisions",
           "[picking][robot]") {
     const Spread decisions = spread_of([](std::uint64_t seed) {
         Robot robot(seed);
@@ -114,7 +115,7 @@ TEST_CASE("who likes tall creatures has one six times as tall after at most 8 de
     CHECK(decisions.worst < kMostDecisions);
 }
 
-TEST_CASE("who does not care gets nowhere: it is the picking that steers", "[picking][robot]") {
+TEST_CASE("a simulated user without a preference does not reach 14 parts", "[picking][robot]") {
     const Taste any = [](const EvaluationResult&) { return 0.0; };  // always picks the first cell
     const Spread most_parts = spread_of([&](std::uint64_t seed) {
         Robot robot(seed);

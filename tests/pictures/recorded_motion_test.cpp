@@ -21,7 +21,7 @@ RecordedTrial crawl() {
     return std::move(*recorded);
 }
 
-TEST_CASE("a recorded trial is the one that judges, from the end of settling on",
+TEST_CASE("a recorded trial equals the evaluated one from the end of settling",
           "[pictures][recorded_motion]") {
     const RecordedTrial recorded = crawl();
     const auto judged = run_trial(recorded.motion.phenotype, test::kinds().creature, short_world());
@@ -35,7 +35,7 @@ TEST_CASE("a recorded trial is the one that judges, from the end of settling on"
     CHECK(end == judged->samples.back().center_of_mass);
 }
 
-TEST_CASE("between two moments the parts are between them, after the last they rest",
+TEST_CASE("poses are interpolated between two moments and constant after the last",
           "[pictures][recorded_motion]") {
     const RecordedMotion motion = crawl().motion;
     const MotionFrame middle = motion.at(10.5 * kBrainTick);
@@ -46,7 +46,7 @@ TEST_CASE("between two moments the parts are between them, after the last they r
     CHECK(motion.at(-1.0).center_of_mass == motion.frames.front().center_of_mass);
 }
 
-TEST_CASE("the trail ends where the creature is and is no longer than asked for",
+TEST_CASE("the trail ends at the creature and has at most the requested length",
           "[pictures][recorded_motion]") {
     const RecordedMotion motion = crawl().motion;
     CHECK(motion.trail(0.0, 60).empty());
@@ -57,7 +57,7 @@ TEST_CASE("the trail ends where the creature is and is no longer than asked for"
     CHECK(motion.trail(0.4, 2).back() == trail.back());
 }
 
-TEST_CASE("a part's touched faces are kept with each moment", "[pictures][recorded_motion]") {
+TEST_CASE("each moment has the touched faces of every part", "[pictures][recorded_motion]") {
     const RecordedMotion motion = crawl().motion;
     for (const MotionFrame& frame : motion.frames)
         CHECK(frame.touched.size() == frame.poses.size());
@@ -67,7 +67,7 @@ TEST_CASE("a part's touched faces are kept with each moment", "[pictures][record
     CHECK(any != 0);
 }
 
-TEST_CASE("a motion too long to be kept completely is kept in steps that are true",
+TEST_CASE("a motion that is too long is recorded at a larger interval with exact frames",
           "[pictures][recorded_motion]") {
     const RecordedMotion whole = crawl().motion;
     const MotionFrame& first = whole.frames.front();
@@ -93,7 +93,8 @@ TEST_CASE("a motion too long to be kept completely is kept in steps that are tru
     }
 }
 
-TEST_CASE("a replayed motion is the recorded one at every time", "[pictures][recorded_motion]") {
+TEST_CASE("a replayed motion equals the recorded one at every time",
+          "[pictures][recorded_motion]") {
     const RecordedMotion motion = crawl().motion;
     auto replayed = ReplayedMotion::start(motion.phenotype, test::kinds().creature, short_world());
     REQUIRE(replayed);
@@ -111,7 +112,7 @@ TEST_CASE("a replayed motion is the recorded one at every time", "[pictures][rec
     }
 }
 
-TEST_CASE("a trial that is recorded ends when asked to and tells how far it is",
+TEST_CASE("the recording of a trial can be stopped and reports its progress",
           "[pictures][recorded_motion]") {
     const RecordedMotion motion = crawl().motion;
     std::atomic<double> time = 0.0;

@@ -80,7 +80,7 @@ TEST_CASE("the root is drawn over its limbs and each moving joint has a pivot",
     CHECK((frame.shapes[parts - 1].center - poses[0].position.head<2>()).norm() < 1e-9);
 }
 
-TEST_CASE("a highlighted node lights every part grown from it", "[pictures][scene_builder]") {
+TEST_CASE("a highlighted node highlights every part grown from it", "[pictures][scene_builder]") {
     const Phenotype phenotype = grown_crawler();
     const auto poses = rest_poses(phenotype);
     SceneFrame plain;

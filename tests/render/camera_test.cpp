@@ -7,7 +7,7 @@ namespace {
 
 constexpr Viewport kView{800.0, 600.0};
 
-TEST_CASE("a world point survives the way to the screen and back", "[render][camera]") {
+TEST_CASE("a point of the world is mapped to the screen and back", "[render][camera]") {
     Camera camera{.center = {3.0, 1.0}, .pixels_per_metre = 120.0};
     for (const Vec2& point : {Vec2(0.0, 0.0), Vec2(-7.5, 2.25), Vec2(3.0, 1.0)}) {
         const Vec2 back = camera.to_world(camera.to_screen(point, kView), kView);
@@ -15,7 +15,8 @@ TEST_CASE("a world point survives the way to the screen and back", "[render][cam
     }
 }
 
-TEST_CASE("the camera's centre is drawn in the middle and up is up", "[render][camera]") {
+TEST_CASE("the camera's centre is in the middle of the screen, and y points up",
+          "[render][camera]") {
     const Camera camera{.center = {3.0, 1.0}};
     CHECK(camera.to_screen({3.0, 1.0}, kView) == Vec2(400.0, 300.0));
     CHECK(camera.to_screen({3.0, 2.0}, kView).y() < 300.0);
@@ -45,7 +46,7 @@ TEST_CASE("panning moves the world with the mouse", "[render][camera]") {
     CHECK((camera.to_screen(grabbed, kView) - Vec2(140.0, 75.0)).norm() < 1e-9);
 }
 
-TEST_CASE("a fitted rectangle is wholly inside the viewport", "[render][camera]") {
+TEST_CASE("a fitted rectangle is completely inside the viewport", "[render][camera]") {
     Camera camera;
     const WorldWindow target{{-2.0, 0.0}, {6.0, 1.0}};
     camera.fit(target, 0.8, kView);

@@ -22,7 +22,7 @@ TEST_CASE("a box covers the pixels nearest to it", "[render][pixel_rect]") {
     CHECK(pixels_of(box({0.004, 0.0}, {0.1, 0.05})) == PixelRect{120, 85, 20, 10});
 }
 
-TEST_CASE("a line is as wide wherever it is, at least a pixel", "[render][pixel_rect]") {
+TEST_CASE("a line has the same width everywhere, at least one pixel", "[render][pixel_rect]") {
     for (int i = 0; i < 1000; ++i) {
         INFO(i);
         const auto line = pixels_of(box({1e-4 * i, 0.0}, {0.001, 0.2}));
@@ -32,13 +32,13 @@ TEST_CASE("a line is as wide wherever it is, at least a pixel", "[render][pixel_
     }
 }
 
-TEST_CASE("a box ends where the target does", "[render][pixel_rect]") {
+TEST_CASE("a box is clipped at the edges of the target", "[render][pixel_rect]") {
     CHECK(pixels_of(box({0.0, -50.0}, {100.0, 50.0})) == PixelRect{30, 40, 200, 50});
     CHECK(pixels_of(box({1e12, 0.0}, {1.0, 1.0}))->width == 0);
     CHECK(pixels_of(box({0.0, 7.0}, {1.0, 1.0}))->height == 0);
 }
 
-TEST_CASE("a box follows the camera", "[render][pixel_rect]") {
+TEST_CASE("a box moves with the camera", "[render][pixel_rect]") {
     const Camera camera{.center = {1.0, 2.0}, .pixels_per_metre = 10.0};
     CHECK(pixels_of(box({2.0, 1.0}, {1.0, 0.5}), camera) == PixelRect{130, 75, 20, 10});
 }

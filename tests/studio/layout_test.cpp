@@ -74,7 +74,7 @@ TEST_CASE("dragging a gap makes its panel wider", "[studio][layout]") {
     CHECK(divide_window(1280, 720, view, 1).experiment.width == Approx(before + 40).margin(1.5));
 }
 
-TEST_CASE("no drag can take the viewport's room", "[studio][layout]") {
+TEST_CASE("no drag can make the viewport too small", "[studio][layout]") {
     ViewState greedy;
     greedy.panels.left_width = greedy.panels.right_width = greedy.panels.bottom_height = 3000;
     const Layout layout = divide_window(1280, 720, greedy, 1);

@@ -7,7 +7,7 @@
 namespace cambrian {
 namespace {
 
-TEST_CASE("the arrangement and the settings come back as they were left", "[studio][remembered]") {
+TEST_CASE("arrangement and settings are restored as they were", "[studio][remembered]") {
     const TemporaryDirectory folder;
     Remembered left;
     left.view.theme = ThemeKind::kLight;
@@ -29,8 +29,7 @@ TEST_CASE("the arrangement and the settings come back as they were left", "[stud
     CHECK(found.settings.seed == 99);
 }
 
-TEST_CASE("the cluster comes back as it was left, spaces in paths included",
-          "[studio][remembered]") {
+TEST_CASE("the cluster is restored, with spaces in paths", "[studio][remembered]") {
     const TemporaryDirectory folder;
     Remembered left;
     left.cluster.joined = true;
@@ -43,7 +42,7 @@ TEST_CASE("the cluster comes back as it was left, spaces in paths included",
     CHECK(parse_cluster("joined\n= yes\nserver =\n\xff = 1\n") == ClusterMemory{});
 }
 
-TEST_CASE("nothing kept, or nonsense, gives a studio as at first", "[studio][remembered]") {
+TEST_CASE("missing or damaged state gives the defaults", "[studio][remembered]") {
     const TemporaryDirectory folder;
     CHECK(recall(folder.path(), test::kinds()) == Remembered{});
     CHECK(recall({}, test::kinds()) == Remembered{});

@@ -16,7 +16,7 @@ void deliver_all(BackgroundWorker& worker) {
     }
 }
 
-TEST_CASE("jobs run elsewhere and their completions here, in order",
+TEST_CASE("jobs run on the worker's thread and completions on the caller's, in order",
           "[studio][background_worker][threads]") {
     BackgroundWorker worker;
     const auto here = std::this_thread::get_id();
@@ -35,7 +35,7 @@ TEST_CASE("jobs run elsewhere and their completions here, in order",
         REQUIRE(completed[static_cast<std::size_t>(i)] == i);
 }
 
-TEST_CASE("closing the worker finishes every job handed in",
+TEST_CASE("closing the worker finishes every submitted job",
           "[studio][background_worker][threads]") {
     std::atomic<int> done = 0;
     {

@@ -48,7 +48,8 @@ std::vector<std::string> differing_fields(ExperimentSettings& a, ExperimentSetti
     return names;
 }
 
-TEST_CASE("a goal chosen in the world of another brings its own world", "[studio][goal_choice]") {
+TEST_CASE("choosing a goal replaces the default world of the goal before",
+          "[studio][goal_choice]") {
     for (const GoalKind& before : test::kinds().goals.all()) {
         for (const GoalKind& chosen : test::kinds().goals.all()) {
             CAPTURE(before.id, chosen.id);
@@ -65,7 +66,7 @@ TEST_CASE("a goal chosen in the world of another brings its own world", "[studio
     }
 }
 
-TEST_CASE("a goal chosen keeps every field that was edited and no other", "[studio][goal_choice]") {
+TEST_CASE("choosing a goal keeps every edited field and no other", "[studio][goal_choice]") {
     int compared = 0;
     for (const SettingField& field : fields()) {
         ExperimentSettings own = edited(field, defaults_of("walking"));
@@ -93,7 +94,7 @@ TEST_CASE("a sense that a goal needs is on, even if it was switched off for anot
     CHECK(may_sense(kept, goal("seeking")));
 }
 
-TEST_CASE("undo reverts a choice of goal and all it brought", "[studio][goal_choice]") {
+TEST_CASE("undo reverts a choice of goal with all its changes", "[studio][goal_choice]") {
     ExperimentSettings own = defaults_of("walking");
     own.world.trial.duration = 8.0;
     SettingsEditor editor(own);

@@ -27,14 +27,14 @@ TEST_CASE("settings are found by name, in any case, by all words", "[studio][set
     CHECK(found("gravity xylophone").empty());
 }
 
-TEST_CASE("settings are found by what their help says", "[studio][setting_filter]") {
+TEST_CASE("settings are found by words of their help", "[studio][setting_filter]") {
     for (const SettingField& field : setting_fields(test::kinds())) {
         REQUIRE_FALSE(field.help.empty());
         CHECK(holds(found(field.help.c_str()), field.table + "." + field.key));
     }
 }
 
-TEST_CASE("every setting says what it is and what it may be", "[studio][setting_filter]") {
+TEST_CASE("every setting has a description and a range or choices", "[studio][setting_filter]") {
     ExperimentSettings defaults;
     for (const SettingField& field : setting_fields(test::kinds())) {
         INFO(field.table << "." << field.key);

@@ -55,7 +55,7 @@ TEST_CASE("an edit after undo forgets what could be redone", "[studio][settings_
     CHECK_FALSE(editor.can_redo());
 }
 
-TEST_CASE("an edit that changes nothing is no step", "[studio][settings_editor]") {
+TEST_CASE("an edit that changes nothing is no step to undo", "[studio][settings_editor]") {
     SettingsEditor editor{ExperimentSettings{}};
     editor.edit(ExperimentSettings{}, "environment.gravity");
     CHECK_FALSE(editor.can_undo());

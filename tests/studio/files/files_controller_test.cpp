@@ -29,7 +29,7 @@ TEST_CASE("statistics are exported as a table with a row a generation", "[studio
     CHECK(text.str() == statistics_csv(run.session.frame_context().experiment.snapshot.history));
 }
 
-TEST_CASE("a plot is asked of the window in the size that was chosen", "[studio][files]") {
+TEST_CASE("a plot is requested from the window in the chosen size", "[studio][files]") {
     SessionRun run;
     finish_generations(run, 1);
     run.ask(OpenFilePanel{FileTask::kSavePlot, {1920, 1080}});
@@ -57,7 +57,7 @@ TEST_CASE("a saved creature loads as the same creature", "[studio][files]") {
     CHECK(*run.session.frame_context().viewer.playback.exhibit().genome() == *genome);
 }
 
-TEST_CASE("a creature judged by several trials is verified by as many, tick by tick",
+TEST_CASE("a creature scored by several trials is verified by as many, tick by tick",
           "[studio][files]") {
     SessionRun run;
     ExperimentSettings settings = test::small_experiment();
@@ -93,7 +93,7 @@ TEST_CASE("a creature judged by several trials is verified by as many, tick by t
     CHECK(same_score(*copied, document));
 }
 
-TEST_CASE("what a loaded creature uses that the experiment has not enabled is told",
+TEST_CASE("loading a creature reports its kinds that the experiment has not enabled",
           "[studio][files]") {
     SessionRun run;
     run.ask(LoadFile{std::string(CAMBRIAN_SOURCE_DIR) +
@@ -102,7 +102,7 @@ TEST_CASE("what a loaded creature uses that the experiment has not enabled is to
     CHECK_THAT(run.session.frame_context().window.notice->text, Catch::Contains("W04 "));
 }
 
-TEST_CASE("a creature saved as a card is prepared, drawn by the window and comes back",
+TEST_CASE("a creature saved as a card is drawn by the window and can be loaded",
           "[studio][files]") {
     SessionRun run;
     run.ask(RunOneGeneration{});

@@ -41,7 +41,7 @@ void finish(GridMotion& motion) {
     REQUIRE(complete());
 }
 
-TEST_CASE("a grid shows the motion of the trial that judges, without its settling",
+TEST_CASE("a grid shows the motion of the evaluated trial without its settling",
           "[studio][grid_motion]") {
     GridMotion motion(test::kinds().creature);
     const auto creatures = two_creatures();
@@ -60,7 +60,7 @@ TEST_CASE("a grid shows the motion of the trial that judges, without its settlin
     CHECK(shown.length() == Approx(0.5).margin(0.05));
 }
 
-TEST_CASE("all cells keep one clock, which waits for motion and starts over at the end",
+TEST_CASE("all cells share one clock, which waits for motion and restarts at the end",
           "[studio][grid_motion]") {
     GridMotion motion(test::kinds().creature);
     motion.advance(0.05);
@@ -79,7 +79,7 @@ TEST_CASE("all cells keep one clock, which waits for motion and starts over at t
     CHECK(wrapped);
 }
 
-TEST_CASE("another grid drops what is still computed for the one before", "[studio][grid_motion]") {
+TEST_CASE("a new grid cancels the computations for the one before", "[studio][grid_motion]") {
     GridMotion motion(test::kinds().creature);
     const auto creatures = two_creatures();
     motion.show({creatures[0], creatures[0]}, {}, short_world());
@@ -89,7 +89,7 @@ TEST_CASE("another grid drops what is still computed for the one before", "[stud
     CHECK(motion.cell(0).phenotype->parts.size() == creatures[1]->genome->nodes.size());
 }
 
-TEST_CASE("between two frames parts are in between", "[studio][grid_motion]") {
+TEST_CASE("poses are interpolated between two frames", "[studio][grid_motion]") {
     RecordedMotion motion;
     for (const double x : {0.0, 1.0}) {
         MotionFrame frame;

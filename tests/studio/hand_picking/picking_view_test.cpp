@@ -12,14 +12,14 @@ GridNode bred_from(std::vector<std::size_t> picks) {
     return grid;
 }
 
-TEST_CASE("every size of grid is as near a square as it can be", "[studio][picking]") {
+TEST_CASE("every size of grid is as near to a square as possible", "[studio][picking]") {
     CHECK(grid_columns(4) == 2);
     CHECK(grid_columns(6) == 3);
     CHECK(grid_columns(12) == 4);
     CHECK(grid_columns(25) == 5);
 }
 
-TEST_CASE("the map goes on to the right and branches downwards", "[studio][picking]") {
+TEST_CASE("the map grows to the right and branches downwards", "[studio][picking]") {
     PickingTree tree;
     tree.add(bred_from({}));   // 0
     tree.add(bred_from({1}));  // 1
@@ -41,7 +41,7 @@ TEST_CASE("picks are numbered in their order", "[studio][picking]") {
     CHECK(pick_number(snapshot, 0) == 0);
 }
 
-TEST_CASE("the line of words says what is going on", "[studio][picking]") {
+TEST_CASE("the status line describes the state of picking", "[studio][picking]") {
     PickingSnapshot snapshot;
     CHECK(picking_words(snapshot) == "Making the first grid");
     snapshot.tree.add(bred_from({}));

@@ -8,7 +8,7 @@ namespace {
 
 using test::SessionRun;
 
-TEST_CASE("the tour is offered until it was taken or declined", "[studio][guide]") {
+TEST_CASE("the tour is offered until the user takes or declines it", "[studio][guide]") {
     SessionRun run;
     run.session.guide().offer_tour();
     CHECK(run.session.frame_context().guide.tour_step == 0);
@@ -23,7 +23,7 @@ TEST_CASE("the tour is offered until it was taken or declined", "[studio][guide]
     CHECK(run.session.frame_context().guide.tour_step == 0);
 }
 
-TEST_CASE("help and samples come from the assets", "[studio][guide]") {
+TEST_CASE("help pages and samples are read from the assets", "[studio][guide]") {
     SessionRun run;
     run.session.use_assets(std::string(CAMBRIAN_SOURCE_DIR) + "/assets");
     REQUIRE(

@@ -9,7 +9,7 @@
 namespace cambrian {
 namespace {
 
-TEST_CASE("the tour is short, and its steps point at places that exist", "[studio][tour]") {
+TEST_CASE("the tour is short, and its steps name controls that exist", "[studio][tour]") {
     NullImGui gui(1280.0F, 720.0F);
     MainWindow window(builtin_panels(), nullptr);
     test::StudioFixture studio;
@@ -28,7 +28,7 @@ TEST_CASE("the tour is short, and its steps point at places that exist", "[studi
     }
 }
 
-TEST_CASE("the tour goes on, and can be skipped", "[studio][tour]") {
+TEST_CASE("the tour can be stepped through and skipped", "[studio][tour]") {
     NullImGui gui;
     TourCard card;
     test::StudioFixture studio;

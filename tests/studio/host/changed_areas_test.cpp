@@ -58,7 +58,7 @@ bool covers(const Rect& outer, const Rect& inner) {
            outer.high().y >= inner.high().y;
 }
 
-TEST_CASE("the first picture is painted completely, the same again not at all",
+TEST_CASE("the first frame is painted completely, an equal frame not at all",
           "[studio][changed_areas]") {
     Screen screen;
     CHECK(screen.paint({kLeft, kRight}) == kAll);
@@ -76,7 +76,7 @@ TEST_CASE("only the window that changed is painted", "[studio][changed_areas]") 
     CHECK(screen.paint({kLeft, right}) == kNothing);
 }
 
-TEST_CASE("what moved is painted where it was and where it is", "[studio][changed_areas]") {
+TEST_CASE("a moved window is painted at its old and new places", "[studio][changed_areas]") {
     Screen screen;
     screen.paint({kLeft, kRight});
     Box left = kLeft;
@@ -94,15 +94,14 @@ TEST_CASE("what moved is painted where it was and where it is", "[studio][change
     CHECK(together.front().width == 107.0F);
 }
 
-TEST_CASE("what comes and goes is painted", "[studio][changed_areas]") {
+TEST_CASE("windows that appear and disappear are painted", "[studio][changed_areas]") {
     Screen screen;
     screen.paint({kLeft});
     CHECK(screen.paint({kLeft, kRight}) == std::vector<Rect>{kRight.place});
     CHECK(screen.paint({kLeft}) == std::vector<Rect>{kRight.place});
 }
 
-TEST_CASE("a window that calls back is painted always, and never by half",
-          "[studio][changed_areas]") {
+TEST_CASE("a window with a callback is always painted, and completely", "[studio][changed_areas]") {
     Screen screen;
     Box scene = kRight;
     scene.calls_back = true;
@@ -115,7 +114,7 @@ TEST_CASE("a window that calls back is painted always, and never by half",
     CHECK(covers(areas.front(), over.place));
 }
 
-TEST_CASE("another colour under everything paints everything", "[studio][changed_areas]") {
+TEST_CASE("a new background colour paints the full window", "[studio][changed_areas]") {
     Screen screen;
     screen.paint({kLeft, kRight});
     CHECK(screen.paint({kLeft, kRight}, IM_COL32_WHITE) == kAll);

@@ -14,7 +14,7 @@ MachinesView joined(BackendStatus status) {
     return machines;
 }
 
-TEST_CASE("a worker's state is told in words", "[studio][machines]") {
+TEST_CASE("a worker's state is described in words", "[studio][machines]") {
     WorkerStatus worker;
     worker.state = WorkerState::kWorking;
     CHECK(state_words(worker) == "working");
@@ -29,7 +29,7 @@ TEST_CASE("a worker's state is told in words", "[studio][machines]") {
     CHECK(state_words(worker) == "refused: other bits");
 }
 
-TEST_CASE("the line of machines counts those that take part", "[studio][machines]") {
+TEST_CASE("the line of machines counts those that evaluate", "[studio][machines]") {
     BackendStatus status = test::connected(14);
     CHECK(machines_words(joined(status)) == "14 machines · 112 cores · 9 800 creatures/s");
     status.workers.back().state = WorkerState::kAway;
@@ -42,7 +42,7 @@ TEST_CASE("the line of machines counts those that take part", "[studio][machines
     CHECK_FALSE(troubled(joined(status)));
 }
 
-TEST_CASE("trouble with the cluster comes before the count of machines", "[studio][machines]") {
+TEST_CASE("a problem with the cluster replaces the count of machines", "[studio][machines]") {
     MachinesView machines;
     CHECK_FALSE(cluster_wanted(machines));
     machines.login.servers = "nats://lab-server";

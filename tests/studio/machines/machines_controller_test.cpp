@@ -66,7 +66,7 @@ TEST_CASE("a cluster is joined and left during a run without a change of its cha
     CHECK(*lab.asked == std::vector<std::string>{"nats://lab-server:4222"});
 }
 
-TEST_CASE("why a cluster cannot be joined is told, and the run goes on alone",
+TEST_CASE("the reason why a cluster cannot be joined is shown, and the run continues alone",
           "[studio][machines][threads]") {
     SessionRun run(MachineOptions{.workers = 2,
                                   .join = [](const ClusterAddress& address, std::size_t)
@@ -85,8 +85,7 @@ TEST_CASE("why a cluster cannot be joined is told, and the run goes on alone",
     CHECK(machines_of(run).problem.empty());
 }
 
-TEST_CASE("an address that is none is told before anybody is reached",
-          "[studio][machines][threads]") {
+TEST_CASE("an invalid address is reported before any connection", "[studio][machines][threads]") {
     for (const char* servers : {"http://lab", "nats://me:secret@lab", "tls://a,nats://b"}) {
         const Lab lab;
         SessionRun run(lab.options());
@@ -98,7 +97,7 @@ TEST_CASE("an address that is none is told before anybody is reached",
     }
 }
 
-TEST_CASE("that others can read along is told on joining", "[studio][machines][threads]") {
+TEST_CASE("joining over an unencrypted connection shows a warning", "[studio][machines][threads]") {
     const std::pair<const char*, bool> cases[] = {
         {"nats://lab-server", true}, {"tls://lab-server", false}, {"nats://localhost", false}};
     for (const auto& [servers, readable] : cases) {
@@ -113,7 +112,7 @@ TEST_CASE("that others can read along is told on joining", "[studio][machines][t
     }
 }
 
-TEST_CASE("an attempt that ends after the person changed their mind counts no more",
+TEST_CASE("an attempt to join that was cancelled has no effect when it ends",
           "[studio][machines][threads]") {
     std::promise<void> answered;
     const auto cluster = std::make_shared<ScriptedCluster>();
@@ -133,7 +132,7 @@ TEST_CASE("an attempt that ends after the person changed their mind counts no mo
     CHECK(run.log().find("cluster joined") == std::string::npos);
 }
 
-TEST_CASE("the remembered cluster is joined again if it was joined at the end",
+TEST_CASE("the stored cluster is joined at the start if it was joined at the end",
           "[studio][machines][threads]") {
     for (const bool joined : {true, false}) {
         const Lab lab;
@@ -151,8 +150,7 @@ TEST_CASE("the remembered cluster is joined again if it was joined at the end",
     CHECK(*lab.asked == std::vector<std::string>{"nats://other:4222"});
 }
 
-TEST_CASE("a cluster that goes away and comes back is told of both times",
-          "[studio][machines][threads]") {
+TEST_CASE("losing and finding a cluster again are both reported", "[studio][machines][threads]") {
     const Lab lab;
     lab.cluster->say(connected(3));
     SessionRun run(lab.options());

@@ -29,7 +29,7 @@ Exhibit third_generation() {
     return exhibit;
 }
 
-TEST_CASE("a line leads from the creature to its founder, with what each step gained",
+TEST_CASE("a line of descent leads to the founder, with the fitness gained in each step",
           "[studio][ancestry]") {
     const std::vector<AncestryStep> line = ancestry_of(third_generation());
     REQUIRE(line.size() == 3);
@@ -39,7 +39,7 @@ TEST_CASE("a line leads from the creature to its founder, with what each step ga
     CHECK(line[2].individual->method == "random");
 }
 
-TEST_CASE("an ancestor is shown in the world that judged it", "[studio][ancestry]") {
+TEST_CASE("an ancestor is shown in the world that evaluated it", "[studio][ancestry]") {
     const Exhibit head = third_generation();
     const std::vector<AncestryStep> line = ancestry_of(head);
     EvolutionSnapshot snapshot;

@@ -55,7 +55,7 @@ TEST_CASE("every tab of the inspector draws", "[studio][inspector]") {
     CHECK(gui.has("energy"));
 }
 
-TEST_CASE("pointing at a neuron lights its part", "[studio][inspector]") {
+TEST_CASE("pointing at a neuron highlights its part", "[studio][inspector]") {
     TabRun<BrainTab> run;
     const Requests out = run.point_at("brain node 0");
     CHECK(test::asked<ShowHighlight>(out).highlight.part == 1);
@@ -77,7 +77,8 @@ TEST_CASE("moving the slider forces the chosen neuron", "[studio][inspector]") {
     CHECK(test::asked<ForceNeuron>(run.click("forced value")).value == Approx(0.0).margin(0.05));
 }
 
-TEST_CASE("a chosen gene keeps its parts lit until it is chosen again", "[studio][inspector]") {
+TEST_CASE("a chosen gene keeps its parts highlighted until it is chosen again",
+          "[studio][inspector]") {
     TabRun<GenotypeTab> run;
     run.click("gene 2");
     run.gui.move_to({-1, -1});
@@ -156,8 +157,7 @@ TEST_CASE("organs are added to a gene, edited and removed", "[studio][inspector]
     CHECK(test::was_asked<FinishGeneEdit>(out));
 }
 
-TEST_CASE("a click on an ancestor shows it, and the line stays to come back by",
-          "[studio][inspector]") {
+TEST_CASE("a click on an ancestor shows it and keeps the line of descent", "[studio][inspector]") {
     TabRun<AncestryTab> run;
     GeneEditor editor;
     const Exhibit original = run.studio.playback().exhibit();
@@ -172,7 +172,7 @@ TEST_CASE("a click on an ancestor shows it, and the line stays to come back by",
     CHECK(again.exhibit->individual().method == "edited");
 }
 
-TEST_CASE("mutations are told by operator and change", "[studio][inspector]") {
+TEST_CASE("mutations are described by operator and change", "[studio][inspector]") {
     const MutationRegistry& kinds = test::kinds().mutations;
     CHECK(operator_words({kinds[0].id, "", "", ""}, kinds) == kinds[0].label);
     CHECK(operator_words({"edited", "", "", ""}, kinds) == "Edited by hand");

@@ -42,7 +42,8 @@ TEST_CASE("the fields begin with the last login and keep what is typed into them
           ClusterLogin{"nats://other", "second", "", ""});
 }
 
-TEST_CASE("who joined may leave, and nobody connects twice at a time", "[studio][machines]") {
+TEST_CASE("a joined cluster can be left, and only one attempt to join runs at a time",
+          "[studio][machines]") {
     PanelRun<MachinesPanel> run(860, 600);
     run.studio.machines().login.servers = "nats://lab-server";
     run.studio.machines().joining = true;

@@ -54,14 +54,14 @@ TEST_CASE("each overlay switches something of the picture on and off", "[studio]
     }
 }
 
-TEST_CASE("the needle of a joint's limits is between them", "[studio][overlays]") {
+TEST_CASE("the needle of a joint is between its limits", "[studio][overlays]") {
     OverlayRun run;
     const SceneFrame frame = run.drawn(add_joint_limits);
     CHECK(frame.shapes.size() >=
           4 * run.studio.playback().creature().phenotype().effector_parts.size());
 }
 
-TEST_CASE("what the brain hears is drawn where it is felt", "[studio][overlays]") {
+TEST_CASE("the readings of sensors are drawn at their parts", "[studio][overlays]") {
     OverlayRun run;
     const Playback& playback = run.studio.playback();
     const SensorRegistry& kinds = test::kinds().creature.sensors;
@@ -85,7 +85,7 @@ TEST_CASE("what the brain hears is drawn where it is felt", "[studio][overlays]"
     CHECK(frame.shapes.size() > 3);
 }
 
-TEST_CASE("contact forces carry the creature", "[studio][overlays]") {
+TEST_CASE("every contact force is drawn as a line with a dot", "[studio][overlays]") {
     OverlayRun run;
     std::vector<SceneContact> contacts;
     run.studio.playback().trial().scene().list_contacts(contacts);

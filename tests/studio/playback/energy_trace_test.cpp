@@ -5,7 +5,7 @@
 namespace cambrian {
 namespace {
 
-TEST_CASE("what the muscles gave is the sum of what became of it", "[studio][energy_trace]") {
+TEST_CASE("the muscles' work is the sum of all other energies", "[studio][energy_trace]") {
     SceneAudit audit;
     audit.motor_work = 10.0;
     audit.drag_work = -3.0;
@@ -32,7 +32,7 @@ TEST_CASE("readings are a tenth of a second apart and follow a step back in time
     CHECK(trace.samples().back().time == Approx(0.4));
 }
 
-TEST_CASE("what is stored is the change of the scene's energy", "[studio][energy_trace]") {
+TEST_CASE("the stored energy is the change of the scene's energy", "[studio][energy_trace]") {
     test::StudioFixture studio;
     studio.show_crawler();
     Playback& playback = studio.playback();

@@ -81,7 +81,7 @@ TEST_CASE("ghosts begin their test with the creature on display and follow it ba
     }
 }
 
-TEST_CASE("ghosts feel the world as the creature on display does", "[studio][ghosts]") {
+TEST_CASE("ghosts are in the same world as the displayed creature", "[studio][ghosts]") {
     GhostRun run;
     for (int i = 0; i < 5; ++i)
         run.update();
@@ -96,7 +96,7 @@ TEST_CASE("ghosts feel the world as the creature on display does", "[studio][gho
               run.studio.playback().trial().scene().center_of_mass());
 }
 
-TEST_CASE("without a choice ghosts go", "[studio][ghosts]") {
+TEST_CASE("ghosts are removed if none are chosen", "[studio][ghosts]") {
     GhostRun run;
     for (int i = 0; i < 5; ++i)
         run.update();

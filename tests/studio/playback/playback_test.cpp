@@ -19,7 +19,7 @@ Exhibit crawler_exhibit() {
 
 constexpr double kPlenty = 1e3;  // s; a budget that is never used up
 
-TEST_CASE("what is watched is what is scored, to the last bit", "[studio][playback]") {
+TEST_CASE("the displayed motion equals the scored one to the last bit", "[studio][playback]") {
     Playback playback(test::kinds().creature);
     const Exhibit exhibit = crawler_exhibit();
     REQUIRE(playback.show(exhibit));
@@ -42,7 +42,7 @@ TEST_CASE("playing twice as fast plays twice as far", "[studio][playback]") {
     CHECK(playback.trial().ticks() <= 40);
 }
 
-TEST_CASE("a spent budget leaves the rest for later", "[studio][playback]") {
+TEST_CASE("motion beyond the time budget is played later", "[studio][playback]") {
     Playback playback(test::kinds().creature);
     REQUIRE(playback.show(crawler_exhibit()));
     playback.advance(0.1, 0.0);
@@ -77,7 +77,7 @@ TEST_CASE("a step back ends where the step before had ended", "[studio][playback
     CHECK(playback.tick_shown() == 0);
 }
 
-TEST_CASE("a trial gone back in is scored as if it had not been", "[studio][playback]") {
+TEST_CASE("going back in a trial does not change its score", "[studio][playback]") {
     Playback playback(test::kinds().creature);
     REQUIRE(playback.show(crawler_exhibit()));
     const auto digest = [&playback] {
@@ -93,7 +93,8 @@ TEST_CASE("a trial gone back in is scored as if it had not been", "[studio][play
     CHECK(digest() == straight);
 }
 
-TEST_CASE("going before a poke takes it back, going after it does not", "[studio][playback]") {
+TEST_CASE("going back to before a poke undoes it, going back to after it does not",
+          "[studio][playback]") {
     Playback playback(test::kinds().creature);
     REQUIRE(playback.show(crawler_exhibit()));
     for (int i = 0; i < 40; ++i)
@@ -112,7 +113,8 @@ TEST_CASE("going before a poke takes it back, going after it does not", "[studio
     CHECK_FALSE(playback.creature().disturbed());
 }
 
-TEST_CASE("a moment ahead is reached within the budget of several frames", "[studio][playback]") {
+TEST_CASE("seeking a later moment is spread over the budgets of several frames",
+          "[studio][playback]") {
     Playback playback(test::kinds().creature);
     REQUIRE(playback.show(crawler_exhibit()));
     playback.pace().playing = false;

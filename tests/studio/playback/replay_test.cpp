@@ -51,7 +51,7 @@ TEST_CASE("going back and on again gives the same bits at every moment", "[studi
     CHECK(bits_of(*replay) == bits[200]);
 }
 
-TEST_CASE("hands and a changed world are repeated up to the moment sought", "[studio][replay]") {
+TEST_CASE("pulls and a changed world are repeated up to the moment sought", "[studio][replay]") {
     const auto replay = crawling();
     play_to(*replay, 45);
     replay->set_environment(moon());
@@ -93,7 +93,7 @@ TEST_CASE("a forced neuron is repeated, and stays forced from the moment sought"
     CHECK_FALSE(replay->disturbed());
 }
 
-TEST_CASE("from the moment gone back to, the present world holds", "[studio][replay]") {
+TEST_CASE("after going back, the present world acts from that moment on", "[studio][replay]") {
     const auto replay = crawling();
     const auto other = crawling();
     play_to(*replay, 80);
@@ -110,7 +110,7 @@ TEST_CASE("from the moment gone back to, the present world holds", "[studio][rep
     CHECK(bits_of(*replay) == bits_of(*other));
 }
 
-TEST_CASE("after a long time any moment can still be gone back to", "[studio][replay]") {
+TEST_CASE("any moment of a long trial can be gone back to", "[studio][replay]") {
     const auto replay = crawling();
     play_to(*replay, 55);
     const std::uint64_t early = bits_of(*replay);

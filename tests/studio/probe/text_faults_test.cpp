@@ -27,7 +27,7 @@ TEST_CASE("text over the edge of its window is cut", "[studio][text_faults]") {
     }
 }
 
-TEST_CASE("text written over other text is told with it", "[studio][text_faults]") {
+TEST_CASE("text drawn over other text is reported with it", "[studio][text_faults]") {
     const auto faults = faults_of("Ground", {24, 43}, "Names");
     REQUIRE(faults.size() == 1);
     CHECK(faults[0].kind == TextFaultKind::kOverlap);

@@ -53,7 +53,8 @@ TEST_CASE("an edited creature is the child of the original", "[studio][gene_edit
     CHECK(edited.mutations[0].place == "part 1 length");
 }
 
-TEST_CASE("a drag is one step, told from its first value to its last", "[studio][gene_editor]") {
+TEST_CASE("a drag is one step, described from its first value to its last",
+          "[studio][gene_editor]") {
     const Exhibit original = crawler_on_show();
     GeneEditor editor;
     drag(editor, original, {0.5, 0.6, 0.7});
@@ -69,7 +70,7 @@ TEST_CASE("a drag is one step, told from its first value to its last", "[studio]
     CHECK(editor.exhibit().genome()->nodes[1].length == 0.7);
 }
 
-TEST_CASE("an edit after an undo takes the place of what was undone", "[studio][gene_editor]") {
+TEST_CASE("an edit after an undo replaces the undone edits", "[studio][gene_editor]") {
     const Exhibit original = crawler_on_show();
     GeneEditor editor;
     drag(editor, original, {0.5});

@@ -11,7 +11,7 @@ JudgedIndividual creature(std::uint32_t generation) {
     return {generation, individual, nullptr};
 }
 
-TEST_CASE("a star is given, taken and given back", "[studio][stars]") {
+TEST_CASE("a star can be given, removed and restored", "[studio][stars]") {
     Stars stars;
     const JudgedIndividual first = creature(3);
     const JudgedIndividual second = creature(4);

@@ -20,7 +20,7 @@ TEST_CASE("every node is below all nodes that lead to it", "[studio][graph_layou
         CHECK(rows[edge.from] < rows[edge.to]);
 }
 
-TEST_CASE("links that lead back do not push anything down", "[studio][graph_layout]") {
+TEST_CASE("backward links do not move nodes down", "[studio][graph_layout]") {
     const auto rows = graph_rows(3, {{0, 1}, {1, 2}, {2, 0}, {1, 1}});
     CHECK(rows == std::vector<std::size_t>{0, 1, 2});
 }
@@ -35,7 +35,7 @@ TEST_CASE("no two nodes share a place and all are inside", "[studio][graph_layou
     }
 }
 
-TEST_CASE("long rows are broken", "[studio][graph_layout]") {
+TEST_CASE("long rows are split", "[studio][graph_layout]") {
     const auto points = place_in_rows(std::vector<std::size_t>(10, 0), {}, 4);
     std::set<float> levels;
     for (const GraphPoint& point : points)

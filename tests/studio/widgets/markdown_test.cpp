@@ -14,7 +14,7 @@ SpanLine plain(const char* text) {
     return {span(text)};
 }
 
-TEST_CASE("a page is taken apart into its blocks", "[studio][markdown]") {
+TEST_CASE("a page is parsed into its blocks", "[studio][markdown]") {
     const auto blocks = parse_markdown(
         "# Title\n\nTwo lines\nof one paragraph.\n\n- first\n  goes on\n- second\n\n"
         "| a | b |\n|---|---|\n| 1 | 2 |\n\n    code  one\n    code two\n\n![picture](x.png)\n");
@@ -30,7 +30,7 @@ TEST_CASE("a page is taken apart into its blocks", "[studio][markdown]") {
     CHECK(blocks[5].code == "code  one\ncode two");
 }
 
-TEST_CASE("bold, code and links are told apart within a line", "[studio][markdown]") {
+TEST_CASE("bold, code and links are recognised within a line", "[studio][markdown]") {
     const SpanLine told = {
         span("a "), span("b", SpanLook::kBold),          span(" "), span("c*", SpanLook::kCode),
         span(" "),  span("d", SpanLook::kPlain, "e.md"), span(" "), span("f", SpanLook::kBold)};
@@ -45,7 +45,7 @@ TEST_CASE("marks that never close are plain text", "[studio][markdown]") {
     CHECK(parse_markdown("").empty());
 }
 
-TEST_CASE("every kind of block can be drawn, and a link answers", "[studio][markdown]") {
+TEST_CASE("every kind of block can be drawn, and a link can be pressed", "[studio][markdown]") {
     NullImGui gui;
     const auto blocks = parse_markdown("[all](there.md)\n\n# H\n\n- b\n\n|\n\n| a |\n\n    code\n");
     std::string pressed;
