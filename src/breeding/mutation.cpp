@@ -1,6 +1,6 @@
 #include "breeding/mutation.h"
 
-#include "breeding/mute_neurons.h"
+#include "breeding/disconnected_neurons.h"
 #include "core/assert.h"
 
 #include <algorithm>
@@ -119,7 +119,7 @@ std::vector<MutationRecord> mutate(Genome& genome, const MutationSettings& setti
     CAMBRIAN_TICK_ASSERT(extra >= 0, "mutations are added");
     const int count = draw_mutation_count(settings, stream) + extra;
     auto records = Mutating(genome, settings, kinds, context, stream).run(count);
-    if (settings.collect_mute_neurons) collect_mute_neurons(genome);
+    if (settings.remove_disconnected_neurons) remove_disconnected_neurons(genome);
     const double hue = genome.hue + kHueStep * static_cast<double>(records.size());
     genome.hue = hue - std::floor(hue);
     CAMBRIAN_TICK_ASSERT(genome.hue >= 0.0 && genome.hue <= 1.0, "a hue");

@@ -16,7 +16,7 @@ struct MutationSettings {
     std::map<std::string, double> weights = {};
     // Whether disconnected neurons are removed. They are kept by default, because they cost nothing
     // and a later mutation may connect them.
-    bool collect_mute_neurons = false;
+    bool remove_disconnected_neurons = false;
 
     friend bool operator==(const MutationSettings&, const MutationSettings&) = default;
 };

@@ -10,7 +10,8 @@ SceneKind planar_scene_kind() {
     kind.id = "planar";
     kind.label = "Planar articulated bodies";
     kind.joints = builtin_joints();
-    kind.integrators = integrator_ids();
+    for (const IntegratorKind& integrator : builtin_integrators().all())
+        kind.integrators.push_back({integrator.id, integrator.label});
     kind.accurate_integrator = "dormand-prince";
     kind.make = scene_copies().front().make;
     return kind;

@@ -44,7 +44,7 @@ IndividualPtr Evolution::make_founder(std::size_t slot,
                                       const std::vector<GenomePtr>& founders) const {
     const bool given_place = slot < founders.size();
     if (founders.empty() || (!given_place && settings_->population.fill == "random"))
-        return make_newcomer(*settings_, *kinds_, 0, slot);
+        return make_immigrant(*settings_, *kinds_, 0, slot);
     const GenomePtr& given = founders[slot % founders.size()];
     if (given_place) {
         return std::make_shared<const Individual>(
@@ -223,9 +223,9 @@ void Evolution::breed() {
     const auto renewal = static_cast<std::uint32_t>(settings_->world.trial.renewal);
     renewal_due_ = renewal > 0 && generation_ % renewal == 0;
     ExperimentSettings present = *settings_;
-    const auto newcomers = std::lround(newcomer_share_ * present.population.size);
-    present.population.immigrants += static_cast<int>(newcomers);
-    newcomer_share_ = 0.0;
+    const auto immigrants = std::lround(immigrant_share_ * present.population.size);
+    present.population.immigrants += static_cast<int>(immigrants);
+    immigrant_share_ = 0.0;
     std::vector<IndividualPtr> next =
         next_generation(population_, present, *kinds_, generation_, memory_);
     update_threshold(next);
@@ -302,8 +302,8 @@ void Evolution::inject(GenomePtr genome) {
     injected_.push_back(std::move(genome));
 }
 
-void Evolution::add_newcomers(double share) {
-    newcomer_share_ = std::clamp(newcomer_share_ + share, 0.0, 1.0);
+void Evolution::add_immigrants(double share) {
+    immigrant_share_ = std::clamp(immigrant_share_ + share, 0.0, 1.0);
 }
 
 }  // namespace cambrian

@@ -60,7 +60,7 @@ public:
     // Replaces the worst creature of the next generation by this one.
     void inject(GenomePtr genome);
     // Gives a share (0 to 1) of the next offspring places, once, to random immigrants.
-    void add_newcomers(double share);
+    void add_immigrants(double share);
 
     const ExperimentSettings& settings() const { return *settings_; }
     SettingsPtr shared_settings() const { return settings_; }
@@ -99,7 +99,7 @@ private:
     std::vector<IndividualPtr> population_;
     std::vector<GenomePtr> injected_;
     // Share of the next offspring, besides the immigrants of the settings.
-    double newcomer_share_ = 0.0;
+    double immigrant_share_ = 0.0;
     std::vector<GenerationStatistics> history_;
 
     std::optional<double> least_survivor_;  // fitness that may suffice to survive, if known

@@ -110,8 +110,8 @@ IndividualPtr make_child(const ParentPair& pair, const ExperimentSettings& setti
     return std::make_shared<const Individual>(std::move(individual));
 }
 
-IndividualPtr make_newcomer(const ExperimentSettings& settings, const EvolutionKinds& kinds,
-                            std::uint32_t generation, std::uint64_t child) {
+IndividualPtr make_immigrant(const ExperimentSettings& settings, const EvolutionKinds& kinds,
+                             std::uint32_t generation, std::uint64_t child) {
     RandomStream stream(stream_seed(settings.seed, generation, child, Purpose::kFounder));
     auto genome = std::make_shared<const Genome>(
         random_genome(settings.founders, kinds.creature.catalog, stream));
@@ -168,8 +168,8 @@ std::vector<IndividualPtr> next_generation(std::span<const IndividualPtr> ranked
     for (std::size_t child = 0; child < children; ++child) {
         next.push_back(breed_child(context, child, selected.first_parents[child], methods[child]));
     }
-    for (std::uint64_t child = children; child < children + selected.newcomers; ++child)
-        next.push_back(make_newcomer(settings, kinds, generation, child));
+    for (std::uint64_t child = children; child < children + selected.immigrants; ++child)
+        next.push_back(make_immigrant(settings, kinds, generation, child));
     return next;
 }
 

@@ -39,8 +39,8 @@ IndividualPtr make_child(const ParentPair& pair, const ExperimentSettings& setti
                          RandomStream& breeding);
 
 // Returns a random creature for a place in a generation.
-IndividualPtr make_newcomer(const ExperimentSettings& settings, const EvolutionKinds& kinds,
-                            std::uint32_t generation, std::uint64_t child);
+IndividualPtr make_immigrant(const ExperimentSettings& settings, const EvolutionKinds& kinds,
+                             std::uint32_t generation, std::uint64_t child);
 
 // Returns a creature with a given genome for a place in a generation.
 Individual make_individual(GenomePtr genome, const ExperimentSettings& settings,

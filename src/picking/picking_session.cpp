@@ -150,7 +150,7 @@ Status PickingSession::carry_out(const ReplaceUnpicked& /*command*/) {
     if (shown_.picks.size() >= cells) return Error{"every creature of the grid is picked"};
     GridOrder order = order_of({});
     order.kept = kept_in_place(shown_.picks, parents(), cells);
-    begin(draft_of(GridOrigin::kNewcomers), std::move(order));
+    begin(draft_of(GridOrigin::kImmigrants), std::move(order));
     decide();
     return {};
 }
@@ -162,7 +162,7 @@ Status PickingSession::carry_out(const AskEvolution& command) {
         return Error{fmt::format("evolution can be asked for 1 to 1000 generations, not {}",
                                  command.generations)};
     GridOrder order = order_of(parents());
-    order.newcomer_cells = 0;
+    order.immigrant_cells = 0;
     GridNode draft = draft_of(GridOrigin::kAssistance);
     draft.generations = command.generations;
     begin(std::move(draft), std::move(order));
@@ -307,7 +307,7 @@ GridOrder PickingSession::order_of(std::vector<IndividualPtr> parents) const {
     order.cells = shown_.grid.cells;
     order.fitness_weight = shown_.grid.fitness_weight;
     order.extra_mutations = extra_mutations(shown_.grid.boldness);
-    if (!parents.empty()) order.newcomer_cells = newcomer_cells(shown_.grid);
+    if (!parents.empty()) order.immigrant_cells = immigrant_cells(shown_.grid);
     order.parents = std::move(parents);
     return order;
 }

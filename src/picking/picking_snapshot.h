@@ -24,7 +24,7 @@ struct PickingSnapshot {
     GridSettings grid;               // options for the next grid
     SettingsPtr settings;            // settings that evaluate the next grid
     std::vector<JudgedIndividual> shelf;
-    int decisions = 0;  // so far: breeding, newcomers, assistance
+    int decisions = 0;  // so far: breeding, immigrants, assistance
     int branches = 0;   // decisions where another one had been made before
     PickingStatus status = PickingStatus::kOpen;
     // The children of the picks are ready, so that BreedPicks is answered at once.

@@ -21,7 +21,7 @@ enum class GridOrigin : std::uint8_t {
     kPopulation,  // chosen from an automatic population
     kCreatures,   // given creatures and their children
     kBreeding,    // children of the picks
-    kNewcomers,   // random creatures in place of those not picked
+    kImmigrants,  // random creatures in place of those not picked
     kAssistance,  // automatic evolution from the picks
     kShelf,       // a pinned creature was put into a cell
 };

@@ -66,7 +66,7 @@ void add_heading(PictureCanvas& canvas, const CardSpace& at, const Subject& subj
     const Ink score{Typeface::kStrong, 46.0 * unit, palette.accent};
     const Ink goal{Typeface::kRegular, 26.0 * unit, palette.muted};
     const double score_width =
-        canvas.lettering().width(subject.fitness, score.typeface, score.size);
+        canvas.text_rasterizer().width(subject.fitness, score.typeface, score.size);
     const double width = unit * (kCardWidth - 2.0 * kCardMargin) - score_width - 28.0 * unit;
     canvas.add_text(at.x(kCardMargin), at.y(782), subject.name, name, Align::kLeft, width);
     canvas.add_text(at.x(kCardWidth - kCardMargin), at.y(782), subject.fitness, score,

@@ -53,7 +53,7 @@ void add_header(PictureCanvas& canvas, const Subject& subject, const Palette& pa
     const Ink score{Typeface::kStrong, 38.0 * unit, palette.accent};
     const Ink small{Typeface::kRegular, 21.0 * unit, palette.muted};
     const double score_width =
-        canvas.lettering().width(subject.fitness, score.typeface, score.size);
+        canvas.text_rasterizer().width(subject.fitness, score.typeface, score.size);
     canvas.add_text(left, 62.0 * unit, subject.name, title, Align::kLeft,
                     right - left - score_width - 40.0 * unit);
     canvas.add_text(left, 96.0 * unit, facts_line(subject), small);

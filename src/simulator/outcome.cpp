@@ -3,7 +3,7 @@
 namespace cambrian {
 
 bool is_invalid(Outcome outcome) {
-    return outcome == Outcome::kDiverged || outcome == Outcome::kCheated ||
+    return outcome == Outcome::kDiverged || outcome == Outcome::kDisqualified ||
            outcome == Outcome::kOverBudget;
 }
 
@@ -17,7 +17,7 @@ std::string_view outcome_name(Outcome outcome) {
             return "rejected";
         case Outcome::kDiverged:
             return "diverged";
-        case Outcome::kCheated:
+        case Outcome::kDisqualified:
             return "cheated";
         case Outcome::kOverBudget:
             return "over-budget";

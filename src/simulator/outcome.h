@@ -11,7 +11,7 @@ enum class Outcome : std::uint8_t {
     kStoppedEarly,  // terminated because the rest could not matter
     kRejected,      // not simulated: no movable joint, or no connected control
     kDiverged,      // physics found no finite motion
-    kCheated,       // a guard fired
+    kDisqualified,  // a limit of the trial was exceeded (simulator/README.md 2)
     kOverBudget,    // computing the motion would take too long
     kInterrupted,   // stopped from outside; not caused by the creature
 };

@@ -205,14 +205,14 @@ void Trial::check_guards() {
     const SceneAudit& audit = scene_->audit();
     const TrialSettings& limits = world_.trial;
     if (audit.max_part_speed > limits.max_part_speed) {
-        fail(Outcome::kCheated, "a part moved faster than the limit");
+        fail(Outcome::kDisqualified, "a part moved faster than the limit");
     } else if (audit.max_part_spin > limits.max_part_spin) {
-        fail(Outcome::kCheated, "a part spun faster than the limit");
+        fail(Outcome::kDisqualified, "a part spun faster than the limit");
     } else if (audit.max_penetration > limits.max_ground_depth) {
         const bool deep = scene_->bounds().low.y() < -limits.max_ground_depth;
         progress_.deep_ticks = world_.environment.has_ground && deep ? progress_.deep_ticks + 1 : 0;
         if (progress_.deep_ticks > kDeepTicks)
-            fail(Outcome::kCheated, "a part sank into the ground");
+            fail(Outcome::kDisqualified, "a part sank into the ground");
     }
 }
 
@@ -240,7 +240,7 @@ void Trial::restore(const State& state) {
     progress_ = state.progress;
 }
 
-void Trial::heed(const std::stop_token& stop) {
+void Trial::poll_cancel(const std::stop_token& stop) {
     if (progress_.finished || scene_->audit().evaluations <= kLongTrial || !stop.stop_requested())
         return;
     fail(Outcome::kInterrupted, "stopped before its end");
@@ -277,7 +277,7 @@ Result<TrialRecord> run_trial(std::shared_ptr<const Phenotype> phenotype, const 
     auto trial = Trial::start(std::move(phenotype), kinds, world);
     if (!trial) return trial.error();
     while ((*trial)->tick())
-        (*trial)->heed(stop);
+        (*trial)->poll_cancel(stop);
     return (*trial)->take_record();
 }
 

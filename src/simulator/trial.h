@@ -62,7 +62,7 @@ public:
     bool finished() const { return progress_.finished; }
     // Ends a long trial with the outcome kInterrupted if a stop is requested. Ordinary trials are
     // short, so they are finished.
-    void heed(const std::stop_token& stop);
+    void poll_cancel(const std::stop_token& stop);
     double time() const {
         return static_cast<double>(progress_.test_ticks) * kBrainTick;
     }                                                              // s, of the test phase

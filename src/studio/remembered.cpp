@@ -1,6 +1,7 @@
 #include "studio/remembered.h"
 
 #include "core/files/file_io.h"
+#include "core/text/parsed_number.h"
 #include "core/text/pretty_text.h"
 #include "persist/settings/settings_file.h"
 #include "studio/experiment/timeline_plots.h"
@@ -11,7 +12,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdlib>
 #include <sstream>
 
 namespace cambrian {
@@ -55,7 +55,7 @@ void read_line(const std::string& name, const std::string& value, ViewState& vie
             view.ghosts = static_cast<GhostChoice>(i);
     }
     for (const Size& size : kSizes) {
-        const float units = std::strtof(value.c_str(), nullptr);
+        const float units = parsed_number<float>(value).value_or(-1.0F);
         if (name == size.name && units >= 0.0F && units <= kMostSize)
             view.panels.*size.place = units;
     }
@@ -67,7 +67,7 @@ void read_line(const std::string& name, const std::string& value, ViewState& vie
     }
     if (name == "theme") view.theme = value == "light" ? ThemeKind::kLight : ThemeKind::kDark;
     if (name != "speed") return;
-    const double speed = std::strtod(value.c_str(), nullptr);
+    const double speed = parsed_number<double>(value).value_or(0.0);
     if (std::find(kPlaybackSpeeds.begin(), kPlaybackSpeeds.end(), speed) != kPlaybackSpeeds.end())
         view.speed = speed;
 }

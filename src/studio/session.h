@@ -28,7 +28,7 @@ public:
     // Sets the folder of the help pages and samples.
     void use_assets(const std::filesystem::path& folder);
     // Displays a random creature, so that the viewport is never empty.
-    void show_newcomer() { experiment_.show_random_creature(); }
+    void show_random_creature() { experiment_.show_random_creature(); }
 
     // Must be called once a frame, before drawing. Handles results of the engine and of files, then
     // plays on by `elapsed` seconds. `now` is in seconds of the window's clock.

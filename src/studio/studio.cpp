@@ -93,7 +93,7 @@ private:
         }
         if (session_.frame_context().viewer.playback.empty() && !options_.sample_creature.empty())
             session_.files().open_now(options_.sample_creature, ExhibitSource::kSample);
-        if (session_.frame_context().viewer.playback.empty()) session_.show_newcomer();
+        if (session_.frame_context().viewer.playback.empty()) session_.show_random_creature();
         if (options_.evolve) {
             Requests requests;
             requests.ask(ToggleEvolution{});
@@ -170,9 +170,9 @@ private:
     }
 
     Result<Image> draw_card_picture(const Subject& subject) {
-        const auto lettering = Lettering::load();
-        if (!lettering) return lettering.error();
-        auto canvas = PictureCanvas::create(renderer_, **lettering, kCardWidth, kCardHeight);
+        const auto text_rasterizer = TextRasterizer::load();
+        if (!text_rasterizer) return text_rasterizer.error();
+        auto canvas = PictureCanvas::create(renderer_, **text_rasterizer, kCardWidth, kCardHeight);
         if (!canvas) return canvas.error();
         draw_card(*canvas, subject, palette_of(session_.view().theme));
         return canvas->finish();

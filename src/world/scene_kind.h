@@ -16,12 +16,18 @@
 
 namespace cambrian {
 
+// A method that computes the motion of a scene.
+struct IntegratorName {
+    std::string id;     // of files: "dormand-prince"
+    std::string label;  // "Dormand-Prince"
+};
+
 struct SceneKind {
     std::string id;
     std::string label;
     JointRegistry joints;
-    std::vector<std::string> integrators;  // ids for SceneSettings::integrator
-    std::string accurate_integrator;       // the most accurate of them
+    std::vector<IntegratorName> integrators;  // of SceneSettings::integrator
+    std::string accurate_integrator;          // the id of the most accurate of them
     // Fails, with a reason, for bodies that physics rejects (too many parts, degenerate sizes).
     std::function<Result<std::unique_ptr<PhysicsScene>>(const BodyPlan&, const Environment&,
                                                         const SceneSettings&)>

@@ -4,6 +4,7 @@
 #include "bench/write_table.h"
 #include "core/assert.h"
 #include "core/threads/thread_pool.h"
+#include "dynamics/integrators/builtin_integrators.h"
 #include "dynamics/planar_scene.h"
 #include "simulator/audit.h"
 #include "support/body_plans.h"
@@ -438,7 +439,7 @@ int main(int argc, char** argv) try {
     app.add_option("--pose-seconds", options.pose_seconds, "how long they hold it, s")
         ->check(CLI::Range(15.0, 1e4));
     app.add_option("--integrator", options.settings.integrator)
-        ->check(CLI::IsMember(cambrian::planar_scene_kind().integrators));
+        ->check(CLI::IsMember(cambrian::integrator_ids()));
     app.add_option("--tolerance", options.settings.tolerance)->check(CLI::PositiveNumber);
     app.add_option("--contact-step", options.settings.contact_step, "s")
         ->check(CLI::PositiveNumber);

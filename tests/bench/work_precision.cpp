@@ -96,8 +96,8 @@ Method mujoco_method(const std::string& label, MujocoIntegrator integrator) {
 
 std::vector<Method> all_methods() {
     std::vector<Method> methods;
-    for (const std::string& integrator : planar_scene_kind().integrators)
-        methods.push_back(planar_method(integrator));
+    for (const IntegratorName& integrator : planar_scene_kind().integrators)
+        methods.push_back(planar_method(integrator.id));
     methods.push_back(box2d_method(8, 3));
     methods.push_back(box2d_method(50, 20));
     methods.push_back(mujoco_method("Euler", MujocoIntegrator::kEuler));
@@ -160,8 +160,8 @@ Track find_truth(const BenchCreature& chain, std::size_t ticks) {
         mujoco_engine("mujoco", {kFinestSteps, MujocoIntegrator::kRungeKutta4}), chain, ticks);
     Track truth;
     double least = 0.0;
-    for (const std::string& integrator : planar_scene_kind().integrators) {
-        const Track track = track_run(planar_with(integrator, kFinestTolerance), chain, ticks);
+    for (const IntegratorName& integrator : planar_scene_kind().integrators) {
+        const Track track = track_run(planar_with(integrator.id, kFinestTolerance), chain, ticks);
         const double apart = distance(track, opinion);
         if (truth.empty() || apart < least) {
             truth = track;

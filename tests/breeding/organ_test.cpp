@@ -1,8 +1,8 @@
 // Organs in breeding: where they come from, that operators keep them valid, and that experiments
 // without them draw the random numbers they drew before there were any.
 #include "breeding/corpora.h"
+#include "breeding/disconnected_neurons.h"
 #include "breeding/gene_sites.h"
-#include "breeding/mute_neurons.h"
 #include "support/build_speed.h"
 #include "support/catch.h"
 
@@ -74,7 +74,7 @@ TEST_CASE("a hundred thousand operators keep genomes with organs valid", "[breed
         const std::size_t method = stream.below(methods.size());
         Genome child = methods[method].breed(stream.pick(population), stream.pick(population),
                                              full_catalog(), stream);
-        const MutationSettings settings{.rate = 6.0, .collect_mute_neurons = i % 4 == 0};
+        const MutationSettings settings{.rate = 6.0, .remove_disconnected_neurons = i % 4 == 0};
         operators += mutate(child, settings, mutations, organ_context(), stream).size();
         const auto complaints = validate(child, full_catalog());
         INFO(i << ": " << (complaints.empty() ? "" : complaints.front()));
@@ -161,7 +161,7 @@ TEST_CASE("a neuron that only an organ hears is kept, and removal reconnects the
     const SourceRef touch{SourceKind::kLocalSensor, 1};
     root.neurons = {{absolute, {{}}}, {absolute, {{touch, 1.0}}}};
     root.organs = {{.kind = 1, .input = {own_neuron(SourceScope::kPart, 1), 1.0}}};
-    collect_mute_neurons(genome);
+    remove_disconnected_neurons(genome);
     REQUIRE(genome.nodes[0].neurons.size() == 1);
     CHECK(genome.nodes[0].organs[0].input.source == own_neuron(SourceScope::kPart, 0));
 

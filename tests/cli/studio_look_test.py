@@ -187,9 +187,9 @@ class StudioLook(StudioTest):
         self.tap("tile order")
         self.look("population-orders")
         self.tap_nowhere()
-        self.tap("One a plan")
+        self.tap("One per body plan")
         self.look("population-one-a-plan")
-        self.tap("One a plan")
+        self.tap("One per body plan")
 
     def look_at_tour(self):
         self.tap("Help")

@@ -1,8 +1,8 @@
 // Properties of every expressed genome, tested on founders and their descendants.
 
 #include "brain/lazy_brain.h"
+#include "breeding/disconnected_neurons.h"
 #include "breeding/mutation.h"
-#include "breeding/mute_neurons.h"
 #include "creature/builders.h"
 #include "creature/creature.h"
 #include "support/catch.h"
@@ -166,12 +166,13 @@ TEST_CASE("a reflected subtree in a mirrored world does the mirrored thing",
     }
 }
 
-TEST_CASE("collecting mute neurons never changes the compiled brain", "[creature][expression]") {
+TEST_CASE("removing disconnected neurons never changes the compiled brain",
+          "[creature][expression]") {
     RandomStream stream(stream_seed(7, 0, 0, Purpose::kTest));
     std::size_t removed = 0;
     for (const Genome& genome : evolved(500)) {
         Genome collected = genome;
-        collect_mute_neurons(collected);
+        remove_disconnected_neurons(collected);
         REQUIRE(validate(collected, kinds().catalog).empty());
         const Phenotype before = express(genome);
         const Phenotype after = express(collected);

@@ -43,10 +43,10 @@ TEST_CASE("the same walk gives the same bits", "[dynamics][determinism]") {
 TEST_CASE("every copy of the code gives the same bits", "[dynamics][determinism]") {
     const std::vector<SceneCopy> copies = scene_copies();
     REQUIRE(copies.back().instructions == "baseline");
-    for (const std::string& integrator : planar_scene_kind().integrators) {
-        INFO(integrator);
+    for (const IntegratorName& integrator : planar_scene_kind().integrators) {
+        INFO(integrator.id);
         SceneSettings settings;
-        settings.integrator = integrator;
+        settings.integrator = integrator.id;
         const BodyPlan plan = walker(7);
         std::vector<std::uint64_t> digests;
         for (const SceneCopy& copy : copies) {

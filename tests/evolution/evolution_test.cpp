@@ -117,11 +117,11 @@ TEST_CASE("a large population evolves under every selection, bred in every way",
     }
 }
 
-TEST_CASE("newcomers asked for come once", "[evolution]") {
+TEST_CASE("requested random immigrants come once", "[evolution]") {
     Evolution evolution(small_settings(50), kinds());
     FakeBackend backend;
     run(evolution, backend, 1);
-    const auto newcomers = [&] {
+    const auto immigrants = [&] {
         evolution.breed();
         EvaluationProgress progress;
         REQUIRE(evolution.evaluate(backend, progress, {}));
@@ -131,9 +131,9 @@ TEST_CASE("newcomers asked for come once", "[evolution]") {
                                         one->born == evolution.generation();
                              });
     };
-    evolution.add_newcomers(0.2);
-    CHECK(newcomers() == 10);
-    CHECK(newcomers() == 0);
+    evolution.add_immigrants(0.2);
+    CHECK(immigrants() == 10);
+    CHECK(immigrants() == 0);
 }
 
 TEST_CASE("a run without progress is stagnant until it is evaluated again", "[evolution]") {

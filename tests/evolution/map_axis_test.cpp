@@ -40,7 +40,7 @@ TEST_CASE("coverage counts cells and sums the best of each", "[evolution][map]")
     for (std::size_t i = 0; i < all.size(); ++i) {
         Individual changed = *all[i];
         changed.result.parts = parts[i];
-        if (i == 4) changed.result.outcome = Outcome::kCheated;
+        if (i == 4) changed.result.outcome = Outcome::kDisqualified;
         all[i] = std::make_shared<const Individual>(changed);
     }
     const MapCoverage coverage = map_coverage(all, SelectionSettings{});

@@ -83,7 +83,7 @@ TEST_CASE("every selection keeps the best, breeds from given weights and fills i
                 CHECK(std::is_sorted(result.survivors.begin(), result.survivors.end()));
                 CHECK(result.partner_weights.size() == static_cast<std::size_t>(size));
                 const std::size_t total =
-                    result.survivors.size() + result.first_parents.size() + result.newcomers;
+                    result.survivors.size() + result.first_parents.size() + result.immigrants;
                 CHECK(total >= static_cast<std::size_t>(size));
                 CHECK(total <= 2 * static_cast<std::size_t>(size));
                 for (const std::size_t parent : result.first_parents)
@@ -97,7 +97,7 @@ TEST_CASE("no selection lets disqualified creatures in while there are others",
           "[evolution][selection]") {
     const auto ranked = ranked_by(60, falling, [](Individual& individual, std::size_t place) {
         if (place < 40) return;
-        individual.result.outcome = Outcome::kCheated;
+        individual.result.outcome = Outcome::kDisqualified;
         individual.body_born = 7;
         individual.result.mass = 1e3;
     });
@@ -110,10 +110,12 @@ TEST_CASE("no selection lets disqualified creatures in while there are others",
     }
 }
 
-TEST_CASE("a generation of cheats alone still has a next one", "[evolution][selection]") {
+TEST_CASE("a generation of disqualified creatures still has a next one", "[evolution][selection]") {
     const auto ranked = ranked_by(
         20, [](double) { return 0.0; },
-        [](Individual& individual, std::size_t) { individual.result.outcome = Outcome::kCheated; });
+        [](Individual& individual, std::size_t) {
+            individual.result.outcome = Outcome::kDisqualified;
+        });
     for (const SelectionKind& kind : test::kinds().selections.all()) {
         const auto result = select(ranked, with(kind.id, 20));
         CAPTURE(kind.id);
@@ -263,5 +265,5 @@ TEST_CASE("age protection keeps what no younger creature beats", "[evolution][se
     CHECK(survives(result, 0));
     CHECK(survives(result, 50));
     CHECK(result.first_parents.size() == 19);
-    CHECK(result.newcomers == 1);
+    CHECK(result.immigrants == 1);
 }

@@ -101,7 +101,7 @@ TEST_CASE("a population of two still has a survivor and an offspring", "[evoluti
     CHECK(result.first_parents.size() == 1);
 }
 
-TEST_CASE("newcomers take offspring places", "[evolution]") {
+TEST_CASE("random immigrants take the places of offspring", "[evolution]") {
     ExperimentSettings settings = of_size(100);
     settings.population.immigrants = 30;
     CHECK(truncate(descending(100), settings).first_parents.size() == 50);
@@ -112,7 +112,7 @@ TEST_CASE("newcomers take offspring places", "[evolution]") {
 TEST_CASE("the order of merit is total and puts invalid creatures last", "[evolution]") {
     auto all = test::individuals({1.0, 2.0, 2.0, 5.0});
     Individual cheat = *all[3];
-    cheat.result.outcome = Outcome::kCheated;
+    cheat.result.outcome = Outcome::kDisqualified;
     CHECK(better(*all[1], *all[0]));
     CHECK(better(*all[1], *all[2]));
     CHECK_FALSE(better(*all[2], *all[1]));

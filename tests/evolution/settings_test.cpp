@@ -30,6 +30,18 @@ TEST_CASE("every field has a unique name, a label and a sentence of help",
     CHECK(names.size() > 40);
 }
 
+TEST_CASE("every choice has a label, that of its kind if it is one", "[evolution][settings]") {
+    std::map<std::string, std::string> labels;
+    for (const SettingField& field : setting_fields(kinds())) {
+        REQUIRE(field.choice_labels.size() == field.choices.size());
+        for (std::size_t i = 0; i < field.choices.size(); ++i)
+            labels[field.choices[i]] = field.choice_labels[i];
+    }
+    CHECK(labels.at("bogacki-shampine") == "Bogacki-Shampine");
+    CHECK(labels.at("map-elites") == "MAP-Elites");
+    CHECK(labels.at("count-first") == "Count first");
+}
+
 TEST_CASE("a number outside its range is an error that names it", "[evolution][settings]") {
     for (const SettingField& field : setting_fields(kinds())) {
         ExperimentSettings settings;

@@ -50,10 +50,10 @@ TEST_CASE("the range of the best is that of its scores", "[evolution][statistics
     CHECK(summarize(all, 0, 2).best_highest == 4.0);
 }
 
-TEST_CASE("only diverged and cheating creatures count as invalid", "[evolution][statistics]") {
+TEST_CASE("only diverged and disqualified creatures count as invalid", "[evolution][statistics]") {
     auto all = test::individuals({4, 3, 2, 1});
     const Outcome outcomes[] = {Outcome::kCompleted, Outcome::kRejected, Outcome::kDiverged,
-                                Outcome::kCheated};
+                                Outcome::kDisqualified};
     for (std::size_t i = 0; i < all.size(); ++i) {
         Individual changed = *all[i];
         changed.result.outcome = outcomes[i];

@@ -54,7 +54,7 @@ void shape_stiff(const JointGenes& genes, PlannedPart& part) {
 // The physics with one more integrator, which halves the tolerance of the accurate one. Integrators
 // are compiled with the physics; the rest of the program knows them by the names a scene kind has.
 SceneKind with_halving(SceneKind scene) {
-    scene.integrators.emplace_back("halving");
+    scene.integrators.push_back({"halving", "Halved tolerance"});
     scene.make = [inner = scene.make, accurate = scene.accurate_integrator](
                      const BodyPlan& plan, const Environment& environment,
                      const SceneSettings& settings) {
@@ -337,9 +337,9 @@ TEST_CASE("creatures of made-up kinds are saved, loaded and drawn", "[extension]
     auto context = OffscreenContext::create();
     REQUIRE(context);
     auto renderer = Renderer::create();
-    auto lettering = Lettering::load();
+    auto text_rasterizer = TextRasterizer::load();
     REQUIRE(renderer);
-    REQUIRE(lettering);
+    REQUIRE(text_rasterizer);
     for (const IndividualPtr& individual : saved.latest->population) {
         const CreatureDocument document = creature_document(
             {.individual = individual, .settings = saved.latest->settings}, kinds());
@@ -360,7 +360,7 @@ TEST_CASE("creatures of made-up kinds are saved, loaded and drawn", "[extension]
     const auto subject = subject_of(best, *saved.latest->settings, "Made up", kinds());
     INFO((subject ? "" : subject.error().message));
     REQUIRE(subject);
-    auto canvas = PictureCanvas::create(**renderer, **lettering, 240, 320);
+    auto canvas = PictureCanvas::create(**renderer, **text_rasterizer, 240, 320);
     REQUIRE(canvas);
     draw_card(*canvas, *subject, palette_of(ThemeKind::kDark));
     const auto image = canvas->finish();

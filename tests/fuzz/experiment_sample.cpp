@@ -48,7 +48,7 @@ void write_generations(Evolution& evolution, ExperimentFile& file) {
 
 void write_commands(const SettingsPtr& settings, ExperimentFile& file) {
     promise(file.note({kGenerations - 1, InjectGenome{founder()}}) &&
-                file.note({kGenerations - 1, AddNewcomers{0.3}}) &&
+                file.note({kGenerations - 1, AddImmigrants{0.3}}) &&
                 file.note({kGenerations, ChangeSettings{settings}}),
             "commands can be kept");
 }

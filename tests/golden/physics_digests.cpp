@@ -68,7 +68,8 @@ std::uint64_t digest_of_curling(const std::string& integrator) {
 
 void add_physics_digests(Digests& digests) {
     for (const Workload& workload : all_workloads()) {
-        for (const std::string& integrator : planar_scene_kind().integrators) {
+        for (const IntegratorName& name : planar_scene_kind().integrators) {
+            const std::string& integrator = name.id;
             SceneSettings settings;
             settings.integrator = integrator;
             for (const Share& share : shares_of(integrator)) {

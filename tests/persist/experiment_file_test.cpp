@@ -403,7 +403,7 @@ TEST_CASE("whatever is wrong inside an experiment is one message", "[persist][ex
     }));
     const TemporaryDirectory folder;
     const auto path = folder / "a.cambrian";
-    write_run(path, small_settings(), 3, {{1, AddNewcomers{0.3}}});
+    write_run(path, small_settings(), 3, {{1, AddImmigrants{0.3}}});
     Database(path, Database::Access::kWrite).execute(sql);
     INFO(sql);
     CHECK_THAT(refusal(path), Catch::Contains(words) && Catch::Contains(path.string()));

@@ -115,7 +115,7 @@ TEST_CASE("an experiment tells scores of another simulator until everyone was ju
     CHECK(other_simulator(*saved) == words);
     saved->journal.push_back({3, RescorePopulation{}});
     CHECK_FALSE(other_simulator(*saved));
-    saved->journal.back() = {3, AddNewcomers{}};
+    saved->journal.back() = {3, AddImmigrants{}};
     ExperimentSettings moon = *saved->latest->settings;
     moon.world.environment.gravity = 1.62;
     saved->journal.push_back({3, ChangeSettings{std::make_shared<const ExperimentSettings>(moon)}});

@@ -51,7 +51,7 @@ inline CreatureDocument sample_document() {
         individual.result.fitness = 0.412;
         individual.result.digest = 0x77e0123456789abcULL;
         individual.result.finer = {
-            .outcome = Outcome::kCheated, .score = 0.4, .verdict = AuditVerdict::kSuspect};
+            .outcome = Outcome::kDisqualified, .score = 0.4, .verdict = AuditVerdict::kSuspect};
     });
     return document;
 }

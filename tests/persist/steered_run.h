@@ -30,7 +30,7 @@ inline std::vector<NotedCommand> some_steering(const ExperimentSettings& setting
     moon.world.environment.gravity = 1.62;
     ExperimentSettings patient = moon;
     patient.mutation.rate = 2.5;
-    return {{1, AddNewcomers{0.3}},
+    return {{1, AddImmigrants{0.3}},
             {2, ChangeSettings{std::make_shared<const ExperimentSettings>(moon)}},
             {3, ChangeSettings{std::make_shared<const ExperimentSettings>(patient)}},
             {3, InjectGenome{crawler(kinds().creature.catalog)}},

@@ -29,7 +29,7 @@ inline std::vector<IndividualPtr> strangers(std::size_t count, std::uint64_t see
     settings.seed = seed;
     std::vector<IndividualPtr> all;
     for (std::size_t i = 0; i < count; ++i)
-        all.push_back(make_newcomer(settings, kinds(), 0, i));
+        all.push_back(make_immigrant(settings, kinds(), 0, i));
     return all;
 }
 

@@ -15,20 +15,20 @@ namespace {
 
 using Parents = std::vector<IndividualPtr>;
 
-BroodOrder order_of(const Parents& parents, int cells = 12, int round = 0) {
+CandidateOrder order_of(const Parents& parents, int cells = 12, int round = 0) {
     return {.parents = parents, .cells = cells, .node = 3, .round = round};
 }
 
-std::map<std::string, int> methods_of(const Brood& brood) {
+std::map<std::string, int> methods_of(const Candidates& candidates) {
     std::map<std::string, int> count;
-    for (const IndividualPtr& child : brood.offspring)
+    for (const IndividualPtr& child : candidates.offspring)
         ++count[child->method];
     return count;
 }
 
-std::vector<std::uint64_t> hashes(const Brood& brood) {
+std::vector<std::uint64_t> hashes(const Candidates& candidates) {
     std::vector<std::uint64_t> all;
-    for (const auto* group : {&brood.offspring, &brood.newcomers}) {
+    for (const auto* group : {&candidates.offspring, &candidates.immigrants}) {
         for (const IndividualPtr& each : *group)
             all.push_back(each->genome_hash);
     }
@@ -37,52 +37,54 @@ std::vector<std::uint64_t> hashes(const Brood& brood) {
 
 }  // namespace
 
-TEST_CASE("a grid of 12 has 36 candidates in the proportions asked for", "[picking][breeding]") {
-    CHECK(plan_brood(0, 12, 0) == BroodPlan{.newcomers = 36});
-    CHECK(plan_brood(1, 12, 0) == BroodPlan{.copies = 36});
-    CHECK(plan_brood(2, 12, 0) == BroodPlan{2, 32, 0});
-    CHECK(plan_brood(3, 12, 0) == BroodPlan{2, 30, 0});
-    CHECK(plan_brood(4, 12, 0) == BroodPlan{2, 28, 0});
-    CHECK(plan_brood(1, 12, 2) == BroodPlan{.copies = 30, .newcomers = 6});
-    CHECK(plan_brood(4, 12, 2) == BroodPlan{2, 22, 6});
+TEST_CASE("a grid of 12 has 36 candidates in the planned proportions", "[picking][breeding]") {
+    CHECK(plan_candidates(0, 12, 0) == CandidatePlan{.immigrants = 36});
+    CHECK(plan_candidates(1, 12, 0) == CandidatePlan{.copies = 36});
+    CHECK(plan_candidates(2, 12, 0) == CandidatePlan{2, 32, 0});
+    CHECK(plan_candidates(3, 12, 0) == CandidatePlan{2, 30, 0});
+    CHECK(plan_candidates(4, 12, 0) == CandidatePlan{2, 28, 0});
+    CHECK(plan_candidates(1, 12, 2) == CandidatePlan{.copies = 30, .immigrants = 6});
+    CHECK(plan_candidates(4, 12, 2) == CandidatePlan{2, 22, 6});
 }
 
 TEST_CASE("every size of grid has three candidates a cell", "[picking][breeding]") {
     for (const int cells : kGridSizes) {
-        const int newcomers = newcomer_cells({.cells = cells, .boldness = Boldness::kWild});
+        const int immigrants = immigrant_cells({.cells = cells, .boldness = Boldness::kWild});
         for (std::size_t parents = 0; parents <= kMostPicks; ++parents) {
-            const BroodPlan plan = plan_brood(parents, cells, parents > 0 ? newcomers : 0);
+            const CandidatePlan plan =
+                plan_candidates(parents, cells, parents > 0 ? immigrants : 0);
             CAPTURE(cells, parents);
-            CHECK(plan.copies * parents + plan.paired + plan.newcomers ==
+            CHECK(plan.copies * parents + plan.paired + plan.immigrants ==
                   3 * static_cast<std::size_t>(cells));
             if (parents > 0) CHECK(plan.copies >= 2);
         }
     }
 }
 
-TEST_CASE("boldness sets extra mutations and newcomers", "[picking][breeding]") {
+TEST_CASE("boldness sets the numbers of extra mutations and of random immigrants",
+          "[picking][breeding]") {
     CHECK(extra_mutations(Boldness::kGentle) == 0);
     CHECK(extra_mutations(Boldness::kBold) == 1);
     CHECK(extra_mutations(Boldness::kWild) == 3);
-    CHECK(newcomer_cells({.cells = 12, .boldness = Boldness::kBold}) == 0);
-    for (const auto& [cells, newcomers] :
+    CHECK(immigrant_cells({.cells = 12, .boldness = Boldness::kBold}) == 0);
+    for (const auto& [cells, immigrants] :
          std::map<int, int>{{4, 1}, {6, 1}, {9, 2}, {12, 2}, {16, 3}, {25, 4}})
-        CHECK(newcomer_cells({.cells = cells, .boldness = Boldness::kWild}) == newcomers);
+        CHECK(immigrant_cells({.cells = cells, .boldness = Boldness::kWild}) == immigrants);
 }
 
 TEST_CASE("children are bred as planned, from the picks only", "[picking][breeding]") {
     for (std::size_t count = 1; count <= kMostPicks; ++count) {
         const Parents parents = test::strangers(count);
-        const Brood brood = breed_candidates(order_of(parents), {}, kinds());
-        const BroodPlan plan = plan_brood(count, 12, 0);
-        auto methods = methods_of(brood);
+        const Candidates candidates = breed_candidates(order_of(parents), {}, kinds());
+        const CandidatePlan plan = plan_candidates(count, 12, 0);
+        auto methods = methods_of(candidates);
         CAPTURE(count);
         CHECK(methods["asexual"] == static_cast<int>(plan.copies * count));
         CHECK(methods["crossover"] + methods["grafting"] == static_cast<int>(plan.paired));
         CHECK(methods["crossover"] - methods["grafting"] == static_cast<int>(plan.paired % 2));
-        CHECK(brood.newcomers.empty());
+        CHECK(candidates.immigrants.empty());
         std::map<std::uint64_t, int> copies;
-        for (const IndividualPtr& child : brood.offspring) {
+        for (const IndividualPtr& child : candidates.offspring) {
             const bool paired = child->method != "asexual";
             CHECK((child->parents[1] != 0) == paired);
             CHECK(child->parents[0] != child->parents[1]);
@@ -103,7 +105,7 @@ TEST_CASE("bolder children are mutated more often", "[picking][breeding]") {
         std::size_t least = 100;
         int children = 0;
         for (int round = 0; round < 40; ++round) {
-            BroodOrder order = order_of(parents, 12, round);
+            CandidateOrder order = order_of(parents, 12, round);
             order.extra_mutations = extra;
             for (const IndividualPtr& child : breed_candidates(order, {}, kinds()).offspring) {
                 sum += static_cast<double>(child->mutations.size());
@@ -116,38 +118,38 @@ TEST_CASE("bolder children are mutated more often", "[picking][breeding]") {
     }
 }
 
-TEST_CASE("wild broods have newcomers besides, and no picks mean newcomers only",
+TEST_CASE("wild grids also have random immigrants, and grids without picks nothing else",
           "[picking][breeding]") {
     const Parents parents = test::strangers(2);
-    BroodOrder order = order_of(parents);
-    order.newcomer_cells = 2;
-    const Brood wild = breed_candidates(order, {}, kinds());
+    CandidateOrder order = order_of(parents);
+    order.immigrant_cells = 2;
+    const Candidates wild = breed_candidates(order, {}, kinds());
     CHECK(wild.offspring.size() == 30);
-    CHECK(wild.newcomers.size() == 6);
-    const Brood fresh = breed_candidates(order_of({}), {}, kinds());
+    CHECK(wild.immigrants.size() == 6);
+    const Candidates fresh = breed_candidates(order_of({}), {}, kinds());
     CHECK(fresh.offspring.empty());
-    REQUIRE(fresh.newcomers.size() == 36);
-    for (const IndividualPtr& newcomer : fresh.newcomers)
-        CHECK(newcomer->method == "random");
+    REQUIRE(fresh.immigrants.size() == 36);
+    for (const IndividualPtr& immigrant : fresh.immigrants)
+        CHECK(immigrant->method == "random");
 }
 
-TEST_CASE("the same grid breeds the same, every other grid, round and seed others",
+TEST_CASE("candidates follow from the grid, its round and the seed, and differ between them",
           "[picking][breeding]") {
     const Parents parents = test::strangers(3);
-    const auto brood = [&](std::uint32_t node, int round, std::uint64_t seed) {
-        BroodOrder order = order_of(parents, 12, round);
+    const auto candidates = [&](std::uint32_t node, int round, std::uint64_t seed) {
+        CandidateOrder order = order_of(parents, 12, round);
         order.node = node;
         ExperimentSettings settings;
         settings.seed = seed;
         return hashes(breed_candidates(order, settings, kinds()));
     };
-    CHECK(brood(1, 0, 1) == brood(1, 0, 1));
-    CHECK(brood(1, 0, 1) != brood(2, 0, 1));
-    CHECK(brood(1, 0, 1) != brood(1, 1, 1));
-    CHECK(brood(1, 0, 1) != brood(1, 0, 2));
+    CHECK(candidates(1, 0, 1) == candidates(1, 0, 1));
+    CHECK(candidates(1, 0, 1) != candidates(2, 0, 1));
+    CHECK(candidates(1, 0, 1) != candidates(1, 1, 1));
+    CHECK(candidates(1, 0, 1) != candidates(1, 0, 2));
 }
 
-TEST_CASE("no two creatures of picking and automatic generations have one uid",
+TEST_CASE("no creatures of picking and of automatic generations share a uid",
           "[picking][breeding]") {
     const ExperimentSettings settings;
     std::set<std::uint64_t> uids;
@@ -163,12 +165,12 @@ TEST_CASE("no two creatures of picking and automatic generations have one uid",
     for (std::uint32_t node = 0; node < 20; ++node) {
         add(import_creatures(genomes, node, settings));
         for (int round = 0; round < 4; ++round) {
-            BroodOrder order = order_of(parents, 25, round);
+            CandidateOrder order = order_of(parents, 25, round);
             order.node = node;
-            order.newcomer_cells = 4;
-            const Brood brood = breed_candidates(order, settings, kinds());
-            add(brood.offspring);
-            add(brood.newcomers);
+            order.immigrant_cells = 4;
+            const Candidates candidates = breed_candidates(order, settings, kinds());
+            add(candidates.offspring);
+            add(candidates.immigrants);
         }
     }
     CHECK(uids.size() == count);

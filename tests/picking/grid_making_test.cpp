@@ -63,10 +63,10 @@ bool all_alive(const std::vector<IndividualPtr>& grid) {
 
 }  // namespace
 
-TEST_CASE("the same grid comes out on one worker and on two", "[picking][making]") {
+TEST_CASE("a grid is the same on one worker and on two", "[picking][making]") {
     for (std::size_t parents = 1; parents <= 3; ++parents) {
         GridOrder order = children_of(test::strangers(parents));
-        order.newcomer_cells = 2;
+        order.immigrant_cells = 2;
         const auto one = make_thread_pool_backend(kinds(), 1);
         const auto two = make_thread_pool_backend(kinds(), 2);
         const auto first = make_grid(order, *one);
@@ -89,7 +89,7 @@ TEST_CASE("grids of random picks from random grids have no dead cells", "[pickin
         picks.resize(1 + seed % 4);
         GridOrder order = children_of(picks, kGridSizes[seed % 6]);
         order.extra_mutations = static_cast<int>(seed % 3);
-        order.newcomer_cells = static_cast<int>(seed % 2);
+        order.immigrant_cells = static_cast<int>(seed % 2);
         const auto grid = make_grid(order, *backend);
         CAPTURE(seed);
         CHECK(all_alive(grid));
@@ -99,13 +99,13 @@ TEST_CASE("grids of random picks from random grids have no dead cells", "[pickin
     }
 }
 
-TEST_CASE("no dead cells either where most candidates are", "[picking][making]") {
+TEST_CASE("a grid has no dead cells even if most candidates are dead", "[picking][making]") {
     BodyBackend backend;
     backend.adjust = [](const Genome& genome, EvaluationResult& result) {
         const std::uint64_t lot = genome_hash(genome) % 10;
         if (lot < 4) result.behavior.stir = 0.0;
         if (lot == 4) result.outcome = Outcome::kDiverged;
-        if (lot == 5) result.outcome = Outcome::kCheated;
+        if (lot == 5) result.outcome = Outcome::kDisqualified;
     };
     constexpr std::uint64_t seeds = test::by_build(400, 60);
     for (std::uint64_t seed = 0; seed < seeds; ++seed) {
@@ -116,7 +116,7 @@ TEST_CASE("no dead cells either where most candidates are", "[picking][making]")
     }
 }
 
-TEST_CASE("a grid is full of the least bad where nothing lives", "[picking][making]") {
+TEST_CASE("a grid is filled with the best candidates if all are dead", "[picking][making]") {
     BodyBackend backend;
     backend.adjust = [](const Genome& genome, EvaluationResult& result) {
         result.behavior.stir = 0.0;
@@ -131,7 +131,7 @@ TEST_CASE("a grid is full of the least bad where nothing lives", "[picking][maki
     CHECK(make_grid(children_of(test::strangers(2), 16), backend).size() == 16);
 }
 
-TEST_CASE("where too few differ, further rounds breed more boldly", "[picking][making]") {
+TEST_CASE("further rounds mutate more if too few candidates differ", "[picking][making]") {
     auto settings = std::make_shared<ExperimentSettings>();
     settings->mutation.scheme = "none";
     BodyBackend backend;
@@ -141,7 +141,7 @@ TEST_CASE("where too few differ, further rounds breed more boldly", "[picking][m
         CHECK(grid[i]->mutations.size() == 1);
 }
 
-TEST_CASE("without any mutation the grid is full of twins, in bounded time", "[picking][making]") {
+TEST_CASE("without mutation a grid is filled with copies in bounded time", "[picking][making]") {
     auto settings = std::make_shared<ExperimentSettings>();
     for (const MutationKind& kind : kinds().mutations.all())
         settings->mutation.weights[kind.id] = 0.0;
@@ -152,16 +152,16 @@ TEST_CASE("without any mutation the grid is full of twins, in bounded time", "[p
     CHECK(backend.evaluations == 1);
 }
 
-TEST_CASE("wild grids have their newcomers", "[picking][making]") {
+TEST_CASE("wild grids have random immigrants", "[picking][making]") {
     BodyBackend backend;
     GridOrder order = children_of(test::strangers(2));
-    order.newcomer_cells = 2;
+    order.immigrant_cells = 2;
     const auto grid = make_grid(order, backend);
     CHECK(std::count_if(grid.begin() + 1, grid.end(),
                         [](const IndividualPtr& each) { return each->method == "random"; }) == 2);
 }
 
-TEST_CASE("creatures kept stay in their cells", "[picking][making]") {
+TEST_CASE("kept creatures stay in their cells", "[picking][making]") {
     BodyBackend backend;
     const auto picks = test::strangers(2);
     GridOrder order;
@@ -173,7 +173,7 @@ TEST_CASE("creatures kept stay in their cells", "[picking][making]") {
     CHECK(distinct(grid) == 9);
 }
 
-TEST_CASE("a population is shown without evaluating anybody", "[picking][making]") {
+TEST_CASE("a population is shown without any evaluation", "[picking][making]") {
     BodyBackend backend;
     GridOrder everyone;
     everyone.cells = 25;
@@ -203,7 +203,7 @@ TEST_CASE("a population too small or too uniform is filled up", "[picking][makin
         CHECK(std::count(all.begin(), all.end(), order.pool[i]->uid) == 1);
 }
 
-TEST_CASE("an interrupted grid goes on where it was", "[picking][making]") {
+TEST_CASE("an interrupted grid is continued where it stopped", "[picking][making]") {
     const GridOrder order = children_of(test::strangers(2));
     BodyBackend backend;
     const auto whole = make_grid(order, backend);

@@ -74,7 +74,8 @@ TEST_CASE("the creature started from is in cell 1 of a full grid", "[picking][se
     CHECK(person.shown().picks.empty());
 }
 
-TEST_CASE("picks are made and unmade, four at most, on the grid shown", "[picking][session]") {
+TEST_CASE("at most four creatures of the displayed grid can be picked and unpicked",
+          "[picking][session]") {
     Person person;
     for (const std::size_t cell : {5U, 2U, 9U, 0U})
         CHECK(person.pick(cell));
@@ -90,7 +91,7 @@ TEST_CASE("picks are made and unmade, four at most, on the grid shown", "[pickin
     CHECK(person.shown().picks.empty());
 }
 
-TEST_CASE("children of the picks are bred before they are asked for", "[picking][session]") {
+TEST_CASE("children of the picks are bred before the user requests them", "[picking][session]") {
     Person person;
     CHECK_FALSE(person.shown().children_ready);
     person.pick(3);
@@ -126,7 +127,8 @@ TEST_CASE("a grid is the same whether it was bred ahead or not, and after other 
     CHECK(late.hashes() == ahead.hashes());
 }
 
-TEST_CASE("no decision without picks, and none while another waits", "[picking][session]") {
+TEST_CASE("a decision needs picks and is refused while another one is pending",
+          "[picking][session]") {
     Person person;
     CHECK_FALSE(person.obey(BreedPicks{}));
     CHECK_FALSE(person.obey(AskEvolution{}));
@@ -143,7 +145,7 @@ TEST_CASE("no decision without picks, and none while another waits", "[picking][
     CHECK(person.shown().tree.size() == 1);
 }
 
-TEST_CASE("going back finds the picks again; breeding again makes a branch of others",
+TEST_CASE("going back restores the picks, and breeding again makes a new branch",
           "[picking][session]") {
     Person person;
     person.pick(4);
@@ -179,13 +181,13 @@ TEST_CASE("going back undoes a decision that is not ready", "[picking][session]"
     CHECK(person.shown().picks == std::vector<std::size_t>{4});
 }
 
-TEST_CASE("newcomers take the place of whom nobody picked", "[picking][session]") {
+TEST_CASE("random creatures replace those that are not picked", "[picking][session]") {
     Person person;
     person.pick(4);
     person.pick(8);
     const GridNode before = person.grid();
     CHECK(person.obey(ReplaceUnpicked{}));
-    CHECK(person.grid().origin == GridOrigin::kNewcomers);
+    CHECK(person.grid().origin == GridOrigin::kImmigrants);
     for (std::size_t cell = 0; cell < 12; ++cell) {
         const bool stays = cell == 4 || cell == 8;
         CHECK((person.grid().creatures[cell] == before.creatures[cell]) == stays);
@@ -195,7 +197,7 @@ TEST_CASE("newcomers take the place of whom nobody picked", "[picking][session]"
     CHECK(person.grid().creatures[4]->method == "random");
 }
 
-TEST_CASE("picks find a place in a grid that becomes smaller", "[picking][session]") {
+TEST_CASE("picks are moved into a grid that becomes smaller", "[picking][session]") {
     Person person;
     const IndividualPtr low = person.grid().creatures[1];
     const IndividualPtr high = person.grid().creatures[11];
@@ -238,10 +240,10 @@ TEST_CASE("every size of grid is bred, at every boldness", "[picking][session]")
             const GridNode& grid = person.grid();
             CHECK(grid.creatures.size() == static_cast<std::size_t>(cells));
             CHECK(grid.grid == person.shown().grid);
-            const auto newcomers =
+            const auto immigrants =
                 std::count_if(grid.creatures.begin() + 1, grid.creatures.end(),
                               [](const IndividualPtr& each) { return each->method == "random"; });
-            CHECK(newcomers == newcomer_cells(grid.grid));
+            CHECK(immigrants == immigrant_cells(grid.grid));
         }
     }
 }
@@ -288,7 +290,7 @@ TEST_CASE("automatic evolution from the picks fills a grid", "[picking][session]
     CHECK(mean > person.shown().tree.node(0).creatures[2]->result.fitness);
 }
 
-TEST_CASE("a population can be picked from, and automatic runs taken turns with",
+TEST_CASE("selection by hand from a population can alternate with automatic runs",
           "[picking][session]") {
     auto settings = std::make_shared<ExperimentSettings>();
     settings->population.size = 40;
@@ -335,7 +337,8 @@ TEST_CASE("under other settings the parent is evaluated again", "[picking][sessi
     CHECK(person.shown().tree.node(0).creatures[0]->result.fitness != -5.0);
 }
 
-TEST_CASE("pinned creatures survive everything and go into any grid", "[picking][session]") {
+TEST_CASE("pinned creatures outlast all commands and can be put into any grid",
+          "[picking][session]") {
     Person person;
     const IndividualPtr kept = person.grid().creatures[6];
     CHECK(person.obey(PinCreature{0, 6}));
@@ -367,7 +370,8 @@ TEST_CASE("decisions and branches are counted", "[picking][session]") {
     CHECK(person.shown().branches == 1);
 }
 
-TEST_CASE("a back-end that fails costs the decision, nothing else", "[picking][session]") {
+TEST_CASE("a back-end that fails cancels the decision and changes nothing else",
+          "[picking][session]") {
     Person person;
     person.pick(0);
     person.obey(BreedPicks{});
@@ -382,7 +386,7 @@ TEST_CASE("a back-end that fails costs the decision, nothing else", "[picking][s
     CHECK(person.grid().number == 2);
 }
 
-TEST_CASE("a path of commands repeats bit for bit", "[picking][session]") {
+TEST_CASE("a sequence of commands is reproducible bit for bit", "[picking][session]") {
     const auto walk = [](std::uint64_t seed) {
         Person person;
         RandomStream stream(seed);

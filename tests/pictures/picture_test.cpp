@@ -28,10 +28,10 @@ public:
     Workshop() {
         context_ = opened(OffscreenContext::create());
         renderer_ = opened(Renderer::create());
-        lettering_ = opened(Lettering::load());
+        text_rasterizer_ = opened(TextRasterizer::load());
     }
     PictureCanvas canvas(int width, int height) {
-        auto canvas = PictureCanvas::create(*renderer_, *lettering_, width, height);
+        auto canvas = PictureCanvas::create(*renderer_, *text_rasterizer_, width, height);
         REQUIRE(canvas);
         return std::move(*canvas);
     }
@@ -46,7 +46,7 @@ private:
 
     std::unique_ptr<OffscreenContext> context_;
     std::unique_ptr<Renderer> renderer_;
-    std::unique_ptr<Lettering> lettering_;
+    std::unique_ptr<TextRasterizer> text_rasterizer_;
 };
 
 std::size_t colors_in(const Image& image) {
@@ -56,7 +56,8 @@ std::size_t colors_in(const Image& image) {
     return colors.size();
 }
 
-TEST_CASE("sheets, cards and frames of clips show something in their size", "[pictures][picture]") {
+TEST_CASE("sheets, cards and frames of clips have their size and are not empty",
+          "[pictures][picture]") {
     Workshop workshop;
     const Subject subject = crawler();
     for (const ThemeKind theme : {ThemeKind::kDark, ThemeKind::kLight}) {
@@ -74,7 +75,8 @@ TEST_CASE("sheets, cards and frames of clips show something in their size", "[pi
     }
 }
 
-TEST_CASE("the same moment gives the same picture and another one another", "[pictures][picture]") {
+TEST_CASE("equal moments give equal pictures, other moments other pictures",
+          "[pictures][picture]") {
     Workshop workshop;
     const Subject subject = crawler();
     PictureCanvas canvas = workshop.canvas(160, 120);
@@ -88,7 +90,7 @@ TEST_CASE("the same moment gives the same picture and another one another", "[pi
     CHECK(frame(10) != first);
 }
 
-TEST_CASE("the smallest and oddest sizes can be drawn", "[pictures][picture]") {
+TEST_CASE("the smallest and the most unequal sizes can be drawn", "[pictures][picture]") {
     Workshop workshop;
     const Subject subject = crawler();
     for (const auto& [width, height] : {std::pair{64, 64}, {64, 1000}, {1000, 64}}) {
@@ -131,7 +133,7 @@ TEST_CASE("a curve rises where its values do, between the edges of its band",
     CHECK(colors_in(canvas.finish()) > 50);
 }
 
-TEST_CASE("a clip has a frame for each stretch of the trial", "[pictures][clip]") {
+TEST_CASE("a clip has one frame for each interval of the trial", "[pictures][clip]") {
     CHECK(clip_frames({.frames_a_second = 30, .speed = 1, .seconds = 2}) == 60);
     CHECK(clip_frames({.frames_a_second = 30, .speed = 0.5, .seconds = 2}) == 120);
     CHECK(clip_frames({.frames_a_second = 25, .speed = 4, .seconds = 2}) == 13);
@@ -147,7 +149,7 @@ TEST_CASE("poses are spread evenly over the motion", "[pictures][moment]") {
     CHECK(telling_time(subject.motion()) <= 0.4);
 }
 
-TEST_CASE("a score is shown only beside the trial it was given for", "[pictures][subject]") {
+TEST_CASE("a score is shown only with the trial that it was computed from", "[pictures][subject]") {
     ExperimentSettings settings;
     settings.world.trial.duration = 0.5;
     CreatureDocument document{unjudged(test::crawler(test::kinds().creature.catalog),

@@ -22,7 +22,7 @@ TEST_CASE("an audit is suspect above 5 % unexplained or 10 % given energy", "[si
 TEST_CASE("a trial whose motion could not be computed is invalid", "[simulator][audit]") {
     TrialRecord record;
     record.audit.energy_scale = 1.0;
-    for (const Outcome outcome : {Outcome::kCompleted, Outcome::kCheated}) {
+    for (const Outcome outcome : {Outcome::kCompleted, Outcome::kDisqualified}) {
         record.outcome = outcome;
         CHECK(judge(record) == AuditVerdict::kClean);
     }

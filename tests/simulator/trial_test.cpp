@@ -88,11 +88,11 @@ TEST_CASE("a trial of no duration is completed at once", "[simulator]") {
     CHECK(record.samples.size() == 1);
 }
 
-TEST_CASE("the speed guard stops a creature that is too fast", "[simulator]") {
+TEST_CASE("the speed limit disqualifies a creature that is too fast", "[simulator]") {
     TrialWorld strict;
     strict.trial.max_part_speed = 0.3;
     const TrialRecord record = run(test::crawler(test::creature_kinds().catalog), strict);
-    CHECK(record.outcome == Outcome::kCheated);
+    CHECK(record.outcome == Outcome::kDisqualified);
     CHECK(record.reason.find("faster") != std::string::npos);
 }
 

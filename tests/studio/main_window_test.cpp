@@ -49,7 +49,7 @@ TEST_CASE("the main controls are inside a window of 1280 by 720", "[studio][main
     CHECK(run.out.all().empty());
 }
 
-TEST_CASE("the timeline's and the population's controls are in a small window without overlap",
+TEST_CASE("the controls of timeline and population do not overlap in a small window",
           "[studio][main_window]") {
     WindowRun run;
     run.studio.finish_generation(1.0);
@@ -65,7 +65,7 @@ TEST_CASE("the timeline's and the population's controls are in a small window wi
     CHECK(run.gui.place("timeline").y > quantity.y + quantity.height);
 }
 
-TEST_CASE("the keyboard can be sent to the timeline and to the population",
+TEST_CASE("the keyboard focus can be moved to the timeline and to the population",
           "[studio][main_window]") {
     WindowRun run;
     for (int i = 0; i < 5; ++i)
@@ -125,7 +125,7 @@ TEST_CASE("in selection by hand the controls are inside a window of 1280 by 720"
          {"Automatic", "Hand-pick",    "Breed",   "cell 1",
           "cell 25",   "Back",         "Forward", "View",
           "Keep",      "Save…",        "Scores",  "Hints",
-          "25",        "Wild",         "dial",    "Newcomers for the rest",
+          "25",        "Wild",         "dial",    "Random creatures for the rest",
           "Assist",    "Inject picks", "New run", "Grid from the creature on display",
           "grid 1",    "shelf"}) {
         INFO(name);
@@ -147,10 +147,10 @@ TEST_CASE("a creature of the grid dragged to the shelf is kept", "[studio][main_
     run.draw();
     run.gui.release();
     run.draw();
-    CHECK(test::asked_desk<PinCreature>(run.out).cell == 5);
+    CHECK(test::asked_picking<PinCreature>(run.out).cell == 5);
 }
 
-TEST_CASE("one creature of the grid has the viewport and leads back",
+TEST_CASE("one creature of the grid can be shown alone, with a way back to the grid",
           "[studio][main_window][picking]") {
     WindowRun run;
     run.studio.show_grid(9);
@@ -172,7 +172,8 @@ public:
     }
 };
 
-TEST_CASE("a panel is drawn in the area and at the times its line says", "[studio][main_window]") {
+TEST_CASE("a panel is drawn in the area and under the condition of its registration",
+          "[studio][main_window]") {
     const std::array kinds = {
         PanelKind{
             "left",

@@ -25,7 +25,7 @@ TEST_CASE("Space evolves, but not while text is typed", "[studio][shortcuts]") {
     CHECK(test::was_asked<ToggleEvolution>(out));
 }
 
-TEST_CASE("Shift tells redo from undo", "[studio][shortcuts]") {
+TEST_CASE("Shift distinguishes redo from undo", "[studio][shortcuts]") {
     const test::StudioFixture studio;
     Requests out;
     press_shortcut({GLFW_KEY_Z, true, true}, false, studio.frame(), out);
@@ -49,16 +49,16 @@ TEST_CASE("over the grid Space picks the creature in focus", "[studio][shortcuts
     studio.focus_cell(4);
     Requests out;
     press_shortcut({GLFW_KEY_SPACE}, false, studio.frame(), out);
-    CHECK(test::asked_desk<TogglePick>(out).cell == 4);
+    CHECK(test::asked_picking<TogglePick>(out).cell == 4);
     CHECK_FALSE(test::was_asked<ToggleEvolution>(out));
 }
 
-TEST_CASE("numbers pick cells, as far as there are any", "[studio][shortcuts][picking]") {
+TEST_CASE("number keys pick cells that exist", "[studio][shortcuts][picking]") {
     test::StudioFixture studio;
     studio.show_grid(9);
     Requests out;
     press_shortcut({GLFW_KEY_9}, false, studio.frame(), out);
-    CHECK(test::asked_desk<TogglePick>(out).cell == 8);
+    CHECK(test::asked_picking<TogglePick>(out).cell == 8);
     CHECK(test::asked<FocusCell>(out).cell == 8);
     Requests beyond;
     press_shortcut({GLFW_KEY_EQUAL}, false, studio.frame(), beyond);

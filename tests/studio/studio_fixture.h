@@ -56,7 +56,7 @@ public:
         grid.origin = origin;
         grid.settings = snapshot_.settings;
         for (std::size_t i = 0; i < cells; ++i)
-            grid.creatures.push_back(make_newcomer(*snapshot_.settings, kinds(), 0, i));
+            grid.creatures.push_back(make_immigrant(*snapshot_.settings, kinds(), 0, i));
         picking_.tree.add(std::move(grid));
         picking_.settings = snapshot_.settings;
         motion_.show(picking_.tree.current().creatures, snapshot_.settings->expression,
@@ -157,7 +157,7 @@ bool was_asked(const Requests& requests) {
 
 // Returns the last command of a kind for the picking engine; the test fails if there is none.
 template <class Command>
-const Command& asked_desk(const Requests& requests) {
+const Command& asked_picking(const Requests& requests) {
     const Command* found = nullptr;
     for (const StudioRequest& request : requests.all()) {
         const auto* asked = request_if<AskPicking>(request);

@@ -31,7 +31,8 @@ void add_window_options(CLI::App& app, StudioOptions& options) {
                               "Time in seconds after which the window closes; never by default"),
               0.0, 1e9);
     take_real(*app.add_option("--frame-rate", options.drawing.frame_rate,
-                              "Largest number of frames per second; the display's rate by default"),
+                              "Largest number of frames per second")
+                   ->capture_default_str(),
               1.0, 1000.0);
 }
 

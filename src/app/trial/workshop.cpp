@@ -12,10 +12,11 @@ Result<std::unique_ptr<Workshop>> open_workshop(int width, int height) {
     auto renderer = Renderer::create();
     if (!renderer) return renderer.error();
     workshop->renderer = std::move(*renderer);
-    auto lettering = Lettering::load();
-    if (!lettering) return lettering.error();
-    workshop->lettering = std::move(*lettering);
-    auto canvas = PictureCanvas::create(*workshop->renderer, *workshop->lettering, width, height);
+    auto text_rasterizer = TextRasterizer::load();
+    if (!text_rasterizer) return text_rasterizer.error();
+    workshop->text_rasterizer = std::move(*text_rasterizer);
+    auto canvas =
+        PictureCanvas::create(*workshop->renderer, *workshop->text_rasterizer, width, height);
     if (!canvas) return canvas.error();
     workshop->canvas.emplace(std::move(*canvas));
     return workshop;

@@ -13,7 +13,7 @@ namespace cambrian {
 struct Workshop {
     std::unique_ptr<OffscreenContext> context;
     std::unique_ptr<Renderer> renderer;
-    std::unique_ptr<Lettering> lettering;
+    std::unique_ptr<TextRasterizer> text_rasterizer;
     std::optional<PictureCanvas> canvas;
 };
 

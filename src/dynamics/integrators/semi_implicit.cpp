@@ -25,7 +25,8 @@ void attempt_semi_implicit_step(const MotionSystem& system, const StepRequest& r
 }  // namespace
 
 void add_semi_implicit(IntegratorRegistry& integrators) {
-    integrators.add({"semi-implicit", attempt_semi_implicit_step, 1, 1.0 / 240});
+    integrators.add(
+        {"semi-implicit", "Semi-implicit Euler", attempt_semi_implicit_step, 1, 1.0 / 240});
 }
 
 }  // namespace cambrian

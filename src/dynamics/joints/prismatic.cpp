@@ -21,7 +21,7 @@ void shape_prismatic(const JointGenes& genes, PlannedPart& part) {
 
 void add_prismatic_joint(JointRegistry& joints) {
     joints.add({.id = "linear",
-                .label = "Linear",
+                .label = "Prismatic",
                 .motion = JointMotion::kSlide,
                 .usual = false,
                 .shape = shape_prismatic});

@@ -16,8 +16,10 @@ void shape_revolute(const JointGenes& genes, PlannedPart& part) {
 }  // namespace
 
 void add_revolute_joint(JointRegistry& joints) {
-    joints.add(
-        {.id = "rotary", .label = "Rotary", .motion = JointMotion::kTurn, .shape = shape_revolute});
+    joints.add({.id = "rotary",
+                .label = "Revolute",
+                .motion = JointMotion::kTurn,
+                .shape = shape_revolute});
 }
 
 }  // namespace cambrian

@@ -45,6 +45,7 @@ struct StepResult {
 
 struct IntegratorKind {
     std::string id;
+    std::string label;
     // Attempts one step. Afterwards the cache is that of the step's end, with kEverything.
     void (*attempt)(const MotionSystem& system, const StepRequest& request, EvaluationCache& cache,
                     StepResult& result) = nullptr;

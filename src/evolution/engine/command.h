@@ -27,7 +27,7 @@ struct InjectGenome {
     GenomePtr genome;
 };
 // Gives a share (0 to 1) of the next offspring places, once, to random immigrants.
-struct AddNewcomers {
+struct AddImmigrants {
     double share = 0.2;
 };
 // Evaluates the present generation again, because its scores come from another simulator version.
@@ -51,7 +51,7 @@ struct UseBackend {
 
 using EngineCommand =
     std::variant<PauseEvolution, ResumeEvolution, StepGeneration, ChangeSettings, InjectGenome,
-                 AddNewcomers, RescorePopulation, StartExperiment, ContinueExperiment, UseBackend>;
+                 AddImmigrants, RescorePopulation, StartExperiment, ContinueExperiment, UseBackend>;
 using EngineInbox = WorkerInbox<EngineCommand, 256>;
 
 }  // namespace cambrian

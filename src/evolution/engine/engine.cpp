@@ -150,8 +150,8 @@ void EvolutionEngine::apply(InjectGenome command) {
     if (steer(command)) evolution_->inject(std::move(command.genome));
 }
 
-void EvolutionEngine::apply(AddNewcomers command) {
-    if (steer(command)) evolution_->add_newcomers(command.share);
+void EvolutionEngine::apply(AddImmigrants command) {
+    if (steer(command)) evolution_->add_immigrants(command.share);
 }
 
 void EvolutionEngine::apply(RescorePopulation command) {

@@ -52,7 +52,7 @@ private:
     void apply(StepGeneration command);
     void apply(ChangeSettings command);
     void apply(InjectGenome command);
-    void apply(AddNewcomers command);
+    void apply(AddImmigrants command);
     void apply(RescorePopulation command);
     void apply(StartExperiment command);
     void apply(ContinueExperiment command);

@@ -12,8 +12,8 @@ void give(Evolution& evolution, const ChangeSettings& command) {
 void give(Evolution& evolution, const InjectGenome& command) {
     evolution.inject(command.genome);
 }
-void give(Evolution& evolution, const AddNewcomers& command) {
-    evolution.add_newcomers(command.share);
+void give(Evolution& evolution, const AddImmigrants& command) {
+    evolution.add_immigrants(command.share);
 }
 void give(Evolution& evolution, const RescorePopulation& /*command*/) {
     evolution.rescore();

@@ -17,7 +17,8 @@
 namespace cambrian {
 
 // Commands that change the course of a running experiment.
-using SteeringCommand = std::variant<ChangeSettings, InjectGenome, AddNewcomers, RescorePopulation>;
+using SteeringCommand =
+    std::variant<ChangeSettings, InjectGenome, AddImmigrants, RescorePopulation>;
 
 // A command and the generation in which it was given: bred, but not yet completely evaluated.
 struct NotedCommand {

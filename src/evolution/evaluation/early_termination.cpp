@@ -72,7 +72,7 @@ Result<TerminableTrial> run_terminable_trial(std::shared_ptr<const Phenotype> ph
     TerminableTrial result;
     bool weighed = !ends.threshold;
     while ((*trial)->tick()) {
-        (*trial)->heed(ends.stop);
+        (*trial)->poll_cancel(ends.stop);
         if (weighed || (*trial)->time() < kMoment * world.trial.duration) continue;
         weighed = true;
         result.terminable =

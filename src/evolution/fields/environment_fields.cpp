@@ -29,12 +29,12 @@ void add_light(TableBuilder& world) {
               [](Settings & s) -> auto& { return s.world.environment.light_brightness; }),
           has_light);
     later(world.number(
-              "light-x", "Light, across", "m", Range{-1000, 1000},
-              "The position of the light to the right of the start. A moving light begins there.",
+              "light-x", "Light, x", "m", Range{-1000, 1000},
+              "The distance of the light to the right of the start. A moving light begins there.",
               [](Settings & s) -> auto& { return s.world.environment.light_x; }),
           has_light);
     later(world.number(
-              "light-y", "Light, up", "m", Range{-1000, 1000},
+              "light-y", "Light, y", "m", Range{-1000, 1000},
               "The height of the light. A moving light begins there.",
               [](Settings & s) -> auto& { return s.world.environment.light_y; }),
           has_light);
@@ -60,12 +60,15 @@ void add_light(TableBuilder& world) {
 void add_missing_senses(TableBuilder& world) {
     world
         .flag(
-            "deafness", "Deafness", "Nobody hears anything, whatever its senses.",
+            "deafness", "Deafness",
+            "Sensors of sound read 0. This is for comparisons of evolution with and without "
+            "hearing.",
             [](Settings & s) -> auto& { return s.world.environment.deaf; })
         .later = true;
     world
         .flag(
-            "anosmia", "No sense of smell", "Nobody smells anything, whatever its senses.",
+            "anosmia", "No sense of smell",
+            "Sensors of smell read 0. This is for comparisons of evolution with and without smell.",
             [](Settings & s) -> auto& { return s.world.environment.scentless; })
         .later = true;
 }
@@ -92,16 +95,16 @@ void add_environment(std::vector<SettingField>& fields) {
         "0.05, rubber 1.",
         [](Settings & s) -> auto& { return s.world.environment.friction; });
     world.number(
-        "elasticity", "Elasticity", "", Range{0, 1},
+        "elasticity", "Restitution", "", Range{0, 1},
         "The coefficient of restitution, which is the share of the speed that is left after a "
         "bounce. Clay has 0, a hard ball 0.9.",
         [](Settings & s) -> auto& { return s.world.environment.elasticity; });
     world.number(
-        "viscosity-linear", "Viscosity, linear", "N s/m^2", Range{0, 1e4},
+        "viscosity-linear", "Drag, linear", "N s/m^2", Range{0, 1e4},
         "The coefficient of linear drag, which grows with the speed of a face, as in syrup.",
         [](Settings & s) -> auto& { return s.world.environment.viscosity_linear; });
     world.number(
-        "viscosity-quadratic", "Viscosity, quadratic", "kg/m^2", Range{0, 1e4},
+        "viscosity-quadratic", "Drag, quadratic", "kg/m^2", Range{0, 1e4},
         "The coefficient of quadratic drag, which grows with the square of the speed of a face, as "
         "in water.",
         [](Settings & s) -> auto& { return s.world.environment.viscosity_quadratic; });

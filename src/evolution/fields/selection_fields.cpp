@@ -25,13 +25,13 @@ void add_survival(TableBuilder& selection, const SelectionRegistry& selections) 
         .applies = best_share;
     selection
         .number(
-            "max-clones", "Clones kept", "", Range{1, 1000},
+            "max-clones", "Clones at most", "", Range{1, 1000},
             "The largest number of survivors with the same body and live brain.",
             [](Settings & s) -> auto& { return s.population.max_clones; })
         .applies = [own_rule](const Settings& settings) { return !own_rule(settings); };
     selection
         .number(
-            "line-share", "Share of a line", "", Range{0.01, 1},
+            "line-share", "Share of a lineage", "", Range{0.01, 1},
             "The largest share of the survivors that may descend from one founder through mothers. "
             "1 means no limit.",
             [](Settings & s) -> auto& { return s.selection.line_share; })
@@ -53,7 +53,7 @@ void add_confirmation(TableBuilder& selection) {
         [](Settings & s) -> auto& { return s.selection.confirmations; });
     selection
         .number(
-            "confirm-jitter", "Confirming changes", "", Range{0, 0.2},
+            "confirm-jitter", "Confirmation jitter", "", Range{0, 0.2},
             "The largest relative change of gravity, friction and drag in these worlds, and the "
             "largest change of the start pose in rad.",
             [](Settings & s) -> auto& { return s.selection.confirm_jitter; })
@@ -76,8 +76,8 @@ void add_own_settings(TableBuilder& selection, const SelectionRegistry& selectio
 
 void add_selection(std::vector<SettingField>& fields, const EvolutionKinds& kinds) {
     TableBuilder selection(fields, "selection");
-    selection.choice(
-        "method", "Method", ids_of(kinds.selections),
+    selection.kind_choice(
+        "method", "Method", kinds.selections.all(),
         "The rule that decides which creatures survive and how often they breed.",
         [](Settings & s) -> auto& { return s.selection.method; });
     add_survival(selection, kinds.selections);

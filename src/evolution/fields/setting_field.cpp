@@ -5,7 +5,7 @@
 #include "evolution/selections/survival.h"
 #include "evolution/settings/trial_work.h"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +17,6 @@ namespace {
 
 constexpr double kShareSlack = 0.01;  // tolerance of a sum of shares, for rounded thirds
 
-using setting_table::ids_of;
 using setting_table::Range;
 using setting_table::Settings;
 using setting_table::TableBuilder;
@@ -50,7 +49,7 @@ void add_run(std::vector<SettingField>& fields) {
 
 void add_simulation(std::vector<SettingField>& fields, const EvolutionKinds& kinds) {
     TableBuilder table(fields, "simulation");
-    table.choice(
+    table.kind_choice(
         "integrator", "Integrator", kinds.creature.scene.integrators,
         "The numerical method that computes motion from forces.",
         [](Settings & s) -> auto& { return s.world.scene.integrator; });
@@ -87,17 +86,17 @@ void add_simulation(std::vector<SettingField>& fields, const EvolutionKinds& kin
         "The largest speed that a muscle asks of its joint.",
         [](Settings & s) -> auto& { return s.world.scene.motor_speed_limit; });
     table.number(
-        "motor-frequency", "Muscle stiffness", "rad/s", Range{0.1, 200},
+        "motor-frequency", "Muscle frequency", "rad/s", Range{0.1, 200},
         "The frequency with which a muscle corrects a joint that is off its target.",
         [](Settings & s) -> auto& { return s.world.scene.motor_frequency; });
     table
         .choice(
-            "motor-mode", "Brains set", {kMotorModeIds.begin(), kMotorModeIds.end()},
+            "motor-mode", "Control mode", {kMotorModeIds.begin(), kMotorModeIds.end()},
             "The quantity of a joint that a brain sets: its position, its speed or its torque.",
             [](Settings & s) -> auto& { return s.world.scene.motor_mode; })
         .live = false;
     table.number(
-        "brain-steps", "Brain steps a tick", "", Range{1, 2},
+        "brain-steps", "Brain steps per tick", "", Range{1, 2},
         "The number of steps of the brain in each sixtieth of a second.",
         [](Settings & s) -> auto& { return s.world.scene.brain_steps; });
 }
@@ -117,20 +116,20 @@ void add_trial(std::vector<SettingField>& fields) {
         "rest pose.",
         [](Settings & s) -> auto& { return s.world.trial.settle_motors_off; });
     table.number(
-        "max-part-speed", "Speed guard", "m/s", Range{1, 1e4},
+        "max-part-speed", "Speed limit", "m/s", Range{1, 1e4},
         "The speed limit of a part. A creature with a faster part is disqualified.",
         [](Settings & s) -> auto& { return s.world.trial.max_part_speed; });
     table.number(
-        "max-part-spin", "Spin guard", "rad/s", Range{1, 1e4},
+        "max-part-spin", "Angular speed limit", "rad/s", Range{1, 1e4},
         "The limit of angular speed of a part. A creature with a part that spins faster is "
         "disqualified.",
         [](Settings & s) -> auto& { return s.world.trial.max_part_spin; });
     table.number(
-        "max-ground-depth", "Ground guard", "m", Range{1e-3, 10},
+        "max-ground-depth", "Penetration limit", "m", Range{1e-3, 10},
         "The limit of penetration of the ground. A creature that stays deeper is disqualified.",
         [](Settings & s) -> auto& { return s.world.trial.max_ground_depth; });
     table.number(
-        "max-reversal-rate", "Shaking guard", "Hz", Range{0.1, 1e3},
+        "max-reversal-rate", "Joint reversal limit", "Hz", Range{0.1, 1e3},
         "The limit of the frequency at which joints change direction. A creature that shakes "
         "faster has its score scaled down.",
         [](Settings & s) -> auto& { return s.world.trial.max_reversal_rate; });
@@ -149,7 +148,7 @@ void add_population(std::vector<SettingField>& fields) {
         "The number of creatures in a generation.",
         [](Settings & s) -> auto& { return s.population.size; });
     table.number(
-        "immigrants", "Newcomers", "creatures", Range{0, 20000},
+        "immigrants", "Random immigrants", "creatures", Range{0, 20000},
         "The number of new random creatures in each generation.",
         [](Settings & s) -> auto& { return s.population.immigrants; });
     table
@@ -164,15 +163,15 @@ void add_population(std::vector<SettingField>& fields) {
 void add_breeding(std::vector<SettingField>& fields, const EvolutionKinds& kinds) {
     TableBuilder breeding(fields, "breeding");
     breeding.choice(
-        "choice", "Chosen by", {"shares", "attribute"},
-        "The way in which offspring are made follows from the shares below, or from an attribute "
-        "of each creature that it inherits and that mutates.",
+        "choice", "Choice of method", {"shares", "attribute"},
+        "The breeding method of an offspring follows from the shares below, or from an "
+        "attribute of its parent that is inherited and mutates.",
         [](Settings & s) -> auto& { return s.breeding.choice; });
     for (const BreedingKind& kind : kinds.breeding.all()) {
         breeding.number(
             kind.id, kind.label, "", Range{0, 1},
-            "The share of the offspring that is made in this way. The shares of all ways add up to "
-            "1.",
+            "The share of the offspring that this method makes. The shares of all methods add up "
+            "to 1.",
             [ id = kind.id, standard = kind.default_share ](Settings & s) -> auto& {
                 return s.breeding.shares.try_emplace(id, standard).first->second;
             });
@@ -191,10 +190,10 @@ void add_mutation(std::vector<SettingField>& fields, const EvolutionKinds& kinds
         "offspring have none, 50 % have one and 25 % have more.",
         [](Settings & s) -> auto& { return s.mutation.rate; });
     mutation.flag(
-        "collect-mute-neurons", "Remove unused neurons",
+        "collect-mute-neurons", "Prune neurons",
         "Neurons without a path to a joint or an organ are removed. Otherwise they stay and may be "
         "connected later.",
-        [](Settings & s) -> auto& { return s.mutation.collect_mute_neurons; });
+        [](Settings & s) -> auto& { return s.mutation.remove_disconnected_neurons; });
     TableBuilder weights(fields, "mutation.weights");
     for (const MutationKind& kind : kinds.mutations.all()) {
         weights
@@ -295,12 +294,8 @@ Status check_field(const SettingField& field, const SettingRef& ref) {
                     field.choices.end()) {
                     return {};
                 }
-                std::string known;
-                for (const std::string& choice : field.choices) {
-                    known += (known.empty() ? "" : ", ") + choice;
-                }
-                return Error{
-                    fmt::format("{}: unknown \"{}\"; known are {}", place(field), *at, known)};
+                return Error{fmt::format("{}: unknown \"{}\"; known are {}", place(field), *at,
+                                         fmt::join(field.choices, ", "))};
             } else if constexpr (std::is_same_v<T, bool>) {
                 return {};
             } else {

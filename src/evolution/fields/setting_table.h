@@ -9,14 +9,6 @@
 
 namespace cambrian::setting_table {
 
-template <class Kind>
-std::vector<std::string> ids_of(const Registry<Kind>& registry) {
-    std::vector<std::string> ids;
-    for (const Kind& kind : registry.all())
-        ids.push_back(kind.id);
-    return ids;
-}
-
 void add_environment(std::vector<SettingField>& fields);
 // Adds the goal. check_goal fails if its environment or sensors make the goal impossible.
 void add_goal(std::vector<SettingField>& fields, const EvolutionKinds& kinds);

@@ -22,13 +22,13 @@ void add_trials(TableBuilder& trial) {
         [](Settings & s) -> auto& { return s.world.trial.trials; });
     trial
         .number(
-            "friction-jitter", "Friction, more or less", "", Range{0, 1},
+            "friction-jitter", "Friction jitter", "", Range{0, 1},
             "The largest relative change of the friction in further trials.",
             [](Settings & s) -> auto& { return s.world.trial.friction_jitter; })
         .applies = several;
     trial
         .number(
-            "tilt-jitter", "Start tilt", "deg", Range{0, 90},
+            "tilt-jitter", "Tilt jitter", "deg", Range{0, 90},
             "The largest angle by which the start pose of further trials is turned.",
             [](Settings & s) -> auto& { return s.world.trial.tilt_jitter; })
         .applies = several;
@@ -40,15 +40,15 @@ void add_trials(TableBuilder& trial) {
             [](Settings & s) -> auto& { return s.world.trial.combine; })
         .applies = several;
     SettingField& renewal = trial.number(
-        "trials-renewed", "Renewed every", "generations", Range{0, 1e6},
+        "trials-renewed", "Renewal interval", "generations", Range{0, 1e6},
         "The number of generations after which the changes and the motions of the light are drawn "
         "again, for all creatures, and all scores are computed again. 0 means never.",
         [](Settings & s) -> auto& { return s.world.trial.renewal; });
     renewal.later = true;
     renewal.applies = depends_on_chance;
     SettingField& draw = trial.number(
-        "draw", "Times renewed", "", Range{0, 1e6},
-        "The number of times that these were drawn again so far. The run itself counts them.",
+        "draw", "Renewals", "", Range{0, 1e6},
+        "The number of times that the changes were drawn again so far. The run itself counts them.",
         [](Settings & s) -> auto& { return s.world.trial.draw; });
     draw.later = true;
     draw.live = false;

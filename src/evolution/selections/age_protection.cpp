@@ -30,9 +30,9 @@ SelectionResult select_by_age(std::span<const IndividualPtr> ranked,
     std::vector<double> weights(ranked.size(), 0.0);
     for (const std::size_t survivor : survivors)
         weights[survivor] = 1.0;
-    ExperimentSettings with_newcomer = settings;
-    with_newcomer.population.immigrants = std::max(1, settings.population.immigrants);
-    return breed_whole_batch(std::move(survivors), std::move(weights), with_newcomer, stream);
+    ExperimentSettings with_immigrant = settings;
+    with_immigrant.population.immigrants = std::max(1, settings.population.immigrants);
+    return breed_whole_batch(std::move(survivors), std::move(weights), with_immigrant, stream);
 }
 
 }  // namespace

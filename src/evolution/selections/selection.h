@@ -29,7 +29,7 @@ struct SelectionMemory {
 struct SelectionResult {
     std::vector<std::size_t> survivors;      // indices into the ranking; they remain unchanged
     std::vector<std::size_t> first_parents;  // one per offspring, indices into the ranking
-    std::size_t newcomers = 0;               // number of random immigrants
+    std::size_t immigrants = 0;              // number of random immigrants
     std::vector<double> partner_weights;     // one per individual of the ranking
 };
 

@@ -14,7 +14,7 @@ SelectionResult breed(std::size_t places, std::vector<std::size_t> survivors,
     SelectionResult result;
     result.survivors = std::move(survivors);
     result.first_parents = universal_sampling(weights, shared.offspring, stream);
-    result.newcomers = shared.newcomers;
+    result.immigrants = shared.immigrants;
     result.partner_weights = std::move(weights);
     return result;
 }
@@ -136,8 +136,8 @@ std::span<const IndividualPtr> qualified(std::span<const IndividualPtr> ranked) 
 
 Places share_places(std::size_t places, const ExperimentSettings& settings) {
     const auto wanted = static_cast<std::size_t>(settings.population.immigrants);
-    const std::size_t newcomers = std::min(places, wanted);
-    return {places - newcomers, newcomers};
+    const std::size_t immigrants = std::min(places, wanted);
+    return {places - immigrants, immigrants};
 }
 
 SelectionResult breed_by_weight(std::vector<std::size_t> survivors, std::vector<double> weights,

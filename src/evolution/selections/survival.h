@@ -41,7 +41,7 @@ std::span<const IndividualPtr> qualified(std::span<const IndividualPtr> ranked);
 // The numbers of offspring and of random immigrants among `places`.
 struct Places {
     std::size_t offspring = 0;
-    std::size_t newcomers = 0;
+    std::size_t immigrants = 0;
 };
 Places share_places(std::size_t places, const ExperimentSettings& settings);
 

@@ -59,7 +59,7 @@ SelectionResult select_by_tournament(std::span<const IndividualPtr> ranked,
     const Places places = share_places(size - std::min(size, result.survivors.size()), settings);
     for (std::size_t i = 0; i < places.offspring; ++i)
         result.first_parents.push_back(winner(contestants, contest, stream));
-    result.newcomers = places.newcomers;
+    result.immigrants = places.immigrants;
     return result;
 }
 

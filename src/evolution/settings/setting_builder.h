@@ -3,8 +3,10 @@
 // One row of the table of settings, and the builder of rows. All rows are in
 // fields/setting_field.h.
 
+#include "core/text/pretty_text.h"
 #include "evolution/settings/experiment_settings.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -27,15 +29,16 @@ struct SettingField {
     std::string group = {};
     double low = 0.0;  // range of numbers, both ends included
     double high = 0.0;
-    std::vector<std::string> choices;  // allowed values of a text
-    bool logarithmic = false;          // whether a slider should be logarithmic
+    std::vector<std::string> choices = {};        // allowed values of a text
+    std::vector<std::string> choice_labels = {};  // their displayed names, in the same order
+    bool logarithmic = false;                     // whether a slider should be logarithmic
     // Whether it may change during a run, from the next generation on. Otherwise it defines the run
     // and a change starts a new one.
     bool live = true;
-    // Moved on by the run itself: nobody edits it.
+    // Whether the run itself changes it. Users do not edit it.
     bool by_run = false;
-    // Younger than files that do not name it: left out of creature files and digests of settings
-    // while it is at the default of all goals.
+    // Whether it was introduced after files that do not contain it. Creature files and digests of
+    // settings leave it out while it has the default of all goals.
     bool later = false;
     // Returns whether the setting has an effect under the other settings; null means always.
     std::function<bool(const ExperimentSettings&)> applies;
@@ -76,10 +79,30 @@ public:
         SettingField& field =
             append(std::move(key), std::move(label), "", Range{}, std::move(help), at);
         field.choices = std::move(choices);
+        for (const std::string& choice : field.choices)
+            field.choice_labels.push_back(label_of(choice));
+        return field;
+    }
+    // Adds a choice among kinds, each of which has an id and a label.
+    template <class Kinds, class At>
+    SettingField& kind_choice(std::string key, std::string label, const Kinds& kinds,
+                              std::string help, At at) {
+        SettingField& field =
+            append(std::move(key), std::move(label), "", Range{}, std::move(help), at);
+        for (const auto& kind : kinds) {
+            field.choices.push_back(kind.id);
+            field.choice_labels.push_back(kind.label);
+        }
         return field;
     }
 
 private:
+    // Converts "count-first" to "Count first".
+    static std::string label_of(std::string id) {
+        std::replace(id.begin(), id.end(), '-', ' ');
+        return capitalized(std::move(id));
+    }
+
     template <class At>
     SettingField& append(std::string key, std::string label, std::string unit, Range range,
                          std::string help, At at) {

@@ -1,5 +1,6 @@
 #include "persist/experiment/experiment_reader.h"
 
+#include "core/text/parsed_number.h"
 #include "evolution/individual/population_digest.h"
 #include "persist/records/experiment_schema.h"
 #include "persist/records/individual_reader.h"
@@ -9,7 +10,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <charconv>
 #include <map>
 #include <string>
 #include <utility>
@@ -226,7 +226,7 @@ private:
             if (has_place(generation))
                 journal.push_back({generation, InjectGenome{genotype(row, 4)}});
         } else if (command == "newcomers") {
-            journal.push_back({generation, AddNewcomers{share_of(row, 3)}});
+            journal.push_back({generation, AddImmigrants{share_of(row, 3)}});
         } else if (command == "rescore") {
             journal.push_back({generation, RescorePopulation{}});
         } else {
@@ -344,10 +344,8 @@ private:
     void read_place() {
         const auto shown = fact("grid_on_show");
         PickingTree& tree = read_.picking.tree;
-        std::uint32_t number = 0;
-        const char* end = shown.data() + shown.size();
-        if (std::from_chars(shown.data(), end, number).ptr != end || !tree.visit(number))
-            throw DatabaseError("the displayed grid is missing");
+        const auto number = parsed_number<std::uint32_t>(shown);
+        if (!number || !tree.visit(*number)) throw DatabaseError("the displayed grid is missing");
         read_.picking.picks = picks(fact("picks_on_show"), tree.current().creatures.size());
     }
 

@@ -212,7 +212,7 @@ void ExperimentWriter::insert(std::uint32_t generation, const InjectGenome& comm
     insert_genotype("inject", generation, command.genome);
 }
 
-void ExperimentWriter::insert(std::uint32_t generation, const AddNewcomers& command) {
+void ExperimentWriter::insert(std::uint32_t generation, const AddImmigrants& command) {
     insert_command("newcomers", generation, std::nullopt, command.share);
 }
 

@@ -61,7 +61,7 @@ private:
     void insert_genotype(const char* command, std::uint32_t generation, const GenomePtr& genome);
     void insert(std::uint32_t generation, const ChangeSettings& command);
     void insert(std::uint32_t generation, const InjectGenome& command);
-    void insert(std::uint32_t generation, const AddNewcomers& command);
+    void insert(std::uint32_t generation, const AddImmigrants& command);
     void insert(std::uint32_t generation, const RescorePopulation& command);
     void insert_population(const Evolution& evolution);
     void insert_novel(const SelectionMemory& memory);

@@ -39,7 +39,7 @@ std::vector<const BreedingKind*> pairing_methods(const BreedingRegistry& methods
 // Makes the candidates one after the other, each from its own random streams.
 class Breeder {
 public:
-    Breeder(const BroodOrder& order, const ExperimentSettings& settings,
+    Breeder(const CandidateOrder& order, const ExperimentSettings& settings,
             const EvolutionKinds& kinds)
         : order_(order),
           settings_(with_picking_seed(settings)),
@@ -57,8 +57,8 @@ public:
         const std::size_t other = stream.below(order_.parents.size() - 1);
         return child(first, other < first ? other : other + 1, method, stream);
     }
-    IndividualPtr newcomer() {
-        return make_newcomer(settings_, kinds_, order_.node, next_child_++);
+    IndividualPtr immigrant() {
+        return make_immigrant(settings_, kinds_, order_.node, next_child_++);
     }
 
 private:
@@ -73,7 +73,7 @@ private:
             settings_, kinds_, order_.node, next_child_++, stream);
     }
 
-    const BroodOrder& order_;
+    const CandidateOrder& order_;
     ExperimentSettings settings_;
     const EvolutionKinds& kinds_;
     std::uint64_t next_child_;
@@ -81,30 +81,32 @@ private:
 
 }  // namespace
 
-BroodPlan plan_brood(std::size_t parents, int cells, int newcomer_cells) {
+CandidatePlan plan_candidates(std::size_t parents, int cells, int immigrant_cells) {
     const std::size_t all = kCandidatesPerCell * static_cast<std::size_t>(cells);
-    if (parents == 0) return {.newcomers = all};
-    const std::size_t newcomers = kCandidatesPerCell * static_cast<std::size_t>(newcomer_cells);
-    const std::size_t offspring = all - newcomers;
-    if (parents == 1) return {.copies = offspring, .newcomers = newcomers};
-    return {
-        .copies = kCopiesEach, .paired = offspring - kCopiesEach * parents, .newcomers = newcomers};
+    if (parents == 0) return {.immigrants = all};
+    const std::size_t immigrants = kCandidatesPerCell * static_cast<std::size_t>(immigrant_cells);
+    const std::size_t offspring = all - immigrants;
+    if (parents == 1) return {.copies = offspring, .immigrants = immigrants};
+    return {.copies = kCopiesEach,
+            .paired = offspring - kCopiesEach * parents,
+            .immigrants = immigrants};
 }
 
-Brood breed_candidates(const BroodOrder& order, const ExperimentSettings& settings,
-                       const EvolutionKinds& kinds) {
-    const BroodPlan plan = plan_brood(order.parents.size(), order.cells, order.newcomer_cells);
+Candidates breed_candidates(const CandidateOrder& order, const ExperimentSettings& settings,
+                            const EvolutionKinds& kinds) {
+    const CandidatePlan plan =
+        plan_candidates(order.parents.size(), order.cells, order.immigrant_cells);
     Breeder breeder(order, settings, kinds);
-    Brood brood;
+    Candidates candidates;
     for (std::size_t parent = 0; parent < order.parents.size(); ++parent) {
         for (std::size_t i = 0; i < plan.copies; ++i)
-            brood.offspring.push_back(breeder.copy(parent));
+            candidates.offspring.push_back(breeder.copy(parent));
     }
     for (const BreedingKind* method : pairing_methods(kinds.breeding, plan.paired))
-        brood.offspring.push_back(breeder.pair(*method));
-    for (std::size_t i = 0; i < plan.newcomers; ++i)
-        brood.newcomers.push_back(breeder.newcomer());
-    return brood;
+        candidates.offspring.push_back(breeder.pair(*method));
+    for (std::size_t i = 0; i < plan.immigrants; ++i)
+        candidates.immigrants.push_back(breeder.immigrant());
+    return candidates;
 }
 
 std::uint64_t picking_seed(const ExperimentSettings& settings) {

@@ -15,28 +15,28 @@
 namespace cambrian {
 
 // The number of candidates for each breeding method in one round.
-struct BroodPlan {
+struct CandidatePlan {
     std::size_t copies = 0;  // mutated copies per parent
     std::size_t paired = 0;  // children of two parents
-    std::size_t newcomers = 0;
+    std::size_t immigrants = 0;
 
-    friend bool operator==(const BroodPlan&, const BroodPlan&) = default;
+    friend bool operator==(const CandidatePlan&, const CandidatePlan&) = default;
 };
 
 // Plans three candidates per cell. One parent has only copies. Two or more parents (up to
 // kMostPicks) have two copies each; all other children have two parents. Without parents all
 // candidates are random creatures, otherwise three per cell reserved for them.
-BroodPlan plan_brood(std::size_t parents, int cells, int newcomer_cells);
+CandidatePlan plan_candidates(std::size_t parents, int cells, int immigrant_cells);
 
-struct Brood {
+struct Candidates {
     std::vector<IndividualPtr> offspring;
-    std::vector<IndividualPtr> newcomers;
+    std::vector<IndividualPtr> immigrants;
 };
 
-struct BroodOrder {
+struct CandidateOrder {
     std::span<const IndividualPtr> parents;
     int cells = 12;
-    int newcomer_cells = 0;
+    int immigrant_cells = 0;
     int extra_mutations = 0;
     std::uint32_t node = 0;  // number of the grid, which is its creatures' generation of birth
     int round = 0;           // round of breeding for that grid, from 0
@@ -44,8 +44,8 @@ struct BroodOrder {
 
 // The settings must pass check_settings(). Copies are bred by the first method of one parent, the
 // others in equal numbers by the methods of two parents that have a default share.
-Brood breed_candidates(const BroodOrder& order, const ExperimentSettings& settings,
-                       const EvolutionKinds& kinds);
+Candidates breed_candidates(const CandidateOrder& order, const ExperimentSettings& settings,
+                            const EvolutionKinds& kinds);
 
 // Returns the seed that picking uses instead of the experiment's. Grid n thus shares neither random
 // streams nor uids with generation n of automatic evolution.

@@ -48,7 +48,7 @@ bool GridMaking::run(EvaluationBackend& backend, EvaluationProgress& progress,
 bool GridMaking::evaluate_open(EvaluationBackend& backend, EvaluationProgress& progress,
                                const std::stop_token& stop) {
     if (requests_.empty()) {
-        for (const auto* group : {&kept_, &offspring_, &newcomers_})
+        for (const auto* group : {&kept_, &offspring_, &immigrants_})
             request_unknown(*group);
         results_.assign(requests_.size(), std::nullopt);
     }
@@ -56,7 +56,7 @@ bool GridMaking::evaluate_open(EvaluationBackend& backend, EvaluationProgress& p
         return false;
     for (const auto& [hash, request] : requested_)
         known_.emplace(hash, *results_[request]);
-    for (auto* group : {&kept_, &offspring_, &newcomers_})
+    for (auto* group : {&kept_, &offspring_, &immigrants_})
         score(*group);
     requested_.clear();
     requests_.clear();
@@ -88,20 +88,20 @@ void GridMaking::score(std::vector<IndividualPtr>& creatures) const {
 
 // Breeds more candidates. Each further round mutates more, since too few candidates were alive.
 void GridMaking::breed_round() {
-    Brood brood = breed_candidates({.parents = order_.parents,
-                                    .cells = order_.cells,
-                                    .newcomer_cells = order_.newcomer_cells,
-                                    .extra_mutations = order_.extra_mutations + rounds_,
-                                    .node = order_.node,
-                                    .round = rounds_},
-                                   *settings_, *kinds_);
+    Candidates candidates = breed_candidates({.parents = order_.parents,
+                                              .cells = order_.cells,
+                                              .immigrant_cells = order_.immigrant_cells,
+                                              .extra_mutations = order_.extra_mutations + rounds_,
+                                              .node = order_.node,
+                                              .round = rounds_},
+                                             *settings_, *kinds_);
     ++rounds_;
-    append(offspring_, brood.offspring);
-    append(order_.newcomer_cells > 0 ? newcomers_ : offspring_, brood.newcomers);
+    append(offspring_, candidates.offspring);
+    append(order_.immigrant_cells > 0 ? immigrants_ : offspring_, candidates.immigrants);
 }
 
 std::size_t GridMaking::offspring_places() const {
-    return static_cast<std::size_t>(order_.cells - order_.newcomer_cells) - kept_.size();
+    return static_cast<std::size_t>(order_.cells - order_.immigrant_cells) - kept_.size();
 }
 
 std::set<std::uint64_t> GridMaking::taken_hashes() const {
@@ -121,13 +121,13 @@ std::size_t GridMaking::living(const std::vector<IndividualPtr>& candidates) con
 
 bool GridMaking::enough() const {
     return living(offspring_) >= offspring_places() &&
-           living(newcomers_) >= static_cast<std::size_t>(order_.newcomer_cells);
+           living(immigrants_) >= static_cast<std::size_t>(order_.immigrant_cells);
 }
 
 void GridMaking::choose() {
     std::vector<IndividualPtr> shown = kept_;
     choose_from(offspring_, offspring_places(), shown);
-    choose_from(newcomers_, static_cast<std::size_t>(order_.newcomer_cells), shown);
+    choose_from(immigrants_, static_cast<std::size_t>(order_.immigrant_cells), shown);
     const auto first = shown.begin() + static_cast<std::ptrdiff_t>(kept_.size());
     std::stable_sort(first, shown.end(), [](const IndividualPtr& a, const IndividualPtr& b) {
         return a->uid < b->uid;

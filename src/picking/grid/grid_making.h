@@ -20,10 +20,10 @@ namespace cambrian {
 struct GridOrder {
     std::uint32_t node = 0;  // number of the grid in the tree
     int cells = 12;
-    int newcomer_cells = 0;   // cells reserved for random creatures; more than 0 needs parents
+    int immigrant_cells = 0;  // cells reserved for random creatures; more than 0 needs parents
     int extra_mutations = 0;  // per child; each further round of breeding adds one
     double fitness_weight = 0.0;
-    std::vector<IndividualPtr> parents;         // 0 to kMostPicks; see plan_brood()
+    std::vector<IndividualPtr> parents;         // 0 to kMostPicks; see plan_candidates()
     std::map<std::size_t, IndividualPtr> kept;  // creatures shown in any case, by cell
     // Candidates that exist already. If fewer of them are alive than there are cells, all of these
     // are shown and the rest is bred. An order with a pool reserves no cells for random creatures.
@@ -62,7 +62,7 @@ private:
     std::vector<IndividualPtr> kept_;
     // Offspring; includes the random creatures unless cells are reserved for them.
     std::vector<IndividualPtr> offspring_;
-    std::vector<IndividualPtr> newcomers_;
+    std::vector<IndividualPtr> immigrants_;
     int rounds_ = 0;
     bool done_ = false;
     std::vector<IndividualPtr> cells_;

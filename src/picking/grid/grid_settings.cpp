@@ -28,7 +28,7 @@ int extra_mutations(Boldness boldness) {
     return 0;
 }
 
-int newcomer_cells(const GridSettings& grid) {
+int immigrant_cells(const GridSettings& grid) {
     // Rounded to the nearest integer.
     return grid.boldness == Boldness::kWild ? (grid.cells + 3) / 6 : 0;
 }

@@ -33,6 +33,6 @@ Status check_grid(const GridSettings& grid);
 int extra_mutations(Boldness boldness);
 // Returns the number of cells for new random creatures: 2 of 12 if wild, in proportion for other
 // sizes.
-int newcomer_cells(const GridSettings& grid);
+int immigrant_cells(const GridSettings& grid);
 
 }  // namespace cambrian

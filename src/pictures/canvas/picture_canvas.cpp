@@ -53,11 +53,12 @@ void paint_corners(Image& image, const Area& area, double radius, const Color& a
 
 }  // namespace
 
-Result<PictureCanvas> PictureCanvas::create(Renderer& renderer, const Lettering& lettering,
-                                            int width, int height) {
+Result<PictureCanvas> PictureCanvas::create(Renderer& renderer,
+                                            const TextRasterizer& text_rasterizer, int width,
+                                            int height) {
     auto framebuffer = Framebuffer::create(width, height);
     if (!framebuffer) return framebuffer.error();
-    return PictureCanvas(renderer, lettering, std::move(*framebuffer));
+    return PictureCanvas(renderer, text_rasterizer, std::move(*framebuffer));
 }
 
 void PictureCanvas::clear(const Color& background) {
@@ -90,12 +91,12 @@ void PictureCanvas::round_corners(const Area& area, double radius, const Color& 
 void PictureCanvas::add_text(double x, double y, std::string_view text, const Ink& ink, Align align,
                              double most) {
     std::string words(text);
-    if (most > 0.0) words = lettering_->fit(text, ink.typeface, ink.size, most);
-    const double width = lettering_->width(words, ink.typeface, ink.size);
+    if (most > 0.0) words = text_rasterizer_->fit(text, ink.typeface, ink.size, most);
+    const double width = text_rasterizer_->width(words, ink.typeface, ink.size);
     if (align == Align::kMiddle) x -= 0.5 * width;
     if (align == Align::kRight) x -= width;
     touches_.emplace_back(
-        [letters = lettering_, x, y, ink, words = std::move(words)](Image& image) {
+        [letters = text_rasterizer_, x, y, ink, words = std::move(words)](Image& image) {
             letters->draw(image, x, y, words, ink.typeface, ink.size, ink.color);
         });
 }

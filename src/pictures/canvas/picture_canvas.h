@@ -5,8 +5,8 @@
 
 #include "core/image.h"
 #include "core/result.h"
-#include "pictures/canvas/lettering.h"
 #include "pictures/canvas/palette.h"
+#include "pictures/canvas/text_rasterizer.h"
 #include "render/opengl/framebuffer.h"
 #include "render/renderer.h"
 
@@ -42,12 +42,12 @@ class PictureCanvas {
 public:
     // Both references must outlive the object; their OpenGL context must be current. Fails if the
     // driver cannot make a picture of this size.
-    static Result<PictureCanvas> create(Renderer& renderer, const Lettering& lettering, int width,
-                                        int height);
+    static Result<PictureCanvas> create(Renderer& renderer, const TextRasterizer& text_rasterizer,
+                                        int width, int height);
 
     int width() const { return framebuffer_.width(); }
     int height() const { return framebuffer_.height(); }
-    const Lettering& lettering() const { return *lettering_; }
+    const TextRasterizer& text_rasterizer() const { return *text_rasterizer_; }
 
     // Fills the picture with one colour.
     void clear(const Color& background);
@@ -64,11 +64,14 @@ public:
     Image finish();
 
 private:
-    PictureCanvas(Renderer& renderer, const Lettering& lettering, Framebuffer framebuffer)
-        : renderer_(&renderer), lettering_(&lettering), framebuffer_(std::move(framebuffer)) {}
+    PictureCanvas(Renderer& renderer, const TextRasterizer& text_rasterizer,
+                  Framebuffer framebuffer)
+        : renderer_(&renderer),
+          text_rasterizer_(&text_rasterizer),
+          framebuffer_(std::move(framebuffer)) {}
 
     Renderer* renderer_;
-    const Lettering* lettering_;
+    const TextRasterizer* text_rasterizer_;
     Framebuffer framebuffer_;
     SceneFrame boxes_;  // one metre of the frame is one pixel
     struct Scene {

@@ -51,7 +51,8 @@ void add_ground_labels(PictureCanvas& canvas, const Area& area, const Camera& ca
     for (double i = std::ceil(window.low.x() / spacing); i * spacing < window.high.x(); i += 1.0) {
         const std::string label = with_unit(i * spacing, "m");
         const Vec2 at = camera.to_screen({i * spacing, 0.0}, viewport);
-        const double half = 0.5 * canvas.lettering().width(label, ink.typeface, ink.size) + 4.0;
+        const double half =
+            0.5 * canvas.text_rasterizer().width(label, ink.typeface, ink.size) + 4.0;
         const double base = at.y() + 1.75 * style.label_size;
         const bool inside = at.x() > half && at.x() < viewport.width - half &&
                             base < viewport.height - 0.3 * style.label_size;

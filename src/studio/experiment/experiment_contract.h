@@ -40,7 +40,7 @@ struct FindSetting {};
 
 using ExperimentRequest =
     std::variant<ToggleEvolution, RunOneGeneration, EditSettings, FinishEdit, UndoEdit, RedoEdit,
-                 StartNewRun, StartFromShown, DropStructuralEdits, AddNewcomers, FindSetting>;
+                 StartNewRun, StartFromShown, DropStructuralEdits, AddImmigrants, FindSetting>;
 
 struct ExperimentView {
     const std::vector<SettingField>& fields;

@@ -62,7 +62,7 @@ struct ExperimentController::Handler {
                     "run");
         editor.finish();
     }
-    void operator()(const AddNewcomers& request) const {
+    void operator()(const AddImmigrants& request) const {
         self.experiment_.send(request);
         self.services_.feedback.log().write("newcomers");
     }

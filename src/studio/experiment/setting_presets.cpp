@@ -107,7 +107,7 @@ constexpr std::array kPresets = {
                   [](Settings& s, const EvolutionKinds&) { go_on_land(s, kEarthGravity, 0.8); }},
     SettingPreset{kEnvironment, "Moon", "A sixth of the weight.",
                   [](Settings& s, const EvolutionKinds&) { go_on_land(s, kMoonGravity, 0.8); }},
-    SettingPreset{kEnvironment, "Ice", "Full weight with hardly any grip.",
+    SettingPreset{kEnvironment, "Ice", "Full weight with hardly any friction.",
                   [](Settings& s, const EvolutionKinds&) { go_on_land(s, kEarthGravity, 0.05); }},
     SettingPreset{kEnvironment, "Water",
                   "Weightless; drag grows with the square of the speed, as for swimmers.",
@@ -127,31 +127,31 @@ constexpr std::array kPresets = {
         kMutation, "Tune the brain", "Bodies change a fifth as often, so that control is refined.",
         [](Settings& s, const EvolutionKinds& kinds) { weigh_mutations(s, kinds, 5.0, 1.0); }},
     SettingPreset{
-        kMutation, "Reshape", "Brains change a third as often: new bodies come first.",
+        kMutation, "Reshape", "Brains change a third as often, so that new bodies are found.",
         [](Settings& s, const EvolutionKinds& kinds) { weigh_mutations(s, kinds, 1.0, 3.0); }},
-    SettingPreset{kTrial, "One trial", "In the world as it is.",
+    SettingPreset{kTrial, "One trial", "One trial, without jitter.",
                   [](Settings& s, const EvolutionKinds&) { try_creatures(s, 1, 0.0, 0.0); }},
     SettingPreset{kTrial, "Robust",
-                  "The mean of three trials, two of them with up to 15 % more or less friction and "
-                  "a start tilted by up to 2 degrees.",
+                  "The mean of three trials, two of them with a friction jitter of 15 % and a tilt "
+                  "jitter of 2 degrees.",
                   [](Settings& s, const EvolutionKinds&) { try_creatures(s, 3, 0.15, 2.0); }},
     SettingPreset{kBody, "Usual founders", "Random creatures of parts of all sizes.",
                   [](Settings& s, const EvolutionKinds&) { size_founders(s, {}); }},
     SettingPreset{kBody, "Big founders",
-                  "Random creatures of long and thick parts, which are strong: to begin with for "
-                  "jumping.",
+                  "Random creatures of long and thick parts, which are strong, as jumping needs.",
                   [](Settings& s, const EvolutionKinds&) { size_founders(s, big_founders()); }},
-    SettingPreset{kSensors, "Blind", "Joints and touch, by which creatures feel themselves only.",
+    SettingPreset{kSensors, "Blind",
+                  "Joint and contact sensors, which tell nothing of what is far away.",
                   [](Settings& s, const EvolutionKinds& kinds) {
                       allow_sensors(s, kinds, [](const SensorKind& each) { return each.usual; });
                   }},
-    SettingPreset{kSensors, "As in 1994", "Joints, touch and light, as Sims had them.",
+    SettingPreset{kSensors, "Sims 1994", "Joint, contact and light sensors, as Sims had in 1994.",
                   [](Settings& s, const EvolutionKinds& kinds) {
                       allow_sensors(s, kinds, [](const SensorKind& each) {
                           return each.usual || each.id == "light";
                       });
                   }},
-    SettingPreset{kSensors, "All senses", "Every sensor there is.",
+    SettingPreset{kSensors, "All senses", "All kinds of sensors.",
                   [](Settings& s, const EvolutionKinds& kinds) {
                       allow_sensors(s, kinds, [](const SensorKind&) { return true; });
                   }},

@@ -35,7 +35,7 @@ std::span<const TimelinePlot> timeline_plots() {
           {"filled cells", field<&Statistics::filled_cells>}}},
         {TimelineQuantity::kKinds,
          "kinds",
-         "Kinds",
+         "Lineages",
          "The numbers of founders from which the survivors of each generation descend through "
          "mothers, and of their body plans.",
          {{"founder lines", field<&Statistics::lines>}, {"body plans", field<&Statistics::plans>}}},
@@ -67,7 +67,7 @@ std::span<const TimelinePlot> timeline_plots() {
         {TimelineQuantity::kInvalid,
          "invalid",
          "Invalid",
-         "The share of creatures without a motion that can be judged.",
+         "The share of creatures whose trial is invalid.",
          {{"invalid, %", invalid_percent}}},
     };
     return plots;

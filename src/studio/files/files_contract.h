@@ -3,7 +3,7 @@
 // The data of files and samples that panels see, and the requests they may make of them.
 
 #include "studio/files/file_browser.h"
-#include "studio/files/sample_shelf.h"
+#include "studio/files/sample_library.h"
 
 #include <cstddef>
 #include <filesystem>
@@ -55,7 +55,7 @@ using FilesRequest =
 
 struct FilesView {
     const FileBrowser& browser;
-    const SampleShelf* samples = nullptr;
+    const SampleLibrary* samples = nullptr;
 };
 
 }  // namespace cambrian

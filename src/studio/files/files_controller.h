@@ -67,7 +67,7 @@ private:
     FileService file_service_;
     FileBrowser browser_;
     std::filesystem::path samples_folder_;
-    SampleShelf samples_;
+    SampleLibrary samples_;
     PictureOrders orders_;
     bool reopening_ = false;
 };

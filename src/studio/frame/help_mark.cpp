@@ -15,7 +15,7 @@ void help_mark(const char* page, Requests& out) {
                                                .label_shown = false,
                                                .width = px(kMarkWidth),
                                                .height = px(kHelpMarkHeight),
-                                               .tooltip = "What is this? Opens its help page."}))
+                                               .tooltip = "Open the help page of this panel"}))
         out.ask(ShowHelp{page});
 }
 

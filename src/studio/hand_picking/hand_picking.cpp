@@ -10,12 +10,12 @@
 namespace cambrian {
 
 void HandPicking::enter(const EvolutionSnapshot& evolution, const GenomePtr& on_show) {
-    const bool first = desk_ == nullptr;
+    const bool first = engine_ == nullptr;
     if (first) {
-        desk_ = std::make_unique<PickingDesk>(
+        engine_ = std::make_unique<PickingEngine>(
             evolution.settings, kinds_,
             make_thread_pool_backend(kinds_, workers_, ThreadPriority::kBackground));
-        snapshot_ = desk_->latest();
+        snapshot_ = engine_->latest();
         used_ = evolution.settings;
     }
     on_ = true;
@@ -45,7 +45,7 @@ void HandPicking::leave(const EvolutionSnapshot& evolution) {
 }
 
 void HandPicking::restore(PickingRecord record) {
-    if (desk_ == nullptr && record.tree.empty() && record.shelf.empty()) return;
+    if (engine_ == nullptr && record.tree.empty() && record.shelf.empty()) return;
     restored_ = std::move(record);
     if (!on_) return;
     PickingRecord present = *std::exchange(restored_, std::nullopt);
@@ -58,7 +58,7 @@ void HandPicking::send(PickingCommand command) {
 }
 
 void HandPicking::send_waiting() {
-    while (!unsent_.empty() && desk_->send(unsent_.front()))
+    while (!unsent_.empty() && engine_->send(unsent_.front()))
         unsent_.pop_front();
 }
 
@@ -71,7 +71,7 @@ void HandPicking::use(const SettingsPtr& settings) {
 void HandPicking::update(double elapsed, StatusLog& log) {
     if (!on_) return;
     send_waiting();
-    snapshot_ = desk_->latest();
+    snapshot_ = engine_->latest();
     if (snapshot_ != seen_) {
         follow_grid(log);
         follow_picks(log);
@@ -125,7 +125,7 @@ PickingView HandPicking::view() const {
     const auto share = [](double done, double total) {
         return total > 0.0 ? static_cast<float>(std::min(1.0, done / total)) : 0.0F;
     };
-    const EvaluationProgress& batch = desk_->progress();
+    const EvaluationProgress& batch = engine_->progress();
     const double in_batch = static_cast<double>(share(batch.done, batch.total));
     const bool evolving = snapshot_->status == PickingStatus::kEvolving;
     return {.snapshot = *snapshot_,

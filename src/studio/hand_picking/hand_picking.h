@@ -7,7 +7,7 @@
 #include "evolution/engine/snapshot.h"
 #include "evolution/kinds/evolution_kinds.h"
 #include "persist/records/picking_record.h"
-#include "picking/picking_desk.h"
+#include "picking/picking_engine.h"
 #include "studio/background/status_log.h"
 #include "studio/hand_picking/picking_view.h"
 #include "studio/playback/exhibit.h"
@@ -72,8 +72,8 @@ private:
 
     const EvolutionKinds& kinds_;
     std::size_t workers_;
-    std::unique_ptr<PickingDesk> desk_;  // null before the first enter()
-    std::deque<PickingCommand> unsent_;  // commands that did not fit into the engine's inbox
+    std::unique_ptr<PickingEngine> engine_;  // null before the first enter()
+    std::deque<PickingCommand> unsent_;      // commands that did not fit into the engine's inbox
     std::shared_ptr<const PickingSnapshot> snapshot_;
     SettingsPtr used_;  // the settings sent to the picking engine last
     std::optional<PickingRecord> restored_;

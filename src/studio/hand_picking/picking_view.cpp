@@ -47,8 +47,8 @@ std::string origin_words(const GridNode& node) {
             return "begun from a creature";
         case GridOrigin::kBreeding:
             return "bred from " + picks;
-        case GridOrigin::kNewcomers:
-            return "newcomers beside " + picks;
+        case GridOrigin::kImmigrants:
+            return "random creatures beside " + picks;
         case GridOrigin::kAssistance:
             return fmt::format("evolved for {} generations from {}", node.generations, picks);
         case GridOrigin::kShelf:

@@ -2,7 +2,7 @@
 
 // The data of help pages and tour that panels see, and the requests they may make of them.
 
-#include "studio/help/help_book.h"
+#include "studio/help/help_index.h"
 
 #include <string>
 #include <variant>
@@ -10,7 +10,7 @@
 namespace cambrian {
 
 struct ToggleHelp {};
-// Opens a help page by name: a file's stem in the help folder, or a built-in page of help_book.h.
+// Opens a help page by name: a file's stem in the help folder, or a built-in page of help_index.h.
 struct ShowHelp {
     std::string page;
 };
@@ -22,7 +22,7 @@ struct TurnTour {
 using GuideRequest = std::variant<ToggleHelp, ShowHelp, TurnTour>;
 
 struct GuideView {
-    const HelpBook* help = nullptr;
+    const HelpIndex* help = nullptr;
     bool help_shown = false;
     int tour_step = -1;  // -1 while there is no tour
 };

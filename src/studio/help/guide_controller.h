@@ -29,7 +29,7 @@ private:
 
     Services services_;
     ViewState& view_;
-    HelpBook help_;
+    HelpIndex help_;
     GuideView facts_;
 };
 

@@ -1,5 +1,6 @@
 #include "studio/machines/machine_words.h"
 
+#include "core/text/counted.h"
 #include "core/text/pretty_text.h"
 
 #include <fmt/core.h>
@@ -8,10 +9,6 @@
 
 namespace cambrian {
 namespace {
-
-std::string counted(double count, const std::string& one, const std::string& many) {
-    return fmt::format("{} {}", pretty_number(count), count == 1.0 ? one : many);
-}
 
 std::string with_reason(std::string words, const std::string& reason) {
     if (!reason.empty()) words += ": " + reason;
@@ -40,14 +37,15 @@ std::string state_words(const WorkerStatus& worker) {
 
 std::string totals_words(const BackendStatus& status) {
     const WorkerTotals sum = totals(status);
-    return fmt::format("{} · {} · {} creatures/s", counted(sum.machines, "machine", "machines"),
-                       counted(sum.cores, "core", "cores"),
+    return fmt::format("{} · {} · {} creatures/s", counted(sum.machines, "machine"),
+                       counted(sum.cores, "core"),
                        pretty_number(std::round(sum.creatures_per_second)));
 }
 
 std::string useful_cores_words(const BackendStatus& status) {
     if (status.useful_cores <= 0.0) return "";
-    return "This run can use about " + counted(std::round(status.useful_cores), "core", "cores");
+    return "This run can use about " +
+           counted(static_cast<std::size_t>(std::round(status.useful_cores)), "core");
 }
 
 std::string machines_words(const MachinesView& machines) {

@@ -7,7 +7,6 @@
 #include <utility>
 
 namespace cambrian {
-namespace {}  // namespace
 
 Status Playback::show(Exhibit exhibit) {
     if (Status status = creature_.show(std::move(exhibit)); !status) return status;

@@ -150,13 +150,20 @@ int segmented(const std::string& name, const std::vector<std::string>& labels, i
 bool begin_choice(const char* id, const std::string& shown, float width) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     ImGui::SetNextItemWidth(width);
-    const bool open = ImGui::BeginCombo(id, shown.c_str(), ImGuiComboFlags_NoArrowButton);
+    const std::string fitting = fit_text(shown, width - choice_width(""));
+    const bool open = ImGui::BeginCombo(id, fitting.c_str(), ImGuiComboFlags_NoArrowButton);
     if (!open) {
         draw_icon(*ImGui::GetWindowDrawList(), Icon::kChevronDown,
                   {at.x + width - px(15), at.y + 0.5F * ImGui::GetFrameHeight()}, px(10),
                   colors().muted);
     }
     return open;
+}
+
+float choice_width(const std::string& shown) {
+    constexpr float chevron_room = 25.0F;
+    return std::ceil(ImGui::CalcTextSize(shown.c_str()).x) + ImGui::GetStyle().FramePadding.x +
+           px(chevron_room);
 }
 
 bool menu_item(const char* label, const char* keys, bool enabled, bool chosen) {

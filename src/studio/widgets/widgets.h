@@ -40,7 +40,10 @@ int segmented(const std::string& name, const std::vector<std::string>& labels, i
               const std::vector<std::string>& tooltips = {});
 
 // Like ImGui::BeginCombo, with the studio's chevron. ImGui::EndCombo() ends it.
+// A text that is too wide for it is shortened.
 bool begin_choice(const char* id, const std::string& shown, float width);
+// Returns the width, in pixels, in which begin_choice() shows a text completely.
+float choice_width(const std::string& shown);
 
 // A menu item; returns true when pressed.
 bool menu_item(const char* label, const char* keys, bool enabled = true, bool chosen = false);

@@ -62,12 +62,12 @@ TEST_CASE("an edited world acts on the viewer at once and on the engine when the
 TEST_CASE("an edit of anything but the world leaves the displayed world alone",
           "[studio][experiment]") {
     SessionRun run;
-    run.session.show_newcomer();
+    run.session.show_random_creature();
     ExperimentSettings moon = run.session.frame_context().experiment.editor.draft();
     moon.world.environment.gravity = 1.62;
     run.ask(EditSettings{moon, "environment.gravity"});
     run.ask(FinishEdit{});
-    run.session.show_newcomer();
+    run.session.show_random_creature();
     const Environment before =
         run.session.frame_context().viewer.playback.creature().replay().environment();
     ExperimentSettings larger = run.session.frame_context().experiment.editor.draft();
@@ -91,7 +91,7 @@ TEST_CASE("a new run from the present creatures begins with them", "[studio][exp
     CHECK(run.champions() == 0);
 }
 
-TEST_CASE("undo takes an edit back from the engine too", "[studio][experiment]") {
+TEST_CASE("undo also reverts an edit in the engine", "[studio][experiment]") {
     SessionRun run;
     ExperimentSettings edited = run.session.frame_context().experiment.editor.draft();
     edited.population.size = 9;

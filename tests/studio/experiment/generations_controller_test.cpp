@@ -22,7 +22,7 @@ TEST_CASE("one generation is evaluated, logged and its champion is displayed",
     CHECK(run.log().find("{\"event\":\"generation\",\"number\":0,\"best\":") != std::string::npos);
 }
 
-TEST_CASE("scrubbing shows past champions until the newest is asked for", "[studio][generations]") {
+TEST_CASE("scrubbing shows past champions until the newest is requested", "[studio][generations]") {
     SessionRun run;
     run.ask(ShowChampion{0});  // there is no champion yet, so it has no effect
     CHECK(run.session.frame_context().viewer.playback.empty());
@@ -43,7 +43,8 @@ TEST_CASE("scrubbing shows past champions until the newest is asked for", "[stud
     CHECK(run.session.view().newest_champion);
 }
 
-TEST_CASE("after a fast scrub the creature that stayed gets its score", "[studio][generations]") {
+TEST_CASE("after fast scrubbing the creature displayed last gets its score",
+          "[studio][generations]") {
     SessionRun run;
     finish_generations(run, 3);
     for (int i = 0; i < 200; ++i)
@@ -53,10 +54,10 @@ TEST_CASE("after a fast scrub the creature that stayed gets its score", "[studio
           shown_in(run).result()->digest);
 }
 
-TEST_CASE("the creature on display can have a star and is shown from it under its own settings",
+TEST_CASE("a displayed creature can be starred and displayed again with its own settings",
           "[studio][generations]") {
     SessionRun run;
-    run.session.show_newcomer();
+    run.session.show_random_creature();
     run.ask(ToggleStarOfShown{});  // a creature of another experiment
     CHECK(run.session.frame_context().generations.stars.all().empty());
     finish_generations(run, 1);
@@ -90,7 +91,7 @@ TEST_CASE("the score shown is the one the engine found, and the replay is verifi
     CHECK(frame.viewer.score->record.digest == result.digest);
 }
 
-TEST_CASE("a champion on display knows its line", "[studio][generations]") {
+TEST_CASE("a displayed champion has its line of descent", "[studio][generations]") {
     SessionRun run;
     for (std::size_t i = 0; i < 4; ++i) {
         run.ask(RunOneGeneration{});

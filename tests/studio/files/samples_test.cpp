@@ -1,6 +1,6 @@
 #include "core/files/file_io.h"
 #include "persist/creature/creature_file.h"
-#include "studio/files/sample_shelf.h"
+#include "studio/files/sample_library.h"
 #include "studio/panels/cards/samples_panel.h"
 #include "studio_fixture.h"
 #include "support/null_imgui.h"
@@ -48,12 +48,12 @@ TEST_CASE("a click on a sample opens it", "[studio][samples]") {
     const auto genome = test::crawler(test::kinds().creature.catalog);
     const auto body =
         std::make_shared<const Phenotype>(express(*genome, test::kinds().creature, {}, {}));
-    SampleShelf shelf;
-    shelf.samples = {{"/a.creature.json", "Crawler", "Walking, 2 m", 0.2, body},
-                     {"/b.creature.json", "Hopper", "Jumping, 1 m", 0.4, body},
-                     {"/c.creature.json", "Cut", "c.creature.json: E01 line 1", 0.0, nullptr}};
+    SampleLibrary library;
+    library.samples = {{"/a.creature.json", "Crawler", "Walking, 2 m", 0.2, body},
+                       {"/b.creature.json", "Hopper", "Jumping, 1 m", 0.4, body},
+                       {"/c.creature.json", "Cut", "c.creature.json: E01 line 1", 0.0, nullptr}};
     FrameContext frame = studio.frame();
-    frame.files.samples = &shelf;
+    frame.files.samples = &library;
     Requests out;
     gui.click("sample Hopper", [&] { panel.draw(frame, out); });
     CHECK(test::asked<LoadFile>(out).path == "/b.creature.json");

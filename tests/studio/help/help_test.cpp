@@ -1,4 +1,4 @@
-#include "studio/help/help_book.h"
+#include "studio/help/help_index.h"
 #include "studio/panels/cards/help_panel.h"
 #include "studio/shortcuts.h"
 #include "studio_fixture.h"
@@ -33,7 +33,7 @@ bool says(const HelpPage& page, const std::string& words) {
     return false;
 }
 
-TEST_CASE("the help holds its own pages and those of the folder", "[studio][help]") {
+TEST_CASE("the help index has the built-in pages and those of the folder", "[studio][help]") {
     const auto pages = all_pages();
     CHECK(pages.front().name == kFirstStepsPage);
     CHECK(pages.back().name == kAboutPage);
@@ -53,20 +53,20 @@ TEST_CASE("a page is chosen from the list, and every page can be drawn", "[studi
     NullImGui gui;
     HelpPanel panel;
     test::StudioFixture studio;
-    HelpBook book{all_pages(), kFirstStepsPage};
-    const std::size_t count = book.pages.size();
+    HelpIndex index{all_pages(), kFirstStepsPage};
+    const std::size_t count = index.pages.size();
     for (std::size_t i = 0; i < count; ++i) {
-        book.open = book.pages[i].name;
+        index.open = index.pages[i].name;
         FrameContext frame = studio.frame();
-        frame.guide.help = &book;
+        frame.guide.help = &index;
         Requests out;
-        const std::string next = book.pages[(i + 1) % count].name;
+        const std::string next = index.pages[(i + 1) % count].name;
         gui.click("help " + next, [&] { panel.draw(frame, out); });
         CHECK(test::asked<ShowHelp>(out).page == next);
     }
-    book.open = "missing";
+    index.open = "missing";
     FrameContext frame = studio.frame();
-    frame.guide.help = &book;
+    frame.guide.help = &index;
     Requests out;
     gui.frame([&] { panel.draw(frame, out); });
 }

@@ -95,7 +95,7 @@ TEST_CASE("an edit asks for all settings with that field changed", "[studio][exp
     CHECK(test::was_asked<FinishEdit>(run.out));
 }
 
-TEST_CASE("choosing a goal brings the world it makes sense in", "[studio][experiment_panel]") {
+TEST_CASE("choosing a goal adopts its default world", "[studio][experiment_panel]") {
     PanelRun run;
     run.click("goal.behavior");
     run.click("goal.behavior=swimming");
@@ -104,7 +104,7 @@ TEST_CASE("choosing a goal brings the world it makes sense in", "[studio][experi
     CHECK_FALSE(edit.settings.world.environment.has_ground);
 }
 
-TEST_CASE("choosing a goal that follows a light brings light, senses and trials",
+TEST_CASE("choosing a goal that needs a light adopts light, senses and trials",
           "[studio][experiment_panel]") {
     PanelRun run;
     run.click("goal.behavior");
@@ -116,7 +116,7 @@ TEST_CASE("choosing a goal that follows a light brings light, senses and trials"
     CHECK(edit.settings.world.trial.trials == 4);
 }
 
-TEST_CASE("a goal chosen keeps what was edited by hand", "[studio][experiment_panel]") {
+TEST_CASE("choosing a goal keeps settings that were edited by hand", "[studio][experiment_panel]") {
     PanelRun run;
     ExperimentSettings own = run.studio.editor().draft();
     own.world.trial.duration = 8.0;
@@ -128,8 +128,8 @@ TEST_CASE("a goal chosen keeps what was edited by hand", "[studio][experiment_pa
     CHECK(trial.trials == 4);
 }
 
-TEST_CASE("every integrator can be chosen, the reference mode too", "[studio][experiment_panel]") {
-    for (const std::string& id : test::kinds().creature.scene.integrators) {
+TEST_CASE("every integrator can be chosen, including the reference", "[studio][experiment_panel]") {
+    for (const auto& [id, label] : test::kinds().creature.scene.integrators) {
         PanelRun run;
         if (id == run.studio.editor().draft().world.scene.integrator) continue;
         run.click("group simulation");
@@ -200,7 +200,8 @@ TEST_CASE("a structural edit of a running experiment offers a new run",
     CHECK(test::asked<StartNewRun>(run.out).keep_population);
 }
 
-TEST_CASE("the shares of breeding make room for the one dragged", "[studio][experiment_panel]") {
+TEST_CASE("the other breeding shares change when one is dragged, so that the sum stays 1",
+          "[studio][experiment_panel]") {
     PanelRun run;
     run.click("group breeding");
     run.click("breeding.asexual");
@@ -220,7 +221,7 @@ TEST_CASE("the shares of breeding make room for the one dragged", "[studio][expe
     CHECK(dragged > 0);
 }
 
-TEST_CASE("a goal in the wrong world says why", "[studio][experiment_panel]") {
+TEST_CASE("a goal in an unsuitable world is shown with the reason", "[studio][experiment_panel]") {
     PanelRun run;
     run.frame();
     CHECK_FALSE(run.gui.has("goal mismatch"));
@@ -274,7 +275,7 @@ TEST_CASE("a filter that finds nothing says so, and Esc clears it", "[studio][ex
     CHECK(run.gui.has("environment.gravity"));
 }
 
-TEST_CASE("a setting to be found gets the keyboard, its value on Enter",
+TEST_CASE("searching for a setting focuses the filter, and Enter focuses the value found",
           "[studio][experiment_panel]") {
     PanelRun run;
     unsigned asked = 0;
@@ -308,7 +309,7 @@ TEST_CASE("a setting to be found gets the keyboard, its value on Enter",
     CHECK(test::asked<EditSettings>(run.out).settings.world.environment.gravity == Approx(1.62));
 }
 
-TEST_CASE("before the first generation nothing needs a new run", "[studio][experiment_panel]") {
+TEST_CASE("before the first generation no edit needs a new run", "[studio][experiment_panel]") {
     PanelRun run;
     ExperimentSettings changed = run.studio.editor().draft();
     changed.seed = 1234;

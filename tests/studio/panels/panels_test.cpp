@@ -31,7 +31,7 @@ TEST_CASE("while evolving the button says Pause and no single step is offered",
     CHECK(click(gui, bar, studio, "Step one generation").all().empty());
 }
 
-TEST_CASE("a menu opens and its entry asks", "[studio][main_menu]") {
+TEST_CASE("a menu opens and its entry makes a request", "[studio][main_menu]") {
     NullImGui gui;
     EvolveBar bar;
     const test::StudioFixture studio;
@@ -49,7 +49,7 @@ TEST_CASE("the transport plays, restarts and changes the speed", "[studio][trans
     CHECK(test::asked<ChangeView>(click(gui, bar, studio, "4×")).view.speed == 4.0);
 }
 
-TEST_CASE("the transport steps back, and the time bar goes where it is pressed",
+TEST_CASE("the transport steps back, and a press of the time bar seeks that time",
           "[studio][transport_bar]") {
     NullImGui gui;
     TransportBar bar;
@@ -72,7 +72,7 @@ TEST_CASE("a click on the timeline shows that generation's champion", "[studio][
     CHECK(test::asked<ShowChampion>(out).generation == 10);
 }
 
-TEST_CASE("a stagnant run offers newcomers and many kinds, and does neither by itself",
+TEST_CASE("a stagnant run offers random immigrants and MAP-Elites and does neither by itself",
           "[studio][timeline]") {
     NullImGui gui;
     TimelinePanel panel;
@@ -81,11 +81,11 @@ TEST_CASE("a stagnant run offers newcomers and many kinds, and does neither by i
         studio.finish_generation(0.5);
     Requests unasked;
     gui.frame([&] { panel.draw(studio.frame(), unasked); });
-    CHECK_FALSE(gui.has("Add newcomers"));
+    CHECK_FALSE(gui.has("Add immigrants"));
     studio.snapshot().history.back().generations_without_progress = 20;
     gui.frame([&] { panel.draw(studio.frame(), unasked); });
     CHECK(unasked.all().empty());
-    CHECK(test::asked<AddNewcomers>(click(gui, panel, studio, "Add newcomers")).share == 0.2);
+    CHECK(test::asked<AddImmigrants>(click(gui, panel, studio, "Add immigrants")).share == 0.2);
     const Requests kinds = click(gui, panel, studio, "Many kinds");
     CHECK(test::asked<EditSettings>(kinds).settings.selection.method == "map-elites");
     CHECK(test::was_asked<FinishEdit>(kinds));
@@ -100,7 +100,7 @@ TEST_CASE("a click on a tile shows its creature", "[studio][population]") {
     CHECK(test::asked<ShowIndividual>(out).creature.individual == studio.snapshot().population[0]);
 }
 
-TEST_CASE("the viewport draws the creature on display and takes hold of it", "[studio][viewport]") {
+TEST_CASE("the viewport draws the displayed creature and can grab it", "[studio][viewport]") {
     NullImGui gui;
     ViewportPanel panel(nullptr);
     test::StudioFixture studio;
@@ -161,7 +161,7 @@ TEST_CASE("the light is drawn in the viewport and moved by dragging it", "[studi
     CHECK(test::was_asked<FinishEdit>(out));
 }
 
-TEST_CASE("dragging with the right button lets the camera go", "[studio][viewport]") {
+TEST_CASE("dragging with the right button stops the camera's following", "[studio][viewport]") {
     NullImGui gui;
     ViewportPanel panel(nullptr);
     test::StudioFixture studio;
@@ -178,7 +178,7 @@ TEST_CASE("dragging with the right button lets the camera go", "[studio][viewpor
     CHECK_FALSE(test::asked<ChangeView>(out).view.follow);
 }
 
-TEST_CASE("overlays, ghosts and help are at hand in the viewport", "[studio][viewport]") {
+TEST_CASE("overlays, ghosts and help have buttons in the viewport", "[studio][viewport]") {
     NullImGui gui;
     ViewportPanel panel(nullptr);
     test::StudioFixture studio;
@@ -213,7 +213,7 @@ TEST_CASE("the file panel opens the file that is pressed twice", "[studio][file_
     CHECK(test::was_asked<CloseFilePanel>(out));
 }
 
-TEST_CASE("a saved creature gets its ending", "[studio][file_panel]") {
+TEST_CASE("a saved creature gets its file name ending", "[studio][file_panel]") {
     NullImGui gui;
     FilePanel panel;
     test::StudioFixture studio;

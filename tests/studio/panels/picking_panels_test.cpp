@@ -12,7 +12,7 @@ namespace {
 
 using test::click;
 
-TEST_CASE("a click on a cell picks in the grid that was seen", "[studio][picking]") {
+TEST_CASE("a click on a cell picks in the displayed grid", "[studio][picking]") {
     NullImGui gui;
     PickingGridPanel panel(nullptr);
     test::StudioFixture studio;
@@ -20,8 +20,8 @@ TEST_CASE("a click on a cell picks in the grid that was seen", "[studio][picking
     studio.show_grid(12, GridOrigin::kBreeding);
     gui.move_to({5, 5});
     const Requests out = click(gui, panel, studio, "cell 7");
-    CHECK(test::asked_desk<TogglePick>(out).node == 1);
-    CHECK(test::asked_desk<TogglePick>(out).cell == 6);
+    CHECK(test::asked_picking<TogglePick>(out).node == 1);
+    CHECK(test::asked_picking<TogglePick>(out).cell == 6);
     CHECK(test::asked<FocusCell>(out).cell == 6);
 }
 
@@ -68,9 +68,9 @@ TEST_CASE("the bar breeds once something is picked", "[studio][picking][evolve_b
     studio.show_grid(12);
     CHECK(click(gui, bar, studio, "Breed").all().empty());
     studio.picking().picks = {3};
-    test::asked_desk<BreedPicks>(click(gui, bar, studio, "Breed"));
+    test::asked_picking<BreedPicks>(click(gui, bar, studio, "Breed"));
     studio.picking().status = PickingStatus::kBreeding;
-    test::asked_desk<CancelDecision>(click(gui, bar, studio, "Stop"));
+    test::asked_picking<CancelDecision>(click(gui, bar, studio, "Stop"));
 }
 
 TEST_CASE("the bar switches between automatic evolution and selection by hand",
@@ -84,14 +84,14 @@ TEST_CASE("the bar switches between automatic evolution and selection by hand",
     CHECK(test::was_asked<ToggleHandPicking>(click(gui, bar, studio, "Automatic")));
 }
 
-TEST_CASE("the strip leads back only where there is a grid before", "[studio][picking]") {
+TEST_CASE("the strip offers to go back only if there is a grid before", "[studio][picking]") {
     NullImGui gui;
     PickingStrip strip;
     test::StudioFixture studio;
     studio.show_grid(12);
     CHECK(click(gui, strip, studio, "Back").all().empty());
     studio.show_grid(12, GridOrigin::kBreeding);
-    test::asked_desk<GoBack>(click(gui, strip, studio, "Back"));
+    test::asked_picking<GoBack>(click(gui, strip, studio, "Back"));
     CHECK(click(gui, strip, studio, "Forward").all().empty());
 }
 
@@ -103,7 +103,7 @@ TEST_CASE("the strip acts on the creature in focus", "[studio][picking]") {
     studio.focus_cell(5);
     CHECK(test::asked<ShowCell>(click(gui, strip, studio, "View")).cell == 5);
     CHECK(test::asked<SaveCell>(click(gui, strip, studio, "Save…")).cell == 5);
-    CHECK(test::asked_desk<PinCreature>(click(gui, strip, studio, "Keep")).cell == 5);
+    CHECK(test::asked_picking<PinCreature>(click(gui, strip, studio, "Keep")).cell == 5);
     const Requests hints = click(gui, strip, studio, "Hints");
     CHECK(test::asked<ChangePickingOptions>(hints).options.hints);
 }
@@ -113,16 +113,17 @@ TEST_CASE("the panel changes how the next grid is bred", "[studio][picking]") {
     PickingPanel panel;
     test::StudioFixture studio;
     studio.show_grid(12);
-    CHECK(test::asked_desk<ChangeGrid>(click(gui, panel, studio, "25")).grid.cells == 25);
-    CHECK(test::asked_desk<ChangeGrid>(click(gui, panel, studio, "Wild")).grid.boldness ==
+    CHECK(test::asked_picking<ChangeGrid>(click(gui, panel, studio, "25")).grid.cells == 25);
+    CHECK(test::asked_picking<ChangeGrid>(click(gui, panel, studio, "Wild")).grid.boldness ==
           Boldness::kWild);
     const double weight =
-        test::asked_desk<ChangeGrid>(click(gui, panel, studio, "dial")).grid.fitness_weight;
+        test::asked_picking<ChangeGrid>(click(gui, panel, studio, "dial")).grid.fitness_weight;
     CHECK(weight == Approx(0.5).margin(0.1));
-    test::asked_desk<ReplaceUnpicked>(click(gui, panel, studio, "Newcomers for the rest"));
+    test::asked_picking<ReplaceUnpicked>(
+        click(gui, panel, studio, "Random creatures for the rest"));
 }
 
-TEST_CASE("evolution and the way back need picks", "[studio][picking]") {
+TEST_CASE("assistance and the return to automatic evolution need picks", "[studio][picking]") {
     NullImGui gui;
     PickingPanel panel;
     test::StudioFixture studio;
@@ -130,7 +131,7 @@ TEST_CASE("evolution and the way back need picks", "[studio][picking]") {
     for (const char* name : {"Assist", "Inject picks", "New run"})
         CHECK(click(gui, panel, studio, name).all().empty());
     studio.picking().picks = {1, 2};
-    CHECK(test::asked_desk<AskEvolution>(click(gui, panel, studio, "Assist")).generations == 10);
+    CHECK(test::asked_picking<AskEvolution>(click(gui, panel, studio, "Assist")).generations == 10);
     CHECK(test::asked<HandOverPicks>(click(gui, panel, studio, "Inject picks")).use ==
           PicksUse::kInject);
     CHECK(test::asked<HandOverPicks>(click(gui, panel, studio, "New run")).use == PicksUse::kFound);
@@ -144,7 +145,7 @@ TEST_CASE("evolution from the picks can be cancelled", "[studio][picking]") {
     test::StudioFixture studio;
     studio.show_grid(12);
     studio.picking().status = PickingStatus::kEvolving;
-    test::asked_desk<CancelDecision>(click(gui, panel, studio, "Cancel"));
+    test::asked_picking<CancelDecision>(click(gui, panel, studio, "Cancel"));
 }
 
 TEST_CASE("a click on the map visits that grid", "[studio][picking]") {
@@ -153,18 +154,19 @@ TEST_CASE("a click on the map visits that grid", "[studio][picking]") {
     test::StudioFixture studio;
     studio.show_grid(4);
     studio.show_grid(4, GridOrigin::kBreeding);
-    CHECK(test::asked_desk<VisitGrid>(click(gui, panel, studio, "grid 1")).node == 0);
+    CHECK(test::asked_picking<VisitGrid>(click(gui, panel, studio, "grid 1")).node == 0);
 }
 
-TEST_CASE("a creature of the shelf goes into the cell in focus, or away", "[studio][picking]") {
+TEST_CASE("a creature of the shelf can be put into the cell in focus or removed",
+          "[studio][picking]") {
     NullImGui gui;
     ShelfPanel panel;
     test::StudioFixture studio;
     studio.show_grid(9);
     studio.focus_cell(7);
     studio.picking().shelf.push_back(studio.picking().tree.current().cell(1));
-    CHECK(test::asked_desk<PlacePinned>(click(gui, panel, studio, "pin 1")).cell == 7);
-    CHECK(test::asked_desk<UnpinCreature>(click(gui, panel, studio, "pin 1", 1)).place == 0);
+    CHECK(test::asked_picking<PlacePinned>(click(gui, panel, studio, "pin 1")).cell == 7);
+    CHECK(test::asked_picking<UnpinCreature>(click(gui, panel, studio, "pin 1", 1)).place == 0);
 }
 
 }  // namespace

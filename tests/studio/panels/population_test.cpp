@@ -46,7 +46,7 @@ struct PopulationRun : test::PanelRun<PopulationPanel> {
     }
 };
 
-TEST_CASE("of two thousand creatures only those in sight are drawn and grown",
+TEST_CASE("of two thousand creatures only the visible ones are drawn and expressed",
           "[studio][population]") {
     PopulationRun run(640, 180, kMany);
     for (int i = 0; i < 10; ++i)
@@ -59,7 +59,7 @@ TEST_CASE("of two thousand creatures only those in sight are drawn and grown",
     CHECK(run.panel.bodies_kept() == in_sight);
 }
 
-TEST_CASE("however far the tiles are scrolled, few bodies are kept", "[studio][population]") {
+TEST_CASE("scrolling through all tiles keeps few bodies in memory", "[studio][population]") {
     PopulationRun run(640, 180, kMany);
     run.frame();
     run.gui.move_to({300, 120});
@@ -72,7 +72,8 @@ TEST_CASE("however far the tiles are scrolled, few bodies are kept", "[studio][p
     CHECK(run.panel.bodies_kept() == PhenotypeCache::kMostKept);
 }
 
-TEST_CASE("a window full of new creatures is grown over several frames", "[studio][population]") {
+TEST_CASE("the creatures of a full window are expressed over several frames",
+          "[studio][population]") {
     PopulationRun run(1280, 1600, kMany);
     std::size_t before = 0;
     for (int i = 0; i < 20; ++i) {
@@ -84,7 +85,7 @@ TEST_CASE("a window full of new creatures is grown over several frames", "[studi
     CHECK(before == run.panel.tiles_drawn());
 }
 
-TEST_CASE("tiles are sorted by what is asked for", "[studio][population]") {
+TEST_CASE("tiles are sorted by the chosen quantity", "[studio][population]") {
     test::StudioFixture studio;
     populate(studio, 50);
     const auto sorted_by = [&](TileOrder order, auto measure) {
@@ -101,7 +102,7 @@ TEST_CASE("tiles are sorted by what is asked for", "[studio][population]") {
     CHECK(sorted_by(TileOrder::kMass, [](One one) { return one.result.mass; }));
 }
 
-TEST_CASE("the creature least like the others comes first by difference, ranks stay",
+TEST_CASE("sorted by difference the most unusual creature is first, and ranks do not change",
           "[studio][population]") {
     test::StudioFixture studio;
     populate(studio, 9);
@@ -121,7 +122,7 @@ TEST_CASE("the creature least like the others comes first by difference, ranks s
     CHECK(tiles.front().key > tiles[1].key);
 }
 
-TEST_CASE("one tile a body plan is the best of each", "[studio][population]") {
+TEST_CASE("one tile per body plan shows the best creature of each", "[studio][population]") {
     test::StudioFixture studio;
     populate(studio, 9);
     std::vector<IndividualPtr>& population = studio.snapshot().population;
@@ -187,12 +188,12 @@ TEST_CASE("the arrow keys move through the tiles in the order shown", "[studio][
     CHECK(run.press_key(ImGuiKey_DownArrow).all().empty());
 }
 
-TEST_CASE("sorting and the filter are chosen in the heading, a taken star is given back there",
+TEST_CASE("sorting and filter are chosen in the heading, and a removed star is restored there",
           "[studio][population]") {
     PopulationRun run(640, 300, 20);
     run.click("tile order");
     CHECK(test::asked<ChangeView>(run.click("by mass")).view.order == TileOrder::kMass);
-    CHECK(test::asked<ChangeView>(run.click("One a plan")).view.one_a_plan);
+    CHECK(test::asked<ChangeView>(run.click("One per body plan")).view.one_a_plan);
     CHECK(test::asked<ChangeView>(run.click("Starred")).view.starred_only);
     run.studio.view().starred_only = true;
     run.studio.stars().toggle(creature_at(run.studio, 0));
@@ -200,7 +201,7 @@ TEST_CASE("sorting and the filter are chosen in the heading, a taken star is giv
     CHECK(test::was_asked<RestoreStar>(run.click("Give back")));
 }
 
-TEST_CASE("a creature's origin is told in words", "[studio][population]") {
+TEST_CASE("a creature's origin is described in words", "[studio][population]") {
     test::StudioFixture studio;
     populate(studio, 5);
     Individual child;

@@ -1,5 +1,6 @@
 #include "studio/panels/experiment/setting_row.h"
 
+#include "studio/widgets/widgets.h"
 #include "support/catch.h"
 #include "support/kinds.h"
 #include "support/null_imgui.h"
@@ -65,6 +66,25 @@ TEST_CASE("pressing a switch flips it, once", "[studio][setting_row]") {
     });
     CHECK_FALSE(settings.world.environment.has_ground);
     CHECK(finished == 1);
+}
+
+TEST_CASE("a control is wide enough for its text in a panel of usual width",
+          "[studio][setting_row]") {
+    NullImGui gui(320.0F, 200.0F);
+    ExperimentSettings settings;
+    ExperimentSettings defaults;
+    const SettingField integrator = field_named("simulation", "integrator");
+    const SettingField limit = field_named("simulation", "max-evaluations");
+    float choice = 0.0F;
+    float number = 0.0F;
+    gui.frame([&] {
+        setting_row(integrator, settings, defaults);
+        setting_row(limit, settings, defaults);
+        choice = choice_width("Bogacki-Shampine");
+        number = ImGui::CalcTextSize("1000000 evaluations/s").x;
+    });
+    CHECK(gui.place("simulation.integrator").width >= choice);
+    CHECK(gui.place("simulation.max-evaluations").width >= number);
 }
 
 TEST_CASE("the right button offers the default back", "[studio][setting_row]") {

@@ -20,7 +20,7 @@ double root_length(const SessionRun& run) {
 
 TEST_CASE("an edited gene is displayed at once, can be undone and made again", "[studio][viewer]") {
     SessionRun run;
-    run.session.show_newcomer();
+    run.session.show_random_creature();
     const double before = root_length(run);
     run.ask(lengthen_root(run.session.frame_context(), 1.5));
     run.ask(FinishGeneEdit{});
@@ -59,7 +59,7 @@ TEST_CASE("an edited creature is scored again and saved as edited", "[studio][vi
 
 TEST_CASE("a gene outside its range is refused with a message", "[studio][viewer]") {
     SessionRun run;
-    run.session.show_newcomer();
+    run.session.show_random_creature();
     const double before = root_length(run);
     run.ask(lengthen_root(run.session.frame_context(), 25.0));
     run.session.update(0.1, 0.0);
@@ -72,7 +72,7 @@ TEST_CASE("a gene outside its range is refused with a message", "[studio][viewer
 
 TEST_CASE("with another creature on display, undo is of the settings again", "[studio][viewer]") {
     SessionRun run;
-    run.session.show_newcomer();
+    run.session.show_random_creature();
     const auto other =
         std::make_shared<const Exhibit>(run.session.frame_context().viewer.playback.exhibit());
     run.ask(lengthen_root(run.session.frame_context(), 1.5));

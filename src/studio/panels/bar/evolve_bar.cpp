@@ -83,7 +83,7 @@ void EvolveBar::draw_breeding(const FrameContext& frame, Requests& out) {
         if (push_button("Back to the grid", main)) out.ask(ShowGrid{});
     } else if (deciding(snapshot)) {
         main.look = ButtonLook::kPlain;
-        main.tooltip = "Stay with this grid (Backspace)";
+        main.tooltip = "Stop breeding and keep this grid (Backspace)";
         main.enabled = !snapshot.tree.empty();
         if (push_button("Stop", main)) out.ask(AskPicking{CancelDecision{}});
     } else {

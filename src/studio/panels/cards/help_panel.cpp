@@ -12,10 +12,10 @@
 namespace cambrian {
 namespace {
 
-void draw_list(const HelpBook& book, Requests& out) {
+void draw_list(const HelpIndex& index, Requests& out) {
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, px(2)));
-    for (const HelpPage& page : book.pages) {
-        const bool open = page.name == book.open;
+    for (const HelpPage& page : index.pages) {
+        const bool open = page.name == index.open;
         const ImVec2 size = {ImGui::GetContentRegionAvail().x, px(28)};
         if (ImGui::InvisibleButton(page.name.c_str(), size)) out.ask(ShowHelp{page.name});
         note_place("help " + page.name);
@@ -46,18 +46,18 @@ void follow(const std::string& link, Requests& out) {
 void HelpPanel::draw(const FrameContext& frame, Requests& out) {
     if (card_title("Help", "Close help", nullptr, out)) out.ask(ToggleHelp{});
     if (frame.guide.help == nullptr) return;
-    const HelpBook& book = *frame.guide.help;
+    const HelpIndex& index = *frame.guide.help;
     ImGui::BeginChild("pages", {px(190), 0}, false, ImGuiWindowFlags_NoBackground);
-    draw_list(book, out);
+    draw_list(index, out);
     ImGui::EndChild();
     ImGui::SameLine(0, px(18));
     ImGui::BeginChild("page", {0, 0}, false, ImGuiWindowFlags_NoBackground);
-    if (seen_ != book.open) ImGui::SetScrollY(0.0F);
-    seen_ = book.open;
-    const auto page = std::find_if(book.pages.begin(), book.pages.end(),
-                                   [&](const HelpPage& each) { return each.name == book.open; });
-    if (page == book.pages.end()) {
-        muted_text(fmt::format("There is no page called \"{}\" in the help folder.", book.open));
+    if (seen_ != index.open) ImGui::SetScrollY(0.0F);
+    seen_ = index.open;
+    const auto page = std::find_if(index.pages.begin(), index.pages.end(),
+                                   [&](const HelpPage& each) { return each.name == index.open; });
+    if (page == index.pages.end()) {
+        muted_text(fmt::format("There is no page called \"{}\" in the help folder.", index.open));
     } else {
         follow(draw_markdown(page->blocks), out);
     }

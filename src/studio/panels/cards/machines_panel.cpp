@@ -179,7 +179,7 @@ void MachinesPanel::draw(const FrameContext& frame, Requests& out) {
     draw_fields(machines, out);
     ImGui::Dummy({0, px(2)});
     draw_state(machines);
-    section("Who works");
+    section("Members of the cluster");
     const float foot = machines.joined ? ImGui::GetTextLineHeightWithSpacing() : 0.0F;
     ImGui::BeginChild("table", {0, -foot}, false, ImGuiWindowFlags_NoBackground);
     draw_table(machines.status);

@@ -53,27 +53,27 @@ void SamplesPanel::move_by_keys(std::size_t count, int columns) {
     aimed_ = static_cast<std::size_t>(std::clamp(at, 0, std::max(0, most)));
 }
 
-void SamplesPanel::draw_tiles(const SampleShelf& shelf, Requests& out) {
+void SamplesPanel::draw_tiles(const SampleLibrary& library, Requests& out) {
     const float step = px(kSampleWidth + kSampleGap);
     const int columns =
         std::max(1, static_cast<int>((ImGui::GetContentRegionAvail().x + px(kSampleGap)) / step));
     const auto whole = static_cast<std::size_t>(
-        std::count_if(shelf.samples.begin(), shelf.samples.end(),
+        std::count_if(library.samples.begin(), library.samples.end(),
                       [](const Sample& each) { return each.phenotype != nullptr; }));
     move_by_keys(whole, columns);
     const bool entered = panel_key(ImGuiKey_Enter);
     for (std::size_t i = 0; i < whole; ++i) {
         if (static_cast<int>(i) % columns != 0) ImGui::SameLine(0, px(kSampleGap));
         const bool aimed = i == aimed_;
-        if (!draw_tile(shelf.samples[i], aimed) && !(aimed && entered)) continue;
-        out.ask(LoadFile{shelf.samples[i].path});
+        if (!draw_tile(library.samples[i], aimed) && !(aimed && entered)) continue;
+        out.ask(LoadFile{library.samples[i].path});
         out.ask(ToggleSamples{});
     }
-    if (whole == shelf.samples.size()) return;
+    if (whole == library.samples.size()) return;
     ImGui::Dummy({0, px(4)});
     caption("These cannot be opened:");
-    for (std::size_t i = whole; i < shelf.samples.size(); ++i)
-        muted_text(shelf.samples[i].account);
+    for (std::size_t i = whole; i < library.samples.size(); ++i)
+        muted_text(library.samples[i].account);
     note_place("damaged samples");
 }
 

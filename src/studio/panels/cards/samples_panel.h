@@ -10,7 +10,7 @@ public:
     void draw(const FrameContext& frame, Requests& out) override;
 
 private:
-    void draw_tiles(const SampleShelf& shelf, Requests& out);
+    void draw_tiles(const SampleLibrary& library, Requests& out);
     void move_by_keys(std::size_t count, int columns);
 
     std::size_t aimed_ = 0;  // index of the tile chosen with the keyboard

@@ -74,7 +74,7 @@ void draw_presets(const std::string& table, const FrameContext& frame, Requests&
     const auto shown = std::find_if(presets.begin(), presets.end(), [&](const auto& preset) {
         return is_in_force(preset, draft, frame.kinds, frame.experiment.fields);
     });
-    const bool open = begin_choice("##preset", shown == presets.end() ? "Own values" : shown->label,
+    const bool open = begin_choice("##preset", shown == presets.end() ? "Custom" : shown->label,
                                    ImGui::GetContentRegionAvail().x);
     if (!open) {
         note_place(table + " preset");
@@ -246,7 +246,7 @@ void ExperimentPanel::draw_run_warning(const FrameContext& frame, Requests& out)
     if (push_button("Undo##run", {.look = ButtonLook::kGhost,
                                   .icon = Icon::kClose,
                                   .label_shown = false,
-                                  .tooltip = "Back to what is running."}))
+                                  .tooltip = "Undo these changes and keep the present run."}))
         out.ask(DropStructuralEdits{});
 }
 

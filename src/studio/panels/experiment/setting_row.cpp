@@ -5,6 +5,7 @@
 #include "studio/widgets/widgets.h"
 
 #include <fmt/core.h>
+#include <fmt/printf.h>
 
 #include <algorithm>
 #include <cmath>
@@ -15,13 +16,20 @@ namespace {
 
 constexpr float kLabelShare = 0.5F;
 constexpr float kLeastControl = 112.0F;  // width that names leave to the control in narrow panels
+constexpr float kLabelMargin = 20.0F;    // width around a label: its mark and a gap
+
+std::string choice_text(const SettingField& field, const std::string& value) {
+    const auto found = std::find(field.choices.begin(), field.choices.end(), value);
+    if (found == field.choices.end()) return value;
+    return field.choice_labels[static_cast<std::size_t>(found - field.choices.begin())];
+}
 
 std::string value_text(const SettingField& field, const SettingRef& ref) {
     return std::visit(
         [&field](const auto* value) -> std::string {
             using T = std::remove_cvref_t<decltype(*value)>;
             if constexpr (std::is_same_v<T, std::string>) {
-                return capitalized(*value);
+                return choice_text(field, *value);
             } else if constexpr (std::is_same_v<T, bool>) {
                 return *value ? "on" : "off";
             } else {
@@ -47,7 +55,7 @@ std::string number_pattern(const SliderRange& range, const SettingField& field) 
     const double width = range.high - range.low;
     std::string number = "%.3f";
     if (field.logarithmic) {
-        number = "%.2g";
+        number = field.low < 100.0 ? "%.2g" : "%.0f";
     } else if (width > 200.0) {
         number = "%.0f";
     } else if (width > 30.0) {
@@ -58,6 +66,28 @@ std::string number_pattern(const SliderRange& range, const SettingField& field) 
     const std::string unit = pretty_unit(field.unit);
     const bool tight = unit == "°" || unit == "×";
     return unit.empty() ? number : number + (tight ? "" : " ") + unit;
+}
+
+// Returns the width, in pixels, of the widest text of the control.
+float text_width(const SettingField& field, const SettingRef& ref, const SettingRef& standard) {
+    float width = 0.0F;
+    for (const std::string& choice : field.choice_labels)
+        width = std::max(width, choice_width(choice));
+    if (const auto* const* number = std::get_if<double*>(&ref)) {
+        const SliderRange range = slider_range(field, **std::get_if<double*>(&standard), **number);
+        const std::string most = fmt::sprintf(number_pattern(range, field), range.high);
+        width = ImGui::CalcTextSize(most.c_str()).x + 2.0F * ImGui::GetStyle().FramePadding.x;
+    }
+    return width;
+}
+
+// Returns the width, in pixels, of the control in a row. A wide text may take what a short label
+// leaves.
+float control_width(const SettingField& field, float full, float text) {
+    const float usual =
+        std::min((1.0F - kLabelShare) * full, std::max(px(kLeastControl), 0.38F * full));
+    const float label = ImGui::CalcTextSize(field.label.c_str()).x + px(kLabelMargin);
+    return std::max(usual, std::min(text, full - label));
 }
 
 template <class Number>
@@ -81,9 +111,9 @@ bool whole_number_box(std::uint64_t& value, const SettingField& field, float wid
 
 bool choice_box(const SettingField& field, std::string& value, float width) {
     bool edited = false;
-    if (begin_choice("##value", capitalized(value), width)) {
+    if (begin_choice("##value", choice_text(field, value), width)) {
         for (const std::string& choice : field.choices) {
-            if (ImGui::Selectable(capitalized(choice).c_str(), choice == value)) {
+            if (ImGui::Selectable(choice_text(field, choice).c_str(), choice == value)) {
                 edited = choice != value;
                 value = choice;
             }
@@ -128,7 +158,7 @@ void draw_label(const SettingField& field, bool changed, float width) {
     if (changed) {
         list.AddCircleFilled({at.x + px(3), at.y + 0.5F * height}, px(3), paint(colors().accent));
     }
-    const std::string shown = fit_text(field.label, width - px(20));
+    const std::string shown = fit_text(field.label, width - px(kLabelMargin));
     const float text_y = at.y + 0.5F * (height - ImGui::GetFontSize());
     list.AddText({at.x + px(12), std::floor(text_y)},
                  paint(changed ? colors().text : mix(colors().muted, colors().text, 0.35F)),
@@ -155,9 +185,8 @@ RowEvent setting_row(const SettingField& field, ExperimentSettings& settings,
     const std::string name = fmt::format("{}.{}", field.table, field.key);
     ImGui::PushID(name.c_str());
     const float full = ImGui::GetContentRegionAvail().x;
-    const float control_width =
-        std::min((1.0F - kLabelShare) * full, std::max(px(kLeastControl), 0.38F * full));
-    const float label_width = std::floor(full - control_width);
+    const float text = text_width(field, field.at(settings), field.at(defaults));
+    const float label_width = std::floor(full - control_width(field, full, text));
     const bool changed = !same_value(field, settings, defaults);
     draw_label(field, changed, label_width);
     const bool label_clicked = ImGui::IsItemClicked(ImGuiMouseButton_Right);

@@ -53,7 +53,7 @@ void draw_order(const FrameContext& frame, Requests& out) {
     const TileSorting& chosen = tile_sorting(frame.view.order);
     const bool open = begin_choice("##order", chosen.name, px(104));
     note_place("tile order");
-    if (!open) return tooltip("What the creatures are sorted by. " + std::string(chosen.what));
+    if (!open) return tooltip("The order of the creatures. " + std::string(chosen.what));
     for (const TileSorting& sorting : tile_sortings()) {
         if (ImGui::Selectable(sorting.name, sorting.order == chosen.order)) {
             ViewState view = frame.view;
@@ -85,7 +85,7 @@ void draw_filter(const FrameContext& frame, Requests& out) {
                             "tile's corner or K gives a star or takes it away."},
                 frame, out);
     ImGui::SameLine();
-    draw_toggle("One a plan", &ViewState::one_a_plan,
+    draw_toggle("One per body plan", &ViewState::one_a_plan,
                 {.tooltip = "Only the best of each body plan: of creatures whose parts and "
                             "joints form the same tree, whatever their sizes."},
                 frame, out);

@@ -13,7 +13,7 @@
 namespace cambrian {
 namespace {
 
-constexpr double kNewcomerShare = 0.2;
+constexpr double kImmigrantShare = 0.2;
 constexpr float kMarkReach = 5.0F;  // distance to a mark within which its text is shown
 constexpr int kLongStride = 10;     // generations per key press with Shift
 
@@ -22,7 +22,7 @@ void draw_quantities(const FrameContext& frame, Requests& out) {
     const bool open =
         begin_choice("##quantity", timeline_title(chosen, frame.unit_of_goal()), px(128));
     note_place("timeline quantity");
-    if (!open) return tooltip("What is plotted (Up, Down). " + std::string(chosen.what));
+    if (!open) return tooltip("The quantity plotted (Up, Down). " + std::string(chosen.what));
     for (const TimelinePlot& plot : timeline_plots()) {
         if (ImGui::Selectable(plot.name, &plot == &chosen)) {
             ViewState view = frame.view;
@@ -79,10 +79,10 @@ void draw_stagnation(const FrameContext& frame, Requests& out) {
     muted_text(fmt::format("The best has not risen for {} generations.",
                            history.back().generations_without_progress));
     ImGui::SameLine(0, px(10));
-    if (push_button("Add newcomers",
+    if (push_button("Add immigrants",
                     {.height = height,
-                     .tooltip = "Once, a fifth of the next generation is new random creatures."}))
-        out.ask(AddNewcomers{kNewcomerShare});
+                     .tooltip = "Random immigrants become a fifth of the next generation, once."}))
+        out.ask(AddImmigrants{kImmigrantShare});
     const SelectionKind* mapped = mapping_method(frame.kinds.selections);
     if (mapped == nullptr || draft.selection.method == mapped->id) return;
     ImGui::SameLine();

@@ -226,7 +226,8 @@ void BrainTab::draw_force(const FrameContext& frame, Requests& out) {
     if (value_slider(value, {.range = {-kForceRange, kForceRange}, .width = width}))
         out.ask(ForceNeuron{neuron, value});
     note_place("forced value");
-    tooltip("What the neuron says; moving it forces the neuron. Ctrl+click to type, within ±10.");
+    tooltip(
+        "The output of the neuron. Moving it forces the neuron; Ctrl+click to type, within ±10.");
 }
 
 }  // namespace cambrian

@@ -64,7 +64,7 @@ void draw_verification(const FrameContext& frame) {
     } else {
         const WithTextColor color(colors().danger);
         ImGui::TextUnformatted(difference(frame).c_str());
-        tooltip("The trial was run again and moved otherwise than when it was scored.");
+        tooltip("The trial was run again, and the motion differs from that of the scored trial.");
     }
 }
 
@@ -76,11 +76,11 @@ void draw_recomputed(const FrameContext& frame) {
     fact("Computed more finely", finer.outcome == Outcome::kCompleted
                                      ? measured(finer.score, unit_of(frame))
                                      : std::string(outcome_name(finer.outcome)));
-    fact("Its audit", std::string(verdict_name(finer.verdict)));
+    fact("Energy audit", std::string(verdict_name(finer.verdict)));
 }
 
 void draw_score(const FrameContext& frame) {
-    section("How it was scored");
+    section("Score");
     if (frame.viewer.score == nullptr) {
         muted_text("The trial is being run again…");
         return;
@@ -123,14 +123,14 @@ void draw_grown_organs(const FrameContext& frame) {
 }
 
 void draw_origin(const FrameContext& frame) {
-    section("Where it comes from");
+    section("Origin");
     const Individual& individual = frame.viewer.playback.exhibit().individual();
-    if (!individual.method.empty()) fact("Bred by", capitalized(individual.method));
+    if (!individual.method.empty()) fact("Breeding method", capitalized(individual.method));
     if (individual.parents[0] != 0) fact("Parent", uid_text(individual.parents[0]));
     if (individual.parents[1] != 0) fact("Second parent", uid_text(individual.parents[1]));
     if (individual.uid != 0) fact("Identity", uid_text(individual.uid));
     if (individual.mutations.empty()) return;
-    section("What changed in it");
+    section("Mutations");
     for (const MutationRecord& mutation : individual.mutations)
         draw_mutation(mutation, frame.kinds.mutations);
 }

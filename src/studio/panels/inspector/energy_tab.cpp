@@ -132,8 +132,8 @@ void draw_verdict(AuditVerdict verdict) {
     const WithTextColor color(verdict == AuditVerdict::kClean ? colors().accent : colors().danger);
     ImGui::TextUnformatted(capitalized(std::string(verdict_name(verdict))).c_str());
     tooltip(
-        "Clean: contacts, limits and rounding gave the creature no energy worth mentioning. "
-        "Suspect: they may have. Invalid: the motion could not be computed.");
+        "Clean: contacts, limits and rounding gave the creature a negligible energy. Suspect: the "
+        "energy may not be negligible. Invalid: the motion could not be computed.");
 }
 
 std::string share_text(double work, double scale) {
@@ -147,18 +147,18 @@ void draw_audit(const FrameContext& frame) {
     draw_verdict(judge(frame.viewer.score->record));
     fact("Muscle work", measured(audit.gross_motor_work, "J"));
     fact("Lost to drag", measured(-audit.drag_work, "J"));
-    fact("Lost to contact", measured(-audit.contact_work - audit.impulse_work, "J"));
+    fact("Lost to contacts", measured(-audit.contact_work - audit.impulse_work, "J"));
     fact("Unexplained", share_text(audit.energy_residual, audit.energy_scale));
-    fact("Given by contacts", share_text(audit.positive_work, audit.energy_scale));
-    fact("Deepest contact", measured(1e3 * audit.max_penetration, "mm"));
-    fact("Farthest past a limit", measured(audit.max_limit_overrun, "rad"));
+    fact("Gained from contacts", share_text(audit.positive_work, audit.energy_scale));
+    fact("Deepest penetration", measured(1e3 * audit.max_penetration, "mm"));
+    fact("Largest limit violation", measured(audit.max_limit_overrun, "rad"));
     fact("Fastest part", measured(audit.max_part_speed, "m/s"));
-    section("Work of the computer");
+    section("Computation");
     fact("Evaluations", std::to_string(audit.evaluations));
     fact("Steps", std::to_string(audit.steps));
-    fact("Steps tried again", std::to_string(audit.rejections));
+    fact("Rejected steps", std::to_string(audit.rejections));
     fact("Impacts", std::to_string(audit.events));
-    fact("Fallbacks", std::to_string(audit.fallbacks));
+    fact("Solver fallbacks", std::to_string(audit.fallbacks));
 }
 
 }  // namespace

@@ -231,9 +231,9 @@ void draw_part(GeneRows& rows, NodeGene& node, std::size_t index, const Kinds& k
     static const std::array<std::string, 2> axes = {"Along", "Across"};
     rows.choice(owner + "mirror axis", "Mirror axis", node.mirror_axis, axes);
     if (index > 0) {
-        GeneRows::heading("What drives its joint");
+        GeneRows::heading("Effector of its joint");
         if (kinds.effectors.size() > 1)
-            rows.choice(owner + "effector kind", "How", node.effector_kind,
+            rows.choice(owner + "effector kind", "Kind", node.effector_kind,
                         labels_of(kinds.catalog.effectors));
         rows.input(owner + "effector", node.effector);
     }
@@ -316,9 +316,9 @@ void draw_edges(GeneRows& rows, NodeGene& node, std::size_t index) {
         GeneRows::heading(fmt::format("Grows gene {}", edge.target));
         rows.numbers(owner, edge, edge_fields());
         rows.flag(owner + "reflect", "Mirrored", edge.reflect,
-                  "What grows here is a mirror image.");
+                  "The part that grows here is a mirror image.");
         rows.flag(owner + "terminal only", "Only at the end", edge.terminal_only,
-                  "Grows only where the repetition of its parent has ended.");
+                  "The part grows only where the repetition of its parent has ended.");
     }
 }
 

@@ -51,18 +51,18 @@ void draw_boldness(GridSettings& grid) {
 }
 
 void draw_dial(GridSettings& grid) {
-    picking_section("Who chooses the children");
+    picking_section("Choice of the children shown");
     auto percent = static_cast<int>(100.0 * grid.fitness_weight + 0.5);
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
-    const char* pattern = percent == 0     ? "all me"
+    const char* pattern = percent == 0     ? "all difference"
                           : percent == 100 ? "all fitness"
                                            : "%d %% fitness";
     if (ImGui::SliderInt("##dial", &percent, 0, 100, pattern, ImGuiSliderFlags_AlwaysClamp))
         grid.fitness_weight = 0.01 * percent;
     note_place("dial");
     tooltip(
-        "All me: the children shown differ as much as they can, whatever their fitness. All "
-        "fitness: the fittest are shown.");
+        "The share of fitness in the choice. With 0 %, the children shown differ as much as "
+        "possible; with 100 %, they are the fittest.");
 }
 
 void draw_evolving(const PickingView& picking, Requests& out) {
@@ -70,7 +70,7 @@ void draw_evolving(const PickingView& picking, Requests& out) {
     progress_bar(picking.progress, 0, px(7));
     muted_text(
         fmt::format("{} of {} generations", snapshot.generations_done, snapshot.generations_asked));
-    if (wide_button("Cancel", "Stop, and stay with this grid", true))
+    if (wide_button("Cancel", "Stop evolution and keep this grid", true))
         out.ask(AskPicking{CancelDecision{}});
 }
 
@@ -127,8 +127,8 @@ void PickingPanel::draw(const FrameContext& frame, Requests& out) {
     if (!(grid == picking.snapshot.grid)) out.ask(AskPicking{ChangeGrid{grid}});
     ImGui::Dummy({0, px(3)});
     const bool open = !picking.snapshot.tree.empty() && !deciding(picking.snapshot);
-    if (wide_button("Newcomers for the rest", "Random creatures replace those not picked (R)",
-                    open))
+    if (wide_button("Random creatures for the rest",
+                    "Random creatures replace those not picked (R)", open))
         out.ask(AskPicking{ReplaceUnpicked{}});
     draw_assistance(picking, out);
     draw_way_back(picking, out);

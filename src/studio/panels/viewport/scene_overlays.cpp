@@ -1,6 +1,7 @@
 #include "studio/panels/viewport/scene_overlays.h"
 
 #include "math/elementary.h"
+#include "world/environment.h"
 
 #include <algorithm>
 #include <array>
@@ -12,7 +13,6 @@ namespace {
 constexpr double kFullTorqueTurn = 2.2;  // rad; arc drawn for the largest torque of a motor
 // Length drawn for a force equal to the creature's weight, in m.
 constexpr double kForceLength = 1.0 / 3.0;
-constexpr double kStandardGravity = 9.80665;  // m/s^2
 
 Vec2 planar(const Vec3& point) {
     return point.head<2>();
@@ -140,7 +140,7 @@ void add_sensor_readings(SceneFrame& frame, const OverlayScene& over) {
 void add_contact_forces(SceneFrame& frame, const OverlayScene& over) {
     std::vector<SceneContact> contacts;
     over.scene.list_contacts(contacts);
-    const double weight = over.scene.mass() * kStandardGravity;
+    const double weight = over.scene.mass() * kEarthGravity;
     for (const SceneContact& contact : contacts) {
         const Vec2 at = planar(contact.point);
         const double length = kForceLength * std::min(contact.force / weight, 6.0);

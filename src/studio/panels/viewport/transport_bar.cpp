@@ -83,7 +83,7 @@ int choose_speed(const std::vector<std::string>& labels, int chosen) {
         ImGui::EndCombo();
     }
     note_place("speed");
-    tooltip("How fast the creature is played ([ and ])");
+    tooltip("The playback speed ([ and ])");
     return pressed;
 }
 

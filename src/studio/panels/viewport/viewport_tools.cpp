@@ -89,7 +89,7 @@ void draw_viewport_tools(const FrameContext& frame, const Rect& area, Requests& 
                     frame.view.ghosts != GhostChoice::kNone, ghost_lines, frame, out);
         ImGui::SameLine();
     }
-    menu_button("Overlays", Icon::kEye, "What is drawn over the creature", false, overlay_lines,
+    menu_button("Overlays", Icon::kEye, "Overlays drawn over the creature", false, overlay_lines,
                 frame, out);
     if (!frame.window.viewer_only) {
         ImGui::SameLine();

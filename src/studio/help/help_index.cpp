@@ -1,4 +1,4 @@
-#include "studio/help/help_book.h"
+#include "studio/help/help_index.h"
 
 #include "core/files/file_io.h"
 #include "core/text/pretty_text.h"

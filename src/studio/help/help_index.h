@@ -24,7 +24,7 @@ struct HelpPage {
 // Parses a page's text. Its title is the first heading or, without one, the name.
 HelpPage help_page(const std::string& name, std::string_view text);
 
-struct HelpBook {
+struct HelpIndex {
     std::vector<HelpPage> pages;  // in the order in which they are listed
     std::string open = kFirstStepsPage;
 };

@@ -1,4 +1,4 @@
-#include "studio/files/sample_shelf.h"
+#include "studio/files/sample_library.h"
 
 #include "core/text/pretty_text.h"
 #include "persist/creature/creature_file.h"

@@ -2,7 +2,7 @@
 #define STB_TRUETYPE_IMPLEMENTATION
 #endif
 #define STBTT_STATIC
-#include "pictures/canvas/lettering.h"
+#include "pictures/canvas/text_rasterizer.h"
 
 #include "core/files/file_io.h"
 
@@ -80,7 +80,7 @@ void stamp(Image& image, const Stencil& stencil, const Color& color) {
 
 }  // namespace
 
-struct Lettering::Face {
+struct TextRasterizer::Face {
     std::string bytes;
     stbtt_fontinfo font{};
 
@@ -141,11 +141,11 @@ struct Lettering::Face {
     }
 };
 
-Lettering::Lettering() = default;
-Lettering::~Lettering() = default;
+TextRasterizer::TextRasterizer() = default;
+TextRasterizer::~TextRasterizer() = default;
 
-Result<std::unique_ptr<Lettering>> Lettering::load() {
-    std::unique_ptr<Lettering> result(new Lettering);
+Result<std::unique_ptr<TextRasterizer>> TextRasterizer::load() {
+    std::unique_ptr<TextRasterizer> result(new TextRasterizer);
     for (const Typeface typeface : {Typeface::kRegular, Typeface::kStrong}) {
         auto& face = result->faces_[static_cast<std::size_t>(typeface)];
         face = Face::load(typeface);
@@ -157,12 +157,12 @@ Result<std::unique_ptr<Lettering>> Lettering::load() {
     return result;
 }
 
-double Lettering::width(std::string_view text, Typeface typeface, double size) const {
+double TextRasterizer::width(std::string_view text, Typeface typeface, double size) const {
     return static_cast<double>(face(typeface).set(text, size, [](int, float) {}));
 }
 
-void Lettering::draw(Image& image, double x, double y, std::string_view text, Typeface typeface,
-                     double size, const Color& color) const {
+void TextRasterizer::draw(Image& image, double x, double y, std::string_view text,
+                          Typeface typeface, double size, const Color& color) const {
     const Face& letters = face(typeface);
     const float per_unit = letters.scale(size);
     letters.set(text, size, [&](int letter, float from) {
@@ -170,8 +170,8 @@ void Lettering::draw(Image& image, double x, double y, std::string_view text, Ty
     });
 }
 
-std::string Lettering::fit(std::string_view text, Typeface typeface, double size,
-                           double most) const {
+std::string TextRasterizer::fit(std::string_view text, Typeface typeface, double size,
+                                double most) const {
     if (width(text, typeface, size) <= most) return std::string(text);
     std::string cut;
     do {

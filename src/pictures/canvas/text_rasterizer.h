@@ -16,13 +16,13 @@
 namespace cambrian {
 
 // Draws text in the regular and the strong typeface.
-class Lettering {
+class TextRasterizer {
 public:
     // Fails if no typeface is installed.
-    static Result<std::unique_ptr<Lettering>> load();
-    ~Lettering();
-    Lettering(const Lettering&) = delete;
-    Lettering& operator=(const Lettering&) = delete;
+    static Result<std::unique_ptr<TextRasterizer>> load();
+    ~TextRasterizer();
+    TextRasterizer(const TextRasterizer&) = delete;
+    TextRasterizer& operator=(const TextRasterizer&) = delete;
 
     // Returns the width of a text in pixels; `size` is the height of a line.
     double width(std::string_view text, Typeface typeface, double size) const;
@@ -36,7 +36,7 @@ public:
 private:
     struct Face;
 
-    Lettering();
+    TextRasterizer();
     const Face& face(Typeface typeface) const {
         return *faces_[static_cast<std::size_t>(typeface)];
     }

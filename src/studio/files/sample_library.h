@@ -20,7 +20,7 @@ struct Sample {
     std::shared_ptr<const Phenotype> phenotype;  // null if the file cannot be opened
 };
 
-struct SampleShelf {
+struct SampleLibrary {
     bool open = false;
     bool read = false;  // whether the folder was read
     std::vector<Sample> samples;

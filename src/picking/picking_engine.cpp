@@ -1,4 +1,4 @@
-#include "picking/picking_desk.h"
+#include "picking/picking_engine.h"
 
 #include <exception>
 #include <string>
@@ -6,19 +6,19 @@
 
 namespace cambrian {
 
-PickingDesk::PickingDesk(SettingsPtr settings, const EvolutionKinds& kinds,
-                         std::unique_ptr<EvaluationBackend> backend)
+PickingEngine::PickingEngine(SettingsPtr settings, const EvolutionKinds& kinds,
+                             std::unique_ptr<EvaluationBackend> backend)
     : backend_(std::move(backend)), session_(std::move(settings), kinds) {
     publish();
     thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
 }
 
-PickingDesk::~PickingDesk() {
+PickingEngine::~PickingEngine() {
     thread_.request_stop();
     thread_.join();
 }
 
-void PickingDesk::run(const std::stop_token& stop) {
+void PickingEngine::run(const std::stop_token& stop) {
     while (!stop.stop_requested()) {
         const bool commanded =
             inbox_.drain([this](PickingCommand command) { session_.apply(std::move(command)); });
@@ -32,7 +32,7 @@ void PickingDesk::run(const std::stop_token& stop) {
     }
 }
 
-void PickingDesk::work(const std::stop_token& interrupted) {
+void PickingEngine::work(const std::stop_token& interrupted) {
     try {
         if (!session_.work(*backend_, progress_, interrupted)) return;
     } catch (const std::exception& failure) {
@@ -41,7 +41,7 @@ void PickingDesk::work(const std::stop_token& interrupted) {
     publish();
 }
 
-void PickingDesk::publish() {
+void PickingEngine::publish() {
     snapshots_.publish(std::make_shared<const PickingSnapshot>(session_.snapshot()));
 }
 

@@ -10,6 +10,6 @@ namespace cambrian {
 // genome may grow. References are renumbered so that all other neurons read the same ones as
 // before; a neuron remains if that is impossible. The compiled brain of a valid genome does not
 // change.
-void collect_mute_neurons(Genome& genome);
+void remove_disconnected_neurons(Genome& genome);
 
 }  // namespace cambrian

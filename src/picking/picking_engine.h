@@ -14,14 +14,14 @@
 
 namespace cambrian {
 
-class PickingDesk {
+class PickingEngine {
 public:
     // The settings must pass check_settings(); `kinds` must outlive the object.
-    PickingDesk(SettingsPtr settings, const EvolutionKinds& kinds,
-                std::unique_ptr<EvaluationBackend> backend);
-    ~PickingDesk();  // stops the thread within the duration of one trial
-    PickingDesk(const PickingDesk&) = delete;
-    PickingDesk& operator=(const PickingDesk&) = delete;
+    PickingEngine(SettingsPtr settings, const EvolutionKinds& kinds,
+                  std::unique_ptr<EvaluationBackend> backend);
+    ~PickingEngine();  // stops the thread within the duration of one trial
+    PickingEngine(const PickingEngine&) = delete;
+    PickingEngine& operator=(const PickingEngine&) = delete;
 
     // Returns false if the inbox is full; the caller must try again in the next frame.
     bool send(PickingCommand command) { return inbox_.send(std::move(command)); }

@@ -1,4 +1,4 @@
-#include "breeding/mute_neurons.h"
+#include "breeding/disconnected_neurons.h"
 
 #include "breeding/gene_sites.h"
 #include "core/assert.h"
@@ -148,7 +148,7 @@ private:
 
 }  // namespace
 
-void collect_mute_neurons(Genome& genome) {
+void remove_disconnected_neurons(Genome& genome) {
     Collection(genome).run();
 }
 
