@@ -11,9 +11,10 @@ using test::SessionRun;
 // A session whose user picks by hand.
 class PickingRun : public SessionRun {
 public:
+    // Counts no assertion, since waiting calls it as often as the threads are slow.
     const PickingSnapshot& picking() const {
         const FrameContext frame = session.frame_context();
-        REQUIRE(frame.picking != nullptr);
+        if (frame.picking == nullptr) FAIL("the session is not in selection by hand");
         return frame.picking->snapshot;
     }
     void enter(std::size_t grids) {
@@ -57,7 +58,7 @@ bool has_genome(const std::vector<IndividualPtr>& creatures, const GenomePtr& ge
 
 TEST_CASE("a person picks, breeds, goes back and branches off", "[studio][session][picking]") {
     PickingRun run;
-    run.session.show_newcomer();
+    run.session.show_random_creature();
     run.enter(1);
     CHECK(run.picking().tree.current().creatures.size() == 12);
     run.pick({1, 4, 6});
@@ -76,7 +77,7 @@ TEST_CASE("a person picks, breeds, goes back and branches off", "[studio][sessio
     CHECK(run.log().find("\"origin\":\"bred from 3 picks\"") != std::string::npos);
 }
 
-TEST_CASE("the population is picked from, and the tree outlives automatic evolution",
+TEST_CASE("creatures of the population can be picked, and automatic evolution keeps the tree",
           "[studio][session][picking]") {
     PickingRun run;
     run.run_generations(1);
@@ -107,7 +108,7 @@ TEST_CASE("picks join the next generation that is bred", "[studio][session][pick
 
 TEST_CASE("a new run begins with the picks", "[studio][session][picking]") {
     PickingRun run;
-    run.session.show_newcomer();
+    run.session.show_random_creature();
     run.enter(1);
     run.pick({5});
     const GenomePtr picked = run.picking().tree.current().creatures[5]->genome;
@@ -121,7 +122,7 @@ TEST_CASE("a new run begins with the picks", "[studio][session][picking]") {
 
 TEST_CASE("handing over without a pick says so and stays", "[studio][session][picking]") {
     PickingRun run;
-    run.session.show_newcomer();
+    run.session.show_random_creature();
     run.enter(1);
     run.ask(HandOverPicks{});
     CHECK(run.frames_until([&] { return run.session.frame_context().window.notice != nullptr; }));
@@ -143,7 +144,7 @@ TEST_CASE("evolution rests while a person picks and goes on afterwards",
 
 TEST_CASE("a creature of the grid is shown alone and saved", "[studio][session][picking]") {
     PickingRun run;
-    run.session.show_newcomer();
+    run.session.show_random_creature();
     run.enter(1);
     const GenomePtr genome = run.picking().tree.current().creatures[7]->genome;
     run.ask(ShowCell{7});
@@ -163,10 +164,10 @@ TEST_CASE("a creature of the grid is shown alone and saved", "[studio][session][
     CHECK(saved->genome() == *genome);
 }
 
-TEST_CASE("a world changed while picking is felt in the grid and judges the next one",
+TEST_CASE("a world changed while picking acts on the grid and evaluates the next one",
           "[studio][session][picking]") {
     PickingRun run;
-    run.session.show_newcomer();
+    run.session.show_random_creature();
     run.enter(1);
     ExperimentSettings moon = run.session.frame_context().experiment.editor.draft();
     moon.world.environment.gravity = 1.62;
