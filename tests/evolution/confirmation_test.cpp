@@ -107,9 +107,8 @@ TEST_CASE("only creatures that would survive are confirmed, and the median count
     CHECK(statistics.best_lowest == Approx(0.6 * statistics.best_highest));
 }
 
-TEST_CASE(
-    "creatures that replace those with a lucky score are confirmed too, and nobody twice",
-    "[evolution][confirmation]") {
+TEST_CASE("creatures that replace those with a lucky score are confirmed too, and nobody twice",
+          "[evolution][confirmation]") {
     FakeBackend backend;
     backend.in_probe = luck_lost;
     const Evolution evolution = evolved(of_twenty(), backend, 4);
