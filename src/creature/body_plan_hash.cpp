@@ -6,6 +6,11 @@
 #include <vector>
 
 namespace cambrian {
+namespace {
+
+constexpr std::uint64_t kDeforms = 0xDEF0;
+
+}  // namespace
 
 // The hash of a part covers its joint and the sorted hashes of its children. A parent comes before
 // its children, so a loop from the end knows all children of a part.
@@ -21,6 +26,8 @@ std::uint64_t body_plan_hash(const Phenotype& phenotype) {
         hash.add(std::uint64_t{children[i].size()});
         for (const std::uint64_t child : children[i])
             hash.add(child);
+        // Rigid parts keep the hash that they had before any part could deform.
+        if (parts[i].stretch) hash.add(kDeforms);
         if (is_root) {
             root = hash.value();
         } else {

@@ -11,7 +11,8 @@ Creature::Creature(const Phenotype& phenotype, const Kinds& kinds, const SceneSe
       settings_(&settings),
       brain_(phenotype.network, kinds.functions),
       sensor_memory_(phenotype.sensors.size(), 0.0),
-      effector_memory_(phenotype.effector_parts.size(), 0.0) {
+      effector_memory_(phenotype.effector_parts.size(), 0.0),
+      organ_memory_(phenotype.organs.size(), 0.0) {
     readers_.reserve(phenotype.sensors.size());
     drives_.reserve(phenotype.effector_kinds.size());
     for (const std::uint8_t kind : phenotype.effector_kinds)
@@ -28,6 +29,7 @@ void Creature::reset() {
     brain_.reset();
     std::fill(sensor_memory_.begin(), sensor_memory_.end(), 0.0);
     std::fill(effector_memory_.begin(), effector_memory_.end(), 0.0);
+    std::fill(organ_memory_.begin(), organ_memory_.end(), 0.0);
     emissions_.clear();
 }
 
@@ -83,15 +85,17 @@ void Creature::act(PhysicsScene& scene, const Surroundings& surroundings, double
     use_organs(scene, dt);
 }
 
-void Creature::use_organs(const BodyView& body, double dt) {
+void Creature::use_organs(PhysicsScene& scene, double dt) {
     emissions_.clear();
     for (std::size_t i = 0; i < organ_acts_.size(); ++i) {
         const GrownOrgan& organ = phenotype_->organs[i];
-        organ_acts_[i]({.body = body,
+        organ_acts_[i]({.scene = scene,
                         .part = phenotype_->plan.parts[organ.part],
                         .index = organ.part,
                         .parameters = {organ.parameters.data(), parameter_counts_[i]},
-                        .dt = dt},
+                        .dt = dt,
+                        .smoothing_share = smoothing_share_,
+                        .memory = organ_memory_[i]},
                        brain_.output(effector_memory_.size() + i), emissions_);
     }
 }
@@ -99,6 +103,8 @@ void Creature::use_organs(const BodyView& body, double dt) {
 void Creature::hold_rest(PhysicsScene& scene) const {
     for (const std::size_t part : phenotype_->effector_parts)
         scene.set_target(part, 0.0);
+    for (const GrownOrgan& organ : phenotype_->organs)
+        scene.set_stretch_target(organ.part, 0.0);
 }
 
 }  // namespace cambrian

@@ -22,7 +22,7 @@ public:
     // Allocates nothing.
     // The sounds and scents of its organs are in emissions() until the next call.
     void act(PhysicsScene& scene, const Surroundings& surroundings, double dt);
-    // Sets the target of every joint to its rest coordinate, without evaluating the brain.
+    // Sets the target of every joint and deformable part to rest, without evaluating the brain.
     void hold_rest(PhysicsScene& scene) const;
 
     const Phenotype& phenotype() const { return *phenotype_; }
@@ -38,12 +38,14 @@ public:
         Brain brain;
         std::vector<double> sensor_memory;
         std::vector<double> effector_memory;
+        std::vector<double> organ_memory;
     };
-    State save() const { return {brain_, sensor_memory_, effector_memory_}; }
+    State save() const { return {brain_, sensor_memory_, effector_memory_, organ_memory_}; }
     void restore(const State& state) {
         brain_ = state.brain;
         sensor_memory_ = state.sensor_memory;
         effector_memory_ = state.effector_memory;
+        organ_memory_ = state.organ_memory;
     }
 
 private:
@@ -56,7 +58,7 @@ private:
 
     void prepare(const BodyView& body, const Surroundings& surroundings, double dt);
     void sense();
-    void use_organs(const BodyView& body, double dt);
+    void use_organs(PhysicsScene& scene, double dt);
     SensorSite site_of(const WiredSensor& sensor, const BodyView& body,
                        const Surroundings& surroundings, double share) const;
 
@@ -75,6 +77,7 @@ private:
     std::vector<double> effector_memory_;        // one per effector part
     std::vector<OrganKind::Act> organ_acts_;     // one per organ
     std::vector<std::size_t> parameter_counts_;  // one per organ
+    std::vector<double> organ_memory_;           // one per organ
     Emissions emissions_;                        // of the last tick
 };
 

@@ -13,7 +13,8 @@ FunctionEntry catalog_entry(const NeuronFunctionKind& function) {
 }
 
 OrganEntry catalog_entry(const OrganKind& organ) {
-    OrganEntry entry{organ.id, organ.label, {}};
+    OrganEntry entry{
+        .id = organ.id, .label = organ.label, .parameters = {}, .single = organ.shape != nullptr};
     for (const OrganParameter& each : organ.parameters) {
         // A step has the size that the parameter's range gives it, wherever in it the value is.
         const double range = each.high - each.low;

@@ -38,6 +38,7 @@ public:
            const SceneSettings& scene, Phenotype& phenotype)
         : genome_(genome),
           scene_kind_(kinds.scene),
+          organs_(kinds.organs),
           settings_(settings),
           scene_(scene),
           motor_mode_(mode_of(scene.motor_mode)),
@@ -49,6 +50,7 @@ public:
         add(root());
         for (std::size_t parent = 0; parent < phenotype_.parts.size(); ++parent)
             sprout(parent);
+        make_deformable();
     }
 
 private:
@@ -203,8 +205,25 @@ private:
                              "stops in order and some strength");
     }
 
+    // Parts deform in the order of their creation while there is room.
+    void make_deformable() {
+        const int parts = static_cast<int>(phenotype_.parts.size());
+        int left = std::min(kMostDeformers, kPlacesOfParts - parts);
+        for (std::size_t i = 0; i < phenotype_.parts.size(); ++i) {
+            PlannedPart& body = phenotype_.plan.parts[i];
+            for (const OrganGene& organ : gene(phenotype_.parts[i]).organs) {
+                const OrganKind& kind = organs_[organ.kind];
+                if (kind.shape == nullptr || body.stretch || left <= 0) continue;
+                kind.shape({organ.parameters.data(), kind.parameters.size()},
+                           scene_.muscle_strength, body);
+                --left;
+            }
+        }
+    }
+
     const Genome& genome_;
     const SceneKind& scene_kind_;
+    const OrganRegistry& organs_;
     const ExpressionSettings& settings_;
     const SceneSettings& scene_;
     MotorMode motor_mode_;

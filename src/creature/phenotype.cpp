@@ -16,6 +16,12 @@ double Phenotype::mass(double density) const {
     return density * area;
 }
 
+bool Phenotype::can_move() const {
+    return !effector_parts.empty() ||
+           std::any_of(organs.begin(), organs.end(),
+                       [](const GrownOrgan& organ) { return organ.deforms; });
+}
+
 double Phenotype::rest_length() const {
     std::vector<Vec3> corners;
     for (const PlannedPart& part : plan.parts) {

@@ -56,7 +56,13 @@ struct GrownOrgan {
     // Where and how it is drawn (organs/organ.h).
     double place = 0.0;
     OrganMark mark = OrganMark::kDots;
+    bool deforms = false;  // whether it makes its part deformable
 };
+
+// At most this many parts of a creature deform. Fewer do if physics has no room for more: each
+// part and each deformable one again takes one of the places. Further deformers do nothing.
+inline constexpr int kMostDeformers = 16;
+inline constexpr int kPlacesOfParts = 32;
 
 struct Phenotype {
     std::vector<BodyPart> parts;
@@ -71,9 +77,9 @@ struct Phenotype {
     std::vector<GrownOrgan> organs;  // in part order; their outputs follow those of the effectors
     std::uint32_t first_brain_neuron = 0;  // central neurons follow those of the parts
 
-    // Whether any joint can move, and whether any effector reads more than constants. Without
-    // either, the score is 0 by definition (simulator/README.md 1).
-    bool can_move() const { return !effector_parts.empty(); }
+    // Whether any joint or part can move, and whether any of their muscles reads more than
+    // constants. Without either, the score is 0 by definition (simulator/README.md 1).
+    bool can_move() const;
     bool has_live_control = false;
 
     double mass(double density) const;  // kg

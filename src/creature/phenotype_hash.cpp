@@ -27,6 +27,10 @@ void add_part(Hash64& hash, const PlannedPart& part) {
     for (const double number : {part.limit_low, part.limit_high, part.max_effort})
         hash.add(number);
     add_integer(hash, static_cast<std::int64_t>(part.motor_mode));
+    if (!part.stretch) return;
+    for (const double number : {part.stretch->low, part.stretch->high, part.stretch->max_effort,
+                                part.stretch->rate_limit})
+        hash.add(number);
 }
 
 void add_sensor(Hash64& hash, const WiredSensor& sensor) {

@@ -96,8 +96,10 @@ private:
         for (std::size_t i = 0; i < phenotype_.parts.size(); ++i) {
             for (const OrganGene& organ : gene(i).organs) {
                 const OrganKind& kind = kinds_.organs[organ.kind];
+                const bool deforms =
+                    kind.shape != nullptr && phenotype_.plan.parts[i].stretch.has_value();
                 phenotype_.organs.push_back({static_cast<std::uint16_t>(i), organ.kind,
-                                             organ.parameters, kind.place, kind.mark});
+                                             organ.parameters, kind.place, kind.mark, deforms});
                 network_.outputs.push_back({resolve(organ.input.source, i), organ.input.weight});
             }
         }
@@ -222,9 +224,12 @@ private:
                 all = all && constant[neuron.inputs[i].slot];
             constant[network_.neuron_slot(index)] = all;
         }
-        const auto effectors = static_cast<std::ptrdiff_t>(phenotype_.effector_parts.size());
-        return std::any_of(network_.outputs.begin(), network_.outputs.begin() + effectors,
-                           [&](const NetworkInput& output) { return !constant[output.slot]; });
+        const std::size_t effectors = phenotype_.effector_parts.size();
+        for (std::size_t i = 0; i < network_.outputs.size(); ++i) {
+            const bool moves = i < effectors || phenotype_.organs[i - effectors].deforms;
+            if (moves && !constant[network_.outputs[i].slot]) return true;
+        }
+        return false;
     }
 
     const Genome& genome_;

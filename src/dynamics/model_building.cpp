@@ -17,7 +17,10 @@ namespace {
 
 constexpr double kMinHalfExtent = 0.01;  // m
 constexpr double kMinMassShare = 1e-4;   // of the total mass
-constexpr double kMaxPinGap = 1e-6;      // m, in the rest pose
+constexpr double kMaxStretch = 1.0;      // largest |s|
+constexpr double kStretchSpare = 0.1;  // that a stretch may overrun its limits, for the broad phase
+constexpr double kFixedRoom = 1.0;     // to the limits of rigid joints, which never move
+constexpr double kMaxPinGap = 1e-6;    // m, in the rest pose
 // Child lengths per second, for each rad/s of a motor's limit.
 constexpr double kRateLengthShare = 0.25;
 
@@ -48,11 +51,29 @@ bool is_finite(const PlannedPart& part) {
     return true;
 }
 
+Status check_stretch(const PlannedStretch& stretch, std::size_t index) {
+    for (const double number :
+         {stretch.low, stretch.high, stretch.max_effort, stretch.rate_limit}) {
+        if (!std::isfinite(number))
+            return part_error(index, "a number of its stretch is not finite");
+    }
+    if (!(stretch.low <= 0.0 && stretch.high >= 0.0))
+        return part_error(index, "limits of its stretch exclude its rest shape");
+    if (stretch.low < -kMaxStretch || stretch.high > kMaxStretch)
+        return part_error(index, fmt::format("stretches by more than e^{}", kMaxStretch));
+    if (stretch.max_effort < 0.0 || stretch.rate_limit < 0.0)
+        return part_error(index, "negative effort or speed of its stretch");
+    return {};
+}
+
 Status check_part(const BodyPlan& plan, std::size_t index) {
     const PlannedPart& part = plan.parts[index];
     if (!is_finite(part)) return part_error(index, "a number is not finite");
     if (part.half_extents.x() < kMinHalfExtent || part.half_extents.y() < kMinHalfExtent)
         return part_error(index, "thinner than 2 cm");
+    if (part.stretch) {
+        if (Status status = check_stretch(*part.stretch, index); !status) return status;
+    }
     const bool is_root = part.parent < 0;
     if ((index == 0 && !is_root) || part.parent >= static_cast<int>(index))
         return part_error(index, "part 0 is a root, and parents come before children");
@@ -69,6 +90,8 @@ Status check_loop_joint(const BodyPlan& plan, std::size_t index) {
     for (const int part : {joint.part_a, joint.part_b}) {
         if (part < 0 || part >= parts)
             return loop_joint_error(index, fmt::format("there is no part {}", part));
+        if (plan.parts[static_cast<std::size_t>(part)].stretch)
+            return loop_joint_error(index, fmt::format("part {} of it deforms", part));
     }
     for (const double number : {joint.anchor_in_a.x(), joint.anchor_in_a.y(), joint.anchor_in_b.x(),
                                 joint.anchor_in_b.y()}) {
@@ -104,8 +127,10 @@ public:
         model_.part_count = static_cast<int>(plan.parts.size());
         for (std::size_t i = 0; i < plan.parts.size(); ++i)
             model_.measured_parts |= std::uint64_t{plan.parts[i].measures_forces} << i;
-        for (int slot = 0; slot < kMaxBodies; ++slot)
+        for (int slot = 0; slot < kMaxBodies; ++slot) {
             model_.parent_slot[slot] = slot;
+            model_.stretch_slot[slot] = -1;
+        }
     }
 
     Result<PlanarModel> build() {
@@ -113,7 +138,7 @@ public:
         for (int i = 0; i < model_.part_count; ++i)
             add_mass(i);
         for (int b = 0; b < model_.body_count; ++b) {
-            if (model_.mass[b] < kMinMassShare * model_.total_mass)
+            if (!is_stretch(b) && model_.mass[b] < kMinMassShare * model_.total_mass)
                 return part_error(static_cast<std::size_t>(leader_[b]),
                                   "lighter than 1e-4 of the body");
         }
@@ -137,10 +162,13 @@ public:
 
 private:
     const PlannedPart& part(int i) const { return plan_.parts[static_cast<std::size_t>(i)]; }
+    bool deforms(int i) const { return part(i).stretch.has_value(); }
+    bool is_stretch(int slot) const { return model_.motion[slot] == JointMotion::kStretch; }
 
     bool are_bodies_sound() const {
         for (int b = 0; b < model_.body_count; ++b) {
-            const bool has_joint = model_.parent[b] >= 0;
+            if (is_stretch(b)) continue;
+            const bool has_joint = model_.parent[b] >= 0 && model_.motion[b] != JointMotion::kFixed;
             if (!(model_.mass[b] > 0.0 && model_.inertia[b] > 0.0)) return false;
             if (has_joint && model_.limit_low[b] > model_.limit_high[b]) return false;
             if (has_joint && !(model_.effective_inertia[b] > 0.0)) return false;
@@ -162,21 +190,36 @@ private:
         return {};
     }
 
-    // Adds a part and its subtree. A part with a rigid joint joins its parent's body; any other
-    // part starts a new body.
+    bool is_welded(int index, int parent_body) const {
+        return parent_body >= 0 && part(index).motion == JointMotion::kFixed && !deforms(index) &&
+               !deforms(part(index).parent);
+    }
+
+    // Adds a slot behind another one, or for a root. There must be room.
+    int add_slot(int index, int parent) {
+        const int slot = model_.body_count++;
+        leader_[slot] = index;
+        model_.parent[slot] = parent;
+        if (parent >= 0) model_.parent_slot[slot] = parent;
+        const std::uint32_t path = parent < 0 ? 0 : model_.root_path[parent];
+        if (parent < 0) model_.roots |= std::uint32_t{1} << slot;
+        model_.root_path[slot] = path | (std::uint32_t{1} << slot);
+        return slot;
+    }
+
+    // Adds a part and its subtree. A part with a rigid joint joins its parent's body if neither
+    // deforms; any other part starts a new body, followed by its stretch if it deforms.
     bool visit(int index, int parent_body) {
-        const bool welded = parent_body >= 0 && part(index).motion == JointMotion::kFixed;
         int body = parent_body;
-        if (!welded) {
-            body = model_.body_count;
-            if (body >= kMaxBodies) return false;
-            ++model_.body_count;
-            leader_[body] = index;
-            model_.parent[body] = parent_body;
-            if (parent_body >= 0) model_.parent_slot[body] = parent_body;
-            const std::uint32_t path = parent_body < 0 ? 0 : model_.root_path[parent_body];
-            if (parent_body < 0) model_.roots |= std::uint32_t{1} << body;
-            model_.root_path[body] = path | (std::uint32_t{1} << body);
+        if (!is_welded(index, parent_body)) {
+            if (model_.body_count + (deforms(index) ? 2 : 1) > kMaxBodies) return false;
+            body = add_slot(index, parent_body);
+            if (deforms(index)) {
+                const int slot = add_slot(index, body);
+                model_.motion[slot] = JointMotion::kStretch;
+                model_.stretch_slot[body] = slot;
+                ++model_.stretch_count;
+            }
         }
         model_.part_body[index] = body;
         for (int child = index + 1; child < model_.part_count; ++child) {
@@ -201,6 +244,7 @@ private:
 
     void center_bodies() {
         for (int b = 0; b < model_.body_count; ++b) {
+            if (is_stretch(b)) continue;
             center_x_[b] /= model_.mass[b];
             center_y_[b] /= model_.mass[b];
             rest_turn_[b] = sine_cosine(part(leader_[b]).rest_angle);
@@ -238,7 +282,7 @@ private:
         const double hy = box.half_extents.y();
         model_.half_length[index] = hx;
         model_.half_width[index] = hy;
-        model_.radius[index] = std::sqrt(hx * hx + hy * hy);
+        model_.radius[index] = radius_of(box);
         for (int corner = 0; corner < 4; ++corner) {
             const double x = (corner & 1) != 0 ? hx : -hx;
             const double y = (corner & 2) != 0 ? hy : -hy;
@@ -247,6 +291,21 @@ private:
             model_.corner_y[4 * index + corner] = point.y();
         }
         model_.inertia[b] += area_mass(index) * ((hx * hx + hy * hy) / 3.0 + offset.squaredNorm());
+    }
+
+    // The radius of a box in its widest shape.
+    static double radius_of(const PlannedPart& box) {
+        const double hx = box.half_extents.x();
+        const double hy = box.half_extents.y();
+        if (!box.stretch) return std::sqrt(hx * hx + hy * hy);
+        double widest = 0.0;
+        for (const double s :
+             {box.stretch->low - kStretchSpare, box.stretch->high + kStretchSpare}) {
+            const double length = hx * exponential(s);
+            const double width = hy * exponential(-s);
+            widest = std::fmax(widest, std::sqrt(length * length + width * width));
+        }
+        return widest;
     }
 
     // Padding slots move as part 0 and have no faces.
@@ -258,9 +317,23 @@ private:
         }
     }
 
+    void place_stretch(int slot) {
+        const int b = model_.parent[slot];
+        const PlannedPart& box = part(leader_[slot]);
+        model_.joint_part[slot] = leader_[slot];
+        model_.length_square[b] = box.half_extents.x() * box.half_extents.x() / 3.0;
+        model_.width_square[b] = box.half_extents.y() * box.half_extents.y() / 3.0;
+        model_.limit_low[slot] = box.stretch->low;
+        model_.limit_high[slot] = box.stretch->high;
+        model_.max_effort[slot] = box.stretch->max_effort;
+        model_.motor_mode[slot] = MotorMode::kPosition;
+        model_.slides[slot] = 1.0;
+    }
+
     void place_joint(int b) {
         const int p = model_.parent[b];
         if (p < 0) return;
+        if (is_stretch(b)) return place_stretch(b);
         const int index = leader_[b];
         const PlannedPart& child = part(index);
         CAMBRIAN_TICK_ASSERT(child.parent >= 0 && child.parent < index,
@@ -288,6 +361,11 @@ private:
         model_.reach_x[b] = in_parent.x() - model_.pivot_x[p];
         model_.reach_y[b] = in_parent.y() - model_.pivot_y[p];
         model_.has_slides = model_.has_slides || is_prismatic;
+        if (child.motion != JointMotion::kFixed) return;
+        model_.slides[b] = 1.0;
+        model_.limit_low[b] = -kFixedRoom;
+        model_.limit_high[b] = kFixedRoom;
+        model_.max_effort[b] = 0.0;
     }
 
     void weigh_trees() {
@@ -341,14 +419,19 @@ private:
         compute_kinematics(model_, rest, kinematics);
         solve_accelerations(model_, kinematics, loads, factors, response);
         for (int b = 0; b < model_.body_count; ++b) {
-            if (model_.parent[b] < 0) continue;
+            if (model_.parent[b] < 0 || model_.motion[b] == JointMotion::kFixed) continue;
             loads.effort[b] = 1.0;
             solve_impulse(model_, kinematics, factors, loads, response);
             loads.effort[b] = 0.0;
             const bool is_prismatic = model_.motion[b] == JointMotion::kSlide;
             double jump = response.coordinate[b];
-            if (!is_prismatic) jump -= response.spin[model_.parent[b]];
+            if (model_.motion[b] == JointMotion::kTurn) jump -= response.spin[model_.parent[b]];
             model_.effective_inertia[b] = 1.0 / jump;
+            if (is_stretch(b)) {
+                set_motor_law(model_, b, 0.0);
+                model_.motor.rate_floor[b] = part(leader_[b]).stretch->rate_limit;
+                continue;
+            }
             const double length = 2.0 * part(leader_[b]).half_extents.x();
             set_motor_law(model_, b, is_prismatic ? kRateLengthShare * length : 1.0);
         }

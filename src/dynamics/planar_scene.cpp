@@ -1,6 +1,7 @@
 #include "core/assert.h"
 #include "core/text/nearest_name.h"
 #include "dynamics/integrators/builtin_integrators.h"
+#include "dynamics/model/stretching.h"
 #include "dynamics/model_building.h"
 #include "dynamics/scene_copies.h"
 #include "dynamics/stepping/audit.h"
@@ -54,6 +55,10 @@ public:
     double joint_coordinate(std::size_t part) const override;
     double joint_rate(std::size_t part) const override;
     double joint_effort(std::size_t part) const override;
+    double stretch(std::size_t part) const override;
+    double stretch_rate(std::size_t part) const override;
+    double stretch_effort(std::size_t part) const override;
+    Vec3 part_half_extents(std::size_t part) const override;
     bool face_touched(std::size_t part, Face face) const override;
     Vec3 part_specific_force(std::size_t part) const override;
     double part_load(std::size_t part) const override;
@@ -67,6 +72,7 @@ public:
 
     void set_target(std::size_t part, double target) override;
     double target(std::size_t part) const override;
+    void set_stretch_target(std::size_t part, double target) override;
     SceneStatus advance(double duration) override;
     SceneStatus status() const override { return state_.status; }
     double time() const override { return state_.time; }
@@ -89,11 +95,15 @@ public:
 
 private:
     Vec3 mean_of_trees(const PerCoordinate& coordinates) const;
-    // The body with the joint of this part, or -1 if the part is a root or welded to its parent.
+    // The body with the joint of this part, or -1 if the part is a root or has a rigid joint.
     int joint_of(std::size_t part) const {
         const int b = body_of(part);
-        return model_.parent[b] >= 0 && model_.joint_part[b] == static_cast<int>(part) ? b : -1;
+        const bool is_joined =
+            model_.parent[b] >= 0 && model_.joint_part[b] == static_cast<int>(part);
+        return is_joined && model_.motion[b] != JointMotion::kFixed ? b : -1;
     }
+    int stretch_of(std::size_t part) const { return model_.stretch_slot[body_of(part)]; }
+    void set_slot_target(int slot, double target);
     int body_of(std::size_t part) const {
         CAMBRIAN_ASSERT(part < part_count(), "part index in range");
         return model_.part_body[part];
@@ -121,7 +131,8 @@ Vec2 PlanarScene::arm_of(std::size_t part, double x, double y) const {
         model_.part_x[part] + model_.part_cosine[part] * x - model_.part_sine[part] * y;
     const double body_y =
         model_.part_y[part] + model_.part_sine[part] * x + model_.part_cosine[part] * y;
-    return {k.cosine[b] * body_x - k.sine[b] * body_y, k.sine[b] * body_x + k.cosine[b] * body_y};
+    const Simd2d arm = material_arm(k, b, body_x, body_y);
+    return {arm[0], arm[1]};
 }
 
 Vec3 PlanarScene::mean_of_trees(const PerCoordinate& coordinates) const {
@@ -180,6 +191,29 @@ double PlanarScene::joint_effort(std::size_t part) const {
     return joint < 0 ? 0.0 : state_.cache().motor_effort[joint];
 }
 
+double PlanarScene::stretch(std::size_t part) const {
+    const int slot = stretch_of(part);
+    return slot < 0 ? 0.0 : state_.cache().kinematics.joint_position[slot];
+}
+
+double PlanarScene::stretch_rate(std::size_t part) const {
+    const int slot = stretch_of(part);
+    return slot < 0 ? 0.0 : state_.cache().kinematics.joint_rate[slot];
+}
+
+double PlanarScene::stretch_effort(std::size_t part) const {
+    const int slot = stretch_of(part);
+    return slot < 0 ? 0.0 : state_.cache().motor_effort[slot];
+}
+
+Vec3 PlanarScene::part_half_extents(std::size_t part) const {
+    const int b = body_of(part);
+    const Vec3 rest(model_.half_length[part], model_.half_width[part], 0.0);
+    if (model_.stretch_slot[b] < 0) return rest;
+    const Kinematics& k = state_.cache().kinematics;
+    return {k.length_growth[b] * rest.x(), k.width_growth[b] * rest.y(), 0.0};
+}
+
 bool PlanarScene::face_touched(std::size_t part, Face face) const {
     CAMBRIAN_ASSERT(part < part_count(), "part index in range");
     return ((state_.touched[part] >> static_cast<unsigned>(face)) & 1U) != 0;
@@ -204,8 +238,12 @@ Bounds PlanarScene::bounds() const {
     Simd4d high_y = -low_y;
     for (int part = 0; part < model_.part_count; ++part) {
         const int b = model_.part_body[part];
-        const Simd4d corner_x = load_lanes(model_.corner_x + 4 * part);
-        const Simd4d corner_y = load_lanes(model_.corner_y + 4 * part);
+        Simd4d corner_x = load_lanes(model_.corner_x + 4 * part);
+        Simd4d corner_y = load_lanes(model_.corner_y + 4 * part);
+        if (k.deforms) {
+            corner_x *= k.length_growth[b];
+            corner_y *= k.width_growth[b];
+        }
         const Simd4d x = k.x[b] + (k.cosine[b] * corner_x - k.sine[b] * corner_y);
         const Simd4d y = k.y[b] + (k.sine[b] * corner_x + k.cosine[b] * corner_y);
         low_x = lesser(x, low_x);
@@ -218,12 +256,19 @@ Bounds PlanarScene::bounds() const {
 }
 
 void PlanarScene::set_target(std::size_t part, double target) {
-    const int joint = joint_of(part);
-    if (joint < 0) return;
+    set_slot_target(joint_of(part), target);
+}
+
+void PlanarScene::set_stretch_target(std::size_t part, double target) {
+    set_slot_target(stretch_of(part), target);
+}
+
+void PlanarScene::set_slot_target(int slot, double target) {
+    if (slot < 0) return;
     if (!std::isfinite(target)) target = 0.0;
-    if (model_.motor_mode[joint] == MotorMode::kPosition)
-        target = std::clamp(target, model_.limit_low[joint], model_.limit_high[joint]);
-    state_.drive_end[joint] = target;
+    if (model_.motor_mode[slot] == MotorMode::kPosition)
+        target = std::clamp(target, model_.limit_low[slot], model_.limit_high[slot]);
+    state_.drive_end[slot] = target;
 }
 
 double PlanarScene::target(std::size_t part) const {
@@ -288,8 +333,9 @@ void PlanarScene::translate(const Vec3& offset) {
 }
 
 void PlanarScene::pull(std::size_t part, const Vec3& point_in_part, const Vec3& force) {
-    const double x = point_in_part.x();
-    const double y = point_in_part.y();
+    const Vec3 present = part_half_extents(part);
+    const double x = point_in_part.x() * (model_.half_length[part] / present.x());
+    const double y = point_in_part.y() * (model_.half_width[part] / present.y());
     forcing_.pull.body_a = body_of(part);
     forcing_.pull.body_b = -1;
     forcing_.pull.point_x =
@@ -326,8 +372,11 @@ void PlanarScene::list_contacts(std::vector<SceneContact>& contacts) const {
     for (int c = 0; c < state_.held_count; ++c) {
         const HeldContact& held = state_.held[c];
         const int a = held.body_a;
-        const double x = k.x[a] + k.cosine[a] * held.point_x - k.sine[a] * held.point_y;
-        const double y = k.y[a] + k.sine[a] * held.point_x + k.cosine[a] * held.point_y;
+        double point_x = held.point_x;
+        double point_y = held.point_y;
+        stretch_point(k, a, point_x, point_y);
+        const double x = k.x[a] + k.cosine[a] * point_x - k.sine[a] * point_y;
+        const double y = k.y[a] + k.sine[a] * point_x + k.cosine[a] * point_y;
         contacts.push_back({Vec3(x, y, 0.0), Vec3(held.normal_x, held.normal_y, 0.0), held.force});
     }
 }
@@ -376,6 +425,20 @@ Error unknown_integrator(const std::string& id) {
     return {message};
 }
 
+bool deforms(const BodyPlan& plan) {
+    return std::any_of(plan.parts.begin(), plan.parts.end(),
+                       [](const PlannedPart& part) { return part.stretch.has_value(); });
+}
+
+Error stretches_refused(const std::string& id) {
+    std::string message =
+        fmt::format("body plan: deformable parts need another integrator than \"{}\":", id);
+    for (const IntegratorKind& integrator : builtin_integrators().all()) {
+        if (integrator.holds_stretches) message += fmt::format(" \"{}\"", integrator.id);
+    }
+    return {message};
+}
+
 Error loops_refused(const std::string& id) {
     std::string message =
         fmt::format("body plan: closed loops need another integrator than \"{}\":", id);
@@ -392,6 +455,7 @@ Result<std::unique_ptr<PhysicsScene>> CAMBRIAN_SCENE_COPY::make_planar_scene(
     const IntegratorKind* integrator = builtin_integrators().find(settings.integrator);
     if (integrator == nullptr) return unknown_integrator(settings.integrator);
     if (!plan.loop_joints.empty() && !integrator->holds_loops) return loops_refused(integrator->id);
+    if (deforms(plan) && !integrator->holds_stretches) return stretches_refused(integrator->id);
     if (Status status = check_surroundings(environment, settings); !status) return status.error();
     Result<PlanarModel> model = build_planar_model(plan, environment.density);
     if (!model) return model.error();

@@ -52,6 +52,7 @@ struct OrganEntry {
     std::string label;
     std::vector<FieldRule> parameters;  // at most gene_range::kMaxOrganParameters
     bool usual = false;                 // enabled by default
+    bool single = false;                // a part has at most one of this kind
 };
 
 // The entry of KindCatalog::reproductions that leaves the breeding method to the settings.

@@ -7,6 +7,7 @@ OrganRegistry builtin_organs() {
     OrganRegistry organs;
     add_sound_organ(organs);
     add_scent_organ(organs);
+    add_deformer_organ(organs);
     return organs;
 }
 

@@ -4,8 +4,8 @@
 // (creature/README.md 9).
 
 #include "core/registry.h"
-#include "world/body_view.h"
 #include "world/emissions.h"
+#include "world/physics_scene.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -29,20 +29,25 @@ struct OrganParameter {
 
 // The part that an organ belongs to.
 struct OrganSite {
-    const BodyView& body;
+    PhysicsScene& scene;
     const PlannedPart& part;
     std::size_t index = 0;               // index of the part
     std::span<const double> parameters;  // as many as the kind has
     double dt = 0.0;                     // s, length of the tick
+    double smoothing_share = 1.0;        // of the targets of muscles, in the tick
+    double& memory;                      // a number of the organ's own, 0 at birth
 };
 
 // How an organ is drawn on its part.
-enum class OrganMark : std::uint8_t { kArcs, kDots };
+enum class OrganMark : std::uint8_t { kArcs, kDots, kArrows };
 
 struct OrganKind {
     // Uses a signal (within +-10, weight included) for one tick. Allocates nothing while the lists
     // of emissions have room for one more.
     using Act = void (*)(const OrganSite& site, double signal, Emissions& emissions);
+    // Makes a grown part deformable; muscle_strength is that of the settings, in N/m.
+    using Shape = void (*)(std::span<const double> parameters, double muscle_strength,
+                           PlannedPart& part);
     // Returns what an organ does, in one sentence.
     using Words = std::string (*)(std::span<const double> parameters);
 
@@ -54,7 +59,8 @@ struct OrganKind {
     // Place on the part, along its length from the middle, as a share of its half length.
     double place = 0.0;
     OrganMark mark = OrganMark::kDots;
-    bool scents = false;  // gives off scent
+    bool scents = false;    // gives off scent
+    Shape shape = nullptr;  // of a muscle of the part itself, of which a part has at most one
 };
 
 using OrganRegistry = Registry<OrganKind>;

@@ -12,8 +12,7 @@ constexpr double kNearEnd = -1.0;  // half lengths from the middle
 void give_off_scent(const OrganSite& site, double signal, Emissions& emissions) {
     const double rate = std::clamp(signal, 0.0, 1.0);
     if (!(rate > 0.0)) return;
-    emissions.scents.push_back(
-        {point_on_axis(site.body, site.index, site.part, kNearEnd), rate * site.dt});
+    emissions.scents.push_back({point_on_axis(site.scene, site.index, kNearEnd), rate * site.dt});
 }
 
 std::string scent_in_words(std::span<const double> /*parameters*/) {

@@ -13,7 +13,7 @@ void call(const OrganSite& site, double signal, Emissions& emissions) {
     const double loudness = std::clamp(signal, 0.0, 1.0);
     if (!(loudness > 0.0)) return;
     emissions.sounds.push_back(
-        {site.body.part_center(site.index), static_cast<int>(site.parameters[0]), loudness});
+        {site.scene.part_center(site.index), static_cast<int>(site.parameters[0]), loudness});
 }
 
 std::string call_in_words(std::span<const double> parameters) {

@@ -16,6 +16,7 @@ SensorRegistry builtin_sensors() {
     add_light_sensor(sensors);
     add_sound_sensor(sensors);
     add_smell_sensor(sensors);
+    add_stretch_sensor(sensors);
     return sensors;
 }
 

@@ -17,5 +17,6 @@ void add_load_sensor(SensorRegistry& sensors);
 void add_light_sensor(SensorRegistry& sensors);
 void add_sound_sensor(SensorRegistry& sensors);
 void add_smell_sensor(SensorRegistry& sensors);
+void add_stretch_sensor(SensorRegistry& sensors);
 
 }  // namespace cambrian

@@ -13,7 +13,7 @@ constexpr double kScale = 0.25;
 constexpr double kMostSmell = 5.0;
 
 double read_smell(const SensorSite& site, double& /*memory*/) {
-    const Vec3 nose = point_on_axis(site.body, site.index, site.part, 1.0);
+    const Vec3 nose = point_on_axis(site.body, site.index, 1.0);
     const double scent = site.surroundings.scent(nose);
     return std::min(kMostSmell, kScale * logarithm(1.0 + scent / kLeastScent));
 }

@@ -8,14 +8,16 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string_view>
 #include <vector>
 
 namespace cambrian {
 
 // The motion of a part relative to its parent that a joint allows (its motion subspace in the
-// plane): none, rotation about the anchor, or a slide along the part's length.
-enum class JointMotion : std::uint8_t { kFixed, kTurn, kSlide };
+// plane): none, rotation about the anchor, or a slide along the part's length. The last one is no
+// joint but the stretch of a deformable part, which physics treats like one.
+enum class JointMotion : std::uint8_t { kFixed, kTurn, kSlide, kStretch };
 
 // The quantity that a brain's signal sets: the joint's position, its rate, or its torque or force.
 enum class MotorMode : std::uint8_t { kPosition, kVelocity, kTorque };
@@ -26,6 +28,15 @@ inline constexpr std::array<std::string_view, 3> kMotorModeIds = {"position", "v
 // (creature/README.md 2): distal +x, left +y, proximal -x, right -y.
 enum class Face : std::uint8_t { kDistal, kLeft, kProximal, kRight };
 inline constexpr std::size_t kFaceCount = 4;
+
+// The stretch s of a deformable part: its length is e^s and its width e^-s times that at rest, so
+// its area is constant.
+struct PlannedStretch {
+    double low = 0.0;         // limits of s; <= 0
+    double high = 0.0;        // >= 0
+    double max_effort = 0.0;  // J; largest effort of the motor on s
+    double rate_limit = 0.0;  // 1/s; fastest that the motor stretches the part
+};
 
 // A box and the joint that connects it to its parent. The part's frame is at its centre, with x
 // along its length.
@@ -42,7 +53,8 @@ struct PlannedPart {
     double limit_high = 0.0;               // rad or m, from rest; >= 0
     double max_effort = 0.0;               // N m or N; largest effort of the motor
     MotorMode motor_mode = MotorMode::kPosition;
-    bool measures_forces = false;  // whether its specific force and load are needed
+    bool measures_forces = false;                // whether its specific force and load are needed
+    std::optional<PlannedStretch> stretch = {};  // of a deformable part
 };
 
 // Closes a loop: a rotary joint, without motor or limits, between two parts that the tree of

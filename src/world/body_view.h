@@ -28,6 +28,14 @@ public:
     virtual double joint_effort(
         std::size_t part) const = 0;  // motor, N m or N, at the last tick's end
 
+    // Returns the stretch s of a part, its rate in 1/s, and the effort of its motor in J at the
+    // last tick's end; 0 for rigid parts.
+    virtual double stretch(std::size_t part) const = 0;
+    virtual double stretch_rate(std::size_t part) const = 0;
+    virtual double stretch_effort(std::size_t part) const = 0;
+    // Returns half the present length and width, in m; z is 0.
+    virtual Vec3 part_half_extents(std::size_t part) const = 0;
+
     // Returns whether the face touched the ground or another part during the last tick.
     virtual bool face_touched(std::size_t part, Face face) const = 0;
 
@@ -46,9 +54,9 @@ public:
 };
 
 // Returns the point of a part at this share of its half length from its centre, in m.
-inline Vec3 point_on_axis(const BodyView& body, std::size_t index, const PlannedPart& part,
-                          double share) {
-    return body.part_center(index) + share * part.half_extents.x() * body.part_axis(index);
+inline Vec3 point_on_axis(const BodyView& body, std::size_t index, double share) {
+    const double half_length = body.part_half_extents(index).x();
+    return body.part_center(index) + share * half_length * body.part_axis(index);
 }
 
 }  // namespace cambrian

@@ -73,6 +73,8 @@ public:
     // linearly during the next tick and then stays. Ignored for the root and for rigid joints.
     virtual void set_target(std::size_t part, double target) = 0;
     virtual double target(std::size_t part) const = 0;
+    // Does the same for the stretch of a deformable part. Ignored for rigid parts.
+    virtual void set_stretch_target(std::size_t part, double target) = 0;
 
     // Advances by a tick of the given length (s). A scene that finds no valid motion keeps the
     // state before the tick and does not move any more.

@@ -15,7 +15,7 @@ namespace {
 const FounderSettings& with_organs() {
     static const FounderSettings settings = [] {
         FounderSettings made;
-        made.organs = {{"voice", true}, {"gland", true}};
+        made.organs = {{"voice", true}, {"gland", true}, {"bender", true}};
         return made;
     }();
     return settings;

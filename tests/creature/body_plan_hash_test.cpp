@@ -38,3 +38,11 @@ TEST_CASE("a body plan is its tree of parts and joints, whatever sizes and order
     CHECK(plan != hash_of({{-1, kFixed}, {0, kTurn}, {1, kTurn}}));
     CHECK(hash_of({{-1, kFixed}}) != hash_of({{-1, kFixed}, {0, kFixed}}));
 }
+
+TEST_CASE("a deformable part is another body plan", "[creature][body_plan]") {
+    Phenotype rigid;
+    rigid.plan.parts.emplace_back();
+    Phenotype deformable = rigid;
+    deformable.plan.parts[0].stretch = PlannedStretch{-0.3, 0.3, 1.0, 1.5};
+    CHECK(body_plan_hash(deformable) != body_plan_hash(rigid));
+}

@@ -20,7 +20,12 @@ public:
           rates(parts, 0.0),
           efforts(parts, 0.0),
           specific_forces(parts, Vec3::Zero()),
-          loads(parts, 0.0) {}
+          loads(parts, 0.0),
+          stretches(parts, 0.0),
+          stretch_rates(parts, 0.0),
+          stretch_efforts(parts, 0.0),
+          stretch_targets(parts, 0.0),
+          half_extents(parts, Vec3(0.2, 0.05, 0.0)) {}
 
     std::size_t part_count() const override { return coordinates.size(); }
     Pose part_pose(std::size_t part) const override { return poses[part]; }
@@ -32,6 +37,10 @@ public:
     double joint_coordinate(std::size_t part) const override { return coordinates[part]; }
     double joint_rate(std::size_t part) const override { return rates[part]; }
     double joint_effort(std::size_t part) const override { return efforts[part]; }
+    double stretch(std::size_t part) const override { return stretches[part]; }
+    double stretch_rate(std::size_t part) const override { return stretch_rates[part]; }
+    double stretch_effort(std::size_t part) const override { return stretch_efforts[part]; }
+    Vec3 part_half_extents(std::size_t part) const override { return half_extents[part]; }
     bool face_touched(std::size_t part, Face face) const override {
         return touched[part][static_cast<std::size_t>(face)];
     }
@@ -45,6 +54,9 @@ public:
 
     void set_target(std::size_t part, double target) override { targets[part] = target; }
     double target(std::size_t part) const override { return targets[part]; }
+    void set_stretch_target(std::size_t part, double target) override {
+        stretch_targets[part] = target;
+    }
     SceneStatus advance(double) override { return SceneStatus::kRunning; }
     SceneStatus status() const override { return SceneStatus::kRunning; }
     double time() const override { return 0.0; }
@@ -70,6 +82,8 @@ public:
     std::vector<double> efforts;
     std::vector<Vec3> specific_forces;
     std::vector<double> loads;
+    std::vector<double> stretches, stretch_rates, stretch_efforts, stretch_targets;
+    std::vector<Vec3> half_extents;
 
 private:
     SceneAudit audit_;

@@ -26,7 +26,8 @@ inline KindCatalog small_catalog() {
                          .fallback = 0.0,
                          .step = {.relative = 0.2, .floor = 3.0},
                          .whole = true}}},
-                      {"gland", "Gland", {}}};
+                      {"gland", "Gland", {}},
+                      {"bender", "Bender", {}, false, true}};
     catalog.channels = {{"joint", "Joint"},
                         {"contact-distal", "Distal"},
                         {"contact-left", "Left"},

@@ -65,8 +65,12 @@ TEST_CASE("validate finds what is wrong with organs", "[genome][validate]") {
         return only_complaint(changed);
     };
     using Organs = std::vector<OrganGene>;
-    CHECK(complaint_after([](Organs& organs) { organs[1].kind = 2; }) ==
+    CHECK(complaint_after([](Organs& organs) { organs[1].kind = 3; }) ==
           "/nodes/1/organs/1/kind: is not a known organ");
+    CHECK(complaint_after([](Organs& organs) {
+              organs[1].kind = 2;
+              organs.push_back({.kind = 2});
+          }) == "/nodes/1/organs/2/kind: is a second bender, but a part has at most one");
     CHECK(complaint_after([](Organs& organs) { organs[0].parameters[0] = 4.0; }) ==
           "/nodes/1/organs/0/band: 4 is outside [0, 3] or not a whole number");
     CHECK(complaint_after([](Organs& organs) { organs[0].parameters[0] = 1.5; }) ==

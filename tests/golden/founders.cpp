@@ -16,19 +16,29 @@ Genome founder(int number) {
     return random_genome(all_joints(), test::kinds().creature.catalog, random);
 }
 
-FounderSettings all_organs() {
-    const KindCatalog& catalog = test::kinds().creature.catalog;
+FounderSettings with_emitters() {
     FounderSettings settings = all_joints();
-    for (const OrganEntry& organ : catalog.organs)
-        settings.organs[organ.id] = true;
-    for (const ChannelEntry& channel : catalog.channels)
-        settings.channels[channel.id] = true;
+    settings.organs = {{"sound", true}, {"scent", true}};
+    for (const ChannelEntry& channel : test::kinds().creature.catalog.channels)
+        settings.channels[channel.id] = !channel.id.starts_with("stretch");
+    return settings;
+}
+
+FounderSettings with_deformers() {
+    FounderSettings settings = all_joints();
+    settings.organs = {{"deformer", true}};
+    settings.channels = {{"stretch", true}, {"stretch-rate", true}};
     return settings;
 }
 
 Genome founder_with_organs(int number) {
     RandomStream random(stream_seed({14, static_cast<std::uint64_t>(number)}));
-    return random_genome(all_organs(), test::kinds().creature.catalog, random);
+    return random_genome(with_emitters(), test::kinds().creature.catalog, random);
+}
+
+Genome founder_with_deformers(int number) {
+    RandomStream random(stream_seed({15, static_cast<std::uint64_t>(number)}));
+    return random_genome(with_deformers(), test::kinds().creature.catalog, random);
 }
 
 }  // namespace cambrian::golden

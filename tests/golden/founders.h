@@ -8,8 +8,12 @@ namespace cambrian::golden {
 FounderSettings all_joints();
 Genome founder(int number);
 
-// The same with organs and senses of every kind.
-FounderSettings all_organs();
+// The same with organs that give off sound and scent, and all senses but those of stretching.
+FounderSettings with_emitters();
 Genome founder_with_organs(int number);
+
+// The same as the first with deformers and their senses.
+FounderSettings with_deformers();
+Genome founder_with_deformers(int number);
 
 }  // namespace cambrian::golden

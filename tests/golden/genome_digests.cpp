@@ -101,7 +101,11 @@ void add_genome_digests(Digests& digests) {
         with_organs.push_back(founder_with_organs(i));
     digests.push_back({"genome.organs", digest_of(with_organs)});
     digests.push_back(
-        {"genome.organs.mutants", digest_of(mutants_of(with_organs, {}, all_organs()))});
+        {"genome.organs.mutants", digest_of(mutants_of(with_organs, {}, with_emitters()))});
+    std::vector<Genome> deforming;
+    for (int i = 0; i < kFounders; ++i)
+        deforming.push_back(founder_with_deformers(i));
+    digests.push_back({"genome.deformers", digest_of(mutants_of(deforming, {}, with_deformers()))});
 }
 
 }  // namespace cambrian::golden

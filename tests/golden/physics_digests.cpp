@@ -64,6 +64,27 @@ std::uint64_t digest_of_curling(const std::string& integrator) {
     return hash.value();
 }
 
+// Simulates trees in which every second part deforms.
+std::uint64_t digest_of_deforming(const Environment& environment) {
+    Hash64 hash;
+    for (std::uint64_t tree = 0; tree < 3; ++tree) {
+        RandomStream random(stream_seed({22, tree}));
+        BodyPlan plan = random_tree(random, 8, 0.25, 10.0, 1.2);
+        for (std::size_t part = 0; part < plan.parts.size(); part += 2)
+            plan.parts[part].stretch = PlannedStretch{-0.4, 0.4, 1.0, 1.5};
+        const auto scene = make_scene(plan, environment);
+        if (environment.has_ground) stand_on_ground(*scene);
+        for (int tick = 0; tick < 180; ++tick) {
+            for (std::size_t part = 0; part < plan.parts.size(); part += 2)
+                scene->set_stretch_target(part, (tick / 30) % 2 == 0 ? 0.4 : -0.4);
+            flail(*scene, plan, 2.0);
+            scene->advance(kTestTick);
+        }
+        add_scene(hash, *scene);
+    }
+    return hash.value();
+}
+
 }  // namespace
 
 void add_physics_digests(Digests& digests) {
@@ -82,6 +103,9 @@ void add_physics_digests(Digests& digests) {
     for (const char* integrator : {"bogacki-shampine", "semi-implicit"})
         digests.push_back(
             {std::string("physics.curl.") + integrator, digest_of_curling(integrator)});
+    for (const Workload& workload : all_workloads())
+        digests.push_back(
+            {"physics.deforming." + workload.id, digest_of_deforming(workload.environment)});
 }
 
 }  // namespace cambrian::golden

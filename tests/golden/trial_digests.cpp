@@ -54,13 +54,13 @@ void add_surroundings(Hash64& hash, const TrialSurroundings& surroundings) {
     if (const ScentField* field = surroundings.scent_field()) hash.add(field->total());
 }
 
-std::uint64_t digest_of_organs() {
+std::uint64_t digest_of_organs(Genome (*make)(int)) {
     TrialWorld world;
     world.trial.duration = kDuration;
     Hash64 hash;
     for (int number = 0, done = 0; done < kTrials; ++number) {
         const auto grown = std::make_shared<const Phenotype>(
-            express(founder_with_organs(number), test::kinds().creature, {}, world.scene));
+            express(make(number), test::kinds().creature, {}, world.scene));
         if (!grown->has_live_control || grown->organs.empty()) continue;
         ++done;
         auto trial = Trial::start(grown, test::kinds().creature, world);
@@ -80,7 +80,8 @@ void add_trial_digests(Digests& digests) {
         digests.push_back({"trial." + goal.id, digest_of_trials(goal, first)});
         first += 1000;
     }
-    digests.push_back({"trial.organs", digest_of_organs()});
+    digests.push_back({"trial.organs", digest_of_organs(founder_with_organs)});
+    digests.push_back({"trial.deformers", digest_of_organs(founder_with_deformers)});
 }
 
 }  // namespace cambrian::golden

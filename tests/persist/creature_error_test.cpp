@@ -215,6 +215,30 @@ TEST_CASE("what is wrong with an organ is said in one message", "[persist][creat
           "some.creature.json: E10 /nodes/1/organs: 4 entries, limit 3");
 }
 
+TEST_CASE("what is wrong with a deformer is said in one message", "[persist][creature_error]") {
+    const std::string fine = R"("kind": "deformer", "source": { "kind": "const" }, "weight": 1, )"
+                             R"("low": -0.4, "high": 0.3)";
+    const auto message_with = [&](const std::string& organs) {
+        return message_of_creature(
+            changed("\"neurons\":", "\"organs\": [ " + organs + " ], \"neurons\":"));
+    };
+    const auto deformer = [&](std::string_view from, std::string_view to) {
+        std::string text = fine;
+        const std::size_t place = text.find(from);
+        REQUIRE(place != std::string::npos);
+        return "{ " + text.replace(place, from.size(), to) + " }";
+    };
+    CHECK(message_with(deformer("-0.4", "0.4")) ==
+          "some.creature.json: E07 /nodes/0/organs/0/low: 0.4 is outside [-0.5, -0.05]");
+    CHECK(message_with(deformer("0.3", "-0.3")) ==
+          "some.creature.json: E07 /nodes/0/organs/0/high: -0.3 is outside [0.05, 0.5]");
+    CHECK(message_with(deformer("\"deformer\"", "\"deformed\"")) ==
+          "some.creature.json: E08 /nodes/0/organs/0/kind: unknown organ \"deformed\"; did you "
+          "mean \"deformer\"?");
+    CHECK(message_with("{ " + fine + " }, { " + fine + " }") ==
+          "some.creature.json: E10 /nodes/0/organs: over 1 entry \"deformer\", limit 1");
+}
+
 TEST_CASE("several errors come together, the first with the file's name",
           "[persist][creature_error]") {
     std::string text = changed("\"length\": 0.5", "\"length\": 9");

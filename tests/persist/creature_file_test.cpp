@@ -50,7 +50,7 @@ TEST_CASE("random creatures are saved, loaded and saved again to the same bytes"
 TEST_CASE("creatures with organs come back, as version 3; those without are version 2",
           "[persist][creature_file]") {
     FounderSettings founders;
-    founders.organs = {{"sound", true}, {"scent", true}};
+    founders.organs = {{"sound", true}, {"scent", true}, {"deformer", true}};
     RandomStream stream(62);
     int with = 0;
     for (int i = 0; i < 600; ++i) {

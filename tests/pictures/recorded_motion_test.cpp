@@ -71,7 +71,8 @@ TEST_CASE("a motion that is too long is recorded at a larger interval with exact
           "[pictures][recorded_motion]") {
     const RecordedMotion whole = crawl().motion;
     const MotionFrame& first = whole.frames.front();
-    const std::size_t frame_bytes = sizeof(MotionFrame) + first.poses.size() * sizeof(Pose) +
+    const std::size_t frame_bytes = sizeof(MotionFrame) +
+                                    first.poses.size() * (sizeof(Pose) + sizeof(double)) +
                                     first.touched.size() * sizeof(FaceSet);
     for (const std::size_t frames : {2U, 5U, 12U, 30U}) {
         auto recorded = record_trial(whole.phenotype, test::kinds().creature, short_world(), {},

@@ -75,7 +75,7 @@ TEST_CASE("channels have the absolute numbers genes rely on", "[sensors]") {
                           "effort",        "spin",           "up-along",     "up-across",
                           "load",          "light-along",    "light-across", "light",
                           "sound-1",       "sound-2",        "sound-3",      "sound-4",
-                          "smell"});
+                          "smell",         "stretch",        "stretch-rate"});
 }
 
 TEST_CASE("only joint and contact sensors are used unless settings say otherwise", "[sensors]") {
@@ -190,6 +190,18 @@ TEST_CASE("load reads normal forces in units of the creature's weight", "[sensor
     CHECK(bench.read("load") == 10.0);
 }
 
+TEST_CASE("a part feels how far and how fast it is stretched, whether mirrored or not",
+          "[sensors]") {
+    Bench bench;
+    bench.scene.stretches[0] = -0.25;
+    bench.scene.stretch_rates[0] = 0.75;
+    for (const int handedness : {1, -1}) {
+        bench.handedness = handedness;
+        CHECK(bench.read("stretch") == -0.5);
+        CHECK(bench.read("stretch-rate") == 0.5);
+    }
+}
+
 TEST_CASE("every lamp of a sensor is on its part", "[sensors]") {
     for (const SensorKind& kind : sensors().all()) {
         if (kind.spot == nullptr) continue;
@@ -245,7 +257,7 @@ TEST_CASE("the nose is at the far end and reads the logarithm of the scent", "[s
     for (const Direction& direction : kDirections) {
         Bench bench;
         bench.turn(direction.angle);
-        bench.part.half_extents = Vec3(0.4, 0.1, 0.0);
+        bench.scene.half_extents[0] = Vec3(0.4, 0.1, 0.0);
         struct Row {
             double scent, reading;
         };

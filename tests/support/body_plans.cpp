@@ -37,6 +37,11 @@ PlannedPart& attach(BodyPlan& plan, int parent, const Vec3& anchor, double angle
     return plan.parts.back();
 }
 
+void make_deformable(PlannedPart& part, double low, double high) {
+    const double area = 4.0 * part.half_extents.x() * part.half_extents.y();
+    part.stretch = PlannedStretch{low, high, 25.0 * area, 1.5};
+}
+
 BodyPlan chain(int parts, double limit, double x, double y) {
     BodyPlan plan = one_box(0.2, 0.05, x, y);
     for (int i = 1; i < parts; ++i) {

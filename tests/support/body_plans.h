@@ -23,6 +23,9 @@ void join(const BodyPlan& plan, PlannedPart& child, int parent, const Vec3& anch
 PlannedPart& attach(BodyPlan& plan, int parent, const Vec3& anchor, double angle, JointMotion joint,
                     double half_length = 0.2, double half_width = 0.05);
 
+// Makes a part deformable, with a muscle of 25 N/m over its area and at most 1.5 a second.
+void make_deformable(PlannedPart& part, double low, double high);
+
 // Returns boxes of 0.4 m x 0.1 m end to end along x, with rotary joints limited to +-limit rad.
 BodyPlan chain(int parts, double limit, double x = 0.0, double y = 0.0);
 

@@ -28,6 +28,9 @@ std::string heading(const Trial& trial, const Kinds& kinds) {
         line += fmt::format(",part{}_organ{}_{}", organs[i].part, before,
                             kinds.organs[organs[i].kind].id);
     }
+    for (const GrownOrgan& organ : organs) {
+        if (organ.deforms) line += fmt::format(",part{}_stretch", organ.part);
+    }
     if (trial.surroundings().scent_field() != nullptr) line += ",scent";
     return line + "\n";
 }
@@ -47,10 +50,13 @@ void add_row(std::string& text, const Trial& trial) {
         cell(planar_angle(pose));
         cell(scene.joint_coordinate(part));
     }
-    // The signals of organs, and all the scent in the world.
+    // The signals of organs, the stretches of parts, and all the scent in the world.
     const std::size_t effectors = trial.phenotype().effector_parts.size();
     for (std::size_t i = 0; i < trial.phenotype().organs.size(); ++i)
         cell(trial.creature().brain().output(effectors + i));
+    for (const GrownOrgan& organ : trial.phenotype().organs) {
+        if (organ.deforms) cell(scene.stretch(organ.part));
+    }
     if (const ScentField* field = trial.surroundings().scent_field()) cell(field->total());
     text += '\n';
 }

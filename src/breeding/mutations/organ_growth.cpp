@@ -4,16 +4,32 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <vector>
+
 namespace cambrian {
 namespace {
 
+// Returns the enabled kinds of which the part may have one more.
+std::vector<std::uint8_t> kinds_for(const NodeGene& node, const MutationContext& context) {
+    std::vector<std::uint8_t> kinds = enabled_organs(context.founders, context.catalog);
+    std::erase_if(kinds, [&](std::uint8_t kind) {
+        return context.catalog.organs[kind].single &&
+               std::any_of(node.organs.begin(), node.organs.end(),
+                           [&](const OrganGene& organ) { return organ.kind == kind; });
+    });
+    return kinds;
+}
+
 bool add_organ(Genome& genome, const MutationContext& context, RandomStream& stream,
                MutationRecord& record) {
-    const auto kinds = enabled_organs(context.founders, context.catalog);
-    const auto nodes = nodes_with_room_for_organs(genome);
-    if (kinds.empty() || nodes.empty()) return false;
+    auto nodes = nodes_with_room_for_organs(genome);
+    std::erase_if(nodes,
+                  [&](std::size_t node) { return kinds_for(genome.nodes[node], context).empty(); });
+    if (nodes.empty()) return false;
     const std::size_t index = stream.pick(nodes);
     NodeGene& node = genome.nodes[index];
+    const auto kinds = kinds_for(node, context);
     const std::uint8_t kind = stream.pick(kinds);
     node.organs.push_back(random_organ(kind, node, pool_of(context), stream));
     record.place = fmt::format("part {}", index);

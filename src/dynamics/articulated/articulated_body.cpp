@@ -1,6 +1,8 @@
 #include "dynamics/articulated/articulated_body.h"
 
 #include "core/assert.h"
+#include "dynamics/articulated/root_inverse.h"
+#include "dynamics/articulated/stretched_tree.h"
 #include "dynamics/model/forcing.h"
 
 namespace cambrian {
@@ -146,32 +148,6 @@ CAMBRIAN_INLINE double eliminate_prismatic(const Kinematics& k, double effort, i
     return -row[3];
 }
 
-// Inverts the root's inertia by cofactors.
-CAMBRIAN_INLINE RootInverse invert_root(const ArticulatedInertia& c) {
-    const double xx = c.x[0];
-    const double xy = c.x[1];
-    const double yy = c.y[1];
-    const double xt = c.turn[0];
-    const double yt = c.turn[1];
-    const double tt = c.turn[2];
-    const double cofactor_xx = yy * tt - yt * yt;
-    const double cofactor_xy = xt * yt - xy * tt;
-    const double cofactor_xt = xy * yt - yy * xt;
-    const double inverse = 1.0 / (xx * cofactor_xx + xy * cofactor_xy + xt * cofactor_xt);
-    return {cofactor_xx * inverse, cofactor_xy * inverse,         (xx * tt - xt * xt) * inverse,
-            cofactor_xt * inverse, (xy * xt - xx * yt) * inverse, (xx * yy - xy * xy) * inverse};
-}
-
-// Solves for the acceleration or velocity jump of a root's pivot. The response has values of pivots
-// until move_to_centers.
-CAMBRIAN_INLINE void solve_root(const RootInverse& inverse, int root, const Simd2d& f, double t,
-                                BodyResponse& response) {
-    response.x[root] = inverse.xx * f[0] + inverse.xy * f[1] + inverse.xt * t;
-    response.y[root] = inverse.xy * f[0] + inverse.yy * f[1] + inverse.yt * t;
-    response.spin[root] = inverse.xt * f[0] + inverse.yt * f[1] + inverse.tt * t;
-    response.coordinate[root] = response.spin[root];
-}
-
 enum class Load { kForce, kImpulse };
 
 // Computes a body's response from its parent's; gamma is 0 for impulses.
@@ -226,20 +202,6 @@ CAMBRIAN_INLINE void move_to_centers(const PlanarModel& model, const Kinematics&
     }
 }
 
-// Computes the accelerations of the trees' centres of mass from the external forces.
-CAMBRIAN_INLINE void move_centers(const PlanarModel& model, const Loads& loads,
-                                  BodyResponse& response) {
-    const int slots = round_up_to_lanes(model.body_count);
-    for (int t = 0; t < model.tree_count; ++t) {
-        const double* members = model.membership[t];
-        const double share = 1.0 / model.tree_mass[t];
-        response.coordinate[center_of(model, t)] =
-            share * lane_product(members, loads.force_x, slots);
-        response.coordinate[center_of(model, t) + 1] =
-            share * lane_product(members, loads.force_y, slots);
-    }
-}
-
 template <Motors kMotors>
 CAMBRIAN_INLINE void solve(const PlanarModel& model, const Kinematics& kinematics,
                            const Loads& loads, Factors& factors, BodyResponse& response) {
@@ -259,8 +221,9 @@ CAMBRIAN_INLINE void solve(const PlanarModel& model, const Kinematics& kinematic
                                                       levers[i], factors, parent)
                        : eliminate_revolute<kMotors>(i, inertias[i], levers[i], factors, parent);
         }
-        factors.root[tree] = invert_root(inertias[root]);
         const ArticulatedInertia& all = inertias[root];
+        factors.root[tree] =
+            invert_inertia(all.x[0], all.x[1], all.y[1], all.turn[0], all.turn[1], all.turn[2]);
         solve_root(factors.root[tree], root, Simd2d{-all.x[3], -all.y[3]}, -all.turn[3], response);
         for (int i = root + 1; i < end; ++i)
             follow_parent<Load::kForce, kMotors>(model, kinematics, factors, u, i, response);
@@ -275,6 +238,8 @@ void solve_accelerations(const PlanarModel& model, const Kinematics& kinematics,
                          Factors& factors, BodyResponse& response) {
     for (int i = 0; i < model.body_count; i += kLanes)
         store_lanes(factors.damping + i, Simd4d{});
+    if (model.stretch_count > 0)
+        return solve_stretched_accelerations(model, kinematics, loads, factors, response);
     solve<Motors::kExplicit>(model, kinematics, loads, factors, response);
 }
 
@@ -283,6 +248,8 @@ void solve_damped_accelerations(const PlanarModel& model, const Kinematics& kine
                                 BodyResponse& response) {
     for (int i = 0; i < model.body_count; i += kLanes)
         store_lanes(factors.damping + i, load_lanes(damping + i));
+    if (model.stretch_count > 0)
+        return solve_stretched_accelerations(model, kinematics, loads, factors, response);
     solve<Motors::kImplicit>(model, kinematics, loads, factors, response);
 }
 
@@ -295,6 +262,8 @@ void factorize(const PlanarModel& model, const Kinematics& kinematics, Factors& 
 
 void solve_impulse(const PlanarModel& model, const Kinematics& k, const Factors& factors,
                    const Loads& impulses, BodyResponse& response) {
+    if (model.stretch_count > 0)
+        return solve_stretched_impulse(model, k, factors, impulses, response);
     Simd2d f[kMaxBodies];
     PerBody t;
     PerBody u;

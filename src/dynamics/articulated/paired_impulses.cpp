@@ -1,7 +1,19 @@
 #include "dynamics/articulated/paired_impulses.h"
 
+#include "dynamics/articulated/stretched_tree.h"
+
 namespace cambrian {
 namespace {
+
+void solve_stretched_pair(const PlanarModel& model, const Kinematics& k, const Factors& factors,
+                          const Loads (&impulses)[2], PerCoordinate (&jumps)[2]) {
+    for (int which = 0; which < 2; ++which) {
+        BodyResponse response;
+        solve_stretched_impulse(model, k, factors, impulses[which], response);
+        for (int c = 0; c < coordinate_count(model); ++c)
+            jumps[which][c] = response.coordinate[c];
+    }
+}
 
 // A scalar of both impulses is a Simd2d; a planar vector of both is Simd4d (x, y, x, y).
 CAMBRIAN_INLINE Simd4d twice(double x, double y) {
@@ -101,6 +113,8 @@ private:
 void solve_paired_impulses(const PlanarModel& model, const Kinematics& kinematics,
                            const Factors& factors, const Loads (&impulses)[2],
                            PerCoordinate (&jumps)[2]) {
+    if (model.stretch_count > 0)
+        return solve_stretched_pair(model, kinematics, factors, impulses, jumps);
     PairedImpulses paired(model, kinematics, factors);
     paired.load(impulses);
     const int slots = round_up_to_lanes(model.body_count);

@@ -2,6 +2,7 @@
 
 #include "dynamics/constraints/invariants.h"
 #include "dynamics/contact/ground_contacts.h"
+#include "dynamics/model/stretching.h"
 #include "world/environment.h"
 
 #include <algorithm>
@@ -32,8 +33,38 @@ double row_slack(double gap, double rate, double h, double push_speed) {
     return std::max(0.0, 2.0 * gap / h + rate);
 }
 
+// The acceleration of a contact's gap by the stretches of its bodies.
+double stretch_acceleration(const PlanarModel& model, const Kinematics& k, const Contact& contact,
+                            const BodyResponse& free) {
+    const auto of_body = [&](int body, double arm_x, double arm_y) {
+        const int slot = body < 0 ? -1 : model.stretch_slot[body];
+        if (slot < 0) return 0.0;
+        const Simd2d lever = stretch_lever(k, body, arm_x, arm_y);
+        return free.coordinate[slot] * dot(Simd2d{contact.normal_x, contact.normal_y}, lever);
+    };
+    return of_body(contact.body_a, contact.arm_ax, contact.arm_ay) -
+           of_body(contact.body_b, contact.arm_bx, contact.arm_by);
+}
+
+// Adds what deformable bodies do to contacts that were found with the present shapes: the material
+// points of pairs are those of rest shapes, and stretching moves both points.
+void stretch_contacts(const Kinematics& k, ContactSet& contacts) {
+    for (int i = 0; i < contacts.count; ++i) {
+        Contact& c = contacts.items[i];
+        Simd2d velocity = stretch_velocity(k, c.body_a, c.arm_ax, c.arm_ay);
+        if (c.body_b >= 0) {
+            c.point_x *= k.width_growth[c.body_a];
+            c.point_y *= k.length_growth[c.body_a];
+            velocity -= stretch_velocity(k, c.body_b, c.arm_bx, c.arm_by);
+        }
+        c.closing_speed -= dot(Simd2d{c.normal_x, c.normal_y}, velocity);
+    }
+}
+
 // Whether a slow contact could reach the band within a step of length h.
-bool may_touch(const Contact& contact, const BodyResponse& free, double h) {
+bool may_touch(const PlanarModel& model, const Contact& contact, const EvaluationCache& cache,
+               double h) {
+    const BodyResponse& free = cache.response;
     if (contact.closing_speed > kRestingSpeed) return false;
     const int a = contact.body_a;
     double acceleration = contact.normal_x * (free.x[a] - free.spin[a] * contact.arm_ay) +
@@ -43,9 +74,22 @@ bool may_touch(const Contact& contact, const BodyResponse& free, double h) {
         acceleration -= contact.normal_x * (free.x[b] - free.spin[b] * contact.arm_by) +
                         contact.normal_y * (free.y[b] + free.spin[b] * contact.arm_bx);
     }
+    if (cache.kinematics.deforms)
+        acceleration += stretch_acceleration(model, cache.kinematics, contact, free);
     const double reach = kContactBand + 1.5 * h * std::max(0.0, contact.closing_speed) +
                          h * h * std::max(0.0, -acceleration);
     return contact.gap < reach;
+}
+
+// The work of a held force on the stretch of its body b, with the mean arm of the step.
+double stretch_work(const PlanarModel& model, const Kinematics& begin, const Kinematics& end,
+                    const HeldForce& held, const Simd2d& arm) {
+    const int slot = model.stretch_slot[held.body_b];
+    if (slot < 0) return 0.0;
+    const Simd2d lever = stretch_lever(begin, held.body_b, arm[0], arm[1]) +
+                         stretch_lever(end, held.body_b, arm[0], arm[1]);
+    return 0.5 * (end.joint_position[slot] - begin.joint_position[slot]) *
+           dot(lever, Simd2d{held.force_x, held.force_y});
 }
 
 // Finds the forces of the last step by contact. Contacts are looked up in the order of detection,
@@ -94,6 +138,7 @@ void ContactSolver::detect(const PlanarModel& model, const ContactLaw& law,
     place_parts(model, kinematics, places);
     if (law.has_ground) detect_ground_contacts(model, kinematics, places, near_);
     pair_list_.detect(model, kinematics, places, near_);
+    if (kinematics.deforms) stretch_contacts(kinematics, near_);
     CAMBRIAN_TICK_ASSERT(near_.count >= 0 && near_.count <= kMaxContacts, "contacts have room");
 }
 
@@ -125,7 +170,7 @@ bool ContactSolver::select_active(const PlanarModel& model, EvaluationCache& cac
         const Contact& contact = near_.items[c];
         if (contact.gap >= kContactBand) {
             find_centers(model, cache);
-            if (!may_touch(contact, cache.response, h)) continue;
+            if (!may_touch(model, contact, cache, h)) continue;
         }
         selected_.add(contact);
     }
@@ -300,8 +345,11 @@ HeldWork ContactSolver::held_work(const PlanarModel& model, const Kinematics& be
     HeldWork work;
     const auto world = [](const Kinematics& k, const HeldForce& held, double& x, double& y) {
         const int a = held.body_a;
-        x = k.x[a] + k.cosine[a] * held.point_x - k.sine[a] * held.point_y;
-        y = k.y[a] + k.sine[a] * held.point_x + k.cosine[a] * held.point_y;
+        double point_x = held.point_x;
+        double point_y = held.point_y;
+        stretch_point(k, a, point_x, point_y);
+        x = k.x[a] + k.cosine[a] * point_x - k.sine[a] * point_y;
+        y = k.y[a] + k.sine[a] * point_x + k.cosine[a] * point_y;
     };
     for (int c = 0; c < held_.contact_count; ++c) {
         const HeldForce& held = held_.contacts[c];
@@ -322,6 +370,7 @@ HeldWork ContactSolver::held_work(const PlanarModel& model, const Kinematics& be
             const double arm_y = 0.5 * (start_y - begin.y[b] + end_y - end.y[b]);
             done -= held.force_x * (end.x[b] - begin.x[b] - turn * arm_y) +
                     held.force_y * (end.y[b] - begin.y[b] + turn * arm_x);
+            if (begin.deforms) done -= stretch_work(model, begin, end, held, Simd2d{arm_x, arm_y});
         }
         work.contact += done;
         work.positive += std::max(0.0, done);

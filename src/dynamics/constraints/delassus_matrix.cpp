@@ -174,10 +174,24 @@ CAMBRIAN_INLINE void fill_block(const PlanarModel& model, const Arrivals& row,
         store_lanes(rows.line(second + i) + first, block[i]);
 }
 
+// Returns the part of a row's diagonal element by the stretches of its bodies at rest, without
+// joints.
+double stretch_response(const PlanarModel& model, const RowStretches& stretches) {
+    double response = 0.0;
+    if (stretches.slot_a >= 0)
+        response += stretches.effort_a * stretches.effort_a *
+                    model.inverse_inertia[model.parent[stretches.slot_a]];
+    if (stretches.slot_b >= 0)
+        response += stretches.effort_b * stretches.effort_b *
+                    model.inverse_inertia[model.parent[stretches.slot_b]];
+    return response;
+}
+
 // If the mechanism hardly moves in a contact's direction, a millimetre of penetration would need a
 // huge impulse. So the diagonal is at least 2 % of that of the same bodies without joints. Friction
 // rows are softer, because the forces of two sticking parts with a joint between them are
 // undetermined.
+template <bool kDeforms>
 CAMBRIAN_INLINE double regularization(const PlanarModel& model, const ConstraintSystem& rows,
                                       int row, double friction_softness) {
     const double diagonal = rows.coupling(row, row);
@@ -190,6 +204,7 @@ CAMBRIAN_INLINE double regularization(const PlanarModel& model, const Constraint
     if (b >= 0)
         free += model.inverse_mass[b] +
                 rows[row].moment_b * rows[row].moment_b * model.inverse_inertia[b];
+    if constexpr (kDeforms) free += stretch_response(model, rows.stretches[row]);
     const bool rubs = rows[row].kind == RowKind::kFriction;
     const double softness = rubs ? friction_softness : kRelativeSoftness;
     return std::max(softness * free, kFreeShare * free - diagonal);
@@ -214,23 +229,62 @@ void fill_delassus_matrix(const PlanarModel& model, const EvaluationCache& cache
     }
 }
 
+// Fills the matrix from the responses to the unit impulses of two rows at a time.
+void fill_stretched_delassus_matrix(const PlanarModel& model, const EvaluationCache& cache,
+                                    ConstraintSystem& rows) {
+    for (int first = 0; first < rows.count; first += 2) {
+        BodyResponse responses[2];
+        double rates[2][kMaxRows];
+        const int end = std::min(first + 2, rows.count);
+        for (int row = first; row < first + 2; ++row) {
+            double unit[kMaxRows] = {};
+            if (row < end) unit[row] = 1.0;
+            Loads loads;
+            clear_loads(model, loads);
+            add_row_impulses(rows, unit, 1.0, loads);
+            solve_impulse(model, cache.kinematics, cache.factors, loads, responses[row - first]);
+        }
+        rate_rows(model, rows, responses, rates);
+        for (int row = first; row < end; ++row) {
+            for (int column = 0; column <= row; ++column) {
+                rows.line(row)[column] = rates[row - first][column];
+                rows.line(column)[row] = rates[row - first][column];
+            }
+        }
+    }
+    for (int row = 0; row < rows.count; ++row) {
+        for (int pad = rows.count; pad < rows.stride; ++pad)
+            rows.line(row)[pad] = 0.0;
+    }
+}
+
+template <bool kDeforms>
+CAMBRIAN_INLINE void regularize(const PlanarModel& model, double friction_softness,
+                                ConstraintSystem& rows) {
+    for (int row = 0; row < rows.count; ++row) {
+        rows[row].regularization = regularization<kDeforms>(model, rows, row, friction_softness);
+        rows.line(row)[row] += rows[row].regularization;
+    }
+    for (int pad = rows.count; pad < rows.stride; ++pad)
+        rows.impulse[pad] = 0.0;
+}
+
 }  // namespace
 
 void compute_delassus_matrix(const PlanarModel& model, const EvaluationCache& cache,
                              double friction_softness, ConstraintSystem& rows) {
     rows.stride = round_up_to_lanes(rows.count);
+    if (rows.deforms) {
+        fill_stretched_delassus_matrix(model, cache, rows);
+        return regularize<true>(model, friction_softness, rows);
+    }
     if (cache.is_inverted)
         fill_dense_delassus_matrix(model, cache, rows);
     else if (model.has_slides)
         fill_delassus_matrix<true>(model, cache, rows);
     else
         fill_delassus_matrix<false>(model, cache, rows);
-    for (int row = 0; row < rows.count; ++row) {
-        rows[row].regularization = regularization(model, rows, row, friction_softness);
-        rows.line(row)[row] += rows[row].regularization;
-    }
-    for (int pad = rows.count; pad < rows.stride; ++pad)
-        rows.impulse[pad] = 0.0;
+    regularize<false>(model, friction_softness, rows);
 }
 
 }  // namespace cambrian

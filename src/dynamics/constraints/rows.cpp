@@ -3,6 +3,7 @@
 #include "dynamics/articulated/loop_closure.h"
 #include "dynamics/constraints/delassus_matrix.h"
 #include "dynamics/constraints/invariants.h"
+#include "dynamics/model/stretching.h"
 
 #include <algorithm>
 
@@ -35,6 +36,16 @@ CAMBRIAN_INLINE double row_rate(const PlanarModel& model, const Row& row,
     const int b = row.body_b;
     if (b >= 0)
         rate -= row.dir_x * motion.x[b] + row.dir_y * motion.y[b] + row.moment_b * motion.spin[b];
+    return rate;
+}
+
+// The rate of a row by the stretches of its bodies.
+double stretches_rate(const ConstraintSystem& rows, int row, const BodyResponse& motion) {
+    double rate = 0.0;
+    if (!rows.deforms || rows[row].kind == RowKind::kLimit) return rate;
+    const RowStretches& stretches = rows.stretches[row];
+    if (stretches.slot_a >= 0) rate += stretches.effort_a * motion.coordinate[stretches.slot_a];
+    if (stretches.slot_b >= 0) rate -= stretches.effort_b * motion.coordinate[stretches.slot_b];
     return rate;
 }
 
@@ -108,6 +119,46 @@ CAMBRIAN_INLINE void place_contact(const Contact& contact, const Kinematics& det
     placed.acceleration = relative_acceleration(contact, placed, cache);
 }
 
+// The acceleration that a body's stretch adds to a point at this world offset.
+Simd2d stretch_acceleration(const PlanarModel& model, const EvaluationCache& cache, int body,
+                            double arm_x, double arm_y) {
+    const int slot = model.stretch_slot[body];
+    if (slot < 0) return Simd2d{};
+    const Kinematics& k = cache.kinematics;
+    return both(cache.response.coordinate[slot]) * stretch_lever(k, body, arm_x, arm_y) +
+           stretch_bias(k, body, arm_x, arm_y);
+}
+
+// Does the same with deformable bodies. The growth of b along a's way changes the rate of the
+// tangent as well.
+[[gnu::noinline]] void place_stretched_contact(const PlanarModel& model, const Contact& contact,
+                                               const Kinematics& detected,
+                                               const EvaluationCache& cache,
+                                               PlacedContact& placed) {
+    const int a = contact.body_a;
+    const int b = contact.body_b;
+    const Kinematics& k = cache.kinematics;
+    Contact present = contact;
+    stretch_point(k, a, present.point_x, present.point_y);
+    place_contact(present, detected, cache, placed);
+    Simd2d before = stretch_velocity(detected, a, contact.arm_ax, contact.arm_ay);
+    Simd2d added = stretch_acceleration(model, cache, a, placed.arm_ax, placed.arm_ay);
+    if (b >= 0) {
+        before -= stretch_velocity(detected, b, contact.arm_bx, contact.arm_by);
+        added -= stretch_acceleration(model, cache, b, placed.arm_bx, placed.arm_by);
+        const Simd2d stretching = stretch_velocity(k, a, placed.arm_ax, placed.arm_ay) -
+                                  stretch_velocity(k, b, placed.arm_bx, placed.arm_by);
+        const Planar rigid = difference(point_velocity(k, a, placed.arm_ax, placed.arm_ay),
+                                        point_velocity(k, b, placed.arm_bx, placed.arm_by));
+        const double turn = 2.0 * k.spin[b];
+        added += both(turn) * Simd2d{stretching[1], -stretching[0]} -
+                 stretch_velocity(k, b, rigid.x + stretching[0], rigid.y + stretching[1]);
+    }
+    placed.sliding += contact.normal_x * before[1] - contact.normal_y * before[0];
+    placed.acceleration.x += added[0];
+    placed.acceleration.y += added[1];
+}
+
 CAMBRIAN_INLINE void set_contact_row(const Contact& contact, const PlacedContact& placed,
                                      Row& row) {
     const bool normal = row.kind == RowKind::kNormal;
@@ -121,6 +172,35 @@ CAMBRIAN_INLINE void set_contact_row(const Contact& contact, const PlacedContact
     row.moment_b = placed.arm_bx * y - placed.arm_by * x;
     row.rate = normal ? -contact.closing_speed : placed.sliding;
     row.acceleration = x * placed.acceleration.x + y * placed.acceleration.y;
+}
+
+// Finds what a contact's row does to the stretches of its bodies.
+RowStretches find_stretches(const PlanarModel& model, const Kinematics& k, const Row& row,
+                            const PlacedContact& placed) {
+    RowStretches stretches;
+    const Simd2d direction = {row.dir_x, row.dir_y};
+    stretches.slot_a = model.stretch_slot[row.body_a];
+    if (stretches.slot_a >= 0)
+        stretches.effort_a =
+            dot(direction, stretch_lever(k, row.body_a, placed.arm_ax, placed.arm_ay));
+    if (row.body_b < 0) return stretches;
+    stretches.slot_b = model.stretch_slot[row.body_b];
+    if (stretches.slot_b >= 0)
+        stretches.effort_b =
+            dot(direction, stretch_lever(k, row.body_b, placed.arm_bx, placed.arm_by));
+    return stretches;
+}
+
+// Adds the efforts of the contacts' rows on stretches.
+[[gnu::noinline]] void add_stretch_impulses(const ConstraintSystem& rows, const double* impulses,
+                                            double scale, Loads& loads) {
+    for (int r = 0; r < rows.count; ++r) {
+        if (rows[r].kind == RowKind::kLimit || impulses[r] == 0.0) continue;
+        const RowStretches& stretches = rows.stretches[r];
+        const double impulse = scale * impulses[r];
+        if (stretches.slot_a >= 0) loads.effort[stretches.slot_a] += stretches.effort_a * impulse;
+        if (stretches.slot_b >= 0) loads.effort[stretches.slot_b] -= stretches.effort_b * impulse;
+    }
 }
 
 Row& add_row(RowKind kind, int source, ConstraintSystem& rows) {
@@ -203,7 +283,7 @@ void close_loops(const PlanarModel& model, const EvaluationCache& cache, Constra
     for (int row = 0; row < rows.count; ++row) {
         for (std::size_t joint = 0; joint < units.size(); ++joint)
             effect(row, static_cast<Eigen::Index>(joint)) =
-                row_rate(model, rows[row], units[joint]);
+                row_rate(model, rows[row], units[joint]) + stretches_rate(rows, row, units[joint]);
     }
     const Eigen::MatrixXd held = effect * loops.impulses(effect.transpose());
     for (int row = 0; row < rows.count; ++row) {
@@ -222,8 +302,13 @@ void build_rows(const PlanarModel& model, const RowSources& sources, const Kinem
                 const EvaluationCache& cache, ConstraintSystem& rows) {
     CAMBRIAN_TICK_ASSERT(sources.contacts.count <= kMaxContacts, "contacts have room");
     PlacedContact placed[kMaxContacts];
-    for (int c = 0; c < sources.contacts.count; ++c)
-        place_contact(sources.contacts.items[c], detected, cache, placed[c]);
+    rows.deforms = model.stretch_count > 0;
+    for (int c = 0; c < sources.contacts.count; ++c) {
+        if (rows.deforms)
+            place_stretched_contact(model, sources.contacts.items[c], detected, cache, placed[c]);
+        else
+            place_contact(sources.contacts.items[c], detected, cache, placed[c]);
+    }
     rows.count = 0;
     list_contact_rows(sources, rows);
     for (int r = 0; r < rows.count; ++r) {
@@ -232,6 +317,9 @@ void build_rows(const PlanarModel& model, const RowSources& sources, const Kinem
         CAMBRIAN_TICK_ASSERT(is_body(model, row.body_a) && is_body_or_ground(model, row.body_b),
                              "a contact of bodies");
     }
+    for (int r = 0; rows.deforms && r < rows.count; ++r)
+        rows.stretches[r] =
+            find_stretches(model, cache.kinematics, rows[r], placed[rows[r].source]);
     add_limit_rows(model, sources.limits, detected, cache.response, rows);
     compute_delassus_matrix(model, cache, sources.friction_softness, rows);
     if (!model.loop_joints.empty()) close_loops(model, cache, rows);
@@ -243,10 +331,16 @@ void rate_rows(const PlanarModel& model, const ConstraintSystem& rows,
         for (int which = 0; which < 2; ++which)
             rates[which][row] = row_rate(model, rows[row], motions[which]);
     }
+    if (!rows.deforms) return;
+    for (int row = 0; row < rows.count; ++row) {
+        for (int which = 0; which < 2; ++which)
+            rates[which][row] += stretches_rate(rows, row, motions[which]);
+    }
 }
 
 void add_row_impulses(const ConstraintSystem& rows, const double* impulses, double scale,
                       Loads& loads) {
+    if (rows.deforms) add_stretch_impulses(rows, impulses, scale, loads);
     for (int r = 0; r < rows.count; ++r) {
         if (impulses[r] == 0.0) continue;
         const Row& row = rows[r];

@@ -44,6 +44,13 @@ struct Row {
     double regularization;  // included in the matrix's diagonal
 };
 
+// What a contact's row does to the stretches of its bodies, by their slots (-1: none): the effort
+// of a unit impulse on a's and, reversed, on b's.
+struct RowStretches {
+    int slot_a = -1, slot_b = -1;
+    double effort_a = 0.0, effort_b = 0.0;
+};
+
 struct ConstraintSystem {
     int count = 0;
     int stride = 0;  // of the matrix, doubles
@@ -53,6 +60,8 @@ struct ConstraintSystem {
     // 0 from count to the stride; so are the columns of the matrix.
     double impulse[kMaxRows];
     double matrix[kMaxRows * kMaxRows];
+    bool deforms = false;              // whether the model has stretches
+    RowStretches stretches[kMaxRows];  // of rows of contacts, if it has
 
     const Row& operator[](int row) const { return rows[row]; }
     Row& operator[](int row) { return rows[row]; }

@@ -57,8 +57,8 @@ void detect_ground_contacts(const PlanarModel& model, const Kinematics& k, const
     PerPart lowest;
     for (int part = 0; part < model.part_count; part += kLanes) {
         const Simd4d reach =
-            magnitude(load_lanes(places.axis_y + part)) * load_lanes(model.half_length + part) +
-            magnitude(load_lanes(places.axis_x + part)) * load_lanes(model.half_width + part);
+            magnitude(load_lanes(places.axis_y + part)) * load_lanes(places.half_length + part) +
+            magnitude(load_lanes(places.axis_x + part)) * load_lanes(places.half_width + part);
         store_lanes(lowest + part, load_lanes(places.y + part) - reach);
     }
     for (int part = 0; part < model.part_count; ++part) {
@@ -66,8 +66,8 @@ void detect_ground_contacts(const PlanarModel& model, const Kinematics& k, const
         const int b = model.part_body[part];
         const double axis_x = places.axis_x[part];
         const double axis_y = places.axis_y[part];
-        const double length = model.half_length[part];
-        const double width = model.half_width[part];
+        const double length = places.half_length[part];
+        const double width = places.half_width[part];
         const BoxArms arms{places.x[part] - k.x[b], places.y[part] - k.y[b], axis_x * length,
                            axis_y * length,         -axis_y * width,         axis_x * width};
         add_corners(model, k, part, arms, static_cast<std::uint8_t>(face_toward(-axis_y, -axis_x)),

@@ -11,9 +11,9 @@ namespace {
 
 constexpr double kSpare = 0.15;  // m, enlargement of the bounding circles
 
-PlacedBox placed_box(const PlanarModel& model, const PartPlaces& places, int part) {
-    return {places.x[part],      places.y[part],          places.axis_x[part],
-            places.axis_y[part], model.half_length[part], model.half_width[part]};
+PlacedBox placed_box(const PartPlaces& places, int part) {
+    return {places.x[part],      places.y[part],           places.axis_x[part],
+            places.axis_y[part], places.half_length[part], places.half_width[part]};
 }
 
 // Whether the bounding circles of two boxes are nearer than the margin.
@@ -89,9 +89,8 @@ void PairList::detect(const PlanarModel& model, const Kinematics& kinematics,
         const double x = places.x[pair.second] - places.x[pair.first];
         const double y = places.y[pair.second] - places.y[pair.first];
         if (x * x + y * y >= pair.reach_squared) continue;
-        const BoxManifold manifold =
-            collide_boxes(placed_box(model, places, pair.first),
-                          placed_box(model, places, pair.second), kContactMargin);
+        const BoxManifold manifold = collide_boxes(placed_box(places, pair.first),
+                                                   placed_box(places, pair.second), kContactMargin);
         if (manifold.count > 0)
             add_points(model, kinematics, places, pair.index, manifold, contacts);
     }

@@ -5,18 +5,30 @@
 #include "dynamics/evaluation/dense_evaluation.h"
 #include "dynamics/evaluation/dense_response.h"
 #include "dynamics/forces/drag.h"
+#include "dynamics/model/stretching.h"
 
 namespace cambrian {
 namespace {
 
-void add_held_force(const HeldForce& held, const Kinematics& k, Loads& loads) {
+// Adds the effort of a force at this world offset from a body's centre on the body's stretch.
+void add_stretch_effort(const PlanarModel& model, const Kinematics& k, int body, const Simd2d& arm,
+                        const Simd2d& force, Loads& loads) {
+    const int slot = model.stretch_slot[body];
+    if (slot >= 0) loads.effort[slot] += dot(stretch_lever(k, body, arm[0], arm[1]), force);
+}
+
+void add_held_force(const PlanarModel& model, const HeldForce& held, const Kinematics& k,
+                    Loads& loads) {
     const int a = held.body_a;
     CAMBRIAN_TICK_ASSERT(a >= 0 && held.body_b < kMaxBodies, "a force on a body");
-    const double arm_x = k.cosine[a] * held.point_x - k.sine[a] * held.point_y;
-    const double arm_y = k.sine[a] * held.point_x + k.cosine[a] * held.point_y;
+    const Simd2d arm = material_arm(k, a, held.point_x, held.point_y);
+    const double arm_x = arm[0];
+    const double arm_y = arm[1];
     loads.force_x[a] += held.force_x;
     loads.force_y[a] += held.force_y;
     loads.torque[a] += arm_x * held.force_y - arm_y * held.force_x;
+    const Simd2d force = {held.force_x, held.force_y};
+    if (k.deforms) add_stretch_effort(model, k, a, arm, force, loads);
     const int b = held.body_b;
     if (b < 0) return;
     const double back_x = k.x[a] + arm_x - k.x[b];
@@ -24,14 +36,17 @@ void add_held_force(const HeldForce& held, const Kinematics& k, Loads& loads) {
     loads.force_x[b] -= held.force_x;
     loads.force_y[b] -= held.force_y;
     loads.torque[b] -= back_x * held.force_y - back_y * held.force_x;
+    if (k.deforms) add_stretch_effort(model, k, b, Simd2d{back_x, back_y}, -force, loads);
 }
 
 double pull_power(const HeldForce& pull, const Kinematics& k) {
     const int a = pull.body_a;
-    const double arm_x = k.cosine[a] * pull.point_x - k.sine[a] * pull.point_y;
-    const double arm_y = k.sine[a] * pull.point_x + k.cosine[a] * pull.point_y;
-    return pull.force_x * (k.velocity_x[a] - k.spin[a] * arm_y) +
-           pull.force_y * (k.velocity_y[a] + k.spin[a] * arm_x);
+    const Simd2d arm = material_arm(k, a, pull.point_x, pull.point_y);
+    double power = pull.force_x * (k.velocity_x[a] - k.spin[a] * arm[1]) +
+                   pull.force_y * (k.velocity_y[a] + k.spin[a] * arm[0]);
+    if (k.deforms)
+        power += dot(stretch_velocity(k, a, arm[0], arm[1]), Simd2d{pull.force_x, pull.force_y});
+    return power;
 }
 
 CAMBRIAN_INLINE bool is_dragged(const Medium& medium) {
@@ -51,7 +66,7 @@ CAMBRIAN_INLINE bool holds_pairs(const Forcing& forcing) {
 void add_held_forces(const PlanarModel& model, const HeldForces& held, const Kinematics& k,
                      Loads& loads) {
     for (int c = 0; c < held.contact_count; ++c)
-        add_held_force(held.contacts[c], k, loads);
+        add_held_force(model, held.contacts[c], k, loads);
     if (!held.limits_active) return;
     for (int i = 1; i < model.body_count; ++i)
         loads.effort[i] += held.limit_effort[i];
@@ -83,7 +98,7 @@ void compute_loads(const PlanarModel& model, const Forcing& forcing, const Evalu
         is_dragged(medium) ? add_drag(model, medium, cache.kinematics, loads) : 0.0;
     rate.power[kPullWork] = 0.0;
     if (forcing.pulled) {
-        add_held_force(forcing.pull, cache.kinematics, loads);
+        add_held_force(model, forcing.pull, cache.kinematics, loads);
         rate.power[kPullWork] = pull_power(forcing.pull, cache.kinematics);
     }
     if (forcing.held != nullptr) add_held_forces(model, *forcing.held, cache.kinematics, loads);

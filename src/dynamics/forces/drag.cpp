@@ -2,10 +2,12 @@
 
 #include "core/assert.h"
 #include "dynamics/forces/box_drag.h"
+#include "dynamics/forces/stretched_drag.h"
 
 namespace cambrian {
 
 double add_drag(const PlanarModel& model, const Medium& medium, const Kinematics& k, Loads& loads) {
+    if (model.stretch_count > 0) return add_stretched_drag(model, medium, k, loads);
     Simd4d power = {};
     for (int first = 0; first < model.part_count; first += kLanes) {
         CAMBRIAN_TICK_ASSERT(medium.drag_linear >= 0.0 && medium.drag_quadratic >= 0.0,

@@ -139,8 +139,8 @@ void attempt_least_squares_step(const MotionSystem& system, const StepRequest& r
 }  // namespace
 
 void add_least_squares(IntegratorRegistry& integrators) {
-    integrators.add(
-        {"least-squares", "Least squares", attempt_least_squares_step, 4, 1.0 / 240, true});
+    integrators.add({"least-squares", "Least squares", attempt_least_squares_step, 4, 1.0 / 240,
+                     true, false, false});
 }
 
 }  // namespace cambrian

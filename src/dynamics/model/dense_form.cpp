@@ -40,7 +40,7 @@ void find_arms(const PlanarModel& model, Arms& arms) {
 }
 
 void size_boxes(const PlanarModel& model, DenseForm& form) {
-    form.single_boxes = model.part_count == model.body_count;
+    form.single_boxes = has_single_boxes(model);
     if (!form.single_boxes) return;
     for (int part = 0; part < model.part_count; ++part) {
         form.half_length[model.part_body[part]] = model.half_length[part];

@@ -1,6 +1,7 @@
 #include "dynamics/model/kinematics.h"
 
 #include "core/assert.h"
+#include "dynamics/model/stretching.h"
 #include "math/elementary.h"
 
 namespace cambrian {
@@ -147,6 +148,7 @@ CAMBRIAN_INLINE void move_bodies(const PlanarModel& model, const Kinematics& k, 
 }  // namespace
 
 void compute_joints(const PlanarModel& model, const Motion& motion, Kinematics& k) {
+    if (model.stretch_count > 0) return compute_stretched_joints(model, motion, k);
     compute_angles(model, motion, k);
     for (int first = 0; first < model.body_count; first += kLanes)
         turn_joints(model, k, first);
@@ -162,10 +164,13 @@ void compute_joint_geometry(const PlanarModel& model, Kinematics& k) {
 }
 
 void compute_velocities(const PlanarModel& model, const Motion& motion, Kinematics& k) {
+    if (model.stretch_count > 0)
+        return move_stretched_bodies(model, k, motion.speed, k.spin, k.velocity_x, k.velocity_y);
     move_bodies(model, k, motion.speed, k.spin, k.velocity_x, k.velocity_y);
 }
 
 void spread_spins(const PlanarModel& model, const PerCoordinate& rates, PerBody& spin) {
+    if (model.stretch_count > 0) return spread_stretched_spins(model, rates, spin);
     const int slots = round_up_to_lanes(model.body_count);
     for (int i = 0; i < slots; i += kLanes)
         store_lanes(spin + i, load_lanes(rates + i));
@@ -179,11 +184,14 @@ void spread_spins(const PlanarModel& model, const PerCoordinate& rates, PerBody&
 void spread_rates(const PlanarModel& model, const Kinematics& place, const PerCoordinate& rates,
                   PerBody& spin, PerBody& velocity_x, PerBody& velocity_y) {
     spread_spins(model, rates, spin);
+    if (model.stretch_count > 0)
+        return move_stretched_bodies(model, place, rates, spin, velocity_x, velocity_y);
     move_bodies(model, place, rates, spin, velocity_x, velocity_y);
 }
 
 // Pivots: c_i = c_p - perp(z); centres: - perp(s).
 void compute_places(const PlanarModel& model, const Motion& motion, Kinematics& k) {
+    if (model.stretch_count > 0) return place_stretched_bodies(model, motion, k);
     PerBody lever_y;
     for (int i = 0; i < model.body_count; i += kLanes) {
         store_lanes(k.x + i, load_lanes(k.z_y + i));
@@ -211,6 +219,7 @@ double limit_overrun(const PlanarModel& model, const Kinematics& k) {
 }
 
 double kinetic_energy(const PlanarModel& model, const Kinematics& k) {
+    if (model.stretch_count > 0) return stretched_kinetic_energy(model, k);
     Simd4d energy = {};
     for (int i = 0; i < model.body_count; i += kLanes) {
         const Simd4d velocity_x = load_lanes(k.velocity_x + i);

@@ -21,6 +21,12 @@ struct Kinematics {
     PerBody axis_x, axis_y;
     // Coordinate and rate of the joint relative to the rest pose, for motors, limits and sensors.
     PerBody joint_position, joint_rate;  // rad or m, and its rate
+    // Of models with stretches only (stretching.h): growth of length and width, 1 for rigid bodies,
+    // stretch rate of every body, and y: velocity of the joint per unit stretch rate of the parent.
+    bool deforms = false;
+    PerBody length_growth, width_growth;
+    PerBody stretch_rate;  // 1/s
+    PerBody y_x, y_y;      // m
 };
 
 // Fills all members.

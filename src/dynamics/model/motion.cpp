@@ -13,8 +13,7 @@ Motion rest_motion(const PlanarModel& model) {
         motion.position[root] = angle[root];
         for (int i = root + 1; i < model.tree_begin[t + 1]; ++i) {
             angle[i] = angle[model.parent[i]] + model.rest_angle[i];
-            const bool is_prismatic = model.motion[i] == JointMotion::kSlide;
-            motion.position[i] = is_prismatic ? 0.0 : angle[i];
+            motion.position[i] = model.motion[i] == JointMotion::kTurn ? angle[i] : 0.0;
         }
     }
     return motion;

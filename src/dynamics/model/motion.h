@@ -2,7 +2,8 @@
 
 // The state of articulated bodies and its rate of change (dynamics/README.md 1). The coordinates
 // are (s_0 ... s_{n-1}, Cx and Cy of every tree). s_i is the ABSOLUTE angle of a root or of a body
-// behind a revolute joint, or the length of a prismatic joint; C is the centre of mass of a tree.
+// behind a revolute joint, the length of a prismatic joint, the stretch of a deformable body in its
+// own slot, or always 0 at a rigid joint; C is the centre of mass of a tree.
 // Joints cannot come apart in these coordinates. Slots beyond the count, up to a multiple of the
 // vector width, are 0.
 

@@ -8,6 +8,10 @@ namespace cambrian {
 struct PartPlaces {
     PerPart x, y;            // m, centres
     PerPart axis_x, axis_y;  // unit, along the length
+    // Present half extents of all boxes, m: the model's, or those here if some are stretched.
+    const double* half_length;
+    const double* half_width;
+    PerPart stretched_length, stretched_width;
 };
 
 void place_parts(const PlanarModel& model, const Kinematics& kinematics, PartPlaces& places);

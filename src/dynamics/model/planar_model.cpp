@@ -6,6 +6,7 @@ namespace cambrian {
 
 void derive_inertias(PlanarModel& model) {
     for (int i = 0; i < model.body_count; ++i) {
+        if (model.motion[i] == JointMotion::kStretch) continue;
         CAMBRIAN_TICK_ASSERT(model.mass[i] > 0.0 && model.inertia[i] > 0.0, "a body has a mass");
         const double arm_square =
             model.pivot_x[i] * model.pivot_x[i] + model.pivot_y[i] * model.pivot_y[i];

@@ -85,12 +85,18 @@ struct PlanarModel {
     PerBody rest_angle = {};                  // rad, relative to the parent
     PerBody axis_x = {}, axis_y = {};         // prismatic joints: unit, in the parent's frame
     PerBody limit_low = {}, limit_high = {};  // rad or m
-    PerBody slides = {};                      // 1 on prismatic joints, else 0
+    PerBody slides = {};                      // 0 on revolute joints and roots, else 1
     PerBody max_effort = {};                  // N m or N
     PerBody effective_inertia = {};           // kg m^2 or kg, of this joint alone in the rest pose
     MotorMode motor_mode[kMaxBodies] = {};
     MotorLaw motor;
     DenseForm dense;
+
+    // The stretch of a deformable body has the slot after its body's: it is a joint without mass,
+    // and its motion is kStretch (stretching.h). Only models with stretches keep rigid joints.
+    int stretch_count = 0;
+    int stretch_slot[kMaxBodies] = {};              // of a body's stretch, or -1
+    PerBody length_square = {}, width_square = {};  // m^2; of half its length and width, over 3
 
     // Boxes.
     int part_body[kMaxParts] = {};
@@ -108,6 +114,11 @@ struct PlanarModel {
     PerTree rest_center_x = {}, rest_center_y = {};  // m, centres of mass in the plan's rest pose
     PerTree rest_root_angle = {};                    // rad
 };
+
+// Whether every body is one box and every slot is a body.
+inline bool has_single_boxes(const PlanarModel& model) {
+    return model.part_count == model.body_count && model.stretch_count == 0;
+}
 
 // Fills the members that follow from masses, inertias and joints.
 void derive_inertias(PlanarModel& model);

@@ -25,7 +25,7 @@ double mechanical_energy(const PlanarModel& model, const Medium& medium, const M
 
 void note_speeds(const PlanarModel& model, const Kinematics& k, SceneAudit& audit) {
     Simd4d fastest = {};
-    const bool single_boxes = model.part_count == model.body_count;
+    const bool single_boxes = has_single_boxes(model);
     for (int first = 0; first < model.part_count; first += kLanes) {
         const Simd4dVector velocity =
             single_boxes

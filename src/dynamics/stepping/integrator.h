@@ -54,6 +54,7 @@ struct IntegratorKind {
     bool holds_loops = false;  // whether it supports loop-closure joints
     // Whether steps with contact forces are midpoint steps (midpoint_step.h) instead.
     bool rows_at_middle = false;
+    bool holds_stretches = true;  // whether it supports deformable parts
 };
 
 }  // namespace cambrian

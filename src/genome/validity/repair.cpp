@@ -57,9 +57,22 @@ void repair_parameters(OrganGene& organ, const OrganEntry& kind) {
     }
 }
 
+// Keeps the first organ of each kind of which a part has only one.
+void drop_doubles(std::vector<OrganGene>& organs, const KindCatalog& catalog) {
+    for (std::size_t i = 0; i < organs.size(); ++i) {
+        const std::uint8_t kind = organs[i].kind;
+        if (!catalog.organs[kind].single) continue;
+        const auto later = organs.begin() + static_cast<std::ptrdiff_t>(i) + 1;
+        organs.erase(std::remove_if(later, organs.end(),
+                                    [&](const OrganGene& organ) { return organ.kind == kind; }),
+                     organs.end());
+    }
+}
+
 void repair_organs(std::vector<OrganGene>& organs, const KindCatalog& catalog) {
     std::erase_if(organs,
                   [&](const OrganGene& organ) { return organ.kind >= catalog.organs.size(); });
+    drop_doubles(organs, catalog);
     trim(organs, gene_range::kMaxOrgans);
     for (OrganGene& organ : organs) {
         repair_input(organ.input, SourceScope::kPart);

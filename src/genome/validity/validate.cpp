@@ -103,8 +103,10 @@ private:
             complain(place + "/effector/kind", "is not a known effector");
         check_input(place + "/effector", node.effector, SourceScope::kPart);
         check_size(place + "/organs", node.organs.size(), 0, gene_range::kMaxOrgans);
-        for (std::size_t i = 0; i < node.organs.size(); ++i)
+        for (std::size_t i = 0; i < node.organs.size(); ++i) {
             check_organ(fmt::format("{}/organs/{}", place, i), node.organs[i]);
+            check_double(fmt::format("{}/organs/{}/kind", place, i), node.organs, i);
+        }
         check_size(place + "/neurons", node.neurons.size(), 0, gene_range::kMaxNodeNeurons);
         check_neurons(place + "/neurons", node.neurons, SourceScope::kPart);
         check_size(place + "/edges", node.edges.size(), 0, gene_range::kMaxEdges);
@@ -125,6 +127,18 @@ private:
             } else if (organ.parameters[i] != 0.0) {
                 complain(place, "has a parameter that its kind does not use");
             }
+        }
+    }
+
+    void check_double(const std::string& place, const std::vector<OrganGene>& organs,
+                      std::size_t index) {
+        const std::uint8_t kind = organs[index].kind;
+        if (kind >= catalog_.organs.size() || !catalog_.organs[kind].single) return;
+        for (std::size_t i = 0; i < index; ++i) {
+            if (organs[i].kind != kind) continue;
+            complain(place, fmt::format("is a second {}, but a part has at most one",
+                                        catalog_.organs[kind].id));
+            return;
         }
     }
 

@@ -36,6 +36,7 @@ KindNames names_of(const KindCatalog& catalog) {
     for (const OrganEntry& organ : catalog.organs) {
         names.organs.push_back(organ.id);
         names.parameters.push_back(organ.parameters);
+        names.single.push_back(organ.single);
     }
     names.reproductions = catalog.reproductions;
     names.channels.numbered.assign(kChannelsOfVersion1.begin(), kChannelsOfVersion1.end());

@@ -58,6 +58,7 @@ struct KindNames {
     NumberedNames channels;
     std::vector<std::string> organs;
     std::vector<std::vector<FieldRule>> parameters;  // those of each kind of organ
+    std::vector<bool> single;                        // of which organs a part has at most one
     std::vector<std::string> reproductions;
 };
 
@@ -163,6 +164,20 @@ void describe_organ(Archive& archive, Organ& organ, const KindNames& names) {
         archive.real(rules[i].key, organ.parameters[i], rules[i]);
 }
 
+// Returns the name of a kind of organ of which the part has more than it may, or null.
+inline const std::string* doubled_organ(const std::vector<OrganGene>& organs,
+                                        const KindNames& names) {
+    for (std::size_t i = 0; i < organs.size(); ++i) {
+        const std::uint8_t kind = organs[i].kind;
+        const auto count =
+            std::count_if(organs.begin(), organs.begin() + static_cast<std::ptrdiff_t>(i),
+                          [&](const OrganGene& organ) { return organ.kind == kind; });
+        if (kind < names.single.size() && names.single[kind] && count > 0)
+            return &names.organs[kind];
+    }
+    return nullptr;
+}
+
 template <class Archive, class Node>
 void describe_node(Archive& archive, Node& node, std::size_t node_count, const KindNames& names) {
     archive.type("node");
@@ -183,6 +198,9 @@ void describe_node(Archive& archive, Node& node, std::size_t node_count, const K
     archive.optional_list(
         "organs", node.organs, gene_range::kMaxOrgans, JsonLayout::kCompact,
         [&](Archive& inner, auto& organ) { describe_organ(inner, organ, names); });
+    const std::string* doubled = doubled_organ(node.organs, names);
+    archive.require(doubled == nullptr, "E10", "organs",
+                    fmt::format("over 1 entry \"{}\", limit 1", doubled ? *doubled : ""));
     archive.list("neurons", node.neurons, 0, gene_range::kMaxNodeNeurons, JsonLayout::kLines,
                  [&](Archive& inner, auto& neuron) {
                      describe_neuron(inner, neuron, SourceScope::kPart, names);

@@ -14,8 +14,11 @@ MotionFrame motion_frame(const Trial& trial) {
     const BodyView& body = trial.scene();
     MotionFrame frame;
     frame.poses.resize(body.part_count());
-    for (std::size_t part = 0; part < frame.poses.size(); ++part)
+    frame.stretches.resize(body.part_count());
+    for (std::size_t part = 0; part < frame.poses.size(); ++part) {
         frame.poses[part] = body.part_pose(part);
+        frame.stretches[part] = body.stretch(part);
+    }
     frame.center_of_mass = body.center_of_mass();
     frame.touched = touched_faces(body);
     const LightSource& light = trial.surroundings().source();
@@ -32,6 +35,8 @@ MotionFrame between(const MotionFrame& from, const MotionFrame& to, double share
         between.poses[i].orientation =
             from.poses[i].orientation.slerp(share, to.poses[i].orientation);
     }
+    for (std::size_t i = 0; i < between.stretches.size(); ++i)
+        between.stretches[i] += share * (to.stretches[i] - from.stretches[i]);
     between.center_of_mass += share * (to.center_of_mass - from.center_of_mass);
     return between;
 }
@@ -45,7 +50,7 @@ MotionFrame settle(Trial& trial) {
 }
 
 std::size_t size_of(const MotionFrame& frame) {
-    return sizeof(MotionFrame) + frame.poses.size() * sizeof(Pose) +
+    return sizeof(MotionFrame) + frame.poses.size() * (sizeof(Pose) + sizeof(double)) +
            frame.touched.size() * sizeof(FaceSet);
 }
 

@@ -16,7 +16,8 @@
 namespace cambrian {
 
 struct MotionFrame {
-    std::vector<Pose> poses;  // of each part
+    std::vector<Pose> poses;        // of each part
+    std::vector<double> stretches;  // of each part
     Vec3 center_of_mass = Vec3::Zero();
     std::vector<FaceSet> touched;  // faces of each part that touch something
     std::optional<Vec3> light;     // m; place of the light, if there is one

@@ -26,7 +26,8 @@ Vec2 size_of_body(const RecordedMotion& motion, const MotionFrame& frame) {
 SceneFrame scene_of(const Subject& subject, const Moment& moment, const Camera& camera,
                     const Viewport& viewport, const MomentStyle& style) {
     const MotionFrame& shown = moment.frame;
-    const CreatureLook look{subject.phenotype(), shown.poses, shown.touched, subject.hue(), {}};
+    const CreatureLook look{subject.phenotype(), shown.poses, shown.touched,
+                            subject.hue(),       {},          shown.stretches};
     SceneFrame scene;
     scene.background = style.palette.sky;
     add_grid(scene, style.palette, camera, viewport);

@@ -9,8 +9,9 @@
 
 namespace cambrian {
 
-// Adds a sign for each organ, with the parts at `poses`; `pixel` is the size of one, in m.
+// Adds a sign for each organ, with the parts at `poses` and of the shapes of shown_shape.h; `pixel`
+// is the size of one, in m.
 void add_organ_marks(SceneFrame& frame, const Phenotype& phenotype, std::span<const Pose> poses,
-                     double pixel);
+                     std::span<const double> stretches, double pixel);
 
 }  // namespace cambrian

@@ -1,6 +1,7 @@
 #include "pictures/scene/scene_builder.h"
 
 #include "pictures/scene/organ_marks.h"
+#include "pictures/scene/shown_shape.h"
 
 #include <algorithm>
 #include <array>
@@ -18,8 +19,11 @@ Vec2 planar(const Vec3& point) {
     return point.head<2>();
 }
 
-Shape part_shape(const PlannedPart& part, const Pose& pose, const Color& color, double pixel) {
-    const Vec2 half = planar(part.half_extents);
+Vec2 half_of(const CreatureLook& look, std::size_t part) {
+    return planar(shown_half_extents(look.phenotype.plan, look.stretches, part));
+}
+
+Shape part_shape(const Vec2& half, const Pose& pose, const Color& color, double pixel) {
     Shape shape;
     shape.center = planar(pose.position);
     shape.half_extents = half;
@@ -51,7 +55,7 @@ std::array<Vec2, 2> face_ends(const Vec2& half, Face face, double inset) {
 void add_touched_faces(SceneFrame& frame, const CreatureLook& look, std::size_t index,
                        const Color& color, double pixel) {
     const Pose& pose = look.poses[index];
-    const Vec2 half = planar(look.phenotype.plan.parts[index].half_extents);
+    const Vec2 half = half_of(look, index);
     const double width = std::max(3.0 * pixel, 0.012);
     const double inset = 0.45 * std::min(half.x(), half.y());
     for (const Face face : {Face::kDistal, Face::kLeft, Face::kProximal, Face::kRight}) {
@@ -67,7 +71,8 @@ void add_pivots(SceneFrame& frame, const CreatureLook& look, double pixel) {
         const PlannedPart& part = look.phenotype.plan.parts[index];
         const double narrow = std::min(part.half_extents.x(), part.half_extents.y());
         const double radius = std::max(2.0 * pixel, std::min(kPivotRadius, 0.4 * narrow));
-        const Vec2 at = planar(transform(look.poses[index], part.anchor_in_child));
+        const Vec3 inside = shown_point(part.anchor_in_child, look.stretches, index);
+        const Vec2 at = planar(transform(look.poses[index], inside));
         frame.add_circle(at, radius, color_of(0x0B0E12, 0.75F));
         frame.add_circle(at, 0.45 * radius, color_of(0xF2F4F7, 0.85F));
     }
@@ -156,7 +161,7 @@ void add_light(SceneFrame& frame, const Camera& camera, const Viewport& viewport
 
 void add_shadow(SceneFrame& frame, const CreatureLook& look) {
     for (std::size_t i = 0; i < look.poses.size(); ++i) {
-        const Vec2 half = planar(look.phenotype.plan.parts[i].half_extents);
+        const Vec2 half = half_of(look, i);
         const double angle = planar_angle(look.poses[i]);
         const double reach =
             std::fabs(std::cos(angle)) * half.x() + std::fabs(std::sin(angle)) * half.y();
@@ -173,7 +178,7 @@ void add_shadow(SceneFrame& frame, const CreatureLook& look) {
 
 void add_ghost(SceneFrame& frame, const Camera& camera, const CreatureLook& look) {
     for (std::size_t i = look.poses.size(); i-- > 0;) {
-        Shape shape = part_shape(look.phenotype.plan.parts[i], look.poses[i],
+        Shape shape = part_shape(half_of(look, i), look.poses[i],
                                  part_color(look.phenotype.parts[i], look.hue), camera.pixel());
         shape.outline = with_alpha(shape.fill, 0.55F);
         shape.fill = with_alpha(shape.fill, 0.2F);
@@ -185,7 +190,7 @@ void add_creature(SceneFrame& frame, const Palette& palette, const Camera& camer
                   const CreatureLook& look) {
     const double pixel = camera.pixel();
     for (std::size_t i = look.poses.size(); i-- > 0;) {
-        Shape shape = part_shape(look.phenotype.plan.parts[i], look.poses[i],
+        Shape shape = part_shape(half_of(look, i), look.poses[i],
                                  part_color(look.phenotype.parts[i], look.hue), pixel);
         if (look.highlight.covers(i, look.phenotype.parts[i])) {
             shape.fill = mix(shape.fill, color_of(0xFFFFFF), 0.15F);
@@ -195,15 +200,16 @@ void add_creature(SceneFrame& frame, const Palette& palette, const Camera& camer
         frame.shapes.push_back(shape);
         if (!look.touched.empty()) add_touched_faces(frame, look, i, palette.plot_best, pixel);
     }
-    add_organ_marks(frame, look.phenotype, look.poses, pixel);
+    add_organ_marks(frame, look.phenotype, look.poses, look.stretches, pixel);
     add_pivots(frame, look, pixel);
 }
 
-int part_at(const Phenotype& phenotype, std::span<const Pose> poses, const Vec2& point) {
+int part_at(const Phenotype& phenotype, std::span<const Pose> poses, const Vec2& point,
+            std::span<const double> stretches) {
     for (std::size_t i = 0; i < poses.size(); ++i) {
         const Vec3 offset = Vec3(point.x(), point.y(), 0.0) - poses[i].position;
         const Vec3 inside = poses[i].orientation.conjugate() * offset;
-        const Vec3& half = phenotype.plan.parts[i].half_extents;
+        const Vec3 half = shown_half_extents(phenotype.plan, stretches, i);
         if (std::fabs(inside.x()) <= half.x() && std::fabs(inside.y()) <= half.y()) {
             return static_cast<int>(i);
         }

@@ -22,6 +22,7 @@ struct CreatureLook {
     std::span<const FaceSet> touched = {};
     double hue = 0.0;  // hue of its lineage, in turns
     Highlight highlight = {};
+    std::span<const double> stretches = {};  // of each part, or empty: at rest
 };
 
 // Returns the colour of a part: the lineage's hue with a small shift for each gene node, lighter
@@ -51,6 +52,7 @@ inline constexpr double kTickPixels = 70.0;  // least distance of the ground's t
 double mark_spacing(const Camera& camera, double least_pixels);
 
 // Returns the part in front at a point of the world, or -1.
-int part_at(const Phenotype& phenotype, std::span<const Pose> poses, const Vec2& point);
+int part_at(const Phenotype& phenotype, std::span<const Pose> poses, const Vec2& point,
+            std::span<const double> stretches = {});
 
 }  // namespace cambrian

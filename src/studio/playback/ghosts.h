@@ -33,6 +33,7 @@ public:
     const Phenotype& phenotype() const { return replay_->trial().phenotype(); }
     const Trial& trial() const { return replay_->trial(); }
     const std::vector<Pose>& poses() const { return motion_.poses(); }
+    const std::vector<double>& stretches() const { return motion_.stretches(); }
 
 private:
     Ghost(JudgedIndividual champion, std::unique_ptr<Replay> replay);

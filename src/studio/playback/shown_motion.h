@@ -19,6 +19,7 @@ public:
     void show(double share);
 
     const std::vector<Pose>& poses() const { return shown_; }
+    const std::vector<double>& stretches() const { return shown_stretches_; }
     Vec3 center() const { return shown_center_; }
 
 private:
@@ -27,6 +28,9 @@ private:
     std::vector<Pose> previous_;
     std::vector<Pose> current_;
     std::vector<Pose> shown_;
+    std::vector<double> previous_stretches_;
+    std::vector<double> current_stretches_;
+    std::vector<double> shown_stretches_;
     Vec3 previous_center_ = Vec3::Zero();
     Vec3 current_center_ = Vec3::Zero();
     Vec3 shown_center_ = Vec3::Zero();

@@ -118,7 +118,12 @@ void draw_grown_organs(const FrameContext& frame) {
     for (const GrownOrgan& organ : organs) {
         const OrganKind& kind = frame.kinds.creature.organs[organ.kind];
         fact(kind.label, fmt::format("part {}", organ.part));
-        muted_text(kind.words(std::span(organ.parameters.data(), kind.parameters.size())));
+        const bool is_idle = kind.shape != nullptr && !organ.deforms;
+        muted_text(is_idle
+                       ? fmt::format("This part stays rigid, because the body has no room for more "
+                                     "than {} deformable parts.",
+                                     kMostDeformers)
+                       : kind.words(std::span(organ.parameters.data(), kind.parameters.size())));
     }
 }
 

@@ -283,6 +283,12 @@ bool draw_organ(GeneRows& rows, OrganGene& organ, const std::string& place,
                        "Remove this organ from the gene.");
 }
 
+bool may_have_another(const NodeGene& node, std::size_t kind, const KindCatalog& catalog) {
+    return !catalog.organs[kind].single ||
+           std::none_of(node.organs.begin(), node.organs.end(),
+                        [&](const OrganGene& organ) { return organ.kind == kind; });
+}
+
 void draw_organs(GeneRows& rows, Genome& genome, std::size_t index, const Kinds& kinds) {
     NodeGene& node = genome.nodes[index];
     const std::string owner = fmt::format("part {}", index);
@@ -295,13 +301,15 @@ void draw_organs(GeneRows& rows, Genome& genome, std::size_t index, const Kinds&
     if (removed) node.organs.erase(node.organs.begin() + static_cast<std::ptrdiff_t>(*removed));
     if (node.organs.size() >= gene_range::kMaxOrgans || kinds.organs.size() == 0) return;
     GeneRows::heading("New organ");
+    bool is_first = true;
     for (std::size_t kind = 0; kind < kinds.organs.size(); ++kind) {
+        if (!may_have_another(node, kind, kinds.catalog)) continue;
         const std::string place = fmt::format("{} organ {}", owner, node.organs.size());
         const OrganKind& added = kinds.organs[kind];
         const OrganGene organ = new_organ(kind, node, kinds.catalog);
         const std::string help =
             added.words(std::span(organ.parameters.data(), added.parameters.size()));
-        if (kind > 0) ImGui::SameLine();
+        if (!std::exchange(is_first, false)) ImGui::SameLine();
         if (!rows.button("Add " + added.id, place, "", "new organ " + added.id, help.c_str()))
             continue;
         node.organs.push_back(organ);

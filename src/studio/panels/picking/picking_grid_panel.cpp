@@ -170,7 +170,8 @@ void PickingGridPanel::build_scene(std::size_t cell, const FrameContext& frame) 
     canvas.camera.center =
         follow_center(shown.center_of_mass.head<2>(), ground, canvas.camera, size_);
     const CreatureLook look{
-        *recorded.phenotype, shown.poses, {}, grid_of(frame).creatures[cell]->genome->hue, {}};
+        *recorded.phenotype, shown.poses, {}, grid_of(frame).creatures[cell]->genome->hue, {},
+        shown.stretches};
     if (frame.view.overlays.grid) add_grid(canvas.frame, palette, canvas.camera, size_);
     if (ground) {
         add_ground(canvas.frame, palette, canvas.camera, size_);

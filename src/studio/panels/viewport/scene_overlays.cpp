@@ -1,6 +1,7 @@
 #include "studio/panels/viewport/scene_overlays.h"
 
 #include "math/elementary.h"
+#include "pictures/scene/shown_shape.h"
 #include "world/environment.h"
 
 #include <algorithm>
@@ -38,7 +39,8 @@ JointPlace place_of(const OverlayScene& over, std::size_t index) {
     const PlannedPart& part = plan.parts[index];
     const Pose& pose = over.look.poses[index];
     JointPlace place;
-    place.pivot = planar(transform(pose, part.anchor_in_child));
+    place.pivot =
+        planar(transform(pose, shown_point(part.anchor_in_child, over.look.stretches, index)));
     place.radius = std::max(14.0 * over.pixel, 0.6 * part.half_extents.x());
     place.angle = planar_angle(pose);
     place.coordinate = over.scene.joint_coordinate(index);
@@ -64,8 +66,8 @@ void add_lamp(SceneFrame& frame, const OverlayScene& over, std::size_t index) {
     const WiredSensor& sensor = over.creature.phenotype().sensors[index];
     const SensorKind& kind = over.kinds.sensors[sensor.kind];
     const Vec3 share = kind.spot ? kind.spot(sensor.channel, sensor.handedness) : Vec3::Zero();
-    const Vec3 inside =
-        share.cwiseProduct(over.look.phenotype.plan.parts[sensor.part].half_extents);
+    const Vec3 inside = share.cwiseProduct(
+        shown_half_extents(over.look.phenotype.plan, over.look.stretches, sensor.part));
     const Vec2 at = planar(transform(over.look.poses[sensor.part], inside));
     const double reading = over.creature.reading(index, over.scene, over.surroundings);
     const auto light = static_cast<float>(std::clamp(0.5 + 0.5 * reading, 0.0, 1.0));

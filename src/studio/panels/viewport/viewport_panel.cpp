@@ -145,7 +145,8 @@ void ViewportPanel::handle_mouse(const FrameContext& frame, Requests& out) {
     if (!handle_light(frame, out)) handle_poke(frame, out);
     const int under =
         hovered ? part_at(frame.viewer.playback.creature().phenotype(),
-                          frame.viewer.playback.creature().motion().poses(), mouse_in_world())
+                          frame.viewer.playback.creature().motion().poses(), mouse_in_world(),
+                          frame.viewer.playback.creature().motion().stretches())
                 : -1;
     if (under >= 0) out.ask(ShowHighlight{{.part = under}});
 }
@@ -190,7 +191,8 @@ void ViewportPanel::handle_poke(const FrameContext& frame, Requests& out) {
     }
     if (!ImGui::IsItemActive() || !ImGui::IsMouseClicked(ImGuiMouseButton_Left)) return;
     const int part = part_at(frame.viewer.playback.creature().phenotype(),
-                             frame.viewer.playback.creature().motion().poses(), mouse);
+                             frame.viewer.playback.creature().motion().poses(), mouse,
+                             frame.viewer.playback.creature().motion().stretches());
     if (part < 0) return;
     const Pose& pose =
         frame.viewer.playback.creature().motion().poses()[static_cast<std::size_t>(part)];
@@ -204,8 +206,12 @@ void ViewportPanel::build_scene(const FrameContext& frame) {
     SceneFrame& scene = canvas_.frame;
     std::vector<FaceSet> touched;
     if (frame.view.overlays.contacts) touched = touched_faces(playback.trial().scene());
-    const CreatureLook look{playback.creature().phenotype(), playback.creature().motion().poses(),
-                            touched, playback.exhibit().genome()->hue, frame.viewer.highlight};
+    const CreatureLook look{playback.creature().phenotype(),
+                            playback.creature().motion().poses(),
+                            touched,
+                            playback.exhibit().genome()->hue,
+                            frame.viewer.highlight,
+                            playback.creature().motion().stretches()};
     if (frame.view.overlays.grid) add_grid(scene, palette, canvas_.camera, size_);
     if (playback.creature().replay().environment().has_ground) {
         add_ground(scene, palette, canvas_.camera, size_);
@@ -216,8 +222,9 @@ void ViewportPanel::build_scene(const FrameContext& frame) {
                         with_alpha(palette.accent, 0.8F));
     }
     for (const auto& ghost : frame.viewer.ghosts)
-        add_ghost(scene, canvas_.camera,
-                  {ghost->phenotype(), ghost->poses(), {}, ghost->genome().hue});
+        add_ghost(
+            scene, canvas_.camera,
+            {ghost->phenotype(), ghost->poses(), {}, ghost->genome().hue, {}, ghost->stretches()});
     const LightSource& light = playback.trial().surroundings().source();
     if (light.is_on()) add_light(scene, canvas_.camera, size_, light.place().head<2>());
     add_creature(scene, palette, canvas_.camera, look);
