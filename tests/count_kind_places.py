@@ -31,7 +31,8 @@ SORTS = {
 # Ids that are also ordinary words, for example keys in files. Only their registration and channels
 # are searched for.
 COMMON_WORDS = {"joint", "contact", "effector", "weight", "source", "function", "root", "sum",
-                "product", "if", "light", "jumping", "organ", "sound", "scent"}
+                "product", "if", "light", "jumping", "organ", "sound", "scent",
+                "energy"}
 # Sorts that may have an enumeration, such as kGrafting for "grafting".
 ENUMERATED = {"breeding", "selection", "integrator"}
 COMMENT = re.compile(r"//.*")

@@ -12,6 +12,13 @@ Brain::Brain(const Network& network, const NeuronFunctionRegistry& functions)
     reset();
 }
 
+bool Brain::go_on_from(std::span<const double> values, std::span<const double> memory) {
+    if (values.size() != values_.size() || memory.size() != memory_.size()) return false;
+    std::copy(values.begin(), values.end(), values_.begin());
+    std::copy(memory.begin(), memory.end(), memory_.begin());
+    return true;
+}
+
 void Brain::reset() {
     std::fill(values_.begin(), values_.end(), 0.0);
     std::fill(memory_.begin(), memory_.end(), 0.0);

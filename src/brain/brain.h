@@ -24,6 +24,9 @@ public:
     double value(Slot slot) const { return values_[slot]; }
     std::span<const double> values() const { return values_; }
     std::span<const double> memory() const { return memory_; }
+    // Goes on from values and memory of a brain with the same network. Returns false, without an
+    // effect, if there are more or fewer of them.
+    bool go_on_from(std::span<const double> values, std::span<const double> memory);
     // Sets the value of a neuron, whatever it computes, until released.
     void force(std::size_t neuron, double value);
     void release(std::size_t neuron);

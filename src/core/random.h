@@ -25,6 +25,7 @@ enum class Purpose : std::uint64_t {
     kDisplay = 6,
     kPicking = 7,
     kLight = 8,
+    kPreserve = 9,
     kTest = 99,
 };
 

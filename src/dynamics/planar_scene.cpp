@@ -32,13 +32,19 @@ Medium medium_of(const Environment& environment) {
             environment.viscosity_linear, environment.viscosity_quadratic};
 }
 
+struct StepWorkspace final : SceneWorkspace {
+    StepWorkspace(const IntegratorKind& integrator, const SceneSettings& settings)
+        : control(integrator, settings) {}
+    StepControl control;
+};
+
 class PlanarScene final : public PhysicsScene {
 public:
     PlanarScene(PlanarModel model, const Environment& environment, const SceneSettings& settings,
                 const IntegratorKind& integrator)
         : model_(std::move(model)),
           motor_frequency_(settings.motor_frequency),
-          control_(integrator, settings) {
+          workspace_(std::make_unique<StepWorkspace>(integrator, settings)) {
         forcing_.drive.frequency = motor_frequency_;
         forcing_.drive.speed_limit = settings.motor_speed_limit;
         state_.motion = rest_motion(model_);
@@ -84,6 +90,10 @@ public:
         return std::make_unique<SavedState>(state_, environment_, motors_off_);
     }
     void restore(const SceneState& state) override;
+    std::unique_ptr<SceneWorkspace> take_workspace() override { return std::move(workspace_); }
+    void give_workspace(std::unique_ptr<SceneWorkspace> workspace) override;
+    SceneMotion motion() const override;
+    bool begin_at(const SceneMotion& motion) override;
     double energy() const override {
         return mechanical_energy(model_, forcing_.medium, state_.motion, state_.cache().kinematics);
     }
@@ -120,7 +130,7 @@ private:
     Environment environment_;
     ContactLaw law_;
     Forcing forcing_;
-    StepControl control_;
+    std::unique_ptr<StepWorkspace> workspace_;
     SimulationState state_;
 };
 
@@ -208,7 +218,7 @@ double PlanarScene::stretch_effort(std::size_t part) const {
 
 Vec3 PlanarScene::part_half_extents(std::size_t part) const {
     const int b = body_of(part);
-    const Vec3 rest(model_.half_length[part], model_.half_width[part], 0.0);
+    Vec3 rest(model_.half_length[part], model_.half_width[part], 0.0);
     if (model_.stretch_slot[b] < 0) return rest;
     const Kinematics& k = state_.cache().kinematics;
     return {k.length_growth[b] * rest.x(), k.width_growth[b] * rest.y(), 0.0};
@@ -284,7 +294,7 @@ SceneStatus PlanarScene::advance(double duration) {
         store_lanes(forcing_.drive.start + i, activity * load_lanes(state_.drive_start + i));
         store_lanes(forcing_.drive.end + i, activity * load_lanes(state_.drive_end + i));
     }
-    control_.advance(model_, law_, forcing_, duration, state_);
+    workspace_->control.advance(model_, law_, forcing_, duration, state_);
     for (int i = 0; i < model_.body_count; i += kLanes)
         store_lanes(state_.drive_start + i, load_lanes(state_.drive_end + i));
     if (forcing_.pulled) state_.cache_is_current = false;
@@ -357,6 +367,46 @@ void PlanarScene::restore(const SceneState& state) {
     if (saved->environment == environment_ && saved->motors_off == motors_off_) return;
     state_.cache_is_current = false;
     state_.energy_reference += energy() - energy_under(saved->environment);
+}
+
+void PlanarScene::give_workspace(std::unique_ptr<SceneWorkspace> workspace) {
+    CAMBRIAN_ASSERT(dynamic_cast<StepWorkspace*>(workspace.get()) != nullptr,
+                    "a workspace of a planar scene");
+    workspace_.reset(static_cast<StepWorkspace*>(workspace.release()));
+    workspace_->control.forget_model();
+    state_.detection = 0;  // numbers of detections differ between workspaces
+}
+
+SceneMotion PlanarScene::motion() const {
+    const auto count = static_cast<std::size_t>(coordinate_count(model_));
+    const auto bodies = static_cast<std::size_t>(model_.body_count);
+    return {{state_.motion.position, state_.motion.position + count},
+            {state_.motion.speed, state_.motion.speed + count},
+            {state_.drive_end, state_.drive_end + bodies}};
+}
+
+bool PlanarScene::begin_at(const SceneMotion& motion) {
+    const auto count = static_cast<std::size_t>(coordinate_count(model_));
+    const auto bodies = static_cast<std::size_t>(model_.body_count);
+    if (motion.positions.size() != count || motion.speeds.size() != count ||
+        motion.targets.size() != bodies)
+        return false;
+    const auto finite = [](const std::vector<double>& numbers) {
+        return std::all_of(numbers.begin(), numbers.end(),
+                           [](double number) { return std::isfinite(number); });
+    };
+    if (!finite(motion.positions) || !finite(motion.speeds) || !finite(motion.targets))
+        return false;
+    state_ = SimulationState{};
+    state_.motion = rest_motion(model_);
+    std::copy(motion.positions.begin(), motion.positions.end(), state_.motion.position);
+    std::copy(motion.speeds.begin(), motion.speeds.end(), state_.motion.speed);
+    std::copy(motion.targets.begin(), motion.targets.end(), state_.drive_start);
+    std::copy(motion.targets.begin(), motion.targets.end(), state_.drive_end);
+    forcing_.pulled = false;
+    evaluate_here();
+    start_audit(model_, forcing_.medium, state_);
+    return true;
 }
 
 // Mechanical energy of the motion with another environment's density and gravity.

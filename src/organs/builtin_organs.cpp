@@ -8,6 +8,7 @@ OrganRegistry builtin_organs() {
     add_sound_organ(organs);
     add_scent_organ(organs);
     add_deformer_organ(organs);
+    add_mouth_organ(organs);
     return organs;
 }
 

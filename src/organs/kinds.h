@@ -9,5 +9,6 @@ namespace cambrian {
 void add_sound_organ(OrganRegistry& organs);
 void add_scent_organ(OrganRegistry& organs);
 void add_deformer_organ(OrganRegistry& organs);
+void add_mouth_organ(OrganRegistry& organs);
 
 }  // namespace cambrian

@@ -60,6 +60,7 @@ struct OrganKind {
     double place = 0.0;
     OrganMark mark = OrganMark::kDots;
     bool scents = false;    // gives off scent
+    bool eats = false;      // its part eats in a preserve; its first parameter is the diet
     Shape shape = nullptr;  // of a muscle of the part itself, of which a part has at most one
 };
 

@@ -138,8 +138,9 @@ private:
         const double width = area_.width / static_cast<double>(columns_);
         for (std::size_t i = 0; i < curves_.size(); ++i) {
             const double x = area_.x + width * static_cast<double>(i % columns_);
+            const std::size_t line = i / columns_;
             const double y =
-                area_.bottom() + unit_ * (kBottom + kLegend * static_cast<double>(i / columns_));
+                area_.bottom() + unit_ * (kBottom + kLegend * static_cast<double>(line));
             canvas_.add_line({x, y}, {x + 36.0 * unit_, y}, 5.0 * unit_, color_of_curve(i));
             canvas_.add_text(x + 52.0 * unit_, y + 7.0 * unit_, curves_[i].name,
                              {Typeface::kRegular, 22.0 * unit_, palette_.text}, Align::kLeft,

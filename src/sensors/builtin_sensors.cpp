@@ -17,6 +17,8 @@ SensorRegistry builtin_sensors() {
     add_sound_sensor(sensors);
     add_smell_sensor(sensors);
     add_stretch_sensor(sensors);
+    add_food_smell_sensor(sensors);
+    add_hunger_sensor(sensors);
     return sensors;
 }
 

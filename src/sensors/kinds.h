@@ -18,5 +18,7 @@ void add_light_sensor(SensorRegistry& sensors);
 void add_sound_sensor(SensorRegistry& sensors);
 void add_smell_sensor(SensorRegistry& sensors);
 void add_stretch_sensor(SensorRegistry& sensors);
+void add_food_smell_sensor(SensorRegistry& sensors);
+void add_hunger_sensor(SensorRegistry& sensors);
 
 }  // namespace cambrian

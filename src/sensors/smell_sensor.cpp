@@ -1,21 +1,15 @@
 // Nose: the logarithm of the concentration of scent at the part's far end. The difference of two
 // noses is the same however strong the scent is.
 
-#include "math/elementary.h"
-#include "sensors/frames.h"
 #include "sensors/kinds.h"
+#include "sensors/smelling.h"
 
 namespace cambrian {
 namespace {
 
-constexpr double kLeastScent = 1e-3;  // units; less is hardly noticed
-constexpr double kScale = 0.25;
-constexpr double kMostSmell = 5.0;
-
 double read_smell(const SensorSite& site, double& /*memory*/) {
     const Vec3 nose = point_on_axis(site.body, site.index, 1.0);
-    const double scent = site.surroundings.scent(nose);
-    return std::min(kMostSmell, kScale * logarithm(1.0 + scent / kLeastScent));
+    return smell_reading(site.surroundings.scent(nose));
 }
 
 Vec3 smell_spot(std::size_t /*channel*/, int /*handedness*/) {

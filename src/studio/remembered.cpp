@@ -43,6 +43,19 @@ constexpr std::array kSizes = {
 constexpr std::array kGhostChoices = {"none", "improvements", "every-tenth", "across"};
 constexpr float kMostSize = 4000.0F;
 
+void read_speed(const std::string& value, ViewState& view) {
+    const double speed = parsed_number<double>(value).value_or(0.0);
+    if (std::find(kPlaybackSpeeds.begin(), kPlaybackSpeeds.end(), speed) != kPlaybackSpeeds.end())
+        view.speed = speed;
+}
+
+void read_size(const std::string& name, const std::string& value, PanelSizes& sizes) {
+    const float units = parsed_number<float>(value).value_or(-1.0F);
+    for (const Size& size : kSizes) {
+        if (name == size.name && units >= 0.0F && units <= kMostSize) sizes.*size.place = units;
+    }
+}
+
 void read_line(const std::string& name, const std::string& value, ViewState& view) {
     for (const Flag& flag : kFlags) {
         if (name == flag.name) flag.of(view) = value == "yes";
@@ -54,11 +67,7 @@ void read_line(const std::string& name, const std::string& value, ViewState& vie
         if (name == "ghosts" && value == kGhostChoices[i])
             view.ghosts = static_cast<GhostChoice>(i);
     }
-    for (const Size& size : kSizes) {
-        const float units = parsed_number<float>(value).value_or(-1.0F);
-        if (name == size.name && units >= 0.0F && units <= kMostSize)
-            view.panels.*size.place = units;
-    }
+    read_size(name, value, view.panels);
     for (const TimelinePlot& plot : timeline_plots()) {
         if (name == "timeline" && value == plot.id) view.quantity = plot.quantity;
     }
@@ -66,10 +75,7 @@ void read_line(const std::string& name, const std::string& value, ViewState& vie
         if (name == "population" && value == sorting.id) view.order = sorting.order;
     }
     if (name == "theme") view.theme = value == "light" ? ThemeKind::kLight : ThemeKind::kDark;
-    if (name != "speed") return;
-    const double speed = parsed_number<double>(value).value_or(0.0);
-    if (std::find(kPlaybackSpeeds.begin(), kPlaybackSpeeds.end(), speed) != kPlaybackSpeeds.end())
-        view.speed = speed;
+    if (name == "speed") read_speed(value, view);
 }
 
 struct ClusterLine {

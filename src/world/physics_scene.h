@@ -64,6 +64,19 @@ public:
     virtual ~SceneState() = default;
 };
 
+// The memory in which scenes compute a tick; it holds nothing of a scene between two ticks.
+class SceneWorkspace {
+public:
+    virtual ~SceneWorkspace() = default;
+};
+
+// What a scene needs to go on with its motion, without what it remembers of contacts.
+struct SceneMotion {
+    // Of its coordinates; the last two are x and y of the centre of mass of a body without loops.
+    std::vector<double> positions, speeds;
+    std::vector<double> targets;  // of the motors
+};
+
 inline constexpr std::size_t kMostImpacts = 16;
 
 class PhysicsScene : public BodyView {
@@ -97,6 +110,16 @@ public:
 
     virtual std::unique_ptr<SceneState> save() const = 0;
     virtual void restore(const SceneState& state) = 0;
+
+    // Scenes of equal settings may use one workspace in turn. A scene is made with one of its own;
+    // after it was taken, the scene must be given one before advance().
+    virtual std::unique_ptr<SceneWorkspace> take_workspace() = 0;
+    virtual void give_workspace(std::unique_ptr<SceneWorkspace> workspace) = 0;
+
+    virtual SceneMotion motion() const = 0;
+    // Begins at that motion as a new scene does: nothing touches, and the audit starts again.
+    // Returns false, without an effect, if the motion is not one of this body or not finite.
+    virtual bool begin_at(const SceneMotion& motion) = 0;
 
     virtual double energy() const = 0;  // J, kinetic + potential
     virtual const SceneAudit& audit() const = 0;

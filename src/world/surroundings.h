@@ -23,6 +23,12 @@ public:
     virtual double sound(const Vec3& point, int band) const = 0;
     // Returns the concentration of scent, at least 0.
     virtual double scent(const Vec3& point) const = 0;
+    // The following are 0 where nothing is eaten.
+    // Return the concentration of the smell of plants and of flesh, at least 0.
+    virtual double plant_smell(const Vec3& /*point*/) const { return 0.0; }
+    virtual double flesh_smell(const Vec3& /*point*/) const { return 0.0; }
+    // Returns the creature's own store of energy as a share of that of a newborn.
+    virtual double energy() const { return 0.0; }
 };
 
 }  // namespace cambrian

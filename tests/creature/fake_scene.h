@@ -66,6 +66,12 @@ public:
     void pull(std::size_t, const Vec3&, const Vec3&) override {}
     std::unique_ptr<SceneState> save() const override { return std::make_unique<SceneState>(); }
     void restore(const SceneState&) override {}
+    std::unique_ptr<SceneWorkspace> take_workspace() override {
+        return std::make_unique<SceneWorkspace>();
+    }
+    void give_workspace(std::unique_ptr<SceneWorkspace>) override {}
+    SceneMotion motion() const override { return {}; }
+    bool begin_at(const SceneMotion&) override { return true; }
     double energy() const override { return 0.0; }
     const SceneAudit& audit() const override { return audit_; }
     void restart_audit() override {}

@@ -16,11 +16,14 @@ Genome founder(int number) {
     return random_genome(all_joints(), test::kinds().creature.catalog, random);
 }
 
+// The organs and channels that there were when the digests were recorded.
 FounderSettings with_emitters() {
+    constexpr std::size_t kChannels = 21;
+    const KindCatalog& catalog = test::kinds().creature.catalog;
     FounderSettings settings = all_joints();
     settings.organs = {{"sound", true}, {"scent", true}};
-    for (const ChannelEntry& channel : test::kinds().creature.catalog.channels)
-        settings.channels[channel.id] = !channel.id.starts_with("stretch");
+    for (std::size_t i = 0; i < kChannels; ++i)
+        settings.channels[catalog.channels[i].id] = true;
     return settings;
 }
 

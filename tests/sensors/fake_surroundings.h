@@ -21,10 +21,16 @@ public:
         return concentration;
     }
 
+    double plant_smell(const Vec3& /*point*/) const override { return plants; }
+    double flesh_smell(const Vec3& /*point*/) const override { return flesh; }
+    double energy() const override { return store; }
+
     Vec3 upwards = Vec3::UnitY();
     Light lit;
     std::array<double, kSoundBands> loudness = {};
     double concentration = 0.0;
+    double plants = 0.0, flesh = 0.0;
+    double store = 0.0;
     mutable Vec3 scented = Vec3::Zero();  // where scent was last asked for
 };
 

@@ -75,7 +75,8 @@ TEST_CASE("channels have the absolute numbers genes rely on", "[sensors]") {
                           "effort",        "spin",           "up-along",     "up-across",
                           "load",          "light-along",    "light-across", "light",
                           "sound-1",       "sound-2",        "sound-3",      "sound-4",
-                          "smell",         "stretch",        "stretch-rate"});
+                          "smell",         "stretch",        "stretch-rate", "smell-food",
+                          "smell-flesh",   "energy"});
 }
 
 TEST_CASE("only joint and contact sensors are used unless settings say otherwise", "[sensors]") {
@@ -269,4 +270,22 @@ TEST_CASE("the nose is at the far end and reads the logarithm of the scent", "[s
         const Vec3 nose(0.3 + 0.4 * direction.cosine, 0.7 + 0.4 * direction.sine, 0.0);
         CHECK((bench.surroundings.scented - nose).norm() < 1e-12);
     }
+}
+
+TEST_CASE("noses for plants and flesh read as the one for scent", "[sensors][smell]") {
+    Bench bench;
+    bench.surroundings.plants = 0.001;
+    bench.surroundings.flesh = 0.001 * (std::exp(4.0) - 1.0);
+    CHECK(bench.read("smell-food") == Approx(0.25 * std::log(2.0)));
+    CHECK(bench.read("smell-flesh") == Approx(1.0));
+    CHECK(bench.read("smell") == 0.0);
+}
+
+TEST_CASE("hunger reads the store as a share of that at birth, up to 4", "[sensors]") {
+    Bench bench;
+    CHECK(bench.read("energy") == 0.0);
+    bench.surroundings.store = 0.25;
+    CHECK(bench.read("energy") == 0.25);
+    bench.surroundings.store = 9.0;
+    CHECK(bench.read("energy") == 4.0);
 }

@@ -138,7 +138,9 @@ std::vector<std::string> unreadable_files(const SessionRun& run) {
             messages.push_back(loaded.error().message);
     };
     read("one.creature.json", load_creature);
-    read("all.toml", load_settings);
+    read("all.toml", [](const std::filesystem::path& path, const EvolutionKinds& evolution) {
+        return load_settings(path, evolution);
+    });
     read("run.cambrian", load_experiment);
     return messages;
 }

@@ -12,7 +12,7 @@ namespace {
 // CLI11 appends the checks to the type: "UINT:INT in [1 - 1024]", "FLOAT:NONNEGATIVE".
 std::string value_of(const CLI::Option& option) {
     if (option.get_type_size() == 0) return "";
-    const std::string type = option.get_type_name();
+    std::string type = option.get_type_name();
     const std::size_t colon = type.find(':');
     if (colon == std::string::npos) return type;
     const std::string checked = type.substr(colon + 1);

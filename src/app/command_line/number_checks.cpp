@@ -47,7 +47,7 @@ void take_whole(CLI::Option& option, std::int64_t low, std::int64_t high) {
     const auto least = static_cast<double>(low);
     const auto most = static_cast<double>(high);
     const auto check = [least, most](std::string& text) {
-        const std::string wrong = fault(text, least, most);
+        std::string wrong = fault(text, least, most);
         if (!wrong.empty()) return wrong;
         const double number = *number_of(text);
         if (std::trunc(number) != number) return "expected a whole number, found " + text;

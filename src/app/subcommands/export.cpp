@@ -7,6 +7,7 @@
 #include "core/files/file_io.h"
 #include "persist/creature/creature_file.h"
 #include "persist/experiment/experiment_parts.h"
+#include "persist/preserve/preserve_file.h"
 #include "persist/records/statistics_csv.h"
 #include "persist/settings/settings_file.h"
 
@@ -23,7 +24,7 @@ namespace {
 class ExportSubcommand final : public Subcommand {
 public:
     void add_options(CLI::App& app) override {
-        app.add_option("experiment", file_, "Experiment file (*.cambrian)")
+        app.add_option("experiment", file_, "Experiment or preserve file (*.cambrian)")
             ->type_name(option_type::kExperiment)
             ->required();
         auto* champion =
@@ -35,15 +36,21 @@ public:
         take_whole(*generation, 0, 10'000'000);
         auto* stats = app.add_flag("--stats", stats_, "Statistics of every generation, as CSV")
                           ->excludes(champion, generation);
-        app.add_flag("--settings", settings_, "Settings of the last generation")
-            ->excludes(champion, generation, stats);
+        auto* settings = app.add_flag("--settings", settings_, "Settings of the last generation")
+                             ->excludes(champion, generation, stats);
+        auto* lives = app.add_flag("--lives", lives_, "All lives of a preserve, as CSV")
+                          ->excludes(champion, generation, stats, settings);
+        app.add_flag("--series", series_, "Series of a preserve, as CSV")
+            ->excludes(champion, generation, stats, settings, lives);
         app.add_option("-o,--out", out_, "File to write; standard output by default")
             ->type_name(option_type::kFile);
     }
     CommandFiles files() const override { return CommandFiles().reads(file_).writes(out_); }
     ExitStatus run(const EvolutionKinds& kinds) override {
-        if (!champion_ && !generation_ && !stats_ && !settings_)
-            return fail({"expected --champion, --generation G, --stats or --settings"});
+        if (!champion_ && !generation_ && !stats_ && !settings_ && !lives_ && !series_)
+            return fail(
+                {"expected --champion, --generation G, --stats or --settings of an "
+                 "experiment, or --lives or --series of a preserve"});
         // This must fail before the work begins, so that no result is lost.
         const Result<std::filesystem::path> path =
             out_.empty() ? std::filesystem::path() : output_path(out_, "", files());
@@ -58,6 +65,8 @@ public:
 
 private:
     Result<std::string> text_of(const EvolutionKinds& kinds, LongWork& work) const {
+        if (lives_) return lives_csv(file_);
+        if (series_) return series_csv(file_);
         if (settings_) {
             const Result<SettingsPtr> settings = load_last_settings(file_, kinds);
             return settings ? Result(write_settings(**settings, kinds)) : settings.error();
@@ -87,15 +96,18 @@ private:
     bool champion_ = false;
     bool stats_ = false;
     bool settings_ = false;
+    bool lives_ = false;
+    bool series_ = false;
 };
 
 }  // namespace
 
 SubcommandKind export_subcommand() {
-    return {.id = "export",
-            .summary = "Take creatures, statistics or settings out of an experiment file.",
-            .example = "cambrian export walking-seed1.cambrian --champion -o best.creature.json",
-            .make = make_subcommand<ExportSubcommand>};
+    return {
+        .id = "export",
+        .summary = "Take creatures, statistics or settings out of an experiment or preserve file.",
+        .example = "cambrian export walking-seed1.cambrian --champion -o best.creature.json",
+        .make = make_subcommand<ExportSubcommand>};
 }
 
 }  // namespace cambrian

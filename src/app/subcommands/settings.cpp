@@ -22,6 +22,8 @@ public:
         app.add_option("-g,--goal", goal_, "Goal of the settings, with the environment it needs")
             ->default_str(ExperimentSettings().goal)
             ->excludes("settings");
+        app.add_flag("--preserve", preserve_, "Settings of a preserve instead of an experiment")
+            ->excludes("--goal");
         app.add_option(
                "-o,--out", out_,
                "File to write, or folder of a file named after the goal; standard output by "
@@ -30,13 +32,15 @@ public:
     }
     CommandFiles files() const override { return CommandFiles().reads(file_).writes(out_); }
     ExitStatus run(const EvolutionKinds& kinds) override {
+        const SettingsUse use = preserve_ ? SettingsUse::kPreserve : SettingsUse::kExperiment;
         const Result<ExperimentSettings> settings =
-            file_.empty() ? parse_settings(starting_text(), "--goal", kinds)
-                          : load_settings(file_, kinds);
+            file_.empty() ? parse_settings(starting_text(), "--goal", kinds, use)
+                          : load_settings(file_, kinds, use);
         if (!settings) return fail(settings.error());
-        const std::string text = write_settings(*settings, kinds);
+        const std::string text = write_settings(*settings, kinds, use);
         if (out_.empty()) return print_result(text);
-        const auto path = output_path(out_, settings->goal + ".toml", files());
+        const auto path = output_path(
+            out_, (preserve_ ? std::string("preserve") : settings->goal) + ".toml", files());
         if (!path) return fail(path.error());
         const Status written = write_file(*path, text);
         return written ? ExitStatus::kDone : fail(written.error(), ExitStatus::kFailed);
@@ -50,6 +54,7 @@ private:
     std::string file_;
     std::string goal_;
     std::string out_;
+    bool preserve_ = false;
 };
 
 }  // namespace

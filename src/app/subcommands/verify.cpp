@@ -1,5 +1,6 @@
 #include "app/command_line/option_types.h"
 #include "app/evolve/experiment_replay.h"
+#include "app/preserve/preserve_replay.h"
 #include "app/process/long_work.h"
 #include "app/process/messages.h"
 #include "app/subcommands/subcommands.h"
@@ -12,6 +13,7 @@
 #include "persist/creature/creature_file.h"
 #include "persist/creature/rescoring.h"
 #include "persist/experiment/experiment_file.h"
+#include "persist/preserve/preserve_file.h"
 #include "persist/text/digest_text.h"
 
 #include <CLI/CLI.hpp>
@@ -105,10 +107,17 @@ ExitStatus verify_experiment(const std::string& file, const EvolutionKinds& kind
                                          done, saved->journal.size()));
 }
 
+ExitStatus verify_one(const std::string& file, const EvolutionKinds& kinds, LongWork& work) {
+    if (!is_experiment_name(file)) return verify(file, kinds, work);
+    return is_preserve_file(file) ? verify_preserve(file, kinds, work)
+                                  : verify_experiment(file, kinds, work);
+}
+
 class VerifySubcommand final : public Subcommand {
 public:
     void add_options(CLI::App& app) override {
-        app.add_option("creatures", files_, "Creature files and experiment files to compute again")
+        app.add_option("creatures", files_,
+                       "Creature files, experiment files and preserve files to compute again")
             ->type_name(option_type::kCreatureOrExperiment)
             ->required();
     }
@@ -117,8 +126,7 @@ public:
         ExitStatus worst = ExitStatus::kDone;
         LongWork work;
         for (const std::string& file : files_) {
-            worst = std::max(worst, is_experiment_name(file) ? verify_experiment(file, kinds, work)
-                                                             : verify(file, kinds, work));
+            worst = std::max(worst, verify_one(file, kinds, work));
             if (work.interrupted()) break;
         }
         return worst;
@@ -134,8 +142,8 @@ SubcommandKind verify_subcommand() {
     return {
         .id = "verify",
         .summary =
-            "Run the trial that scored a creature, or a complete experiment, again; compare every "
-            "bit.",
+            "Run the trial that scored a creature, or a complete experiment or preserve, again; "
+            "compare every bit.",
         .example = "cambrian verify champion-walking-seed7.creature.json",
         .make = make_subcommand<VerifySubcommand>};
 }

@@ -43,6 +43,7 @@ public:
     // Detects all near contacts at the given positions.
     void detect(const PlanarModel& model, const ContactLaw& law, const Kinematics& kinematics);
     const ContactSet& near() const { return near_; }
+    void forget_model() { pair_list_.forget(); }  // before another one
 
     // Whether a touching contact closes faster than kRestingSpeed.
     bool has_impact() const;

@@ -14,6 +14,7 @@ public:
     // Adds all contacts nearer than kContactMargin, at most two for each pair.
     void detect(const PlanarModel& model, const Kinematics& kinematics, const PartPlaces& places,
                 ContactSet& contacts);
+    void forget() { built_ = false; }  // before the positions of another model
 
 private:
     bool has_expired(const PlanarModel& model, const PartPlaces& places) const;

@@ -74,6 +74,14 @@ public:
     void advance(const PlanarModel& model, const ContactLaw& law, Forcing& forcing, double duration,
                  SimulationState& state);
 
+    // Must be called before another model is advanced.
+    void forget_model() {
+        contacts_.forget_model();
+        midpoint_ = {};  // slots beyond the coordinates of a smaller model must be 0
+        held_rate_ = {};
+        result_ = {};
+    }
+
     const SolverTally& solver_tally() const { return solver_tally_; }
 
 private:

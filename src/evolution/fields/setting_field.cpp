@@ -285,28 +285,6 @@ Status out_of_range(const SettingField& field, double value) {
                              short_text(field.low), short_text(field.high))};
 }
 
-Status check_field(const SettingField& field, const SettingRef& ref) {
-    return std::visit(
-        [&](const auto* at) -> Status {
-            using T = std::remove_cvref_t<decltype(*at)>;
-            if constexpr (std::is_same_v<T, std::string>) {
-                if (std::find(field.choices.begin(), field.choices.end(), *at) !=
-                    field.choices.end()) {
-                    return {};
-                }
-                return Error{fmt::format("{}: unknown \"{}\"; known are {}", place(field), *at,
-                                         fmt::join(field.choices, ", "))};
-            } else if constexpr (std::is_same_v<T, bool>) {
-                return {};
-            } else {
-                const double value = static_cast<double>(*at);
-                if (value >= field.low && value <= field.high) return {};
-                return out_of_range(field, value);
-            }
-        },
-        ref);
-}
-
 Status check_order(double low, double high, const char* low_key, const char* high_key) {
     if (low <= high) return {};
     return Error{fmt::format("[body] {}: {} is above {}, which is {}", low_key, short_text(low),
@@ -338,24 +316,40 @@ Status check_early_termination(const Settings& s, const EvolutionKinds& kinds) {
 
 // Rejects settings that are in range one by one but contradict one another.
 Status check_together(const Settings& s, const EvolutionKinds& kinds) {
-    if (Status order =
-            check_order(s.founders.min_nodes, s.founders.max_nodes, "min-nodes", "max-nodes");
-        !order) {
-        return order;
-    }
-    if (Status order =
-            check_order(s.founders.min_length, s.founders.max_length, "min-length", "max-length");
-        !order) {
-        return order;
-    }
-    if (Status order =
-            check_order(s.founders.min_width, s.founders.max_width, "min-width", "max-width");
-        !order) {
-        return order;
-    }
+    if (Status order = setting_table::check_founders(s); !order) return order;
     if (Status goal = setting_table::check_goal(s, kinds); !goal) return goal;
     if (Status cutting = check_early_termination(s, kinds); !cutting) return cutting;
     if (const auto excess = trial_excess(s.world)) return Error{"[trial] duration: " + *excess};
+    return setting_table::check_creatures(s, kinds);
+}
+
+}  // namespace
+
+namespace setting_table {
+
+Status check_field(const SettingField& field, const SettingRef& ref) {
+    return std::visit(
+        [&](const auto* at) -> Status {
+            using T = std::remove_cvref_t<decltype(*at)>;
+            if constexpr (std::is_same_v<T, std::string>) {
+                if (std::find(field.choices.begin(), field.choices.end(), *at) !=
+                    field.choices.end()) {
+                    return {};
+                }
+                return Error{fmt::format("{}: unknown \"{}\"; known are {}", place(field), *at,
+                                         fmt::join(field.choices, ", "))};
+            } else if constexpr (std::is_same_v<T, bool>) {
+                return {};
+            } else {
+                const double value = static_cast<double>(*at);
+                if (value >= field.low && value <= field.high) return {};
+                return out_of_range(field, value);
+            }
+        },
+        ref);
+}
+
+Status check_creatures(const Settings& s, const EvolutionKinds& kinds) {
     double shares = 0.0;
     for (const BreedingKind& kind : kinds.breeding.all()) {
         const auto set = s.breeding.shares.find(kind.id);
@@ -365,7 +359,7 @@ Status check_together(const Settings& s, const EvolutionKinds& kinds) {
         return Error{fmt::format("[breeding]: the shares add up to {}; they must add up to 1",
                                  short_text(shares))};
     }
-    if (Status some = setting_table::check_body_kinds(s, kinds); !some) return some;
+    if (Status some = check_body_kinds(s, kinds); !some) return some;
     double weights = 0.0;
     const MutationContext context{kinds.creature.catalog, s.founders};
     for (const MutationKind& kind : kinds.mutations.all()) {
@@ -381,7 +375,21 @@ Status check_together(const Settings& s, const EvolutionKinds& kinds) {
     return {};
 }
 
-}  // namespace
+Status check_founders(const Settings& s) {
+    if (Status order =
+            check_order(s.founders.min_nodes, s.founders.max_nodes, "min-nodes", "max-nodes");
+        !order) {
+        return order;
+    }
+    if (Status order =
+            check_order(s.founders.min_length, s.founders.max_length, "min-length", "max-length");
+        !order) {
+        return order;
+    }
+    return check_order(s.founders.min_width, s.founders.max_width, "min-width", "max-width");
+}
+
+}  // namespace setting_table
 
 std::vector<SettingField> setting_fields(const EvolutionKinds& kinds) {
     std::vector<SettingField> fields;
@@ -402,7 +410,7 @@ std::vector<SettingField> setting_fields(const EvolutionKinds& kinds) {
 Status check_settings(const ExperimentSettings& settings, const EvolutionKinds& kinds) {
     Settings copy = settings;
     for (const SettingField& field : setting_fields(kinds)) {
-        if (Status fault = check_field(field, field.at(copy)); !fault) return fault;
+        if (Status fault = setting_table::check_field(field, field.at(copy)); !fault) return fault;
     }
     return check_together(settings, kinds);
 }

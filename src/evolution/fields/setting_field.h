@@ -20,6 +20,12 @@ std::vector<SettingField> setting_fields(const EvolutionKinds& kinds);
 // key: ...".
 Status check_settings(const ExperimentSettings& settings, const EvolutionKinds& kinds);
 
+// Return the same for a preserve: the settings that a preserve has, those that a file may leave
+// out, and an error for the first one that is not allowed.
+std::vector<SettingField> preserve_fields(const EvolutionKinds& kinds);
+ExperimentSettings preserve_defaults(const EvolutionKinds& kinds);
+Status check_preserve(const ExperimentSettings& settings, const EvolutionKinds& kinds);
+
 // Returns a sentence for each setting that is allowed but makes little sense.
 std::vector<std::string> setting_warnings(const ExperimentSettings& settings,
                                           const EvolutionKinds& kinds);

@@ -9,6 +9,11 @@
 
 namespace cambrian::setting_table {
 
+Status check_field(const SettingField& field, const SettingRef& ref);  // range or choice
+// Rejects settings of bodies, breeding and mutation that contradict one another.
+Status check_creatures(const Settings& settings, const EvolutionKinds& kinds);
+Status check_founders(const Settings& settings);  // the order of the limits of random creatures
+
 void add_environment(std::vector<SettingField>& fields);
 // Adds the goal. check_goal fails if its environment or sensors make the goal impossible.
 void add_goal(std::vector<SettingField>& fields, const EvolutionKinds& kinds);

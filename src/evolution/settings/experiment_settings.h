@@ -6,6 +6,7 @@
 #include "breeding/mutation_settings.h"
 #include "creature/phenotype.h"
 #include "evolution/settings/kind_parameter.h"
+#include "evolution/settings/preserve_settings.h"
 #include "genome/founder_settings.h"
 #include "simulator/trial.h"
 
@@ -65,6 +66,7 @@ struct ExperimentSettings {
     MutationSettings mutation;
     FounderSettings founders;
     ExpressionSettings expression;
+    PreserveSettings preserve;  // only a preserve has other ones than the defaults
 
     friend bool operator==(const ExperimentSettings&, const ExperimentSettings&) = default;
 };

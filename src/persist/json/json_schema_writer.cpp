@@ -184,7 +184,7 @@ void JsonSchemaWriter::setting(const SettingField& field, ExperimentSettings& se
             }
         },
         field.at(settings));
-    put_described(field.key.c_str(), with_unit(field.help, field.unit), std::move(schema), true);
+    put_described(field.key.c_str(), with_unit(field.help, field.unit), schema, true);
 }
 
 }  // namespace cambrian

@@ -92,8 +92,11 @@ void create_tables(Database& database) {
 }
 
 Result<std::int64_t> version_of_tables(const Database& database) {
-    if (database.integer("PRAGMA application_id") != kExperimentApplication)
-        return Error{"it is another program's database"};
+    const std::int64_t application = database.integer("PRAGMA application_id");
+    if (application == kPreserveApplication)
+        return Error{
+            "it is a preserve, no experiment; `cambrian preserve --resume` goes on with it"};
+    if (application != kExperimentApplication) return Error{"it is another program's database"};
     const std::int64_t version = database.integer("PRAGMA user_version");
     if (version > kExperimentVersion) {
         return Error{fmt::format("its version {} is newer than this program ({})", version,

@@ -1,35 +1,15 @@
 #include "persist/records/statistics_csv.h"
 
-#include "core/text/number_text.h"
 #include "persist/records/statistics_columns.h"
+#include "persist/sqlite/column_text.h"
 #include "persist/text/digest_text.h"
 
 #include <fmt/core.h>
-
-#include <variant>
 
 namespace cambrian {
 namespace {
 
 using Row = GenerationStatistics;
-
-std::string number_text(double number) {
-    return real_text(number);
-}
-std::string number_text(const std::string& text) {
-    return text;
-}
-template <class Whole>
-std::string number_text(Whole number) {
-    return std::to_string(number);
-}
-
-void add_values(std::string& text, const Row& row, std::span<const Column<Row>> columns) {
-    for (const Column<Row>& column : columns) {
-        text += std::visit([&row](auto field) { return number_text(row.*field); }, column.field);
-        text += ',';
-    }
-}
 
 // Returns the founders' uids with the number of children in their lines: "00f3a1b2c4d5e6f7:12
 // 9b...:3".
@@ -52,8 +32,8 @@ std::string statistics_csv(std::span<const GenerationStatistics> history) {
     std::int64_t trials = 0;
     for (const Row& row : history) {
         trials += row.evaluations;
-        add_values(text, row, kStatisticsColumns);
-        add_values(text, row, kLaterStatisticsColumns);
+        add_cells<Row>(text, row, kStatisticsColumns);
+        add_cells<Row>(text, row, kLaterStatisticsColumns);
         text += fmt::format("{},{}\n", trials, births_text(row.births));
     }
     return text;

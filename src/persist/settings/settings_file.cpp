@@ -19,10 +19,10 @@ ExperimentSettings default_settings(std::string_view goal, const EvolutionKinds&
 }
 
 Result<ExperimentSettings> load_settings(const std::filesystem::path& path,
-                                         const EvolutionKinds& kinds) {
+                                         const EvolutionKinds& kinds, SettingsUse use) {
     const Result<SettingsText> text = read_settings_text(path);
     if (!text) return text.error();
-    return parse_settings(text->text, text->source, kinds);
+    return parse_settings(text->text, text->source, kinds, use);
 }
 
 Result<SettingsText> read_settings_text(const std::filesystem::path& path) {

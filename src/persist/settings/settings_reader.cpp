@@ -11,6 +11,8 @@
 namespace cambrian {
 namespace {
 
+constexpr const char* kPreserveTable = "preserve";
+
 std::string line_of(const toml::source_region& region) {
     return fmt::format("line {}", region.begin.line);
 }
@@ -35,10 +37,8 @@ std::string joined(const std::string& table, const std::string& key) {
 // Visits the tables of a file and stores their values in the settings.
 class SettingsReader {
 public:
-    SettingsReader(const EvolutionKinds& kinds, ErrorList& errors, std::string_view goal)
-        : fields_(setting_fields(kinds)),
-          errors_(errors),
-          settings_(default_settings(goal, kinds)) {}
+    SettingsReader(std::vector<SettingField> fields, ExperimentSettings defaults, ErrorList& errors)
+        : fields_(std::move(fields)), errors_(errors), settings_(std::move(defaults)) {}
 
     void read(const toml::table& table, const std::string& path = "") {
         for (const auto& [key, node] : table) {
@@ -130,12 +130,13 @@ private:
 }  // namespace
 
 Result<ExperimentSettings> parse_settings(std::string_view text, std::string_view source,
-                                          const EvolutionKinds& kinds) {
-    return merge_settings({{std::string(text), std::string(source)}}, kinds);
+                                          const EvolutionKinds& kinds, SettingsUse use) {
+    return merge_settings({{std::string(text), std::string(source)}}, kinds, use);
 }
 
 Result<ExperimentSettings> merge_settings(const std::vector<SettingsText>& texts,
-                                          const EvolutionKinds& kinds) {
+                                          const EvolutionKinds& kinds, SettingsUse use) {
+    const bool preserve = use == SettingsUse::kPreserve;
     std::vector<toml::table> documents;
     std::string goal;
     for (const auto& [text, source] : texts) {
@@ -146,19 +147,29 @@ Result<ExperimentSettings> merge_settings(const std::vector<SettingsText>& texts
                          shown(document.error().description(), kLongestReason));
             return errors.as_error(source);
         }
+        if (const toml::node* table = document.table().get(kPreserveTable);
+            table != nullptr && !preserve) {
+            errors.error("", fmt::format("{}, [{}]", line_of(table->source()), kPreserveTable),
+                         "these are the settings of a preserve; `cambrian preserve` takes them");
+            return errors.as_error(source);
+        }
         goal = document["goal"]["behavior"].value_or(goal);
         documents.push_back(std::move(document).table());
     }
     ErrorList errors;
-    SettingsReader reader(kinds, errors, kinds.goals.find(goal) == nullptr ? "" : goal);
+    if (kinds.goals.find(goal) == nullptr) goal.clear();
+    SettingsReader reader(preserve ? preserve_fields(kinds) : setting_fields(kinds),
+                          preserve ? preserve_defaults(kinds) : default_settings(goal, kinds),
+                          errors);
     std::string sources;
     for (std::size_t i = 0; i < documents.size(); ++i) {
         reader.read(documents[i]);
         if (!errors.empty()) return errors.as_error(texts[i].source);
         sources += (i == 0 ? "" : " with ") + texts[i].source;
     }
-    if (const Status contradiction = check_settings(reader.settings(), kinds); !contradiction)
-        return Error{fmt::format("{}: {}", sources, contradiction.error().message)};
+    const Status contradiction = preserve ? check_preserve(reader.settings(), kinds)
+                                          : check_settings(reader.settings(), kinds);
+    if (!contradiction) return Error{fmt::format("{}: {}", sources, contradiction.error().message)};
     return reader.settings();
 }
 

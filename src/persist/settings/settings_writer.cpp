@@ -11,6 +11,14 @@ namespace {
 
 constexpr std::size_t kCommentColumn = 30;
 
+constexpr const char* kExperimentHead =
+    "# The settings of one experiment: `cambrian evolve THIS-FILE` evolves under them.\n"
+    "# A key left out has its default; those of [environment], [trial] and confirmations\n"
+    "# go with the goal.\n";
+constexpr const char* kPreserveHead =
+    "# The settings of one preserve: `cambrian preserve THIS-FILE` runs it.\n"
+    "# A key left out has its default.\n";
+
 // Returns the allowed values in words: "0 to 1000 m/s^2", "walking, swimming".
 std::string allowed(const SettingField& field, const SettingValue& value) {
     if (std::holds_alternative<bool>(value)) return "true or false";
@@ -38,14 +46,14 @@ std::string line(const SettingField& field, const ExperimentSettings& settings,
 
 }  // namespace
 
-std::string write_settings(const ExperimentSettings& settings, const EvolutionKinds& kinds) {
-    std::string text =
-        "# The settings of one experiment: `cambrian evolve THIS-FILE` evolves under them.\n"
-        "# A key left out has its default; those of [environment], [trial] and confirmations\n"
-        "# go with the goal.\n";
-    const ExperimentSettings defaults = default_settings(settings.goal, kinds);
+std::string write_settings(const ExperimentSettings& settings, const EvolutionKinds& kinds,
+                           SettingsUse use) {
+    const bool preserve = use == SettingsUse::kPreserve;
+    std::string text = preserve ? kPreserveHead : kExperimentHead;
+    const ExperimentSettings defaults =
+        preserve ? preserve_defaults(kinds) : default_settings(settings.goal, kinds);
     std::string table;
-    for (const SettingField& field : setting_fields(kinds)) {
+    for (const SettingField& field : preserve ? preserve_fields(kinds) : setting_fields(kinds)) {
         if (field.table != table) text += fmt::format("\n[{}]\n", field.table);
         table = field.table;
         const bool goal = field.table == "goal";

@@ -68,7 +68,9 @@ void stamp(Image& image, const Stencil& stencil, const Color& color) {
     const int bottom = std::min(stencil.height, image.height - stencil.y);
     for (int row = top; row < bottom; ++row) {
         for (int column = left; column < right; ++column) {
-            const auto inside = static_cast<std::size_t>(row * stencil.width + column);
+            const auto inside =
+                static_cast<std::size_t>(row) * static_cast<std::size_t>(stencil.width) +
+                static_cast<std::size_t>(column);
             const float share = color.a * static_cast<float>(stencil.coverage[inside]) / 255.0F;
             std::uint8_t* pixel = image.pixel(stencil.x + column, stencil.y + row);
             blend(pixel[0], color.r, share);
@@ -132,7 +134,8 @@ struct TextRasterizer::Face {
         result.height = bottom - result.y;
         result.x += static_cast<int>(left);
         result.y += static_cast<int>(std::lround(y));
-        result.coverage.resize(static_cast<std::size_t>(result.width * result.height));
+        result.coverage.resize(static_cast<std::size_t>(result.width) *
+                               static_cast<std::size_t>(result.height));
         if (!result.coverage.empty())
             stbtt_MakeCodepointBitmapSubpixel(&font, result.coverage.data(), result.width,
                                               result.height, result.width, per_unit, per_unit,

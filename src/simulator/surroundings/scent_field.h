@@ -40,6 +40,7 @@ public:
     double total() const;
 
     const ScentArea& area() const { return area_; }
+    std::size_t cell_count() const { return cells_.size(); }  // with the margin
     double cell(int column, int row) const { return cells_[index(column, row)]; }
 
     struct Moment {

@@ -71,9 +71,10 @@ bool same_bytes(const ImVector<Item>& a, const ImVector<Item>& b) {
 }
 
 bool same_command(const ImDrawCmd& a, const ImDrawCmd& b) {
-    return std::memcmp(&a.ClipRect, &b.ClipRect, sizeof a.ClipRect) == 0 &&
-           a.TextureId == b.TextureId && a.VtxOffset == b.VtxOffset && a.IdxOffset == b.IdxOffset &&
-           a.ElemCount == b.ElemCount;
+    const ImVec4& clip = a.ClipRect;
+    return clip.x == b.ClipRect.x && clip.y == b.ClipRect.y && clip.z == b.ClipRect.z &&
+           clip.w == b.ClipRect.w && a.TextureId == b.TextureId && a.VtxOffset == b.VtxOffset &&
+           a.IdxOffset == b.IdxOffset && a.ElemCount == b.ElemCount;
 }
 
 void unite_overlapping(std::vector<Rect>& areas) {

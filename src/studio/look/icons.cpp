@@ -121,6 +121,7 @@ void draw_star_outline(const Pen& pen) {
 
 }  // namespace
 
+// NOLINTNEXTLINE(readability-function-size): a list of shapes
 void draw_icon(ImDrawList& list, Icon icon, const ImVec2& center, float size, const Color& color) {
     const Pen pen{list, center, 0.5F * size, pack(color), size / 9.0F};
     switch (icon) {

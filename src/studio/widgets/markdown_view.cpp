@@ -90,7 +90,7 @@ std::string draw_bullet(const MarkdownBlock& block) {
     ImGui::GetWindowDrawList()->AddCircleFilled({at.x + indent - px(9), middle}, px(2.2F),
                                                 paint(colors().muted));
     ImGui::Indent(indent);
-    const std::string link = draw_line(block.line, ImGui::GetContentRegionAvail().x);
+    std::string link = draw_line(block.line, ImGui::GetContentRegionAvail().x);
     ImGui::Unindent(indent);
     return link;
 }

@@ -267,7 +267,8 @@ void PopulationPanel::follow_keys(std::size_t columns, const FrameContext& frame
     const std::ptrdiff_t wanted = shown == tiles_.end() ? 0 : shown - tiles_.begin() + steps;
     if (wanted < 0 || wanted > last) return;
     out.ask(ShowIndividual{tiles_[static_cast<std::size_t>(wanted)].creature});
-    const float top = static_cast<float>(wanted / row) * px(kCreatureHeight + kCreatureGap);
+    const std::ptrdiff_t line = wanted / row;
+    const float top = static_cast<float>(line) * px(kCreatureHeight + kCreatureGap);
     const float lowest = top + px(kCreatureHeight) - ImGui::GetWindowHeight();
     ImGui::SetScrollY(std::clamp(ImGui::GetScrollY(), std::min(lowest, top), top));
 }

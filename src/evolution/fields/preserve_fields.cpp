@@ -1,0 +1,168 @@
+// The settings of a preserve: its own table, and those of an experiment that also hold in it.
+
+#include "evolution/fields/setting_field.h"
+#include "evolution/fields/setting_table.h"
+#include "goals/water.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+namespace cambrian {
+namespace {
+
+using setting_table::Range;
+using setting_table::Settings;
+using setting_table::TableBuilder;
+
+// Tables that describe trials and generations, which a preserve does not have.
+constexpr std::array<std::string_view, 5> kForeignTables = {"goal", "trial", "population",
+                                                            "selection", "run"};
+
+void add_world(TableBuilder& table) {
+    table.number(
+        "width", "Width", "m", Range{5, 1000}, "The distance of the left and the right wall.",
+        [](Settings & s) -> auto& { return s.preserve.width; });
+    table.number(
+        "height", "Height", "m", Range{5, 1000}, "The distance of the lower and the upper wall.",
+        [](Settings & s) -> auto& { return s.preserve.height; });
+    table.choice(
+        "bodies", "Bodies", {"ghostly", "solid"},
+        "Ghostly creatures pass through each other, and bite what they overlap. Solid ones do not "
+        "exist yet.",
+        [](Settings & s) -> auto& { return s.preserve.bodies; });
+    table.number(
+        "founders", "Founders", "creatures", Range{1, 1000},
+        "The number of creatures at the start.",
+        [](Settings & s) -> auto& { return s.preserve.founders; });
+    table.number(
+        "max-population", "Creatures at most", "creatures", Range{1, 1000},
+        "The number of creatures from which on nobody is born.",
+        [](Settings & s) -> auto& { return s.preserve.max_population; });
+    table.number(
+        "restock", "Restock below", "creatures", Range{0, 1000},
+        "The number of creatures below which copies of founders are added. 0 means never.",
+        [](Settings & s) -> auto& { return s.preserve.restock; });
+}
+
+void add_energy(TableBuilder& table) {
+    table.number(
+        "energy-density", "Energy", "J/m^2", Range{0.1, 1e3},
+        "All the energy of the world, for each square metre. It never changes.",
+        [](Settings & s) -> auto& { return s.preserve.energy_density; });
+    table.number(
+        "plant-energy", "Energy of a plant", "J", Range{0.1, 1e4}, "The energy of one plant.",
+        [](Settings & s) -> auto& { return s.preserve.plant_energy; });
+    table.number(
+        "growth-time", "Growth time", "s", Range{1, 1e6},
+        "The time constant at which the energy of the light becomes plants.",
+        [](Settings & s) -> auto& { return s.preserve.growth_time; });
+    table.number(
+        "efficiency", "Efficiency", "", Range{0.01, 1},
+        "The share of the energy that a joint takes which becomes work.",
+        [](Settings & s) -> auto& { return s.preserve.efficiency; });
+    table.number(
+        "body-upkeep", "Upkeep of a body", "W/kg", Range{0, 1e3},
+        "The power that a newborn body needs for each kilogram.",
+        [](Settings & s) -> auto& { return s.preserve.body_upkeep; });
+    table.number(
+        "neuron-upkeep", "Upkeep of a neuron", "W", Range{0, 10},
+        "The power that each connected neuron of a newborn needs.",
+        [](Settings & s) -> auto& { return s.preserve.neuron_upkeep; });
+    table.number(
+        "organ-upkeep", "Upkeep of organs", "W", Range{0, 100},
+        "The power that a voice or a scent gland needs at its full signal.",
+        [](Settings & s) -> auto& { return s.preserve.organ_upkeep; });
+    table.number(
+        "aging-time", "Aging time", "s", Range{1, 1e6},
+        "The age at which upkeep is twice that of a newborn. It grows on at that rate.",
+        [](Settings & s) -> auto& { return s.preserve.aging_time; });
+    table.number(
+        "flesh-half-life", "Half-life of flesh", "s", Range{1, 1e6},
+        "The time after which half of the energy of flesh has become light again.",
+        [](Settings & s) -> auto& { return s.preserve.flesh_half_life; });
+}
+
+void add_life(TableBuilder& table) {
+    table.number(
+        "bite-power", "Bite", "W/m", Range{0, 1e5},
+        "The power that a mouth takes from what it overlaps, for each metre of its part's width.",
+        [](Settings & s) -> auto& { return s.preserve.bite_power; });
+    table.number(
+        "birth-energy", "Store at birth", "J/kg", Range{1, 1e5},
+        "The energy that a newborn gets from its parent, for each kilogram.",
+        [](Settings & s) -> auto& { return s.preserve.birth_energy; });
+    table.number(
+        "body-energy", "Energy of a body", "J/kg", Range{0, 1e5},
+        "The energy that is bound in a body, for each kilogram.",
+        [](Settings & s) -> auto& { return s.preserve.body_energy; });
+    table.number(
+        "kin-peace", "Peace of kin", "s", Range{0, 1e6},
+        "The age below which a child and its parents do not bite each other.",
+        [](Settings & s) -> auto& { return s.preserve.kin_peace; });
+    table.number(
+        "birth-interval", "Time between births", "s", Range{1, 1e6},
+        "The least time between two births of one parent, and the least age of a parent.",
+        [](Settings & s) -> auto& { return s.preserve.birth_interval; });
+    table.number(
+        "mate-distance", "Mate within", "m", Range{0, 1e3},
+        "The distance up to which a mate is found. Without one, a child has one parent.",
+        [](Settings & s) -> auto& { return s.preserve.mate_distance; });
+}
+
+Status check_world(const Settings& s) {
+    if (s.preserve.bodies == "solid") {
+        return Error{
+            "[preserve] bodies: \"solid\" does not exist yet; expected \"ghostly\", with which "
+            "creatures pass through each other"};
+    }
+    if (s.world.environment.has_ground)
+        return Error{
+            "[environment] ground: a preserve with ground does not exist yet; expected "
+            "false"};
+    if (s.world.environment.has_light && s.world.environment.light_motion != "still")
+        return Error{
+            fmt::format("[environment] light-motion: a preserve's light does not move; "
+                        "expected \"still\", found \"{}\"",
+                        s.world.environment.light_motion)};
+    return {};
+}
+
+}  // namespace
+
+std::vector<SettingField> preserve_fields(const EvolutionKinds& kinds) {
+    std::vector<SettingField> fields;
+    TableBuilder table(fields, "preserve");
+    add_world(table);
+    add_energy(table);
+    add_life(table);
+    for (SettingField& field : setting_fields(kinds)) {
+        const bool foreign = std::find(kForeignTables.begin(), kForeignTables.end(), field.table) !=
+                             kForeignTables.end();
+        if (!foreign || field.key == "seed") fields.push_back(std::move(field));
+    }
+    return fields;
+}
+
+ExperimentSettings preserve_defaults(const EvolutionKinds& kinds) {
+    ExperimentSettings settings;
+    settings.world.environment = water();
+    for (const OrganKind& organ : kinds.creature.organs.all()) {
+        if (organ.eats) settings.founders.organs[organ.id] = true;
+    }
+    return settings;
+}
+
+Status check_preserve(const ExperimentSettings& settings, const EvolutionKinds& kinds) {
+    Settings copy = settings;
+    for (const SettingField& field : preserve_fields(kinds)) {
+        if (Status fault = setting_table::check_field(field, field.at(copy)); !fault) return fault;
+    }
+    if (Status world = check_world(settings); !world) return world;
+    if (Status order = setting_table::check_founders(settings); !order) return order;
+    return setting_table::check_creatures(settings, kinds);
+}
+
+}  // namespace cambrian

@@ -1,0 +1,86 @@
+#pragma once
+
+// Preserve files, *.cambrian: the settings and founders of a preserve, its lives, its series, and
+// snapshots from which it goes on. assets/help/preserve.md describes the tables for users.
+
+#include "core/result.h"
+#include "evolution/kinds/evolution_kinds.h"
+#include "preserve/preserve.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace cambrian {
+
+// Returns whether a file is one of a preserve, rather than of an experiment. False if it cannot be
+// read.
+bool is_preserve_file(const std::filesystem::path& path);
+
+// What a preserve follows from.
+struct PreserveOrigin {
+    SettingsPtr settings;
+    std::vector<GenomePtr> founders;
+    std::string simulator;  // version that began it
+};
+
+// A snapshot that a file has.
+struct SnapshotEntry {
+    std::uint64_t tick = 0;
+    std::uint64_t digest = 0;
+};
+
+struct SavedPreserve {
+    PreserveOrigin origin;
+    std::vector<SnapshotEntry> snapshots;  // in ascending order of ticks
+};
+
+// Reads a file, which may be in use, without changing it. Fails if it is not a preserve file.
+Result<SavedPreserve> load_preserve(const std::filesystem::path& path, const EvolutionKinds& kinds);
+// Reads one of its snapshots; fails if it is damaged or its digest is another one.
+Result<PreserveState> load_snapshot(const std::filesystem::path& path, const SnapshotEntry& entry,
+                                    const EvolutionKinds& kinds);
+
+// Return all lives or the series as CSV with a line of names.
+Result<std::string> lives_csv(const std::filesystem::path& path);
+Result<std::string> series_csv(const std::filesystem::path& path);
+
+class PreserveFile {
+public:
+    ~PreserveFile();
+    PreserveFile(const PreserveFile&) = delete;
+    PreserveFile& operator=(const PreserveFile&) = delete;
+
+    // Makes a file with the preserve's beginning and what happened in it; an existing file is
+    // refused.
+    static Result<std::unique_ptr<PreserveFile>> create(const std::filesystem::path& path,
+                                                        const PreserveOrigin& origin,
+                                                        const Chronicle& chronicle,
+                                                        const Preserve& preserve,
+                                                        const EvolutionKinds& kinds);
+    struct Opened;
+    // Opens a file to go on from its last snapshot that is sound. What it has of later times is
+    // removed, since it will be computed again.
+    static Result<Opened> open(const std::filesystem::path& path, const EvolutionKinds& kinds);
+
+    // Writes what happened and, if the preserve is at a snapshot, that snapshot. It is on the disk
+    // when this returns.
+    Status write(const Chronicle& chronicle, const Preserve& preserve);
+
+private:
+    struct Parts;
+    explicit PreserveFile(std::unique_ptr<Parts> parts);
+
+    std::unique_ptr<Parts> parts_;
+};
+
+struct PreserveFile::Opened {
+    std::unique_ptr<PreserveFile> file;
+    PreserveOrigin origin;
+    PreserveState state;
+    std::vector<std::string> warnings;  // about damaged snapshots
+};
+
+}  // namespace cambrian

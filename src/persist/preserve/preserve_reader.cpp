@@ -1,0 +1,99 @@
+#include "persist/preserve/preserve_tables.h"
+#include "persist/settings/settings_file.h"
+
+#include <fmt/core.h>
+
+namespace cambrian {
+namespace {
+
+constexpr std::int64_t kMostWords = 16'000'000;        // of a snapshot
+constexpr std::int64_t kMostSettingsText = 1'000'000;  // bytes
+constexpr std::size_t kMostFounders = 1000;
+constexpr int kMostSnapshots = 100'000;
+
+std::string fact(const Database& database, const char* name) {
+    Statement row =
+        database.prepare("SELECT value FROM facts WHERE name = ? AND length(value) < ?");
+    row.bind(name, kMostSettingsText);
+    if (!row.step()) throw DatabaseError(fmt::format("the fact \"{}\" is missing", name));
+    return std::string(row.text(0));
+}
+
+GenomePtr genotype(const Statement& row, int column, GenotypeReader& genotypes) {
+    const std::int64_t size = row.integer(column);
+    if (size < 0) throw DatabaseError("a genotype's size is negative");
+    Result<GenomePtr> genome =
+        genotypes.read(row.bytes(column + 1), static_cast<std::size_t>(size));
+    if (!genome) throw DatabaseError(genome.error().message);
+    return *genome;
+}
+
+std::vector<GenomePtr> read_founders(const Database& database, const EvolutionKinds& kinds) {
+    std::vector<GenomePtr> founders;
+    GenotypeReader genotypes(kinds);
+    Statement row = database.prepare("SELECT size, document FROM founders ORDER BY number");
+    while (row.step()) {
+        if (founders.size() == kMostFounders) throw DatabaseError("it has too many founders");
+        founders.push_back(genotype(row, 0, genotypes));
+    }
+    if (founders.empty()) throw DatabaseError("it has no founders");
+    return founders;
+}
+
+std::vector<std::uint64_t> words_in(std::string_view bytes) {
+    std::vector<std::uint64_t> words(bytes.size() / 8);
+    for (std::size_t i = 0; i < 8 * words.size(); ++i)
+        words[i / 8] |= std::uint64_t{static_cast<std::uint8_t>(bytes[i])} << (8 * (i % 8));
+    return words;
+}
+
+}  // namespace
+
+SavedPreserve read_preserve(const Database& database, const EvolutionKinds& kinds) {
+    SavedPreserve saved;
+    Result<ExperimentSettings> settings =
+        parse_settings(fact(database, "settings"), "settings", kinds, SettingsUse::kPreserve);
+    if (!settings) throw DatabaseError(settings.error().message);
+    saved.origin.settings = std::make_shared<const ExperimentSettings>(*std::move(settings));
+    saved.origin.simulator = fact(database, "simulator").substr(0, 64);
+    saved.origin.founders = read_founders(database, kinds);
+    Statement row = database.prepare("SELECT tick, digest FROM snapshots ORDER BY tick LIMIT ?");
+    row.bind(kMostSnapshots);
+    while (row.step()) {
+        SnapshotEntry entry;
+        read_column(row, 0, entry.tick);
+        read_column(row, 1, entry.digest);
+        if (!saved.snapshots.empty() && entry.tick <= saved.snapshots.back().tick)
+            throw DatabaseError("its snapshots are not in order");
+        saved.snapshots.push_back(entry);
+    }
+    if (saved.snapshots.empty()) throw DatabaseError("it has no snapshot");
+    return saved;
+}
+
+Result<PreserveState> read_snapshot(const Database& database, const SnapshotEntry& entry,
+                                    const EvolutionKinds& kinds) {
+    Statement row = database.prepare("SELECT size, state FROM snapshots WHERE tick = ?");
+    row.bind(entry.tick);
+    if (!row.step()) return Error{"the snapshot is missing"};
+    const std::int64_t size = row.integer(0);
+    if (size < 0 || size > kMostWords)
+        return Error{
+            fmt::format("the snapshot has {} numbers; expected at most {}", size, kMostWords)};
+    const Result<std::string> bytes =
+        Inflater().inflate(row.bytes(1), 8 * static_cast<std::size_t>(size));
+    if (!bytes) return bytes.error();
+    const std::vector<std::uint64_t> words = words_in(*bytes);
+    if (digest_of(words) != entry.digest)
+        return Error{"the snapshot is not the one that was written"};
+    GenotypeReader genotypes(kinds);
+    Statement origin = database.prepare(
+        "SELECT size, document, method FROM genotypes JOIN lives USING (number) WHERE number = ?");
+    return state_of(words, [&](std::uint64_t number) -> Result<Origin> {
+        origin.bind(number);
+        if (!origin.step()) return Error{fmt::format("creature {} is missing", number)};
+        return Origin{genotype(origin, 0, genotypes), std::string(origin.text(2).substr(0, 64))};
+    });
+}
+
+}  // namespace cambrian

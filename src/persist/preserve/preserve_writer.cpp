@@ -1,0 +1,172 @@
+#include "persist/preserve/preserve_tables.h"
+#include "persist/records/experiment_schema.h"
+#include "persist/settings/settings_file.h"
+#include "simulator/simulator_version.h"
+
+#include <fmt/core.h>
+
+namespace cambrian {
+namespace {
+
+constexpr std::uint64_t kRecentSnapshots = 10;
+constexpr std::uint64_t kTicksPerHour = 60 * kTicksPerSnapshot;
+
+std::string preserve_tables() {
+    return "CREATE TABLE facts (name TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID;"
+           "CREATE TABLE founders (number INTEGER PRIMARY KEY, size INTEGER NOT NULL, "
+           "document BLOB NOT NULL);"
+           "CREATE TABLE lives (" +
+           column_definitions<LifeRow>(kLifeColumns) +
+           ", PRIMARY KEY (number));"
+           "CREATE TABLE genotypes (number INTEGER PRIMARY KEY, size INTEGER NOT NULL, "
+           "document BLOB NOT NULL);"
+           "CREATE TABLE series (" +
+           column_definitions<SeriesRow>(kSeriesColumns) +
+           ", PRIMARY KEY (tick));"
+           "CREATE TABLE interventions (id INTEGER PRIMARY KEY, tick INTEGER NOT NULL, "
+           "what TEXT NOT NULL, number INTEGER NOT NULL);"
+           "CREATE TABLE snapshots (tick INTEGER PRIMARY KEY, digest INTEGER NOT NULL, "
+           "size INTEGER NOT NULL, state BLOB NOT NULL);";
+}
+
+// Returns the words as bytes, the lowest byte of each first.
+std::string bytes_of(const std::vector<std::uint64_t>& words) {
+    std::string bytes;
+    bytes.reserve(8 * words.size());
+    for (const std::uint64_t word : words) {
+        for (int shift = 0; shift < 64; shift += 8)
+            bytes.push_back(static_cast<char>(static_cast<std::uint8_t>(word >> shift)));
+    }
+    return bytes;
+}
+
+}  // namespace
+
+LifeRow row_of(const Life& life) {
+    return {.number = life.number,
+            .uid = life.uid,
+            .parent1 = life.parents[0],
+            .parent2 = life.parents[1],
+            .lineage = life.lineage,
+            .method = life.method,
+            .mutations = life.mutations,
+            .born = life.born,
+            .died = life.died,
+            .cause = std::string(kDeathCauses[static_cast<std::size_t>(life.cause)]),
+            .x = life.x,
+            .y = life.y,
+            .mass = life.mass,
+            .parts = life.parts,
+            .neurons = life.neurons,
+            .diet = life.diet,
+            .eaten_plants = joules(life.eaten_plants),
+            .eaten_flesh = joules(life.eaten_flesh),
+            .bitten = joules(life.bitten),
+            .lost = joules(life.lost),
+            .children = life.children};
+}
+
+void create_preserve_tables(Database& database) {
+    database.execute(fmt::format("PRAGMA application_id = {}", kPreserveApplication));
+    database.execute(fmt::format("PRAGMA user_version = {}", kPreserveVersion));
+    database.execute(preserve_tables());
+}
+
+Status check_preserve_tables(const Database& database) {
+    const std::int64_t application = database.integer("PRAGMA application_id");
+    if (application == kExperimentApplication)
+        return Error{
+            "it is an experiment, no preserve; `cambrian evolve --resume` goes on with it"};
+    if (application != kPreserveApplication) return Error{"it is another program's database"};
+    const std::int64_t version = database.integer("PRAGMA user_version");
+    if (version == kPreserveVersion) return {};
+    return Error{
+        fmt::format("its version {} is not that of this program ({})", version, kPreserveVersion)};
+}
+
+PreserveWriter::PreserveWriter(Database& database, const EvolutionKinds& kinds)
+    : database_(database),
+      kinds_(kinds),
+      put_life_(database.prepare(fmt::format("INSERT OR REPLACE INTO lives VALUES (?{})",
+                                             more_places(kLifeColumns.size() - 1)))),
+      put_genotype_(database.prepare("INSERT OR REPLACE INTO genotypes VALUES (?, ?, ?)")),
+      put_founder_(database.prepare("INSERT INTO founders VALUES (?, ?, ?)")),
+      put_series_(database.prepare(
+          fmt::format("INSERT INTO series VALUES (?{})", more_places(kSeriesColumns.size() - 1)))),
+      put_intervention_(
+          database.prepare("INSERT INTO interventions (tick, what, number) VALUES (?, ?, ?)")),
+      put_snapshot_(database.prepare("INSERT OR REPLACE INTO snapshots VALUES (?, ?, ?, ?)")),
+      packer_(kinds) {}
+
+void PreserveWriter::insert_genotype(Statement& statement, std::uint64_t number,
+                                     const GenomePtr& genome) {
+    Individual individual;
+    individual.genome = genome;
+    const PackedGenotype packed = packer_.pack(individual);
+    statement.bind(number, std::uint64_t{packed.size});
+    statement.bind_bytes(packed.bytes);
+    statement.finish();
+}
+
+void PreserveWriter::begin(const PreserveOrigin& origin) {
+    Statement fact = database_.prepare("INSERT INTO facts VALUES (?, ?)");
+    fact.run("kind", "preserve");
+    fact.run("simulator", origin.simulator);
+    fact.run("settings", write_settings(*origin.settings, kinds_, SettingsUse::kPreserve));
+    for (std::size_t i = 0; i < origin.founders.size(); ++i)
+        insert_genotype(put_founder_, i + 1, origin.founders[i]);
+}
+
+void PreserveWriter::put_life(const Life& life) {
+    put_life_.restart();
+    bind_columns<LifeRow>(put_life_, kLifeColumns, row_of(life));
+    put_life_.finish();
+}
+
+void PreserveWriter::put_snapshot(const PreserveState& state) {
+    const std::vector<std::uint64_t> words = words_of(state);
+    put_snapshot_.bind(state.tick, digest_of(words), std::uint64_t{words.size()});
+    put_snapshot_.bind_bytes(deflater_.deflate(bytes_of(words)));
+    put_snapshot_.finish();
+}
+
+// Keeps the last snapshots, and one an hour of the earlier ones.
+void PreserveWriter::thin_snapshots(std::uint64_t tick) {
+    const std::uint64_t recent = kRecentSnapshots * kTicksPerSnapshot;
+    if (tick < recent) return;
+    database_.prepare("DELETE FROM snapshots WHERE tick <= ? AND tick % ? != 0")
+        .run(tick - recent, kTicksPerHour);
+}
+
+void PreserveWriter::write(const Chronicle& chronicle, const Preserve& preserve) {
+    for (const Life& life : chronicle.born) {
+        put_life(life);
+        insert_genotype(put_genotype_, life.number, life.genome);
+    }
+    for (const Life& life : chronicle.died)
+        put_life(life);
+    for (const auto& resident : preserve.residents())
+        put_life(resident->life);
+    for (const SeriesRow& row : chronicle.series) {
+        put_series_.restart();
+        bind_columns<SeriesRow>(put_series_, kSeriesColumns, row);
+        put_series_.finish();
+    }
+    for (const Intervention& each : chronicle.interventions)
+        put_intervention_.run(each.tick, each.what, each.number);
+    if (preserve.snapshot()->tick != preserve.ticks()) return;
+    put_snapshot(*preserve.snapshot());
+    thin_snapshots(preserve.ticks());
+}
+
+void PreserveWriter::remove_after(const PreserveState& state) {
+    for (const char* sql :
+         {"DELETE FROM genotypes WHERE number IN (SELECT number FROM lives WHERE born > ?)",
+          "DELETE FROM lives WHERE born > ?", "DELETE FROM series WHERE tick > ?",
+          "DELETE FROM interventions WHERE tick > ?", "DELETE FROM snapshots WHERE tick > ?"})
+        database_.prepare(sql).run(state.tick);
+    for (const ResidentState& each : state.residents)
+        put_life(each.life);
+}
+
+}  // namespace cambrian

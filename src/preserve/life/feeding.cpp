@@ -1,0 +1,116 @@
+#include "preserve/life/feeding.h"
+
+#include <algorithm>
+
+namespace cambrian {
+namespace {
+
+constexpr double kReach = 0.1;           // m, of a mouth
+constexpr double kCrumbDistance = 0.25;  // m, within which crumbs become one piece of flesh
+constexpr Energy kBittenOff = 5;         // one part in so many of a bite falls down as flesh
+
+// Returns the energy gained of the pellets within reach; `rest` is raised by the remainder.
+Energy eat_of(Pellets& pellets, const Rectangle& mouth, double share, Energy& rest) {
+    Energy gained = 0;
+    for (const Pellet& pellet : pellets.take(mouth, kReach)) {
+        const Energy digested = share_of(pellet.energy, share);
+        gained += digested;
+        rest += pellet.energy - digested;
+    }
+    return gained;
+}
+
+bool is_young_child_of(const Resident& child, const Resident& parent, const PreserveSettings& laws,
+                       std::uint64_t tick) {
+    const auto& parents = child.life.parents;
+    return (parents[0] == parent.life.number || parents[1] == parent.life.number) &&
+           child.age(tick) < laws.kin_peace;
+}
+
+// Returns the part that a mouth overlaps first, or the number of parts.
+std::size_t overlapped_part(const Rectangle& mouth, std::span<const Rectangle> parts) {
+    const auto found = std::find_if(parts.begin(), parts.end(),
+                                    [&](const Rectangle& part) { return overlap(mouth, part); });
+    return static_cast<std::size_t>(found - parts.begin());
+}
+
+// Takes energy from the store, then from the body.
+void take_energy(Resident& victim, Energy energy) {
+    const Energy stored = std::min(victim.store, energy);
+    victim.store -= stored;
+    victim.body -= energy - stored;
+    victim.life.lost += energy;
+    victim.bitten = true;
+}
+
+}  // namespace
+
+Energy eat(Resident& resident, Pellets& plants, Pellets& flesh) {
+    Energy rest = 0;
+    for (const Mouth& mouth : resident.mouths()) {
+        const Rectangle& place = resident.rectangles()[mouth.part];
+        const Energy grazed = eat_of(plants, place, share_of_plants(mouth.diet), rest);
+        const Energy scavenged = eat_of(flesh, place, share_of_flesh(mouth.diet), rest);
+        resident.life.eaten_plants += grazed;
+        resident.life.eaten_flesh += scavenged;
+        resident.store += grazed + scavenged;
+    }
+    return rest;
+}
+
+void bite(Resident& biter, Resident& victim, const PreserveSettings& laws, std::uint64_t tick,
+          Pellets& flesh) {
+    if (biter.store <= 0) return;
+    if (is_young_child_of(biter, victim, laws, tick) ||
+        is_young_child_of(victim, biter, laws, tick))
+        return;
+    for (const Mouth& mouth : biter.mouths()) {
+        const Rectangle& place = biter.rectangles()[mouth.part];
+        const std::size_t part = overlapped_part(place, victim.rectangles());
+        if (part == victim.rectangles().size()) continue;
+        const double power = share_of_flesh(mouth.diet) * laws.bite_power * mouth.width;
+        const Energy taken = std::min(victim.store + victim.body, energy_of(power * kBrainTick));
+        if (taken == 0) continue;
+        const Energy crumbs = taken / kBittenOff;
+        take_energy(victim, taken);
+        biter.store += taken - crumbs;
+        biter.life.bitten += taken - crumbs;
+        flesh.add_near(victim.rectangles()[part].center, crumbs, kCrumbDistance);
+    }
+}
+
+Energy spend(Resident& resident, const PreserveSettings& laws, std::uint64_t tick) {
+    double signals = 0.0;  // of organs, each up to 1
+    for (const Sound& sound : resident.emissions().sounds)
+        signals += sound.loudness;
+    for (const Scent& scent : resident.emissions().scents)
+        signals += scent.amount / kBrainTick;
+    const Life& life = resident.life;
+    const double upkeep = (laws.body_upkeep * life.mass + laws.neuron_upkeep * life.neurons +
+                           laws.organ_upkeep * signals) *
+                          (1.0 + resident.age(tick) / laws.aging_time);
+    const Energy needed = energy_of(resident.work() / laws.efficiency + upkeep * kBrainTick);
+    const Energy spent = std::min(resident.store, needed);
+    resident.store -= spent;
+    return spent;
+}
+
+void decay_to_flesh(Resident& resident, Pellets& flesh) {
+    const Energy all = resident.store + resident.body;
+    Energy left = all;
+    const auto& parts = resident.phenotype().parts;
+    double area = 0.0;
+    for (const BodyPart& part : parts)
+        area += part.length * part.width;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        const bool last = i + 1 == parts.size();
+        const Energy share =
+            last ? left : std::min(left, share_of(all, parts[i].length * parts[i].width / area));
+        flesh.add(resident.rectangles()[i].center, share);
+        left -= share;
+    }
+    resident.store = 0;
+    resident.body = 0;
+}
+
+}  // namespace cambrian

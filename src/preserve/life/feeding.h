@@ -1,0 +1,25 @@
+#pragma once
+
+// Energy that a resident gains and loses in a tick (preserve/README.md 3 and 4). None of these
+// functions makes or destroys energy.
+
+#include "preserve/life/resident.h"
+#include "preserve/world/pellets.h"
+
+namespace cambrian {
+
+// Eats what its mouths reach. Returns the energy that was not digested.
+Energy eat(Resident& resident, Pellets& plants, Pellets& flesh);
+
+// Lets one bite the other for a tick, where a mouth overlaps a part. Parents and young children do
+// not bite each other.
+void bite(Resident& biter, Resident& victim, const PreserveSettings& laws, std::uint64_t tick,
+          Pellets& flesh);
+
+// Spends the energy of the last tick's work and of upkeep, at most all it has in store. Returns it.
+Energy spend(Resident& resident, const PreserveSettings& laws, std::uint64_t tick);
+
+// Turns all energy of a body into flesh where its parts are.
+void decay_to_flesh(Resident& resident, Pellets& flesh);
+
+}  // namespace cambrian

@@ -1,0 +1,123 @@
+#include "preserve/life/resident.h"
+
+#include "creature/overlap.h"
+#include "preserve/world/walls.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace cambrian {
+
+Result<std::unique_ptr<Resident>> Resident::grow(Life begun, const Kinds& kinds,
+                                                 const ExperimentSettings& settings,
+                                                 const CommonSenses& senses) {
+    auto phenotype = std::make_unique<Phenotype>(
+        express(*begun.genome, kinds, settings.expression, settings.world.scene));
+    if (settings.expression.strict_overlap && overlaps_itself(phenotype->plan))
+        return Error{"parts overlap that no joint connects"};
+    auto scene =
+        kinds.scene.make(phenotype->plan, settings.world.environment, settings.world.scene);
+    if (!scene) return scene.error();
+    return std::unique_ptr<Resident>(new Resident(std::move(begun), std::move(phenotype), kinds,
+                                                  settings, senses, std::move(*scene)));
+}
+
+Resident::Resident(Life begun, std::unique_ptr<const Phenotype> phenotype, const Kinds& kinds,
+                   const ExperimentSettings& settings, const CommonSenses& senses,
+                   std::unique_ptr<PhysicsScene> scene)
+    : life(std::move(begun)),
+      settings_(&settings),
+      phenotype_(std::move(phenotype)),
+      scene_(std::move(scene)),
+      senses_(senses, life.number),
+      creature_(std::make_unique<Creature>(*phenotype_, kinds, settings.world.scene)),
+      mouths_(mouths_of(*phenotype_, kinds.organs)),
+      rectangles_(phenotype_->parts.size()) {
+    scene_->take_workspace();  // live() brings one
+    life.mass = scene_->mass();
+    life.parts = static_cast<std::uint32_t>(phenotype_->parts.size());
+    life.neurons = static_cast<std::uint32_t>(phenotype_->network.order.size());
+    double diets = 0.0;
+    for (const Mouth& mouth : mouths_)
+        diets += mouth.diet;
+    life.diet = diets / static_cast<double>(mouths_.size());
+    place(Vec3::Zero(), Vec3::Zero());
+    for (const Rectangle& part : rectangles_) {
+        for (const Vec3& corner : corners_of(part))
+            radius_ = std::max(radius_, corner.norm());
+    }
+}
+
+void Resident::find_rectangles() {
+    for (std::size_t i = 0; i < rectangles_.size(); ++i)
+        rectangles_[i] = rectangle_of(*scene_, i, phenotype_->plan.parts[i]);
+}
+
+void Resident::place(const Vec3& center, const Vec3& velocity) {
+    scene_->translate(center - scene_->center_of_mass());
+    SceneMotion motion = scene_->motion();
+    const std::size_t count = motion.speeds.size();
+    motion.speeds[count - 2] = velocity.x();
+    motion.speeds[count - 1] = velocity.y();
+    broken_ = !scene_->begin_at(motion);
+    find_rectangles();
+}
+
+void Resident::live(std::unique_ptr<SceneWorkspace>& workspace, const WalledArea& area) {
+    bitten = false;
+    const double before = scene_->audit().gross_motor_work;
+    creature_->act(*scene_, senses_, kBrainTick);
+    push_back(*scene_, *phenotype_, rectangles_, area, settings_->world.environment.density);
+    scene_->give_workspace(std::move(workspace));
+    const SceneStatus status = scene_->advance(kBrainTick);
+    workspace = scene_->take_workspace();
+    const SceneAudit& audit = scene_->audit();
+    const TrialSettings& guards = settings_->world.trial;
+    broken_ = status != SceneStatus::kRunning || audit.max_part_speed > guards.max_part_speed ||
+              audit.max_part_spin > guards.max_part_spin;
+    work_ = std::max(audit.gross_motor_work - before, 0.0);
+    find_rectangles();
+}
+
+double Resident::age(std::uint64_t tick) const {
+    return static_cast<double>(tick - life.born) * kBrainTick;
+}
+
+ResidentState Resident::save() const {
+    const Creature::State mind = creature_->save();
+    const auto values = mind.brain.values();
+    const auto memory = mind.brain.memory();
+    return {.life = life,
+            .store = store,
+            .body = body,
+            .last_birth = last_birth,
+            .motion = scene_->motion(),
+            .brain_values = {values.begin(), values.end()},
+            .brain_memory = {memory.begin(), memory.end()},
+            .sensor_memory = mind.sensor_memory,
+            .effector_memory = mind.effector_memory};
+}
+
+bool Resident::restore(const ResidentState& state) {
+    Creature::State mind = creature_->save();
+    if (state.sensor_memory.size() != mind.sensor_memory.size() ||
+        state.effector_memory.size() != mind.effector_memory.size() ||
+        !mind.brain.go_on_from(state.brain_values, state.brain_memory) ||
+        !scene_->begin_at(state.motion))
+        return false;
+    mind.sensor_memory = state.sensor_memory;
+    mind.effector_memory = state.effector_memory;
+    creature_->restore(mind);
+    const Life grown = std::exchange(life, state.life);
+    life.mass = grown.mass;
+    life.parts = grown.parts;
+    life.neurons = grown.neurons;
+    life.diet = grown.diet;
+    store = state.store;
+    body = state.body;
+    last_birth = state.last_birth;
+    find_rectangles();
+    return true;
+}
+
+}  // namespace cambrian

@@ -1,0 +1,91 @@
+#pragma once
+
+// A living creature of a preserve: its life so far, its energy, and its body in a scene of its own.
+
+#include "creature/creature.h"
+#include "evolution/settings/experiment_settings.h"
+#include "preserve/life/diet.h"
+#include "preserve/life/life.h"
+#include "preserve/world/area.h"
+#include "preserve/world/common_senses.h"
+#include "preserve/world/rectangle.h"
+
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace cambrian {
+
+// All of a resident that changes from tick to tick, but for its contacts.
+struct ResidentState {
+    Life life;
+    Energy store = 0;
+    Energy body = 0;
+    std::uint64_t last_birth = 0;  // tick of the last attempt at one, or of its own birth
+    SceneMotion motion;
+    std::vector<double> brain_values, brain_memory;
+    std::vector<double> sensor_memory, effector_memory;
+};
+
+class Resident {
+public:
+    // Grows the creature at its rest pose around the origin, without energy. Fails, with a reason,
+    // if physics or the settings reject the body. Kinds, settings and senses must outlive it.
+    static Result<std::unique_ptr<Resident>> grow(Life begun, const Kinds& kinds,
+                                                  const ExperimentSettings& settings,
+                                                  const CommonSenses& senses);
+    Resident(const Resident&) = delete;
+    Resident& operator=(const Resident&) = delete;
+
+    // Moves the centre of mass, and gives all parts that velocity.
+    void place(const Vec3& center, const Vec3& velocity);
+    // Thinks and moves for a tick in a workspace of its scene. Changes nothing else, so residents
+    // may do so at the same time.
+    void live(std::unique_ptr<SceneWorkspace>& workspace, const WalledArea& area);
+
+    // The work of the motors in the last tick, in J.
+    double work() const { return work_; }
+    // Whether the last tick failed, or a part moves faster than bodies can.
+    bool is_broken() const { return broken_; }
+    std::span<const Rectangle> rectangles() const { return rectangles_; }
+    Bounds bounds() const { return scene_->bounds(); }
+    Vec3 center() const { return scene_->center_of_mass(); }
+    Vec3 velocity() const { return scene_->center_of_mass_velocity(); }
+    double radius() const { return radius_; }  // m, at rest, of a circle around the centre of mass
+    bool can_move() const { return phenotype_->can_move() && phenotype_->has_live_control; }
+    const Emissions& emissions() const { return creature_->emissions(); }
+    std::span<const Mouth> mouths() const { return mouths_; }
+    const Phenotype& phenotype() const { return *phenotype_; }
+    const Genome& genome() const { return *life.genome; }
+    double age(std::uint64_t tick) const;  // s
+    void feel(double energy) { senses_.set_energy(energy); }
+
+    ResidentState save() const;
+    // Returns false if the state is not one of this body.
+    bool restore(const ResidentState& state);
+
+    Life life;
+    Energy store = 0;  // E
+    Energy body = 0;   // B
+    std::uint64_t last_birth = 0;
+    bool bitten = false;  // in the last tick
+
+private:
+    Resident(Life begun, std::unique_ptr<const Phenotype> phenotype, const Kinds& kinds,
+             const ExperimentSettings& settings, const CommonSenses& senses,
+             std::unique_ptr<PhysicsScene> scene);
+    void find_rectangles();
+
+    const ExperimentSettings* settings_;
+    std::unique_ptr<const Phenotype> phenotype_;
+    std::unique_ptr<PhysicsScene> scene_;
+    CreatureSenses senses_;
+    std::unique_ptr<Creature> creature_;
+    std::vector<Mouth> mouths_;
+    std::vector<Rectangle> rectangles_;
+    double radius_ = 0.0;
+    double work_ = 0.0;
+    bool broken_ = false;
+};
+
+}  // namespace cambrian

@@ -1,0 +1,459 @@
+#include "preserve/preserve.h"
+
+#include "core/assert.h"
+#include "core/text/number_text.h"
+#include "math/elementary.h"
+#include "preserve/life/feeding.h"
+#include "preserve/life/lineage.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace cambrian {
+namespace {
+
+constexpr int kBirthPlaces = 16;                // around a parent
+constexpr std::uint64_t kTicksPerRot = 6;       // 0.1 s
+constexpr std::uint64_t kTicksPerRestock = 60;  // 1 s
+constexpr int kPlaceDraws = 20;                 // for a newcomer between the walls
+
+// Uses of random streams, which are numbered by tick or by attempt.
+enum Use : std::uint64_t { kGrowth = 0, kBirth = 1, kArrival = 2, kSowing = 3 };
+
+// Energy of a newborn's store and body.
+Energy store_of(const Resident& resident, const PreserveSettings& laws) {
+    return energy_of(laws.birth_energy * resident.life.mass);
+}
+Energy body_of(const Resident& resident, const PreserveSettings& laws) {
+    return energy_of(laws.body_energy * resident.life.mass);
+}
+
+// Returns whether a resident is anywhere near the world.
+bool strays_little(const Resident& resident) {
+    constexpr double kFar = 1e4;  // m
+    return resident.center().cwiseAbs().maxCoeff() < kFar;
+}
+
+}  // namespace
+
+Preserve::Preserve(SettingsPtr settings, const EvolutionKinds& kinds,
+                   std::vector<GenomePtr> founders)
+    : settings_(std::move(settings)),
+      kinds_(kinds),
+      founders_(std::move(founders)),
+      area_{settings_->preserve.width, settings_->preserve.height},
+      constant_(energy_of(settings_->preserve.energy_density * area_.width * area_.height)),
+      senses_(area_, settings_->world.environment),
+      plants_(area_),
+      flesh_(area_),
+      ambient_(constant_) {
+    CAMBRIAN_ASSERT(!founders_.empty(), "a preserve has founders");
+}
+
+Result<std::unique_ptr<Preserve>> Preserve::begin(SettingsPtr settings, const EvolutionKinds& kinds,
+                                                  std::vector<GenomePtr> founders) {
+    std::unique_ptr<Preserve> preserve(
+        new Preserve(std::move(settings), kinds, std::move(founders)));
+    if (Status founded = preserve->found(); !founded) return founded.error();
+    preserve->snapshot_ = std::make_shared<const PreserveState>(preserve->save());
+    return preserve;
+}
+
+Result<std::unique_ptr<Preserve>> Preserve::resume(SettingsPtr settings,
+                                                   const EvolutionKinds& kinds,
+                                                   std::vector<GenomePtr> founders,
+                                                   const PreserveState& state) {
+    std::unique_ptr<Preserve> preserve(
+        new Preserve(std::move(settings), kinds, std::move(founders)));
+    if (Status restored = preserve->restore(state); !restored) return restored.error();
+    preserve->snapshot_ = std::make_shared<const PreserveState>(state);
+    return preserve;
+}
+
+RandomStream Preserve::stream(std::uint64_t index, std::uint64_t use) const {
+    return RandomStream(stream_seed(settings_->seed, index, use, Purpose::kPreserve));
+}
+
+Status Preserve::found() {
+    const auto count = static_cast<std::size_t>(settings_->preserve.founders);
+    for (std::size_t i = 0; i < count; ++i) {
+        Result<std::unique_ptr<Resident>> founder = newcomer(i, "founder");
+        if (!founder) return founder.error();
+        if (!can_pay(**founder)) {
+            return Error{fmt::format(
+                "[preserve] founders: the energy is spent after {} of {}; expected fewer founders, "
+                "or more than {} J/m^2 of energy-density",
+                i, count, short_text(settings_->preserve.energy_density))};
+        }
+        settle(*std::move(founder));
+    }
+    feel_energy();
+    sow();
+    return {};
+}
+
+void Preserve::add_plant(RandomStream& draws) {
+    const double x = area_.width * (draws.uniform() - 0.5);
+    const double y = area_.height * (draws.uniform() - 0.5);
+    const Energy plant = energy_of(settings_->preserve.plant_energy);
+    plants_.add(Vec3(x, y, 0.0), plant);
+    ambient_ -= plant;
+}
+
+// Turns half of the light into plants, so that founders do not starve before any grow.
+void Preserve::sow() {
+    RandomStream draws = stream(0, kSowing);
+    const Energy after = ambient_ / 2;
+    const Energy plant = energy_of(settings_->preserve.plant_energy);
+    while (ambient_ - plant >= after)
+        add_plant(draws);
+}
+
+// Returns a copy of one of the founders at a random place, not yet paid.
+Result<std::unique_ptr<Resident>> Preserve::newcomer(std::size_t place, std::string method) {
+    const GenomePtr& genome = founders_[place % founders_.size()];
+    Life life{.number = next_number_, .method = std::move(method), .genome = genome, .born = tick_};
+    life.uid = stream_seed(settings_->seed, next_number_, kArrival, Purpose::kPreserve);
+    const std::size_t which = place % founders_.size() + 1;
+    auto grown = Resident::grow(std::move(life), kinds_.creature, *settings_, senses_);
+    if (!grown)
+        return Error{fmt::format("founder {} cannot live: {}", which, grown.error().message)};
+    Resident& resident = **grown;
+    if (!resident.can_move()) {
+        return Error{
+            fmt::format("founder {} cannot move; expected creatures with a joint that "
+                        "follows more than constants",
+                        which)};
+    }
+    RandomStream draws = stream(next_number_, kArrival);
+    for (int draw = 0; draw < kPlaceDraws; ++draw) {
+        const double x = area_.width * (draws.uniform() - 0.5);
+        const double y = area_.height * (draws.uniform() - 0.5);
+        resident.place(Vec3(x, y, 0.0), Vec3::Zero());
+        if (area_.holds(resident.center(), resident.radius())) return grown;
+    }
+    resident.place(Vec3::Zero(), Vec3::Zero());
+    if (area_.holds(resident.center(), resident.radius())) return grown;
+    return Error{
+        fmt::format("founder {} is too large for the walls: it needs {} m, the world has "
+                    "{} m x {} m",
+                    which, short_text(2.0 * resident.radius()), short_text(area_.width),
+                    short_text(area_.height))};
+}
+
+bool Preserve::can_pay(const Resident& resident) const {
+    return ambient_ >=
+           store_of(resident, settings_->preserve) + body_of(resident, settings_->preserve);
+}
+
+// Adds a newcomer, which the light pays.
+void Preserve::settle(std::unique_ptr<Resident> resident) {
+    resident->store = store_of(*resident, settings_->preserve);
+    resident->body = body_of(*resident, settings_->preserve);
+    ambient_ -= resident->store + resident->body;
+    join_lineage(*resident, nullptr);
+    resident->last_birth = tick_;
+    ++next_number_;
+    resident->life.x = resident->center().x();
+    resident->life.y = resident->center().y();
+    chronicle_.born.push_back(resident->life);
+    residents_.push_back(std::move(resident));
+}
+
+void Preserve::join_lineage(Resident& resident, const Resident* parent) {
+    Life& life = resident.life;
+    life.lineage = parent == nullptr ? life.number : parent->life.lineage;
+    if (parent != nullptr &&
+        differing_body_genes(*life.genome, *lineages_.at(life.lineage)) > kGenesOfALineage)
+        life.lineage = life.number;
+    lineages_.try_emplace(life.lineage, life.genome);
+}
+
+Energy Preserve::total_energy() const {
+    Energy total = ambient_ + plants_.energy() + flesh_.energy();
+    for (const auto& each : residents_)
+        total += each->store + each->body;
+    return total;
+}
+
+SeriesRow Preserve::row() const {
+    return series_row(tick_, residents_, ambient_, plants_, flesh_, tally_);
+}
+
+Chronicle Preserve::take_chronicle() {
+    return std::exchange(chronicle_, {});
+}
+
+PreserveState Preserve::save() const {
+    PreserveState state;
+    state.tick = tick_;
+    state.next_number = next_number_;
+    state.attempts = attempts_;
+    state.restocked = restocked_;
+    state.ambient = ambient_;
+    state.plants.assign(plants_.all().begin(), plants_.all().end());
+    state.flesh.assign(flesh_.all().begin(), flesh_.all().end());
+    state.scents = senses_.save();
+    for (const auto& [number, genome] : lineages_)
+        state.lineages.push_back({number, genome});
+    for (const auto& each : residents_)
+        state.residents.push_back(each->save());
+    return state;
+}
+
+// Returns whether the energies of a state add up to the constant of the world.
+bool Preserve::adds_up(const PreserveState& state) const {
+    Energy sum = 0;
+    bool sound = true;
+    const auto add = [&](Energy energy) {
+        sound = sound && energy >= 0 && energy <= constant_ - sum;
+        if (sound) sum += energy;
+    };
+    add(state.ambient);
+    for (const auto* pellets : {&state.plants, &state.flesh}) {
+        for (const Pellet& pellet : *pellets)
+            add(pellet.energy);
+    }
+    for (const ResidentState& each : state.residents) {
+        add(each.store);
+        add(each.body);
+    }
+    return sound && sum == constant_;
+}
+
+Status Preserve::restore(const PreserveState& state) {
+    const Error unsuitable{"the snapshot does not belong to these settings"};
+    if (!adds_up(state)) return unsuitable;
+    for (const auto* field : {&state.scents.scent, &state.scents.plants, &state.scents.flesh}) {
+        if (field->any && field->cells.size() != senses_.cells()) return unsuitable;
+    }
+    tick_ = state.tick;
+    next_number_ = state.next_number;
+    attempts_ = state.attempts;
+    restocked_ = state.restocked;
+    ambient_ = state.ambient;
+    plants_.replace(state.plants);
+    flesh_.replace(state.flesh);
+    senses_.restore(state.scents);
+    lineages_.clear();
+    for (const Lineage& lineage : state.lineages)
+        lineages_.emplace(lineage.number, lineage.genome);
+    residents_.clear();
+    std::uint64_t before = 0;
+    for (const ResidentState& each : state.residents) {
+        if (each.life.number <= before || each.life.number >= next_number_ ||
+            !lineages_.contains(each.life.lineage) || each.life.born > tick_)
+            return unsuitable;
+        before = each.life.number;
+        auto grown = Resident::grow(each.life, kinds_.creature, *settings_, senses_);
+        if (!grown || !(*grown)->restore(each) || !strays_little(**grown)) return unsuitable;
+        residents_.push_back(std::move(*grown));
+    }
+    feel_energy();
+    return {};
+}
+
+void Preserve::tick(ThreadPool& pool) {
+    live(pool);
+    sense();
+    bite();
+    feed();
+    spend();
+    ++tick_;
+    bury();
+    breed();
+    restock();
+    grow_plants();
+    senses_.end_tick(tick_, plants_, flesh_);
+    feel_energy();
+    record();
+}
+
+void Preserve::live(ThreadPool& pool) {
+    workspaces_.resize(std::max(workspaces_.size(), pool.workers()));
+    for (std::size_t worker = 0; worker < pool.workers() && !residents_.empty(); ++worker) {
+        if (workspaces_[worker]) continue;
+        const auto scene =
+            kinds_.creature.scene.make(residents_.front()->phenotype().plan,
+                                       settings_->world.environment, settings_->world.scene);
+        CAMBRIAN_ASSERT(scene.has_value(), "a resident's body suits physics");
+        workspaces_[worker] = (*scene)->take_workspace();
+    }
+    pool.parallel_for(residents_.size(), [&](std::size_t index, std::size_t worker) {
+        residents_[index]->live(workspaces_[worker], area_);
+    });
+}
+
+void Preserve::sense() {
+    senses_.begin_tick();
+    for (const auto& each : residents_)
+        senses_.take(each->emissions(), each->life.number);
+}
+
+void Preserve::bite() {
+    bounds_.clear();
+    for (const auto& each : residents_)
+        bounds_.push_back(each->bounds());
+    for (const auto& [first, second] : meetings_.find(bounds_)) {
+        Resident& a = *residents_[first];
+        Resident& b = *residents_[second];
+        cambrian::bite(a, b, settings_->preserve, tick_, flesh_);
+        cambrian::bite(b, a, settings_->preserve, tick_, flesh_);
+    }
+}
+
+void Preserve::feed() {
+    for (const auto& each : residents_) {
+        if (each->store > 0) ambient_ += eat(*each, plants_, flesh_);
+    }
+}
+
+void Preserve::spend() {
+    for (const auto& each : residents_)
+        ambient_ += cambrian::spend(*each, settings_->preserve, tick_);
+}
+
+// Removes those whose store is empty, or whose motion failed. Their energy becomes flesh.
+void Preserve::bury() {
+    for (const auto& each : residents_) {
+        Life& life = each->life;
+        if (each->is_broken()) {
+            life.cause = DeathCause::kBrokenPhysics;
+            ++tally_.broken_physics;
+        } else if (each->store > 0) {
+            continue;
+        } else if (each->bitten) {
+            life.cause = DeathCause::kEaten;
+            ++tally_.eaten;
+        } else {
+            life.cause = DeathCause::kHunger;
+            ++tally_.hunger;
+        }
+        life.died = tick_;
+        const Vec3 place = area_.nearest(each->center());
+        life.x = place.x();
+        life.y = place.y();
+        decay_to_flesh(*each, flesh_);
+        chronicle_.died.push_back(life);
+    }
+    if (std::erase_if(residents_, [](const auto& each) { return each->life.died != 0; }) > 0)
+        forget_lineages();
+}
+
+void Preserve::forget_lineages() {
+    std::erase_if(lineages_, [&](const auto& lineage) {
+        return std::none_of(residents_.begin(), residents_.end(),
+                            [&](const auto& each) { return each->life.lineage == lineage.first; });
+    });
+}
+
+void Preserve::breed() {
+    const PreserveSettings& laws = settings_->preserve;
+    const auto grown = residents_.size();
+    for (std::size_t i = 0; i < grown; ++i) {
+        if (residents_.size() >= static_cast<std::size_t>(laws.max_population)) return;
+        Resident& parent = *residents_[i];
+        const double since = static_cast<double>(tick_ - parent.last_birth) * kBrainTick;
+        if (since < laws.birth_interval) continue;
+        if (parent.store > 2 * store_of(parent, laws) + body_of(parent, laws)) try_birth(parent);
+    }
+}
+
+// A child that costs more than its parent can spare is not born; the next attempt is another one.
+void Preserve::try_birth(Resident& parent) {
+    const PreserveSettings& laws = settings_->preserve;
+    parent.last_birth = tick_;
+    RandomStream draws = stream(++attempts_, kBirth);
+    Life life = conceive(parent, residents_, *settings_, kinds_, attempts_, tick_, draws);
+    life.number = next_number_;
+    auto child = Resident::grow(std::move(life), kinds_.creature, *settings_, senses_);
+    if (!child) return;
+    const Energy store = store_of(**child, laws);
+    const Energy body = body_of(**child, laws);
+    if (parent.store <= 2 * store + body) return;
+    if (!(*child)->can_move()) {
+        parent.store -= store + body;
+        flesh_.add(parent.center(), store + body);
+        ++tally_.stillborn;
+        return;
+    }
+    (*child)->store = store;
+    (*child)->body = body;
+    bear(parent, std::move(*child), draws);
+}
+
+// Places the child beside its parent, at the first of 16 places between the walls.
+void Preserve::bear(Resident& parent, std::unique_ptr<Resident> child, RandomStream& stream) {
+    const double distance = parent.radius() + child->radius();
+    const std::size_t first = stream.below(kBirthPlaces);
+    for (std::size_t i = 0; i < kBirthPlaces; ++i) {
+        const double turn = static_cast<double>((first + i) % kBirthPlaces) / kBirthPlaces;
+        const SineCosine direction = sine_cosine(2.0 * kPi * turn);
+        const Vec3 center =
+            parent.center() + distance * Vec3(direction.cosine, direction.sine, 0.0);
+        if (!area_.holds(center, child->radius())) continue;
+        child->place(center, parent.velocity());
+        parent.store -= child->store + child->body;
+        ++parent.life.children;
+        child->life.x = center.x();
+        child->life.y = center.y();
+        child->last_birth = tick_;
+        join_lineage(*child, &parent);
+        ++next_number_;
+        ++tally_.births;
+        chronicle_.born.push_back(child->life);
+        residents_.push_back(std::move(child));
+        return;
+    }
+}
+
+void Preserve::restock() {
+    const auto floor = static_cast<std::size_t>(settings_->preserve.restock);
+    if (tick_ % kTicksPerRestock != 0) return;
+    while (residents_.size() < floor) {
+        Result<std::unique_ptr<Resident>> arriving = newcomer(restocked_, "restock");
+        if (!arriving || !can_pay(**arriving)) return;
+        chronicle_.interventions.push_back({tick_, "restock", next_number_});
+        settle(*std::move(arriving));
+        ++restocked_;
+        ++tally_.restocked;
+    }
+}
+
+// Light becomes plants, and flesh light.
+void Preserve::grow_plants() {
+    const PreserveSettings& laws = settings_->preserve;
+    const Energy plant = energy_of(laws.plant_energy);
+    const double expected = joules(ambient_) / (laws.growth_time * laws.plant_energy) * kBrainTick;
+    RandomStream draws = stream(tick_, kGrowth);
+    auto count = static_cast<std::uint64_t>(expected);
+    if (draws.chance(expected - static_cast<double>(count))) ++count;
+    for (; count > 0 && ambient_ >= plant; --count)
+        add_plant(draws);
+    if (tick_ % kTicksPerRot != 0) return;
+    const double time = kTicksPerRot * kBrainTick;
+    ambient_ += flesh_.rot(1.0 - exponential(-logarithm(2.0) * time / laws.flesh_half_life));
+}
+
+void Preserve::feel_energy() {
+    for (const auto& each : residents_) {
+        const Energy birth = store_of(*each, settings_->preserve);
+        each->feel(birth > 0 ? joules(each->store) / joules(birth) : 0.0);
+    }
+}
+
+void Preserve::record() {
+    if (tick_ % kTicksPerRow == 0) {
+        CAMBRIAN_ASSERT(total_energy() == constant_, "energy is neither made nor lost");
+        chronicle_.series.push_back(row());
+        tally_ = {};
+    }
+    if (tick_ % kTicksPerSnapshot != 0) return;
+    snapshot_ = std::make_shared<const PreserveState>(save());
+    const Status restored = restore(*snapshot_);
+    CAMBRIAN_ASSERT(restored.has_value(), "a snapshot of this preserve");
+}
+
+}  // namespace cambrian

@@ -1,0 +1,125 @@
+#pragma once
+
+// A closed world in which creatures feed, hunt, breed and die by themselves (preserve/README.md 1).
+// It is a function of settings, founders and seed: the number of threads has no influence.
+
+#include "core/random.h"
+#include "core/result.h"
+#include "core/threads/thread_pool.h"
+#include "evolution/kinds/evolution_kinds.h"
+#include "evolution/settings/experiment_settings.h"
+#include "preserve/life/offspring.h"
+#include "preserve/series.h"
+#include "preserve/state.h"
+#include "preserve/world/common_senses.h"
+#include "preserve/world/meetings.h"
+#include "preserve/world/pellets.h"
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace cambrian {
+
+inline constexpr std::uint64_t kTicksPerSnapshot = 3600;  // 60 s
+
+// What a preserve did by itself that is no birth and no death.
+struct Intervention {
+    std::uint64_t tick = 0;
+    std::string what;          // "restock"
+    std::uint64_t number = 0;  // of the creature
+};
+
+// What happened since it was taken last.
+struct Chronicle {
+    std::vector<Life> born;
+    std::vector<Life> died;
+    std::vector<SeriesRow> series;
+    std::vector<Intervention> interventions;
+};
+
+class Preserve {
+public:
+    // Settings must have passed check_preserve(); founders must be valid and are used in turn.
+    // Fails if a founder cannot live in these settings.
+    static Result<std::unique_ptr<Preserve>> begin(SettingsPtr settings,
+                                                   const EvolutionKinds& kinds,
+                                                   std::vector<GenomePtr> founders);
+    // Goes on from a state. Fails if the state does not suit the settings.
+    static Result<std::unique_ptr<Preserve>> resume(SettingsPtr settings,
+                                                    const EvolutionKinds& kinds,
+                                                    std::vector<GenomePtr> founders,
+                                                    const PreserveState& state);
+    Preserve(const Preserve&) = delete;
+    Preserve& operator=(const Preserve&) = delete;
+
+    // Advances by 1/60 s.
+    void tick(ThreadPool& pool);
+
+    std::uint64_t ticks() const { return tick_; }
+    const Residents& residents() const { return residents_; }
+    const Pellets& plants() const { return plants_; }
+    const Pellets& flesh() const { return flesh_; }
+    Energy ambient() const { return ambient_; }
+    Energy total_energy() const;  // the same in every tick
+    Energy founding_energy() const { return constant_; }
+    SeriesRow row() const;  // of the present moment
+
+    PreserveState save() const;
+    // The state at the last multiple of 60 s. The preserve itself went on from it.
+    const std::shared_ptr<const PreserveState>& snapshot() const { return snapshot_; }
+    Chronicle take_chronicle();
+
+private:
+    Preserve(SettingsPtr settings, const EvolutionKinds& kinds, std::vector<GenomePtr> founders);
+    Status found();
+    void sow();
+    bool adds_up(const PreserveState& state) const;
+    Status restore(const PreserveState& state);
+
+    void live(ThreadPool& pool);
+    void sense();
+    void bite();
+    void feed();
+    void spend();
+    void bury();
+    void breed();
+    void try_birth(Resident& parent);
+    void bear(Resident& parent, std::unique_ptr<Resident> child, RandomStream& stream);
+    void restock();
+    void add_plant(RandomStream& draws);
+    void grow_plants();
+    void record();
+
+    RandomStream stream(std::uint64_t index, std::uint64_t use) const;
+    Result<std::unique_ptr<Resident>> newcomer(std::size_t place, std::string method);
+    bool can_pay(const Resident& resident) const;
+    void settle(std::unique_ptr<Resident> resident);
+    void join_lineage(Resident& resident, const Resident* parent);
+    void feel_energy();
+    void forget_lineages();
+
+    SettingsPtr settings_;
+    const EvolutionKinds& kinds_;
+    std::vector<GenomePtr> founders_;
+    WalledArea area_;
+    Energy constant_;
+    CommonSenses senses_;
+    Pellets plants_, flesh_;
+    Energy ambient_ = 0;
+    Residents residents_;
+    std::map<std::uint64_t, GenomePtr> lineages_;  // founders by number
+    std::uint64_t tick_ = 0;
+    std::uint64_t next_number_ = 1;
+    std::uint64_t attempts_ = 0;
+    std::uint64_t restocked_ = 0;
+    Tally tally_;
+    Chronicle chronicle_;
+    std::shared_ptr<const PreserveState> snapshot_;
+    Meetings meetings_;
+    std::vector<Bounds> bounds_;
+    std::vector<std::unique_ptr<SceneWorkspace>> workspaces_;  // one for each worker
+};
+
+}  // namespace cambrian

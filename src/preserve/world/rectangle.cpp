@@ -1,0 +1,60 @@
+#include "preserve/world/rectangle.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cambrian {
+namespace {
+
+// Returns half of the length of a rectangle's projection on a unit vector.
+double half_projection(const Rectangle& rectangle, const Vec3& direction) {
+    return rectangle.half_length * std::fabs(rectangle.axis.dot(direction)) +
+           rectangle.half_width * std::fabs(rectangle.across().dot(direction));
+}
+
+}  // namespace
+
+Rectangle rectangle_of(const BodyView& body, std::size_t index, const PlannedPart& part) {
+    return {body.part_center(index), body.part_axis(index), part.half_extents.x(),
+            part.half_extents.y()};
+}
+
+std::array<Vec3, 4> corners_of(const Rectangle& rectangle) {
+    const Vec3 along = rectangle.half_length * rectangle.axis;
+    const Vec3 across = rectangle.half_width * rectangle.across();
+    return {rectangle.center + along + across, rectangle.center + along - across,
+            rectangle.center - along + across, rectangle.center - along - across};
+}
+
+Bounds bounds_of(const Rectangle& rectangle) {
+    Bounds bounds;
+    for (const Vec3& corner : corners_of(rectangle))
+        bounds.add(corner);
+    return bounds;
+}
+
+bool overlap(const Rectangle& a, const Rectangle& b) {
+    const Vec3 apart = b.center - a.center;
+    for (const Vec3& direction : {a.axis, a.across(), b.axis, b.across()}) {
+        if (std::fabs(apart.dot(direction)) >
+            half_projection(a, direction) + half_projection(b, direction))
+            return false;
+    }
+    return true;
+}
+
+bool overlap(const Bounds& a, const Bounds& b) {
+    return a.low.x() <= b.high.x() && b.low.x() <= a.high.x() && a.low.y() <= b.high.y() &&
+           b.low.y() <= a.high.y();
+}
+
+double distance_to(const Rectangle& rectangle, const Vec3& point) {
+    const Vec3 apart = point - rectangle.center;
+    const double along =
+        std::max(std::fabs(apart.dot(rectangle.axis)) - rectangle.half_length, 0.0);
+    const double across =
+        std::max(std::fabs(apart.dot(rectangle.across())) - rectangle.half_width, 0.0);
+    return std::sqrt(along * along + across * across);
+}
+
+}  // namespace cambrian

@@ -1,0 +1,51 @@
+#include "preserve/world/walls.h"
+
+namespace cambrian {
+namespace {
+
+constexpr double kStiffness = 400.0;  // 1/s^2; force for each kilogram of the part and metre
+constexpr double kDamping = 20.0;     // 1/s; for each kilogram and m/s
+
+struct Excess {
+    std::size_t part = 0;
+    Vec3 corner = Vec3::Zero();  // m
+    Vec3 inward = Vec3::Zero();  // unit vector
+    double depth = 0.0;          // m
+};
+
+void note(Excess& worst, std::size_t part, const Vec3& corner, const Vec3& inward, double depth) {
+    if (depth > worst.depth) worst = {part, corner, inward, depth};
+}
+
+Excess worst_excess(std::span<const Rectangle> parts, const WalledArea& area) {
+    Excess worst;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        for (const Vec3& corner : corners_of(parts[i])) {
+            note(worst, i, corner, Vec3::UnitX(), area.left() - corner.x());
+            note(worst, i, corner, -Vec3::UnitX(), corner.x() + area.left());
+            note(worst, i, corner, Vec3::UnitY(), area.bottom() - corner.y());
+            note(worst, i, corner, -Vec3::UnitY(), corner.y() + area.bottom());
+        }
+    }
+    return worst;
+}
+
+}  // namespace
+
+void push_back(PhysicsScene& scene, const Phenotype& phenotype, std::span<const Rectangle> parts,
+               const WalledArea& area, double density) {
+    const Excess worst = worst_excess(parts, area);
+    if (!(worst.depth > 0.0)) return;
+    const Rectangle& part = parts[worst.part];
+    const Twist twist = scene.part_twist(worst.part);
+    const Vec3 arm = worst.corner - part.center;
+    const Vec3 velocity = twist.linear + twist.angular.cross(arm);
+    const double mass =
+        density * phenotype.parts[worst.part].length * phenotype.parts[worst.part].width;
+    const double force = mass * (kStiffness * worst.depth - kDamping * velocity.dot(worst.inward));
+    if (!(force > 0.0)) return;
+    const Vec3 point(arm.dot(part.axis), arm.dot(part.across()), 0.0);
+    scene.pull(worst.part, point, force * worst.inward);
+}
+
+}  // namespace cambrian

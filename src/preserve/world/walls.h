@@ -1,0 +1,19 @@
+#pragma once
+
+// The soft walls of a preserve (preserve/README.md 2).
+
+#include "creature/phenotype.h"
+#include "preserve/world/area.h"
+#include "preserve/world/rectangle.h"
+#include "world/physics_scene.h"
+
+#include <span>
+
+namespace cambrian {
+
+// Pushes the part with the corner that is farthest beyond a wall back during the next tick. `parts`
+// are the parts' rectangles of the moment.
+void push_back(PhysicsScene& scene, const Phenotype& phenotype, std::span<const Rectangle> parts,
+               const WalledArea& area, double density);
+
+}  // namespace cambrian

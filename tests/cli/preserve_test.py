@@ -1,0 +1,114 @@
+"""Preserves: reported, kept, resumed, verified, exported, and after a crash."""
+
+import csv
+import json
+import signal
+import sqlite3
+import subprocess
+import unittest
+
+from program import CAMBRIAN, ROOT, SMALL, ProgramTest
+
+POND = """
+[preserve]
+width = 12
+height = 10
+founders = 12
+energy-density = 100
+"""
+SWIMMERS = [ROOT / "assets/creatures/finned_swimmer.creature.json",
+            ROOT / "assets/creatures/squid.creature.json"]
+
+
+class Preserve(ProgramTest):
+    def setUp(self):
+        super().setUp()
+        self.write("pond.toml", POND)
+
+    def rows(self, *arguments):
+        """Returns the reported rows without what depends on the clock."""
+        report = self.run_well("preserve", *arguments, "--json").stdout
+        rows = [json.loads(line) for line in report.splitlines()]
+        for row in rows:
+            del row["real_time_factor"]
+        return rows
+
+    def snapshots(self, name):
+        with sqlite3.connect(self.folder / name) as file:
+            return file.execute("SELECT tick, digest FROM snapshots ORDER BY tick").fetchall()
+
+    def test_a_preserve_reports_the_same_on_any_number_of_threads(self):
+        one, two, seven = [self.rows("pond.toml", "--founders", *SWIMMERS, "--seconds", 60,
+                                     "-t", threads) for threads in (1, 2, 7)]
+        self.assertEqual(len(one), 6)
+        self.assertEqual(one, two)
+        self.assertEqual(one, seven)
+        self.assertNotEqual(one, self.rows("pond.toml", "--founders", *SWIMMERS, "--seconds", 60,
+                                           "--seed", 2))
+        for row in one:
+            self.assertAlmostEqual(sum(row["energy"].values()), 100 * 12 * 10, places=5)
+
+    def test_a_preserve_resumed_is_the_one_that_was_never_stopped(self):
+        uncut = self.rows("pond.toml", "-f", *SWIMMERS, "--seconds", 180, "-o", "uncut.cambrian")
+        first = self.rows("pond.toml", "-f", *SWIMMERS, "--seconds", 95, "-o", "a.cambrian")
+        self.assertEqual(first, uncut[:9])
+        rest = self.rows("--resume", "a.cambrian", "--seconds", 180)
+        self.assertEqual(rest, uncut[6:])
+        self.assertEqual(self.snapshots("a.cambrian"), self.snapshots("uncut.cambrian"))
+        for option in ("--lives", "--series"):
+            both = [self.run_well("export", name, option).stdout
+                    for name in ("uncut.cambrian", "a.cambrian")]
+            self.assertEqual(both[0], both[1])
+        self.assertIn("replay verified, 4 snapshots up to 180 s",
+                      self.run_well("verify", "a.cambrian").stdout)
+        series = list(csv.DictReader(both[0].splitlines()))
+        self.assertEqual(len(series), 18)
+        self.assert_refused(self.run_program("preserve", "-r", "a.cambrian", "--seconds", 180),
+                            "a.cambrian: has reached 180 s; --seconds T asks for more")
+
+    def test_a_killed_preserve_loses_at_most_a_minute_of_its_time(self):
+        expected = self.rows("pond.toml", "-f", *SWIMMERS, "--seconds", 300)
+        process = subprocess.Popen(
+            [CAMBRIAN, "preserve", "pond.toml", "-f", *map(str, SWIMMERS), "-o", "a.cambrian",
+             "--json"], cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL,
+            encoding="utf-8")
+        with process:
+            seen = [json.loads(process.stdout.readline())["time"] for _ in range(20)]
+            process.send_signal(signal.SIGKILL)
+        kept = self.snapshots("a.cambrian")[-1][0] / 60
+        self.assertGreaterEqual(kept, seen[-1] - 60)
+        rest = self.rows("-r", "a.cambrian", "--seconds", 300 if kept < 300 else kept + 60)
+        if kept < 300:
+            self.assertEqual(rest, expected[int(kept / 10):])
+        self.assertIn("replay verified", self.run_well("verify", "a.cambrian").stdout)
+
+    def test_a_damaged_snapshot_is_left_out_for_the_one_before(self):
+        self.run_well("preserve", "pond.toml", "-f", *SWIMMERS, "--seconds", 120, "-o", "a.cambrian")
+        kept = self.snapshots("a.cambrian")
+        with sqlite3.connect(self.folder / "a.cambrian") as file:
+            file.execute("UPDATE snapshots SET digest = digest + 1 WHERE tick = 7200")
+        result = self.run_well("preserve", "--resume", "a.cambrian", "--seconds", 120)
+        self.assertIn("the snapshot of 120 s is damaged", result.stderr)
+        self.assertEqual(self.snapshots("a.cambrian"), kept)
+
+    def test_what_a_preserve_cannot_use_gets_one_message(self):
+        self.assert_refused(self.run_program("preserve"), "a settings file to begin with")
+        self.write("solid.toml", POND + 'bodies = "solid"\n')
+        self.assert_refused(self.run_program("preserve", "solid.toml"), "does not exist yet")
+        self.assert_refused(self.run_program("evolve", "pond.toml"),
+                            "these are the settings of a preserve")
+        self.run_well("preserve", "pond.toml", "-f", *SWIMMERS, "--seconds", 1, "-o", "a.cambrian")
+        self.assert_refused(self.run_program("preserve", "pond.toml", "-o", "a.cambrian"),
+                            "File exists")
+        self.assert_refused(self.run_program("evolve", "--resume", "a.cambrian"),
+                            "it is a preserve, no experiment")
+        self.assert_refused(self.run_program("export", "a.cambrian", "--champion"),
+                            "it is a preserve, no experiment")
+        self.write("small.toml", SMALL)
+        self.run_well("evolve", "small.toml", "-n", 1, "-o", "e.cambrian")
+        for command in (["preserve", "--resume", "e.cambrian"], ["export", "e.cambrian", "--lives"]):
+            self.assert_refused(self.run_program(*command), "it is an experiment, no preserve")
+
+
+if __name__ == "__main__":
+    unittest.main()

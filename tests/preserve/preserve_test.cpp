@@ -1,0 +1,188 @@
+#include "preserve/life/founders.h"
+#include "preserve/life/lineage.h"
+#include "worlds.h"
+
+#include <array>
+
+namespace cambrian {
+namespace {
+
+using namespace test;
+
+TEST_CASE("energy is constant to the last unit while creatures feed, breed and die", "[preserve]") {
+    ExperimentSettings settings = small_world();
+    settings.preserve.founders = 16;
+    const auto preserve = begun(settings, {eater(0.0), eater(1.0), fish(kind_catalog())});
+    const Energy constant = preserve->founding_energy();
+    CHECK(constant == energy_of(100.0 * 12.0 * 10.0));
+    ThreadPool pool(1);
+    std::size_t births = 0;
+    std::size_t deaths = 0;
+    for (int tick = 0; tick < 9000; ++tick) {
+        preserve->tick(pool);
+        REQUIRE(preserve->total_energy() == constant);
+        const Chronicle chronicle = preserve->take_chronicle();
+        births += chronicle.born.size();
+        deaths += chronicle.died.size();
+    }
+    CHECK(births > 16);
+    CHECK(deaths > 0);
+}
+
+TEST_CASE("threads do not change the bits of a hundred creatures", "[preserve][threads]") {
+    ExperimentSettings settings = preserve_defaults(kinds());
+    settings.preserve.founders = 100;
+    settings.founders.channels = {{"sound-1", true}, {"smell", true}, {"smell-food", true}};
+    settings.founders.organs = {{"sound", true}, {"scent", true}, {"mouth", true}};
+    const auto founders = random_founders(settings, kinds());
+    REQUIRE(founders);
+    std::vector<std::uint64_t> digests;
+    for (const std::size_t workers : {1U, 2U, 7U}) {
+        const auto preserve = begun(settings, *founders);
+        ThreadPool pool(workers);
+        std::vector<std::uint64_t> seen;
+        for (std::uint64_t tick = 1; tick <= kTicksPerSnapshot; ++tick) {
+            preserve->tick(pool);
+            if (tick % kTicksPerRow == 0) seen.push_back(digest(*preserve));
+        }
+        if (digests.empty()) digests = seen;
+        CHECK(seen == digests);
+    }
+    CHECK(digests.size() == 6);
+}
+
+TEST_CASE("a lone creature moves exactly as in a scene of its own", "[preserve]") {
+    ExperimentSettings settings = small_world();
+    settings.preserve.founders = 1;
+    settings.preserve.plant_energy = 1e4;  // more than there is
+    settings.preserve.energy_density = 0.9;
+    settings.preserve.max_population = 1;
+    settings.preserve.restock = 0;
+    settings.preserve.width = 100.0;
+    settings.preserve.height = 100.0;
+    const auto preserve = begun(settings, {fish(kind_catalog())});
+    const Phenotype phenotype =
+        express(*fish(kind_catalog()), creature_kinds(), settings.expression, settings.world.scene);
+    auto scene = creature_kinds().scene.make(phenotype.plan, settings.world.environment,
+                                             settings.world.scene);
+    REQUIRE(scene);
+    REQUIRE((*scene)->begin_at(preserve->residents().front()->save().motion));
+    Creature alone(phenotype, creature_kinds(), settings.world.scene);
+    const CommonSenses senses({100.0, 100.0}, settings.world.environment);
+    const CreatureSenses surroundings(senses, 1);
+    ThreadPool pool(2);
+    for (int tick = 0; tick < 600; ++tick) {
+        preserve->tick(pool);
+        alone.act(**scene, surroundings, kBrainTick);
+        (*scene)->advance(kBrainTick);
+    }
+    REQUIRE(preserve->residents().size() == 1);
+    const SceneMotion moved = preserve->residents().front()->save().motion;
+    CHECK(moved.positions == (*scene)->motion().positions);
+    CHECK(moved.speeds == (*scene)->motion().speeds);
+}
+
+TEST_CASE("the walls keep swimmers inside", "[preserve]") {
+    ExperimentSettings settings = small_world();
+    settings.preserve.width = 6.0;
+    settings.preserve.height = 6.0;
+    settings.preserve.energy_density = 900.0;
+    settings.preserve.founders = 20;
+    settings.preserve.bite_power = 0.0;
+    const auto preserve = begun(settings, {fish(kind_catalog()), eater(0.0)});
+    ThreadPool pool(1);
+    int beyond = 0;
+    for (int tick = 0; tick < 1200; ++tick) {
+        preserve->tick(pool);
+        for (const auto& each : preserve->residents()) {
+            const Bounds bounds = each->bounds();
+            const double most =
+                std::max({bounds.high.x(), -bounds.low.x(), bounds.high.y(), -bounds.low.y()});
+            CHECK(most < 3.0 + 0.5);
+            beyond += most > 3.0 ? 1 : 0;
+        }
+    }
+    CHECK(beyond > 0);
+}
+
+TEST_CASE("a hunter among grazers gains energy by bites", "[preserve]") {
+    ExperimentSettings settings = small_world();
+    settings.preserve.width = 6.0;
+    settings.preserve.height = 6.0;
+    settings.preserve.energy_density = 300.0;
+    settings.preserve.founders = 12;
+    const auto preserve = begun(settings, {eater(1.0, 0.4), eater(0.0), eater(0.0)});
+    ThreadPool pool(1);
+    Energy bitten = 0;
+    for (int tick = 0; tick < 3600; ++tick) {
+        preserve->tick(pool);
+        const Chronicle chronicle = preserve->take_chronicle();
+        for (const Life& life : chronicle.died)
+            bitten += life.diet > 0.5 ? life.bitten : 0;
+    }
+    for (const auto& each : preserve->residents())
+        bitten += each->life.diet > 0.5 ? each->life.bitten : 0;
+    CHECK(bitten > energy_of(5.0));
+}
+
+TEST_CASE("ears hear other creatures, and noses smell food and flesh", "[preserve]") {
+    const Environment water = small_world().world.environment;
+    CommonSenses common({20.0, 20.0}, water);
+    Pellets plants({20.0, 20.0});
+    Pellets flesh({20.0, 20.0});
+    plants.add(Vec3(3.0, 3.0, 0.0), energy_of(10.0));
+    flesh.add(Vec3(-3.0, -3.0, 0.0), energy_of(10.0));
+    Emissions call;
+    call.sounds.push_back({Vec3(1.0, 0.0, 0.0), 2, 1.0});
+    call.scents.push_back({Vec3(0.0, 5.0, 0.0), 1.0});
+    common.begin_tick();
+    common.take(call, 7);
+    common.end_tick(6, plants, flesh);
+    const CreatureSenses caller(common, 7);
+    const CreatureSenses other(common, 8);
+    CHECK(caller.sound(Vec3::Zero(), 2) == 0.0);
+    CHECK(other.sound(Vec3::Zero(), 2) == 0.5);
+    CHECK(other.sound(Vec3::Zero(), 1) == 0.0);
+    CHECK(other.scent(Vec3(0.0, 5.0, 0.0)) > other.scent(Vec3(0.0, -5.0, 0.0)));
+    CHECK(other.plant_smell(Vec3(3.0, 3.0, 0.0)) > 0.0);
+    CHECK(other.plant_smell(Vec3(-3.0, -3.0, 0.0)) == 0.0);
+    CHECK(other.flesh_smell(Vec3(-3.0, -3.0, 0.0)) > 0.0);
+}
+
+TEST_CASE("newcomers restock a world below its floor and are paid from its light", "[preserve]") {
+    ExperimentSettings settings = small_world();
+    settings.preserve.founders = 6;
+    settings.preserve.restock = 6;
+    settings.preserve.body_upkeep = 200.0;  // nobody lives for long
+    const auto preserve = begun(settings, {eater(0.0)});
+    ThreadPool pool(1);
+    Chronicle chronicle = preserve->take_chronicle();
+    CHECK(chronicle.born.size() == 6);
+    for (int tick = 0; tick < 600; ++tick)
+        preserve->tick(pool);
+    chronicle = preserve->take_chronicle();
+    REQUIRE_FALSE(chronicle.interventions.empty());
+    CHECK(chronicle.interventions.front().what == "restock");
+    CHECK(chronicle.interventions.front().number == 7);
+    CHECK(chronicle.interventions.size() == chronicle.born.size());
+    CHECK(chronicle.died.front().cause == DeathCause::kHunger);
+    CHECK(preserve->total_energy() == preserve->founding_energy());
+}
+
+TEST_CASE("a lineage begins where more than four genes of the body differ", "[preserve]") {
+    const GenomePtr founder = eater(0.0);
+    Genome changed = *founder;
+    CHECK(differing_body_genes(*founder, changed) == 0);
+    changed.nodes[0].length += 0.1;
+    changed.nodes[0].width += 0.1;
+    changed.nodes[1].limit_low -= 0.1;
+    changed.nodes[1].edges.push_back({});
+    changed.nodes[1].neurons.clear();
+    CHECK(differing_body_genes(*founder, changed) == 4);
+    changed.nodes.push_back(changed.nodes[1]);
+    CHECK(differing_body_genes(*founder, changed) == 4 + 8 + 1);
+    CHECK(differing_body_genes(changed, *founder) == 4 + 8 + 1);
+}
+
+}  // namespace
+}  // namespace cambrian

@@ -1,0 +1,83 @@
+#include "persist/settings/settings_file.h"
+#include "worlds.h"
+
+#include <string>
+
+namespace cambrian {
+namespace {
+
+using namespace test;
+
+std::string message_of(const std::string& text, SettingsUse use = SettingsUse::kPreserve) {
+    const auto settings = parse_settings(text, "pond.toml", kinds(), use);
+    return settings ? "" : settings.error().message;
+}
+
+std::string founding_message(const ExperimentSettings& settings, GenomePtr founder) {
+    const auto preserve = Preserve::begin(std::make_shared<const ExperimentSettings>(settings),
+                                          kinds(), {std::move(founder)});
+    return preserve ? "" : preserve.error().message;
+}
+
+TEST_CASE("bad settings of a preserve give one clear message each", "[preserve]") {
+    CHECK(message_of("") == "");
+    CHECK(message_of("[preserve]\nbodies = \"solid\"\n") ==
+          "pond.toml: [preserve] bodies: \"solid\" does not exist yet; expected \"ghostly\", with "
+          "which creatures pass through each other");
+    CHECK(message_of("[preserve]\nwidth = 4\n") ==
+          "pond.toml: line 2, [preserve] width: 4 is outside [5, 1000] m");
+    CHECK(message_of("[preserve]\nheigt = 9\n") ==
+          "pond.toml: line 2, [preserve] heigt: unknown key; did you mean \"height\"?");
+    CHECK(message_of("[environment]\nground = true\n") ==
+          "pond.toml: [environment] ground: a preserve with ground does not exist yet; expected "
+          "false");
+    CHECK(message_of("[environment]\nlight = true\nlight-motion = \"jumping\"\n") ==
+          "pond.toml: [environment] light-motion: a preserve's light does not move; expected "
+          "\"still\", found \"jumping\"");
+    CHECK(message_of("[selection]\nmethod = \"rank\"\n") ==
+          "pond.toml: line 1, [selection]: unknown table");
+    CHECK(message_of("[preserve]\nwidth = 9\n", SettingsUse::kExperiment) ==
+          "pond.toml: line 1, [preserve]: these are the settings of a preserve; `cambrian "
+          "preserve` takes them");
+}
+
+TEST_CASE("founders that cannot live there give one clear message each", "[preserve]") {
+    ExperimentSettings settings = small_world();
+    CHECK(
+        founding_message(settings, rigid_tower(kind_catalog())) ==
+        "founder 1 cannot move; expected creatures with a joint that follows more than constants");
+    settings.preserve.energy_density = 0.1;
+    CHECK(
+        founding_message(settings, eater(0.0)) ==
+        "[preserve] founders: the energy is spent after 0 of 10; expected fewer founders, or more "
+        "than 0.1 J/m^2 of energy-density");
+    settings = small_world();
+    settings.preserve.width = 5.0;
+    settings.preserve.height = 5.0;
+    CreatureBuilder builder(kind_catalog());
+    const auto root = builder.part(1.6, 0.1);
+    std::uint8_t last = root;
+    for (int i = 0; i < 5; ++i) {
+        const auto next = builder.part(1.6, 0.1);
+        builder.attach(last, next, 0.125);
+        builder.swing(next, 1.0, 0.0, 0.5);
+        last = next;
+    }
+    CHECK_THAT(founding_message(settings, builder.build()),
+               Catch::StartsWith("founder 1 is too large for the walls: it needs "));
+}
+
+TEST_CASE("the settings of a preserve read back as they were written", "[preserve]") {
+    ExperimentSettings settings = small_world();
+    settings.preserve.bite_power = 12.5;
+    settings.seed = 77;
+    const std::string text = write_settings(settings, kinds(), SettingsUse::kPreserve);
+    const auto read = parse_settings(text, "pond.toml", kinds(), SettingsUse::kPreserve);
+    REQUIRE(read);
+    CHECK(read->preserve == settings.preserve);
+    CHECK(read->world == settings.world);
+    CHECK(write_settings(*read, kinds(), SettingsUse::kPreserve) == text);
+}
+
+}  // namespace
+}  // namespace cambrian
