@@ -283,6 +283,14 @@ bool draw_organ(GeneRows& rows, OrganGene& organ, const std::string& place,
                        "Remove this organ from the gene.");
 }
 
+// Returns whether a button fits on the line of the last item.
+bool has_room_for_button(const std::string& label) {
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const float width = ImGui::CalcTextSize(label.c_str()).x + 2.0F * style.FramePadding.x;
+    const float right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
+    return ImGui::GetItemRectMax().x + style.ItemSpacing.x + width <= right;
+}
+
 bool may_have_another(const NodeGene& node, std::size_t kind, const KindCatalog& catalog) {
     return !catalog.organs[kind].single ||
            std::none_of(node.organs.begin(), node.organs.end(),
@@ -309,9 +317,9 @@ void draw_organs(GeneRows& rows, Genome& genome, std::size_t index, const Kinds&
         const OrganGene organ = new_organ(kind, node, kinds.catalog);
         const std::string help =
             added.words(std::span(organ.parameters.data(), added.parameters.size()));
-        if (!std::exchange(is_first, false)) ImGui::SameLine();
-        if (!rows.button("Add " + added.id, place, "", "new organ " + added.id, help.c_str()))
-            continue;
+        const std::string label = "Add " + added.id;
+        if (!std::exchange(is_first, false) && has_room_for_button(label)) ImGui::SameLine();
+        if (!rows.button(label, place, "", "new organ " + added.id, help.c_str())) continue;
         node.organs.push_back(organ);
         return;
     }
