@@ -7,6 +7,7 @@
 #include "app/process/interruption.h"
 #include "app/process/messages.h"
 #include "app/process/progress_bar.h"
+#include "app/trial/founder_files.h"
 #include "app/trial/score_notice.h"
 #include "cluster/join_cluster.h"
 #include "core/threads/thread_pool.h"
@@ -45,26 +46,6 @@ Result<SettingsPtr> settings_of(const EvolutionRun& run, const EvolutionKinds& k
     return std::make_shared<const ExperimentSettings>(*std::move(settings));
 }
 
-// Returns the founders that the user gave; empty for random ones.
-Result<std::vector<GenomePtr>> founders_of(const EvolutionRun& run,
-                                           const ExperimentSettings& settings,
-                                           const EvolutionKinds& kinds) {
-    const int places = settings.population.size;
-    if (run.founders.size() > static_cast<std::size_t>(places)) {
-        return Error{fmt::format("--founders: {} creatures, but [population] size is {}",
-                                 run.founders.size(), places)};
-    }
-    std::vector<GenomePtr> founders;
-    for (const std::string& file : run.founders) {
-        Result<CreatureDocument> document = load_creature(file, kinds);
-        if (!document) return document.error();
-        say_of(file, document->warnings);
-        say_of(file, foreign_kinds(document->genome(), settings.founders, kinds));
-        founders.push_back(document->creature.individual->genome);
-    }
-    return founders;
-}
-
 // Saves the champion under its path or, if that has become impossible, under another one.
 Result<std::filesystem::path> save_champion(const std::filesystem::path& path,
                                             const CreatureDocument& champion,
@@ -94,13 +75,15 @@ Result<Course> new_course(const EvolutionRun& run, const EvolutionKinds& kinds) 
     if (!settings) return settings.error();
     for (const std::string& warning : setting_warnings(**settings, kinds))
         say(warning);
-    const auto founders = founders_of(run, **settings, kinds);
-    if (!founders) return founders.error();
+    const auto files = load_founders(
+        run.founders, {"[population] size", (*settings)->population.size}, **settings, kinds);
+    if (!files) return files.error();
+    const std::vector<GenomePtr> founders = genomes_of(*files);
     Result<RunOutputs> outputs = run_outputs(run.out, **settings, files_of(run));
     if (!outputs) return outputs.error();
     std::shared_ptr<ExperimentFile> file;
     if (!outputs->experiment.empty()) {
-        auto created = ExperimentFile::create(kinds, *settings, *founders);
+        auto created = ExperimentFile::create(kinds, *settings, founders);
         if (!created) return created.error();
         file = *created;
         if (const Status named =
@@ -108,7 +91,7 @@ Result<Course> new_course(const EvolutionRun& run, const EvolutionKinds& kinds) 
             !named)
             return named.error();
     }
-    return Course{Evolution(*settings, kinds, *founders), **settings, std::move(file),
+    return Course{Evolution(*settings, kinds, founders), **settings, std::move(file),
                   *std::move(outputs)};
 }
 

@@ -4,10 +4,9 @@
 #include "app/process/interruption.h"
 #include "app/process/messages.h"
 #include "app/process/progress_line.h"
+#include "app/trial/founder_files.h"
 #include "app/trial/score_notice.h"
 #include "core/stopwatch.h"
-#include "evolution/fields/setting_field.h"
-#include "persist/creature/creature_file.h"
 #include "persist/preserve/preserve_file.h"
 #include "persist/settings/settings_file.h"
 #include "preserve/life/founders.h"
@@ -37,21 +36,12 @@ Result<std::vector<GenomePtr>> preserve_founders_of(const PreserveRun& run,
                                                     const ExperimentSettings& settings,
                                                     const EvolutionKinds& kinds) {
     if (run.founders.empty()) return random_founders(settings, kinds);
-    const auto places = static_cast<std::size_t>(settings.preserve.founders);
-    if (run.founders.size() > places) {
-        return Error{fmt::format("--founders: {} creatures, but [preserve] founders is {}",
-                                 run.founders.size(), places)};
-    }
-    std::vector<GenomePtr> founders;
-    for (const std::string& file : run.founders) {
-        Result<CreatureDocument> document = load_creature(file, kinds);
-        if (!document) return document.error();
-        say_of(file, document->warnings);
-        say_of_simulator(file, *document);
-        say_of(file, foreign_kinds(document->genome(), settings.founders, kinds));
-        founders.push_back(document->creature.individual->genome);
-    }
-    return founders;
+    const auto founders = load_founders(
+        run.founders, {"[preserve] founders", settings.preserve.founders}, settings, kinds);
+    if (!founders) return founders.error();
+    for (std::size_t i = 0; i < founders->size(); ++i)
+        say_of_simulator(run.founders[i], (*founders)[i]);
+    return genomes_of(*founders);
 }
 
 // A preserve and the file that keeps it, if any.
