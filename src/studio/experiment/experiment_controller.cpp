@@ -139,7 +139,11 @@ void ExperimentController::follow_world(const Environment& before) {
 
 void ExperimentController::follow_status() {
     const EvolutionSnapshot& snapshot = experiment_.snapshot();
-    if (snapshot.status == seen_status_) return;
+    // A short generation begins and ends between two frames.
+    const bool ended =
+        snapshot.status == EngineStatus::kPaused && snapshot.generation != seen_generation_;
+    seen_generation_ = snapshot.generation;
+    if (snapshot.status == seen_status_ && !ended) return;
     seen_status_ = snapshot.status;
     switch (seen_status_) {
         case EngineStatus::kRunning:

@@ -47,6 +47,7 @@ private:
     OpenExperiment experiment_;
     std::filesystem::path own_file_;
     EngineStatus seen_status_ = EngineStatus::kPaused;
+    std::uint32_t seen_generation_ = 0;
     bool suspended_ = false;
     bool evolved_before_ = false;  // whether evolution ran when it was suspended
     bool previous_run_ = false;
