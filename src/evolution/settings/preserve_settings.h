@@ -11,7 +11,7 @@ struct PreserveSettings {
     std::string bodies = "ghostly";  // "ghostly"; "solid" is refused
     int founders = 40;               // creatures at the start
     int max_population = 300;        // no births beyond
-    int restock = 8;                 // newcomers come below so many creatures; 0 for never
+    int restock = 8;                 // random immigrants come below so many creatures; 0 for never
     double energy_density = 50.0;    // J/m^2; all energy there is, over the area
     double plant_energy = 10.0;      // J of one plant
     double growth_time = 120.0;      // s; time constant at which light becomes plants
