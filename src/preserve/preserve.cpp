@@ -30,10 +30,13 @@ Energy body_of(const Resident& resident, const PreserveSettings& laws) {
     return energy_of(laws.body_energy * resident.life.mass);
 }
 
-// Returns whether a resident is anywhere near the world.
+constexpr double kFar = 1e4;  // m
+
+// Returns whether all parts of a resident are anywhere near the world.
 bool strays_little(const Resident& resident) {
-    constexpr double kFar = 1e4;  // m
-    return resident.center().cwiseAbs().maxCoeff() < kFar;
+    return std::all_of(
+        resident.rectangles().begin(), resident.rectangles().end(),
+        [](const Rectangle& part) { return (part.center.array().abs() < kFar).all(); });
 }
 
 }  // namespace
@@ -257,12 +260,13 @@ Status Preserve::restore(const PreserveState& state) {
 
 void Preserve::tick(ThreadPool& pool) {
     live(pool);
+    bury(tick_ + 1);  // nothing else may depend on motion that failed
     sense();
     bite();
     feed();
     spend();
     ++tick_;
-    bury();
+    bury(tick_);
     breed();
     restock();
     grow_plants();
@@ -316,7 +320,7 @@ void Preserve::spend() {
 }
 
 // Removes those whose store is empty, or whose motion failed. Their energy becomes flesh.
-void Preserve::bury() {
+void Preserve::bury(std::uint64_t tick) {
     for (const auto& each : residents_) {
         Life& life = each->life;
         if (each->is_broken()) {
@@ -331,8 +335,9 @@ void Preserve::bury() {
             life.cause = DeathCause::kHunger;
             ++tally_.hunger;
         }
-        life.died = tick_;
-        const Vec3 place = area_.nearest(each->center());
+        life.died = tick;
+        const Vec3 place =
+            area_.nearest(each->is_broken() ? each->rectangles().front().center : each->center());
         life.x = place.x();
         life.y = place.y();
         decay_to_flesh(*each, flesh_);

@@ -83,7 +83,7 @@ private:
     void bite();
     void feed();
     void spend();
-    void bury();
+    void bury(std::uint64_t tick);
     void breed();
     void try_birth(Resident& parent);
     void bear(Resident& parent, std::unique_ptr<Resident> child, RandomStream& stream);

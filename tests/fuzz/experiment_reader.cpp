@@ -11,6 +11,7 @@
 #include "fuzz/byte_source.h"
 #include "fuzz/experiment_sample.h"
 #include "fuzz/fuzz_target.h"
+#include "fuzz/scratch.h"
 #include "fuzz/table_edits.h"
 #include "persist/experiment/experiment_file.h"
 #include "persist/records/individual_reader.h"
@@ -22,20 +23,12 @@ using namespace cambrian::test;
 
 namespace {
 
-constexpr std::size_t kPage = 512;  // bytes
-constexpr int kMostPatches = 32;
 constexpr std::size_t kWrittenOneIn = 61;  // one of so many edited experiments is written to a file
 constexpr int kMostBred = 100;             // creatures
 
-// Returns a folder in memory if there is one.
-std::filesystem::path scratch() {
-    const std::filesystem::path memory = "/dev/shm";
-    return std::filesystem::exists(memory) ? memory : std::filesystem::temp_directory_path();
-}
-
 // The sample remains open, so that its tables need not be created each time.
 struct Workplace {
-    TemporaryDirectory folder{scratch()};
+    TemporaryDirectory folder{scratch_folder()};
     std::filesystem::path path = folder / "input.cambrian";
     std::filesystem::path edited = folder / "sample.cambrian";
     std::string sample = sample_experiment(folder.path());
@@ -63,21 +56,6 @@ void renew_digest(Database& database) {
             "UPDATE generations SET population_digest = ? WHERE generation = "
             "(SELECT max(generation) FROM generations)")
         .run(population_digest(population));
-}
-
-void patch_pages(const Workplace& at, ByteSource bytes) {
-    std::string file = at.sample;
-    for (int i = 0; i < kMostPatches && !bytes.empty(); ++i) {
-        const std::size_t page = kPage * bytes.below(file.size() / kPage);
-        const std::size_t place = page + bytes.below(kPage);
-        const std::string_view text = bytes.text().substr(0, file.size() - place);
-        if (text.empty()) {
-            file.replace(page, kPage, file, kPage * bytes.below(file.size() / kPage), kPage);
-        } else {
-            file.replace(place, text.size(), text);
-        }
-    }
-    put_text(at.path, file);
 }
 
 void look_at(const IndividualPtr& individual) {
@@ -195,11 +173,9 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
         read_edited(at, input.substr(1));
         return 0;
     }
-    if (input.starts_with('P')) {
-        patch_pages(at, ByteSource(input.substr(1)));
-    } else {
-        put_text(at.path, input);
-    }
+    put_text(at.path, input.starts_with('P')
+                          ? with_patched_pages(at.sample, ByteSource(input.substr(1)))
+                          : std::string(input));
     read_file_at(at.path);
     return 0;
 }

@@ -5,6 +5,7 @@
 #include "persist/creature/creature_file.h"
 #include "support/kinds.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace cambrian::test {
@@ -52,15 +53,19 @@ TableEdits::TableEdits(const Database& sample) {
         Table table;
         table.name = names.text(0);
         std::vector<std::string> keys;
-        Statement column = sample.prepare("SELECT name, pk FROM pragma_table_info(?) ORDER BY pk");
-        column.bind(table.name);
-        while (column.step()) {
-            table.columns.emplace_back(column.text(0));
-            if (column.integer(1) > 0) keys.emplace_back(column.text(0));
+        Statement columns = sample.prepare("SELECT name, pk FROM pragma_table_info(?) ORDER BY pk");
+        columns.bind(table.name);
+        while (columns.step()) {
+            table.columns.emplace_back(columns.text(0));
+            if (columns.integer(1) > 0) keys.emplace_back(columns.text(0));
         }
         table.key = list(keys);
         table.rows = static_cast<std::size_t>(sample.integer("SELECT count(*) FROM " + table.name));
         promise(table.rows > 0, "the sample has something in every table");
+        for (const std::string& column : table.columns) {
+            if (column == "document" || column == "genotype")
+                holders_.push_back({table.name, table.key, column});
+        }
         tables_.push_back(std::move(table));
     }
 }
@@ -89,10 +94,13 @@ void TableEdits::copy_row(Database& database, ByteSource& bytes) const {
 void TableEdits::change_genotype(Database& database, ByteSource& bytes) {
     const std::string row = std::to_string(bytes.number<std::uint8_t>() % 8);
     const bool founder = bytes.number<std::uint8_t>() % 4 == 0;
-    Statement selection = database.prepare(
-        founder
-            ? "SELECT id, size, genotype FROM journal WHERE genotype NOT NULL LIMIT 1 OFFSET " + row
-            : "SELECT individual, size, document FROM genotypes LIMIT 1 OFFSET " + row);
+    const auto holder = std::find_if(holders_.begin(), holders_.end(), [&](const Holder& each) {
+        return (each.table != "genotypes") == founder;
+    });
+    if (holder == holders_.end()) return;
+    Statement selection = database.prepare("SELECT " + holder->key + ", size, " + holder->column +
+                                           " FROM " + holder->table + " WHERE " + holder->column +
+                                           " NOT NULL LIMIT 1 OFFSET " + row);
     if (!selection.step()) return;
     const std::int64_t id = selection.integer(0);
     const auto size = static_cast<std::size_t>(selection.integer(1));
@@ -101,15 +109,14 @@ void TableEdits::change_genotype(Database& database, ByteSource& bytes) {
     if (!whole) return;
     selection.restart();
     const std::string text = spliced(*whole, bytes);
-    Statement update = database.prepare(
-        founder ? "UPDATE journal SET genotype = ?, size = ? WHERE id = ?"
-                : "UPDATE genotypes SET document = ?, size = ? WHERE individual = ?");
+    Statement update = database.prepare("UPDATE " + holder->table + " SET " + holder->column +
+                                        " = ?, size = ? WHERE " + holder->key + " = ?");
     update.restart();
     update.bind_bytes(deflater_.deflate(text));
     update.bind_next(std::int64_t(text.size()));
     update.bind_next(id);
     update.finish();
-    if (founder) return;
+    if (founder || holder->key != "individual") return;
     if (const auto document = parse_creature(text, "genotype", kinds()))
         database.prepare("UPDATE individuals SET genome_hash = ? WHERE id = ?")
             .run(genome_hash(document->genome()), id);

@@ -1,6 +1,6 @@
 #pragma once
 
-// Edits of any table of an experiment, chosen by the input's bytes: cells of every type, rows, and
+// Edits of any table of a database, chosen by the input's bytes: cells of every type, rows, and
 // genotypes with their lengths and owners.
 
 #include "fuzz/byte_source.h"
@@ -29,6 +29,10 @@ private:
         std::string key;  // its columns, separated by commas
         std::size_t rows = 0;
     };
+    // A table with genotypes.
+    struct Holder {
+        std::string table, key, column;
+    };
     // A cell, in the form of an SQL update.
     struct Place {
         std::string table, column, row;
@@ -42,6 +46,7 @@ private:
     void change_genotype(Database& database, ByteSource& bytes);
 
     std::vector<Table> tables_;
+    std::vector<Holder> holders_;
     Inflater inflater_;
     Deflater deflater_;
 };

@@ -75,8 +75,8 @@ void Resident::live(std::unique_ptr<SceneWorkspace>& workspace, const WalledArea
     const TrialSettings& guards = settings_->world.trial;
     broken_ = status != SceneStatus::kRunning || audit.max_part_speed > guards.max_part_speed ||
               audit.max_part_spin > guards.max_part_spin;
-    work_ = std::max(audit.gross_motor_work - before, 0.0);
-    find_rectangles();
+    work_ = broken_ ? 0.0 : std::max(audit.gross_motor_work - before, 0.0);
+    if (!broken_) find_rectangles();
 }
 
 double Resident::age(std::uint64_t tick) const {

@@ -45,7 +45,8 @@ public:
 
     // The work of the motors in the last tick, in J.
     double work() const { return work_; }
-    // Whether the last tick failed, or a part moves faster than bodies can.
+    // Whether the last tick failed, or a part moves faster than bodies can. Then only the rectangles,
+    // which are those before that tick, still are of use.
     bool is_broken() const { return broken_; }
     std::span<const Rectangle> rectangles() const { return rectangles_; }
     Bounds bounds() const { return scene_->bounds(); }
