@@ -7,6 +7,7 @@ namespace cambrian {
 namespace {
 
 constexpr std::int64_t kMostWords = 16'000'000;        // of a snapshot
+constexpr std::size_t kMostDeflation = 1032;           // bytes from one of deflated data
 constexpr std::int64_t kMostSettingsText = 1'000'000;  // bytes
 constexpr std::size_t kMostFounders = 1000;
 constexpr int kMostSnapshots = 100'000;
@@ -80,8 +81,10 @@ Result<PreserveState> read_snapshot(const Database& database, const SnapshotEntr
     if (size < 0 || size > kMostWords)
         return Error{
             fmt::format("the snapshot has {} numbers; expected at most {}", size, kMostWords)};
-    const Result<std::string> bytes =
-        Inflater().inflate(row.bytes(1), 8 * static_cast<std::size_t>(size));
+    const std::size_t length = 8 * static_cast<std::size_t>(size);
+    if (length / kMostDeflation > row.bytes(1).size())
+        return Error{"the snapshot has fewer numbers than it says"};
+    const Result<std::string> bytes = Inflater().inflate(row.bytes(1), length);
     if (!bytes) return bytes.error();
     const std::vector<std::uint64_t> words = words_in(*bytes);
     if (digest_of(words) != entry.digest)
