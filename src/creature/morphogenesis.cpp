@@ -215,7 +215,7 @@ private:
                 const OrganKind& kind = organs_[organ.kind];
                 if (kind.shape == nullptr || body.stretch || left <= 0) continue;
                 kind.shape({organ.parameters.data(), kind.parameters.size()},
-                           scene_.muscle_strength, body);
+                           scene_, body);
                 --left;
             }
         }

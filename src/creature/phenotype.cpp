@@ -17,9 +17,12 @@ double Phenotype::mass(double density) const {
 }
 
 bool Phenotype::can_move() const {
-    return !effector_parts.empty() ||
-           std::any_of(organs.begin(), organs.end(),
-                       [](const GrownOrgan& organ) { return organ.deforms; });
+    return !effector_parts.empty() || deformers() > 0;
+}
+
+std::size_t Phenotype::deformers() const {
+    return static_cast<std::size_t>(std::count_if(
+        organs.begin(), organs.end(), [](const GrownOrgan& organ) { return organ.deforms; }));
 }
 
 double Phenotype::rest_length() const {

@@ -80,6 +80,7 @@ struct Phenotype {
     // Whether any joint or part can move, and whether any of their muscles reads more than
     // constants. Without either, the score is 0 by definition (simulator/README.md 1).
     bool can_move() const;
+    std::size_t deformers() const;  // number of parts that deform
     bool has_live_control = false;
 
     double mass(double density) const;  // kg

@@ -12,16 +12,14 @@
 namespace cambrian {
 namespace {
 
-constexpr double kSpeedLimit = 1.5;  // 1/s
-
 // The strength is the muscle's stress times the area that it works on.
-void make_deformable(std::span<const double> parameters, double muscle_strength,
+void make_deformable(std::span<const double> parameters, const SceneSettings& settings,
                      PlannedPart& part) {
     const double area = 4.0 * part.half_extents.x() * part.half_extents.y();
     part.stretch = PlannedStretch{.low = parameters[0],
                                   .high = parameters[1],
-                                  .max_effort = muscle_strength * area,
-                                  .rate_limit = kSpeedLimit};
+                                  .max_effort = settings.muscle_strength * area,
+                                  .rate_limit = settings.deform_speed_limit};
 }
 
 void deform(const OrganSite& site, double signal, Emissions& /*emissions*/) {

@@ -6,6 +6,7 @@
 #include "core/registry.h"
 #include "world/emissions.h"
 #include "world/physics_scene.h"
+#include "world/scene_settings.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -45,8 +46,8 @@ struct OrganKind {
     // Uses a signal (within +-10, weight included) for one tick. Allocates nothing while the lists
     // of emissions have room for one more.
     using Act = void (*)(const OrganSite& site, double signal, Emissions& emissions);
-    // Makes a grown part deformable; muscle_strength is that of the settings, in N/m.
-    using Shape = void (*)(std::span<const double> parameters, double muscle_strength,
+    // Makes a grown part deformable.
+    using Shape = void (*)(std::span<const double> parameters, const SceneSettings& settings,
                            PlannedPart& part);
     // Returns what an organ does, in one sentence.
     using Words = std::string (*)(std::span<const double> parameters);

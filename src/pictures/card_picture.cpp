@@ -51,10 +51,11 @@ struct Fact {
 
 std::vector<Fact> facts_of(const Subject& subject) {
     const Phenotype& phenotype = subject.phenotype();
-    std::vector<Fact> facts = {{std::to_string(phenotype.parts.size()), "parts"},
-                               {std::to_string(phenotype.effector_parts.size()), "moving joints"},
-                               {std::to_string(phenotype.network.order.size()), "neurons"},
-                               {measured(subject.mass, "kg"), "mass"}};
+    std::vector<Fact> facts = {{std::to_string(phenotype.parts.size()), "parts"}};
+    for (const CountedMuscles& muscles : muscles_of(phenotype))
+        facts.push_back({std::to_string(muscles.number), fmt::format("{}s", muscles.noun)});
+    facts.push_back({std::to_string(phenotype.network.order.size()), "neurons"});
+    facts.push_back({measured(subject.mass, "kg"), "mass"});
     if (subject.generation) facts.push_back({std::to_string(*subject.generation), "generation"});
     return facts;
 }

@@ -97,7 +97,13 @@ Status check_body_kinds(const Settings& settings, const EvolutionKinds& kinds) {
     bool moves = false;
     for (const std::uint8_t joint : joints)
         moves = moves || catalog.joints[joint].degrees_of_freedom > 0;
-    if (!moves) return Error{"[body.joints]: none that moves is true; at least one must be"};
+    // A part has one organ of these kinds: they deform it.
+    for (const std::uint8_t organ : enabled_organs(founders, catalog))
+        moves = moves || catalog.organs[organ].single;
+    if (!moves)
+        return Error{
+            "[body.joints]: none that moves is true; at least one must be, or an organ that "
+            "deforms"};
     if (Status any = check_any(catalog.functions, enabled_functions(founders, catalog),
                                founders.functions, "body.functions");
         !any)

@@ -85,6 +85,12 @@ void add_simulation(std::vector<SettingField>& fields, const EvolutionKinds& kin
         "motor-speed-limit", "Joint speed limit", "rad/s", Range{0, 100},
         "The largest speed that a muscle asks of its joint.",
         [](Settings & s) -> auto& { return s.world.scene.motor_speed_limit; });
+    table
+        .number(
+            "deform-speed-limit", "Deformer speed limit", "1/s", Range{0, 100},
+            "The largest rate at which a deformer asks its part to stretch or to shorten.",
+            [](Settings & s) -> auto& { return s.world.scene.deform_speed_limit; })
+        .later = true;
     table.number(
         "motor-frequency", "Muscle frequency", "rad/s", Range{0.1, 200},
         "The frequency with which a muscle corrects a joint that is off its target.",

@@ -23,6 +23,15 @@ std::string fitness_of(const CreatureDocument& document, const ExperimentSetting
 
 }  // namespace
 
+std::vector<CountedMuscles> muscles_of(const Phenotype& phenotype) {
+    std::vector<CountedMuscles> muscles;
+    const std::size_t deformers = phenotype.deformers();
+    if (!phenotype.effector_parts.empty() || deformers == 0)
+        muscles.push_back({phenotype.effector_parts.size(), "moving joint"});
+    if (deformers > 0) muscles.push_back({deformers, "deforming part"});
+    return muscles;
+}
+
 Result<Subject> subject_of(const CreatureDocument& document, const ExperimentSettings& settings,
                            const std::string& title, const EvolutionKinds& kinds,
                            const TrialWatch& watch) {

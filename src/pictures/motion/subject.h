@@ -5,9 +5,12 @@
 #include "persist/creature/creature_file.h"
 #include "pictures/motion/recorded_motion.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 namespace cambrian {
 
@@ -28,6 +31,13 @@ struct Subject {
     const RecordedMotion& motion() const { return trial.motion; }
     const Phenotype& phenotype() const { return *trial.motion.phenotype; }
 };
+
+struct CountedMuscles {
+    std::size_t number = 0;
+    std::string_view noun;  // in the singular
+};
+// Returns the kinds of muscles that a creature has; without any, 0 moving joints.
+std::vector<CountedMuscles> muscles_of(const Phenotype& phenotype);
 
 // Runs the creature's trial with the settings. `title` is used for a creature without a name. Fails
 // under the same conditions as record_trial().

@@ -115,9 +115,10 @@ void add_moment(PictureCanvas& canvas, const Area& area, const Subject& subject,
 
 std::string facts_line(const Subject& subject) {
     const Phenotype& phenotype = subject.phenotype();
-    return fmt::format("{}  ·  {}  ·  {}  ·  {}", counted(phenotype.parts.size(), "part"),
-                       counted(phenotype.effector_parts.size(), "moving joint"),
-                       counted(phenotype.network.order.size(), "neuron"),
+    std::string facts = counted(phenotype.parts.size(), "part");
+    for (const CountedMuscles& muscles : muscles_of(phenotype))
+        facts += fmt::format("  ·  {}", counted(muscles.number, muscles.noun));
+    return fmt::format("{}  ·  {}  ·  {}", facts, counted(phenotype.network.order.size(), "neuron"),
                        measured(subject.mass, "kg"));
 }
 
