@@ -114,11 +114,15 @@ void Preserve::sow() {
         add_plant(draws);
 }
 
+std::uint64_t Preserve::newcomer_uid() const {
+    return stream_seed(settings_->seed, next_number_, kArrival, Purpose::kPreserve);
+}
+
 // Returns a copy of one of the founders at a random place, not yet paid.
 Result<std::unique_ptr<Resident>> Preserve::newcomer(std::size_t place, std::string method) {
     const GenomePtr& genome = founders_[place % founders_.size()];
     Life life{.number = next_number_, .method = std::move(method), .genome = genome, .born = tick_};
-    life.uid = stream_seed(settings_->seed, next_number_, kArrival, Purpose::kPreserve);
+    life.uid = newcomer_uid();
     const std::size_t which = place % founders_.size() + 1;
     auto grown = Resident::grow(std::move(life), kinds_.creature, *settings_, senses_);
     if (!grown)
@@ -146,9 +150,12 @@ Result<std::unique_ptr<Resident>> Preserve::newcomer(std::size_t place, std::str
                     short_text(area_.height))};
 }
 
+Energy Preserve::price_of(const Resident& resident) const {
+    return store_of(resident, settings_->preserve) + body_of(resident, settings_->preserve);
+}
+
 bool Preserve::can_pay(const Resident& resident) const {
-    return ambient_ >=
-           store_of(resident, settings_->preserve) + body_of(resident, settings_->preserve);
+    return ambient_ >= price_of(resident);
 }
 
 // Adds a newcomer, which the light pays.
@@ -335,16 +342,22 @@ void Preserve::bury(std::uint64_t tick) {
             life.cause = DeathCause::kHunger;
             ++tally_.hunger;
         }
-        life.died = tick;
-        const Vec3 place =
-            area_.nearest(each->is_broken() ? each->rectangles().front().center : each->center());
-        life.x = place.x();
-        life.y = place.y();
-        decay_to_flesh(*each, flesh_);
-        chronicle_.died.push_back(life);
+        end_life(*each, tick);
     }
     if (std::erase_if(residents_, [](const auto& each) { return each->life.died != 0; }) > 0)
         forget_lineages();
+}
+
+// Turns the energy of a resident into flesh and notes the death, whose cause must be set.
+void Preserve::end_life(Resident& resident, std::uint64_t tick) {
+    Life& life = resident.life;
+    life.died = tick;
+    const Vec3 place = area_.nearest(resident.is_broken() ? resident.rectangles().front().center
+                                                          : resident.center());
+    life.x = place.x();
+    life.y = place.y();
+    decay_to_flesh(resident, flesh_);
+    chronicle_.died.push_back(life);
 }
 
 void Preserve::forget_lineages() {
@@ -420,7 +433,7 @@ void Preserve::restock() {
     while (residents_.size() < floor) {
         Result<std::unique_ptr<Resident>> arriving = newcomer(restocked_, "restock");
         if (!arriving || !can_pay(**arriving)) return;
-        chronicle_.interventions.push_back({tick_, "restock", next_number_});
+        chronicle_.interventions.push_back({tick_, intervention::kRestock, next_number_});
         settle(*std::move(arriving));
         ++restocked_;
         ++tally_.restocked;
@@ -455,7 +468,11 @@ void Preserve::record() {
         chronicle_.series.push_back(row());
         tally_ = {};
     }
-    if (tick_ % kTicksPerSnapshot != 0) return;
+    if (tick_ % kTicksPerSnapshot == 0) rest();
+}
+
+// Takes a snapshot and goes on from it.
+void Preserve::rest() {
     snapshot_ = std::make_shared<const PreserveState>(save());
     const Status restored = restore(*snapshot_);
     CAMBRIAN_ASSERT(restored.has_value(), "a snapshot of this preserve");

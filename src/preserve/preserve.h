@@ -8,6 +8,7 @@
 #include "core/threads/thread_pool.h"
 #include "evolution/kinds/evolution_kinds.h"
 #include "evolution/settings/experiment_settings.h"
+#include "preserve/chronicle.h"
 #include "preserve/life/offspring.h"
 #include "preserve/series.h"
 #include "preserve/state.h"
@@ -23,21 +24,6 @@
 namespace cambrian {
 
 inline constexpr std::uint64_t kTicksPerSnapshot = 3600;  // 60 s
-
-// What a preserve did by itself that is no birth and no death.
-struct Intervention {
-    std::uint64_t tick = 0;
-    std::string what;          // "restock"
-    std::uint64_t number = 0;  // of the creature
-};
-
-// What happened since it was taken last.
-struct Chronicle {
-    std::vector<Life> born;
-    std::vector<Life> died;
-    std::vector<SeriesRow> series;
-    std::vector<Intervention> interventions;
-};
 
 class Preserve {
 public:
@@ -57,6 +43,11 @@ public:
     // Advances by 1/60 s.
     void tick(ThreadPool& pool);
 
+    // Does what a person asks before the next tick, whatever its own tick is, and notes it. Returns
+    // the number of the creature, or of plants. Fails if it cannot be done; nothing changes then.
+    Result<std::uint64_t> intervene(Intervention asked);
+
+    const SettingsPtr& settings() const { return settings_; }
     std::uint64_t ticks() const { return tick_; }
     const Residents& residents() const { return residents_; }
     const Pellets& plants() const { return plants_; }
@@ -67,7 +58,7 @@ public:
     SeriesRow row() const;  // of the present moment
 
     PreserveState save() const;
-    // The state at the last multiple of 60 s. The preserve itself went on from it.
+    // The state at the last rest or multiple of 60 s. The preserve itself went on from it.
     const std::shared_ptr<const PreserveState>& snapshot() const { return snapshot_; }
     Chronicle take_chronicle();
 
@@ -75,6 +66,10 @@ private:
     Preserve(SettingsPtr settings, const EvolutionKinds& kinds, std::vector<GenomePtr> founders);
     Status found();
     void sow();
+    Result<std::uint64_t> carry_out(const Intervention& asked);
+    Result<std::uint64_t> serve(const Vec3& place);
+    Result<std::uint64_t> admit(const GenomePtr& genome, const Vec3& place);
+    void rest();
     bool adds_up(const PreserveState& state) const;
     Status restore(const PreserveState& state);
 
@@ -84,6 +79,7 @@ private:
     void feed();
     void spend();
     void bury(std::uint64_t tick);
+    void end_life(Resident& resident, std::uint64_t tick);
     void breed();
     void try_birth(Resident& parent);
     void bear(Resident& parent, std::unique_ptr<Resident> child, RandomStream& stream);
@@ -94,6 +90,8 @@ private:
 
     RandomStream stream(std::uint64_t index, std::uint64_t use) const;
     Result<std::unique_ptr<Resident>> newcomer(std::size_t place, std::string method);
+    std::uint64_t newcomer_uid() const;
+    Energy price_of(const Resident& resident) const;
     bool can_pay(const Resident& resident) const;
     void settle(std::unique_ptr<Resident> resident);
     void join_lineage(Resident& resident, const Resident* parent);

@@ -9,12 +9,6 @@ namespace {
 
 using namespace test;
 
-void run_to(Preserve& preserve, std::uint64_t tick) {
-    ThreadPool pool(1);
-    while (preserve.ticks() < tick)
-        preserve.tick(pool);
-}
-
 FindOrigin origins_of(const PreserveState& state) {
     return [&state](std::uint64_t number) -> Result<Origin> {
         for (const ResidentState& each : state.residents) {

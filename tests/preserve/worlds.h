@@ -42,6 +42,12 @@ inline std::unique_ptr<Preserve> begun(const ExperimentSettings& settings,
     return std::move(*preserve);
 }
 
+inline void run_to(Preserve& preserve, std::uint64_t tick) {
+    ThreadPool pool(1);
+    while (preserve.ticks() < tick)
+        preserve.tick(pool);
+}
+
 inline std::uint64_t digest(const Preserve& preserve) {
     return digest_of(words_of(preserve.save()));
 }

@@ -3,6 +3,7 @@
 #include "app/process/messages.h"
 #include "core/text/number_text.h"
 #include "persist/preserve/preserve_file.h"
+#include "preserve/replay.h"
 #include "simulator/simulator_version.h"
 
 #include <fmt/core.h>
@@ -21,7 +22,12 @@ Result<std::optional<std::uint64_t>> digest_after(const std::string& file,
     if (!state) return state.error();
     auto preserve = Preserve::resume(saved.origin.settings, kinds, saved.origin.founders, *state);
     if (!preserve) return preserve.error();
-    while ((*preserve)->ticks() < last_tick) {
+    const std::vector<Intervention> all =
+        interventions_in(saved.interventions, {from.tick, last_tick});
+    std::span<const Intervention> left(all);
+    while (true) {
+        if (Status repeated = repeat(**preserve, left); !repeated) return repeated.error();
+        if ((*preserve)->ticks() >= last_tick) break;
         if (watch.stop.stop_requested()) return std::optional<std::uint64_t>();
         (*preserve)->tick(pool);
         (*preserve)->take_chronicle();

@@ -154,17 +154,6 @@ Status keep(World& world, Chronicle& pending, bool at_end) {
     return world.file ? world.file->write(chronicle, *world.preserve) : Status();
 }
 
-void append(Chronicle& all, Chronicle more) {
-    const auto move_to = [](auto& to, auto& from) {
-        to.insert(to.end(), std::make_move_iterator(from.begin()),
-                  std::make_move_iterator(from.end()));
-    };
-    move_to(all.born, more.born);
-    move_to(all.died, more.died);
-    move_to(all.series, more.series);
-    move_to(all.interventions, more.interventions);
-}
-
 // Computes until the end is reached, an interruption is requested, or writing fails.
 Status compute(World& world, const PreserveRun& run, const Interruption& interruption) {
     ThreadPool pool(run.threads ? static_cast<std::size_t>(*run.threads)

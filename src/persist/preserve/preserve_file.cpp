@@ -103,7 +103,8 @@ struct PreserveFile::Parts {
     PreserveWriter writer;
 };
 
-PreserveFile::PreserveFile(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
+PreserveFile::PreserveFile(std::unique_ptr<Parts> parts)
+    : parts_(std::move(parts)), snapshots_(read_snapshot_ticks(parts_->database)) {}
 
 PreserveFile::~PreserveFile() = default;
 
@@ -139,6 +140,42 @@ Result<std::string> lives_csv(const std::filesystem::path& path) {
 
 Result<std::string> series_csv(const std::filesystem::path& path) {
     return table_csv(path, "series", kSeriesColumns);
+}
+
+Status copy_preserve(const std::filesystem::path& from, std::uint64_t tick,
+                     const std::filesystem::path& to, const EvolutionKinds& kinds) {
+    std::error_code unknown;
+    if (std::filesystem::exists(to, unknown))
+        return preserve_failure(kKeepingPreserve, to, std::generic_category().message(EEXIST));
+    Result<PendingFile> pending = PendingFile::beside(to);
+    if (!pending) return pending.error();
+    try {
+        Status copied = preserve_failure(kOpeningPreserve, from, "it has no such snapshot");
+        read_database(from, [&](const Database& database) {
+            if (Status sound = check_preserve_tables(database); !sound) {
+                copied = preserve_failure(kOpeningPreserve, from, sound.error().message);
+                return;
+            }
+            for (const SnapshotEntry& entry : read_preserve(database, kinds).snapshots) {
+                if (entry.tick != tick) continue;
+                const Result<PreserveState> state = read_snapshot(database, entry, kinds);
+                if (!state) {
+                    copied = preserve_failure(kOpeningPreserve, from, state.error().message);
+                    return;
+                }
+                database.copy_to(pending->path());
+                Database copy(pending->path(), Database::Access::kWrite);
+                upgrade_preserve_tables(copy);
+                PreserveWriter(copy, kinds).remove_after(*state);
+                copied = {};
+            }
+        });
+        if (!copied) return copied;
+        remove_companions(pending->target());
+        return pending->commit(PendingFile::Existing::kRefuse);
+    } catch (const DatabaseError& error) {
+        return preserve_failure(kKeepingPreserve, to, error.what());
+    }
 }
 
 Result<std::unique_ptr<PreserveFile>> PreserveFile::create(const std::filesystem::path& path,
@@ -186,6 +223,7 @@ Result<PreserveFile::Opened> PreserveFile::open(const std::filesystem::path& pat
         Database database(path, Database::Access::kWrite);
         if (Status sound = check_preserve_tables(database); !sound)
             return preserve_failure(kOpeningPreserve, path, sound.error().message);
+        upgrade_preserve_tables(database);
         Opened opened;
         SavedPreserve saved = read_preserve(database, kinds);
         Result<PreserveState> state =
@@ -198,6 +236,7 @@ Result<PreserveFile::Opened> PreserveFile::open(const std::filesystem::path& pat
         Transaction transaction(parts->database);
         parts->writer.remove_after(opened.state);
         transaction.commit();
+        opened.series = read_series(parts->database);
         opened.file.reset(new PreserveFile(std::move(parts)));
         return opened;
     } catch (const DatabaseError& error) {
@@ -213,6 +252,7 @@ Status PreserveFile::write(const Chronicle& chronicle, const Preserve& preserve)
         Transaction transaction(parts_->database);
         parts_->writer.write(chronicle, preserve);
         transaction.commit();
+        snapshots_ = read_snapshot_ticks(parts_->database);
     } catch (const DatabaseError& error) {
         return preserve_failure(kKeepingPreserve, parts_->path, error.what());
     }

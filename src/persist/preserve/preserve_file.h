@@ -5,6 +5,7 @@
 
 #include "core/result.h"
 #include "evolution/kinds/evolution_kinds.h"
+#include "preserve/engine/preserve_log.h"
 #include "preserve/preserve.h"
 
 #include <cstdint>
@@ -34,7 +35,8 @@ struct SnapshotEntry {
 
 struct SavedPreserve {
     PreserveOrigin origin;
-    std::vector<SnapshotEntry> snapshots;  // in ascending order of ticks
+    std::vector<SnapshotEntry> snapshots;     // in ascending order of ticks
+    std::vector<Intervention> interventions;  // of people, in their order
 };
 
 // Reads a file, which may be in use, without changing it. Fails if it is not a preserve file.
@@ -47,9 +49,13 @@ Result<PreserveState> load_snapshot(const std::filesystem::path& path, const Sna
 Result<std::string> lives_csv(const std::filesystem::path& path);
 Result<std::string> series_csv(const std::filesystem::path& path);
 
-class PreserveFile {
+// Copies a file, which may be in use, up to one of its snapshots. An existing file is refused.
+Status copy_preserve(const std::filesystem::path& from, std::uint64_t tick,
+                     const std::filesystem::path& to, const EvolutionKinds& kinds);
+
+class PreserveFile final : public PreserveLog {
 public:
-    ~PreserveFile();
+    ~PreserveFile() override;
     PreserveFile(const PreserveFile&) = delete;
     PreserveFile& operator=(const PreserveFile&) = delete;
 
@@ -67,19 +73,22 @@ public:
 
     // Writes what happened and, if the preserve is at a snapshot, that snapshot. It is on the disk
     // when this returns.
-    Status write(const Chronicle& chronicle, const Preserve& preserve);
+    Status write(const Chronicle& chronicle, const Preserve& preserve) override;
+    std::vector<std::uint64_t> snapshots() const override { return snapshots_; }
 
 private:
     struct Parts;
     explicit PreserveFile(std::unique_ptr<Parts> parts);
 
     std::unique_ptr<Parts> parts_;
+    std::vector<std::uint64_t> snapshots_;  // ticks
 };
 
 struct PreserveFile::Opened {
     std::unique_ptr<PreserveFile> file;
     PreserveOrigin origin;
     PreserveState state;
+    std::vector<SeriesRow> series;
     std::vector<std::string> warnings;  // about damaged snapshots
 };
 

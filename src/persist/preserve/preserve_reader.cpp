@@ -11,6 +11,8 @@ constexpr std::size_t kMostDeflation = 1032;           // bytes from one of defl
 constexpr std::int64_t kMostSettingsText = 1'000'000;  // bytes
 constexpr std::size_t kMostFounders = 1000;
 constexpr int kMostSnapshots = 100'000;
+constexpr int kMostInterventions = 1'000'000;
+constexpr int kMostRows = 10'000'000;  // of the series
 
 std::string fact(const Database& database, const char* name) {
     Statement row =
@@ -48,7 +50,52 @@ std::vector<std::uint64_t> words_in(std::string_view bytes) {
     return words;
 }
 
+// Returns what people did, in order. Files of version 1 have none.
+std::vector<Intervention> read_interventions(const Database& database,
+                                             const EvolutionKinds& kinds) {
+    std::vector<Intervention> all;
+    if (database.integer("PRAGMA user_version") == 1) return all;
+    GenotypeReader genotypes(kinds);
+    Statement row = database.prepare(
+        "SELECT tick, what, interventions.number, x, y, size, document FROM interventions LEFT "
+        "JOIN genotypes ON what = 'add' AND genotypes.number = interventions.number WHERE what != "
+        "'restock' ORDER BY id LIMIT ?");
+    row.bind(kMostInterventions);
+    while (row.step()) {
+        Intervention& each = all.emplace_back();
+        read_column(row, 0, each.tick);
+        each.what = row.text(1).substr(0, 64);
+        read_column(row, 2, each.number);
+        each.x = row.real(3);
+        each.y = row.real(4);
+        if (each.what == intervention::kAdd && !row.is_null(5))
+            each.genome = genotype(row, 5, genotypes);
+        if (all.size() > 1 && each.tick < all[all.size() - 2].tick)
+            throw DatabaseError("its interventions are not in order");
+    }
+    return all;
+}
+
 }  // namespace
+
+std::vector<std::uint64_t> read_snapshot_ticks(const Database& database) {
+    std::vector<std::uint64_t> ticks;
+    Statement row = database.prepare("SELECT tick FROM snapshots ORDER BY tick LIMIT ?");
+    row.bind(kMostSnapshots);
+    while (row.step())
+        read_column(row, 0, ticks.emplace_back());
+    return ticks;
+}
+
+std::vector<SeriesRow> read_series(const Database& database) {
+    std::vector<SeriesRow> rows;
+    Statement row =
+        database.prepare(fmt::format("SELECT {} FROM series ORDER BY tick LIMIT {}",
+                                     column_names<SeriesRow>(kSeriesColumns), kMostRows));
+    while (row.step())
+        read_columns<SeriesRow>(row, 0, kSeriesColumns, rows.emplace_back());
+    return rows;
+}
 
 SavedPreserve read_preserve(const Database& database, const EvolutionKinds& kinds) {
     SavedPreserve saved;
@@ -69,6 +116,7 @@ SavedPreserve read_preserve(const Database& database, const EvolutionKinds& kind
         saved.snapshots.push_back(entry);
     }
     if (saved.snapshots.empty()) throw DatabaseError("it has no snapshot");
+    saved.interventions = read_interventions(database, kinds);
     return saved;
 }
 

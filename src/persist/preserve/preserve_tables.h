@@ -11,7 +11,8 @@
 
 namespace cambrian {
 
-inline constexpr std::int64_t kPreserveVersion = 1;
+// Version 1 has no places of interventions.
+inline constexpr std::int64_t kPreserveVersion = 2;
 
 inline constexpr std::array kSeriesColumns = {
     Column<SeriesRow>{"tick", &SeriesRow::tick},
@@ -79,6 +80,8 @@ LifeRow row_of(const Life& life);
 void create_preserve_tables(Database& database);
 // Fails with a sentence if the database is not a preserve that this program reads.
 Status check_preserve_tables(const Database& database);
+// Brings tables of an earlier version to that of this program.
+void upgrade_preserve_tables(Database& database);
 
 // Writes rows of one file.
 class PreserveWriter {
@@ -103,6 +106,9 @@ private:
     Deflater deflater_;
 };
 
+// Returns the ticks of all snapshots, in ascending order.
+std::vector<std::uint64_t> read_snapshot_ticks(const Database& database);
+std::vector<SeriesRow> read_series(const Database& database);
 SavedPreserve read_preserve(const Database& database, const EvolutionKinds& kinds);
 Result<PreserveState> read_snapshot(const Database& database, const SnapshotEntry& entry,
                                     const EvolutionKinds& kinds);

@@ -24,7 +24,8 @@ std::string preserve_tables() {
            column_definitions<SeriesRow>(kSeriesColumns) +
            ", PRIMARY KEY (tick));"
            "CREATE TABLE interventions (id INTEGER PRIMARY KEY, tick INTEGER NOT NULL, "
-           "what TEXT NOT NULL, number INTEGER NOT NULL);"
+           "what TEXT NOT NULL, number INTEGER NOT NULL, x REAL NOT NULL DEFAULT 0, "
+           "y REAL NOT NULL DEFAULT 0);"
            "CREATE TABLE snapshots (tick INTEGER PRIMARY KEY, digest INTEGER NOT NULL, "
            "size INTEGER NOT NULL, state BLOB NOT NULL);";
 }
@@ -79,9 +80,19 @@ Status check_preserve_tables(const Database& database) {
             "it is an experiment, no preserve; `cambrian evolve --resume` goes on with it"};
     if (application != kPreserveApplication) return Error{"it is another program's database"};
     const std::int64_t version = database.integer("PRAGMA user_version");
-    if (version == kPreserveVersion) return {};
+    if (version >= 1 && version <= kPreserveVersion) return {};
     return Error{
         fmt::format("its version {} is not that of this program ({})", version, kPreserveVersion)};
+}
+
+void upgrade_preserve_tables(Database& database) {
+    if (database.integer("PRAGMA user_version") == kPreserveVersion) return;
+    Transaction transaction(database);
+    database.execute(
+        "ALTER TABLE interventions ADD COLUMN x REAL NOT NULL DEFAULT 0;"
+        "ALTER TABLE interventions ADD COLUMN y REAL NOT NULL DEFAULT 0;");
+    database.execute(fmt::format("PRAGMA user_version = {}", kPreserveVersion));
+    transaction.commit();
 }
 
 PreserveWriter::PreserveWriter(Database& database, const EvolutionKinds& kinds)
@@ -93,8 +104,8 @@ PreserveWriter::PreserveWriter(Database& database, const EvolutionKinds& kinds)
       put_founder_(database.prepare("INSERT INTO founders VALUES (?, ?, ?)")),
       put_series_(database.prepare(
           fmt::format("INSERT INTO series VALUES (?{})", more_places(kSeriesColumns.size() - 1)))),
-      put_intervention_(
-          database.prepare("INSERT INTO interventions (tick, what, number) VALUES (?, ?, ?)")),
+      put_intervention_(database.prepare(
+          "INSERT INTO interventions (tick, what, number, x, y) VALUES (?, ?, ?, ?, ?)")),
       put_snapshot_(database.prepare("INSERT OR REPLACE INTO snapshots VALUES (?, ?, ?, ?)")),
       packer_(kinds) {}
 
@@ -153,17 +164,25 @@ void PreserveWriter::write(const Chronicle& chronicle, const Preserve& preserve)
         put_series_.finish();
     }
     for (const Intervention& each : chronicle.interventions)
-        put_intervention_.run(each.tick, each.what, each.number);
+        put_intervention_.run(each.tick, each.what, each.number, each.x, each.y);
     if (preserve.snapshot()->tick != preserve.ticks()) return;
     put_snapshot(*preserve.snapshot());
     thin_snapshots(preserve.ticks());
 }
 
+// Of the interventions at the snapshot's own tick, those after the last rest are not in it.
 void PreserveWriter::remove_after(const PreserveState& state) {
+    database_
+        .prepare(
+            "DELETE FROM interventions WHERE tick > ?1 OR (tick = ?1 AND what != 'restock' AND "
+            "id > (SELECT coalesce(max(id), 0) FROM interventions WHERE tick = ?1 AND what = "
+            "'rest'))")
+        .run(state.tick);
     for (const char* sql :
-         {"DELETE FROM genotypes WHERE number IN (SELECT number FROM lives WHERE born > ?)",
-          "DELETE FROM lives WHERE born > ?", "DELETE FROM series WHERE tick > ?",
-          "DELETE FROM interventions WHERE tick > ?", "DELETE FROM snapshots WHERE tick > ?"})
+         {"DELETE FROM genotypes WHERE number >= ?", "DELETE FROM lives WHERE number >= ?"})
+        database_.prepare(sql).run(state.next_number);
+    for (const char* sql :
+         {"DELETE FROM series WHERE tick > ?", "DELETE FROM snapshots WHERE tick > ?"})
         database_.prepare(sql).run(state.tick);
     for (const ResidentState& each : state.residents)
         put_life(each.life);

@@ -13,9 +13,9 @@
 
 namespace cambrian {
 
-enum class DeathCause : std::uint8_t { kAlive, kHunger, kEaten, kBrokenPhysics };
-inline constexpr std::array<std::string_view, 4> kDeathCauses = {"", "hunger", "eaten",
-                                                                 "broken physics"};
+enum class DeathCause : std::uint8_t { kAlive, kHunger, kEaten, kBrokenPhysics, kRemoved };
+inline constexpr std::array<std::string_view, 5> kDeathCauses = {"", "hunger", "eaten",
+                                                                 "broken physics", "removed"};
 inline constexpr std::size_t kDeathCauseCount = kDeathCauses.size();
 
 struct Life {
@@ -23,7 +23,7 @@ struct Life {
     std::uint64_t uid = 0;
     std::array<std::uint64_t, 2> parents = {0, 0};  // numbers; 0 for none
     std::uint64_t lineage = 0;                      // number of its founder
-    std::string method = {};                        // breeding method, "founder" or "restock"
+    std::string method = {};  // breeding method, "founder", "restock" or "added"
     std::uint32_t mutations = 0;
     GenomePtr genome = {};
     std::uint64_t born = 0;  // tick

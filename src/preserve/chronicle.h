@@ -1,0 +1,45 @@
+#pragma once
+
+// What happened in a preserve, for its file.
+
+#include "genome/genome.h"
+#include "preserve/life/life.h"
+#include "preserve/series.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace cambrian {
+
+// What people may do to a preserve between two ticks, and what it does by itself that is no birth
+// and no death (preserve/README.md 8).
+namespace intervention {
+inline constexpr const char* kRestock = "restock";  // by itself
+inline constexpr const char* kFeed = "feed";
+inline constexpr const char* kAdd = "add";
+inline constexpr const char* kRemove = "remove";
+inline constexpr const char* kMove = "move";
+inline constexpr const char* kRest = "rest";
+}  // namespace intervention
+
+struct Intervention {
+    std::uint64_t tick = 0;    // ticks before it
+    std::string what = {};     // one of the names above
+    std::uint64_t number = 0;  // of the creature; of plants for kFeed
+    double x = 0.0, y = 0.0;   // m; the place for kFeed, kAdd and kMove
+    GenomePtr genome = {};     // for kAdd
+};
+
+// What happened since it was taken last.
+struct Chronicle {
+    std::vector<Life> born;
+    std::vector<Life> died;
+    std::vector<SeriesRow> series;
+    std::vector<Intervention> interventions;
+};
+
+// Adds what happened later.
+void append(Chronicle& all, Chronicle later);
+
+}  // namespace cambrian

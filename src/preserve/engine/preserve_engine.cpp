@@ -1,0 +1,167 @@
+#include "preserve/engine/preserve_engine.h"
+
+#include <algorithm>
+#include <exception>
+#include <variant>
+
+namespace cambrian {
+namespace {
+
+constexpr double kPictureInterval = 1.0 / 30.0;  // s
+constexpr std::size_t kMostDeaths = 200;
+constexpr std::size_t kMostNews = 16;
+
+}  // namespace
+
+PreserveEngine::PreserveEngine(PreserveStart start, std::size_t workers)
+    : start_(std::move(start)), workers_(workers) {
+    const PreserveSettings& laws = start_.preserve->settings()->preserve;
+    shown_.area = {laws.width, laws.height};
+    shown_.kept = start_.log != nullptr;
+    shown_.series = std::make_shared<const std::vector<SeriesRow>>(std::move(start_.series));
+    shown_.died = std::make_shared<const std::vector<Life>>();
+    shown_.snapshots = std::make_shared<const std::vector<std::uint64_t>>(
+        start_.log ? start_.log->snapshots() : std::vector<std::uint64_t>());
+    publish();
+    thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
+}
+
+PreserveEngine::~PreserveEngine() {
+    thread_.request_stop();
+    thread_.join();
+}
+
+void PreserveEngine::run(const std::stop_token& stop) {
+    ThreadPool pool(workers_, ThreadPriority::kBackground);
+    while (!stop.stop_requested()) {
+        const bool commanded = inbox_.drain([this](PreserveCommand command) {
+            std::visit([this](const auto& each) { apply(each); }, command);
+        });
+        if (commanded) publish();
+        if (!shown_.playing && !single_tick_) {
+            inbox_.wait(stop);
+            continue;
+        }
+        try {
+            inbox_.work_until_command(
+                stop, [&](const std::stop_token& interrupted) { advance(pool, interrupted); });
+        } catch (const std::exception& failure) {
+            stop_with(failure.what());
+            publish();
+        }
+    }
+    keep();
+}
+
+void PreserveEngine::advance(ThreadPool& pool, const std::stop_token& interrupted) {
+    if (std::exchange(single_tick_, false)) {
+        tick(pool);
+        return publish();
+    }
+    while (shown_.playing && pacing_.wait(interrupted)) {
+        tick(pool);
+        pacing_.count();
+        if (published_.seconds() >= kPictureInterval) publish();
+    }
+    if (!shown_.playing) publish();
+}
+
+void PreserveEngine::tick(ThreadPool& pool) {
+    start_.preserve->tick(pool);
+    take_chronicle();
+    if (start_.preserve->ticks() % kTicksPerSnapshot == 0) write();
+}
+
+void PreserveEngine::take_chronicle() {
+    Chronicle chronicle = start_.preserve->take_chronicle();
+    if (!chronicle.died.empty()) {
+        std::vector<Life> died = *shown_.died;
+        died.insert(died.end(), chronicle.died.begin(), chronicle.died.end());
+        if (died.size() > kMostDeaths)
+            died.erase(died.begin(), died.end() - std::ptrdiff_t{kMostDeaths});
+        shown_.died = std::make_shared<const std::vector<Life>>(std::move(died));
+    }
+    if (!chronicle.series.empty()) {
+        std::vector<SeriesRow> series = *shown_.series;
+        series.insert(series.end(), chronicle.series.begin(), chronicle.series.end());
+        shown_.series = std::make_shared<const std::vector<SeriesRow>>(std::move(series));
+    }
+    if (start_.log) append(unwritten_, std::move(chronicle));
+}
+
+// Writes what happened. After a failure it remains unwritten, and the preserve is paused.
+void PreserveEngine::write() {
+    if (!start_.log) return;
+    if (const Status written = start_.log->write(unwritten_, *start_.preserve); !written)
+        return stop_with(written.error().message);
+    unwritten_ = {};
+    shown_.snapshots = std::make_shared<const std::vector<std::uint64_t>>(start_.log->snapshots());
+}
+
+// A rest is an intervention, so that replays have it, too. A preserve at its snapshot needs none.
+void PreserveEngine::keep() {
+    const Preserve& preserve = *start_.preserve;
+    if (!start_.log) return;
+    const bool changed =
+        preserve.snapshot()->tick != preserve.ticks() || !unwritten_.interventions.empty();
+    if (changed) {
+        static_cast<void>(start_.preserve->intervene({.what = intervention::kRest}));
+        take_chronicle();
+    }
+    write();
+}
+
+void PreserveEngine::stop_with(std::string failure) {
+    shown_.playing = false;
+    shown_.failure = std::move(failure);
+}
+
+void PreserveEngine::tell(PreserveNews news) {
+    news.id = shown_.news.empty() ? 1 : shown_.news.back().id + 1;
+    shown_.news.push_back(std::move(news));
+    if (shown_.news.size() > kMostNews) shown_.news.erase(shown_.news.begin());
+}
+
+void PreserveEngine::apply(PlayPreserve command) {
+    shown_.playing = command.playing;
+    shown_.failure.clear();
+    pacing_.begin();
+}
+
+void PreserveEngine::apply(StepPreserve) {
+    shown_.playing = false;
+    single_tick_ = true;
+}
+
+void PreserveEngine::apply(PacePreserve command) {
+    pacing_.set(command.factor);
+}
+
+void PreserveEngine::apply(const Intervene& command) {
+    const Result<std::uint64_t> done = start_.preserve->intervene(command.intervention);
+    tell({.what = command.intervention.what,
+          .number = done ? *done : 0,
+          .problem = done ? std::string() : done.error().message});
+    take_chronicle();
+}
+
+void PreserveEngine::apply(KeepPreserve) {
+    keep();
+    tell({.what = "keep", .problem = shown_.failure});
+}
+
+void PreserveEngine::publish() {
+    const Preserve& preserve = *start_.preserve;
+    auto picture = std::make_shared<PreservePicture>(shown_);
+    picture->tick = preserve.ticks();
+    picture->pace = pacing_.factor();
+    picture->factor = shown_.playing ? pacing_.reached() : 0.0;
+    picture->now = preserve.row();
+    picture->residents = resident_pictures_.of(preserve);
+    picture->plants.assign(preserve.plants().all().begin(), preserve.plants().all().end());
+    picture->flesh.assign(preserve.flesh().all().begin(), preserve.flesh().all().end());
+    pictures_.publish(std::move(picture));
+    published_.restart();
+}
+
+}  // namespace cambrian

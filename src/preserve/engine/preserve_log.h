@@ -1,0 +1,28 @@
+#pragma once
+
+// Where a preserve is kept while it is computed.
+
+#include "core/result.h"
+#include "preserve/chronicle.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace cambrian {
+
+class Preserve;
+
+class PreserveLog {
+public:
+    PreserveLog() = default;
+    virtual ~PreserveLog() = default;
+    PreserveLog(const PreserveLog&) = delete;
+    PreserveLog& operator=(const PreserveLog&) = delete;
+
+    // Writes what happened since the last call and, if the preserve is at a snapshot, the snapshot.
+    virtual Status write(const Chronicle& chronicle, const Preserve& preserve) = 0;
+    // Returns the ticks of the snapshots it has, in ascending order.
+    virtual std::vector<std::uint64_t> snapshots() const = 0;
+};
+
+}  // namespace cambrian

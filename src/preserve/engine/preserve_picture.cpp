@@ -1,0 +1,47 @@
+#include "preserve/engine/preserve_picture.h"
+
+#include "preserve/preserve.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace cambrian {
+
+const ResidentPicture* PreservePicture::find(std::uint64_t number) const {
+    const auto found = std::lower_bound(residents.begin(), residents.end(), number,
+                                        [](const ResidentPicture& each, std::uint64_t wanted) {
+                                            return each.life.number < wanted;
+                                        });
+    return found == residents.end() || found->life.number != number ? nullptr : &*found;
+}
+
+std::vector<ResidentPicture> ResidentPictures::of(const Preserve& preserve) {
+    const PreserveSettings& laws = preserve.settings()->preserve;
+    std::vector<ResidentPicture> pictures;
+    std::vector<Known> living;
+    pictures.reserve(preserve.residents().size());
+    living.reserve(preserve.residents().size());
+    auto known = known_.begin();
+    for (const auto& each : preserve.residents()) {
+        const std::uint64_t number = each->life.number;
+        while (known != known_.end() && known->number < number)
+            ++known;
+        const bool seen = known != known_.end() && known->number == number;
+        living.push_back({number, seen ? std::move(known->phenotype)
+                                       : std::make_shared<const Phenotype>(each->phenotype())});
+        const auto parts = each->rectangles();
+        pictures.push_back(
+            {.life = each->life,
+             .store = joules(each->store),
+             .body = joules(each->body),
+             .birth_need = (2.0 * laws.birth_energy + laws.body_energy) * each->life.mass,
+             .bitten = each->bitten,
+             .center = each->center(),
+             .parts = {parts.begin(), parts.end()},
+             .phenotype = living.back().phenotype});
+    }
+    known_ = std::move(living);
+    return pictures;
+}
+
+}  // namespace cambrian

@@ -1,0 +1,73 @@
+#pragma once
+
+// What a user sees of a preserve at one moment. Immutable; shared between threads.
+
+#include "creature/phenotype.h"
+#include "preserve/life/life.h"
+#include "preserve/series.h"
+#include "preserve/world/area.h"
+#include "preserve/world/pellets.h"
+#include "preserve/world/rectangle.h"
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace cambrian {
+
+class Preserve;
+
+struct ResidentPicture {
+    Life life;
+    double store = 0.0;       // J
+    double body = 0.0;        // J
+    double birth_need = 0.0;  // J in store above which it may bear a child of its size
+    bool bitten = false;      // in the last tick
+    Vec3 center = Vec3::Zero();
+    std::vector<Rectangle> parts;
+    std::shared_ptr<const Phenotype> phenotype;
+};
+
+// The answer to an intervention.
+struct PreserveNews {
+    std::uint64_t id = 0;  // ascending
+    std::string what;      // of the intervention, or "keep"
+    std::uint64_t number = 0;
+    std::string problem;  // why it could not be done, or empty
+};
+
+struct PreservePicture {
+    std::uint64_t tick = 0;
+    bool playing = false;
+    double pace = 1.0;    // wanted, as a factor of real time; kFullSpeed for as fast as it goes
+    double factor = 0.0;  // reached
+    bool kept = false;    // whether a log keeps it
+    std::string failure;  // why it stopped, or empty
+    WalledArea area;
+    SeriesRow now;
+    std::vector<ResidentPicture> residents;  // in ascending order of numbers
+    std::vector<Pellet> plants, flesh;
+    std::shared_ptr<const std::vector<SeriesRow>> series;
+    std::shared_ptr<const std::vector<Life>> died;                // the last ones
+    std::shared_ptr<const std::vector<std::uint64_t>> snapshots;  // ticks
+    std::vector<PreserveNews> news;                               // the last ones
+
+    // Returns null if it is not alive.
+    const ResidentPicture* find(std::uint64_t number) const;
+};
+
+// Makes pictures of residents; keeps the phenotypes of the living, which pictures share.
+class ResidentPictures {
+public:
+    std::vector<ResidentPicture> of(const Preserve& preserve);
+
+private:
+    struct Known {
+        std::uint64_t number = 0;
+        std::shared_ptr<const Phenotype> phenotype;
+    };
+    std::vector<Known> known_;  // in ascending order
+};
+
+}  // namespace cambrian

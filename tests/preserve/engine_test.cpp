@@ -1,0 +1,109 @@
+#include "persist/preserve/preserve_file.h"
+#include "preserve/engine/preserve_engine.h"
+#include "simulator/simulator_version.h"
+#include "support/temporary_directory.h"
+#include "worlds.h"
+
+#include <catch2/catch.hpp>
+
+#include <chrono>
+#include <thread>
+
+namespace cambrian {
+namespace {
+
+using namespace test;
+
+// Waits for a picture; fails after a minute.
+template <class Wanted>
+std::shared_ptr<const PreservePicture> picture_with(PreserveEngine& engine, Wanted wanted) {
+    const Stopwatch watch;
+    while (watch.seconds() < 60.0) {
+        const auto picture = engine.latest();
+        if (wanted(*picture)) return picture;
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    FAIL("no such picture");
+    return nullptr;
+}
+
+bool answered(const PreservePicture& picture, std::uint64_t id) {
+    return !picture.news.empty() && picture.news.back().id >= id;
+}
+
+TEST_CASE("a preserve on its thread plays, pauses, steps and obeys", "[preserve][threads]") {
+    PreserveEngine engine({begun(small_world(), {eater(0.0)}), nullptr, {}}, 2);
+    const auto first = engine.latest();
+    REQUIRE(first->residents.size() == 10);
+    CHECK_FALSE(first->playing);
+    CHECK(first->area.width == 12.0);
+    CHECK(engine.send(StepPreserve{}));
+    const auto stepped =
+        picture_with(engine, [](const auto& picture) { return picture.tick == 1; });
+
+    engine.send(Intervene{{.what = intervention::kAdd, .x = 1.0, .genome = eater(1.0)}});
+    engine.send(Intervene{{.what = intervention::kRemove, .number = 2}});
+    engine.send(Intervene{{.what = intervention::kRemove, .number = 2}});
+    engine.send(Intervene{{.what = intervention::kFeed}});
+    const auto changed =
+        picture_with(engine, [](const auto& picture) { return answered(picture, 4); });
+    CHECK(changed->news[0].number == 11);
+    CHECK(changed->news[1].problem.empty());
+    CHECK(changed->news[2].problem == "creature 2 is not alive");
+    CHECK(changed->plants.size() == stepped->plants.size() + 10);
+    CHECK(changed->find(2) == nullptr);
+    REQUIRE(changed->find(11) != nullptr);
+    CHECK(changed->find(11)->parts.size() == changed->find(11)->phenotype->parts.size());
+    REQUIRE(changed->died->size() == 1);
+    CHECK(changed->died->front().cause == DeathCause::kRemoved);
+
+    engine.send(PacePreserve{kFullSpeed});
+    engine.send(PlayPreserve{true});
+    const auto later = picture_with(engine, [](const auto& picture) { return picture.tick > 650; });
+    CHECK(later->playing);
+    CHECK(later->series->back().tick == later->tick / kTicksPerRow * kTicksPerRow);
+    engine.send(PlayPreserve{false});
+    const auto paused = picture_with(engine, [](const auto& picture) { return !picture.playing; });
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    CHECK(engine.latest()->tick == paused->tick);
+}
+
+TEST_CASE("a preserve goes at the pace that is asked for", "[preserve][threads]") {
+    PreserveEngine engine({begun(small_world(), {eater(0.0)}), nullptr, {}}, 1);
+    engine.send(PacePreserve{0.1});
+    engine.send(PlayPreserve{true});
+    const Stopwatch watch;
+    picture_with(engine, [](const auto& picture) { return picture.tick >= 2; });
+    CHECK(watch.seconds() > 1.9 / 6.0);  // a tenth of real time: 6 ticks a second
+}
+
+TEST_CASE("a preserve that is closed goes on where it was left", "[preserve][threads]") {
+    const TemporaryDirectory folder;
+    const auto path = folder.path() / "pond.cambrian";
+    const auto settings = std::make_shared<const ExperimentSettings>(small_world());
+    auto preserve = begun(*settings, {eater(0.0)});
+    auto file = PreserveFile::create(path, {settings, {eater(0.0)}, std::string(kSimulatorVersion)},
+                                     preserve->take_chronicle(), *preserve, kinds());
+    REQUIRE(file);
+    std::uint64_t tick = 0;
+    {
+        PreserveEngine engine({std::move(preserve), *std::move(file), {}}, 1);
+        engine.send(PacePreserve{kFullSpeed});
+        engine.send(PlayPreserve{true});
+        picture_with(engine, [](const auto& picture) { return picture.tick > 100; });
+        engine.send(PlayPreserve{false});
+        engine.send(Intervene{{.what = intervention::kFeed}});
+        tick = picture_with(engine, [](const auto& picture) { return answered(picture, 1); })->tick;
+        CHECK(engine.latest()->snapshots->size() == 1);
+    }
+    auto opened = PreserveFile::open(path, kinds());
+    REQUIRE(opened);
+    CHECK(opened->state.tick == tick);
+    const auto saved = load_preserve(path, kinds());
+    REQUIRE(saved->interventions.size() == 2);
+    CHECK(saved->interventions.front().what == intervention::kFeed);
+    CHECK(saved->snapshots.size() == 2);
+}
+
+}  // namespace
+}  // namespace cambrian
