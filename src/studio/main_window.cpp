@@ -85,7 +85,7 @@ void MainWindow::draw(const FrameContext& frame, Requests& out) {
     const bool alone = frame.window.viewer_only;
     const Layout layout =
         alone ? viewer_layout(size.x, size.y, ui().scale)
-              : divide_window(size.x, size.y, frame.view, ui().scale, frame.machines_told());
+              : divide_window(size.x, size.y, frame.view, ui().scale, frame.foot_shown());
     if (!alone) draw_gaps(layout);
     draw_areas(frame, layout, out);
     ViewState view = frame.view;

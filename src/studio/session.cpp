@@ -19,7 +19,12 @@ struct Session::Router {
     void operator()(const GenerationsRequest& request) const {
         self.generations_.carry_out(request);
     }
-    void operator()(const PickingRequest& request) const { self.picking_.carry_out(request); }
+    void operator()(const PickingRequest& request) const {
+        if (std::holds_alternative<ToggleHandPicking>(request))
+            self.preserve_.carry_out(ClosePreserve{});
+        self.picking_.carry_out(request);
+    }
+    void operator()(const PreserveRequest& request) const { self.preserve_.carry_out(request); }
     void operator()(const FilesRequest& request) const { self.files_.carry_out(request); }
     void operator()(const GuideRequest& request) const { self.guide_.carry_out(request); }
     void operator()(const MachinesRequest& request) const { self.machines_.carry_out(request); }
@@ -38,7 +43,8 @@ Session::Session(const Remembered& remembered, const EvolutionKinds& kinds,
       experiment_(services_, view_, viewer_, remembered.settings, machines_.own_cores()),
       generations_(services_, view_, viewer_, experiment_),
       picking_(services_, view_, viewer_, experiment_, machines.workers),
-      files_(services_, view_, {viewer_, experiment_, generations_, picking_}),
+      preserve_(services_, {viewer_, experiment_, generations_, picking_}, machines.workers),
+      files_(services_, view_, {viewer_, experiment_, generations_, picking_, preserve_}),
       memory_(
           {view_, experiment_.open().editor().draft(), remembered.experiment, remembered.cluster}) {
     machines_.begin(remembered.cluster);
@@ -47,6 +53,7 @@ Session::Session(const Remembered& remembered, const EvolutionKinds& kinds,
 void Session::remember_in(const std::filesystem::path& folder) {
     memory_.use(folder);
     if (!folder.empty()) experiment_.keep_in(own_experiment(folder));
+    preserve_.keep_in(folder);
 }
 
 void Session::reopen_last() {
@@ -65,6 +72,7 @@ void Session::keep_memory() {
 void Session::use_assets(const std::filesystem::path& folder) {
     guide_.read(folder / "help", keys_text());
     files_.use_samples(folder / "creatures");
+    preserve_.use_assets(folder);
 }
 
 void Session::update(double now, double elapsed) {
@@ -75,10 +83,11 @@ void Session::update(double now, double elapsed) {
     generations_.log_finished();
     experiment_.follow_status();
     machines_.update(now);
-    if (!picking_.on()) generations_.follow_newest();
+    if (!picking_.on() && !preserve_.on()) generations_.follow_newest();
     const Stopwatch spent;
     picking_.update(elapsed);
-    if (!picking_.grid_shown())
+    preserve_.update();
+    if (!picking_.grid_shown() && !preserve_.world_shown())
         viewer_.update(elapsed, std::as_const(experiment_).open().snapshot());
     playback_seconds_ = spent.seconds();
     generations_.keep_stars();
@@ -103,12 +112,15 @@ FrameContext Session::frame_context() const {
             .guide = guide_.facts(),
             .window = window_.facts(),
             .picking = picking_.facts(),
-            .machines = &machines_.facts()};
+            .machines = &machines_.facts(),
+            .preserve = preserve_.facts(),
+            .preserve_card = preserve_.card()};
 }
 
 bool Session::animating() const {
-    return viewer_.animating() || picking_.on() || experiment_.open().running() ||
-           !worker_.idle() || feedback_.notice() != nullptr;
+    const bool moving = preserve_.world_shown() ? preserve_.animating() : viewer_.animating();
+    return moving || picking_.on() || experiment_.open().running() || !worker_.idle() ||
+           feedback_.notice() != nullptr;
 }
 
 }  // namespace cambrian

@@ -8,6 +8,7 @@
 #include "studio/help/guide_controller.h"
 #include "studio/machines/machines_controller.h"
 #include "studio/memory.h"
+#include "studio/preserve/preserve_controller.h"
 #include "studio/window_controller.h"
 
 #include <filesystem>
@@ -60,6 +61,7 @@ private:
     ExperimentController experiment_;
     GenerationsController generations_;
     PickingController picking_;
+    PreserveController preserve_;
     FilesController files_;
     Memory memory_;
     double playback_seconds_ = 0.0;

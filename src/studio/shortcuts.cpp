@@ -84,12 +84,17 @@ void close_what_is_open(const FrameContext& frame, Requests& out) {
         out.ask(TurnTour{-1});
     } else if (frame.files.samples != nullptr && frame.files.samples->open) {
         out.ask(ToggleSamples{});
+    } else if (frame.preserve_card.open) {
+        out.ask(TogglePreserveCard{});
     } else if (frame.files.browser.open) {
         out.ask(CloseFilePanel{});
     } else if (frame.machines != nullptr && frame.machines->card_open) {
         out.ask(ToggleMachines{});
     } else if (frame.guide.help_shown) {
         out.ask(ToggleHelp{});
+    } else if (frame.preserve != nullptr && frame.window.notice == nullptr) {
+        if (frame.preserve->single) return out.ask(ShowWorld{});
+        out.ask(PickResident{0});
     } else if (frame.picking != nullptr && frame.picking->single &&
                frame.window.notice == nullptr) {
         out.ask(ShowGrid{});
@@ -129,6 +134,8 @@ constexpr std::array kShortcuts = {
              "K",
              "Star the creature on display, or take its star away",
              simply<ToggleStarOfShown>},
+    Shortcut{{GLFW_KEY_N, true}, "Ctrl+N", "New preserve", simply<TogglePreserveCard>},
+    Shortcut{{GLFW_KEY_W, true}, "Ctrl+W", "Close the preserve", simply<ClosePreserve>},
     Shortcut{{GLFW_KEY_O, true}, "Ctrl+O", "Open a creature, an experiment or settings", open_file},
     Shortcut{{GLFW_KEY_O, true, true}, "Ctrl+Shift+O", "Samples", simply<ToggleSamples>},
     Shortcut{{GLFW_KEY_S, true}, "Ctrl+S", "Save the creature on display", save_creature},
@@ -244,6 +251,64 @@ constexpr std::array kPickingShortcuts = {
     Shortcut{{GLFW_KEY_K}, "K", "Keep the creature in focus on the shelf", pin_focused},
 };
 
+void step_world(const FrameContext&, Requests& out) {
+    out.ask(AskPreserve{StepPreserve{}});
+}
+
+// Goes to a faster or slower pace of the world.
+template <int Steps>
+void change_pace(const FrameContext& frame, Requests& out) {
+    const auto found =
+        std::find(kPreservePaces.begin(), kPreservePaces.end(), frame.preserve->picture.pace);
+    const int last = static_cast<int>(kPreservePaces.size()) - 1;
+    const int next = std::clamp(static_cast<int>(found - kPreservePaces.begin()) + Steps, 0, last);
+    out.ask(AskPreserve{PacePreserve{kPreservePaces[static_cast<std::size_t>(next)]}});
+}
+
+template <int Steps>
+void pick_next(const FrameContext&, Requests& out) {
+    out.ask(PickNext{Steps});
+}
+
+void keep_preserve(const FrameContext& frame, Requests& out) {
+    if (!frame.preserve->file.empty()) out.ask(OpenFilePanel{FileTask::kSavePreserve});
+}
+
+void go_back(const FrameContext& frame, Requests& out) {
+    const auto& ticks = *frame.preserve->picture.snapshots;
+    if (!ticks.empty()) out.ask(BranchFrom{ticks.back()});
+}
+
+constexpr std::array kPreserveShortcuts = {
+    Shortcut{{GLFW_KEY_SPACE}, "Space", "Play or pause the world", simply<TogglePlay>},
+    Shortcut{{GLFW_KEY_PERIOD}, ".", "One tick of the world, then pause", step_world},
+    Shortcut{{GLFW_KEY_LEFT_BRACKET}, "[", "Slower", change_pace<-1>},
+    Shortcut{{GLFW_KEY_RIGHT_BRACKET}, "]", "Faster, up to as fast as it goes", change_pace<1>},
+    Shortcut{{GLFW_KEY_TAB}, "Tab", "Pick the next creature", pick_next<1>},
+    Shortcut{{GLFW_KEY_TAB, false, true}, "Shift+Tab", "Pick the one before", pick_next<-1>},
+    Shortcut{{GLFW_KEY_F}, "F", "Follow the picked creature with the camera", simply<FollowPicked>},
+    Shortcut{{GLFW_KEY_P}, "P", "Pin the picked creature, or unpin it", simply<PinPicked>},
+    Shortcut{{GLFW_KEY_S}, "S", "Save the picked creature", simply<SaveResident>},
+    Shortcut{{GLFW_KEY_S, true}, "Ctrl+S", "Save the picked creature", simply<SaveResident>},
+    Shortcut{{GLFW_KEY_V}, "V", "View the picked creature alone", simply<ShowPicked>},
+    Shortcut{{GLFW_KEY_DELETE},
+             "Delete",
+             "Remove the picked creature; its energy becomes flesh",
+             simply<RemovePicked>},
+    Shortcut{{GLFW_KEY_M},
+             "M",
+             "Move the picked creature to the mouse, or to the middle of the view",
+             simply<MovePickedThere>},
+    Shortcut{{GLFW_KEY_E}, "E", "Feed ten plants there", simply<FeedThere>},
+    Shortcut{{GLFW_KEY_A}, "A", "Add a copy of the creature on display there", simply<AddShown>},
+    Shortcut{{GLFW_KEY_HOME}, "Home", "Fit the world into view", simply<FitWorld>},
+    Shortcut{{GLFW_KEY_Z, true},
+             "Ctrl+Z",
+             "Go back to the last snapshot, in a file of its own",
+             go_back},
+    Shortcut{{GLFW_KEY_K, true}, "Ctrl+K", "Keep the preserve in another file", keep_preserve},
+};
+
 // The shortcuts of the viewer, besides those of the studio that make sense there.
 constexpr std::array kViewerShortcuts = {
     Shortcut{{GLFW_KEY_SPACE}, "Space", "Play or pause the creature", simply<TogglePlayback>, true},
@@ -285,18 +350,29 @@ std::span<const Shortcut> picking_shortcuts() {
     return kPickingShortcuts;
 }
 
+std::span<const Shortcut> preserve_shortcuts() {
+    return kPreserveShortcuts;
+}
+
 std::string keys_text() {
     return fmt::format(
-        "# Keys\n\n{}\n## While picking by hand\n\n{}\nIn the filter of the settings, `Enter` goes "
+        "# Keys\n\n{}\n## While picking by hand\n\n{}\n## In a preserve\n\n{}| arrow keys | Move "
+        "the view "
+        "|\n| `Page Up`, `Page Down` | Come closer, or go farther away |\n\nIn the filter of the "
+        "settings, `Enter` goes "
         "to the value of the first setting found and `Esc` clears it. Among the samples, arrows "
         "choose and `Enter` opens.\n",
-        table_of(shortcuts()), table_of(picking_shortcuts()));
+        table_of(shortcuts()), table_of(picking_shortcuts()), table_of(preserve_shortcuts()));
 }
 
 void press_shortcut(const KeyPress& press, bool typing, const FrameContext& frame, Requests& out) {
     if (typing && !press.control && press.key != GLFW_KEY_ESCAPE) return;
-    const bool covered = frame.files.browser.open || frame.guide.help_shown;
-    if (frame.grid_shown() && !covered && press_in_grid(press, frame, out)) return;
+    const bool covered =
+        frame.files.browser.open || frame.guide.help_shown || frame.preserve_card.open;
+    if (frame.world_shown()) {
+        if (!covered && press_in(kPreserveShortcuts, press, frame, out)) return;
+    } else if (frame.grid_shown() && !covered && press_in_grid(press, frame, out))
+        return;
     if (frame.window.viewer_only && press_in(kViewerShortcuts, press, frame, out)) return;
     static_cast<void>(press_in(kShortcuts, press, frame, out));
 }

@@ -22,7 +22,9 @@ struct Shortcut {
 std::span<const Shortcut> shortcuts();
 // The shortcuts while a picking grid is displayed. They take precedence over the others.
 std::span<const Shortcut> picking_shortcuts();
-// Returns both tables as a help page in Markdown.
+// The shortcuts while a preserve is displayed. They take precedence over the others, too.
+std::span<const Shortcut> preserve_shortcuts();
+// Returns all tables as a help page in Markdown.
 std::string keys_text();
 
 // Makes the request of a key, if it has one. While the user types text, only keys with Ctrl count.

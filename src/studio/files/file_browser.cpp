@@ -25,6 +25,7 @@ const char* ending_of(FileTask task) {
         case FileTask::kSaveCreature:
             break;
         case FileTask::kSaveExperiment:
+        case FileTask::kSavePreserve:
             return ".cambrian";
         case FileTask::kSaveSettings:
             return ".toml";

@@ -13,6 +13,7 @@ enum class FileTask : std::uint8_t {
     kOpen,
     kSaveCreature,
     kSaveExperiment,
+    kSavePreserve,
     kSaveSettings,
     kSaveStatistics,
     kSavePlot

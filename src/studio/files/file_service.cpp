@@ -3,6 +3,7 @@
 #include "core/files/file_io.h"
 #include "persist/creature/creature_card.h"
 #include "persist/creature/png_file.h"
+#include "persist/preserve/preserve_file.h"
 #include "persist/records/statistics_csv.h"
 #include "persist/settings/settings_file.h"
 
@@ -42,6 +43,11 @@ FileEvent load_file(const std::filesystem::path& path, const EvolutionKinds& kin
         if (document) return CreatureLoaded{path, std::move(*document)};
         return FileFailed{path, document.error().message};
     }
+    if (name.ends_with(".cambrian") && is_preserve_file(path)) {
+        auto world = open_world(path, kinds);
+        if (world) return PreserveLoaded{path, std::make_shared<OpenedWorld>(*std::move(world))};
+        return FileFailed{path, world.error().message};
+    }
     if (name.ends_with(".cambrian")) {
         auto experiment = open_experiment(path, kinds);
         if (experiment)
@@ -49,9 +55,10 @@ FileEvent load_file(const std::filesystem::path& path, const EvolutionKinds& kin
                                     std::make_shared<OpenedExperiment>(*std::move(experiment))};
         return FileFailed{path, experiment.error().message};
     }
-    return FileFailed{path, path.string() +
-                                " is not a file the studio opens; expected *.creature.json, a card "
-                                "*.png, an experiment *.cambrian or settings *.toml"};
+    return FileFailed{path,
+                      path.string() +
+                          " is not a file the studio opens; expected *.creature.json, a card "
+                          "*.png, an experiment or a preserve *.cambrian, or settings *.toml"};
 }
 
 template <class Work>

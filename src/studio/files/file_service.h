@@ -10,6 +10,7 @@
 #include "pictures/motion/subject.h"
 #include "studio/background/background_worker.h"
 #include "studio/files/file_browser.h"
+#include "studio/preserve/opened_world.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -33,6 +34,10 @@ struct ExperimentLoaded {
     std::filesystem::path path;
     std::shared_ptr<OpenedExperiment> experiment;
 };
+struct PreserveLoaded {
+    std::filesystem::path path;
+    std::shared_ptr<OpenedWorld> world;
+};
 struct FileSaved {
     std::filesystem::path path;
 };
@@ -52,8 +57,8 @@ struct FileFailed {
     std::filesystem::path path;
     std::string message;
 };
-using FileEvent = std::variant<CreatureLoaded, SettingsLoaded, ExperimentLoaded, FileSaved,
-                               CardPrepared, FolderListed, FileFailed>;
+using FileEvent = std::variant<CreatureLoaded, SettingsLoaded, ExperimentLoaded, PreserveLoaded,
+                               FileSaved, CardPrepared, FolderListed, FileFailed>;
 
 struct CardOrder {
     std::filesystem::path path;

@@ -29,6 +29,12 @@ struct SaveCreatureFile {
 struct SaveCell {
     std::size_t cell = 0;
 };
+// Displays the creature picked in the preserve and opens the file panel to save it.
+struct SaveResident {};
+// Keeps the preserve in another file from now on.
+struct SavePreserveFile {
+    std::filesystem::path path;
+};
 struct SaveExperimentFile {
     std::filesystem::path path;
 };
@@ -50,8 +56,9 @@ struct ToggleSamples {};
 
 using FilesRequest =
     std::variant<OpenFilePanel, CloseFilePanel, ListFolder, LoadFile, SaveCreatureFile, SaveCell,
-                 SaveExperimentFile, OpenPreviousRun, SaveSettingsFile, SaveStatisticsFile,
-                 SavePlotPicture, SaveScreenshot, ToggleSamples>;
+                 SaveResident, SavePreserveFile, SaveExperimentFile, OpenPreviousRun,
+                 SaveSettingsFile, SaveStatisticsFile, SavePlotPicture, SaveScreenshot,
+                 ToggleSamples>;
 
 struct FilesView {
     const FileBrowser& browser;

@@ -76,6 +76,12 @@ struct FilesController::Handler {
         if (self.subjects_.picking.show_cell(request.cell))
             (*this)(OpenFilePanel{FileTask::kSaveCreature});
     }
+    void operator()(const SaveResident&) const {
+        if (self.subjects_.preserve.show_picked()) (*this)(OpenFilePanel{FileTask::kSaveCreature});
+    }
+    void operator()(const SavePreserveFile& request) const {
+        self.subjects_.preserve.move_to(request.path);
+    }
     void operator()(const SaveExperimentFile& request) const {
         self.file_service_.save_experiment(request.path, self.subjects_.experiment.open().kept());
     }
@@ -123,7 +129,12 @@ struct FilesController::Receiver {
         feedback().log().write(event, {{"path", path.string()}});
     }
 
+    // A creature that is opened while the preserve is displayed joins it.
     void operator()(const CreatureLoaded& event) const {
+        if (self.subjects_.preserve.world_shown()) {
+            log("loaded", event.path);
+            return self.subjects_.preserve.add(event.document.creature.individual->genome);
+        }
         self.view_.newest_champion = false;
         self.show(event.document, ExhibitSource::kFile, event.path);
         self.subjects_.picking.yield_viewport();
@@ -152,6 +163,7 @@ struct FilesController::Receiver {
                     "The experiment left last time stays in {}; open it from the File menu.",
                     event.path.string()));
         }
+        self.subjects_.preserve.carry_out(ClosePreserve{});
         OpenedExperiment& opened = *event.experiment;
         const std::size_t generations = opened.saved.champions.size();
         experiment.go_on(std::move(opened.saved), std::move(opened.file), event.path);
@@ -165,9 +177,14 @@ struct FilesController::Receiver {
             fmt::format("The experiment is where it was left: {}. Press Evolve to go on.",
                         counted(generations, "generation")));
     }
+    void operator()(PreserveLoaded& event) const {
+        self.reopening_ = false;
+        self.subjects_.preserve.open(std::move(*event.world));
+        log("loaded", event.path);
+    }
     void operator()(const FileSaved& event) const {
         log("saved", event.path);
-        if (event.path.extension() == ".cambrian")
+        if (event.path.extension() == ".cambrian")  // an experiment
             self.subjects_.experiment.open().moved_to(event.path);
         feedback().tell(NoticeKind::kDone, "Saved " + event.path.string());
     }
@@ -246,6 +263,8 @@ std::string FilesController::suggested_name(FileTask task) const {
             return experiment.file().empty()
                        ? file_stem(experiment.editor().draft().goal) + ".cambrian"
                        : experiment.file().filename().string();
+        case FileTask::kSavePreserve:
+            return "pond.cambrian";
         case FileTask::kSaveSettings:
             return "experiment.toml";
         case FileTask::kSaveStatistics:

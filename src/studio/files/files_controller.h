@@ -7,6 +7,7 @@
 #include "studio/files/file_service.h"
 #include "studio/files/files_contract.h"
 #include "studio/hand_picking/picking_controller.h"
+#include "studio/preserve/preserve_controller.h"
 
 #include <filesystem>
 #include <optional>
@@ -19,6 +20,7 @@ struct FileSubjects {
     ExperimentController& experiment;
     GenerationsController& generations;
     PickingController& picking;
+    PreserveController& preserve;
 };
 
 // Requests for pictures that only the window can draw.

@@ -20,9 +20,14 @@ struct FrameContext {
     WindowView window = {};
     const PickingView* picking = nullptr;    // null unless the user selects by hand
     const MachinesView* machines = nullptr;  // null where nothing is evaluated
+    const PreserveView* preserve = nullptr;  // null while no preserve is open
+    PreserveCardView preserve_card = {};
 
     bool grid_shown() const { return picking != nullptr && !picking->single; }
+    bool world_shown() const { return preserve != nullptr && !preserve->single; }
     bool machines_told() const { return machines != nullptr && cluster_wanted(*machines); }
+    // Whether a line of text is shown along the bottom.
+    bool foot_shown() const { return preserve != nullptr || machines_told(); }
     std::string unit_of_goal() const {
         return goal_unit(experiment.snapshot.settings->goal, kinds.goals);
     }

@@ -10,6 +10,7 @@
 #include "studio/hand_picking/picking_contract.h"
 #include "studio/help/guide_contract.h"
 #include "studio/machines/machines_contract.h"
+#include "studio/preserve/preserve_contract.h"
 #include "studio/viewer/viewer_contract.h"
 
 #include <utility>
@@ -19,8 +20,8 @@
 namespace cambrian {
 
 using StudioRequest =
-    std::variant<ViewerRequest, ExperimentRequest, GenerationsRequest, PickingRequest, FilesRequest,
-                 GuideRequest, MachinesRequest, WindowRequest>;
+    std::variant<ViewerRequest, ExperimentRequest, GenerationsRequest, PickingRequest,
+                 PreserveRequest, FilesRequest, GuideRequest, MachinesRequest, WindowRequest>;
 
 class Requests {
 public:
@@ -28,6 +29,7 @@ public:
     void ask(ExperimentRequest request) { all_.emplace_back(std::move(request)); }
     void ask(GenerationsRequest request) { all_.emplace_back(std::move(request)); }
     void ask(PickingRequest request) { all_.emplace_back(std::move(request)); }
+    void ask(PreserveRequest request) { all_.emplace_back(std::move(request)); }
     void ask(FilesRequest request) { all_.emplace_back(std::move(request)); }
     void ask(GuideRequest request) { all_.emplace_back(std::move(request)); }
     void ask(MachinesRequest request) { all_.emplace_back(std::move(request)); }

@@ -26,6 +26,9 @@ when its generation has passed.
 Press `H` to [select by hand](hand_picking.md): click the creatures you like in the grid and press
 `Enter` to breed the next one from them. `Backspace` goes back; nothing is lost.
 
+Press `Ctrl+N` to begin a [preserve](preserve.md): a closed world in which creatures feed, breed and
+die by themselves.
+
 - The *?* in the corner of each panel opens its page: [settings](experiment.md),
   [viewport](viewport.md), [inspector](inspector.md), [timeline](timeline.md).
 - [Keys](keys.md) lists what the keyboard does. Everything of the first minute works without a

@@ -17,6 +17,13 @@
 #include "studio/panels/picking/picking_strip.h"
 #include "studio/panels/picking/picking_tree_panel.h"
 #include "studio/panels/picking/shelf_panel.h"
+#include "studio/panels/preserve/new_preserve_card.h"
+#include "studio/panels/preserve/preserve_panel.h"
+#include "studio/panels/preserve/resident_panel.h"
+#include "studio/panels/preserve/world_line.h"
+#include "studio/panels/preserve/world_panel.h"
+#include "studio/panels/preserve/world_plots.h"
+#include "studio/panels/preserve/world_strip.h"
 #include "studio/panels/viewport/transport_bar.h"
 #include "studio/panels/viewport/viewport_panel.h"
 
@@ -51,16 +58,28 @@ bool always(const FrameContext&) {
     return true;
 }
 bool evolving(const FrameContext& frame) {
-    return frame.picking == nullptr;
+    return frame.picking == nullptr && frame.preserve == nullptr;
 }
 bool picking(const FrameContext& frame) {
-    return frame.picking != nullptr;
+    return frame.picking != nullptr && frame.preserve == nullptr;
 }
 bool grid_shown(const FrameContext& frame) {
-    return frame.grid_shown();
+    return frame.grid_shown() && frame.preserve == nullptr;
 }
 bool creature_shown(const FrameContext& frame) {
-    return !frame.grid_shown();
+    return !frame.grid_shown() && !frame.world_shown();
+}
+bool no_preserve(const FrameContext& frame) {
+    return frame.preserve == nullptr;
+}
+bool preserve_open(const FrameContext& frame) {
+    return frame.preserve != nullptr;
+}
+bool world_shown(const FrameContext& frame) {
+    return frame.world_shown();
+}
+bool preserve_card_open(const FrameContext& frame) {
+    return frame.preserve_card.open;
 }
 bool files_open(const FrameContext& frame) {
     return frame.files.browser.open;
@@ -72,7 +91,7 @@ bool samples_open(const FrameContext& frame) {
     return frame.files.samples != nullptr && frame.files.samples->open;
 }
 bool machines_told(const FrameContext& frame) {
-    return frame.machines_told();
+    return frame.machines_told() && frame.preserve == nullptr;
 }
 bool machines_open(const FrameContext& frame) {
     return frame.machines != nullptr && frame.machines->card_open;
@@ -89,7 +108,7 @@ using enum PanelArea;
 // clang-format off
 const std::array kPanels = {
     PanelKind{"bar",           {kBar, 12, 10},                            always,         make<EvolveBar>},
-    PanelKind{"experiment",    {kLeft},                                   always,         make<ExperimentPanel>},
+    PanelKind{"experiment",    {kLeft},                                   no_preserve,    make<ExperimentPanel>},
     PanelKind{"picking grid",  {kCenter, 0, 0},                           grid_shown,     make<PickingGridPanel>},
     PanelKind{"picking strip", {kUnderCenter, 10, 8},                     grid_shown,     make<PickingStrip>},
     PanelKind{"picking",       {kRight},                                  grid_shown,     make<PickingPanel>},
@@ -100,8 +119,16 @@ const std::array kPanels = {
     PanelKind{"shelf place",   {kBottomRight},                            picking,        make<ShelfPanel>},
     PanelKind{"timeline",      {kBottomLeft, -1, -1, Place::kTimeline},   evolving,       make<TimelinePanel>},
     PanelKind{"population",    {kBottomRight, -1, -1, Place::kPopulation}, evolving,      make<PopulationPanel>},
+    PanelKind{"preserve",      {kLeft},                                   preserve_open,  make<PreservePanel>},
+    PanelKind{"world",         {kCenter, 0, 0},                           world_shown,    make<WorldPanel>},
+    PanelKind{"world strip",   {kUnderCenter, 10, 6},                     world_shown,    make<WorldStrip>},
+    PanelKind{"resident",      {kRight},                                  world_shown,    make<ResidentPanel>},
+    PanelKind{"world plots",   {kBottomLeft},                             preserve_open,  make<WorldPlotsPanel>},
+    PanelKind{"energy plot",   {kBottomRight},                            preserve_open,  make<EnergyPlotPanel>},
+    PanelKind{"world line",    {kUnderAll, 14, 4},                        preserve_open,  make<WorldLine>},
     PanelKind{"machines line", {kUnderAll, 14, 4},                        machines_told,  make<MachinesLine>},
     PanelKind{"files",         {kCard, 20, 18, {}, 10, centered<620, 560>}, files_open,   make<FilePanel>},
+    PanelKind{"new preserve",  {kCard, 20, 18, {}, 10, centered<480, 560>}, preserve_card_open, make<NewPreserveCard>},
     PanelKind{"help",          {kCard, 20, 18, {}, 10, centered<860, 640>}, help_open,    make<HelpPanel>},
     PanelKind{"samples",       {kCard, 20, 18, {}, 10, centered<780, 560>}, samples_open, make<SamplesPanel>},
     PanelKind{"machines",      {kCard, 20, 18, {}, 10, centered<860, 600>}, machines_open, make<MachinesPanel>},

@@ -1,7 +1,9 @@
 #include "studio/panels/bar/evolve_bar.h"
 
 #include "core/text/pretty_text.h"
+#include "studio/panels/bar/bar_reading.h"
 #include "studio/panels/bar/main_menu.h"
+#include "studio/panels/bar/preserve_bar.h"
 #include "studio/widgets/widgets.h"
 
 #include <fmt/core.h>
@@ -10,20 +12,6 @@
 
 namespace cambrian {
 namespace {
-
-// Draws a number with its name below it; returns the width used.
-float draw_reading(const ImVec2& at, const std::string& value, const std::string& name) {
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    Fonts& fonts = ui().fonts;
-    const float strong = 15.0F * ui().scale;
-    const float small = 13.0F * ui().scale;
-    list.AddText(fonts.strong, strong, at, paint(colors().text), value.c_str());
-    list.AddText(fonts.small, small, {at.x, at.y + px(17)}, paint(colors().muted), name.c_str());
-    const auto width = [](ImFont* font, float size, const std::string& text) {
-        return font->CalcTextSizeA(size, INFINITY, 0.0F, text.c_str()).x;
-    };
-    return std::fmax(width(fonts.strong, strong, value), width(fonts.small, small, name));
-}
 
 std::string done_words(const FrameContext& frame) {
     const ProgressView& progress = frame.experiment.progress;
@@ -50,7 +38,9 @@ void EvolveBar::draw(const FrameContext& frame, Requests& out) {
     draw_modes(frame, out);
     ImGui::SameLine(0, px(18));
     ImGui::SetCursorPosY(top);
-    if (frame.picking != nullptr) {
+    if (frame.preserve != nullptr) {
+        draw_preserve_bar(frame, out);
+    } else if (frame.picking != nullptr) {
         draw_breeding(frame, out);
         ImGui::SameLine(0, px(24));
         draw_picking(frame);
@@ -61,13 +51,17 @@ void EvolveBar::draw(const FrameContext& frame, Requests& out) {
     }
 }
 
-// Draws the choice between automatic evolution and selection by hand.
+// Draws the choice between automatic evolution, selection by hand and the preserve.
 void EvolveBar::draw_modes(const FrameContext& frame, Requests& out) {
-    const int chosen = frame.picking == nullptr ? 0 : 1;
+    const int chosen = frame.preserve != nullptr ? 2 : frame.picking != nullptr ? 1 : 0;
     const int pressed = segmented(
-        "mode", {"Automatic", "Hand-pick"}, chosen,
-        {"Fitness selects who breeds (H)", "You select who breeds, from a grid of creatures (H)"});
-    if (pressed >= 0 && pressed != chosen) out.ask(ToggleHandPicking{});
+        "mode", {"Automatic", "Hand-pick", "Preserve"}, chosen,
+        {"Fitness selects who breeds (H)", "You select who breeds, from a grid of creatures (H)",
+         "A closed world in which creatures feed, breed and die by themselves (Ctrl+N)"});
+    if (pressed < 0 || pressed == chosen) return;
+    if (pressed == 2) return out.ask(TogglePreserveCard{});
+    if (chosen == 2) out.ask(ClosePreserve{});
+    if (pressed == 1 || chosen == 1) out.ask(ToggleHandPicking{});
 }
 
 void EvolveBar::draw_breeding(const FrameContext& frame, Requests& out) {

@@ -11,12 +11,25 @@
 namespace cambrian {
 namespace {
 
+void draw_preserve_items(const FrameContext& frame, Requests& out) {
+    const bool open = frame.preserve != nullptr;
+    const bool kept = open && !frame.preserve->file.empty();
+    if (menu_item("New preserve…", "Ctrl+N")) out.ask(TogglePreserveCard{});
+    if (menu_item("Add creature to preserve…", "Ctrl+O", frame.world_shown()))
+        out.ask(OpenFilePanel{FileTask::kOpen});
+    if (menu_item("Keep preserve in another file…", "Ctrl+K", kept))
+        out.ask(OpenFilePanel{FileTask::kSavePreserve});
+    if (menu_item("Close preserve", "Ctrl+W", open)) out.ask(ClosePreserve{});
+}
+
 void draw_file_menu(const FrameContext& frame, Requests& out) {
     const bool any = !frame.viewer.playback.empty();
     if (menu_item("Open…", "Ctrl+O")) out.ask(OpenFilePanel{FileTask::kOpen});
     if (menu_item("Samples…", "Ctrl+Shift+O")) out.ask(ToggleSamples{});
     if (menu_item("Open the run before", nullptr, frame.experiment.previous_run))
         out.ask(OpenPreviousRun{});
+    ImGui::Separator();
+    draw_preserve_items(frame, out);
     ImGui::Separator();
     if (menu_item("Save creature…", "Ctrl+S", any)) out.ask(OpenFilePanel{FileTask::kSaveCreature});
     if (menu_item("Save experiment…", "Ctrl+K")) out.ask(OpenFilePanel{FileTask::kSaveExperiment});

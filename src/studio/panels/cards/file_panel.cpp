@@ -14,11 +14,13 @@ namespace {
 const char* title_of(FileTask task) {
     switch (task) {
         case FileTask::kOpen:
-            return "Open a creature, a card, an experiment or settings";
+            return "Open a creature, a card, an experiment, a preserve or settings";
         case FileTask::kSaveCreature:
             return "Save the creature on display";
         case FileTask::kSaveExperiment:
             return "Save the experiment";
+        case FileTask::kSavePreserve:
+            return "Keep the preserve in another file";
         case FileTask::kSaveSettings:
             break;
         case FileTask::kSaveStatistics:
@@ -167,6 +169,7 @@ void FilePanel::confirm(const FrameContext& frame, Requests& out) const {
     if (task == FileTask::kOpen) out.ask(LoadFile{path});
     if (task == FileTask::kSaveCreature) out.ask(SaveCreatureFile{path});
     if (task == FileTask::kSaveExperiment) out.ask(SaveExperimentFile{path});
+    if (task == FileTask::kSavePreserve) out.ask(SavePreserveFile{path});
     if (task == FileTask::kSaveSettings) out.ask(SaveSettingsFile{path});
     if (task == FileTask::kSaveStatistics) out.ask(SaveStatisticsFile{path});
     if (task == FileTask::kSavePlot) out.ask(SavePlotPicture{path, frame.files.browser.picture});

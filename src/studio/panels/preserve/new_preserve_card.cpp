@@ -1,0 +1,105 @@
+#include "studio/panels/preserve/new_preserve_card.h"
+
+#include "studio/panels/cards/card_title.h"
+#include "studio/widgets/panel_keys.h"
+#include "studio/widgets/widgets.h"
+
+#include <array>
+#include <optional>
+
+namespace cambrian {
+namespace {
+
+struct Choice {
+    std::optional<FounderChoice> founders;  // none: goes on with the last preserve
+    const char* label;
+    const char* help;
+};
+constexpr std::array kChoices = {
+    Choice{std::nullopt, "Go on with the last preserve", "It is where it was left"},
+    Choice{FounderChoice::kShown, "The creature on display", "Copies of it, until there are 40"},
+    Choice{FounderChoice::kStarred, "The starred creatures", "Those you marked with a star"},
+    Choice{FounderChoice::kPicked, "The picked creatures", "Those you picked by hand in the grid"},
+    Choice{FounderChoice::kSamples, "The swimmers among the samples",
+           "Evolved before; they reach food from the first minute"},
+    Choice{FounderChoice::kRandom, "Random creatures",
+           "Most starve; copies of founders come until some live by themselves"},
+};
+
+bool is_possible(std::optional<FounderChoice> founders, const PreserveCardView& card) {
+    if (!founders) return card.before;
+    switch (*founders) {
+        case FounderChoice::kShown:
+            return card.shown;
+        case FounderChoice::kStarred:
+            return card.starred > 0;
+        case FounderChoice::kPicked:
+            return card.picked > 0;
+        case FounderChoice::kSamples:
+        case FounderChoice::kRandom:
+            break;
+    }
+    return true;
+}
+
+}  // namespace
+
+void NewPreserveCard::draw(const FrameContext& frame, Requests& out) {
+    const PreserveCardView& card = frame.preserve_card;
+    move_by_keys(card);
+    if (card_title("New preserve", "Close the card", "preserve", out))
+        out.ask(TogglePreserveCard{});
+    muted_text(
+        "A closed world of water, 40 m by 25 m, that goes on by itself: creatures eat, bite, bear "
+        "children and die. Who begins it?");
+    ImGui::Dummy({0, px(4)});
+    for (std::size_t i = 0; i < kChoices.size(); ++i) {
+        if (draw_choice(i, is_possible(kChoices[i].founders, card))) chosen_ = i;
+    }
+    ImGui::Dummy({0, px(6)});
+    const bool possible = is_possible(kChoices[chosen_].founders, card);
+    const bool entered = possible && panel_key(ImGuiKey_Enter);
+    if (push_button("Begin", {.look = ButtonLook::kPrimary,
+                              .width = px(110),
+                              .height = px(34),
+                              .enabled = possible,
+                              .tooltip = "Enter"}) ||
+        entered)
+        out.ask(BeginPreserve{kChoices[chosen_].founders});
+}
+
+void NewPreserveCard::move_by_keys(const PreserveCardView& card) {
+    const std::size_t count = kChoices.size();
+    std::size_t step = 0;
+    if (panel_key(ImGuiKey_DownArrow)) step = 1;
+    if (panel_key(ImGuiKey_UpArrow)) step = count - 1;
+    if (step == 0) return;
+    do {
+        chosen_ = (chosen_ + step) % count;
+    } while (!is_possible(kChoices[chosen_].founders, card));
+}
+
+// Returns true when it was pressed.
+bool NewPreserveCard::draw_choice(std::size_t index, bool possible) {
+    const Choice& choice = kChoices[index];
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    const ImVec2 size = {ImGui::GetContentRegionAvail().x, px(46)};
+    const bool pressed = ImGui::InvisibleButton(choice.label, size) && possible;
+    note_place(choice.label);
+    const bool chosen = index == chosen_;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    Color back = colors().raised;
+    if (chosen) back = mix(colors().raised, colors().accent, 0.3F);
+    if (ImGui::IsItemHovered() && possible && !chosen) back = colors().hovered;
+    const float alpha = possible ? 1.0F : 0.45F;
+    list.AddRectFilled(low, {low.x + size.x, low.y + size.y}, paint(with_alpha(back, alpha)),
+                       px(6));
+    list.AddText({low.x + px(14), low.y + px(5)}, paint(with_alpha(colors().text, alpha)),
+                 choice.label);
+    list.AddText(ui().fonts.small, px(13), {low.x + px(14), low.y + px(25)},
+                 paint(with_alpha(colors().muted, alpha)),
+                 possible ? choice.help : "There are none");
+    return pressed;
+}
+
+}  // namespace cambrian

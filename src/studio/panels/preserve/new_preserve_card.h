@@ -1,0 +1,19 @@
+#pragma once
+
+#include "studio/frame/panel.h"
+
+namespace cambrian {
+
+// The card with which a preserve is begun.
+class NewPreserveCard final : public Panel {
+public:
+    void draw(const FrameContext& frame, Requests& out) override;
+
+private:
+    void move_by_keys(const PreserveCardView& card);
+    bool draw_choice(std::size_t index, bool possible);
+
+    std::size_t chosen_ = 4;  // index of the choice
+};
+
+}  // namespace cambrian

@@ -1,0 +1,204 @@
+#include "studio/panels/preserve/world_panel.h"
+
+#include "studio/frame/help_mark.h"
+#include "studio/panels/preserve/world_scene.h"
+#include "studio/preserve/world_words.h"
+#include "studio/widgets/panel_keys.h"
+#include "studio/widgets/widgets.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace cambrian {
+namespace {
+
+constexpr double kChaseLag = 0.25;     // s; time constant with which the camera follows
+constexpr double kWorldShare = 0.97;   // share of the viewport filled by the world
+constexpr float kHeadHeight = 44.0F;   // of the words above it, in units of 1/96 inch
+constexpr double kNotchFactor = 1.15;  // zoom factor per notch of the wheel
+constexpr double kPickPixels = 12.0;   // distance at which a click picks a creature
+constexpr float kPanStep = 60.0F;      // a press of an arrow key, in units of 1/96 inch
+
+void outlined_text(ImDrawList& list, const ImVec2& at, const Color& color,
+                   const std::string& text) {
+    const ImVec2 place = {std::round(at.x), std::round(at.y)};
+    list.AddText({place.x, place.y + 1.0F}, paint(with_alpha(colors().sky, 0.9F)), text.c_str());
+    list.AddText(place, paint(color), text.c_str());
+}
+
+}  // namespace
+
+void WorldPanel::draw(const FrameContext& frame, Requests& out) {
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const ImVec2 room = ImGui::GetContentRegionAvail();
+    canvas_.area = {at.x, at.y, room.x, room.y};
+    canvas_.framebuffer_height = frame.window.framebuffer_height;
+    size_ = {std::max(1.0, static_cast<double>(room.x)),
+             std::max(1.0, static_cast<double>(room.y))};
+    ImGui::InvisibleButton("world", {std::max(1.0F, room.x), std::max(1.0F, room.y)},
+                           ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
+                               ImGuiButtonFlags_MouseButtonMiddle);
+    note_place("world");
+    ImGui::SetItemAllowOverlap();
+    hovered_ = ImGui::IsItemHovered();
+    handle_wheel(frame);
+    handle_mouse(frame, out);
+    handle_keys(frame, out);
+    place_camera(frame);
+    aim(out);
+    canvas_.frame.clear();
+    add_world(canvas_.frame, colors(), canvas_.camera, size_, *frame.preserve);
+    const ResidentPicture* held = held_ == 0 ? nullptr : frame.preserve->picture.find(held_);
+    if (held != nullptr && ImGui::IsMouseDragging(ImGuiMouseButton_Left)) {
+        canvas_.frame.add_line(held->center.head<2>(), mouse_in_world(),
+                               2.0 * canvas_.camera.pixel(), colors().accent);
+    }
+    canvas_.add_to(*ImGui::GetWindowDrawList());
+    draw_labels(frame);
+    draw_words(frame);
+    ImGui::SetCursorScreenPos({at.x + room.x - px(34), at.y + px(10)});
+    help_mark("preserve", out);
+}
+
+Vec2 WorldPanel::mouse_in_world() const {
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    return canvas_.camera.to_world({static_cast<double>(mouse.x - canvas_.area.x),
+                                    static_cast<double>(mouse.y - canvas_.area.y)},
+                                   size_);
+}
+
+ImVec2 WorldPanel::on_screen(const Vec2& point) const {
+    const Vec2 at = canvas_.camera.to_screen(point, size_);
+    return {canvas_.area.x + static_cast<float>(at.x()),
+            canvas_.area.y + static_cast<float>(at.y())};
+}
+
+void WorldPanel::place_camera(const FrameContext& frame) {
+    const PreserveView& preserve = *frame.preserve;
+    Camera& camera = canvas_.camera;
+    if (std::exchange(fits_seen_, preserve.fits_asked) != preserve.fits_asked) {
+        const Vec2 corner(0.5 * preserve.picture.area.width, 0.5 * preserve.picture.area.height);
+        const auto words = static_cast<double>(px(kHeadHeight));
+        camera.fit({-corner, corner}, kWorldShare,
+                   {size_.width, std::max(1.0, size_.height - 2.0 * words)});
+    }
+    if (!preserve.follow || preserve.picked == nullptr) return;
+    camera.approach(preserve.picked->center.head<2>(),
+                    static_cast<double>(ImGui::GetIO().DeltaTime), kChaseLag);
+}
+
+void WorldPanel::handle_wheel(const FrameContext& frame) {
+    const ImGuiIO& io = ImGui::GetIO();
+    if (!hovered_ || io.MouseWheel == 0.0F) return;
+    const Vec2 middle(0.5 * size_.width, 0.5 * size_.height);
+    const Vec2 mouse(static_cast<double>(io.MousePos.x - canvas_.area.x),
+                     static_cast<double>(io.MousePos.y - canvas_.area.y));
+    canvas_.camera.zoom_about(frame.preserve->follow ? middle : mouse,
+                              std::pow(kNotchFactor, static_cast<double>(io.MouseWheel)), size_);
+}
+
+void WorldPanel::pan(const ImVec2& pixels, const FrameContext& frame, Requests& out) {
+    canvas_.camera.pan({static_cast<double>(pixels.x), static_cast<double>(pixels.y)});
+    if (frame.preserve->follow) out.ask(FollowPicked{});
+}
+
+void WorldPanel::handle_mouse(const FrameContext& frame, Requests& out) {
+    const bool dragged = ImGui::IsItemActive() && (ImGui::IsMouseDragging(ImGuiMouseButton_Right) ||
+                                                   ImGui::IsMouseDragging(ImGuiMouseButton_Middle));
+    const ImVec2 moved = ImGui::GetIO().MouseDelta;
+    if (dragged && (moved.x != 0.0F || moved.y != 0.0F)) pan(moved, frame, out);
+    const ImVec2 middle_drag = ImGui::GetMouseDragDelta(ImGuiMouseButton_Middle);
+    if (hovered_ && ImGui::IsMouseReleased(ImGuiMouseButton_Middle) && middle_drag.x == 0.0F &&
+        middle_drag.y == 0.0F) {
+        aim(out);
+        out.ask(FeedThere{});
+    }
+    handle_left_button(frame, out);
+}
+
+// A click picks what is under it, a drag moves a creature or, beginning in the water, the camera.
+void WorldPanel::handle_left_button(const FrameContext& frame, Requests& out) {
+    const PreservePicture& picture = frame.preserve->picture;
+    if (hovered_ && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
+        pressed_ = true;
+        held_ = resident_at(picture, mouse_in_world(), kPickPixels * canvas_.camera.pixel());
+        if (held_ != 0 || frame.preserve->picked != nullptr) out.ask(PickResident{held_});
+    }
+    if (!pressed_) return;
+    const bool dragging = ImGui::IsMouseDragging(ImGuiMouseButton_Left);
+    const ImVec2 moved = ImGui::GetIO().MouseDelta;
+    if (dragging && held_ == 0 && (moved.x != 0.0F || moved.y != 0.0F)) pan(moved, frame, out);
+    if (ImGui::IsMouseDown(ImGuiMouseButton_Left)) return;
+    const ImVec2 drag = ImGui::GetMouseDragDelta(ImGuiMouseButton_Left);
+    if (held_ != 0 && hovered_ && (drag.x != 0.0F || drag.y != 0.0F)) {
+        aim(out);
+        out.ask(MovePickedThere{});
+    }
+    pressed_ = false;
+    held_ = 0;
+}
+
+void WorldPanel::handle_keys(const FrameContext& frame, Requests& out) {
+    if (frame.files.browser.open || frame.guide.help_shown || frame.preserve_card.open) return;
+    const float step = px(kPanStep);
+    if (panel_key(ImGuiKey_LeftArrow)) pan({step, 0.0F}, frame, out);
+    if (panel_key(ImGuiKey_RightArrow)) pan({-step, 0.0F}, frame, out);
+    if (panel_key(ImGuiKey_UpArrow)) pan({0.0F, step}, frame, out);
+    if (panel_key(ImGuiKey_DownArrow)) pan({0.0F, -step}, frame, out);
+    const Vec2 middle(0.5 * size_.width, 0.5 * size_.height);
+    if (panel_key(ImGuiKey_PageUp)) canvas_.camera.zoom_about(middle, kNotchFactor, size_);
+    if (panel_key(ImGuiKey_PageDown)) canvas_.camera.zoom_about(middle, 1.0 / kNotchFactor, size_);
+}
+
+// Food and creatures arrive where the mouse points or, if it does not, in the middle of the view.
+void WorldPanel::aim(Requests& out) {
+    const Vec2 aimed = hovered_ ? mouse_in_world() : canvas_.camera.center;
+    if (aimed == aim_) return;
+    aim_ = aimed;
+    out.ask(AimAt{aimed.x(), aimed.y()});
+}
+
+void WorldPanel::draw_labels(const FrameContext& frame) {
+    const PreserveView& preserve = *frame.preserve;
+    const WithFont font(ui().fonts.small);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const auto label = [&](const ResidentPicture& resident, const Color& color) {
+        const ImVec2 center = on_screen(resident.center.head<2>());
+        const auto reach =
+            static_cast<float>(reach_of(resident) * canvas_.camera.pixels_per_metre) + px(16);
+        const std::string number = fmt::format("{}", resident.life.number);
+        const float width = ImGui::CalcTextSize(number.c_str()).x;
+        outlined_text(list, {center.x - 0.5F * width, center.y + reach}, color, number);
+    };
+    for (const std::uint64_t pin : preserve.pins) {
+        const ResidentPicture* pinned = preserve.picture.find(pin);
+        if (pinned != nullptr && !preserve.picked_is(pin)) label(*pinned, colors().text);
+    }
+    if (preserve.picked == nullptr || preserve.picked->life.died != 0) return;
+    label(*preserve.picked, colors().accent);
+}
+
+void WorldPanel::draw_words(const FrameContext& frame) const {
+    const PreserveView& preserve = *frame.preserve;
+    const ImVec2 corner = {canvas_.area.x + px(14), canvas_.area.y + px(12)};
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const std::string name =
+        preserve.file.empty() ? "A preserve that is not kept" : preserve.file.stem().string();
+    {
+        const WithFont font(ui().fonts.strong);
+        outlined_text(list, corner, colors().text, fit_text(name, canvas_.area.width - px(80)));
+    }
+    const WithFont font(ui().fonts.small);
+    std::string state = world_time(preserve.picture.tick);
+    if (preserve.opening) {
+        state = "Opening…";
+    } else if (!preserve.picture.playing) {
+        state += "  ·  paused, Space goes on";
+    }
+    outlined_text(list, {corner.x, corner.y + px(20)}, colors().muted, state);
+}
+
+}  // namespace cambrian

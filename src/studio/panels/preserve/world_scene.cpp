@@ -1,0 +1,170 @@
+#include "studio/panels/preserve/world_scene.h"
+
+#include "math/pose.h"
+#include "pictures/scene/scene_builder.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cambrian {
+namespace {
+
+// Scale from which joints and organs are drawn, in pixels per metre.
+constexpr double kDetailScale = 45.0;
+constexpr double kPlantRadius = 0.07;   // m
+constexpr double kLeastDot = 1.6;       // pixels
+constexpr double kMostFlesh = 0.35;     // m
+constexpr double kFleshOfJoule = 0.05;  // m; radius of 1 J
+constexpr double kWallPixels = 3.0;
+const Color kPlantColor = color_of(0x2FA36B);
+const Color kFleshColor = color_of(0xC8553D);
+
+// Paints what is beyond the walls, and the walls.
+void add_walls(SceneFrame& frame, const Palette& palette, const Camera& camera,
+               const Viewport& viewport, const WalledArea& area) {
+    const WorldWindow window = camera.window(viewport);
+    const double right = 0.5 * area.width;
+    const double top = 0.5 * area.height;
+    const double wall = kWallPixels * camera.pixel();
+    const auto fill = [&](double x0, double y0, double x1, double y1, const Color& color) {
+        const Vec2 low(std::max(x0, window.low.x() - wall), std::max(y0, window.low.y() - wall));
+        const Vec2 high(std::min(x1, window.high.x() + wall), std::min(y1, window.high.y() + wall));
+        if (low.x() < high.x() && low.y() < high.y())
+            frame.add_box(0.5 * (low + high), 0.5 * (high - low), color);
+    };
+    constexpr double kFar = 1e6;
+    fill(-kFar, -kFar, -right, kFar, palette.window);
+    fill(right, -kFar, kFar, kFar, palette.window);
+    fill(-right, top, right, kFar, palette.window);
+    fill(-right, -kFar, right, -top, palette.window);
+    fill(-right - wall, -top - wall, -right, top + wall, palette.ground_line);
+    fill(right, -top - wall, right + wall, top + wall, palette.ground_line);
+    fill(-right, top, right, top + wall, palette.ground_line);
+    fill(-right, -top - wall, right, -top, palette.ground_line);
+}
+
+double angle_of(const Rectangle& part) {
+    return std::atan2(part.axis.y(), part.axis.x());
+}
+
+Shape shape_of(const Rectangle& part) {
+    Shape shape;
+    shape.center = part.center.head<2>();
+    shape.half_extents = {part.half_length, part.half_width};
+    shape.angle = angle_of(part);
+    shape.radius = 0.45 * std::min(part.half_length, part.half_width);
+    return shape;
+}
+
+void add_simple_body(SceneFrame& frame, const Palette& palette, const Camera& camera,
+                     const ResidentPicture& resident, double hue) {
+    for (std::size_t i = resident.parts.size(); i-- > 0;) {
+        Shape shape = shape_of(resident.parts[i]);
+        shape.outline_width = std::max(camera.pixel(), 0.008);
+        shape.fill = part_color(resident.phenotype->parts[i], hue);
+        shape.outline =
+            resident.bitten ? palette.danger : mix(shape.fill, color_of(0x000000), 0.38F);
+        frame.shapes.push_back(shape);
+    }
+}
+
+void add_detailed_body(SceneFrame& frame, const Palette& palette, const Camera& camera,
+                       const ResidentPicture& resident, double hue) {
+    std::vector<Pose> poses;
+    std::vector<double> stretches;
+    for (std::size_t i = 0; i < resident.parts.size(); ++i) {
+        const Rectangle& part = resident.parts[i];
+        poses.push_back(planar_pose(part.center.x(), part.center.y(), angle_of(part)));
+        const double rest = resident.phenotype->plan.parts[i].half_extents.x();
+        stretches.push_back(std::log(part.half_length / rest));
+    }
+    add_creature(
+        frame, palette, camera,
+        {.phenotype = *resident.phenotype, .poses = poses, .hue = hue, .stretches = stretches});
+    if (!resident.bitten) return;
+    for (const Rectangle& part : resident.parts) {
+        Shape shape = shape_of(part);
+        shape.outline_width = 2.0 * camera.pixel();
+        shape.fill = with_alpha(palette.danger, 0.0F);
+        shape.outline = palette.danger;
+        frame.shapes.push_back(shape);
+    }
+}
+
+void add_food(SceneFrame& frame, const Camera& camera, const PreservePicture& picture) {
+    const double least = kLeastDot * camera.pixel();
+    for (const Pellet& plant : picture.plants)
+        frame.add_circle({plant.x, plant.y}, std::max(kPlantRadius, least), kPlantColor);
+    for (const Pellet& piece : picture.flesh) {
+        const double radius = kFleshOfJoule * std::sqrt(joules(piece.energy));
+        frame.add_circle({piece.x, piece.y}, std::clamp(radius, least, kMostFlesh), kFleshColor);
+    }
+}
+
+// Returns whether a creature may be in the view.
+bool in_view(const ResidentPicture& resident, const WorldWindow& window) {
+    const double reach = reach_of(resident);
+    const Vec2 center = resident.center.head<2>();
+    return center.x() + reach > window.low.x() && center.x() - reach < window.high.x() &&
+           center.y() + reach > window.low.y() && center.y() - reach < window.high.y();
+}
+
+void add_marks(SceneFrame& frame, const Palette& palette, const Camera& camera,
+               const PreserveView& preserve, const ResidentPicture& resident) {
+    const Vec2 center = resident.center.head<2>();
+    const double reach = reach_of(resident) + 5.0 * camera.pixel();
+    const double width = 2.0 * camera.pixel();
+    if (preserve.pins.contains(resident.life.number))
+        frame.add_ring(center, reach + 2.0 * width, width, palette.text);
+    if (!preserve.picked_is(resident.life.number)) return;
+    frame.add_ring(center, reach + 4.0 * width, 1.5 * width, palette.accent);
+}
+
+}  // namespace
+
+void add_world(SceneFrame& frame, const Palette& palette, const Camera& camera,
+               const Viewport& viewport, const PreserveView& preserve) {
+    const PreservePicture& picture = preserve.picture;
+    frame.background = palette.sky;
+    add_grid(frame, palette, camera, viewport);
+    add_walls(frame, palette, camera, viewport, picture.area);
+    add_food(frame, camera, picture);
+    const WorldWindow window = camera.window(viewport);
+    for (const ResidentPicture& each : picture.residents) {
+        if (!in_view(each, window)) continue;
+        const double hue = lineage_hue(each.life.lineage);
+        if (camera.pixels_per_metre < kDetailScale) {
+            add_simple_body(frame, palette, camera, each, hue);
+        } else {
+            add_detailed_body(frame, palette, camera, each, hue);
+        }
+        add_marks(frame, palette, camera, preserve, each);
+    }
+}
+
+double reach_of(const ResidentPicture& resident) {
+    double reach = 0.0;
+    for (const Rectangle& part : resident.parts) {
+        const double half = std::hypot(part.half_length, part.half_width);
+        reach = std::max(reach, (part.center - resident.center).norm() + half);
+    }
+    return reach;
+}
+
+std::uint64_t resident_at(const PreservePicture& picture, const Vec2& point, double reach) {
+    const Vec3 there(point.x(), point.y(), 0.0);
+    std::uint64_t nearest = 0;
+    double least = reach;
+    for (const ResidentPicture& each : picture.residents) {
+        double distance = (each.center - there).norm();
+        for (const Rectangle& part : each.parts) {
+            if (distance_to(part, there) == 0.0) distance = 0.0;
+        }
+        if (distance > least || (nearest != 0 && distance == least)) continue;
+        nearest = each.life.number;
+        least = distance;
+    }
+    return nearest;
+}
+
+}  // namespace cambrian

@@ -1,0 +1,96 @@
+#include "studio/preserve/open_preserve.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace cambrian {
+namespace {
+
+constexpr double kLogInterval = 0.5;  // s between two states in the log
+
+}  // namespace
+
+OpenPreserve::OpenPreserve(OpenedWorld opened, std::size_t workers)
+    : settings_(opened.start.preserve->settings()),
+      file_(std::move(opened.file)),
+      engine_(std::move(opened.start), workers),
+      picture_(engine_.latest()) {}
+
+void OpenPreserve::send(PreserveCommand command) {
+    unsent_.push_back(std::move(command));
+    send_waiting();
+}
+
+void OpenPreserve::send_waiting() {
+    while (!unsent_.empty() && engine_.send(unsent_.front()))
+        unsent_.pop_front();
+}
+
+void OpenPreserve::update(Feedback& feedback) {
+    send_waiting();
+    const auto before = std::exchange(picture_, engine_.latest());
+    if (before == picture_) return;
+    if (before->failure != picture_->failure && !picture_->failure.empty()) {
+        feedback.tell(NoticeKind::kProblem, "The preserve is paused: " + picture_->failure +
+                                                ". Press Play to try again.");
+    }
+    follow_picked(feedback);
+    tell_news(feedback);
+    log_state(feedback);
+}
+
+void OpenPreserve::pick(std::uint64_t number) {
+    const ResidentPicture* found = picture_->find(number);
+    if (found != nullptr) {
+        picked_ = *found;
+    } else {
+        picked_.reset();
+    }
+}
+
+void OpenPreserve::follow_picked(Feedback& feedback) {
+    if (!picked_ || picked_->life.died != 0) return;
+    const std::uint64_t number = picked_->life.number;
+    if (const ResidentPicture* found = picture_->find(number)) {
+        picked_ = *found;
+        return;
+    }
+    const auto& died = *picture_->died;
+    const auto dead = std::find_if(died.rbegin(), died.rend(),
+                                   [&](const Life& life) { return life.number == number; });
+    if (dead == died.rend()) return;
+    picked_->life = *dead;
+    picked_->store = 0.0;
+    feedback.log().write(
+        "died", {{"number", static_cast<double>(number)},
+                 {"cause", std::string(kDeathCauses[static_cast<std::size_t>(dead->cause)])}});
+}
+
+void OpenPreserve::tell_news(Feedback& feedback) {
+    for (const PreserveNews& news : picture_->news) {
+        if (news.id <= told_) continue;
+        told_ = news.id;
+        feedback.log().write("intervention", {{"what", news.what},
+                                              {"number", static_cast<double>(news.number)},
+                                              {"done", news.problem.empty()}});
+        if (!news.problem.empty()) feedback.tell(NoticeKind::kProblem, news.problem);
+        if (news.what == intervention::kAdd && news.problem.empty()) pick(news.number);
+    }
+}
+
+// Lets tests follow the world.
+void OpenPreserve::log_state(Feedback& feedback) {
+    if (picture_->playing && feedback.now() - logged_ < kLogInterval) return;
+    logged_ = feedback.now();
+    const auto real = [](auto number) { return static_cast<double>(number); };
+    feedback.log().write("world", {{"tick", real(picture_->tick)},
+                                   {"creatures", real(picture_->residents.size())},
+                                   {"plants", real(picture_->plants.size())},
+                                   {"playing", picture_->playing},
+                                   {"factor", picture_->factor},
+                                   {"picked", picked_ ? real(picked_->life.number) : 0.0},
+                                   {"x", picked_ ? picked_->center.x() : 0.0},
+                                   {"y", picked_ ? picked_->center.y() : 0.0}});
+}
+
+}  // namespace cambrian

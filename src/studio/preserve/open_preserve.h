@@ -1,0 +1,51 @@
+#pragma once
+
+// The open preserve: its thread, its newest picture, and the creature that was picked.
+
+#include "studio/background/feedback.h"
+#include "studio/preserve/opened_world.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+namespace cambrian {
+
+class OpenPreserve {
+public:
+    OpenPreserve(OpenedWorld opened, std::size_t workers);
+
+    // Sends a command to the thread, as soon as its inbox has room.
+    void send(PreserveCommand command);
+    // Must be called once a frame: reads the newest picture and writes its news to the log.
+    void update(Feedback& feedback);
+
+    // Never null.
+    const std::shared_ptr<const PreservePicture>& picture() const { return picture_; }
+    const SettingsPtr& settings() const { return settings_; }
+    const std::filesystem::path& file() const { return file_; }
+
+    void pick(std::uint64_t number);
+    // The picked creature as it was last seen; null if none is.
+    const ResidentPicture* picked() const { return picked_ ? &*picked_ : nullptr; }
+
+private:
+    void send_waiting();
+    void follow_picked(Feedback& feedback);
+    void tell_news(Feedback& feedback);
+    void log_state(Feedback& feedback);
+
+    SettingsPtr settings_;
+    std::filesystem::path file_;
+    PreserveEngine engine_;
+    std::deque<PreserveCommand> unsent_;  // commands that did not fit into the inbox
+    std::shared_ptr<const PreservePicture> picture_;
+    std::optional<ResidentPicture> picked_;
+    std::uint64_t told_ = 0;  // news of this id and before are told
+    double logged_ = -1.0;    // s; time of the last state in the log
+};
+
+}  // namespace cambrian

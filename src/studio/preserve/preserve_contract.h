@@ -1,0 +1,67 @@
+#pragma once
+
+// The requests that panels may make of a preserve. The data they see is in preserve_view.h.
+
+#include "preserve/engine/preserve_command.h"
+#include "studio/preserve/opened_world.h"
+#include "studio/preserve/preserve_view.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <variant>
+
+namespace cambrian {
+
+// Opens or closes the card with which a preserve is begun.
+struct TogglePreserveCard {};
+struct BeginPreserve {
+    std::optional<FounderChoice> founders;  // none: opens the last one that was begun here
+};
+// Returns to the experiment. The preserve remains in its file.
+struct ClosePreserve {};
+struct TogglePlay {};
+struct AskPreserve {
+    PreserveCommand command;
+};
+struct PickResident {
+    std::uint64_t number = 0;  // 0 for none
+};
+struct PickNext {
+    int steps = 1;  // among the living, in the order of numbers
+};
+struct FollowPicked {};  // or no longer
+struct PinPicked {};     // or unpin
+struct ShowPicked {};    // alone, in the viewer
+struct ShowWorld {};
+struct RemovePicked {};
+// Sets the place at which food and creatures arrive.
+struct AimAt {
+    double x = 0.0;  // m
+    double y = 0.0;
+};
+struct FeedThere {};
+struct MovePickedThere {};
+// Adds a copy of the creature on display.
+struct AddShown {};
+struct FitWorld {};
+// Goes on from a snapshot, in a file of its own.
+struct BranchFrom {
+    std::uint64_t tick = 0;
+};
+
+using PreserveRequest =
+    std::variant<TogglePreserveCard, BeginPreserve, ClosePreserve, TogglePlay, AskPreserve,
+                 PickResident, PickNext, FollowPicked, PinPicked, ShowPicked, ShowWorld,
+                 RemovePicked, AimAt, FeedThere, MovePickedThere, AddShown, FitWorld, BranchFrom>;
+
+// The card with which a preserve is begun.
+struct PreserveCardView {
+    bool open = false;
+    bool shown = false;       // whether a creature is on display
+    std::size_t starred = 0;  // creatures
+    std::size_t picked = 0;   // by hand
+    bool before = false;      // whether there is a preserve to continue
+};
+
+}  // namespace cambrian

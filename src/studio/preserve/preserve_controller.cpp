@@ -1,0 +1,272 @@
+#include "studio/preserve/preserve_controller.h"
+
+#include "picking/handover.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <random>
+#include <system_error>
+#include <utility>
+
+namespace cambrian {
+namespace {
+
+// Returns a name beside the file that tells where a branch begins, and that is not taken.
+std::filesystem::path branch_of(const std::filesystem::path& file, std::uint64_t tick) {
+    const std::string stem = fmt::format("{}-from-{}s", file.stem().string(), tick / 60);
+    std::filesystem::path path = file.parent_path() / (stem + ".cambrian");
+    std::error_code unknown;
+    for (int number = 2; std::filesystem::exists(path, unknown); ++number)
+        path = file.parent_path() / fmt::format("{}-{}.cambrian", stem, number);
+    return path;
+}
+
+// Returns no genomes for random creatures and samples, which are read later.
+std::vector<GenomePtr> genomes_of_choice(FounderChoice choice, const PreserveSubjects& subjects) {
+    const Playback& playback = subjects.viewer.playback();
+    if (choice == FounderChoice::kShown && !playback.empty()) return {playback.exhibit().genome()};
+    std::vector<GenomePtr> genomes;
+    if (choice == FounderChoice::kStarred) {
+        for (const JudgedIndividual& each : subjects.generations.facts().stars.all())
+            genomes.push_back(each.individual->genome);
+    }
+    const PickingView* grid = subjects.picking.facts();
+    if (choice == FounderChoice::kPicked && grid != nullptr && !grid->snapshot.tree.empty())
+        genomes = genomes_of(picked_creatures(grid->snapshot));
+    return genomes;
+}
+
+}  // namespace
+
+// Has one overload for each kind of request.
+struct PreserveController::Handler {
+    PreserveController& self;
+
+    const ResidentPicture* picked() const { return self.open_ ? self.open_->picked() : nullptr; }
+    void intervene(const char* what, std::uint64_t number) const {
+        self.send(
+            Intervene{{.what = what, .number = number, .x = self.aim_.x(), .y = self.aim_.y()}});
+    }
+
+    void operator()(const TogglePreserveCard&) const { self.card_open_ = !self.card_open_; }
+    void operator()(const BeginPreserve& request) const {
+        self.card_open_ = false;
+        if (request.founders) return self.begin(*request.founders);
+        self.close();
+        self.open_later([file = self.own_file_,
+                         &kinds = self.services_.kinds] { return open_world(file, kinds); },
+                        false);
+    }
+    void operator()(const ClosePreserve&) const {
+        if (self.on()) self.leave();
+    }
+    void operator()(const TogglePlay&) const {
+        if (self.on()) self.send(PlayPreserve{!self.picture_->playing});
+    }
+    void operator()(const AskPreserve& request) const { self.send(request.command); }
+    void operator()(const PickResident& request) const {
+        if (!self.open_) return;
+        self.open_->pick(request.number);
+        if (request.number == 0) self.follow_ = false;
+        self.services_.feedback.log().write("picked",
+                                            {{"number", static_cast<double>(request.number)}});
+    }
+    void operator()(const PickNext& request) const {
+        if (!self.open_ || self.picture_->residents.empty()) return;
+        const auto& all = self.picture_->residents;
+        const auto count = static_cast<std::int64_t>(all.size());
+        std::int64_t at = request.steps > 0 ? -1 : count;
+        for (std::int64_t i = 0; picked() != nullptr && i < count; ++i) {
+            if (all[static_cast<std::size_t>(i)].life.number <= picked()->life.number) at = i;
+        }
+        const std::int64_t next = (at + request.steps + count) % count;
+        (*this)(PickResident{all[static_cast<std::size_t>(next)].life.number});
+    }
+    void operator()(const FollowPicked&) const {
+        self.follow_ = !self.follow_ && picked() != nullptr;
+        self.services_.feedback.log().write("follow", {{"on", self.follow_}});
+    }
+    void operator()(const PinPicked&) const {
+        if (picked() == nullptr) return;
+        const std::uint64_t number = picked()->life.number;
+        if (self.pins_.erase(number) == 0) self.pins_.insert(number);
+    }
+    void operator()(const ShowPicked&) const { self.single_ = self.show_picked(); }
+    void operator()(const ShowWorld&) const { self.single_ = false; }
+    void operator()(const RemovePicked&) const {
+        if (picked() != nullptr) intervene(intervention::kRemove, picked()->life.number);
+    }
+    void operator()(const AimAt& request) const { self.aim_ = {request.x, request.y}; }
+    void operator()(const FeedThere&) const { intervene(intervention::kFeed, 0); }
+    void operator()(const MovePickedThere&) const {
+        if (picked() != nullptr) intervene(intervention::kMove, picked()->life.number);
+    }
+    void operator()(const AddShown&) const {
+        const Playback& playback = self.subjects_.viewer.playback();
+        if (!playback.empty()) self.add(playback.exhibit().genome());
+    }
+    void operator()(const FitWorld&) const {
+        self.follow_ = false;
+        ++self.fits_asked_;
+    }
+    void operator()(const BranchFrom& request) const {
+        if (!self.open_ || self.open_->file().empty()) return;
+        self.branch(request.tick, branch_of(self.open_->file(), request.tick));
+    }
+};
+
+PreserveController::PreserveController(const Services& services, const PreserveSubjects& subjects,
+                                       std::size_t workers)
+    : services_(services), subjects_(subjects), workers_(workers) {}
+
+void PreserveController::keep_in(const std::filesystem::path& folder) {
+    if (!folder.empty()) own_file_ = folder / "preserve.cambrian";
+}
+
+void PreserveController::update() {
+    if (open_) {
+        open_->update(services_.feedback);
+        picture_ = open_->picture();
+    }
+    facts_.reset();
+    if (!on()) return;
+    static const std::filesystem::path no_file;
+    const ResidentPicture* picked = open_ ? open_->picked() : nullptr;
+    if (picked == nullptr || picked->life.died != 0) follow_ = false;
+    facts_.emplace(PreserveView{.picture = *picture_,
+                                .file = open_ ? open_->file() : no_file,
+                                .picked = picked,
+                                .pins = pins_,
+                                .follow = follow_,
+                                .single = single_,
+                                .opening = open_ == nullptr,
+                                .fits_asked = fits_asked_});
+}
+
+void PreserveController::carry_out(const PreserveRequest& request) {
+    std::visit(Handler{*this}, request);
+}
+
+PreserveCardView PreserveController::card() const {
+    if (!card_open_) return {};
+    std::error_code unknown;
+    return {.open = true,
+            .shown = !subjects_.viewer.playback().empty(),
+            .starred = subjects_.generations.facts().stars.all().size(),
+            .picked = genomes_of_choice(FounderChoice::kPicked, subjects_).size(),
+            .before = !own_file_.empty() && std::filesystem::exists(own_file_, unknown)};
+}
+
+void PreserveController::send(PreserveCommand command) {
+    if (open_) open_->send(std::move(command));
+}
+
+void PreserveController::begin(FounderChoice choice) {
+    WorldPlan plan;
+    plan.settings = assets_ / "settings" / "pond.toml";
+    plan.choice = choice;
+    plan.founders = genomes_of_choice(choice, subjects_);
+    plan.samples = assets_ / "creatures";
+    plan.seed = std::random_device{}();
+    plan.file = own_file_;
+    const bool chosen = choice != FounderChoice::kRandom && choice != FounderChoice::kSamples;
+    if (chosen && plan.founders.empty()) {
+        return services_.feedback.tell(NoticeKind::kProblem,
+                                       "There are no such creatures to begin a preserve with.");
+    }
+    close();
+    open_later(
+        [plan = std::move(plan), &kinds = services_.kinds] { return begin_world(plan, kinds); },
+        true);
+}
+
+// Stops the thread in the background, since it may have to write first.
+void PreserveController::close() {
+    if (!open_) return;
+    services_.worker.submit([held = std::exchange(open_, nullptr)](const std::stop_token&) mutable {
+        held.reset();
+        return BackgroundWorker::Completion([] {});
+    });
+}
+
+void PreserveController::leave() {
+    close();
+    picture_.reset();
+    facts_.reset();
+    single_ = false;
+    subjects_.experiment.release(true);
+    services_.feedback.log().write("preserve", {{"on", false}});
+}
+
+void PreserveController::open_later(std::function<Result<OpenedWorld>()> make, bool play) {
+    services_.worker.submit([this, make = std::move(make), play](const std::stop_token&) {
+        auto made = std::make_shared<Result<OpenedWorld>>(make());
+        return BackgroundWorker::Completion([this, made, play] {
+            if (*made) {
+                open(std::move(**made));
+                if (play) send(PlayPreserve{true});
+                return;
+            }
+            services_.feedback.tell(NoticeKind::kProblem, made->error().message);
+            if (on() && !open_) leave();
+        });
+    });
+}
+
+void PreserveController::open(OpenedWorld opened) {
+    if (!on()) {
+        if (subjects_.picking.on()) subjects_.picking.carry_out(ToggleHandPicking{});
+        subjects_.experiment.suspend();
+    }
+    close();
+    const std::vector<std::string> warnings = std::move(opened.warnings);
+    open_ = std::make_shared<OpenPreserve>(std::move(opened), workers_);
+    picture_ = open_->picture();
+    pins_.clear();
+    single_ = false;
+    follow_ = false;
+    ++fits_asked_;
+    services_.feedback.log().write(
+        "preserve", {{"on", true},
+                     {"path", open_->file().string()},
+                     {"tick", static_cast<double>(picture_->tick)},
+                     {"creatures", static_cast<double>(picture_->residents.size())}});
+    if (!warnings.empty()) services_.feedback.tell(NoticeKind::kProblem, warnings.front());
+}
+
+void PreserveController::add(const GenomePtr& genome) {
+    send(Intervene{{.what = intervention::kAdd, .x = aim_.x(), .y = aim_.y(), .genome = genome}});
+}
+
+bool PreserveController::show_picked() {
+    if (!open_ || open_->picked() == nullptr) return false;
+    const ResidentPicture& picked = *open_->picked();
+    Exhibit exhibit{.creature = unjudged(picked.life.genome, open_->settings(), picked.life.method),
+                    .source = ExhibitSource::kPreserve,
+                    .title = fmt::format("Creature {}", picked.life.number)};
+    subjects_.viewer.show(std::move(exhibit));
+    return true;
+}
+
+void PreserveController::move_to(const std::filesystem::path& path) {
+    if (!open_) return;
+    if (open_->file().empty()) {
+        return services_.feedback.tell(
+            NoticeKind::kProblem,
+            "This preserve has no file to copy, since the studio keeps no state (--state-dir).");
+    }
+    branch(std::nullopt, path);
+}
+
+// The file is copied after the thread has ended, which writes all that is missing.
+void PreserveController::branch(std::optional<std::uint64_t> tick,
+                                const std::filesystem::path& to) {
+    const std::filesystem::path from = open_->file();
+    close();
+    open_later(
+        [from, tick, to, &kinds = services_.kinds] { return branch_world(from, tick, to, kinds); },
+        false);
+}
+
+}  // namespace cambrian

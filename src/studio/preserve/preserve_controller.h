@@ -1,0 +1,83 @@
+#pragma once
+
+// Owns the preserve as a mode of the studio: begins, opens and closes it, and carries out what the
+// user asks of it.
+
+#include "studio/experiment/generations_controller.h"
+#include "studio/hand_picking/picking_controller.h"
+#include "studio/preserve/open_preserve.h"
+#include "studio/preserve/preserve_contract.h"
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <set>
+#include <vector>
+
+namespace cambrian {
+
+// The controllers that the mode needs. All must outlive the preserve controller.
+struct PreserveSubjects {
+    ViewerController& viewer;
+    ExperimentController& experiment;
+    GenerationsController& generations;
+    PickingController& picking;
+};
+
+class PreserveController {
+public:
+    // `workers` threads compute a preserve. The references in `services` must outlive the
+    // controller.
+    PreserveController(const Services& services, const PreserveSubjects& subjects,
+                       std::size_t workers);
+
+    // Sets the folder of the sample creatures and of the sample settings.
+    void use_assets(const std::filesystem::path& folder) { assets_ = folder; }
+    // Keeps new preserves in this folder from now on; an empty path keeps them nowhere.
+    void keep_in(const std::filesystem::path& folder);
+
+    void update();  // must be called once a frame
+    void carry_out(const PreserveRequest& request);
+    // Null while no preserve is open.
+    const PreserveView* facts() const { return facts_ ? &*facts_ : nullptr; }
+    PreserveCardView card() const;
+
+    bool on() const { return picture_ != nullptr; }
+    // Whether the viewport displays the world rather than one creature.
+    bool world_shown() const { return on() && !single_; }
+    bool animating() const { return on() && (open_ == nullptr || picture_->playing); }
+
+    void open(OpenedWorld opened);
+    // Adds a creature where the user points.
+    void add(const GenomePtr& genome);
+    // Displays the picked creature in the viewer; returns false if there is none.
+    bool show_picked();
+    // Keeps the preserve in another file from now on.
+    void move_to(const std::filesystem::path& path);
+
+private:
+    struct Handler;
+    void send(PreserveCommand command);
+    void begin(FounderChoice choice);
+    void close();
+    void leave();
+    void branch(std::optional<std::uint64_t> tick, const std::filesystem::path& to);
+    void open_later(std::function<Result<OpenedWorld>()> make, bool play);
+
+    Services services_;
+    PreserveSubjects subjects_;
+    std::size_t workers_;
+    std::filesystem::path assets_;
+    std::filesystem::path own_file_;
+    std::shared_ptr<OpenPreserve> open_;  // null while another world is being read
+    std::shared_ptr<const PreservePicture> picture_;
+    std::set<std::uint64_t> pins_;
+    Vec2 aim_ = Vec2::Zero();  // m
+    bool follow_ = false;
+    bool single_ = false;
+    bool card_open_ = false;
+    unsigned fits_asked_ = 0;
+    std::optional<PreserveView> facts_;
+};
+
+}  // namespace cambrian

@@ -1,0 +1,41 @@
+#pragma once
+
+// What panels see of a preserve.
+
+#include "preserve/engine/preserve_picture.h"
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <set>
+
+namespace cambrian {
+
+// The speeds to choose from; kFullSpeed is the last one.
+inline constexpr std::array kPreservePaces = {0.1, 1.0, 4.0, 0.0};
+
+struct PreserveView {
+    const PreservePicture& picture;
+    const std::filesystem::path& file;  // empty if it is not kept
+    // The creature that was picked, alive or dead; null if none was. For a dead one it is as it
+    // was last seen.
+    const ResidentPicture* picked = nullptr;
+    const std::set<std::uint64_t>& pins;
+    bool follow = false;      // the camera follows the picked creature
+    bool single = false;      // the viewer shows one creature instead of the world
+    bool opening = false;     // another world is being read
+    unsigned fits_asked = 0;  // number of FitWorld requests so far
+
+    bool picked_is(std::uint64_t number) const {
+        return picked != nullptr && picked->life.number == number;
+    }
+};
+
+// Returns the hue of a lineage in turns; numbers that follow each other have hues far apart.
+inline double lineage_hue(std::uint64_t lineage) {
+    const double turns = 0.61803398875 * static_cast<double>(lineage % 100'000);
+    return turns - static_cast<double>(static_cast<std::uint64_t>(turns));
+}
+
+}  // namespace cambrian

@@ -1,0 +1,67 @@
+#include "studio/preserve/world_words.h"
+
+#include "core/text/counted.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <map>
+
+namespace cambrian {
+
+std::string world_time(std::uint64_t tick) {
+    const std::uint64_t seconds = tick / 60;
+    if (seconds < 3600) return fmt::format("{}:{:02}", seconds / 60, seconds % 60);
+    return fmt::format("{}:{:02}:{:02}", seconds / 3600, seconds / 60 % 60, seconds % 60);
+}
+
+std::string world_words(const PreservePicture& picture) {
+    const SeriesRow& now = picture.now;
+    const double all = now.light + now.plants + now.flesh + now.stores + now.bodies;
+    const auto percent = [all](double energy) { return all > 0.0 ? 100.0 * energy / all : 0.0; };
+    const std::string pace =
+        picture.playing ? fmt::format("{:.1f} × real time", picture.factor) : "paused";
+    return fmt::format(
+        "{} · {} · {} · energy: light {:.0f} % plants {:.0f} % flesh {:.0f} % stores {:.0f} % "
+        "bodies {:.0f} %",
+        counted(now.population, "creature"), counted(now.lineages, "lineage"), pace,
+        percent(now.light), percent(now.plants), percent(now.flesh), percent(now.stores),
+        percent(now.bodies));
+}
+
+std::string fate_words(const Life& life) {
+    const std::string when = world_time(life.died);
+    switch (life.cause) {
+        case DeathCause::kAlive:
+            break;
+        case DeathCause::kHunger:
+            return "died of hunger at " + when;
+        case DeathCause::kEaten:
+            return "was eaten at " + when;
+        case DeathCause::kBrokenPhysics:
+            return "died as its motion failed at " + when;
+        case DeathCause::kRemoved:
+            return "was removed at " + when;
+    }
+    return "alive";
+}
+
+std::vector<LineageCount> lineages_in(const PreservePicture& picture) {
+    std::map<std::uint64_t, LineageCount> counts;
+    for (const ResidentPicture& each : picture.residents) {
+        LineageCount& count = counts[each.life.lineage];
+        if (count.members++ == 0) {
+            count.number = each.life.lineage;
+            count.phenotype = each.phenotype;
+        }
+    }
+    std::vector<LineageCount> sorted;
+    for (auto& [number, count] : counts)
+        sorted.push_back(std::move(count));
+    std::stable_sort(
+        sorted.begin(), sorted.end(),
+        [](const LineageCount& a, const LineageCount& b) { return a.members > b.members; });
+    return sorted;
+}
+
+}  // namespace cambrian

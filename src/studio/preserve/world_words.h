@@ -1,0 +1,29 @@
+#pragma once
+
+// What panels say of a preserve.
+
+#include "preserve/engine/preserve_picture.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace cambrian {
+
+// Returns world time as "2:05" or "1:02:05".
+std::string world_time(std::uint64_t tick);
+// Returns "137 creatures · 4 lineages · 12.4 × real time · energy: light 41 % ...".
+std::string world_words(const PreservePicture& picture);
+// Returns "alive", or how it died: "died of hunger at 2:05".
+std::string fate_words(const Life& life);
+
+// A lineage and its living members.
+struct LineageCount {
+    std::uint64_t number = 0;
+    std::size_t members = 0;
+    std::shared_ptr<const Phenotype> phenotype;  // of its first member
+};
+// Returns the largest lineage first.
+std::vector<LineageCount> lineages_in(const PreservePicture& picture);
+
+}  // namespace cambrian

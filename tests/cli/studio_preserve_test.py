@@ -1,0 +1,105 @@
+"""The studio's preserve in a real X window: its first minute, with the mouse and with keys alone."""
+
+import pathlib
+import time
+import unittest
+
+from program import ROOT
+from studio_driver import StudioTest
+
+SWIMMER = ROOT / "assets" / "creatures" / "squid.creature.json"
+
+
+class StudioPreserve(StudioTest):
+    def begin(self, display):
+        """Begins a preserve with the samples that swim; returns the position after it in the log."""
+        self.start(display)
+        display.tool("key", "ctrl+n")
+        self.wait_for("place", name="Begin")
+        time.sleep(0.3)
+        self.press("Return")
+        begun, after = self.wait_for("preserve", on=True)
+        self.assertEqual(begun["creatures"], 40)
+        return after
+
+    def state(self, after, **wanted):
+        return self.wait_for("world", after=after, **wanted)
+
+    def test_the_first_minute_of_a_preserve(self):
+        display = self.open_display()
+        after = self.begin(display)
+        first, after = self.state(after, playing=True)
+        later, after = self.state(after, playing=True)
+        self.assertGreater(later["tick"], first["tick"])
+
+        self.press("Tab")
+        _, after = self.wait_for("picked", after=after, number=1)
+        first, after = self.state(after, picked=1)
+        later, after = self.state(after, picked=1)
+        self.assertNotEqual((first["x"], first["y"]), (later["x"], later["y"]))
+        self.click("Follow")
+        _, after = self.wait_for("follow", after=after, on=True)
+        self.assert_painted(display.picture("preserve-1280x800.png"))
+
+        self.press("space")
+        paused, after = self.state(after, playing=False)
+        self.press("e")
+        fed, after = self.wait_for("intervention", after=after, what="feed", done=True)
+        self.assertEqual(fed["number"], 10)
+        display.tool("key", "ctrl+o")
+        self.wait_for("place", name="file name", after=after)
+        time.sleep(0.5)
+        self.type_over(str(SWIMMER))
+        display.tool("key", "Return")
+        added, after = self.wait_for("intervention", after=after, what="add", done=True)
+        self.assertGreater(added["number"], 40)
+
+        saved = self.save_as("s", "found")
+        self.assertEqual(saved.name, "found.creature.json")
+        self.run_well("simulate", saved)
+        self.press("Delete")
+        _, after = self.wait_for("intervention", after=after, what="remove", done=True)
+        self.wait_for("died", after=after - 2, cause="removed")
+        self.quit()
+
+        kept = self.folder / "state" / "preserve.cambrian"
+        self.run_well("verify", kept)
+        self.start(display, kept)
+        opened, _ = self.wait_for("preserve", on=True)
+        self.assertGreaterEqual(opened["tick"], paused["tick"])
+        self.quit()
+
+    def test_a_preserve_goes_back_to_a_snapshot_and_is_kept_elsewhere(self):
+        display = self.open_display()
+        after = self.begin(display)
+        self.press("space")
+        _, after = self.state(after, playing=False)
+        self.click("go back")
+        self.click("back to 0:00")
+        branch, after = self.wait_for("preserve", after=after, on=True)
+        self.assertEqual(branch["tick"], 0)
+        self.assertEqual(pathlib.Path(branch["path"]).name, "preserve-from-0s.cambrian")
+        self.press("period")
+        _, after = self.state(after, tick=1)
+        display.tool("key", "ctrl+k")
+        self.wait_for("place", name="file name", after=after)
+        time.sleep(0.5)
+        self.type_over(str(self.folder / "mine"))
+        display.tool("key", "Return")
+        moved, after = self.wait_for("preserve", after=after, on=True)
+        self.assertEqual((moved["path"], moved["tick"]), (str(self.folder / "mine.cambrian"), 1))
+        display.tool("key", "ctrl+w")
+        _, after = self.wait_for("preserve", after=after, on=False)
+        display.tool("key", "ctrl+o")
+        time.sleep(1.0)
+        self.type_over("mine.cambrian")
+        display.tool("key", "Return")
+        opened, _ = self.wait_for("preserve", after=after, on=True)
+        self.assertEqual(opened["tick"], 1)
+        self.quit()
+        for name in ["state/preserve.cambrian", "state/preserve-from-0s.cambrian", "mine.cambrian"]:
+            self.run_well("verify", self.folder / name)
+
+
+if __name__ == "__main__":
+    unittest.main()
