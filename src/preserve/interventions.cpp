@@ -35,7 +35,7 @@ Result<std::uint64_t> Preserve::intervene(Intervention asked) {
     if (!std::isfinite(asked.x) || !std::isfinite(asked.y))
         return Error{"the place of an intervention is not finite"};
     asked.tick = tick_;
-    const Result<std::uint64_t> number = carry_out(asked);
+    Result<std::uint64_t> number = carry_out(asked);
     if (!number) return number;
     asked.number = *number;
     chronicle_.interventions.push_back(std::move(asked));

@@ -26,7 +26,7 @@ TOUR_STEPS = 5
 KEEPS_PICTURES = "CAMBRIAN_KEEP_LOOKS" in os.environ
 MOST_PAGES = 20  # pages of the experiment panel
 # Panels, backgrounds of controls, and parts of a row that has its own name.
-NOT_CONTROLS = ("panel ", "viewport", "tile ", "cell ", "shelf", "##")
+NOT_CONTROLS = ("panel ", "viewport", "world", "tile ", "cell ", "shelf", "##")
 
 
 def corners(place):
@@ -63,7 +63,7 @@ class StudioLook(StudioTest):
     def test_everything_looks_right_at_2560x1440_twice_as_large(self):
         self.look_at_everything(2560, 1440, 2, [self.look_at_window, self.look_at_menus,
                                                 self.look_at_cards, self.look_at_inspector,
-                                                self.look_at_hand_picking])
+                                                self.look_at_hand_picking, self.look_at_preserve])
 
     def look_at_everything(self, width, height, scale, looks=None, painted=False):
         """Pixels are painted at one size, and wherever pictures are kept."""
@@ -86,7 +86,7 @@ class StudioLook(StudioTest):
                 self.look_at_window, self.look_at_menus, self.look_at_experiment,
                 self.look_at_cards, self.look_at_inspector, self.look_at_timeline,
                 self.look_at_population, self.look_at_tour, self.look_at_overlays,
-                self.look_at_hand_picking]:
+                self.look_at_hand_picking, self.look_at_preserve]:
             look()
         self.quit()
         self.assertEqual(self.faults, [], "\n".join(self.faults))
@@ -225,6 +225,23 @@ class StudioLook(StudioTest):
         self.keys("v")
         self.look("hand-picking-viewed")
         self.keys("Escape", "h")
+
+    def look_at_preserve(self):
+        self.keys("ctrl+n")
+        self.look("preserve-card")
+        self.keys("Return")
+        _, after = self.wait_for("preserve", on=True)
+        self.look("preserve")
+        self.keys("Tab", "p", "space")
+        self.wait_for("world", after=after, playing=False)
+        self.look("preserve-picked")
+        self.tap("go back")
+        self.look("preserve-snapshots", pointed=True)
+        self.tap_nowhere()
+        self.keys("Home", "Tab", "v")
+        self.look("preserve-alone")
+        self.keys("Escape", "ctrl+w")
+        self.wait_for("preserve", on=False)
 
     def keys(self, *names):
         for name in names:

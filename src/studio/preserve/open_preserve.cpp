@@ -61,6 +61,8 @@ void OpenPreserve::follow_picked(Feedback& feedback) {
     if (dead == died.rend()) return;
     picked_->life = *dead;
     picked_->store = 0.0;
+    picked_->body = 0.0;
+    picked_->bitten = false;
     feedback.log().write(
         "died", {{"number", static_cast<double>(number)},
                  {"cause", std::string(kDeathCauses[static_cast<std::size_t>(dead->cause)])}});

@@ -111,6 +111,7 @@ void draw_file(const PreserveView& preserve, Requests& out) {
                      .tooltip = "Copies the preserve to another file and goes on there (Ctrl+K)"}))
         out.ask(OpenFilePanel{FileTask::kSavePreserve});
     ImGui::SameLine(0, px(6));
+    ImGui::SetCursorPosY(ImGui::GetCursorPosY() + px(2));
     draw_snapshots(preserve.picture, half, out);
 }
 

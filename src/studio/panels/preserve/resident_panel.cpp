@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <string>
+#include <string_view>
 
 namespace cambrian {
 namespace {
@@ -128,7 +129,7 @@ void draw_buttons(const PreserveView& preserve, bool alive, Requests& out) {
 struct Notable {
     const char* label;
     double (*number)(const ResidentPicture& each, std::uint64_t tick);
-    const char* unit;
+    const char* unit;  // s for a time
 };
 constexpr std::array kNotables = {
     Notable{"Eldest",
@@ -162,7 +163,8 @@ void draw_notables(const PreservePicture& picture, Requests& out) {
                                            });
         const double number = notable.number(*most, picture.tick);
         if (number <= 0.0) continue;
-        fact(notable.label, with_unit(number, notable.unit));
+        const bool is_time = std::string_view(notable.unit) == "s";
+        fact(notable.label, is_time ? pretty_time(number) : with_unit(number, notable.unit));
         ImGui::PushID(notable.label);
         if (push_button(fmt::format("Creature {}", most->life.number),
                         {.width = ImGui::GetContentRegionAvail().x, .height = px(26)}))

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kChaseLag = 0.25;     // s; time constant with which the camera follows
 constexpr double kWorldShare = 0.97;   // share of the viewport filled by the world
-constexpr float kHeadHeight = 44.0F;   // of the words above it, in units of 1/96 inch
+constexpr float kHeadHeight = 36.0F;   // of the words above it, in units of 1/96 inch
 constexpr double kNotchFactor = 1.15;  // zoom factor per notch of the wheel
 constexpr double kPickPixels = 12.0;   // distance at which a click picks a creature
 constexpr float kPanStep = 60.0F;      // a press of an arrow key, in units of 1/96 inch
@@ -183,22 +183,27 @@ void WorldPanel::draw_labels(const FrameContext& frame) {
 
 void WorldPanel::draw_words(const FrameContext& frame) const {
     const PreserveView& preserve = *frame.preserve;
-    const ImVec2 corner = {canvas_.area.x + px(14), canvas_.area.y + px(12)};
+    const ImVec2 corner = {canvas_.area.x + px(14), canvas_.area.y + px(10)};
+    const float room = canvas_.area.width - px(60);
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const std::string name =
         preserve.file.empty() ? "A preserve that is not kept" : preserve.file.stem().string();
-    {
-        const WithFont font(ui().fonts.strong);
-        outlined_text(list, corner, colors().text, fit_text(name, canvas_.area.width - px(80)));
-    }
-    const WithFont font(ui().fonts.small);
     std::string state = world_time(preserve.picture.tick);
     if (preserve.opening) {
-        state = "Opening…";
+        state = "opening…";
     } else if (!preserve.picture.playing) {
         state += "  ·  paused, Space goes on";
     }
-    outlined_text(list, {corner.x, corner.y + px(20)}, colors().muted, state);
+    float named = 0.0F;
+    {
+        const WithFont font(ui().fonts.strong);
+        const std::string shown = fit_text(name, 0.5F * room);
+        named = ImGui::CalcTextSize(shown.c_str()).x + px(14);
+        outlined_text(list, corner, colors().text, shown);
+    }
+    const WithFont font(ui().fonts.small);
+    outlined_text(list, {corner.x + named, corner.y + px(2)}, colors().muted,
+                  fit_text(state, room - named));
 }
 
 }  // namespace cambrian

@@ -46,18 +46,18 @@ double member(const SeriesRow& row) {
 const std::array<WorldPlot, 5>& world_plots() {
     static const std::array<WorldPlot, 5> plots = {
         WorldPlot{"Population",
-                  "Creatures alive, over minutes of the world's time",
+                  "Creatures alive",
                   {{"creatures", kGreen, member<&SeriesRow::population>}}},
         WorldPlot{"Lineages",
                   "Lineages with living members",
                   {{"lineages", kBlue, member<&SeriesRow::lineages>}}},
         WorldPlot{"Births",
-                  "Births and arrivals in each 10 s",
+                  "Arrivals in 10 s",
                   {{"births", kGreen, member<&SeriesRow::births>},
                    {"stillborn", kPink, member<&SeriesRow::stillborn>},
                    {"restocked", kBlue, member<&SeriesRow::restocked>}}},
         WorldPlot{"Deaths",
-                  "Deaths in each 10 s, by their cause",
+                  "Deaths in 10 s, by cause",
                   {{"hunger", kOrange, member<&SeriesRow::hunger>},
                    {"eaten", kRed, member<&SeriesRow::eaten>},
                    {"broken physics", kPink, member<&SeriesRow::broken_physics>}}},
@@ -181,7 +181,7 @@ void WorldPlotsPanel::draw(const FrameContext& frame, Requests& out) {
 void EnergyPlotPanel::draw(const FrameContext& frame, Requests& out) {
     const std::vector<SeriesRow>& rows = *frame.preserve->picture.series;
     place_title("Energy", "preserve", out);
-    caption("Shares in %, over minutes of the world's time");
+    caption("Shares in %");
     draw_legend(energy_pools());
     const Rect area = plot_area();
     if (!can_draw(area, rows.size())) return;
