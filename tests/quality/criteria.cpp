@@ -40,11 +40,15 @@ Criterion fight(const std::vector<RunResult>& runs, const Duel& duel) {
     const auto ours = scores_of(runs_of(runs, duel.plan, duel.goal, duel.arm));
     const auto theirs = scores_of(runs_of(runs, duel.plan, duel.goal, duel.against));
     if (ours.empty() || theirs.empty()) return {duel.id, asked, {}, Finding::kNotRun};
-    const double ratio = median(ours) / median(theirs);
+    // Scores of seekers may be negative; a positive median is any number of times such a one.
+    const bool comparable = median(theirs) > 0.0;
+    const double ratio = comparable           ? median(ours) / median(theirs)
+                         : median(ours) > 0.0 ? 1e6
+                                              : 0.0;
     const RankTest comparison = mann_whitney(ours, theirs);
     const std::string found = rounded(median(ours)) + " against " + rounded(median(theirs)) +
-                              ": ratio " + rounded(ratio) + ", p " + rounded(comparison.p) +
-                              ", effect " + rounded(comparison.effect);
+                              (comparable ? ": ratio " + rounded(ratio) : "") + ", p " +
+                              rounded(comparison.p) + ", effect " + rounded(comparison.effect);
     return judged(duel.id, asked, found,
                   ratio >= duel.least_ratio && (duel.most_p >= 1.0 || comparison.p < duel.most_p));
 }
@@ -190,6 +194,11 @@ std::vector<Criterion> long_criteria(const std::vector<RunResult>& runs) {
     for (const char* goal : kGoals)
         criteria.push_back(fight(runs, {"L", "long", goal, kEvolution, kRandomSearch, 3, 1}));
     return criteria;
+}
+
+std::vector<Criterion> seeking_criteria(const std::vector<RunResult>& runs) {
+    return {fight(runs, {"S1", "seeking", kSeeking, kEvolution, kRandomSearch, 2, 0.01}),
+            fight(runs, {"S2", "seeking", kSeeking, kEvolution, kBlind, 1.5, 0.01})};
 }
 
 std::vector<Criterion> quick_criteria(const std::vector<RunResult>& runs) {

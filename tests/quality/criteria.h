@@ -20,6 +20,7 @@ struct Criterion {
 
 std::vector<Criterion> standard_criteria(const std::vector<RunResult>& runs);
 std::vector<Criterion> long_criteria(const std::vector<RunResult>& runs);
+std::vector<Criterion> seeking_criteria(const std::vector<RunResult>& runs);
 std::vector<Criterion> quick_criteria(const std::vector<RunResult>& runs);
 
 // Returns the runs of one arm, ordered by seed.

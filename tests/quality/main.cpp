@@ -111,7 +111,7 @@ int write_report(const Options& options) {
     for (const auto& [plan, title, criteria] :
          {std::tuple{"standard", "3000 evaluations", standard_criteria(*runs)},
           std::tuple{"long", "20 000 evaluations", long_criteria(*runs)},
-          std::tuple{"seeking", "Seeking a light", std::vector<Criterion>()}}) {
+          std::tuple{"seeking", "Seeking a light", seeking_criteria(*runs)}}) {
         page += "\n## " + std::string(title) + "\n\n";
         if (!criteria.empty()) page += criteria_table(criteria);
         page += arm_tables(*runs, plan);
