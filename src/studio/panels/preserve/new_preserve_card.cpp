@@ -98,7 +98,7 @@ bool NewPreserveCard::draw_choice(std::size_t index, bool possible) {
                  choice.label);
     list.AddText(ui().fonts.small, px(13), {low.x + px(14), low.y + px(25)},
                  paint(with_alpha(colors().muted, alpha)),
-                 possible ? choice.help : "There are none");
+                 possible ? choice.help : "There is none yet");
     return pressed;
 }
 

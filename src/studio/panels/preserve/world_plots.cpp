@@ -159,6 +159,7 @@ void WorldPlotsPanel::draw(const FrameContext& frame, Requests& out) {
     const int pressed = segmented("world plot", titles, static_cast<int>(chosen_), hints);
     if (pressed >= 0) chosen_ = static_cast<std::size_t>(pressed);
     const WorldPlot& plot = plots[chosen_];
+    ImGui::Dummy({0, px(1)});
     caption(plot.help);
     draw_legend(plot.curves);
     const Rect area = plot_area();

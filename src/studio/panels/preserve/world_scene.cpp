@@ -35,8 +35,8 @@ void add_walls(SceneFrame& frame, const Palette& palette, const Camera& camera,
     constexpr double kFar = 1e6;
     fill(-kFar, -kFar, -right, kFar, palette.window);
     fill(right, -kFar, kFar, kFar, palette.window);
-    fill(-right, top, right, kFar, palette.window);
-    fill(-right, -kFar, right, -top, palette.window);
+    fill(-kFar, top, kFar, kFar, palette.window);
+    fill(-kFar, -kFar, kFar, -top, palette.window);
     fill(-right - wall, -top - wall, -right, top + wall, palette.ground_line);
     fill(right, -top - wall, right + wall, top + wall, palette.ground_line);
     fill(-right, top, right, top + wall, palette.ground_line);
