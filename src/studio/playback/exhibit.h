@@ -16,7 +16,14 @@
 namespace cambrian {
 
 // The place from which the displayed creature was taken.
-enum class ExhibitSource : std::uint8_t { kSample, kFile, kChampion, kPopulation, kHandPicked, kPreserve };
+enum class ExhibitSource : std::uint8_t {
+    kSample,
+    kFile,
+    kChampion,
+    kPopulation,
+    kHandPicked,
+    kPreserve
+};
 
 // A creature on display, with the settings that evaluate it and where it was taken from.
 struct Exhibit {
