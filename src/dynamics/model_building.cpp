@@ -180,11 +180,11 @@ private:
     Status plant_trees() {
         for (int i = 0; i < model_.part_count; ++i) {
             if (part(i).parent >= 0) continue;
-            if (model_.tree_count == kMaxTrees)
-                return Error{fmt::format("body plan: over {} separate bodies", kMaxTrees)};
+            if (model_.tree_count == kMostPlannedTrees)
+                return Error{fmt::format("body plan: over {} separate bodies", kMostPlannedTrees)};
             model_.tree_begin[model_.tree_count++] = model_.body_count;
             if (!visit(i, -1))
-                return Error{fmt::format("body plan: over {} moving bodies", kMaxBodies)};
+                return Error{fmt::format("body plan: over {} moving bodies", kMostPlannedBodies)};
             model_.tree_begin[model_.tree_count] = model_.body_count;
         }
         return {};
@@ -201,9 +201,9 @@ private:
         leader_[slot] = index;
         model_.parent[slot] = parent;
         if (parent >= 0) model_.parent_slot[slot] = parent;
-        const std::uint32_t path = parent < 0 ? 0 : model_.root_path[parent];
-        if (parent < 0) model_.roots |= std::uint32_t{1} << slot;
-        model_.root_path[slot] = path | (std::uint32_t{1} << slot);
+        const BodySet path = parent < 0 ? 0 : model_.root_path[parent];
+        if (parent < 0) model_.roots |= BodySet{1} << slot;
+        model_.root_path[slot] = path | (BodySet{1} << slot);
         return slot;
     }
 
@@ -212,7 +212,7 @@ private:
     bool visit(int index, int parent_body) {
         int body = parent_body;
         if (!is_welded(index, parent_body)) {
-            if (model_.body_count + (deforms(index) ? 2 : 1) > kMaxBodies) return false;
+            if (model_.body_count + (deforms(index) ? 2 : 1) > kMostPlannedBodies) return false;
             body = add_slot(index, parent_body);
             if (deforms(index)) {
                 const int slot = add_slot(index, body);

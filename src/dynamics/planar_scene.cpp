@@ -1,11 +1,11 @@
 #include "core/assert.h"
 #include "core/text/nearest_name.h"
 #include "dynamics/integrators/builtin_integrators.h"
+#include "dynamics/island/joined_scenes.h"
 #include "dynamics/model/stretching.h"
 #include "dynamics/model_building.h"
 #include "dynamics/scene_copies.h"
 #include "dynamics/stepping/audit.h"
-#include "dynamics/stepping/step_control.h"
 #include "math/angle.h"
 
 #include <fmt/core.h>
@@ -32,28 +32,31 @@ Medium medium_of(const Environment& environment) {
             environment.viscosity_linear, environment.viscosity_quadratic};
 }
 
-struct StepWorkspace final : SceneWorkspace {
-    StepWorkspace(const IntegratorKind& integrator, const SceneSettings& settings)
-        : control(integrator, settings) {}
-    StepControl control;
+// The moment to which go_back() goes, and the forces during the next tick.
+struct Mark {
+    SceneMoment moment;
+    int pull_count = 0;
+    HeldForce pulls[kMostPulls];
 };
 
-class PlanarScene final : public PhysicsScene {
+class PlanarScene final : public BodyScene {
 public:
-    PlanarScene(PlanarModel model, const Environment& environment, const SceneSettings& settings,
+    PlanarScene(PlanarModel&& model, const Environment& environment, const SceneSettings& settings,
                 const IntegratorKind& integrator)
-        : model_(std::move(model)),
+        : body_(std::move(model)),
           motor_frequency_(settings.motor_frequency),
           workspace_(std::make_unique<StepWorkspace>(integrator, settings)) {
-        forcing_.drive.frequency = motor_frequency_;
-        forcing_.drive.speed_limit = settings.motor_speed_limit;
-        state_.motion = rest_motion(model_);
+        body_.forcing.drive.frequency = motor_frequency_;
+        body_.forcing.drive.speed_limit = settings.motor_speed_limit;
+        body_.state.motion = rest_motion(body_.model);
         use_environment(environment);
         evaluate_here();
-        start_audit(model_, forcing_.medium, state_);
+        start_audit(body_.model, body_.forcing.medium, body_.state);
     }
 
-    std::size_t part_count() const override { return static_cast<std::size_t>(model_.part_count); }
+    std::size_t part_count() const override {
+        return static_cast<std::size_t>(body_.model.part_count);
+    }
     Pose part_pose(std::size_t part) const override;
     Vec3 part_center(std::size_t part) const override;
     Vec3 part_axis(std::size_t part) const override;
@@ -68,11 +71,13 @@ public:
     bool face_touched(std::size_t part, Face face) const override;
     Vec3 part_specific_force(std::size_t part) const override;
     double part_load(std::size_t part) const override;
-    double mass() const override { return model_.total_mass; }
-    Vec3 center_of_mass() const override { return mean_of_trees(state_.motion.position); }
-    Vec3 center_of_mass_velocity() const override { return mean_of_trees(state_.motion.speed); }
+    double mass() const override { return body_.model.total_mass; }
+    Vec3 center_of_mass() const override { return mean_of_trees(body_.state.motion.position); }
+    Vec3 center_of_mass_velocity() const override {
+        return mean_of_trees(body_.state.motion.speed);
+    }
     double kinetic_energy() const override {
-        return cambrian::kinetic_energy(model_, state_.cache().kinematics);
+        return cambrian::kinetic_energy(body_.model, body_.state.cache().kinematics);
     }
     Bounds bounds() const override;
 
@@ -80,14 +85,20 @@ public:
     double target(std::size_t part) const override;
     void set_stretch_target(std::size_t part, double target) override;
     SceneStatus advance(double duration) override;
-    SceneStatus status() const override { return state_.status; }
-    double time() const override { return state_.time; }
+    SceneStatus status() const override { return body_.state.status; }
+    double time() const override { return body_.state.time; }
     void set_environment(const Environment& environment) override;
     void set_motors_off(bool off) override;
     void translate(const Vec3& offset) override;
     void pull(std::size_t part, const Vec3& point_in_part, const Vec3& force) override;
+    SceneSize size() const override {
+        return {body_.model.body_count, body_.model.tree_count, body_.model.part_count};
+    }
+    void mark() override;
+    void go_back() override;
+    SceneBody& body() override { return body_; }
     std::unique_ptr<SceneState> save() const override {
-        return std::make_unique<SavedState>(state_, environment_, motors_off_);
+        return std::make_unique<SavedState>(body_.state, environment_, body_.motors_off);
     }
     void restore(const SceneState& state) override;
     std::unique_ptr<SceneWorkspace> take_workspace() override { return std::move(workspace_); }
@@ -95,10 +106,11 @@ public:
     SceneMotion motion() const override;
     bool begin_at(const SceneMotion& motion) override;
     double energy() const override {
-        return mechanical_energy(model_, forcing_.medium, state_.motion, state_.cache().kinematics);
+        return mechanical_energy(body_.model, body_.forcing.medium, body_.state.motion,
+                                 body_.state.cache().kinematics);
     }
-    const SceneAudit& audit() const override { return state_.audit; }
-    void restart_audit() override { start_audit(model_, forcing_.medium, state_); }
+    const SceneAudit& audit() const override { return body_.state.audit; }
+    void restart_audit() override { start_audit(body_.model, body_.forcing.medium, body_.state); }
     void list_contacts(std::vector<SceneContact>& contacts) const override;
     void list_impacts(std::vector<SceneImpact>& impacts) const override;
     void add_to_digest(Hash64& digest) const override;
@@ -109,14 +121,14 @@ private:
     int joint_of(std::size_t part) const {
         const int b = body_of(part);
         const bool is_joined =
-            model_.parent[b] >= 0 && model_.joint_part[b] == static_cast<int>(part);
-        return is_joined && model_.motion[b] != JointMotion::kFixed ? b : -1;
+            body_.model.parent[b] >= 0 && body_.model.joint_part[b] == static_cast<int>(part);
+        return is_joined && body_.model.motion[b] != JointMotion::kFixed ? b : -1;
     }
-    int stretch_of(std::size_t part) const { return model_.stretch_slot[body_of(part)]; }
+    int stretch_of(std::size_t part) const { return body_.model.stretch_slot[body_of(part)]; }
     void set_slot_target(int slot, double target);
     int body_of(std::size_t part) const {
         CAMBRIAN_ASSERT(part < part_count(), "part index in range");
-        return model_.part_body[part];
+        return body_.model.part_body[part];
     }
     // World offset of a point of a part from its body's centre of mass.
     Vec2 arm_of(std::size_t part, double x, double y) const;
@@ -124,32 +136,29 @@ private:
     double energy_under(const Environment& environment) const;
     void evaluate_here();
 
-    PlanarModel model_;
+    SceneBody body_;
     double motor_frequency_;
-    bool motors_off_ = false;
     Environment environment_;
-    ContactLaw law_;
-    Forcing forcing_;
     std::unique_ptr<StepWorkspace> workspace_;
-    SimulationState state_;
+    std::unique_ptr<Mark> mark_;
 };
 
 Vec2 PlanarScene::arm_of(std::size_t part, double x, double y) const {
     const int b = body_of(part);
-    const Kinematics& k = state_.cache().kinematics;
-    const double body_x =
-        model_.part_x[part] + model_.part_cosine[part] * x - model_.part_sine[part] * y;
-    const double body_y =
-        model_.part_y[part] + model_.part_sine[part] * x + model_.part_cosine[part] * y;
+    const Kinematics& k = body_.state.cache().kinematics;
+    const double body_x = body_.model.part_x[part] + body_.model.part_cosine[part] * x -
+                          body_.model.part_sine[part] * y;
+    const double body_y = body_.model.part_y[part] + body_.model.part_sine[part] * x +
+                          body_.model.part_cosine[part] * y;
     const Simd2d arm = material_arm(k, b, body_x, body_y);
     return {arm[0], arm[1]};
 }
 
 Vec3 PlanarScene::mean_of_trees(const PerCoordinate& coordinates) const {
     Vec3 mean = Vec3::Zero();
-    for (int t = 0; t < model_.tree_count; ++t) {
-        const int center = center_of(model_, t);
-        const double share = model_.tree_mass[t] / model_.total_mass;
+    for (int t = 0; t < body_.model.tree_count; ++t) {
+        const int center = center_of(body_.model, t);
+        const double share = body_.model.tree_mass[t] / body_.model.total_mass;
         mean += share * Vec3(coordinates[center], coordinates[center + 1], 0.0);
     }
     return mean;
@@ -157,28 +166,29 @@ Vec3 PlanarScene::mean_of_trees(const PerCoordinate& coordinates) const {
 
 Pose PlanarScene::part_pose(std::size_t part) const {
     const Vec3 center = part_center(part);
-    const double angle = state_.cache().kinematics.angle[body_of(part)] + model_.part_angle[part];
+    const double angle =
+        body_.state.cache().kinematics.angle[body_of(part)] + body_.model.part_angle[part];
     return planar_pose(center.x(), center.y(), angle);
 }
 
 Vec3 PlanarScene::part_center(std::size_t part) const {
     const int b = body_of(part);
-    const Kinematics& k = state_.cache().kinematics;
+    const Kinematics& k = body_.state.cache().kinematics;
     const Vec2 arm = arm_of(part, 0.0, 0.0);
     return {k.x[b] + arm.x(), k.y[b] + arm.y(), 0.0};
 }
 
 Vec3 PlanarScene::part_axis(std::size_t part) const {
     const int b = body_of(part);
-    const Kinematics& k = state_.cache().kinematics;
-    const double cosine = model_.part_cosine[part];
-    const double sine = model_.part_sine[part];
+    const Kinematics& k = body_.state.cache().kinematics;
+    const double cosine = body_.model.part_cosine[part];
+    const double sine = body_.model.part_sine[part];
     return {k.cosine[b] * cosine - k.sine[b] * sine, k.sine[b] * cosine + k.cosine[b] * sine, 0.0};
 }
 
 Twist PlanarScene::part_twist(std::size_t part) const {
     const int b = body_of(part);
-    const Kinematics& k = state_.cache().kinematics;
+    const Kinematics& k = body_.state.cache().kinematics;
     const Vec2 arm = arm_of(part, 0.0, 0.0);
     return {Vec3(k.velocity_x[b] - k.spin[b] * arm.y(), k.velocity_y[b] + k.spin[b] * arm.x(), 0.0),
             Vec3(0.0, 0.0, k.spin[b])};
@@ -187,69 +197,69 @@ Twist PlanarScene::part_twist(std::size_t part) const {
 double PlanarScene::joint_coordinate(std::size_t part) const {
     const int joint = joint_of(part);
     if (joint < 0) return 0.0;
-    return state_.cache().kinematics.joint_position[joint];
+    return body_.state.cache().kinematics.joint_position[joint];
 }
 
 double PlanarScene::joint_rate(std::size_t part) const {
     const int joint = joint_of(part);
     if (joint < 0) return 0.0;
-    return state_.cache().kinematics.joint_rate[joint];
+    return body_.state.cache().kinematics.joint_rate[joint];
 }
 
 double PlanarScene::joint_effort(std::size_t part) const {
     const int joint = joint_of(part);
-    return joint < 0 ? 0.0 : state_.cache().motor_effort[joint];
+    return joint < 0 ? 0.0 : body_.state.cache().motor_effort[joint];
 }
 
 double PlanarScene::stretch(std::size_t part) const {
     const int slot = stretch_of(part);
-    return slot < 0 ? 0.0 : state_.cache().kinematics.joint_position[slot];
+    return slot < 0 ? 0.0 : body_.state.cache().kinematics.joint_position[slot];
 }
 
 double PlanarScene::stretch_rate(std::size_t part) const {
     const int slot = stretch_of(part);
-    return slot < 0 ? 0.0 : state_.cache().kinematics.joint_rate[slot];
+    return slot < 0 ? 0.0 : body_.state.cache().kinematics.joint_rate[slot];
 }
 
 double PlanarScene::stretch_effort(std::size_t part) const {
     const int slot = stretch_of(part);
-    return slot < 0 ? 0.0 : state_.cache().motor_effort[slot];
+    return slot < 0 ? 0.0 : body_.state.cache().motor_effort[slot];
 }
 
 Vec3 PlanarScene::part_half_extents(std::size_t part) const {
     const int b = body_of(part);
-    Vec3 rest(model_.half_length[part], model_.half_width[part], 0.0);
-    if (model_.stretch_slot[b] < 0) return rest;
-    const Kinematics& k = state_.cache().kinematics;
+    Vec3 rest(body_.model.half_length[part], body_.model.half_width[part], 0.0);
+    if (body_.model.stretch_slot[b] < 0) return rest;
+    const Kinematics& k = body_.state.cache().kinematics;
     return {k.length_growth[b] * rest.x(), k.width_growth[b] * rest.y(), 0.0};
 }
 
 bool PlanarScene::face_touched(std::size_t part, Face face) const {
     CAMBRIAN_ASSERT(part < part_count(), "part index in range");
-    return ((state_.touched[part] >> static_cast<unsigned>(face)) & 1U) != 0;
+    return ((body_.state.touched[part] >> static_cast<unsigned>(face)) & 1U) != 0;
 }
 
 Vec3 PlanarScene::part_specific_force(std::size_t part) const {
     CAMBRIAN_ASSERT(part < part_count(), "part index in range");
-    return {state_.forces.specific_x[part], state_.forces.specific_y[part], 0.0};
+    return {body_.state.forces.specific_x[part], body_.state.forces.specific_y[part], 0.0};
 }
 
 double PlanarScene::part_load(std::size_t part) const {
     CAMBRIAN_ASSERT(part < part_count(), "part index in range");
-    return state_.forces.load[part];
+    return body_.state.forces.load[part];
 }
 
 // Computes four corners at once.
 Bounds PlanarScene::bounds() const {
-    const Kinematics& k = state_.cache().kinematics;
+    const Kinematics& k = body_.state.cache().kinematics;
     Simd4d low_x = all_lanes(std::numeric_limits<double>::infinity());
     Simd4d low_y = low_x;
     Simd4d high_x = -low_x;
     Simd4d high_y = -low_y;
-    for (int part = 0; part < model_.part_count; ++part) {
-        const int b = model_.part_body[part];
-        Simd4d corner_x = load_lanes(model_.corner_x + 4 * part);
-        Simd4d corner_y = load_lanes(model_.corner_y + 4 * part);
+    for (int part = 0; part < body_.model.part_count; ++part) {
+        const int b = body_.model.part_body[part];
+        Simd4d corner_x = load_lanes(body_.model.corner_x + 4 * part);
+        Simd4d corner_y = load_lanes(body_.model.corner_y + 4 * part);
         if (k.deforms) {
             corner_x *= k.length_growth[b];
             corner_y *= k.width_growth[b];
@@ -276,97 +286,111 @@ void PlanarScene::set_stretch_target(std::size_t part, double target) {
 void PlanarScene::set_slot_target(int slot, double target) {
     if (slot < 0) return;
     if (!std::isfinite(target)) target = 0.0;
-    if (model_.motor_mode[slot] == MotorMode::kPosition)
-        target = std::clamp(target, model_.limit_low[slot], model_.limit_high[slot]);
-    state_.drive_end[slot] = target;
+    if (body_.model.motor_mode[slot] == MotorMode::kPosition)
+        target = std::clamp(target, body_.model.limit_low[slot], body_.model.limit_high[slot]);
+    body_.state.drive_end[slot] = target;
 }
 
 double PlanarScene::target(std::size_t part) const {
     const int joint = joint_of(part);
-    return joint < 0 ? 0.0 : state_.drive_end[joint];
+    return joint < 0 ? 0.0 : body_.state.drive_end[joint];
 }
 
 SceneStatus PlanarScene::advance(double duration) {
     CAMBRIAN_ASSERT(duration > 0.0, "a tick takes time");
-    if (state_.status != SceneStatus::kRunning) return state_.status;
-    const double activity = motors_off_ ? 0.0 : 1.0;
-    for (int i = 0; i < model_.body_count; i += kLanes) {
-        store_lanes(forcing_.drive.start + i, activity * load_lanes(state_.drive_start + i));
-        store_lanes(forcing_.drive.end + i, activity * load_lanes(state_.drive_end + i));
-    }
-    workspace_->control.advance(model_, law_, forcing_, duration, state_);
-    for (int i = 0; i < model_.body_count; i += kLanes)
-        store_lanes(state_.drive_start + i, load_lanes(state_.drive_end + i));
-    if (forcing_.pulled) state_.cache_is_current = false;
-    forcing_.pulled = false;
-    return state_.status;
+    if (body_.state.status != SceneStatus::kRunning) return body_.state.status;
+    begin_tick(body_);
+    workspace_->control.advance(body_.model, body_.law, body_.forcing, duration, body_.state);
+    end_tick(body_);
+    return body_.state.status;
 }
 
 void PlanarScene::use_environment(const Environment& environment) {
     environment_ = environment;
-    if (environment.density != model_.density) change_density(model_, environment.density);
-    forcing_.medium = medium_of(environment);
-    law_ = {motors_off_ ? 0.0 : environment.friction, environment.elasticity,
-            environment.has_ground};
-    state_.cache_is_current = false;
+    if (environment.density != body_.model.density)
+        change_density(body_.model, environment.density);
+    body_.forcing.medium = medium_of(environment);
+    body_.law = {body_.motors_off ? 0.0 : environment.friction, environment.elasticity,
+                 environment.has_ground};
+    body_.state.cache_is_current = false;
 }
 
 // Updates the cache for displays; time does not pass.
 void PlanarScene::evaluate_here() {
-    forcing_.held = nullptr;
-    evaluate_accelerations(model_, forcing_, state_.motion, {}, state_.cache(), state_.free_rate);
+    body_.forcing.held = nullptr;
+    evaluate_accelerations(body_.model, body_.forcing, body_.state.motion, {}, body_.state.cache(),
+                           body_.state.free_rate);
 }
 
 void PlanarScene::set_environment(const Environment& environment) {
     const double before = energy();
     use_environment(environment);
-    state_.energy_reference += energy() - before;
+    body_.state.energy_reference += energy() - before;
 }
 
 // With frequency 0 targets and rates cause no effort. The share of the strength in torque mode is 0
 // while the motors are off.
 void PlanarScene::set_motors_off(bool off) {
-    motors_off_ = off;
-    forcing_.drive.frequency = off ? 0.0 : motor_frequency_;
+    body_.motors_off = off;
+    body_.forcing.drive.frequency = off ? 0.0 : motor_frequency_;
     use_environment(environment_);
 }
 
 void PlanarScene::translate(const Vec3& offset) {
     const double before = energy();
-    for (int t = 0; t < model_.tree_count; ++t) {
-        state_.motion.position[center_of(model_, t)] += offset.x();
-        state_.motion.position[center_of(model_, t) + 1] += offset.y();
+    for (int t = 0; t < body_.model.tree_count; ++t) {
+        body_.state.motion.position[center_of(body_.model, t)] += offset.x();
+        body_.state.motion.position[center_of(body_.model, t) + 1] += offset.y();
     }
     evaluate_here();
-    state_.cache_is_current = false;
-    state_.energy_reference += energy() - before;
+    body_.state.cache_is_current = false;
+    body_.state.energy_reference += energy() - before;
 }
 
 void PlanarScene::pull(std::size_t part, const Vec3& point_in_part, const Vec3& force) {
     const Vec3 present = part_half_extents(part);
-    const double x = point_in_part.x() * (model_.half_length[part] / present.x());
-    const double y = point_in_part.y() * (model_.half_width[part] / present.y());
-    forcing_.pull.body_a = body_of(part);
-    forcing_.pull.body_b = -1;
-    forcing_.pull.point_x =
-        model_.part_x[part] + model_.part_cosine[part] * x - model_.part_sine[part] * y;
-    forcing_.pull.point_y =
-        model_.part_y[part] + model_.part_sine[part] * x + model_.part_cosine[part] * y;
-    forcing_.pull.force_x = force.x();
-    forcing_.pull.force_y = force.y();
-    forcing_.pulled = true;
-    state_.cache_is_current = false;
+    const double x = point_in_part.x() * (body_.model.half_length[part] / present.x());
+    const double y = point_in_part.y() * (body_.model.half_width[part] / present.y());
+    if (body_.forcing.pull_count == kMostPulls) return;
+    HeldForce& pull = body_.forcing.pulls[body_.forcing.pull_count++];
+    pull.body_a = body_of(part);
+    pull.body_b = -1;
+    pull.point_x = body_.model.part_x[part] + body_.model.part_cosine[part] * x -
+                   body_.model.part_sine[part] * y;
+    pull.point_y = body_.model.part_y[part] + body_.model.part_sine[part] * x +
+                   body_.model.part_cosine[part] * y;
+    pull.force_x = force.x();
+    pull.force_y = force.y();
+    body_.state.cache_is_current = false;
+}
+
+void PlanarScene::mark() {
+    if (!mark_) mark_ = std::make_unique<Mark>();
+    mark_->moment = body_.state;
+    mark_->pull_count = body_.forcing.pull_count;
+    std::copy_n(body_.forcing.pulls, mark_->pull_count, mark_->pulls);
+}
+
+void PlanarScene::go_back() {
+    CAMBRIAN_ASSERT(mark_ != nullptr, "a marked moment");
+    static_cast<SceneMoment&>(body_.state) = mark_->moment;
+    body_.forcing.pull_count = 0;
+    evaluate_here();
+    body_.state.cache_is_current = false;
+    body_.state.detection = 0;
+    body_.forcing.pull_count = mark_->pull_count;
+    std::copy_n(mark_->pulls, mark_->pull_count, body_.forcing.pulls);
 }
 
 void PlanarScene::restore(const SceneState& state) {
     const auto* saved = dynamic_cast<const SavedState*>(&state);
     CAMBRIAN_ASSERT(saved != nullptr, "a state saved by a planar scene");
-    state_ = saved->state;
-    state_.detection = 0;  // numbers of detections differ between scenes
-    forcing_.pulled = false;
-    if (saved->environment == environment_ && saved->motors_off == motors_off_) return;
-    state_.cache_is_current = false;
-    state_.energy_reference += energy() - energy_under(saved->environment);
+    body_.state = saved->state;
+    body_.state.detection = 0;  // numbers of detections differ between scenes
+    body_.forcing.pull_count = 0;
+    if (saved->environment == environment_ && saved->motors_off == body_.motors_off) return;
+    body_.state.cache_is_current = false;
+    body_.state.energy_reference += energy() - energy_under(saved->environment);
 }
 
 void PlanarScene::give_workspace(std::unique_ptr<SceneWorkspace> workspace) {
@@ -374,20 +398,20 @@ void PlanarScene::give_workspace(std::unique_ptr<SceneWorkspace> workspace) {
                     "a workspace of a planar scene");
     workspace_.reset(static_cast<StepWorkspace*>(workspace.release()));
     workspace_->control.forget_model();
-    state_.detection = 0;  // numbers of detections differ between workspaces
+    body_.state.detection = 0;  // numbers of detections differ between workspaces
 }
 
 SceneMotion PlanarScene::motion() const {
-    const auto count = static_cast<std::size_t>(coordinate_count(model_));
-    const auto bodies = static_cast<std::size_t>(model_.body_count);
-    return {{state_.motion.position, state_.motion.position + count},
-            {state_.motion.speed, state_.motion.speed + count},
-            {state_.drive_end, state_.drive_end + bodies}};
+    const auto count = static_cast<std::size_t>(coordinate_count(body_.model));
+    const auto bodies = static_cast<std::size_t>(body_.model.body_count);
+    return {{body_.state.motion.position, body_.state.motion.position + count},
+            {body_.state.motion.speed, body_.state.motion.speed + count},
+            {body_.state.drive_end, body_.state.drive_end + bodies}};
 }
 
 bool PlanarScene::begin_at(const SceneMotion& motion) {
-    const auto count = static_cast<std::size_t>(coordinate_count(model_));
-    const auto bodies = static_cast<std::size_t>(model_.body_count);
+    const auto count = static_cast<std::size_t>(coordinate_count(body_.model));
+    const auto bodies = static_cast<std::size_t>(body_.model.body_count);
     if (motion.positions.size() != count || motion.speeds.size() != count ||
         motion.targets.size() != bodies)
         return false;
@@ -397,30 +421,30 @@ bool PlanarScene::begin_at(const SceneMotion& motion) {
     };
     if (!finite(motion.positions) || !finite(motion.speeds) || !finite(motion.targets))
         return false;
-    state_ = SimulationState{};
-    state_.motion = rest_motion(model_);
-    std::copy(motion.positions.begin(), motion.positions.end(), state_.motion.position);
-    std::copy(motion.speeds.begin(), motion.speeds.end(), state_.motion.speed);
-    std::copy(motion.targets.begin(), motion.targets.end(), state_.drive_start);
-    std::copy(motion.targets.begin(), motion.targets.end(), state_.drive_end);
-    forcing_.pulled = false;
+    body_.state = SimulationState{};
+    body_.state.motion = rest_motion(body_.model);
+    std::copy(motion.positions.begin(), motion.positions.end(), body_.state.motion.position);
+    std::copy(motion.speeds.begin(), motion.speeds.end(), body_.state.motion.speed);
+    std::copy(motion.targets.begin(), motion.targets.end(), body_.state.drive_start);
+    std::copy(motion.targets.begin(), motion.targets.end(), body_.state.drive_end);
+    body_.forcing.pull_count = 0;
     evaluate_here();
-    start_audit(model_, forcing_.medium, state_);
+    start_audit(body_.model, body_.forcing.medium, body_.state);
     return true;
 }
 
 // Mechanical energy of the motion with another environment's density and gravity.
 double PlanarScene::energy_under(const Environment& environment) const {
-    const double here =
-        mechanical_energy(model_, medium_of(environment), state_.motion, state_.cache().kinematics);
-    return here * (environment.density / model_.density);
+    const double here = mechanical_energy(body_.model, medium_of(environment), body_.state.motion,
+                                          body_.state.cache().kinematics);
+    return here * (environment.density / body_.model.density);
 }
 
 void PlanarScene::list_contacts(std::vector<SceneContact>& contacts) const {
     contacts.clear();
-    const Kinematics& k = state_.cache().kinematics;
-    for (int c = 0; c < state_.held_count; ++c) {
-        const HeldContact& held = state_.held[c];
+    const Kinematics& k = body_.state.cache().kinematics;
+    for (int c = 0; c < body_.state.held_count; ++c) {
+        const HeldContact& held = body_.state.held[c];
         const int a = held.body_a;
         double point_x = held.point_x;
         double point_y = held.point_y;
@@ -433,8 +457,8 @@ void PlanarScene::list_contacts(std::vector<SceneContact>& contacts) const {
 
 void PlanarScene::list_impacts(std::vector<SceneImpact>& impacts) const {
     impacts.clear();
-    for (int i = 0; i < state_.impact_count; ++i) {
-        const NotedImpact& noted = state_.impacts[i];
+    for (int i = 0; i < body_.state.impact_count; ++i) {
+        const NotedImpact& noted = body_.state.impacts[i];
         if (!(noted.impulse > 0.0)) continue;
         const Vec3 weighted(noted.point_x, noted.point_y, 0.0);
         impacts.push_back({weighted / noted.impulse, noted.part_a, noted.part_b, noted.impulse});
@@ -442,9 +466,9 @@ void PlanarScene::list_impacts(std::vector<SceneImpact>& impacts) const {
 }
 
 void PlanarScene::add_to_digest(Hash64& digest) const {
-    for (int c = 0; c < coordinate_count(model_); ++c) {
-        digest.add(state_.motion.position[c]);
-        digest.add(state_.motion.speed[c]);
+    for (int c = 0; c < coordinate_count(body_.model); ++c) {
+        digest.add(body_.state.motion.position[c]);
+        digest.add(body_.state.motion.speed[c]);
     }
 }
 
@@ -511,6 +535,11 @@ Result<std::unique_ptr<PhysicsScene>> CAMBRIAN_SCENE_COPY::make_planar_scene(
     if (!model) return model.error();
     return std::unique_ptr<PhysicsScene>(
         std::make_unique<PlanarScene>(std::move(*model), environment, settings, *integrator));
+}
+
+std::unique_ptr<JoinedScenes> CAMBRIAN_SCENE_COPY::join_planar_scenes(
+    std::span<PhysicsScene* const> scenes) {
+    return join_body_scenes(scenes);
 }
 
 }  // namespace cambrian

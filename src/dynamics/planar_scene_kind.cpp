@@ -1,5 +1,6 @@
 #include "dynamics/integrators/builtin_integrators.h"
 #include "dynamics/joints/builtin_joints.h"
+#include "dynamics/model/planar_model.h"
 #include "dynamics/planar_scene.h"
 #include "dynamics/scene_copies.h"
 
@@ -13,7 +14,10 @@ SceneKind planar_scene_kind() {
     for (const IntegratorKind& integrator : builtin_integrators().all())
         kind.integrators.push_back({integrator.id, integrator.label});
     kind.accurate_integrator = "dormand-prince";
-    kind.make = scene_copies().front().make;
+    const SceneCopy copy = scene_copies().front();
+    kind.make = copy.make;
+    kind.join = copy.join;
+    kind.largest_join = {kMaxBodies, kMaxTrees, kMaxParts};
     return kind;
 }
 

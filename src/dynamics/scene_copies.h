@@ -6,10 +6,12 @@
 #include "core/result.h"
 #include "world/body_plan.h"
 #include "world/environment.h"
+#include "world/joined_scenes.h"
 #include "world/physics_scene.h"
 #include "world/scene_settings.h"
 
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -23,21 +25,26 @@ namespace cambrian {
 using SceneMaker = Result<std::unique_ptr<PhysicsScene>> (*)(const BodyPlan&, const Environment&,
                                                              const SceneSettings&);
 
-// Each copy's function for `make` of SceneKind.
+using SceneJoiner = std::unique_ptr<JoinedScenes> (*)(std::span<PhysicsScene* const>);
+
+// Each copy's functions for `make` and `join` of SceneKind.
 namespace baseline {
 Result<std::unique_ptr<PhysicsScene>> make_planar_scene(const BodyPlan& plan,
                                                         const Environment& environment,
                                                         const SceneSettings& settings);
-}
+std::unique_ptr<JoinedScenes> join_planar_scenes(std::span<PhysicsScene* const> scenes);
+}  // namespace baseline
 namespace avx2 {
 Result<std::unique_ptr<PhysicsScene>> make_planar_scene(const BodyPlan& plan,
                                                         const Environment& environment,
                                                         const SceneSettings& settings);
-}
+std::unique_ptr<JoinedScenes> join_planar_scenes(std::span<PhysicsScene* const> scenes);
+}  // namespace avx2
 
 struct SceneCopy {
     std::string instructions;  // "baseline" or "avx2"
     SceneMaker make;
+    SceneJoiner join;  // of scenes of this copy
 };
 
 // The copies this processor can run, the fastest first; the last one is the baseline.

@@ -32,7 +32,7 @@ struct SceneContact {
 struct SceneImpact {
     Vec3 point = Vec3::Zero();  // m, world
     int part = 0;
-    int other_part = -1;   // -1: the ground
+    int other_part = -1;   // -1: the ground or a part of another scene
     double impulse = 0.0;  // N s, sum of the normal impulses
 };
 
@@ -64,6 +64,21 @@ public:
     virtual ~SceneState() = default;
 };
 
+// What decides whether scenes can be advanced as one (joined_scenes.h).
+struct SceneSize {
+    int bodies = 0, trees = 0, parts = 0;
+
+    SceneSize& operator+=(const SceneSize& other) {
+        bodies += other.bodies;
+        trees += other.trees;
+        parts += other.parts;
+        return *this;
+    }
+    bool fits(const SceneSize& room) const {
+        return bodies <= room.bodies && trees <= room.trees && parts <= room.parts;
+    }
+};
+
 // The memory in which scenes compute a tick; it holds nothing of a scene between two ticks.
 class SceneWorkspace {
 public:
@@ -78,6 +93,7 @@ struct SceneMotion {
 };
 
 inline constexpr std::size_t kMostImpacts = 16;
+inline constexpr int kMostPulls = 4;
 
 class PhysicsScene : public BodyView {
 public:
@@ -104,9 +120,15 @@ public:
     // Translates all parts (m). Velocities do not change.
     virtual void translate(const Vec3& offset) = 0;
 
-    // Applies a force to a point of a part (world, N and m) during the next advance() only, for the
-    // mouse.
+    // Applies one more force to a point of a part (world, N and m) during the next advance() only.
+    // There may be kMostPulls; others are ignored.
     virtual void pull(std::size_t part, const Vec3& point_in_part, const Vec3& force) = 0;
+
+    virtual SceneSize size() const = 0;
+    // Remembers the present moment, with the forces of the next tick, until the next call.
+    virtual void mark() = 0;
+    // Goes back to that moment, but for what speeds up the search of contacts.
+    virtual void go_back() = 0;
 
     virtual std::unique_ptr<SceneState> save() const = 0;
     virtual void restore(const SceneState& state) = 0;

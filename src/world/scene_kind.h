@@ -5,12 +5,14 @@
 #include "core/result.h"
 #include "world/body_plan.h"
 #include "world/environment.h"
+#include "world/joined_scenes.h"
 #include "world/joint_kind.h"
 #include "world/physics_scene.h"
 #include "world/scene_settings.h"
 
 #include <functional>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -32,6 +34,10 @@ struct SceneKind {
     std::function<Result<std::unique_ptr<PhysicsScene>>(const BodyPlan&, const Environment&,
                                                         const SceneSettings&)>
         make;
+    // Returns scenes, in the same environment, to be advanced as one. The sum of their sizes must
+    // fit the largest one.
+    std::function<std::unique_ptr<JoinedScenes>(std::span<PhysicsScene* const>)> join;
+    SceneSize largest_join;
 };
 
 }  // namespace cambrian

@@ -64,6 +64,9 @@ public:
     void set_motors_off(bool) override {}
     void translate(const Vec3&) override {}
     void pull(std::size_t, const Vec3&, const Vec3&) override {}
+    SceneSize size() const override { return {}; }
+    void mark() override {}
+    void go_back() override {}
     std::unique_ptr<SceneState> save() const override { return std::make_unique<SceneState>(); }
     void restore(const SceneState&) override {}
     std::unique_ptr<SceneWorkspace> take_workspace() override {

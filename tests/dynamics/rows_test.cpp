@@ -115,13 +115,13 @@ TEST_CASE("all contacts of a body with the ground share one friction row, at the
 
 TEST_CASE("a full set of contacts drops the farthest and keeps its order", "[dynamics][rows]") {
     ContactSet contacts;
-    for (int c = 0; c < kMaxContacts + 2; ++c) {
+    for (int c = 0; c < kContactsOfOne + 2; ++c) {
         Contact contact;
         contact.id = c;
         contact.gap = c == 5 || c == 7 ? 1e-2 : -1e-3;
         contacts.add(contact);
     }
-    REQUIRE(contacts.count == kMaxContacts);
+    REQUIRE(contacts.count == kContactsOfOne);
     for (int c = 1; c < contacts.count; ++c)
         CHECK(contacts.items[c - 1].id < contacts.items[c].id);
     for (int c = 0; c < contacts.count; ++c)

@@ -71,6 +71,7 @@ ImpactResult ContactSolver::solve_impact(const PlanarModel& model, const Contact
                                          Motion& motion) {
     CAMBRIAN_TICK_ASSERT(restitution >= 0.0 && restitution <= 1.0, "a coefficient of restitution");
     selected_.count = 0;
+    selected_.most = near_.most;
     for (int c = 0; c < near_.count; ++c) {
         if (near_.items[c].gap < kContactBand) selected_.add(near_.items[c]);
     }

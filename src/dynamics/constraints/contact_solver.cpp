@@ -133,6 +133,7 @@ private:
 void ContactSolver::detect(const PlanarModel& model, const ContactLaw& law,
                            const Kinematics& kinematics) {
     near_.count = 0;
+    near_.most = model.contact_count;
     if (!law.has_ground && model.colliding_pairs.empty()) return;
     PartPlaces places;
     place_parts(model, kinematics, places);
@@ -166,6 +167,7 @@ bool ContactSolver::covers(const Contact& contact) const {
 bool ContactSolver::select_active(const PlanarModel& model, EvaluationCache& cache, double h) {
     CAMBRIAN_TICK_ASSERT(h > 0.0, "a step takes time");
     selected_.count = 0;
+    selected_.most = near_.most;
     for (int c = 0; c < near_.count; ++c) {
         const Contact& contact = near_.items[c];
         if (contact.gap >= kContactBand) {

@@ -16,14 +16,12 @@
 namespace cambrian {
 namespace {
 
-using BodySet = std::uint32_t;  // one bit per body
-
 constexpr int kMaxGroups = kMaxRows / kLanes;
 constexpr double kRelativeSoftness = 1e-7;
 constexpr double kFreeShare = 0.02;
 
 CAMBRIAN_INLINE int last_of(BodySet set) {
-    return 31 - std::countl_zero(set);
+    return 63 - std::countl_zero(set);
 }
 
 // The unit impulses of four rows as they reach joints and roots, and the same multiplied by 1/d or

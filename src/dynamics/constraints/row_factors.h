@@ -8,7 +8,7 @@
 
 namespace cambrian {
 
-inline constexpr int kMaxEquations = 128;
+inline constexpr int kMaxEquations = 188;
 
 // One number for each equation, padded to the vector width.
 using PerEquation = double[kMaxEquations + kLanes];

@@ -11,7 +11,7 @@
 
 namespace cambrian {
 
-inline constexpr int kMaxRows = 128;
+inline constexpr int kMaxRows = 188;
 static_assert(2 * kMaxContacts + kMaxBodies <= kMaxRows);
 
 enum class RowKind : std::uint8_t { kNormal, kFriction, kLimit };

@@ -8,7 +8,7 @@
 namespace cambrian {
 
 Contact* ContactSet::drop_farthest(double gap) {
-    CAMBRIAN_TICK_ASSERT(count == kMaxContacts, "there is no room");
+    CAMBRIAN_TICK_ASSERT(count == most, "there is no room");
     int farthest = 0;
     for (int i = 1; i < count; ++i) {
         if (items[i].gap > items[farthest].gap) farthest = i;

@@ -49,13 +49,12 @@ inline int detection_rank(int id) {
 
 struct ContactSet {
     int count = 0;
+    int most = kContactsOfOne;  // at most kMaxContacts
     Contact items[kMaxContacts];
 
     // Returns the place for a contact with this gap, at the end. A full set drops its farthest
     // contact; the place is null if none is farther.
-    Contact* make_room(double gap) {
-        return count < kMaxContacts ? &items[count++] : drop_farthest(gap);
-    }
+    Contact* make_room(double gap) { return count < most ? &items[count++] : drop_farthest(gap); }
     void add(const Contact& contact) {
         if (Contact* place = make_room(contact.gap)) *place = contact;
     }

@@ -7,7 +7,8 @@
 
 namespace cambrian {
 
-inline constexpr int kMaxContacts = 48;
+inline constexpr int kMaxContacts = 64;
+inline constexpr int kMaxPulls = 80;
 
 struct Medium {
     double gravity_x = 0.0, gravity_y = 0.0;         // m/s^2
@@ -45,8 +46,8 @@ struct Forcing {
     Medium medium;
     MotorDrive drive;
     const HeldForces* held = nullptr;  // null: no contact forces
-    bool pulled = false;
-    HeldForce pull;
+    int pull_count = 0;
+    HeldForce pulls[kMaxPulls];
 };
 
 }  // namespace cambrian

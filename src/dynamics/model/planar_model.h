@@ -16,16 +16,24 @@
 
 namespace cambrian {
 
-inline constexpr int kMaxBodies = 32;
+// Of one creature.
+inline constexpr int kMostPlannedBodies = 32;
+inline constexpr int kMostPlannedTrees = 8;
+// Of several creatures that are advanced as one. Arrays of 60 numbers do not all begin at the same
+// few places of the processor's cache, as those of 64 would.
+inline constexpr int kMaxBodies = 60;
 inline constexpr int kMaxParts = 64;
-inline constexpr int kMaxTrees = 8;
+inline constexpr int kMaxTrees = 20;
 inline constexpr int kMaxLoopJoints = 64;
+inline constexpr int kContactsOfOne = 48;
 inline constexpr int kMaxCoordinates = kMaxBodies + 2 * kMaxTrees;
 
 using PerBody = double[kMaxBodies];
 using PerPart = double[kMaxParts];
 using PerCoordinate = double[kMaxCoordinates];
 using PerTree = double[kMaxTrees];
+
+using BodySet = std::uint64_t;  // one bit for each body
 
 struct PartPair {
     std::uint8_t first = 0;
@@ -56,9 +64,13 @@ struct PlanarModel {
     int tree_count = 0;
     int body_count = 0;
     int part_count = 0;
-    double density = 1.0;              // kg/m^2, in all masses below
-    double total_mass = 0.0;           // kg
-    std::uint64_t measured_parts = 0;  // bits of the parts whose forces are measured
+    int contact_count = kContactsOfOne;  // largest number of contacts
+    // Creatures that are advanced as one; their bodies follow each other.
+    int member_count = 1;
+    int member_begin[kMaxTrees + 1] = {};  // bodies; only for several creatures
+    double density = 1.0;                  // kg/m^2, in all masses below
+    double total_mass = 0.0;               // kg
+    std::uint64_t measured_parts = 0;      // bits of the parts whose forces are measured
 
     int tree_begin[kMaxTrees + 1] = {};  // bodies of a tree: from its begin to the next one's
     PerTree tree_mass = {};              // kg
@@ -74,9 +86,9 @@ struct PlanarModel {
     bool has_slides = false;
     int parent[kMaxBodies] = {};       // -1 on roots
     int parent_slot[kMaxBodies] = {};  // the parent, or the slot itself on roots and padding
-    std::uint32_t roots = 0;           // bits of the roots
-    std::uint32_t root_path[kMaxBodies] = {};  // bits of the bodies from this one to the root
-    int joint_part[kMaxBodies] = {};           // plan part that carries this joint
+    BodySet roots = 0;
+    BodySet root_path[kMaxBodies] = {};                  // the bodies from this one to the root
+    int joint_part[kMaxBodies] = {};                     // plan part that carries this joint
     PerBody parent_anchor_x = {}, parent_anchor_y = {};  // m, in the parent's frame from its centre
     PerBody child_anchor_x = {}, child_anchor_y = {};    // m, in the body's frame from its centre
     PerBody pivot_x = {}, pivot_y = {};       // m, child anchor of revolute joints, else 0
@@ -107,7 +119,8 @@ struct PlanarModel {
     PerPart radius = {};                        // m, of the circle around the box
     double corner_x[4 * kMaxParts] = {};        // m, in the body's frame; bit 0 of the corner's
     double corner_y[4 * kMaxParts] = {};        // number is +x of the box, bit 1 is +y
-    std::vector<PartPair> colliding_pairs;      // boxes of different bodies that may touch
+
+    std::vector<PartPair> colliding_pairs;  // boxes of different bodies that may touch
 
     std::vector<LoopJoint> loop_joints;  // loop-closure joints; see loop_closure.h
 

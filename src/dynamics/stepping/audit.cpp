@@ -47,6 +47,19 @@ void note_depths(const ContactSet& contacts, double limit_overrun, SceneAudit& a
     audit.max_limit_overrun = std::max(audit.max_limit_overrun, limit_overrun);
 }
 
+void note_member_works(const PlanarModel& model, const EvaluationCache& begin,
+                       const EvaluationCache& end, double time, SimulationState& state) {
+    for (int m = 0; m < model.member_count; ++m) {
+        MemberWork& work = state.member_work[m];
+        for (int i = model.member_begin[m]; i < model.member_begin[m + 1]; ++i) {
+            const double before = begin.motor_effort[i] * begin.kinematics.joint_rate[i];
+            const double after = end.motor_effort[i] * end.kinematics.joint_rate[i];
+            work.net += 0.5 * time * (before + after);
+            work.gross += 0.5 * time * (std::fabs(before) + std::fabs(after));
+        }
+    }
+}
+
 void update_audit(const PlanarModel& model, const Medium& medium, SimulationState& state) {
     SceneAudit& audit = state.audit;
     const double* work = state.motion.work;

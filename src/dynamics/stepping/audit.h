@@ -16,6 +16,11 @@ void note_speeds(const PlanarModel& model, const Kinematics& kinematics, SceneAu
 // Raises the audit's maxima to the deepest penetration and this overrun of a limit.
 void note_depths(const ContactSet& contacts, double limit_overrun, SceneAudit& audit);
 
+// Adds the works of every creature's motors during a step of `time` (s) between these caches, by
+// the trapezoidal rule.
+void note_member_works(const PlanarModel& model, const EvaluationCache& begin,
+                       const EvaluationCache& end, double time, SimulationState& state);
+
 // Updates the works and the residual. The cache must be current.
 void update_audit(const PlanarModel& model, const Medium& medium, SimulationState& state);
 

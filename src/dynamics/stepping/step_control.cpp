@@ -55,7 +55,7 @@ void note_touch(const Contact& contact, SimulationState& state) {
 
 bool is_within_creature(const PlanarModel& model, const Contact& contact) {
     if (contact.body_b < 0) return false;
-    const std::uint32_t paths = model.root_path[contact.body_a] & model.root_path[contact.body_b];
+    const BodySet paths = model.root_path[contact.body_a] & model.root_path[contact.body_b];
     return (paths & model.roots) != 0;
 }
 
@@ -429,6 +429,8 @@ void StepControl::add_to_audit(Tick& tick, double time) {
     audit.positive_work += work_.positive;
     ++audit.steps;
     note_depths(contacts_.near(), end_overrun_, audit);
+    if (tick.model.member_count > 1)
+        note_member_works(tick.model, state.cache(), state.spare_cache(), time, state);
     const ContactSet& selected = contacts_.selected();
     for (int c = 0; c < selected.count; ++c) {
         const Contact& contact = selected.items[c];

@@ -27,18 +27,16 @@ struct NotedImpact {
     double point_x = 0.0, point_y = 0.0;  // m, world; sums weighted by the impulse
 };
 
-// All data of a scene that change with time; a copy is a saved state.
-struct SimulationState {
+// Works of the motors of one of several creatures during a tick, J.
+struct MemberWork {
+    double net = 0.0, gross = 0.0;
+};
+
+// The data of a scene that change with time, but for what can be computed again.
+struct SceneMoment {
     Motion motion = {};
     double time = 0.0;  // s
     SceneStatus status = SceneStatus::kRunning;
-    EvaluationCache caches[2] =
-        {};  // one belongs to the motion and is free of contact forces; the other is scratch space
-    int current_cache = 0;
-    MotionRate free_rate = {};  // of the motion, free of contact
-    bool cache_is_current = false;
-    // Number of the contact detection for this motion; 0 if there is none.
-    std::uint64_t detection = 0;
     double proposed_step = 1.0 / 120;  // s
     // Accelerations of the last step, if it was a midpoint step and no impact followed.
     PerCoordinate last_acceleration = {};
@@ -53,7 +51,19 @@ struct SimulationState {
     int impact_count = 0;  // of the last tick
     NotedImpact impacts[kMostImpacts];
     SceneAudit audit;
-    double energy_reference = 0.0;  // J, at the start of the audit
+    double energy_reference = 0.0;      // J, at the start of the audit
+    MemberWork member_work[kMaxTrees];  // of several creatures; summed since it was set to 0
+};
+
+// All data of a scene that change with time; a copy is a saved state.
+struct SimulationState : SceneMoment {
+    EvaluationCache caches[2] =
+        {};  // one belongs to the motion and is free of contact forces; the other is scratch space
+    int current_cache = 0;
+    MotionRate free_rate = {};  // of the motion, free of contact
+    bool cache_is_current = false;
+    // Number of the contact detection for this motion; 0 if there is none.
+    std::uint64_t detection = 0;
 
     EvaluationCache& cache() { return caches[current_cache]; }
     const EvaluationCache& cache() const { return caches[current_cache]; }

@@ -1,0 +1,24 @@
+#pragma once
+
+// Several scenes that are advanced as one, with contacts between their bodies.
+
+#include "world/physics_scene.h"
+
+#include <span>
+
+namespace cambrian {
+
+class JoinedScenes {
+public:
+    virtual ~JoinedScenes() = default;
+
+    // Advances all scenes by a tick (s), as their own advance() would, but for the contacts. They
+    // must be those that were joined, in the same order and in the same environment. Contacts of
+    // one tick are the first guess of the next, unless a scene was moved otherwise in between. If
+    // no valid motion is found, no scene changes, and these scenes must not be advanced as one
+    // again.
+    virtual SceneStatus advance(std::span<PhysicsScene* const> scenes, double duration,
+                                SceneWorkspace& workspace) = 0;
+};
+
+}  // namespace cambrian
