@@ -2,6 +2,7 @@
 #include "core/text/nearest_name.h"
 #include "dynamics/integrators/builtin_integrators.h"
 #include "dynamics/island/joined_scenes.h"
+#include "dynamics/island/scene_body.h"
 #include "dynamics/model/stretching.h"
 #include "dynamics/model_building.h"
 #include "dynamics/scene_copies.h"

@@ -5,6 +5,7 @@
 #include "math/elementary.h"
 #include "preserve/life/feeding.h"
 #include "preserve/life/lineage.h"
+#include "preserve/world/walls.h"
 
 #include <fmt/core.h>
 
@@ -18,6 +19,7 @@ constexpr int kBirthPlaces = 16;                // around a parent
 constexpr std::uint64_t kTicksPerRot = 6;       // 0.1 s
 constexpr std::uint64_t kTicksPerRestock = 60;  // 1 s
 constexpr int kPlaceDraws = 20;                 // for a newcomer between the walls
+constexpr int kSolidPlaceDraws = 200;           // of them, if others are in its way
 
 // Uses of random streams, which are numbered by tick or by attempt.
 enum Use : std::uint64_t { kGrowth = 0, kBirth = 1, kArrival = 2, kSowing = 3 };
@@ -53,6 +55,8 @@ Preserve::Preserve(SettingsPtr settings, const EvolutionKinds& kinds,
       flesh_(area_),
       ambient_(constant_) {
     CAMBRIAN_ASSERT(!founders_.empty(), "a preserve has founders");
+    if (is_solid(settings_->preserve))
+        solid_ = std::make_unique<SolidBodies>(kinds_.creature.scene);
 }
 
 Result<std::unique_ptr<Preserve>> Preserve::begin(SettingsPtr settings, const EvolutionKinds& kinds,
@@ -135,14 +139,23 @@ Result<std::unique_ptr<Resident>> Preserve::newcomer(std::size_t place, std::str
                         which)};
     }
     RandomStream draws = stream(next_number_, kArrival);
-    for (int draw = 0; draw < kPlaceDraws; ++draw) {
+    bool fits = false;  // between the walls
+    for (int draw = 0; draw < (solid_ ? kSolidPlaceDraws : kPlaceDraws); ++draw) {
         const double x = area_.width * (draws.uniform() - 0.5);
         const double y = area_.height * (draws.uniform() - 0.5);
         resident.place(Vec3(x, y, 0.0), Vec3::Zero());
-        if (area_.holds(resident.center(), resident.radius())) return grown;
+        if (!area_.holds(resident.center(), resident.radius())) continue;
+        if (is_free(resident)) return grown;
+        fits = true;
     }
     resident.place(Vec3::Zero(), Vec3::Zero());
-    if (area_.holds(resident.center(), resident.radius())) return grown;
+    if (area_.holds(resident.center(), resident.radius()) && is_free(resident)) return grown;
+    if (fits) {
+        return Error{
+            fmt::format("no place is left for founder {}; expected fewer founders, or a larger "
+                        "world, since bodies are solid",
+                        place + 1)};
+    }
     return Error{
         fmt::format("founder {} is too large for the walls: it needs {} m, the world has "
                     "{} m x {} m",
@@ -186,6 +199,10 @@ Energy Preserve::total_energy() const {
     for (const auto& each : residents_)
         total += each->store + each->body;
     return total;
+}
+
+SolidCounts Preserve::solid_counts() const {
+    return solid_ ? solid_->counts() : SolidCounts{};
 }
 
 SeriesRow Preserve::row() const {
@@ -251,6 +268,7 @@ Status Preserve::restore(const PreserveState& state) {
     for (const Lineage& lineage : state.lineages)
         lineages_.emplace(lineage.number, lineage.genome);
     residents_.clear();
+    if (solid_) solid_->forget();
     std::uint64_t before = 0;
     for (const ResidentState& each : state.residents) {
         if (each.life.number <= before || each.life.number >= next_number_ ||
@@ -283,8 +301,29 @@ void Preserve::tick(ThreadPool& pool) {
 }
 
 void Preserve::live(ThreadPool& pool) {
-    workspaces_.resize(std::max(workspaces_.size(), pool.workers()));
-    for (std::size_t worker = 0; worker < pool.workers() && !residents_.empty(); ++worker) {
+    make_workspaces(pool.workers());
+    if (solid_) return move_solid(pool);
+    pool.parallel_for(residents_.size(), [&](std::size_t index, std::size_t worker) {
+        residents_[index]->live(workspaces_[worker], area_);
+    });
+}
+
+void Preserve::move_solid(ThreadPool& pool) {
+    std::vector<SolidBody> bodies(residents_.size());
+    pool.parallel_for(residents_.size(), [&](std::size_t index, std::size_t) {
+        Resident& resident = *residents_[index];
+        resident.act(area_);
+        bodies[index] = {resident.life.number, &resident.scene(), kPullsOfWalls};
+    });
+    solid_->advance(bodies, kBrainTick, workspaces_, pool);
+    pool.parallel_for(residents_.size(), [&](std::size_t index, std::size_t) {
+        residents_[index]->end_tick(bodies[index].status);
+    });
+}
+
+void Preserve::make_workspaces(std::size_t workers) {
+    workspaces_.resize(std::max(workspaces_.size(), workers));
+    for (std::size_t worker = 0; worker < workers && !residents_.empty(); ++worker) {
         if (workspaces_[worker]) continue;
         const auto scene =
             kinds_.creature.scene.make(residents_.front()->phenotype().plan,
@@ -292,9 +331,14 @@ void Preserve::live(ThreadPool& pool) {
         CAMBRIAN_ASSERT(scene.has_value(), "a resident's body suits physics");
         workspaces_[worker] = (*scene)->take_workspace();
     }
-    pool.parallel_for(residents_.size(), [&](std::size_t index, std::size_t worker) {
-        residents_[index]->live(workspaces_[worker], area_);
-    });
+}
+
+// Returns whether solid bodies leave room for one more where it is.
+bool Preserve::is_free(const Resident& newborn) const {
+    if (!solid_) return true;
+    const Bounds bounds = newborn.bounds();
+    return std::none_of(residents_.begin(), residents_.end(),
+                        [&](const auto& each) { return overlap(each->bounds(), bounds); });
 }
 
 void Preserve::sense() {
@@ -306,7 +350,7 @@ void Preserve::sense() {
 void Preserve::bite() {
     bounds_.clear();
     for (const auto& each : residents_)
-        bounds_.push_back(each->bounds());
+        bounds_.push_back(grown(each->bounds(), bite_distance(settings_->preserve)));
     for (const auto& [first, second] : meetings_.find(bounds_)) {
         Resident& a = *residents_[first];
         Resident& b = *residents_[second];
@@ -413,6 +457,7 @@ void Preserve::bear(Resident& parent, std::unique_ptr<Resident> child, RandomStr
             parent.center() + distance * Vec3(direction.cosine, direction.sine, 0.0);
         if (!area_.holds(center, child->radius())) continue;
         child->place(center, parent.velocity());
+        if (!is_free(*child)) continue;
         parent.store -= child->store + child->body;
         ++parent.life.children;
         child->life.x = center.x();

@@ -8,6 +8,7 @@
 #include "core/threads/thread_pool.h"
 #include "evolution/kinds/evolution_kinds.h"
 #include "evolution/settings/experiment_settings.h"
+#include "preserve/bodies/solid_bodies.h"
 #include "preserve/chronicle.h"
 #include "preserve/life/offspring.h"
 #include "preserve/series.h"
@@ -56,6 +57,8 @@ public:
     Energy total_energy() const;  // the same in every tick
     Energy founding_energy() const { return constant_; }
     SeriesRow row() const;  // of the present moment
+    // Of solid bodies since the preserve began or was resumed; 0 if bodies are ghostly.
+    SolidCounts solid_counts() const;
 
     PreserveState save() const;
     // The state at the last rest or multiple of 60 s. The preserve itself went on from it.
@@ -74,6 +77,9 @@ private:
     Status restore(const PreserveState& state);
 
     void live(ThreadPool& pool);
+    void move_solid(ThreadPool& pool);
+    void make_workspaces(std::size_t workers);
+    bool is_free(const Resident& newborn) const;
     void sense();
     void bite();
     void feed();
@@ -116,6 +122,7 @@ private:
     Chronicle chronicle_;
     std::shared_ptr<const PreserveState> snapshot_;
     Meetings meetings_;
+    std::unique_ptr<SolidBodies> solid_;  // if bodies are solid
     std::vector<Bounds> bounds_;
     std::vector<std::unique_ptr<SceneWorkspace>> workspaces_;  // one for each worker
 };

@@ -93,8 +93,9 @@ class Preserve(ProgramTest):
 
     def test_what_a_preserve_cannot_use_gets_one_message(self):
         self.assert_refused(self.run_program("preserve"), "a settings file to begin with")
-        self.write("solid.toml", POND + 'bodies = "solid"\n')
-        self.assert_refused(self.run_program("preserve", "solid.toml"), "does not exist yet")
+        self.write("hard.toml", POND + 'bodies = "hard"\n')
+        self.assert_refused(self.run_program("preserve", "hard.toml"),
+                            "known are solid, ghostly")
         self.assert_refused(self.run_program("evolve", "pond.toml"),
                             "these are the settings of a preserve")
         self.run_well("preserve", "pond.toml", "-f", *SWIMMERS, "--seconds", 1, "-o", "a.cambrian")

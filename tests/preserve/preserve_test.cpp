@@ -31,6 +31,7 @@ TEST_CASE("energy is constant to the last unit while creatures feed, breed and d
 
 TEST_CASE("threads do not change the bits of a hundred creatures", "[preserve][threads]") {
     ExperimentSettings settings = preserve_defaults(kinds());
+    settings.preserve.bodies = "ghostly";
     settings.preserve.founders = 100;
     settings.founders.channels = {{"sound-1", true}, {"smell", true}, {"smell-food", true}};
     settings.founders.organs = {{"sound", true}, {"scent", true}, {"mouth", true}};

@@ -21,9 +21,7 @@ std::string founding_message(const ExperimentSettings& settings, GenomePtr found
 
 TEST_CASE("bad settings of a preserve give one clear message each", "[preserve]") {
     CHECK(message_of("") == "");
-    CHECK(message_of("[preserve]\nbodies = \"solid\"\n") ==
-          "pond.toml: [preserve] bodies: \"solid\" does not exist yet; expected \"ghostly\", with "
-          "which creatures pass through each other");
+    CHECK(message_of("[preserve]\nbodies = \"solid\"\n") == "");
     CHECK(message_of("[preserve]\nwidth = 4\n") ==
           "pond.toml: line 2, [preserve] width: 4 is outside [5, 1000] m");
     CHECK(message_of("[preserve]\nheigt = 9\n") ==

@@ -15,6 +15,7 @@ namespace cambrian::test {
 
 inline ExperimentSettings small_world() {
     ExperimentSettings settings = preserve_defaults(kinds());
+    settings.preserve.bodies = "ghostly";
     settings.preserve.width = 12.0;
     settings.preserve.height = 10.0;
     settings.preserve.founders = 10;

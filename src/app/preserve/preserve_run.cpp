@@ -14,6 +14,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -174,6 +175,18 @@ Status compute(World& world, const PreserveRun& run, const Interruption& interru
     return keep(world, pending, true);
 }
 
+// Says so if solid bodies were often too crowded to be moved exactly.
+void warn_of_crowds(const Preserve& preserve) {
+    constexpr double kMostCrowded = 0.01;
+    const SolidCounts counts = preserve.solid_counts();
+    const double share = static_cast<double>(counts.crowded_ticks) /
+                         static_cast<double>(std::max<std::uint64_t>(counts.ticks, 1));
+    if (share <= kMostCrowded) return;
+    say(fmt::format("crowded: in {:.0f} % of their time, creatures touched more others than can be "
+                    "moved together, and were pressed apart by springs",
+                    100.0 * share));
+}
+
 }  // namespace
 
 CommandFiles files_of(const PreserveRun& run) {
@@ -198,6 +211,7 @@ ExitStatus run_preserve(const PreserveRun& run, const EvolutionKinds& kinds) {
     const Interruption interruption;
     if (Status computed = compute(*world, run, interruption); !computed)
         return fail(computed.error(), ExitStatus::kFailed);
+    warn_of_crowds(*world->preserve);
     if (interruption.requested() && world->file)
         say(fmt::format("stopped; `cambrian preserve --resume {}` goes on from the last minute",
                         world->name));

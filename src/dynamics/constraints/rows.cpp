@@ -215,10 +215,10 @@ Row& add_row(RowKind kind, int source, ConstraintSystem& rows) {
 // Finds or adds the friction row of each contact's group. It acts at the nearest contact.
 class FrictionRows {
 public:
-    FrictionRows(int body_count, const ContactSet& contacts, ConstraintSystem& rows)
+    FrictionRows(const ContactSet& contacts, ConstraintSystem& rows)
         : contacts_(contacts), rows_(rows) {
-        for (int i = 0; i < body_count; ++i)
-            of_body_[i] = -1;
+        for (std::int16_t& row : of_body_)
+            row = -1;
     }
 
     // Returns the row of the contact's group.
@@ -242,13 +242,14 @@ public:
 private:
     const ContactSet& contacts_;
     ConstraintSystem& rows_;
-    std::int16_t of_body_[kMaxBodies];  // on the ground; -1: none
-    std::int16_t of_pair_ = -1;         // of the pair seen last, whose contacts follow each other
+    // On the ground; -1: none. Room for complete vectors makes it fast to fill.
+    std::int16_t of_body_[(kMaxBodies + 15) / 16 * 16];
+    std::int16_t of_pair_ = -1;  // of the pair seen last, whose contacts follow each other
     int pair_ = -1;
 };
 
-void list_contact_rows(int body_count, const RowSources& sources, ConstraintSystem& rows) {
-    FrictionRows frictions(body_count, sources.contacts, rows);
+void list_contact_rows(const RowSources& sources, ConstraintSystem& rows) {
+    FrictionRows frictions(sources.contacts, rows);
     for (int c = 0; c < sources.contacts.count; ++c) {
         Row& row = add_row(RowKind::kNormal, c, rows);
         if (sources.with_friction) row.friction_of = frictions.join(c);
@@ -310,7 +311,7 @@ void build_rows(const PlanarModel& model, const RowSources& sources, const Kinem
             place_contact(sources.contacts.items[c], detected, cache, placed[c]);
     }
     rows.count = 0;
-    list_contact_rows(model.body_count, sources, rows);
+    list_contact_rows(sources, rows);
     for (int r = 0; r < rows.count; ++r) {
         Row& row = rows[r];
         set_contact_row(sources.contacts.items[row.source], placed[row.source], row);

@@ -1,8 +1,10 @@
 #include "dynamics/island/joined_model.h"
 
 #include "core/assert.h"
+#include "dynamics/model/forcing.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace cambrian {
 namespace {

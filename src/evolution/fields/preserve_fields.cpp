@@ -29,9 +29,9 @@ void add_world(TableBuilder& table) {
         "height", "Height", "m", Range{5, 1000}, "The distance of the lower and the upper wall.",
         [](Settings & s) -> auto& { return s.preserve.height; });
     table.choice(
-        "bodies", "Bodies", {"ghostly", "solid"},
-        "Ghostly creatures pass through each other, and bite what they overlap. Solid ones do not "
-        "exist yet.",
+        "bodies", "Bodies", {"solid", "ghostly"},
+        "Solid creatures push each other, and bite what they touch. Ghostly ones pass through each "
+        "other, and bite what they overlap.",
         [](Settings & s) -> auto& { return s.preserve.bodies; });
     table.number(
         "founders", "Founders", "creatures", Range{1, 1000},
@@ -113,11 +113,6 @@ void add_life(TableBuilder& table) {
 }
 
 Status check_world(const Settings& s) {
-    if (s.preserve.bodies == "solid") {
-        return Error{
-            "[preserve] bodies: \"solid\" does not exist yet; expected \"ghostly\", with which "
-            "creatures pass through each other"};
-    }
     if (s.world.environment.has_ground)
         return Error{
             "[environment] ground: a preserve with ground does not exist yet; expected "

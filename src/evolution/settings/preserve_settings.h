@@ -8,7 +8,7 @@ namespace cambrian {
 struct PreserveSettings {
     double width = 40.0;             // m
     double height = 25.0;            // m
-    std::string bodies = "ghostly";  // "ghostly"; "solid" is refused
+    std::string bodies = "solid";    // "solid" or "ghostly"
     int founders = 40;               // creatures at the start
     int max_population = 300;        // no births beyond
     int restock = 8;                 // random immigrants come below so many creatures; 0 for never
@@ -30,5 +30,9 @@ struct PreserveSettings {
 
     friend bool operator==(const PreserveSettings&, const PreserveSettings&) = default;
 };
+
+inline bool is_solid(const PreserveSettings& settings) {
+    return settings.bodies == "solid";
+}
 
 }  // namespace cambrian

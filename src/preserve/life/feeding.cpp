@@ -6,6 +6,7 @@ namespace cambrian {
 namespace {
 
 constexpr double kReach = 0.1;           // m, of a mouth
+constexpr double kSolidBite = 0.01;      // m; gap through which a mouth bites
 constexpr double kCrumbDistance = 0.25;  // m, within which crumbs become one piece of flesh
 constexpr Energy kBittenOff = 5;         // one part in so many of a bite falls down as flesh
 
@@ -27,8 +28,10 @@ bool is_young_child_of(const Resident& child, const Resident& parent, const Pres
            child.age(tick) < laws.kin_peace;
 }
 
-// Returns the part that a mouth overlaps first, or the number of parts.
-std::size_t overlapped_part(const Rectangle& mouth, std::span<const Rectangle> parts) {
+// Returns the first part that is that near to a mouth, or the number of parts.
+std::size_t bitten_part(Rectangle mouth, double distance, std::span<const Rectangle> parts) {
+    mouth.half_length += distance;
+    mouth.half_width += distance;
     const auto found = std::find_if(parts.begin(), parts.end(),
                                     [&](const Rectangle& part) { return overlap(mouth, part); });
     return static_cast<std::size_t>(found - parts.begin());
@@ -58,6 +61,10 @@ Energy eat(Resident& resident, Pellets& plants, Pellets& flesh) {
     return rest;
 }
 
+double bite_distance(const PreserveSettings& laws) {
+    return is_solid(laws) ? kSolidBite : 0.0;
+}
+
 void bite(Resident& biter, Resident& victim, const PreserveSettings& laws, std::uint64_t tick,
           Pellets& flesh) {
     if (biter.store <= 0) return;
@@ -66,7 +73,7 @@ void bite(Resident& biter, Resident& victim, const PreserveSettings& laws, std::
         return;
     for (const Mouth& mouth : biter.mouths()) {
         const Rectangle& place = biter.rectangles()[mouth.part];
-        const std::size_t part = overlapped_part(place, victim.rectangles());
+        const std::size_t part = bitten_part(place, bite_distance(laws), victim.rectangles());
         if (part == victim.rectangles().size()) continue;
         const double power = share_of_flesh(mouth.diet) * laws.bite_power * mouth.width;
         const Energy taken = std::min(victim.store + victim.body, energy_of(power * kBrainTick));

@@ -11,8 +11,11 @@ namespace cambrian {
 // Eats what its mouths reach. Returns the energy that was not digested.
 Energy eat(Resident& resident, Pellets& plants, Pellets& flesh);
 
-// Lets one bite the other for a tick, where a mouth overlaps a part. Parents and young children do
-// not bite each other.
+// Returns how near (m) a mouth must be to a part to bite it: solid bodies hardly overlap.
+double bite_distance(const PreserveSettings& laws);
+
+// Lets one bite the other for a tick, where a mouth is that near to a part. Parents and young
+// children do not bite each other.
 void bite(Resident& biter, Resident& victim, const PreserveSettings& laws, std::uint64_t tick,
           Pellets& flesh);
 

@@ -50,7 +50,10 @@ Resident::Resident(Life begun, std::unique_ptr<const Phenotype> phenotype, const
 
 void Resident::find_rectangles() {
     for (std::size_t i = 0; i < rectangles_.size(); ++i)
-        rectangles_[i] = rectangle_of(*scene_, i, phenotype_->plan.parts[i]);
+        rectangles_[i] =
+            rectangle_of(*scene_, i,
+                         is_solid(settings_->preserve) ? scene_->part_half_extents(i)
+                                                       : phenotype_->plan.parts[i].half_extents);
 }
 
 void Resident::place(const Vec3& center, const Vec3& velocity) {
@@ -64,18 +67,26 @@ void Resident::place(const Vec3& center, const Vec3& velocity) {
 }
 
 void Resident::live(std::unique_ptr<SceneWorkspace>& workspace, const WalledArea& area) {
-    bitten = false;
-    const double before = scene_->audit().gross_motor_work;
-    creature_->act(*scene_, senses_, kBrainTick);
-    push_back(*scene_, *phenotype_, rectangles_, area, settings_->world.environment.density);
+    act(area);
     scene_->give_workspace(std::move(workspace));
     const SceneStatus status = scene_->advance(kBrainTick);
     workspace = scene_->take_workspace();
+    end_tick(status);
+}
+
+void Resident::act(const WalledArea& area) {
+    bitten = false;
+    work_before_ = scene_->audit().gross_motor_work;
+    creature_->act(*scene_, senses_, kBrainTick);
+    push_back(*scene_, *phenotype_, rectangles_, area, settings_->world.environment.density);
+}
+
+void Resident::end_tick(SceneStatus status) {
     const SceneAudit& audit = scene_->audit();
     const TrialSettings& guards = settings_->world.trial;
     broken_ = status != SceneStatus::kRunning || audit.max_part_speed > guards.max_part_speed ||
               audit.max_part_spin > guards.max_part_spin;
-    work_ = broken_ ? 0.0 : std::max(audit.gross_motor_work - before, 0.0);
+    work_ = broken_ ? 0.0 : std::max(audit.gross_motor_work - work_before_, 0.0);
     if (!broken_) find_rectangles();
 }
 

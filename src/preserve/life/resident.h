@@ -42,11 +42,15 @@ public:
     // Thinks and moves for a tick in a workspace of its scene. Changes nothing else, so residents
     // may do so at the same time.
     void live(std::unique_ptr<SceneWorkspace>& workspace, const WalledArea& area);
+    // Do the same in two parts: what it does before its scene is advanced, and after.
+    void act(const WalledArea& area);
+    void end_tick(SceneStatus status);
+    PhysicsScene& scene() { return *scene_; }
 
     // The work of the motors in the last tick, in J.
     double work() const { return work_; }
-    // Whether the last tick failed, or a part moves faster than bodies can. Then only the rectangles,
-    // which are those before that tick, still are of use.
+    // Whether the last tick failed, or a part moves faster than bodies can. Then only the
+    // rectangles, which are those before that tick, still are of use.
     bool is_broken() const { return broken_; }
     std::span<const Rectangle> rectangles() const { return rectangles_; }
     Bounds bounds() const { return scene_->bounds(); }
@@ -85,6 +89,7 @@ private:
     std::vector<Mouth> mouths_;
     std::vector<Rectangle> rectangles_;
     double radius_ = 0.0;
+    double work_before_ = 0.0;  // J, of the motors up to the last tick
     double work_ = 0.0;
     bool broken_ = false;
 };

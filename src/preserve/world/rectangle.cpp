@@ -4,19 +4,14 @@
 #include <cmath>
 
 namespace cambrian {
-namespace {
 
-// Returns half of the length of a rectangle's projection on a unit vector.
 double half_projection(const Rectangle& rectangle, const Vec3& direction) {
     return rectangle.half_length * std::fabs(rectangle.axis.dot(direction)) +
            rectangle.half_width * std::fabs(rectangle.across().dot(direction));
 }
 
-}  // namespace
-
-Rectangle rectangle_of(const BodyView& body, std::size_t index, const PlannedPart& part) {
-    return {body.part_center(index), body.part_axis(index), part.half_extents.x(),
-            part.half_extents.y()};
+Rectangle rectangle_of(const BodyView& body, std::size_t index, const Vec3& half_extents) {
+    return {body.part_center(index), body.part_axis(index), half_extents.x(), half_extents.y()};
 }
 
 std::array<Vec3, 4> corners_of(const Rectangle& rectangle) {

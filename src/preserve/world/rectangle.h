@@ -20,9 +20,13 @@ struct Rectangle {
     Vec3 across() const { return {-axis.y(), axis.x(), 0.0}; }
 };
 
-Rectangle rectangle_of(const BodyView& body, std::size_t index, const PlannedPart& part);
+// Returns the part as a rectangle with these half extents (m).
+Rectangle rectangle_of(const BodyView& body, std::size_t index, const Vec3& half_extents);
 std::array<Vec3, 4> corners_of(const Rectangle& rectangle);
 Bounds bounds_of(const Rectangle& rectangle);
+
+// Returns half of the length of a rectangle's projection on a unit vector.
+double half_projection(const Rectangle& rectangle, const Vec3& direction);
 
 // Returns whether two rectangles have a point in common (separating axis theorem).
 bool overlap(const Rectangle& a, const Rectangle& b);

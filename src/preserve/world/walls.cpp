@@ -1,10 +1,9 @@
 #include "preserve/world/walls.h"
 
+#include "preserve/world/soft_spring.h"
+
 namespace cambrian {
 namespace {
-
-constexpr double kStiffness = 400.0;  // 1/s^2; force for each kilogram of the part and metre
-constexpr double kDamping = 20.0;     // 1/s; for each kilogram and m/s
 
 struct Excess {
     std::size_t part = 0;
@@ -42,7 +41,7 @@ void push_back(PhysicsScene& scene, const Phenotype& phenotype, std::span<const 
     const Vec3 velocity = twist.linear + twist.angular.cross(arm);
     const double mass =
         density * phenotype.parts[worst.part].length * phenotype.parts[worst.part].width;
-    const double force = mass * (kStiffness * worst.depth - kDamping * velocity.dot(worst.inward));
+    const double force = mass * spring_force(worst.depth, velocity.dot(worst.inward));
     if (!(force > 0.0)) return;
     const Vec3 point(arm.dot(part.axis), arm.dot(part.across()), 0.0);
     scene.pull(worst.part, point, force * worst.inward);

@@ -11,6 +11,8 @@
 
 namespace cambrian {
 
+inline constexpr int kPullsOfWalls = 1;  // on one body in a tick, at most
+
 // Pushes the part with the corner that is farthest beyond a wall back during the next tick. `parts`
 // are the parts' rectangles of the moment.
 void push_back(PhysicsScene& scene, const Phenotype& phenotype, std::span<const Rectangle> parts,

@@ -1,0 +1,89 @@
+#include "preserve/bodies/extent.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace cambrian {
+namespace {
+
+constexpr double kMostSpeed = 200.0;  // m/s
+
+// Returns the distance along the axis of either on which the two are farthest apart.
+double gap_along_axes(const Rectangle& a, const Rectangle& b) {
+    const Vec3 apart = b.center - a.center;
+    double gap = -std::numeric_limits<double>::infinity();
+    for (const Vec3& axis : {a.axis, a.across(), b.axis, b.across()}) {
+        const double reach = half_projection(a, axis) + half_projection(b, axis);
+        gap = std::max(gap, std::fabs(apart.dot(axis)) - reach);
+    }
+    return gap;
+}
+
+}  // namespace
+
+double fastest_point(const BodyView& body) {
+    double fastest = 0.0;
+    for (std::size_t i = 0; i < body.part_count(); ++i) {
+        const Twist twist = body.part_twist(i);
+        const double spin = std::fabs(twist.angular.z()) + std::fabs(body.stretch_rate(i));
+        const double speed = twist.linear.norm() + spin * body.part_half_extents(i).norm();
+        fastest = std::max(fastest, speed);
+    }
+    return std::min(kMostSpeed, fastest);
+}
+
+void find_parts(const BodyView& body, Extent& extent) {
+    extent.parts.resize(body.part_count());
+    extent.boxes.resize(body.part_count());
+    for (std::size_t i = 0; i < extent.parts.size(); ++i) {
+        extent.parts[i] = rectangle_of(body, i, body.part_half_extents(i));
+        extent.boxes[i] = bounds_of(extent.parts[i]);
+    }
+}
+
+Bounds grown(const Bounds& bounds, double growth) {
+    const Vec3 by(growth, growth, 0.0);
+    return {bounds.low - by, bounds.high + by};
+}
+
+double gap_between(const Bounds& a, const Bounds& b) {
+    const double x = std::max(a.low.x() - b.high.x(), b.low.x() - a.high.x());
+    const double y = std::max(a.low.y() - b.high.y(), b.low.y() - a.high.y());
+    return std::max(x, y);
+}
+
+double gap_between_boxes(const Extent& a, const Extent& b) {
+    double gap = std::numeric_limits<double>::infinity();
+    for (const Bounds& first : a.boxes) {
+        for (const Bounds& second : b.boxes)
+            gap = std::min(gap, gap_between(first, second));
+    }
+    return gap;
+}
+
+double gap_between(const Extent& a, const Extent& b, double reach) {
+    double gap = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < a.parts.size(); ++i) {
+        for (std::size_t j = 0; j < b.parts.size(); ++j) {
+            double found = gap_between(a.boxes[i], b.boxes[j]);
+            if (found <= reach) found = std::max(found, gap_along_axes(a.parts[i], b.parts[j]));
+            gap = std::min(gap, found);
+        }
+    }
+    return gap;
+}
+
+bool has_left(const Extent& before, const Extent& after) {
+    for (std::size_t i = 0; i < before.parts.size(); ++i) {
+        const auto corners = corners_of(after.parts[i]);
+        const auto from = corners_of(before.parts[i]);
+        for (std::size_t corner = 0; corner < corners.size(); ++corner) {
+            const double square = (corners[corner] - from[corner]).squaredNorm();
+            if (!(square <= before.growth * before.growth)) return true;
+        }
+    }
+    return false;
+}
+
+}  // namespace cambrian

@@ -1,0 +1,38 @@
+#pragma once
+
+// Where a body is and how far it can get within a tick.
+
+#include "preserve/world/rectangle.h"
+#include "world/body_view.h"
+
+#include <vector>
+
+namespace cambrian {
+
+struct Extent {
+    std::vector<Rectangle> parts;
+    std::vector<Bounds> boxes;  // around the parts
+    double growth = 0.0;        // m; how far every point is expected to get within a tick
+};
+
+// Returns a speed (m/s) that no point of the body exceeds; at most 200 m/s, at which bodies break
+// anyway.
+double fastest_point(const BodyView& body);
+
+// Finds the parts and their boxes; the growth stays.
+void find_parts(const BodyView& body, Extent& extent);
+
+Bounds grown(const Bounds& bounds, double growth);
+// Returns the distance of two boxes along the axis on which they are farthest apart; negative if
+// they overlap.
+double gap_between(const Bounds& a, const Bounds& b);
+
+// Returns the least distance of two parts' boxes.
+double gap_between_boxes(const Extent& a, const Extent& b);
+// Returns a lower bound of the least distance of two parts; negative if they overlap. It is the
+// true one or nearer to it than that of boxes where it is at most `reach`.
+double gap_between(const Extent& a, const Extent& b, double reach);
+// Returns whether any corner of a part is farther than the growth from where it was.
+bool has_left(const Extent& before, const Extent& after);
+
+}  // namespace cambrian

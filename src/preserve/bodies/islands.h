@@ -1,0 +1,42 @@
+#pragma once
+
+// Joins bodies that may touch into islands, which are advanced as one (preserve/README.md 9).
+
+#include "world/physics_scene.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace cambrian {
+
+// Two bodies that may touch in this tick, the lower index first.
+struct NearPair {
+    double gap = 0.0;  // m, expected
+    std::uint32_t first = 0, second = 0;
+
+    friend auto operator<=>(const NearPair&, const NearPair&) = default;
+};
+
+class Islands {
+public:
+    // Begins with every body alone. An island is never larger than `most`.
+    void begin(std::span<const SceneSize> sizes, const SceneSize& most);
+
+    // Joins the islands of the pairs in ascending order of gaps, then of indices. Pairs whose
+    // islands would be too large together become crowded.
+    void join(std::vector<NearPair> pairs);
+
+    bool are_joined(std::uint32_t a, std::uint32_t b) const { return find(a) == find(b); }
+    // Returns the representative of the body's island, one of its bodies.
+    std::uint32_t find(std::uint32_t body) const;
+    const std::vector<NearPair>& crowded() const { return crowded_; }
+
+private:
+    std::vector<std::uint32_t> parents_;
+    std::vector<SceneSize> sizes_;  // of islands, at their representatives
+    SceneSize most_;
+    std::vector<NearPair> crowded_;
+};
+
+}  // namespace cambrian

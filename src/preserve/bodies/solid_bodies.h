@@ -1,0 +1,98 @@
+#pragma once
+
+// Advances solid bodies by a tick: those that may touch as one, all others alone
+// (preserve/README.md 9).
+
+#include "core/threads/thread_pool.h"
+#include "preserve/bodies/extent.h"
+#include "preserve/bodies/islands.h"
+#include "preserve/world/meetings.h"
+#include "world/joined_scenes.h"
+#include "world/scene_kind.h"
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace cambrian {
+
+struct SolidBody {
+    std::uint64_t number = 0;  // never used for another body
+    PhysicsScene* scene = nullptr;
+    int pulls = 0;                               // forces that the scene was given for this tick
+    SceneStatus status = SceneStatus::kRunning;  // after the tick
+};
+
+// Sums over all ticks.
+struct SolidCounts {
+    std::uint64_t ticks = 0;          // of one body
+    std::uint64_t joined_ticks = 0;   // of one body, in an island of several
+    std::uint64_t crowded_ticks = 0;  // of one body and each spring that pressed it
+    std::uint64_t redone = 0;         // islands that were advanced once more
+};
+
+class SolidBodies {
+public:
+    using Workspaces = std::span<std::unique_ptr<SceneWorkspace>>;  // one for each worker
+
+    // Scenes must be of this kind. The kind must outlive it.
+    explicit SolidBodies(const SceneKind& kind) : kind_(&kind) {}
+
+    // Advances all bodies, in ascending order of numbers. A body whose motion fails does not move,
+    // and the others move as if it were not there. The result is the same on any number of workers.
+    void advance(std::span<SolidBody> bodies, double duration, Workspaces workspaces,
+                 ThreadPool& pool);
+
+    // Forgets contacts, as after a snapshot.
+    void forget() { memory_.clear(); }
+
+    const SolidCounts& counts() const { return counts_; }
+    // Of the last tick: whether two bodies were advanced as one, by index.
+    bool were_joined(std::uint32_t a, std::uint32_t b) const { return islands_.are_joined(a, b); }
+    // Pairs for which there was no room.
+    const std::vector<NearPair>& crowded() const { return islands_.crowded(); }
+
+private:
+    using Memory = std::map<std::vector<std::uint64_t>, std::unique_ptr<JoinedScenes>>;
+    struct Island {
+        std::vector<std::uint32_t> members;               // indices, ascending
+        std::unique_ptr<JoinedScenes>* joined = nullptr;  // of several members
+    };
+    struct Tick {
+        std::span<SolidBody> bodies;
+        double duration;
+        Workspaces workspaces;
+        ThreadPool& pool;
+    };
+
+    void look_around(const Tick& tick);
+    std::vector<NearPair> expected_pairs() const;
+    void press_crowded(const Tick& tick);
+    std::vector<Island> list_islands(const Tick& tick, const std::vector<bool>& wanted);
+    void run(const Tick& tick, std::vector<Island> islands);
+    static void run_alone(SolidBody& body, double duration,
+                          std::unique_ptr<SceneWorkspace>& workspace);
+    void run_joined(const Tick& tick, const Island& island, std::size_t worker) const;
+    static std::size_t find_culprit(const Tick& tick, std::span<const std::uint32_t> members,
+                                    std::unique_ptr<SceneWorkspace>& workspace);
+    std::vector<bool> find_leavers(const Tick& tick);
+    bool is_settled(const Tick& tick, const NearPair& pair) const;
+    std::vector<NearPair> missed_pairs(const Tick& tick);
+    void redo(const Tick& tick, const std::vector<NearPair>& missed);
+    void count(const Tick& tick);
+
+    const SceneKind* kind_;
+    Meetings meetings_;
+    std::vector<Bounds> reach_;  // within which every body surely stays
+    std::vector<double> speeds_;
+    std::vector<NearPair> neighbours_;  // pairs that could meet at all
+    std::vector<bool> is_awake_;        // has a neighbour
+    std::vector<Extent> before_, after_;
+    Islands islands_;
+    Memory memory_, next_memory_;
+    SolidCounts counts_;
+};
+
+}  // namespace cambrian

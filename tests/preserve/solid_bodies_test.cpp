@@ -1,0 +1,227 @@
+#include "preserve/bodies/solid_bodies.h"
+
+#include "core/random.h"
+#include "support/body_plans.h"
+#include "support/catch.h"
+#include "support/kinds.h"
+
+#include <cmath>
+
+namespace cambrian {
+namespace {
+
+using namespace test;
+
+// Bodies in space without gravity.
+class Bodies {
+public:
+    explicit Bodies(std::size_t workers = 1) : solid_(creature_kinds().scene), pool_(workers) {
+        space_.elasticity = 0.5;
+    }
+
+    PhysicsScene& add(const BodyPlan& plan, const Vec3& velocity) {
+        auto scene = creature_kinds().scene.make(plan, space_, {});
+        REQUIRE(scene);
+        SceneMotion motion = (*scene)->motion();
+        motion.speeds[motion.speeds.size() - 2] = velocity.x();
+        motion.speeds[motion.speeds.size() - 1] = velocity.y();
+        REQUIRE((*scene)->begin_at(motion));
+        auto workspace = (*scene)->take_workspace();
+        if (workspaces_.size() < pool_.workers()) workspaces_.push_back(std::move(workspace));
+        bodies_.push_back({bodies_.size() + 1, scene->get()});
+        scenes_.push_back(std::move(*scene));
+        return *scenes_.back();
+    }
+    void tick() { solid_.advance(bodies_, kTestTick, workspaces_, pool_); }
+
+    // Returns the pairs of overlapping bodies that were neither joined nor crowded.
+    int missed() const {
+        std::vector<Extent> extents(scenes_.size());
+        for (std::size_t i = 0; i < scenes_.size(); ++i)
+            find_parts(*scenes_[i], extents[i]);
+        int missed = 0;
+        for (std::uint32_t a = 0; a < scenes_.size(); ++a) {
+            for (std::uint32_t b = a + 1; b < scenes_.size(); ++b) {
+                if (solid_.were_joined(a, b) || are_crowded(a, b)) continue;
+                missed += meet(extents[a], extents[b]) ? 1 : 0;
+            }
+        }
+        return missed;
+    }
+    Vec3 momentum() const {
+        Vec3 sum = Vec3::Zero();
+        for (const auto& scene : scenes_)
+            sum += scene->mass() * scene->center_of_mass_velocity();
+        return sum;
+    }
+    double kinetic_energy() const {
+        double sum = 0.0;
+        for (const auto& scene : scenes_)
+            sum += scene->kinetic_energy();
+        return sum;
+    }
+    double deepest() const {
+        double depth = 0.0;
+        for (const auto& scene : scenes_)
+            depth = std::max(depth, scene->audit().max_penetration);
+        return depth;
+    }
+    std::uint64_t digest() const {
+        Hash64 digest;
+        for (const auto& scene : scenes_)
+            scene->add_to_digest(digest);
+        return digest.value();
+    }
+    PhysicsScene& operator[](std::size_t index) { return *scenes_[index]; }
+    SceneStatus status(std::size_t index) const { return bodies_[index].status; }
+    const SolidCounts& counts() const { return solid_.counts(); }
+    std::size_t size() const { return scenes_.size(); }
+
+private:
+    static bool meet(const Extent& a, const Extent& b) {
+        for (const Rectangle& first : a.parts) {
+            for (const Rectangle& second : b.parts) {
+                if (overlap(first, second)) return true;
+            }
+        }
+        return false;
+    }
+    bool are_crowded(std::uint32_t a, std::uint32_t b) const {
+        return std::any_of(
+            solid_.crowded().begin(), solid_.crowded().end(),
+            [&](const NearPair& pair) { return pair.first == a && pair.second == b; });
+    }
+
+    Environment space_ = empty_space();
+    SolidBodies solid_;
+    ThreadPool pool_;
+    std::vector<std::unique_ptr<PhysicsScene>> scenes_;
+    std::vector<std::unique_ptr<SceneWorkspace>> workspaces_;
+    std::vector<SolidBody> bodies_;
+};
+
+// Boxes and chains of three that fly about in a square of 2 * side.
+void scatter(Bodies& bodies, int count, double side, double speed, std::uint64_t seed) {
+    RandomStream random(stream_seed({seed, static_cast<std::uint64_t>(Purpose::kTest)}));
+    for (int i = 0; i < count; ++i) {
+        const double x = random.uniform(-side, side);
+        const double y = random.uniform(-side, side);
+        const Vec3 velocity(random.uniform(-speed, speed), random.uniform(-speed, speed), 0.0);
+        bodies.add(i % 3 == 0 ? chain(3, 1.0, x, y)
+                              : one_box(random.uniform(0.1, 0.3), 0.1, x, y, random.uniform(0, 3)),
+                   velocity);
+    }
+}
+
+TEST_CASE("no two bodies meet that the broad phase did not expect", "[preserve][solid]") {
+    std::uint64_t joined = 0;
+    for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+        Bodies bodies;
+        scatter(bodies, 40, 5.0, 3.0, seed);
+        for (int tick = 0; tick < 120; ++tick) {
+            bodies.tick();
+            REQUIRE(bodies.missed() == 0);
+        }
+        joined += bodies.counts().joined_ticks;
+    }
+    CHECK(joined > 1000);
+}
+
+TEST_CASE("a hundred crowded boxes stay bounded and keep their momentum", "[preserve][solid]") {
+    Bodies bodies;
+    for (int i = 0; i < 100; ++i) {
+        const Vec3 place(0.36 * (i % 10 - 4.5), 0.36 * (i / 10 - 4.5), 0.0);
+        bodies.add(one_box(0.15, 0.15, place.x(), place.y()),
+                   -0.6 * place + Vec3(0.02 * (i % 7), 0.3, 0.0));
+    }
+    const Vec3 before = bodies.momentum();
+    const double energy = bodies.kinetic_energy();
+    for (int tick = 0; tick < 180; ++tick)
+        bodies.tick();
+    CHECK((bodies.momentum() - before).norm() < 1e-12 * before.norm());
+    CHECK(bodies.counts().crowded_ticks > 100);
+    CHECK(bodies.deepest() < 0.1);
+    CHECK(bodies.kinetic_energy() < energy);
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        CHECK(bodies.status(i) == SceneStatus::kRunning);
+        CHECK(bodies[i].center_of_mass().norm() < 10.0);
+    }
+}
+
+TEST_CASE("a body that gets farther than expected is advanced again with whom it meets",
+          "[preserve][solid]") {
+    Bodies bodies;
+    PhysicsScene& thrown = bodies.add(one_box(0.1, 0.1, 0.0, 0.0), Vec3::Zero());
+    PhysicsScene& hit = bodies.add(one_box(0.1, 0.1, 0.32, 0.0), Vec3::Zero());
+    bodies.add(one_box(0.1, 0.1, 5.0, 0.0), Vec3::Zero());
+    bodies.tick();
+    CHECK(bodies.counts().joined_ticks == 0);
+    // Gains 9 m/s in a tick, and so gets 0.15 m far at least.
+    thrown.pull(0, Vec3::Zero(), Vec3(thrown.mass() * 9.0 / kTestTick, 0.0, 0.0));
+    bodies.tick();
+    CHECK(bodies.counts().redone == 1);
+    CHECK(bodies.counts().joined_ticks == 2);
+    CHECK(bodies.missed() == 0);
+    for (int tick = 0; tick < 5; ++tick)
+        bodies.tick();
+    CHECK(hit.center_of_mass_velocity().x() > 4.0);
+    CHECK(bodies.deepest() < 0.01);
+    CHECK(bodies.momentum().x() == Approx(thrown.mass() * 9.0).epsilon(1e-9));
+}
+
+TEST_CASE("bodies that meet nobody move as if alone, bit by bit", "[preserve][solid]") {
+    Bodies bodies(2);
+    std::vector<std::unique_ptr<PhysicsScene>> alone;
+    for (int i = 0; i < 6; ++i) {
+        const BodyPlan plan = chain(3 + i % 3, 1.0, 6.0 * (i % 3), 6.0 * (i / 3));
+        bodies.add(plan, Vec3(0.1 * i, 0.0, 0.0));
+        alone.push_back(std::move(*creature_kinds().scene.make(plan, empty_space(), {})));
+        REQUIRE(alone.back()->begin_at(bodies[static_cast<std::size_t>(i)].motion()));
+    }
+    for (int tick = 0; tick < 120; ++tick) {
+        for (std::size_t i = 0; i < alone.size(); ++i) {
+            const double target = tick % 40 < 20 ? 0.6 : -0.6;
+            bodies[i].set_target(1, target);
+            alone[i]->set_target(1, target);
+            REQUIRE(run(*alone[i], kTestTick));
+        }
+        bodies.tick();
+    }
+    for (std::size_t i = 0; i < alone.size(); ++i) {
+        CHECK(bodies[i].motion().positions == alone[i]->motion().positions);
+        CHECK(bodies[i].motion().speeds == alone[i]->motion().speeds);
+    }
+}
+
+TEST_CASE("a body whose motion fails is left out, and its neighbours go on", "[preserve][solid]") {
+    Bodies bodies;
+    bodies.add(one_box(0.2, 0.1, 0.0, 0.0), Vec3(0.5, 0.0, 0.0));
+    bodies.add(one_box(0.2, 0.1, 0.45, 0.0), Vec3::Zero());
+    PhysicsScene& broken = bodies.add(one_box(0.2, 0.1, 0.9, 0.0), Vec3::Zero());
+    bodies.tick();
+    CHECK(bodies.counts().joined_ticks > 0);
+    // More than the fastest motion that counts as valid.
+    broken.pull(0, Vec3::Zero(), Vec3(broken.mass() * 2e4 / kTestTick, 0.0, 0.0));
+    bodies.tick();
+    CHECK(bodies.status(2) != SceneStatus::kRunning);
+    CHECK(bodies.status(0) == SceneStatus::kRunning);
+    CHECK(bodies.status(1) == SceneStatus::kRunning);
+    CHECK(bodies[0].center_of_mass().x() == Approx(2 * 0.5 * kTestTick).epsilon(1e-6));
+}
+
+TEST_CASE("workers do not change the bits of colliding bodies", "[preserve][solid][threads]") {
+    std::vector<std::uint64_t> digests;
+    for (const std::size_t workers : {1U, 2U, 7U}) {
+        Bodies bodies(workers);
+        scatter(bodies, 60, 4.0, 2.0, 9);
+        for (int tick = 0; tick < 90; ++tick)
+            bodies.tick();
+        CHECK(bodies.counts().joined_ticks > 500);
+        digests.push_back(bodies.digest());
+    }
+    CHECK(digests[1] == digests[0]);
+    CHECK(digests[2] == digests[0]);
+}
+
+}  // namespace
+}  // namespace cambrian

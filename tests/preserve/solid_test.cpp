@@ -1,0 +1,124 @@
+// Preserves with solid bodies.
+#include "worlds.h"
+
+#include <algorithm>
+
+namespace cambrian {
+namespace {
+
+using namespace test;
+
+ExperimentSettings solid_world() {
+    ExperimentSettings settings = small_world();
+    settings.preserve.bodies = "solid";
+    return settings;
+}
+
+TEST_CASE("energy is constant to the last unit among solid creatures", "[preserve][solid]") {
+    ExperimentSettings settings = solid_world();
+    settings.preserve.founders = 16;
+    const auto preserve = begun(settings, {eater(0.0), eater(1.0), fish(kind_catalog())});
+    ThreadPool pool(1);
+    std::size_t births = 0;
+    std::size_t broken = 0;
+    for (int tick = 0; tick < 4000; ++tick) {
+        preserve->tick(pool);
+        REQUIRE(preserve->total_energy() == preserve->founding_energy());
+        const Chronicle chronicle = preserve->take_chronicle();
+        births += chronicle.born.size();
+        broken += static_cast<std::size_t>(std::count_if(
+            chronicle.died.begin(), chronicle.died.end(),
+            [](const Life& life) { return life.cause == DeathCause::kBrokenPhysics; }));
+    }
+    CHECK(births > 16);
+    CHECK(broken == 0);
+    CHECK(preserve->solid_counts().joined_ticks > 100);
+}
+
+TEST_CASE("solid creatures do not overlap", "[preserve][solid]") {
+    ExperimentSettings settings = solid_world();
+    settings.preserve.width = 6.0;
+    settings.preserve.height = 6.0;
+    settings.preserve.energy_density = 900.0;
+    settings.preserve.founders = 12;
+    settings.preserve.bite_power = 0.0;
+    const auto preserve = begun(settings, {fish(kind_catalog()), eater(0.0)});
+    ThreadPool pool(1);
+    int overlaps = 0;
+    for (int tick = 0; tick < 900; ++tick) {
+        preserve->tick(pool);
+        const auto& residents = preserve->residents();
+        for (std::size_t a = 0; a < residents.size(); ++a) {
+            for (std::size_t b = a + 1; b < residents.size(); ++b) {
+                for (Rectangle part : residents[a]->rectangles()) {
+                    part.half_length -= 0.02;
+                    part.half_width -= 0.02;
+                    for (const Rectangle& other : residents[b]->rectangles())
+                        overlaps += overlap(part, other) ? 1 : 0;
+                }
+            }
+        }
+    }
+    CHECK(overlaps == 0);
+    CHECK(preserve->solid_counts().joined_ticks > 500);
+}
+
+TEST_CASE("a solid hunter bites what its mouth touches", "[preserve][solid]") {
+    ExperimentSettings settings = solid_world();
+    settings.preserve.width = 6.0;
+    settings.preserve.height = 6.0;
+    settings.preserve.energy_density = 300.0;
+    settings.preserve.founders = 12;
+    const auto preserve = begun(settings, {eater(1.0, 0.4), eater(0.0), eater(0.0)});
+    ThreadPool pool(1);
+    Energy bitten = 0;
+    for (int tick = 0; tick < 3600; ++tick) {
+        preserve->tick(pool);
+        for (const Life& life : preserve->take_chronicle().died)
+            bitten += life.bitten;
+    }
+    for (const auto& each : preserve->residents())
+        bitten += each->life.bitten;
+    CHECK(bitten > energy_of(1.0));
+}
+
+TEST_CASE("threads do not change the bits of solid creatures", "[preserve][solid][threads]") {
+    ExperimentSettings settings = solid_world();
+    settings.preserve.founders = 30;
+    settings.preserve.energy_density = 200.0;
+    std::vector<std::uint64_t> digests;
+    for (const std::size_t workers : {1U, 2U, 7U}) {
+        const auto preserve = begun(settings, {fish(kind_catalog()), eater(0.5)});
+        ThreadPool pool(workers);
+        for (int tick = 0; tick < 600; ++tick)
+            preserve->tick(pool);
+        CHECK(preserve->solid_counts().joined_ticks > 500);
+        digests.push_back(digest(*preserve));
+    }
+    CHECK(digests[1] == digests[0]);
+    CHECK(digests[2] == digests[0]);
+}
+
+TEST_CASE("solid creatures that go on from a snapshot have the bits of those that never stopped",
+          "[preserve][solid]") {
+    ExperimentSettings settings = solid_world();
+    const std::vector<GenomePtr> founders = {eater(0.0), eater(1.0), fish(kind_catalog())};
+    const auto uncut = begun(settings, founders);
+    ThreadPool pool(1);
+    const auto run_to = [&](Preserve& preserve, std::uint64_t tick) {
+        while (preserve.ticks() < tick)
+            preserve.tick(pool);
+    };
+    run_to(*uncut, kTicksPerSnapshot);
+    const PreserveState state = *uncut->snapshot();
+    run_to(*uncut, kTicksPerSnapshot + 900);
+    const auto resumed = Preserve::resume(std::make_shared<const ExperimentSettings>(settings),
+                                          kinds(), founders, state);
+    REQUIRE(resumed);
+    run_to(**resumed, kTicksPerSnapshot + 900);
+    CHECK((*resumed)->solid_counts().joined_ticks > 100);
+    CHECK(digest(**resumed) == digest(*uncut));
+}
+
+}  // namespace
+}  // namespace cambrian
