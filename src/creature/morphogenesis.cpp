@@ -214,8 +214,7 @@ private:
             for (const OrganGene& organ : gene(phenotype_.parts[i]).organs) {
                 const OrganKind& kind = organs_[organ.kind];
                 if (kind.shape == nullptr || body.stretch || left <= 0) continue;
-                kind.shape({organ.parameters.data(), kind.parameters.size()},
-                           scene_, body);
+                kind.shape({organ.parameters.data(), kind.parameters.size()}, scene_, body);
                 --left;
             }
         }
