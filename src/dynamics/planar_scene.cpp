@@ -367,7 +367,7 @@ void PlanarScene::pull(std::size_t part, const Vec3& point_in_part, const Vec3& 
 
 void PlanarScene::mark() {
     if (!mark_) mark_ = std::make_unique<Mark>();
-    mark_->moment = body_.state;
+    mark_->moment = static_cast<const SceneMoment&>(body_.state);
     mark_->pull_count = body_.forcing.pull_count;
     std::copy_n(body_.forcing.pulls, mark_->pull_count, mark_->pulls);
 }

@@ -15,7 +15,8 @@ namespace cambrian {
 namespace {
 
 constexpr std::uint64_t kPlantsOfAMeal = 10;
-constexpr double kMealRadius = 0.6;          // m
+constexpr double kMealRadius = 0.6;  // m
+constexpr const char* kNoRoom = "There is no room: other creatures are in the way.";
 constexpr double kGoldenTurn = 2.399963230;  // rad, between two plants of a spiral
 
 // Returns the place nearest to the one asked for at which a circle is between the walls.
@@ -56,8 +57,9 @@ Result<std::uint64_t> Preserve::carry_out(const Intervention& asked) {
     if (found == residents_.end())
         return Error{fmt::format("creature {} is not alive", asked.number)};
     if (asked.what == intervention::kMove) {
-        Resident& moved = **found;
-        moved.place(place_between_walls(area_, place, moved.radius()), Vec3::Zero());
+        const std::optional<Vec3> room = room_near(place, **found);
+        if (!room) return Error{kNoRoom};
+        (*found)->place(*room, Vec3::Zero());
         return asked.number;
     }
     if (asked.what != intervention::kRemove)
@@ -67,6 +69,21 @@ Result<std::uint64_t> Preserve::carry_out(const Intervention& asked) {
     residents_.erase(found);
     forget_lineages();
     return asked.number;
+}
+
+// Returns the first place with room, between the walls, on a spiral around the one asked for.
+std::optional<Vec3> Preserve::room_near(const Vec3& asked, const Resident& resident) const {
+    constexpr int kPlaces = 64;
+    for (int i = 0; i < kPlaces; ++i) {
+        const SineCosine turn = sine_cosine(kGoldenTurn * static_cast<double>(i));
+        const double distance = resident.radius() * std::sqrt(static_cast<double>(i));
+        const Vec3 place = place_between_walls(
+            area_, asked + distance * Vec3(turn.cosine, turn.sine, 0.0), resident.radius());
+        const Vec3 shift = place - resident.center();
+        const Bounds bounds = resident.bounds();
+        if (is_free({bounds.low + shift, bounds.high + shift}, resident)) return place;
+    }
+    return std::nullopt;
 }
 
 // Adds plants around a place, which the light pays. Returns their number.
@@ -101,14 +118,15 @@ Result<std::uint64_t> Preserve::admit(const GenomePtr& genome, const Vec3& place
     if (!resident.can_move())
         return Error{
             "The creature cannot live here: none of its joints follows more than constants."};
-    const Vec3 center = place_between_walls(area_, place, resident.radius());
-    if (!area_.holds(center, resident.radius()))
+    const std::optional<Vec3> center = room_near(place, resident);
+    if (!center) return Error{kNoRoom};
+    if (!area_.holds(*center, resident.radius()))
         return Error{"The creature is too large for the walls."};
     if (!can_pay(resident)) {
         return Error{fmt::format("The light has {} left, and the creature costs {}.",
                                  joules_text(ambient_), joules_text(price_of(resident)))};
     }
-    resident.place(center, Vec3::Zero());
+    resident.place(*center, Vec3::Zero());
     const std::uint64_t number = next_number_;
     settle(*std::move(grown));
     feel_energy();

@@ -145,11 +145,12 @@ Result<std::unique_ptr<Resident>> Preserve::newcomer(std::size_t place, std::str
         const double y = area_.height * (draws.uniform() - 0.5);
         resident.place(Vec3(x, y, 0.0), Vec3::Zero());
         if (!area_.holds(resident.center(), resident.radius())) continue;
-        if (is_free(resident)) return grown;
+        if (is_free(resident.bounds(), resident)) return grown;
         fits = true;
     }
     resident.place(Vec3::Zero(), Vec3::Zero());
-    if (area_.holds(resident.center(), resident.radius()) && is_free(resident)) return grown;
+    if (area_.holds(resident.center(), resident.radius()) && is_free(resident.bounds(), resident))
+        return grown;
     if (fits) {
         return Error{
             fmt::format("no place is left for founder {}; expected fewer founders, or a larger "
@@ -333,12 +334,11 @@ void Preserve::make_workspaces(std::size_t workers) {
     }
 }
 
-// Returns whether solid bodies leave room for one more where it is.
-bool Preserve::is_free(const Resident& newborn) const {
-    if (!solid_) return true;
-    const Bounds bounds = newborn.bounds();
-    return std::none_of(residents_.begin(), residents_.end(),
-                        [&](const auto& each) { return overlap(each->bounds(), bounds); });
+// Returns whether the other solid bodies leave room for a resident with these bounds.
+bool Preserve::is_free(const Bounds& bounds, const Resident& of) const {
+    return !solid_ || std::none_of(residents_.begin(), residents_.end(), [&](const auto& each) {
+        return each.get() != &of && overlap(each->bounds(), bounds);
+    });
 }
 
 void Preserve::sense() {
@@ -457,7 +457,7 @@ void Preserve::bear(Resident& parent, std::unique_ptr<Resident> child, RandomStr
             parent.center() + distance * Vec3(direction.cosine, direction.sine, 0.0);
         if (!area_.holds(center, child->radius())) continue;
         child->place(center, parent.velocity());
-        if (!is_free(*child)) continue;
+        if (!is_free(child->bounds(), *child)) continue;
         parent.store -= child->store + child->body;
         ++parent.life.children;
         child->life.x = center.x();

@@ -19,6 +19,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -79,7 +80,8 @@ private:
     void live(ThreadPool& pool);
     void move_solid(ThreadPool& pool);
     void make_workspaces(std::size_t workers);
-    bool is_free(const Resident& newborn) const;
+    bool is_free(const Bounds& bounds, const Resident& of) const;
+    std::optional<Vec3> room_near(const Vec3& asked, const Resident& resident) const;
     void sense();
     void bite();
     void feed();

@@ -35,6 +35,29 @@ TEST_CASE("energy is constant to the last unit among solid creatures", "[preserv
     CHECK(preserve->solid_counts().joined_ticks > 100);
 }
 
+TEST_CASE("solid creatures are added and moved to the nearest room", "[preserve][solid]") {
+    ExperimentSettings settings = solid_world();
+    settings.preserve.founders = 2;
+    const auto preserve = begun(settings, {fish(kind_catalog())});
+    const Vec3 taken = preserve->residents().front()->center();
+    REQUIRE(preserve->intervene({.what = intervention::kAdd,
+                                 .x = taken.x(),
+                                 .y = taken.y(),
+                                 .genome = fish(kind_catalog())}));
+    REQUIRE(preserve->intervene({.what = intervention::kMove,
+                                 .number = preserve->residents()[1]->life.number,
+                                 .x = taken.x(),
+                                 .y = taken.y()}));
+    const auto& residents = preserve->residents();
+    REQUIRE(residents.size() == 3);
+    for (std::size_t a = 0; a < residents.size(); ++a) {
+        for (std::size_t b = a + 1; b < residents.size(); ++b)
+            CHECK_FALSE(overlap(residents[a]->bounds(), residents[b]->bounds()));
+    }
+    for (const auto& each : residents)
+        CHECK((each->center() - taken).norm() < 8.0 * each->radius());
+}
+
 TEST_CASE("solid creatures do not overlap", "[preserve][solid]") {
     ExperimentSettings settings = solid_world();
     settings.preserve.width = 6.0;

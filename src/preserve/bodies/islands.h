@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <span>
+#include <tuple>
 #include <vector>
 
 namespace cambrian {
@@ -15,7 +16,9 @@ struct NearPair {
     double gap = 0.0;  // m, expected
     std::uint32_t first = 0, second = 0;
 
-    friend auto operator<=>(const NearPair&, const NearPair&) = default;
+    friend bool operator<(const NearPair& a, const NearPair& b) {
+        return std::tie(a.gap, a.first, a.second) < std::tie(b.gap, b.first, b.second);
+    }
 };
 
 class Islands {
