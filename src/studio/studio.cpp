@@ -10,8 +10,8 @@
 #include "studio/panels/builtin_panels.h"
 #include "studio/panels/generations/timeline_chart.h"
 #include "studio/probe/screen_report.h"
-#include "studio/session.h"
 #include "studio/shortcuts.h"
+#include "studio/studio_controller.h"
 
 #include <fmt/core.h>
 
@@ -34,36 +34,36 @@ public:
         : options_(options),
           window_(window),
           renderer_(renderer),
-          session_(remembered(options, kinds), kinds, machines(options), options.status_log),
-          host_(window, scale_in(options.drawing, window), session_.view().theme),
+          controller_(remembered(options, kinds), kinds, machines(options), options.status_log),
+          host_(window, scale_in(options.drawing, window), controller_.view().theme),
           main_window_(builtin_panels(), &renderer),
           frame_log_(options.frame_log) {
-        if (options.viewer) session_.window().be_viewer();
-        session_.remember_in(options.state_dir);
-        session_.use_assets(options.assets);
+        if (options.viewer) controller_.window().be_viewer();
+        controller_.remember_in(options.state_dir);
+        controller_.use_assets(options.assets);
         open_first_files();
         const bool first_look = !options.state_dir.empty() && options.open_file.empty();
-        if (first_look && !options.evolve) session_.guide().offer_tour();
+        if (first_look && !options.evolve) controller_.guide().offer_tour();
     }
 
     void run() {
         const Stopwatch clock;
         double last_start = 0.0;
-        while (!window_.close_wanted() && !session_.window().quit_wanted()) {
+        while (!window_.close_wanted() && !controller_.window().quit_wanted()) {
             wait_for_frame(clock, last_start);
             const double now = clock.seconds();
             frame_log_.begin_frame();
-            session_.feedback().log().begin_frame(frame_log_.frame());
+            controller_.feedback().log().begin_frame(frame_log_.frame());
             frame(now, now - last_start);
             const double work = clock.seconds() - now;
             window_.show_frame();
-            if (!std::exchange(started_, true)) session_.feedback().log().write("started");
-            frame_log_.end_frame({now - last_start, work, session_.playback_seconds()});
+            if (!std::exchange(started_, true)) controller_.feedback().log().write("started");
+            frame_log_.end_frame({now - last_start, work, controller_.playback_seconds()});
             last_start = now;
             if (options_.quit_after > 0.0 && now > options_.quit_after) break;
         }
-        session_.keep_memory();
-        session_.feedback().log().write("quit");
+        controller_.keep_memory();
+        controller_.feedback().log().write("quit");
         if (!options_.screenshot.empty()) take_picture(options_.screenshot);
     }
 
@@ -87,23 +87,24 @@ private:
     void open_first_files() {
         const std::filesystem::path& file = options_.open_file;
         if (!file.empty()) {
-            session_.files().open_now(file, ExhibitSource::kFile);
+            controller_.files().open_now(file, ExhibitSource::kFile);
         } else if (!options_.evolve) {
-            session_.reopen_last();
+            controller_.reopen_last();
         }
-        if (session_.frame_context().viewer.playback.empty() && !options_.sample_creature.empty())
-            session_.files().open_now(options_.sample_creature, ExhibitSource::kSample);
-        if (session_.frame_context().viewer.playback.empty()) session_.show_random_creature();
+        if (controller_.frame_context().viewer.playback.empty() &&
+            !options_.sample_creature.empty())
+            controller_.files().open_now(options_.sample_creature, ExhibitSource::kSample);
+        if (controller_.frame_context().viewer.playback.empty()) controller_.show_random_creature();
         if (options_.evolve) {
             Requests requests;
             requests.ask(ToggleEvolution{});
-            session_.carry_out(requests);
+            controller_.carry_out(requests);
         }
     }
 
     // Waits for the next frame; a display that sets a lower frame rate makes it later.
     void wait_for_frame(const Stopwatch& clock, double last_start) {
-        if (window_.take_activity() || session_.animating()) quiet_frames_ = 0;
+        if (window_.take_activity() || controller_.animating()) quiet_frames_ = 0;
         const bool idle = ++quiet_frames_ > kSettledFrames;
         const double due = last_start + (idle ? kIdleSleep : 1.0 / options_.drawing.frame_rate);
         window_.poll(0.0);
@@ -114,29 +115,31 @@ private:
     }
 
     void frame(double now, double elapsed) {
-        session_.update(now, elapsed);
-        FrameContext context = session_.frame_context();
+        controller_.update(now, elapsed);
+        FrameContext context = controller_.frame_context();
         context.window.framebuffer_height = window_.framebuffer_height();
         Requests requests;
-        if (host_.context().theme != session_.view().theme) host_.set_theme(session_.view().theme);
+        if (host_.context().theme != controller_.view().theme)
+            host_.set_theme(controller_.view().theme);
         const std::vector<KeyPress> pressed = window_.take_keys();
         host_.begin_frame(pressed);
         for (const KeyPress& press : pressed) {
-            session_.feedback().log().write("pressed", {{"key", static_cast<double>(press.key)}});
+            controller_.feedback().log().write("pressed",
+                                               {{"key", static_cast<double>(press.key)}});
             press_shortcut(press, ImGui::GetIO().WantTextInput, context, requests);
         }
         for (const std::filesystem::path& path : window_.take_dropped_files())
-            session_.files().carry_out(LoadFile{path});
+            controller_.files().carry_out(LoadFile{path});
         if (options_.viewer)
             window_.set_title(context.viewer.playback.exhibit().title + " – Cambrian");
         main_window_.draw(context, requests);
-        const PictureOrders orders = session_.files().take_orders();
+        const PictureOrders orders = controller_.files().take_orders();
         if (orders.plot) keep_plot(*orders.plot, context);
         host_.end_frame();
         if (orders.screenshot) keep_picture(orders.screenshot->path);
         if (orders.card) keep_card(*orders.card);
-        session_.carry_out(requests);
-        if (!options_.status_log.empty()) screen_report_.write(session_.feedback().log());
+        controller_.carry_out(requests);
+        if (!options_.status_log.empty()) screen_report_.write(controller_.feedback().log());
     }
 
     Image picture() {
@@ -146,7 +149,7 @@ private:
     void keep_picture(std::filesystem::path path) {
         for (int number = 1; path.empty() || std::filesystem::exists(path); ++number)
             path = fmt::format("cambrian-{}.png", number);
-        session_.files().save_picture(std::filesystem::absolute(path), picture());
+        controller_.files().save_picture(std::filesystem::absolute(path), picture());
     }
 
     void keep_plot(const SavePlotPicture& request, const FrameContext& context) {
@@ -158,15 +161,16 @@ private:
                 context.experiment.snapshot, context.view.quantity,
                 goal_unit(context.experiment.snapshot.settings->goal, context.kinds.goals));
         });
-        if (!image) return session_.feedback().tell(NoticeKind::kProblem, image.error().message);
-        session_.files().save_picture(std::filesystem::absolute(request.path), std::move(*image));
+        if (!image) return controller_.feedback().tell(NoticeKind::kProblem, image.error().message);
+        controller_.files().save_picture(std::filesystem::absolute(request.path),
+                                         std::move(*image));
     }
 
     void keep_card(const PreparedCard& card) {
         auto picture = draw_card_picture(card.subject);
         if (!picture)
-            return session_.feedback().tell(NoticeKind::kProblem, picture.error().message);
-        session_.files().save_card(card, std::move(*picture));
+            return controller_.feedback().tell(NoticeKind::kProblem, picture.error().message);
+        controller_.files().save_card(card, std::move(*picture));
     }
 
     Result<Image> draw_card_picture(const Subject& subject) {
@@ -174,19 +178,19 @@ private:
         if (!text_rasterizer) return text_rasterizer.error();
         auto canvas = PictureCanvas::create(renderer_, **text_rasterizer, kCardWidth, kCardHeight);
         if (!canvas) return canvas.error();
-        draw_card(*canvas, subject, palette_of(session_.view().theme));
+        draw_card(*canvas, subject, palette_of(controller_.view().theme));
         return canvas->finish();
     }
 
     void take_picture(const std::filesystem::path& path) {
         frame(1e9, 0.0);
-        session_.files().save_picture(path, picture());
+        controller_.files().save_picture(path, picture());
     }
 
     const StudioOptions& options_;
     Window& window_;
     Renderer& renderer_;
-    Session session_;
+    StudioController controller_;
     ImGuiHost host_;
     MainWindow main_window_;
     FrameLog frame_log_;

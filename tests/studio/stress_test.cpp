@@ -1,4 +1,4 @@
-// A session with random requests, as fast as frames can follow. All threads of the studio work
+// The studio with random requests, as fast as frames can follow. All threads of the studio work
 // meanwhile. It is meant mainly for the thread sanitizer:
 //
 //   cmake --preset tsan && cmake --build build/tsan --target studio_tests
@@ -7,7 +7,7 @@
 #include "core/random.h"
 #include "persist/creature/creature_file.h"
 #include "persist/settings/settings_file.h"
-#include "session_run.h"
+#include "studio_run.h"
 
 #include <algorithm>
 #include <array>
@@ -18,7 +18,7 @@
 namespace cambrian {
 namespace {
 
-using test::SessionRun;
+using test::StudioRun;
 
 int frames_wanted() {
     const char* asked = std::getenv("CAMBRIAN_STRESS_FRAMES");
@@ -27,12 +27,12 @@ int frames_wanted() {
 
 class RestlessPerson {
 public:
-    RestlessPerson(SessionRun& run, std::uint64_t seed) : run_(run), chance_(seed) {}
+    RestlessPerson(StudioRun& run, std::uint64_t seed) : run_(run), chance_(seed) {}
 
     void act() { std::invoke(kActs[chance_.below(kActs.size())], this); }
 
 private:
-    FrameContext frame() const { return run_.session.frame_context(); }
+    FrameContext frame() const { return run_.studio.frame_context(); }
     std::filesystem::path file(const char* name) const { return run_.folder.path() / name; }
 
     void evolve() { run_.ask(ToggleEvolution{}); }
@@ -122,13 +122,13 @@ private:
                                          &P::load,
                                          &P::list};
 
-    SessionRun& run_;
+    StudioRun& run_;
     RandomStream chance_;
 };
 
 // Returns the messages about files that exist but cannot be read. Which files exist depends on the
 // speed of the threads.
-std::vector<std::string> unreadable_files(const SessionRun& run) {
+std::vector<std::string> unreadable_files(const StudioRun& run) {
     std::vector<std::string> messages;
     const auto read = [&](const char* name, auto load) {
         const std::filesystem::path path = run.folder.path() / name;
@@ -150,13 +150,13 @@ bool has_genomes(const std::vector<IndividualPtr>& population) {
                        [](const IndividualPtr& each) { return each->genome != nullptr; });
 }
 
-// Afterwards the session still works, once its pending tasks are done.
-void check_still_evolving(SessionRun& run) {
+// Afterwards the studio still works, once its pending tasks are done.
+void check_still_evolving(StudioRun& run) {
     int calm = 0;
     REQUIRE(run.frames_until([&] { return ++calm == 500; }));
-    if (run.session.frame_context().picking != nullptr) run.ask(ToggleHandPicking{});
+    if (run.studio.frame_context().picking != nullptr) run.ask(ToggleHandPicking{});
     const auto experiment = [&run] {
-        return run.session.frame_context().experiment.snapshot.experiment;
+        return run.studio.frame_context().experiment.snapshot.experiment;
     };
     const std::uint64_t before = experiment();
     run.ask(StartNewRun{});
@@ -167,16 +167,17 @@ void check_still_evolving(SessionRun& run) {
 
 }  // namespace
 
-TEST_CASE("a session handles thousands of random requests", "[studio][session][stress][threads]") {
-    SessionRun run;
-    run.session.remember_in(run.folder.path() / "state");
+TEST_CASE("the studio handles thousands of random requests",
+          "[studio][controller][stress][threads]") {
+    StudioRun run;
+    run.studio.remember_in(run.folder.path() / "state");
     const char* seed = std::getenv("CAMBRIAN_STRESS_SEED");
     RestlessPerson person(run, seed == nullptr ? 11 : std::strtoull(seed, nullptr, 10));
     RandomStream pace(12);
     const int frames = frames_wanted();
     for (int i = 0; i < frames; ++i) {
-        run.session.update(0.016 * i, 0.016);
-        const FrameContext frame = run.session.frame_context();
+        run.studio.update(0.016 * i, 0.016);
+        const FrameContext frame = run.studio.frame_context();
         REQUIRE(has_genomes(frame.experiment.snapshot.population));
         if (pace.chance(0.3)) person.act();
         std::this_thread::sleep_for(std::chrono::milliseconds(1));

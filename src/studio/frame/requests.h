@@ -1,7 +1,7 @@
 #pragma once
 
-// The requests of all panels in the order in which they were made. The session carries them out
-// after the frame is drawn. Each subject defines its own requests in its contract.
+// The requests of all panels in the order in which they were made. The studio controller carries
+// them out after the frame is drawn. Each subject defines its own requests in its contract.
 
 #include "studio/experiment/experiment_contract.h"
 #include "studio/experiment/generations_contract.h"

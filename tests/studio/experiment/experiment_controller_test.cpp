@@ -1,38 +1,38 @@
 #include "studio/experiment/experiment_controller.h"
 
-#include "session_run.h"
 #include "studio_fixture.h"
+#include "studio_run.h"
 
 #include <algorithm>
 
 namespace cambrian {
 namespace {
 
-using test::SessionRun;
+using test::StudioRun;
 
 TEST_CASE("finding a setting brings the settings back into the window", "[studio][experiment]") {
-    SessionRun run;
-    ViewState hidden = run.session.view();
+    StudioRun run;
+    ViewState hidden = run.studio.view();
     hidden.panels.left = false;
     run.ask(ChangeView{hidden});
     run.ask(FindSetting{});
-    CHECK(run.session.view().panels.left);
-    CHECK(run.session.frame_context().experiment.find_asked == 1);
+    CHECK(run.studio.view().panels.left);
+    CHECK(run.studio.frame_context().experiment.find_asked == 1);
 }
 
 TEST_CASE("a new run can begin with the creature on display", "[studio][experiment]") {
-    SessionRun run;
+    StudioRun run;
     run.ask(StartFromShown{});  // no creature is displayed, so it has no effect
     run.ask(RunOneGeneration{});
     REQUIRE(run.frames_until([&] { return run.champions() == 1; }));
-    const GenomePtr shown = run.session.frame_context().viewer.playback.exhibit().genome();
+    const GenomePtr shown = run.studio.frame_context().viewer.playback.exhibit().genome();
     run.ask(StartFromShown{});
     run.ask(RunOneGeneration{});
     REQUIRE(run.frames_until([&] {
-        const EvolutionSnapshot& snapshot = run.session.frame_context().experiment.snapshot;
+        const EvolutionSnapshot& snapshot = run.studio.frame_context().experiment.snapshot;
         return snapshot.experiment == 2 && snapshot.champions.size() == 1;
     }));
-    const auto& population = run.session.frame_context().experiment.snapshot.population;
+    const auto& population = run.studio.frame_context().experiment.snapshot.population;
     CHECK(std::any_of(population.begin(), population.end(),
                       [&](const IndividualPtr& one) { return one->genome == shown; }));
     CHECK(std::all_of(population.begin(), population.end(),
@@ -41,68 +41,68 @@ TEST_CASE("a new run can begin with the creature on display", "[studio][experime
 
 TEST_CASE("an edited world acts on the viewer at once and on the engine when the edit ends",
           "[studio][experiment]") {
-    SessionRun run;
+    StudioRun run;
     run.ask(RunOneGeneration{});
     REQUIRE(run.frames_until([&] { return run.champions() == 1; }));
-    ExperimentSettings moon = run.session.frame_context().experiment.editor.draft();
+    ExperimentSettings moon = run.studio.frame_context().experiment.editor.draft();
     moon.world.environment.gravity = 1.62;
     run.ask(EditSettings{moon, "environment.gravity"});
-    CHECK(run.session.frame_context().viewer.playback.creature().replay().environment().gravity ==
+    CHECK(run.studio.frame_context().viewer.playback.creature().replay().environment().gravity ==
           1.62);
-    CHECK(run.session.frame_context().experiment.snapshot.settings->world.environment.gravity ==
+    CHECK(run.studio.frame_context().experiment.snapshot.settings->world.environment.gravity ==
           9.81);
     run.ask(FinishEdit{});
     CHECK(run.frames_until([&] {
-        return run.session.frame_context()
-                   .experiment.snapshot.settings->world.environment.gravity == 1.62;
+        return run.studio.frame_context().experiment.snapshot.settings->world.environment.gravity ==
+               1.62;
     }));
-    CHECK(run.session.frame_context().experiment.snapshot.journal.size() == 2);
+    CHECK(run.studio.frame_context().experiment.snapshot.journal.size() == 2);
 }
 
 TEST_CASE("an edit of anything but the world leaves the displayed world alone",
           "[studio][experiment]") {
-    SessionRun run;
-    run.session.show_random_creature();
-    ExperimentSettings moon = run.session.frame_context().experiment.editor.draft();
+    StudioRun run;
+    run.studio.show_random_creature();
+    ExperimentSettings moon = run.studio.frame_context().experiment.editor.draft();
     moon.world.environment.gravity = 1.62;
     run.ask(EditSettings{moon, "environment.gravity"});
     run.ask(FinishEdit{});
-    run.session.show_random_creature();
+    run.studio.show_random_creature();
     const Environment before =
-        run.session.frame_context().viewer.playback.creature().replay().environment();
-    ExperimentSettings larger = run.session.frame_context().experiment.editor.draft();
+        run.studio.frame_context().viewer.playback.creature().replay().environment();
+    ExperimentSettings larger = run.studio.frame_context().experiment.editor.draft();
     larger.population.size = 12;
     run.ask(EditSettings{larger, "population.size"});
     run.ask(FinishEdit{});
-    CHECK(run.session.frame_context().viewer.playback.creature().replay().environment() == before);
+    CHECK(run.studio.frame_context().viewer.playback.creature().replay().environment() == before);
     CHECK(before.gravity == 1.62);
 }
 
 TEST_CASE("a new run from the present creatures begins with them", "[studio][experiment]") {
-    SessionRun run;
+    StudioRun run;
     run.ask(RunOneGeneration{});
     REQUIRE(run.frames_until([&] { return run.champions() == 1; }));
-    const auto experiment = run.session.frame_context().experiment.snapshot.experiment;
+    const auto experiment = run.studio.frame_context().experiment.snapshot.experiment;
     run.ask(StartNewRun{true});
     REQUIRE(run.frames_until([&] {
-        return run.session.frame_context().experiment.snapshot.experiment == experiment + 1;
+        return run.studio.frame_context().experiment.snapshot.experiment == experiment + 1;
     }));
-    CHECK(run.session.frame_context().experiment.snapshot.generation == 0);
+    CHECK(run.studio.frame_context().experiment.snapshot.generation == 0);
     CHECK(run.champions() == 0);
 }
 
 TEST_CASE("undo also reverts an edit in the engine", "[studio][experiment]") {
-    SessionRun run;
-    ExperimentSettings edited = run.session.frame_context().experiment.editor.draft();
+    StudioRun run;
+    ExperimentSettings edited = run.studio.frame_context().experiment.editor.draft();
     edited.population.size = 9;
     run.ask(EditSettings{edited, "population.size"});
     run.ask(FinishEdit{});
     REQUIRE(run.frames_until([&] {
-        return run.session.frame_context().experiment.snapshot.settings->population.size == 9;
+        return run.studio.frame_context().experiment.snapshot.settings->population.size == 9;
     }));
     run.ask(UndoEdit{});
     CHECK(run.frames_until([&] {
-        return run.session.frame_context().experiment.snapshot.settings->population.size == 6;
+        return run.studio.frame_context().experiment.snapshot.settings->population.size == 6;
     }));
 }
 

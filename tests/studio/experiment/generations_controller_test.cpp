@@ -1,21 +1,21 @@
 #include "studio/experiment/generations_controller.h"
 
-#include "session_run.h"
 #include "studio_fixture.h"
+#include "studio_run.h"
 
 namespace cambrian {
 namespace {
 
 using test::finish_generations;
-using test::SessionRun;
 using test::shown_in;
+using test::StudioRun;
 
 TEST_CASE("one generation is evaluated, logged and its champion is displayed",
           "[studio][generations]") {
-    SessionRun run;
+    StudioRun run;
     run.ask(RunOneGeneration{});
     REQUIRE(run.frames_until([&] { return run.champions() == 1; }));
-    const FrameContext frame = run.session.frame_context();
+    const FrameContext frame = run.studio.frame_context();
     REQUIRE_FALSE(frame.viewer.playback.empty());
     CHECK(frame.viewer.playback.exhibit().genome() ==
           frame.experiment.snapshot.champions[0].individual->genome);
@@ -23,14 +23,14 @@ TEST_CASE("one generation is evaluated, logged and its champion is displayed",
 }
 
 TEST_CASE("scrubbing shows past champions until the newest is requested", "[studio][generations]") {
-    SessionRun run;
+    StudioRun run;
     run.ask(ShowChampion{0});  // there is no champion yet, so it has no effect
-    CHECK(run.session.frame_context().viewer.playback.empty());
+    CHECK(run.studio.frame_context().viewer.playback.empty());
     finish_generations(run, 4);
     for (const std::uint32_t generation : {2U, 1U, 0U, 3U, 0U}) {
         run.ask(ShowChampion{generation});
         CHECK(shown_in(run).creature.generation == generation);
-        CHECK(shown_in(run).genome() == run.session.frame_context()
+        CHECK(shown_in(run).genome() == run.studio.frame_context()
                                             .experiment.snapshot.champions[generation]
                                             .individual->genome);
     }
@@ -40,32 +40,31 @@ TEST_CASE("scrubbing shows past champions until the newest is requested", "[stud
     run.ask(ShowChampion{1});
     run.ask(ShowNewest{});
     CHECK(shown_in(run).creature.generation == 4);
-    CHECK(run.session.view().newest_champion);
+    CHECK(run.studio.view().newest_champion);
 }
 
 TEST_CASE("after fast scrubbing the creature displayed last gets its score",
           "[studio][generations]") {
-    SessionRun run;
+    StudioRun run;
     finish_generations(run, 3);
     for (int i = 0; i < 200; ++i)
         run.ask(ShowChampion{static_cast<std::uint32_t>(i % 3)});
-    REQUIRE(run.frames_until([&] { return run.session.frame_context().viewer.score != nullptr; }));
-    CHECK(run.session.frame_context().viewer.score->record.digest ==
-          shown_in(run).result()->digest);
+    REQUIRE(run.frames_until([&] { return run.studio.frame_context().viewer.score != nullptr; }));
+    CHECK(run.studio.frame_context().viewer.score->record.digest == shown_in(run).result()->digest);
 }
 
 TEST_CASE("a displayed creature can be starred and displayed again with its own settings",
           "[studio][generations]") {
-    SessionRun run;
-    run.session.show_random_creature();
+    StudioRun run;
+    run.studio.show_random_creature();
     run.ask(ToggleStarOfShown{});  // a creature of another experiment
-    CHECK(run.session.frame_context().generations.stars.all().empty());
+    CHECK(run.studio.frame_context().generations.stars.all().empty());
     finish_generations(run, 1);
     run.ask(ShowNewest{});
     run.ask(ToggleStarOfShown{});
-    REQUIRE(run.session.frame_context().generations.stars.all().size() == 1);
-    const JudgedIndividual kept = run.session.frame_context().generations.stars.all().front();
-    ExperimentSettings moon = run.session.frame_context().experiment.editor.draft();
+    REQUIRE(run.studio.frame_context().generations.stars.all().size() == 1);
+    const JudgedIndividual kept = run.studio.frame_context().generations.stars.all().front();
+    ExperimentSettings moon = run.studio.frame_context().experiment.editor.draft();
     moon.world.environment.gravity = 1.62;
     run.ask(EditSettings{moon, "environment.gravity"});
     run.ask(FinishEdit{});
@@ -75,30 +74,30 @@ TEST_CASE("a displayed creature can be starred and displayed again with its own 
     CHECK(shown_in(run).creature.generation == 0);
     CHECK(shown_in(run).settings().world.environment.gravity == 9.81);
     run.ask(ToggleStarOfShown{});
-    CHECK(run.session.frame_context().generations.stars.all().empty());
+    CHECK(run.studio.frame_context().generations.stars.all().empty());
     run.ask(RestoreStar{});
-    CHECK(run.session.frame_context().generations.stars.all().size() == 1);
+    CHECK(run.studio.frame_context().generations.stars.all().size() == 1);
 }
 
 TEST_CASE("the score shown is the one the engine found, and the replay is verified",
           "[studio][generations]") {
-    SessionRun run;
+    StudioRun run;
     run.ask(RunOneGeneration{});
-    REQUIRE(run.frames_until([&] { return run.session.frame_context().viewer.score != nullptr; }));
-    const FrameContext frame = run.session.frame_context();
+    REQUIRE(run.frames_until([&] { return run.studio.frame_context().viewer.score != nullptr; }));
+    const FrameContext frame = run.studio.frame_context();
     const EvaluationResult& result = *frame.viewer.playback.exhibit().result();
     CHECK(frame.viewer.score->score.value == unconfirmed_score(result));
     CHECK(frame.viewer.score->record.digest == result.digest);
 }
 
 TEST_CASE("a displayed champion has its line of descent", "[studio][generations]") {
-    SessionRun run;
+    StudioRun run;
     for (std::size_t i = 0; i < 4; ++i) {
         run.ask(RunOneGeneration{});
         REQUIRE(run.frames_until([&] { return run.champions() == i + 1; }));
     }
     run.ask(ShowChampion{3});
-    const FrameContext frame = run.session.frame_context();
+    const FrameContext frame = run.studio.frame_context();
     const Exhibit& exhibit = frame.viewer.playback.exhibit();
     CHECK(exhibit.experiment == frame.experiment.snapshot.experiment);
     CHECK(exhibit.individual().mother.get() ==

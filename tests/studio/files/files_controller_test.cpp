@@ -2,8 +2,8 @@
 
 #include "evolution/evaluation/trials.h"
 #include "persist/records/statistics_csv.h"
-#include "session_run.h"
 #include "studio_fixture.h"
+#include "studio_run.h"
 
 #include <fstream>
 #include <sstream>
@@ -12,54 +12,54 @@ namespace cambrian {
 namespace {
 
 using test::finish_generations;
-using test::SessionRun;
+using test::StudioRun;
 
 TEST_CASE("statistics are exported as a table with a row a generation", "[studio][files]") {
-    SessionRun run;
+    StudioRun run;
     const auto path = run.folder.path() / "run.csv";
     run.ask(OpenFilePanel{FileTask::kSaveStatistics});
-    CHECK_FALSE(run.session.frame_context().files.browser.open);  // there is nothing to export yet
+    CHECK_FALSE(run.studio.frame_context().files.browser.open);  // there is nothing to export yet
     finish_generations(run, 3);
     run.ask(OpenFilePanel{FileTask::kSaveStatistics});
-    CHECK(run.session.frame_context().files.browser.open);
+    CHECK(run.studio.frame_context().files.browser.open);
     run.ask(SaveStatisticsFile{path});
     REQUIRE(run.frames_until([&] { return std::filesystem::exists(path); }));
     std::ostringstream text;
     text << std::ifstream(path).rdbuf();
-    CHECK(text.str() == statistics_csv(run.session.frame_context().experiment.snapshot.history));
+    CHECK(text.str() == statistics_csv(run.studio.frame_context().experiment.snapshot.history));
 }
 
 TEST_CASE("a plot is requested from the window in the chosen size", "[studio][files]") {
-    SessionRun run;
+    StudioRun run;
     finish_generations(run, 1);
     run.ask(OpenFilePanel{FileTask::kSavePlot, {1920, 1080}});
-    CHECK(run.session.frame_context().files.browser.picture.width == 1920);
-    CHECK(run.session.frame_context().files.browser.suggested_name == "fitness.png");
+    CHECK(run.studio.frame_context().files.browser.picture.width == 1920);
+    CHECK(run.studio.frame_context().files.browser.suggested_name == "fitness.png");
     run.ask(SavePlotPicture{"plot.png", {1920, 1080}});
-    const auto request = run.session.files().take_orders().plot;
+    const auto request = run.studio.files().take_orders().plot;
     REQUIRE(request);
     CHECK(request->size.height == 1080);
-    CHECK_FALSE(run.session.files().take_orders().plot);
+    CHECK_FALSE(run.studio.files().take_orders().plot);
 }
 
 TEST_CASE("a saved creature loads as the same creature", "[studio][files]") {
-    SessionRun run;
+    StudioRun run;
     run.ask(RunOneGeneration{});
     REQUIRE(run.frames_until([&] { return run.champions() == 1; }));
-    const GenomePtr genome = run.session.frame_context().viewer.playback.exhibit().genome();
+    const GenomePtr genome = run.studio.frame_context().viewer.playback.exhibit().genome();
     const auto path = run.folder.path() / "best.creature.json";
     run.ask(SaveCreatureFile{path});
     REQUIRE(run.frames_until([&] { return std::filesystem::exists(path); }));
     run.ask(LoadFile{path});
     REQUIRE(run.frames_until([&] {
-        return run.session.frame_context().viewer.playback.exhibit().source == ExhibitSource::kFile;
+        return run.studio.frame_context().viewer.playback.exhibit().source == ExhibitSource::kFile;
     }));
-    CHECK(*run.session.frame_context().viewer.playback.exhibit().genome() == *genome);
+    CHECK(*run.studio.frame_context().viewer.playback.exhibit().genome() == *genome);
 }
 
 TEST_CASE("a creature scored by several trials is verified by as many, tick by tick",
           "[studio][files]") {
-    SessionRun run;
+    StudioRun run;
     ExperimentSettings settings = test::small_experiment();
     settings.world.trial.trials = 3;
     settings.world.trial.friction_jitter = 0.2;
@@ -78,8 +78,8 @@ TEST_CASE("a creature scored by several trials is verified by as many, tick by t
     const auto path = run.folder.path() / "robust.creature.json";
     REQUIRE(save_creature(path, document, test::kinds()));
     run.ask(LoadFile{path});
-    REQUIRE(run.frames_until([&] { return run.session.frame_context().viewer.score != nullptr; }));
-    const FrameContext frame = run.session.frame_context();
+    REQUIRE(run.frames_until([&] { return run.studio.frame_context().viewer.score != nullptr; }));
+    const FrameContext frame = run.studio.frame_context();
     CHECK(frame.viewer.score->digest == judged.result.digest);
     CHECK(frame.viewer.score->digest != frame.viewer.score->record.digest);
     CHECK_FALSE(first_different_tick(frame.viewer.score->ticks, document.notes.ticks));
@@ -95,48 +95,48 @@ TEST_CASE("a creature scored by several trials is verified by as many, tick by t
 
 TEST_CASE("loading a creature reports its kinds that the experiment has not enabled",
           "[studio][files]") {
-    SessionRun run;
+    StudioRun run;
     run.ask(LoadFile{std::string(CAMBRIAN_SOURCE_DIR) +
                      "/tests/persist/creatures/W04_linear_joint.creature.json"});
-    REQUIRE(run.frames_until([&] { return run.session.frame_context().window.notice != nullptr; }));
-    CHECK_THAT(run.session.frame_context().window.notice->text, Catch::Contains("W04 "));
+    REQUIRE(run.frames_until([&] { return run.studio.frame_context().window.notice != nullptr; }));
+    CHECK_THAT(run.studio.frame_context().window.notice->text, Catch::Contains("W04 "));
 }
 
 TEST_CASE("a creature saved as a card is drawn by the window and can be loaded",
           "[studio][files]") {
-    SessionRun run;
+    StudioRun run;
     run.ask(RunOneGeneration{});
     REQUIRE(run.frames_until([&] { return run.champions() == 1; }));
-    const GenomePtr genome = run.session.frame_context().viewer.playback.exhibit().genome();
+    const GenomePtr genome = run.studio.frame_context().viewer.playback.exhibit().genome();
     const auto path = run.folder.path() / "best.card.png";
     run.ask(SaveCreatureFile{path});
     std::optional<PreparedCard> card;
     REQUIRE(run.frames_until([&] {
-        if (!card) card = run.session.files().take_orders().card;
+        if (!card) card = run.studio.files().take_orders().card;
         return card.has_value();
     }));
     CHECK(card->subject.generation == 0);
     CHECK(card->subject.verified == true);
     CHECK_FALSE(std::filesystem::exists(path));
-    run.session.files().save_card(*card, {2, 2, std::vector<std::uint8_t>(12, 128)});
+    run.studio.files().save_card(*card, {2, 2, std::vector<std::uint8_t>(12, 128)});
     REQUIRE(run.frames_until([&] { return std::filesystem::exists(path); }));
     run.ask(LoadFile{path});
     REQUIRE(run.frames_until([&] {
-        return run.session.frame_context().viewer.playback.exhibit().source == ExhibitSource::kFile;
+        return run.studio.frame_context().viewer.playback.exhibit().source == ExhibitSource::kFile;
     }));
-    CHECK(*run.session.frame_context().viewer.playback.exhibit().genome() == *genome);
+    CHECK(*run.studio.frame_context().viewer.playback.exhibit().genome() == *genome);
 }
 
 TEST_CASE("a file that cannot be opened is a notice and changes nothing", "[studio][files]") {
-    SessionRun run;
+    StudioRun run;
     const auto path = run.folder.path() / "broken.creature.json";
     std::ofstream(path) << "{ not json";
     run.ask(LoadFile{path});
-    REQUIRE(run.frames_until([&] { return run.session.frame_context().window.notice != nullptr; }));
-    const Notice& notice = *run.session.frame_context().window.notice;
+    REQUIRE(run.frames_until([&] { return run.studio.frame_context().window.notice != nullptr; }));
+    const Notice& notice = *run.studio.frame_context().window.notice;
     CHECK(notice.kind == NoticeKind::kProblem);
     CHECK(notice.text.find("broken.creature.json") != std::string::npos);
-    CHECK(run.session.frame_context().viewer.playback.empty());
+    CHECK(run.studio.frame_context().viewer.playback.empty());
 }
 
 }  // namespace

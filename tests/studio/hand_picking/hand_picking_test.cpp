@@ -1,20 +1,20 @@
 #include "persist/creature/creature_file.h"
-#include "session_run.h"
+#include "studio_run.h"
 
 #include <algorithm>
 
 namespace cambrian {
 namespace {
 
-using test::SessionRun;
+using test::StudioRun;
 
-// A session whose user picks by hand.
-class PickingRun : public SessionRun {
+// The studio, whose user picks by hand.
+class PickingRun : public StudioRun {
 public:
     // Counts no assertion, since waiting calls it as often as the threads are slow.
     const PickingSnapshot& picking() const {
-        const FrameContext frame = session.frame_context();
-        if (frame.picking == nullptr) FAIL("the session is not in selection by hand");
+        const FrameContext frame = studio.frame_context();
+        if (frame.picking == nullptr) FAIL("the studio is not in selection by hand");
         return frame.picking->snapshot;
     }
     void enter(std::size_t grids) {
@@ -45,7 +45,7 @@ public:
             ask(RunOneGeneration{});
             REQUIRE(frames_until([&] {
                 return champions() == before + i &&
-                       session.frame_context().experiment.snapshot.status == EngineStatus::kPaused;
+                       studio.frame_context().experiment.snapshot.status == EngineStatus::kPaused;
             }));
         }
     }
@@ -56,9 +56,9 @@ bool has_genome(const std::vector<IndividualPtr>& creatures, const GenomePtr& ge
                        [&](const IndividualPtr& each) { return each->genome == genome; });
 }
 
-TEST_CASE("a person picks, breeds, goes back and branches off", "[studio][session][picking]") {
+TEST_CASE("a person picks, breeds, goes back and branches off", "[studio][controller][picking]") {
     PickingRun run;
-    run.session.show_random_creature();
+    run.studio.show_random_creature();
     run.enter(1);
     CHECK(run.picking().tree.current().creatures.size() == 12);
     run.pick({1, 4, 6});
@@ -78,13 +78,13 @@ TEST_CASE("a person picks, breeds, goes back and branches off", "[studio][sessio
 }
 
 TEST_CASE("creatures of the population can be picked, and automatic evolution keeps the tree",
-          "[studio][session][picking]") {
+          "[studio][controller][picking]") {
     PickingRun run;
     run.run_generations(1);
     run.enter(1);
     CHECK(run.picking().tree.current().origin == GridOrigin::kPopulation);
     run.ask(ToggleHandPicking{});
-    CHECK(run.session.frame_context().picking == nullptr);
+    CHECK(run.studio.frame_context().picking == nullptr);
     run.enter(1);  // there was no evolution meanwhile
     run.ask(ToggleHandPicking{});
     run.run_generations(1);
@@ -92,7 +92,7 @@ TEST_CASE("creatures of the population can be picked, and automatic evolution ke
     CHECK(run.picking().tree.current().parent == 0U);
 }
 
-TEST_CASE("picks join the next generation that is bred", "[studio][session][picking]") {
+TEST_CASE("picks join the next generation that is bred", "[studio][controller][picking]") {
     PickingRun run;
     run.run_generations(1);
     run.enter(1);
@@ -101,38 +101,38 @@ TEST_CASE("picks join the next generation that is bred", "[studio][session][pick
     run.pick({5});
     const GenomePtr picked = run.picking().tree.current().creatures[5]->genome;
     run.ask(HandOverPicks{PicksUse::kInject});
-    CHECK(run.session.frame_context().picking == nullptr);
+    CHECK(run.studio.frame_context().picking == nullptr);
     run.run_generations(2);  // one generation was bred before
-    CHECK(has_genome(run.session.frame_context().experiment.snapshot.population, picked));
+    CHECK(has_genome(run.studio.frame_context().experiment.snapshot.population, picked));
 }
 
-TEST_CASE("a new run begins with the picks", "[studio][session][picking]") {
+TEST_CASE("a new run begins with the picks", "[studio][controller][picking]") {
     PickingRun run;
-    run.session.show_random_creature();
+    run.studio.show_random_creature();
     run.enter(1);
     run.pick({5});
     const GenomePtr picked = run.picking().tree.current().creatures[5]->genome;
-    const std::uint64_t before = run.session.frame_context().experiment.snapshot.experiment;
+    const std::uint64_t before = run.studio.frame_context().experiment.snapshot.experiment;
     run.ask(HandOverPicks{PicksUse::kFound});
     REQUIRE(run.frames_until(
-        [&] { return run.session.frame_context().experiment.snapshot.experiment == before + 1; }));
+        [&] { return run.studio.frame_context().experiment.snapshot.experiment == before + 1; }));
     run.run_generations(1);
-    CHECK(has_genome(run.session.frame_context().experiment.snapshot.population, picked));
+    CHECK(has_genome(run.studio.frame_context().experiment.snapshot.population, picked));
 }
 
-TEST_CASE("handing over without a pick says so and stays", "[studio][session][picking]") {
+TEST_CASE("handing over without a pick says so and stays", "[studio][controller][picking]") {
     PickingRun run;
-    run.session.show_random_creature();
+    run.studio.show_random_creature();
     run.enter(1);
     run.ask(HandOverPicks{});
-    CHECK(run.frames_until([&] { return run.session.frame_context().window.notice != nullptr; }));
-    CHECK(run.session.frame_context().picking != nullptr);
+    CHECK(run.frames_until([&] { return run.studio.frame_context().window.notice != nullptr; }));
+    CHECK(run.studio.frame_context().picking != nullptr);
 }
 
 TEST_CASE("evolution rests while a person picks and goes on afterwards",
-          "[studio][session][picking]") {
+          "[studio][controller][picking]") {
     PickingRun run;
-    const auto status = [&] { return run.session.frame_context().experiment.snapshot.status; };
+    const auto status = [&] { return run.studio.frame_context().experiment.snapshot.status; };
     run.ask(ToggleEvolution{});
     REQUIRE(run.frames_until([&] { return run.champions() > 0; }));
     run.ask(ToggleHandPicking{});
@@ -142,19 +142,19 @@ TEST_CASE("evolution rests while a person picks and goes on afterwards",
     CHECK(run.frames_until([&] { return status() == EngineStatus::kRunning; }));
 }
 
-TEST_CASE("a creature of the grid is shown alone and saved", "[studio][session][picking]") {
+TEST_CASE("a creature of the grid is shown alone and saved", "[studio][controller][picking]") {
     PickingRun run;
-    run.session.show_random_creature();
+    run.studio.show_random_creature();
     run.enter(1);
     const GenomePtr genome = run.picking().tree.current().creatures[7]->genome;
     run.ask(ShowCell{7});
     run.ask(ShowCell{99});  // there is no such cell, so it has no effect
-    REQUIRE(run.frames_until([&] { return run.session.frame_context().picking->single; }));
-    CHECK(run.session.frame_context().viewer.playback.exhibit().genome() == genome);
+    REQUIRE(run.frames_until([&] { return run.studio.frame_context().picking->single; }));
+    CHECK(run.studio.frame_context().viewer.playback.exhibit().genome() == genome);
     run.ask(ShowGrid{});
     run.ask(SaveCell{7});
-    CHECK(run.session.frame_context().files.browser.open);
-    CHECK(run.session.frame_context().files.browser.suggested_name ==
+    CHECK(run.studio.frame_context().files.browser.open);
+    CHECK(run.studio.frame_context().files.browser.suggested_name ==
           "creature-8-of-grid-1.creature.json");
     const auto path = run.folder.path() / "picked.creature.json";
     run.ask(SaveCreatureFile{path});
@@ -165,16 +165,16 @@ TEST_CASE("a creature of the grid is shown alone and saved", "[studio][session][
 }
 
 TEST_CASE("a world changed while picking acts on the grid and evaluates the next one",
-          "[studio][session][picking]") {
+          "[studio][controller][picking]") {
     PickingRun run;
-    run.session.show_random_creature();
+    run.studio.show_random_creature();
     run.enter(1);
-    ExperimentSettings moon = run.session.frame_context().experiment.editor.draft();
+    ExperimentSettings moon = run.studio.frame_context().experiment.editor.draft();
     moon.world.environment.gravity = 1.62;
     run.ask(EditSettings{moon, "environment.gravity"});
     run.ask(FinishEdit{});
     REQUIRE(run.frames_until(
-        [&] { return run.session.frame_context().picking->motion.environment().gravity == 1.62; }));
+        [&] { return run.studio.frame_context().picking->motion.environment().gravity == 1.62; }));
     run.pick({0});
     run.breed();
     CHECK(run.picking().tree.current().settings->world.environment.gravity == 1.62);

@@ -1,7 +1,7 @@
 #include "studio/machines/machines_controller.h"
 
 #include "machines/scripted_cluster.h"
-#include "session_run.h"
+#include "studio_run.h"
 
 #include <future>
 
@@ -10,7 +10,7 @@ namespace {
 
 using test::connected;
 using test::ScriptedCluster;
-using test::SessionRun;
+using test::StudioRun;
 
 const ClusterLogin kLab = {"nats://lab-server", "cambrian", "", ""};
 
@@ -30,25 +30,25 @@ struct Lab {
     }
 };
 
-const MachinesView& machines_of(const SessionRun& run) {
-    return *run.session.frame_context().machines;
+const MachinesView& machines_of(const StudioRun& run) {
+    return *run.studio.frame_context().machines;
 }
 
-std::vector<std::uint64_t> champions_of(const SessionRun& run) {
+std::vector<std::uint64_t> champions_of(const StudioRun& run) {
     std::vector<std::uint64_t> digests;
     for (const JudgedIndividual& champion :
-         run.session.frame_context().experiment.snapshot.champions)
+         run.studio.frame_context().experiment.snapshot.champions)
         digests.push_back(champion.individual->result.digest);
     return digests;
 }
 
 TEST_CASE("a cluster is joined and left during a run without a change of its champions",
           "[studio][machines][threads]") {
-    SessionRun alone;
+    StudioRun alone;
     finish_generations(alone, 6);
 
     const Lab lab;
-    SessionRun run(lab.options());
+    StudioRun run(lab.options());
     finish_generations(run, 2);
     CHECK(lab.cluster->batches == 0);
     run.ask(JoinCluster{kLab});
@@ -68,17 +68,17 @@ TEST_CASE("a cluster is joined and left during a run without a change of its cha
 
 TEST_CASE("the reason why a cluster cannot be joined is shown, and the run continues alone",
           "[studio][machines][threads]") {
-    SessionRun run(MachineOptions{.workers = 2,
-                                  .join = [](const ClusterAddress& address, std::size_t)
-                                      -> Result<std::shared_ptr<EvaluationBackend>> {
-                                      return Error{address.servers.front() + " cannot be reached"};
-                                  }});
+    StudioRun run(MachineOptions{.workers = 2,
+                                 .join = [](const ClusterAddress& address, std::size_t)
+                                     -> Result<std::shared_ptr<EvaluationBackend>> {
+                                     return Error{address.servers.front() + " cannot be reached"};
+                                 }});
     run.ask(JoinCluster{kLab});
     REQUIRE(run.frames_until([&] { return !machines_of(run).joining; }));
     CHECK_FALSE(machines_of(run).joined);
     CHECK(machines_of(run).problem == "nats://lab-server:4222 cannot be reached");
-    REQUIRE(run.frames_until([&] { return run.session.feedback().notice() != nullptr; }));
-    CHECK(run.session.feedback().notice()->text.find("nats://lab-server:4222 cannot be reached") !=
+    REQUIRE(run.frames_until([&] { return run.studio.feedback().notice() != nullptr; }));
+    CHECK(run.studio.feedback().notice()->text.find("nats://lab-server:4222 cannot be reached") !=
           std::string::npos);
     finish_generations(run, 1);
     run.ask(LeaveCluster{});
@@ -88,7 +88,7 @@ TEST_CASE("the reason why a cluster cannot be joined is shown, and the run conti
 TEST_CASE("an invalid address is reported before any connection", "[studio][machines][threads]") {
     for (const char* servers : {"http://lab", "nats://me:secret@lab", "tls://a,nats://b"}) {
         const Lab lab;
-        SessionRun run(lab.options());
+        StudioRun run(lab.options());
         run.ask(JoinCluster{{servers, "", "", ""}});
         REQUIRE(run.frames_until([&] { return !machines_of(run).joining; }));
         CHECK_FALSE(machines_of(run).joined);
@@ -102,11 +102,11 @@ TEST_CASE("joining over an unencrypted connection shows a warning", "[studio][ma
         {"nats://lab-server", true}, {"tls://lab-server", false}, {"nats://localhost", false}};
     for (const auto& [servers, readable] : cases) {
         const Lab lab;
-        SessionRun run(lab.options());
+        StudioRun run(lab.options());
         run.ask(JoinCluster{{servers, "", "", ""}});
         REQUIRE(run.frames_until([&] { return machines_of(run).joined; }));
-        run.session.update(21.0, 0.001);
-        const Notice* notice = run.session.feedback().notice();
+        run.studio.update(21.0, 0.001);
+        const Notice* notice = run.studio.feedback().notice();
         CHECK((notice != nullptr && notice->text.find("readable") != std::string::npos) ==
               readable);
     }
@@ -116,7 +116,7 @@ TEST_CASE("an attempt to join that was cancelled has no effect when it ends",
           "[studio][machines][threads]") {
     std::promise<void> answered;
     const auto cluster = std::make_shared<ScriptedCluster>();
-    SessionRun run(MachineOptions{
+    StudioRun run(MachineOptions{
         .workers = 2,
         .join = [&, answer = answered.get_future().share()](const ClusterAddress&, std::size_t)
             -> Result<std::shared_ptr<EvaluationBackend>> {
@@ -136,16 +136,16 @@ TEST_CASE("the stored cluster is joined at the start if it was joined at the end
           "[studio][machines][threads]") {
     for (const bool joined : {true, false}) {
         const Lab lab;
-        SessionRun run(lab.options(), {kLab, joined});
+        StudioRun run(lab.options(), {kLab, joined});
         run.frames_until([&] { return machines_of(run).joined || !joined; });
         CHECK(machines_of(run).joined == joined);
         CHECK(machines_of(run).login == kLab);
-        CHECK(run.session.machines().memory() == ClusterMemory{kLab, joined});
+        CHECK(run.studio.machines().memory() == ClusterMemory{kLab, joined});
     }
     const Lab lab;
     MachineOptions options = lab.options();
     options.cluster = ClusterLogin{"nats://other", "second", "", ""};
-    SessionRun run(options, {kLab, true});
+    StudioRun run(options, {kLab, true});
     REQUIRE(run.frames_until([&] { return machines_of(run).joined; }));
     CHECK(*lab.asked == std::vector<std::string>{"nats://other:4222"});
 }
@@ -153,7 +153,7 @@ TEST_CASE("the stored cluster is joined at the start if it was joined at the end
 TEST_CASE("losing and finding a cluster again are both reported", "[studio][machines][threads]") {
     const Lab lab;
     lab.cluster->say(connected(3));
-    SessionRun run(lab.options());
+    StudioRun run(lab.options());
     run.ask(JoinCluster{kLab});
     const auto link = [&] { return machines_of(run).status.link; };
     REQUIRE(run.frames_until([&] { return link() == ClusterLink::kConnected; }));
@@ -162,11 +162,11 @@ TEST_CASE("losing and finding a cluster again are both reported", "[studio][mach
     away.link = ClusterLink::kAway;
     lab.cluster->say(away);
     REQUIRE(run.frames_until([&] { return link() == ClusterLink::kAway; }));
-    REQUIRE(run.frames_until([&] { return run.session.feedback().notice() != nullptr; }));
-    CHECK(run.session.feedback().notice()->text.find("working alone") != std::string::npos);
+    REQUIRE(run.frames_until([&] { return run.studio.feedback().notice() != nullptr; }));
+    CHECK(run.studio.feedback().notice()->text.find("working alone") != std::string::npos);
     lab.cluster->say(connected(3));
     REQUIRE(run.frames_until([&] {
-        const Notice* notice = run.session.feedback().notice();
+        const Notice* notice = run.studio.feedback().notice();
         return notice != nullptr && notice->text == "The cluster is back.";
     }));
     CHECK(run.log().find("\"link\":\"away\"") != std::string::npos);

@@ -1,12 +1,12 @@
 #include "studio/viewer/viewer_controller.h"
 
-#include "session_run.h"
 #include "studio_fixture.h"
+#include "studio_run.h"
 
 namespace cambrian {
 namespace {
 
-using test::SessionRun;
+using test::StudioRun;
 
 EditGenes lengthen_root(const FrameContext& frame, double length) {
     Genome genome = *frame.viewer.playback.exhibit().genome();
@@ -14,22 +14,21 @@ EditGenes lengthen_root(const FrameContext& frame, double length) {
     return {std::make_shared<const Genome>(genome), {"part 0 length", "old", "new"}};
 }
 
-double root_length(const SessionRun& run) {
-    return run.session.frame_context().viewer.playback.exhibit().genome()->nodes[0].length;
+double root_length(const StudioRun& run) {
+    return run.studio.frame_context().viewer.playback.exhibit().genome()->nodes[0].length;
 }
 
 TEST_CASE("an edited gene is displayed at once, can be undone and made again", "[studio][viewer]") {
-    SessionRun run;
-    run.session.show_random_creature();
+    StudioRun run;
+    run.studio.show_random_creature();
     const double before = root_length(run);
-    run.ask(lengthen_root(run.session.frame_context(), 1.5));
+    run.ask(lengthen_root(run.studio.frame_context(), 1.5));
     run.ask(FinishGeneEdit{});
-    CHECK(run.session.frame_context().viewer.playback.creature().phenotype().parts[0].length ==
-          1.5);
-    CHECK(run.session.frame_context().viewer.playback.exhibit().individual().method == "edited");
+    CHECK(run.studio.frame_context().viewer.playback.creature().phenotype().parts[0].length == 1.5);
+    CHECK(run.studio.frame_context().viewer.playback.exhibit().individual().method == "edited");
     run.ask(UndoEdit{});
     CHECK(root_length(run) == before);
-    CHECK(run.session.frame_context().viewer.playback.exhibit().individual().method == "random");
+    CHECK(run.studio.frame_context().viewer.playback.exhibit().individual().method == "random");
     run.ask(RedoEdit{});
     CHECK(root_length(run) == 1.5);
     CHECK(run.log().find("{\"event\":\"gene edited\",\"place\":\"part 0 length\"") !=
@@ -38,15 +37,15 @@ TEST_CASE("an edited gene is displayed at once, can be undone and made again", "
 }
 
 TEST_CASE("an edited creature is scored again and saved as edited", "[studio][viewer]") {
-    SessionRun run;
+    StudioRun run;
     run.ask(RunOneGeneration{});
     REQUIRE(run.frames_until([&] { return run.champions() == 1; }));
     const std::uint64_t parent =
-        run.session.frame_context().viewer.playback.exhibit().individual().uid;
-    run.ask(lengthen_root(run.session.frame_context(), 1.1));
-    run.ask(lengthen_root(run.session.frame_context(), 1.2));
-    CHECK(run.session.frame_context().viewer.score == nullptr);
-    REQUIRE(run.frames_until([&] { return run.session.frame_context().viewer.score != nullptr; }));
+        run.studio.frame_context().viewer.playback.exhibit().individual().uid;
+    run.ask(lengthen_root(run.studio.frame_context(), 1.1));
+    run.ask(lengthen_root(run.studio.frame_context(), 1.2));
+    CHECK(run.studio.frame_context().viewer.score == nullptr);
+    REQUIRE(run.frames_until([&] { return run.studio.frame_context().viewer.score != nullptr; }));
     const auto path = run.folder.path() / "edited.creature.json";
     run.ask(SaveCreatureFile{path});
     REQUIRE(run.frames_until([&] { return std::filesystem::exists(path); }));
@@ -58,45 +57,45 @@ TEST_CASE("an edited creature is scored again and saved as edited", "[studio][vi
 }
 
 TEST_CASE("a gene outside its range is refused with a message", "[studio][viewer]") {
-    SessionRun run;
-    run.session.show_random_creature();
+    StudioRun run;
+    run.studio.show_random_creature();
     const double before = root_length(run);
-    run.ask(lengthen_root(run.session.frame_context(), 25.0));
-    run.session.update(0.1, 0.0);
+    run.ask(lengthen_root(run.studio.frame_context(), 25.0));
+    run.studio.update(0.1, 0.0);
     CHECK(root_length(run) == before);
-    REQUIRE(run.session.frame_context().window.notice != nullptr);
-    CHECK(run.session.frame_context().window.notice->text.find("/nodes/0/length") !=
+    REQUIRE(run.studio.frame_context().window.notice != nullptr);
+    CHECK(run.studio.frame_context().window.notice->text.find("/nodes/0/length") !=
           std::string::npos);
-    CHECK_FALSE(run.session.frame_context().can_undo());
+    CHECK_FALSE(run.studio.frame_context().can_undo());
 }
 
 TEST_CASE("with another creature on display, undo is of the settings again", "[studio][viewer]") {
-    SessionRun run;
-    run.session.show_random_creature();
+    StudioRun run;
+    run.studio.show_random_creature();
     const auto other =
-        std::make_shared<const Exhibit>(run.session.frame_context().viewer.playback.exhibit());
-    run.ask(lengthen_root(run.session.frame_context(), 1.5));
-    ExperimentSettings moon = run.session.frame_context().experiment.editor.draft();
+        std::make_shared<const Exhibit>(run.studio.frame_context().viewer.playback.exhibit());
+    run.ask(lengthen_root(run.studio.frame_context(), 1.5));
+    ExperimentSettings moon = run.studio.frame_context().experiment.editor.draft();
     moon.world.environment.gravity = 1.62;
     run.ask(EditSettings{moon, "environment.gravity"});
     run.ask(ShowExhibit{other});
     run.ask(UndoEdit{});
-    CHECK(run.session.frame_context().experiment.editor.draft().world.environment.gravity == 9.81);
+    CHECK(run.studio.frame_context().experiment.editor.draft().world.environment.gravity == 9.81);
 }
 
 TEST_CASE("a forced neuron marks the run as disturbed", "[studio][viewer]") {
-    SessionRun run;
+    StudioRun run;
     run.ask(ForceNeuron{0, 1.0});  // no creature is displayed, so it has no effect
     run.ask(RunOneGeneration{});
     REQUIRE(run.frames_until([&] { return run.champions() == 1; }));
     REQUIRE_FALSE(
-        run.session.frame_context().viewer.playback.creature().phenotype().network.neurons.empty());
+        run.studio.frame_context().viewer.playback.creature().phenotype().network.neurons.empty());
     run.ask(ForceNeuron{0, 1.0});
-    CHECK(run.session.frame_context().viewer.playback.creature().disturbed());
+    CHECK(run.studio.frame_context().viewer.playback.creature().disturbed());
     run.ask(ReleaseNeuron{0});
-    CHECK(run.session.frame_context().viewer.playback.creature().replay().forced().empty());
+    CHECK(run.studio.frame_context().viewer.playback.creature().replay().forced().empty());
     run.ask(RestartPlayback{});
-    CHECK_FALSE(run.session.frame_context().viewer.playback.creature().disturbed());
+    CHECK_FALSE(run.studio.frame_context().viewer.playback.creature().disturbed());
 }
 
 }  // namespace

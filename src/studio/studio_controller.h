@@ -1,7 +1,8 @@
 #pragma once
 
 // The studio without its window. Each subject has a controller, which owns its data and carries out
-// its requests; the session routes requests to them and lets them act in order, once a frame.
+// its requests; the studio controller routes requests to them and lets them act in order, once a
+// frame.
 
 #include "studio/files/files_controller.h"
 #include "studio/frame/frame_context.h"
@@ -15,11 +16,11 @@
 
 namespace cambrian {
 
-class Session {
+class StudioController {
 public:
-    // `kinds` must outlive the session.
-    Session(const Remembered& remembered, const EvolutionKinds& kinds,
-            const MachineOptions& machines, const std::filesystem::path& status_log);
+    // `kinds` must outlive it.
+    StudioController(const Remembered& remembered, const EvolutionKinds& kinds,
+                     const MachineOptions& machines, const std::filesystem::path& status_log);
 
     // Stores arrangement, settings and experiment in a folder from now on, whenever they change.
     void remember_in(const std::filesystem::path& folder);

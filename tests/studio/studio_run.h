@@ -1,8 +1,8 @@
 #pragma once
 
-// A session without a window, whose frames are run by a test.
+// The studio without a window, whose frames are run by a test.
 
-#include "studio/session.h"
+#include "studio/studio_controller.h"
 #include "studio_fixture.h"
 #include "support/temporary_directory.h"
 
@@ -23,29 +23,29 @@ inline ExperimentSettings small_experiment() {
     return settings;
 }
 
-class SessionRun {
+class StudioRun {
 public:
-    explicit SessionRun(MachineOptions machines = {.workers = 2}, ClusterMemory cluster = {})
-        : session({{}, small_experiment(), {}, std::move(cluster)}, kinds(), machines,
-                  folder.path() / "log") {}
+    explicit StudioRun(MachineOptions machines = {.workers = 2}, ClusterMemory cluster = {})
+        : studio({{}, small_experiment(), {}, std::move(cluster)}, kinds(), machines,
+                 folder.path() / "log") {}
 
     template <class Action>
     void ask(Action action) {
         Requests requests;
         requests.ask(std::move(action));
-        session.carry_out(requests);
+        studio.carry_out(requests);
     }
     // Runs frames until a condition holds; gives up after 20 000.
     bool frames_until(const std::function<bool()>& holds) {
         for (int i = 0; i < 20'000; ++i) {
-            session.update(0.001 * i, 0.001);
+            studio.update(0.001 * i, 0.001);
             if (holds()) return true;
             std::this_thread::sleep_for(std::chrono::milliseconds(1));
         }
         return false;
     }
     std::size_t champions() const {
-        return session.frame_context().experiment.snapshot.champions.size();
+        return studio.frame_context().experiment.snapshot.champions.size();
     }
     std::string log() const {
         std::ostringstream text;
@@ -54,23 +54,23 @@ public:
     }
 
     TemporaryDirectory folder;
-    Session session;
+    StudioController studio;
 };
 
 // Runs until so many generations are finished.
-inline void finish_generations(SessionRun& run, std::size_t count) {
+inline void finish_generations(StudioRun& run, std::size_t count) {
     while (run.champions() < count) {
         const std::size_t before = run.champions();
         run.ask(RunOneGeneration{});
         REQUIRE(run.frames_until([&] { return run.champions() == before + 1; }));
         REQUIRE(run.frames_until([&] {
-            return run.session.frame_context().experiment.snapshot.status == EngineStatus::kPaused;
+            return run.studio.frame_context().experiment.snapshot.status == EngineStatus::kPaused;
         }));
     }
 }
 
-inline const Exhibit& shown_in(const SessionRun& run) {
-    return run.session.frame_context().viewer.playback.exhibit();
+inline const Exhibit& shown_in(const StudioRun& run) {
+    return run.studio.frame_context().viewer.playback.exhibit();
 }
 
 }  // namespace cambrian::test

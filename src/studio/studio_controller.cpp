@@ -1,4 +1,4 @@
-#include "studio/session.h"
+#include "studio/studio_controller.h"
 
 #include "core/stopwatch.h"
 #include "studio/shortcuts.h"
@@ -9,8 +9,8 @@
 namespace cambrian {
 
 // Forwards the requests of each subject to its controller.
-struct Session::Router {
-    Session& self;
+struct StudioController::Router {
+    StudioController& self;
 
     void operator()(const ViewerRequest& request) const {
         if (!self.picking_.take_over(request)) self.viewer_.carry_out(request);
@@ -31,8 +31,9 @@ struct Session::Router {
     void operator()(const WindowRequest& request) const { self.window_.carry_out(request); }
 };
 
-Session::Session(const Remembered& remembered, const EvolutionKinds& kinds,
-                 const MachineOptions& machines, const std::filesystem::path& status_log)
+StudioController::StudioController(const Remembered& remembered, const EvolutionKinds& kinds,
+                                   const MachineOptions& machines,
+                                   const std::filesystem::path& status_log)
     : view_(remembered.view),
       feedback_(status_log),
       services_{kinds, worker_, feedback_},
@@ -50,18 +51,18 @@ Session::Session(const Remembered& remembered, const EvolutionKinds& kinds,
     machines_.begin(remembered.cluster);
 }
 
-void Session::remember_in(const std::filesystem::path& folder) {
+void StudioController::remember_in(const std::filesystem::path& folder) {
     memory_.use(folder);
     if (!folder.empty()) experiment_.keep_in(own_experiment(folder));
     preserve_.keep_in(folder);
 }
 
-void Session::reopen_last() {
+void StudioController::reopen_last() {
     const std::filesystem::path last = memory_.last_experiment();
     if (!last.empty()) files_.reopen(last);
 }
 
-void Session::keep_memory() {
+void StudioController::keep_memory() {
     const OpenExperiment& experiment = std::as_const(experiment_).open();
     memory_.keep({view_, experiment.editor().draft(),
                   files_.reopening() ? memory_.experiment() : experiment.file().string(),
@@ -69,13 +70,13 @@ void Session::keep_memory() {
                  services_);
 }
 
-void Session::use_assets(const std::filesystem::path& folder) {
+void StudioController::use_assets(const std::filesystem::path& folder) {
     guide_.read(folder / "help", keys_text());
     files_.use_samples(folder / "creatures");
     preserve_.use_assets(folder);
 }
 
-void Session::update(double now, double elapsed) {
+void StudioController::update(double now, double elapsed) {
     feedback_.set_time(now);
     worker_.deliver();
     files_.update();
@@ -95,14 +96,14 @@ void Session::update(double now, double elapsed) {
     if (memory_.due(now)) keep_memory();
 }
 
-void Session::carry_out(Requests& requests) {
+void StudioController::carry_out(Requests& requests) {
     viewer_.clear_highlight();
     window_.clear_focus();
     for (const StudioRequest& request : requests.take())
         std::visit(Router{*this}, request);
 }
 
-FrameContext Session::frame_context() const {
+FrameContext StudioController::frame_context() const {
     return {.kinds = services_.kinds,
             .view = view_,
             .experiment = experiment_.facts(),
@@ -117,7 +118,7 @@ FrameContext Session::frame_context() const {
             .preserve_card = preserve_.card()};
 }
 
-bool Session::animating() const {
+bool StudioController::animating() const {
     const bool moving = preserve_.world_shown() ? preserve_.animating() : viewer_.animating();
     return moving || picking_.on() || experiment_.open().running() || !worker_.idle() ||
            feedback_.notice() != nullptr;
