@@ -97,7 +97,7 @@ bool machines_open(const FrameContext& frame) {
     return frame.machines != nullptr && frame.machines->card_open;
 }
 bool touring(const FrameContext& frame) {
-    return frame.guide.tour_step >= 0;
+    return frame.guide.tour_step >= 0 && frame.preserve == nullptr;
 }
 bool notice_told(const FrameContext& frame) {
     return frame.window.notice != nullptr;
