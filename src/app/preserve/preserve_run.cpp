@@ -182,7 +182,8 @@ void warn_of_crowds(const Preserve& preserve) {
     const double share = static_cast<double>(counts.crowded_ticks) /
                          static_cast<double>(std::max<std::uint64_t>(counts.ticks, 1));
     if (share <= kMostCrowded) return;
-    say(fmt::format("crowded: in {:.0f} % of their time, creatures touched more others than can be "
+    say(
+        fmt::format("crowded: in {:.0f} % of their time, creatures touched more others than can be "
                     "moved together, and were pressed apart by springs",
                     100.0 * share));
 }
