@@ -15,12 +15,11 @@
 namespace cambrian {
 namespace {
 
-constexpr double kChaseLag = 0.25;     // s; time constant with which the camera follows
-constexpr double kWorldShare = 0.97;   // share of the viewport filled by the world
-constexpr float kHeadHeight = 36.0F;   // of the words above it, in units of 1/96 inch
-constexpr double kNotchFactor = 1.15;  // zoom factor per notch of the wheel
-constexpr double kPickPixels = 12.0;   // distance at which a click picks a creature
-constexpr float kPanStep = 60.0F;      // a press of an arrow key, in units of 1/96 inch
+constexpr double kChaseLag = 0.25;    // s; time constant with which the camera follows
+constexpr double kWorldShare = 0.97;  // share of the viewport filled by the world
+constexpr float kHeadHeight = 36.0F;  // of the words above it, in units of 1/96 inch
+constexpr double kPickPixels = 12.0;  // distance at which a click picks a creature
+constexpr float kPanStep = 60.0F;     // a press of an arrow key, in units of 1/96 inch
 
 void outlined_text(ImDrawList& list, const ImVec2& at, const Color& color,
                    const std::string& text) {
@@ -36,24 +35,22 @@ void WorldPanel::draw(const FrameContext& frame, Requests& out) {
     const ImVec2 room = ImGui::GetContentRegionAvail();
     canvas_.area = {at.x, at.y, room.x, room.y};
     canvas_.framebuffer_height = frame.window.framebuffer_height;
-    size_ = {std::max(1.0, static_cast<double>(room.x)),
-             std::max(1.0, static_cast<double>(room.y))};
     ImGui::InvisibleButton("world", {std::max(1.0F, room.x), std::max(1.0F, room.y)},
                            ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
                                ImGuiButtonFlags_MouseButtonMiddle);
     note_place("world");
     ImGui::SetItemAllowOverlap();
     hovered_ = ImGui::IsItemHovered();
-    handle_wheel(frame);
+    if (hovered_) canvas_.zoom_by_wheel(frame.preserve->follow);
     handle_mouse(frame, out);
     handle_keys(frame, out);
     place_camera(frame);
     aim(out);
     canvas_.frame.clear();
-    add_world(canvas_.frame, colors(), canvas_.camera, size_, *frame.preserve);
+    add_world(canvas_.frame, colors(), canvas_.camera, canvas_.size(), *frame.preserve);
     const ResidentPicture* held = held_ == 0 ? nullptr : frame.preserve->picture.find(held_);
     if (held != nullptr && ImGui::IsMouseDragging(ImGuiMouseButton_Left)) {
-        canvas_.frame.add_line(held->center.head<2>(), mouse_in_world(),
+        canvas_.frame.add_line(held->center.head<2>(), canvas_.mouse_in_world(),
                                2.0 * canvas_.camera.pixel(), colors().accent);
     }
     canvas_.add_to(*ImGui::GetWindowDrawList());
@@ -63,15 +60,8 @@ void WorldPanel::draw(const FrameContext& frame, Requests& out) {
     help_mark("preserve", out);
 }
 
-Vec2 WorldPanel::mouse_in_world() const {
-    const ImVec2 mouse = ImGui::GetIO().MousePos;
-    return canvas_.camera.to_world({static_cast<double>(mouse.x - canvas_.area.x),
-                                    static_cast<double>(mouse.y - canvas_.area.y)},
-                                   size_);
-}
-
 ImVec2 WorldPanel::on_screen(const Vec2& point) const {
-    const Vec2 at = canvas_.camera.to_screen(point, size_);
+    const Vec2 at = canvas_.camera.to_screen(point, canvas_.size());
     return {canvas_.area.x + static_cast<float>(at.x()),
             canvas_.area.y + static_cast<float>(at.y())};
 }
@@ -82,22 +72,13 @@ void WorldPanel::place_camera(const FrameContext& frame) {
     if (std::exchange(fits_seen_, preserve.fits_asked) != preserve.fits_asked) {
         const Vec2 corner(0.5 * preserve.picture.area.width, 0.5 * preserve.picture.area.height);
         const auto words = static_cast<double>(px(kHeadHeight));
+        const Viewport size = canvas_.size();
         camera.fit({-corner, corner}, kWorldShare,
-                   {size_.width, std::max(1.0, size_.height - 2.0 * words)});
+                   {size.width, std::max(1.0, size.height - 2.0 * words)});
     }
     if (!preserve.follow || preserve.picked == nullptr) return;
     camera.approach(preserve.picked->center.head<2>(),
                     static_cast<double>(ImGui::GetIO().DeltaTime), kChaseLag);
-}
-
-void WorldPanel::handle_wheel(const FrameContext& frame) {
-    const ImGuiIO& io = ImGui::GetIO();
-    if (!hovered_ || io.MouseWheel == 0.0F) return;
-    const Vec2 middle(0.5 * size_.width, 0.5 * size_.height);
-    const Vec2 mouse(static_cast<double>(io.MousePos.x - canvas_.area.x),
-                     static_cast<double>(io.MousePos.y - canvas_.area.y));
-    canvas_.camera.zoom_about(frame.preserve->follow ? middle : mouse,
-                              std::pow(kNotchFactor, static_cast<double>(io.MouseWheel)), size_);
 }
 
 void WorldPanel::pan(const ImVec2& pixels, const FrameContext& frame, Requests& out) {
@@ -124,7 +105,8 @@ void WorldPanel::handle_left_button(const FrameContext& frame, Requests& out) {
     const PreservePicture& picture = frame.preserve->picture;
     if (hovered_ && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
         pressed_ = true;
-        held_ = resident_at(picture, mouse_in_world(), kPickPixels * canvas_.camera.pixel());
+        held_ =
+            resident_at(picture, canvas_.mouse_in_world(), kPickPixels * canvas_.camera.pixel());
         if (held_ != 0 || frame.preserve->picked != nullptr) out.ask(PickResident{held_});
     }
     if (!pressed_) return;
@@ -148,14 +130,15 @@ void WorldPanel::handle_keys(const FrameContext& frame, Requests& out) {
     if (panel_key(ImGuiKey_RightArrow)) pan({-step, 0.0F}, frame, out);
     if (panel_key(ImGuiKey_UpArrow)) pan({0.0F, step}, frame, out);
     if (panel_key(ImGuiKey_DownArrow)) pan({0.0F, -step}, frame, out);
-    const Vec2 middle(0.5 * size_.width, 0.5 * size_.height);
-    if (panel_key(ImGuiKey_PageUp)) canvas_.camera.zoom_about(middle, kNotchFactor, size_);
-    if (panel_key(ImGuiKey_PageDown)) canvas_.camera.zoom_about(middle, 1.0 / kNotchFactor, size_);
+    const Viewport size = canvas_.size();
+    const Vec2 middle(0.5 * size.width, 0.5 * size.height);
+    if (panel_key(ImGuiKey_PageUp)) canvas_.camera.zoom_about(middle, kNotchFactor, size);
+    if (panel_key(ImGuiKey_PageDown)) canvas_.camera.zoom_about(middle, 1.0 / kNotchFactor, size);
 }
 
 // Food and creatures arrive where the mouse points or, if it does not, in the middle of the view.
 void WorldPanel::aim(Requests& out) {
-    const Vec2 aimed = hovered_ ? mouse_in_world() : canvas_.camera.center;
+    const Vec2 aimed = hovered_ ? canvas_.mouse_in_world() : canvas_.camera.center;
     if (aimed == aim_) return;
     aim_ = aimed;
     out.ask(AimAt{aimed.x(), aimed.y()});

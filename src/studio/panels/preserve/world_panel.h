@@ -18,7 +18,6 @@ public:
 
 private:
     void place_camera(const FrameContext& frame);
-    void handle_wheel(const FrameContext& frame);
     void handle_mouse(const FrameContext& frame, Requests& out);
     void handle_left_button(const FrameContext& frame, Requests& out);
     void handle_keys(const FrameContext& frame, Requests& out);
@@ -26,11 +25,9 @@ private:
     void aim(Requests& out);
     void draw_labels(const FrameContext& frame);
     void draw_words(const FrameContext& frame) const;
-    Vec2 mouse_in_world() const;
     ImVec2 on_screen(const Vec2& point) const;
 
     SceneCanvas canvas_;
-    Viewport size_;
     unsigned fits_seen_ = 0;  // number of FitWorld requests handled so far
     std::uint64_t held_ = 0;  // creature under the left button when it was pressed
     bool pressed_ = false;    // the left button was pressed in the world

@@ -15,9 +15,8 @@
 namespace cambrian {
 namespace {
 
-constexpr double kFollowLag = 0.25;    // s; time constant with which the camera follows
-constexpr double kFitShare = 0.32;     // share of the viewport filled by a body after FitView
-constexpr double kWheelFactor = 1.15;  // zoom factor per notch of the wheel
+constexpr double kFollowLag = 0.25;  // s; time constant with which the camera follows
+constexpr double kFitShare = 0.32;   // share of the viewport filled by a body after FitView
 // Pixels from the top that the text about the creature takes.
 constexpr float kWordsHeight = 100.0F;
 constexpr double kFarthestLight = 1000.0;  // m; limit of the setting
@@ -52,8 +51,6 @@ void ViewportPanel::draw(const FrameContext& frame, Requests& out) {
     canvas_.framebuffer_height = frame.window.framebuffer_height;
     if (std::exchange(fits_seen_, frame.viewer.fits_asked) != frame.viewer.fits_asked)
         fit_wanted_ = true;
-    size_ = {std::max(1.0, static_cast<double>(room.x)),
-             std::max(1.0, static_cast<double>(room.y))};
     ImGui::InvisibleButton("viewport", {std::max(1.0F, room.x), std::max(1.0F, room.y)},
                            ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
                                ImGuiButtonFlags_MouseButtonMiddle);
@@ -76,24 +73,17 @@ void ViewportPanel::draw(const FrameContext& frame, Requests& out) {
     draw_viewport_tools(frame, canvas_.area, out);
 }
 
-Vec2 ViewportPanel::mouse_in_world() const {
-    const ImVec2 mouse = ImGui::GetIO().MousePos;
-    return canvas_.camera.to_world({static_cast<double>(mouse.x - canvas_.area.x),
-                                    static_cast<double>(mouse.y - canvas_.area.y)},
-                                   size_);
-}
-
 Vec2 ViewportPanel::follow_target(const FrameContext& frame) const {
     return follow_center(frame.viewer.playback.creature().motion().center().head<2>(),
                          frame.viewer.playback.creature().replay().environment().has_ground,
-                         canvas_.camera, size_);
+                         canvas_.camera, canvas_.size());
 }
 
 void ViewportPanel::fit_now(const FrameContext& frame) {
     fit_wanted_ = false;
     const WorldWindow bounds = body_window(frame.viewer.playback.creature().phenotype(),
                                            frame.viewer.playback.creature().motion().poses());
-    canvas_.camera.fit(bounds, kFitShare, size_);
+    canvas_.camera.fit(bounds, kFitShare, canvas_.size());
     canvas_.camera.center = follow_target(frame);
 }
 
@@ -106,7 +96,8 @@ void ViewportPanel::place_camera(const FrameContext& frame) {
         const WorldWindow bounds =
             body_window(*seen_, frame.viewer.playback.creature().motion().poses());
         const Vec2 pixels = (bounds.high - bounds.low) * canvas_.camera.pixels_per_metre;
-        const double share = std::max(pixels.x() / size_.width, pixels.y() / size_.height);
+        const double share =
+            std::max(pixels.x() / canvas_.size().width, pixels.y() / canvas_.size().height);
         fit_wanted_ = share > 0.7 || share < 0.12;
         if (frame.view.follow) canvas_.camera.center = follow_target(frame);
     }
@@ -122,12 +113,7 @@ void ViewportPanel::handle_mouse(const FrameContext& frame, Requests& out) {
     const ImGuiIO& io = ImGui::GetIO();
     const bool hovered = ImGui::IsItemHovered();
     if (hovered && io.MouseWheel != 0.0F) {
-        const Vec2 cursor = frame.view.follow
-                                ? Vec2(0.5 * size_.width, 0.5 * size_.height)
-                                : Vec2(static_cast<double>(io.MousePos.x - canvas_.area.x),
-                                       static_cast<double>(io.MousePos.y - canvas_.area.y));
-        canvas_.camera.zoom_about(
-            cursor, std::pow(kWheelFactor, static_cast<double>(io.MouseWheel)), size_);
+        canvas_.zoom_by_wheel(frame.view.follow);
         if (frame.view.follow) canvas_.camera.center = follow_target(frame);
     }
     const bool dragged = ImGui::IsItemActive() && (ImGui::IsMouseDragging(ImGuiMouseButton_Right) ||
@@ -143,11 +129,11 @@ void ViewportPanel::handle_mouse(const FrameContext& frame, Requests& out) {
     }
     panning_ = dragged;
     if (!handle_light(frame, out)) handle_poke(frame, out);
-    const int under =
-        hovered ? part_at(frame.viewer.playback.creature().phenotype(),
-                          frame.viewer.playback.creature().motion().poses(), mouse_in_world(),
-                          frame.viewer.playback.creature().motion().stretches())
-                : -1;
+    const int under = hovered ? part_at(frame.viewer.playback.creature().phenotype(),
+                                        frame.viewer.playback.creature().motion().poses(),
+                                        canvas_.mouse_in_world(),
+                                        frame.viewer.playback.creature().motion().stretches())
+                              : -1;
     if (under >= 0) out.ask(ShowHighlight{{.part = under}});
 }
 
@@ -155,7 +141,7 @@ void ViewportPanel::handle_mouse(const FrameContext& frame, Requests& out) {
 bool ViewportPanel::handle_light(const FrameContext& frame, Requests& out) {
     const ExperimentSettings& draft = frame.experiment.editor.draft();
     const LightSource& light = frame.viewer.playback.trial().surroundings().source();
-    const Vec2 mouse = mouse_in_world();
+    const Vec2 mouse = canvas_.mouse_in_world();
     if (light_held_ && !ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
         light_held_ = false;
         out.ask(FinishEdit{});
@@ -179,7 +165,7 @@ bool ViewportPanel::handle_light(const FrameContext& frame, Requests& out) {
 
 // The left button grabs the part under the mouse and pulls it while held.
 void ViewportPanel::handle_poke(const FrameContext& frame, Requests& out) {
-    const Vec2 mouse = mouse_in_world();
+    const Vec2 mouse = canvas_.mouse_in_world();
     const Vec3 target(mouse.x(), mouse.y(), 0.0);
     if (const Hold* hold = frame.viewer.playback.creature().hold()) {
         if (ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
@@ -212,9 +198,9 @@ void ViewportPanel::build_scene(const FrameContext& frame) {
                             playback.exhibit().genome()->hue,
                             frame.viewer.highlight,
                             playback.creature().motion().stretches()};
-    if (frame.view.overlays.grid) add_grid(scene, palette, canvas_.camera, size_);
+    if (frame.view.overlays.grid) add_grid(scene, palette, canvas_.camera, canvas_.size());
     if (playback.creature().replay().environment().has_ground) {
-        add_ground(scene, palette, canvas_.camera, size_);
+        add_ground(scene, palette, canvas_.camera, canvas_.size());
         add_shadow(scene, look);
     }
     if (frame.view.overlays.trail) {
@@ -226,7 +212,7 @@ void ViewportPanel::build_scene(const FrameContext& frame) {
             scene, canvas_.camera,
             {ghost->phenotype(), ghost->poses(), {}, ghost->genome().hue, {}, ghost->stretches()});
     const LightSource& light = playback.trial().surroundings().source();
-    if (light.is_on()) add_light(scene, canvas_.camera, size_, light.place().head<2>());
+    if (light.is_on()) add_light(scene, canvas_.camera, canvas_.size(), light.place().head<2>());
     add_creature(scene, palette, canvas_.camera, look);
     add_overlays(frame, look);
     const Hold* hold = playback.creature().hold();
@@ -240,7 +226,7 @@ void ViewportPanel::build_scene(const FrameContext& frame) {
 void ViewportPanel::draw_marks(const FrameContext& frame) {
     if (!frame.viewer.playback.creature().replay().environment().has_ground) return;
     const Camera& camera = canvas_.camera;
-    const WorldWindow window = camera.window(size_);
+    const WorldWindow window = camera.window(canvas_.size());
     if (window.low.y() > 0.0) return;
     // Places labels at marks of the ground, far enough apart for their text.
     const double tick = mark_spacing(camera, kTickPixels);
@@ -250,7 +236,7 @@ void ViewportPanel::draw_marks(const FrameContext& frame) {
     const WithFont font(ui().fonts.small);
     for (double i = std::ceil(window.low.x() / spacing); i * spacing < window.high.x(); i += 1.0) {
         const std::string label = with_unit(i * spacing, "m");
-        const Vec2 at = camera.to_screen({i * spacing, 0.0}, size_);
+        const Vec2 at = camera.to_screen({i * spacing, 0.0}, canvas_.size());
         const float width = ImGui::CalcTextSize(label.c_str()).x;
         const float left = static_cast<float>(at.x()) - 0.5F * width;
         if (left < 0.0F || left + width > canvas_.area.width) continue;
@@ -281,7 +267,7 @@ void ViewportPanel::add_overlays(const FrameContext& frame, const CreatureLook& 
 
 // Draws a name on a small plate, centred.
 void ViewportPanel::draw_plate(const Vec2& at, const std::string& name) const {
-    const Vec2 place = canvas_.camera.to_screen(at, size_);
+    const Vec2 place = canvas_.camera.to_screen(at, canvas_.size());
     const WithFont font(ui().fonts.small);
     const ImVec2 size = ImGui::CalcTextSize(name.c_str());
     const ImVec2 low = {std::round(canvas_.area.x + static_cast<float>(place.x()) - 0.5F * size.x),
@@ -318,7 +304,7 @@ void ViewportPanel::draw_ghost_labels(const FrameContext& frame) const {
     const double line = static_cast<double>(px(20)) * canvas_.camera.pixel();
     // Labels stay below the text about the creature.
     const double highest =
-        canvas_.camera.to_world({0.0, static_cast<double>(px(kWordsHeight))}, size_).y();
+        canvas_.camera.to_world({0.0, static_cast<double>(px(kWordsHeight))}, canvas_.size()).y();
     for (const auto& ghost : frame.viewer.ghosts) {
         const WorldWindow bounds = body_window(ghost->phenotype(), ghost->poses());
         Vec2 at = {0.5 * (bounds.low.x() + bounds.high.x()),

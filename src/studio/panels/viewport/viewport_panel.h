@@ -33,10 +33,8 @@ private:
     void draw_plate(const Vec2& at, const std::string& name) const;
     void draw_part_names(const FrameContext& frame) const;
     void draw_ghost_labels(const FrameContext& frame) const;
-    Vec2 mouse_in_world() const;
 
     SceneCanvas canvas_;
-    Viewport size_;
     bool fit_wanted_ = true;
     unsigned fits_seen_ = 0;           // number of FitView requests handled so far
     const Phenotype* seen_ = nullptr;  // creature of the last frame; compared only
