@@ -64,10 +64,7 @@ class Runs(ClusterTest):
         for count in ("refused", "malformed"):
             self.assertEqual(sums[count], 0, sums)
         self.assertGreater(max(each["cluster"]["machines"] for each in generations), 2)
-        client = server.client()
-        self.assertEqual(client.messages_in("cambrian-WORK"), 0)
-        self.assertEqual(client.messages_in("cambrian-RESULT"), 0)
-        client.close()
+        self.assert_streams_empty(server)
         names = {each["name"] for each in self.wait_for_workers(server.url, 7)}
         self.assertEqual(names, {f"worker {i}" for i in range(7)})
         for worker in workers:
@@ -121,10 +118,7 @@ class Runs(ClusterTest):
                            server.url, "--threads", 1)
         self.wait_for_results(server)
         self.end_and_compare(again, "resumed", ENDLESS)
-        client = server.client()
-        self.assertEqual(client.messages_in("cambrian-WORK"), 0)
-        self.assertEqual(client.messages_in("cambrian-RESULT"), 0)
-        client.close()
+        self.assert_streams_empty(server)
 
     def test_a_worker_that_stops_answering_costs_only_its_units(self):
         server = self.start_server()
@@ -136,6 +130,12 @@ class Runs(ClusterTest):
         workers[0].send_signal(signal.SIGCONT)  # its late results are duplicates
         self.wait_for_results(server, 3)
         self.end_and_compare(run, "stuck", ENDLESS)
+
+    def assert_streams_empty(self, server):
+        client = server.client()
+        left = {name: client.messages_in(f"cambrian-{name}") for name in ("WORK", "RESULT")}
+        client.close()
+        self.assertEqual(left, {"WORK": 0, "RESULT": 0})
 
     @unittest.skipUnless("CAMBRIAN_LONG_OUTAGES" in os.environ, "takes two minutes")
     def test_workers_are_used_again_soon_after_a_long_outage(self):
