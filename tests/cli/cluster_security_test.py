@@ -240,7 +240,7 @@ class Encryption(SecurityTest):
         self.assert_nobody_connects(server.tls_url, "has no encryption",
                                     options=["--ca", "ca.pem"])
 
-    def test_an_authority_that_is_no_certificate(self):
+    def test_an_authority_that_is_no_certificate_is_refused(self):
         self.write("ca.pem", "hello\n")
         self.assert_nobody_connects(f"tls://{HOST}:4222", "--ca ca.pem",
                                     options=["--ca", "ca.pem"])

@@ -226,10 +226,10 @@ class Mistakes(ClusterTest):
             self.assertEqual(result.stderr.count("\n"), 1, result.stderr)
         self.assertNotIn("x.cambrian", self.files())
 
-    def test_a_host_that_is_none(self):
+    def test_a_host_that_is_none_is_refused(self):
         self.assert_refused_by_all("nats://nowhere.invalid", "no host", "nowhere.invalid")
 
-    def test_a_server_that_speaks_another_language(self):
+    def test_a_server_that_speaks_another_language_is_refused(self):
         with socket.create_server((HOST, 0)) as listener:
             listener.settimeout(60)
             port = listener.getsockname()[1]
@@ -246,7 +246,7 @@ class Mistakes(ClusterTest):
             self.addCleanup(os.kill, pid, signal.SIGKILL)
             self.assert_refused_by_all(f"nats://{HOST}:{port}", "no NATS server answers at")
 
-    def test_a_server_without_jetstream(self):
+    def test_a_server_without_jetstream_is_refused(self):
         server = self.start_server(jetstream=False)
         self.write("settings.toml", "[run]\ngenerations = 1\n")
         for command in (["worker", server.url],
@@ -254,7 +254,7 @@ class Mistakes(ClusterTest):
             self.assert_refused(self.run_program(*command), "the server has no JetStream: start "
                                 "it with -js or the sample configuration")
 
-    def test_a_stream_with_other_settings(self):
+    def test_a_stream_with_other_settings_is_refused(self):
         server = self.start_server()
         client = server.client()
         made = client.request("$JS.API.STREAM.CREATE.cambrian-WORK", json.dumps(
@@ -273,7 +273,7 @@ class Mistakes(ClusterTest):
         self.run_well("evolve", "settings.toml", "--cluster", server.url, "--cluster-name", "lab",
                       "--set", "population.size=6", "--set", "trial.duration=1")
 
-    def test_credentials_that_are_missing_or_none(self):
+    def test_credentials_that_are_missing_or_none_are_refused(self):
         server = self.start_server()
         self.assert_refused_by_all(server.url, "none.credentials",
                                    options=["--credentials", "none.credentials"])
@@ -281,17 +281,17 @@ class Mistakes(ClusterTest):
         self.assert_refused_by_all(server.url, "bad.credentials: no credentials",
                                    options=["--credentials", "bad.credentials"])
 
-    def test_a_url_with_a_password(self):
+    def test_a_url_with_a_password_is_refused(self):
         self.assert_refused_by_all("nats://me:secret@localhost", "--credentials")
 
-    def test_two_names_of_one_cluster(self):
+    def test_two_names_of_one_cluster_are_refused(self):
         self.assert_refused_by_all("nats://a/one,nats://b/two", "'one'", "'two'")
 
-    def test_an_address_that_is_none(self):
+    def test_an_address_that_is_none_is_refused(self):
         for url in ("lab-server", "http://lab", "nats://lab:99999", "nats://a,tls://b"):
             self.assert_refused_by_all(url)
 
-    def test_a_worker_without_cores(self):
+    def test_a_worker_without_cores_is_refused(self):
         self.assert_refused(self.run_program("worker", "nats://localhost", "--threads", 0),
                             "--threads")
 
