@@ -41,6 +41,10 @@ std::string file_name(const ComparedRun& row) {
 
 }  // namespace
 
+std::filesystem::path champion_file(const std::filesystem::path& folder, const ComparedRun& run) {
+    return folder / kChampions / file_name(run);
+}
+
 Result<std::unique_ptr<Comparison>> Comparison::open(const std::filesystem::path& folder,
                                                      std::vector<PlannedRun> runs,
                                                      const EvolutionKinds& kinds) {
@@ -125,8 +129,9 @@ Status Comparison::keep(const PlannedRun& run, const FinishedRun& finished) {
     CreatureDocument champion =
         creature_document({.individual = finished.champion, .settings = run.settings}, *kinds_);
     complete_score(champion, *kinds_);
-    const auto path = folder_ / kChampions / file_name(finished.row);
-    if (Status saved = save_creature(path, champion, *kinds_); !saved) return saved;
+    if (Status saved = save_creature(champion_file(folder_, finished.row), champion, *kinds_);
+        !saved)
+        return saved;
     table_.push_back(finished.row);
     std::sort(table_.begin(), table_.end(), [](const ComparedRun& a, const ComparedRun& b) {
         return std::tie(a.world, a.arm, a.seed, a.trials, a.settings, a.simulator) <

@@ -20,6 +20,9 @@ namespace cambrian {
 // Makes the back-end of one thread of a comparison, which uses one core of this machine.
 using BackendMaking = std::function<Result<std::unique_ptr<EvaluationBackend>>()>;
 
+// Returns the path of the creature file that a comparison in this folder writes for a finished run.
+std::filesystem::path champion_file(const std::filesystem::path& folder, const ComparedRun& run);
+
 class Comparison {
 public:
     // Opens an existing folder. Runs that are already in its table, with the same settings and

@@ -1,6 +1,6 @@
 #include "comparison/report.h"
 
-#include "comparison/statistics.h"
+#include "comparison/arm_result.h"
 #include "core/sample_statistics.h"
 #include "core/text/counted.h"
 #include "core/text/pretty_text.h"
@@ -43,26 +43,23 @@ std::string ratio_text(double ours, double theirs) {
     return theirs > 0.0 ? rounded(ours / theirs) : "";
 }
 
-std::string against(const std::vector<double>& ours, const std::vector<double>& theirs) {
-    const RankTest comparison = mann_whitney(ours, theirs);
-    return fmt::format("{} | {} | {}", ratio_text(median(ours), median(theirs)),
-                       rounded(two_sided(ours, theirs)), rounded(comparison.effect));
+std::string against(const ArmContest& contest) {
+    return fmt::format("{} | {} | {}", contest.ratio ? rounded(*contest.ratio) : "",
+                       rounded(contest.p), rounded(contest.effect));
 }
 
 std::string row(const std::string& arm, const std::vector<ComparedRun>& runs,
                 const std::vector<ComparedRun>& first) {
-    const std::vector<double> scores = column(runs, &ComparedRun::confirmed);
-    const Interval interval = median_interval(scores);
+    const bool reference = first.empty() || first.front().arm == arm;
+    const ArmResult result = arm_result(runs, reference ? std::vector<ComparedRun>{} : first);
     const auto exact = std::count_if(runs.begin(), runs.end(), [](const ComparedRun& run) {
         return std::fabs(run.finer - run.score) <= kAgrees * run.score;
     });
-    const bool reference = first.empty() || first.front().arm == arm;
     std::string text =
-        fmt::format("| {} | {} | {} | {} to {} | {}", arm, runs.size(), rounded(median(scores)),
-                    rounded(interval.low), rounded(interval.high),
-                    ratio_text(*std::min_element(scores.begin(), scores.end()), median(scores)));
-    text +=
-        " | " + (reference ? " |  | " : against(scores, column(first, &ComparedRun::confirmed)));
+        fmt::format("| {} | {} | {} | {} to {} | {}", arm, runs.size(), rounded(result.median),
+                    rounded(result.interval.low), rounded(result.interval.high),
+                    ratio_text(result.worst, result.median));
+    text += " | " + (result.contest ? against(*result.contest) : " |  | ");
     text += " | " + rounded(median(column(runs, &ComparedRun::score)));
     text += fmt::format(" | {}", exact);
     for (const auto field :
@@ -92,8 +89,8 @@ std::string overall(const std::vector<ComparedRun>& runs) {
         double sum = 0.0;
         std::size_t count = 0;
         for (const std::string& world : worlds_of(runs)) {
-            const auto ours = column(runs_of(runs, world, arms[i]), &ComparedRun::confirmed);
-            const auto theirs = column(runs_of(runs, world, arms[0]), &ComparedRun::confirmed);
+            const auto ours = confirmed_scores(runs_of(runs, world, arms[i]));
+            const auto theirs = confirmed_scores(runs_of(runs, world, arms[0]));
             if (ours.empty() || theirs.empty()) continue;
             const double ratio = median(ours) / median(theirs);
             if (!(ratio > 0.0) || !std::isfinite(ratio)) continue;

@@ -25,10 +25,6 @@ constexpr float kBandShade = 0.22F;
 constexpr std::array<unsigned, 7> kColors = {0xE69F00, 0x56B4E9, 0x009E73, 0xCC79A7,
                                              0xD55E00, 0x0072B2, 0xF0E442};
 
-Color color_of_curve(std::size_t curve) {
-    return color_of(kColors[curve % kColors.size()]);
-}
-
 // Returns a round interval between the ticks of an axis from 0 to `most`: 1, 2 or 5 times a power
 // of ten.
 double tick_step(double most) {
@@ -159,6 +155,10 @@ private:
 };
 
 }  // namespace
+
+Color color_of_curve(std::size_t curve) {
+    return color_of(kColors[curve % kColors.size()]);
+}
 
 void draw_curves(PictureCanvas& canvas, const std::vector<BandedCurve>& curves,
                  const CurvesLabels& labels, const Palette& palette) {

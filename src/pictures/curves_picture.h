@@ -26,6 +26,9 @@ struct CurvesLabels {
     std::string y;
 };
 
+// Returns the colour of the curve with that index; from the seventh on colours return.
+Color color_of_curve(std::size_t curve);
+
 // Draws the curves. A curve without points appears only in the legend.
 void draw_curves(PictureCanvas& canvas, const std::vector<BandedCurve>& curves,
                  const CurvesLabels& labels, const Palette& palette);

@@ -90,6 +90,8 @@ void close_what_is_open(const FrameContext& frame, Requests& out) {
         out.ask(CloseFilePanel{});
     } else if (frame.machines != nullptr && frame.machines->card_open) {
         out.ask(ToggleMachines{});
+    } else if (frame.comparison != nullptr && frame.comparison->card_open) {
+        out.ask(ToggleComparison{});
     } else if (frame.guide.help_shown) {
         out.ask(ToggleHelp{});
     } else if (frame.preserve != nullptr && frame.window.notice == nullptr) {
@@ -152,6 +154,7 @@ constexpr std::array kShortcuts = {
              "Switch between the light and the dark theme",
              switch_theme,
              true},
+    Shortcut{{GLFW_KEY_D, true}, "Ctrl+D", "Compare settings", simply<ToggleComparison>},
     Shortcut{{GLFW_KEY_M, true},
              "Ctrl+M",
              "Open or close the card of several machines",

@@ -28,6 +28,7 @@ struct StudioController::Router {
     void operator()(const FilesRequest& request) const { self.files_.carry_out(request); }
     void operator()(const GuideRequest& request) const { self.guide_.carry_out(request); }
     void operator()(const MachinesRequest& request) const { self.machines_.carry_out(request); }
+    void operator()(const ComparisonRequest& request) const { self.comparison_.carry_out(request); }
     void operator()(const WindowRequest& request) const { self.window_.carry_out(request); }
 };
 
@@ -35,17 +36,17 @@ StudioController::StudioController(const Remembered& remembered, const Evolution
                                    const MachineOptions& machines,
                                    const std::filesystem::path& status_log)
     : view_(remembered.view),
-      feedback_(status_log),
-      services_{kinds, worker_, feedback_},
-      window_(feedback_, view_),
-      guide_(services_, view_),
-      viewer_(services_, view_),
-      machines_(services_, experiment_, machines),
-      experiment_(services_, view_, viewer_, remembered.settings, machines_.own_cores()),
-      generations_(services_, view_, viewer_, experiment_),
-      picking_(services_, view_, viewer_, experiment_, machines.workers),
-      preserve_(services_, {viewer_, experiment_, generations_, picking_}, machines.workers),
-      files_(services_, view_, {viewer_, experiment_, generations_, picking_, preserve_}),
+      services_(kinds, status_log),
+      window_(services_.feedback, view_),
+      guide_(services_.shared, view_),
+      viewer_(services_.shared, view_),
+      machines_(services_.shared, experiment_, machines),
+      experiment_(services_.shared, view_, viewer_, remembered.settings, machines_.own_cores()),
+      generations_(services_.shared, view_, viewer_, experiment_),
+      picking_(services_.shared, view_, viewer_, experiment_, machines.workers),
+      preserve_(services_.shared, {viewer_, experiment_, generations_, picking_}, machines.workers),
+      comparison_(services_.shared, experiment_, machines.workers),
+      files_(services_.shared, view_, {viewer_, experiment_, generations_, picking_, preserve_}),
       memory_(
           {view_, experiment_.open().editor().draft(), remembered.experiment, remembered.cluster}) {
     machines_.begin(remembered.cluster);
@@ -55,6 +56,7 @@ void StudioController::remember_in(const std::filesystem::path& folder) {
     memory_.use(folder);
     if (!folder.empty()) experiment_.keep_in(own_experiment(folder));
     preserve_.keep_in(folder);
+    comparison_.keep_in(folder);
 }
 
 void StudioController::reopen_last() {
@@ -67,7 +69,7 @@ void StudioController::keep_memory() {
     memory_.keep({view_, experiment.editor().draft(),
                   files_.reopening() ? memory_.experiment() : experiment.file().string(),
                   machines_.memory()},
-                 services_);
+                 services_.shared);
 }
 
 void StudioController::use_assets(const std::filesystem::path& folder) {
@@ -77,13 +79,14 @@ void StudioController::use_assets(const std::filesystem::path& folder) {
 }
 
 void StudioController::update(double now, double elapsed) {
-    feedback_.set_time(now);
-    worker_.deliver();
+    services_.feedback.set_time(now);
+    services_.worker.deliver();
     files_.update();
     experiment_.poll();
     generations_.log_finished();
     experiment_.follow_status();
     machines_.update(now);
+    comparison_.update();
     if (!picking_.on() && !preserve_.on()) generations_.follow_newest();
     const Stopwatch spent;
     picking_.update(elapsed);
@@ -92,7 +95,7 @@ void StudioController::update(double now, double elapsed) {
         viewer_.update(elapsed, std::as_const(experiment_).open().snapshot());
     playback_seconds_ = spent.seconds();
     generations_.keep_stars();
-    feedback_.choose_notice();
+    services_.feedback.choose_notice();
     if (memory_.due(now)) keep_memory();
 }
 
@@ -104,7 +107,7 @@ void StudioController::carry_out(Requests& requests) {
 }
 
 FrameContext StudioController::frame_context() const {
-    return {.kinds = services_.kinds,
+    return {.kinds = services_.shared.kinds,
             .view = view_,
             .experiment = experiment_.facts(),
             .generations = generations_.facts(),
@@ -114,14 +117,15 @@ FrameContext StudioController::frame_context() const {
             .window = window_.facts(),
             .picking = picking_.facts(),
             .machines = &machines_.facts(),
+            .comparison = &comparison_.facts(),
             .preserve = preserve_.facts(),
             .preserve_card = preserve_.card()};
 }
 
 bool StudioController::animating() const {
     const bool moving = preserve_.world_shown() ? preserve_.animating() : viewer_.animating();
-    return moving || picking_.on() || experiment_.open().running() || !worker_.idle() ||
-           feedback_.notice() != nullptr;
+    return moving || picking_.on() || experiment_.open().running() || comparison_.facts().running ||
+           !services_.worker.idle() || services_.feedback.notice() != nullptr;
 }
 
 }  // namespace cambrian

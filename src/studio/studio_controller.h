@@ -4,6 +4,7 @@
 // its requests; the studio controller routes requests to them and lets them act in order, once a
 // frame.
 
+#include "studio/comparison/comparison_controller.h"
 #include "studio/files/files_controller.h"
 #include "studio/frame/frame_context.h"
 #include "studio/help/guide_controller.h"
@@ -46,15 +47,13 @@ public:
     GuideController& guide() { return guide_; }
     FilesController& files() { return files_; }
     MachinesController& machines() { return machines_; }
-    Feedback& feedback() { return feedback_; }
+    Feedback& feedback() { return services_.feedback; }
 
 private:
     struct Router;
 
     ViewState view_;
-    Feedback feedback_;
-    BackgroundWorker worker_;
-    const Services services_;
+    OwnServices services_;
     WindowController window_;
     GuideController guide_;
     ViewerController viewer_;
@@ -63,6 +62,7 @@ private:
     GenerationsController generations_;
     PickingController picking_;
     PreserveController preserve_;
+    ComparisonController comparison_;
     FilesController files_;
     Memory memory_;
     double playback_seconds_ = 0.0;

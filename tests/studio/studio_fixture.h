@@ -89,7 +89,8 @@ public:
                 .viewer = {.playback = playback_},
                 .files = {.browser = files_},
                 .picking = picking_view_ ? &*picking_view_ : nullptr,
-                .machines = &machines_};
+                .machines = &machines_,
+                .comparison = &comparison_};
     }
 
     PickingSnapshot& picking() { return picking_; }
@@ -98,6 +99,7 @@ public:
     Playback& playback() { return playback_; }
     FileBrowser& files() { return files_; }
     MachinesView& machines() { return machines_; }
+    ComparisonView& comparison() { return comparison_; }
     Stars& stars() { return stars_; }
     ViewState& view() { return view_; }
 
@@ -117,6 +119,7 @@ private:
     bool single_ = false;
     std::optional<PickingView> picking_view_;
     MachinesView machines_;
+    ComparisonView comparison_;
 };
 
 // Returns the request if it is of this kind, otherwise null.

@@ -11,6 +11,7 @@
 #include "comparison/comparison.h"
 #include "comparison/plan.h"
 #include "comparison/report.h"
+#include "comparison/sweep.h"
 #include "core/files/file_io.h"
 #include "core/stopwatch.h"
 #include "core/text/counted.h"
@@ -59,17 +60,8 @@ Result<std::vector<NamedSettings>> swept(const std::vector<NamedSettings>& arms,
     const std::size_t sign = sweep.find('=');
     if (sign == std::string::npos) return Error{"--sweep: expected key=value,value..."};
     const std::string key = sweep.substr(0, sign);
-    std::vector<NamedSettings> all;
-    for (const NamedSettings& arm : arms) {
-        for (const std::string& value : CLI::detail::split(sweep.substr(sign + 1), ',')) {
-            const std::string assignment = fmt::format("{}={}", key, value);
-            Result<SettingsText> text = typed_setting(assignment, kinds);
-            if (!text) return Error{"--sweep: " + text.error().message};
-            NamedSettings& one = all.emplace_back(arm);
-            one.name = arms.size() == 1 ? assignment : fmt::format("{} {}", arm.name, assignment);
-            one.texts.push_back(*std::move(text));
-        }
-    }
+    auto all = swept_arms(arms, key, CLI::detail::split(sweep.substr(sign + 1), ','), kinds);
+    if (!all) return Error{"--sweep: " + all.error().message};
     return all;
 }
 

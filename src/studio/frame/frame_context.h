@@ -20,6 +20,7 @@ struct FrameContext {
     WindowView window = {};
     const PickingView* picking = nullptr;    // null unless the user selects by hand
     const MachinesView* machines = nullptr;  // null where nothing is evaluated
+    const ComparisonView* comparison = nullptr;  // null where nothing is compared
     const PreserveView* preserve = nullptr;  // null while no preserve is open
     PreserveCardView preserve_card = {};
 

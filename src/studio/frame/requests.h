@@ -3,6 +3,7 @@
 // The requests of all panels in the order in which they were made. The studio controller carries
 // them out after the frame is drawn. Each subject defines its own requests in its contract.
 
+#include "studio/comparison/comparison_contract.h"
 #include "studio/experiment/experiment_contract.h"
 #include "studio/experiment/generations_contract.h"
 #include "studio/files/files_contract.h"
@@ -19,9 +20,9 @@
 
 namespace cambrian {
 
-using StudioRequest =
-    std::variant<ViewerRequest, ExperimentRequest, GenerationsRequest, PickingRequest,
-                 PreserveRequest, FilesRequest, GuideRequest, MachinesRequest, WindowRequest>;
+using StudioRequest = std::variant<ViewerRequest, ExperimentRequest, GenerationsRequest,
+                                   PickingRequest, PreserveRequest, FilesRequest, GuideRequest,
+                                   MachinesRequest, ComparisonRequest, WindowRequest>;
 
 class Requests {
 public:
@@ -33,6 +34,7 @@ public:
     void ask(FilesRequest request) { all_.emplace_back(std::move(request)); }
     void ask(GuideRequest request) { all_.emplace_back(std::move(request)); }
     void ask(MachinesRequest request) { all_.emplace_back(std::move(request)); }
+    void ask(ComparisonRequest request) { all_.emplace_back(std::move(request)); }
     void ask(WindowRequest request) { all_.emplace_back(request); }
 
     const std::vector<StudioRequest>& all() const { return all_; }

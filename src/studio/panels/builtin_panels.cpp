@@ -2,6 +2,7 @@
 
 #include "studio/panels/bar/evolve_bar.h"
 #include "studio/panels/bar/machines_line.h"
+#include "studio/panels/cards/comparison_panel.h"
 #include "studio/panels/cards/file_panel.h"
 #include "studio/panels/cards/help_panel.h"
 #include "studio/panels/cards/machines_panel.h"
@@ -96,6 +97,9 @@ bool machines_told(const FrameContext& frame) {
 bool machines_open(const FrameContext& frame) {
     return frame.machines != nullptr && frame.machines->card_open;
 }
+bool comparison_open(const FrameContext& frame) {
+    return frame.comparison != nullptr && frame.comparison->card_open;
+}
 bool touring(const FrameContext& frame) {
     return frame.guide.tour_step >= 0 && frame.preserve == nullptr;
 }
@@ -132,6 +136,7 @@ const std::array kPanels = {
     PanelKind{"help",          {kCard, 20, 18, {}, 10, centered<860, 640>}, help_open,    make<HelpPanel>},
     PanelKind{"samples",       {kCard, 20, 18, {}, 10, centered<780, 560>}, samples_open, make<SamplesPanel>},
     PanelKind{"machines",      {kCard, 20, 18, {}, 10, centered<860, 600>}, machines_open, make<MachinesPanel>},
+    PanelKind{"comparison",    {kCard, 20, 18, {}, 10, centered<860, 640>}, comparison_open, make<ComparisonPanel>},
     PanelKind{"tour",          {kCard, 20, 18, {}, 10, tour_place},       touring,        make<TourCard>},
     PanelKind{"notice",        {kCard, 18, 10, {}, 4, notice_place},      notice_told,    make<NoticeStrip>},
 };

@@ -38,6 +38,7 @@ void draw_file_menu(const FrameContext& frame, Requests& out) {
     draw_export_items(frame, out);
     if (menu_item("Save picture of the window", "F12")) out.ask(SaveScreenshot{});
     ImGui::Separator();
+    if (menu_item("Compare settings…", "Ctrl+D")) out.ask(ToggleComparison{});
     if (menu_item("Work on several machines…", "Ctrl+M")) out.ask(ToggleMachines{});
     ImGui::Separator();
     if (menu_item("Quit", "Ctrl+Q")) out.ask(QuitStudio{});

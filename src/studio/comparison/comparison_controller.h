@@ -1,0 +1,44 @@
+#pragma once
+
+// Owns the comparison of settings that goes on in the background.
+
+#include "studio/background/services.h"
+#include "studio/comparison/comparison_contract.h"
+#include "studio/comparison/running_comparison.h"
+#include "studio/experiment/experiment_controller.h"
+
+#include <cstddef>
+#include <filesystem>
+#include <memory>
+
+namespace cambrian {
+
+class ComparisonController {
+public:
+    // The references in `services`, and `experiment`, must outlive the controller. `workers` are
+    // the runs at the same time; 0 means one per core.
+    ComparisonController(const Services& services, const ExperimentController& experiment,
+                         std::size_t workers);
+
+    // Keeps comparisons in folders inside this one from now on.
+    void keep_in(const std::filesystem::path& folder) { folder_ = folder; }
+    // Must be called once a frame.
+    void update();
+    void carry_out(const ComparisonRequest& request);
+    const ComparisonView& facts() const { return facts_; }
+
+private:
+    struct Handler;
+    void begin();
+    Result<RunningComparison::Job> job() const;
+    void end();
+
+    Services services_;
+    const ExperimentController& experiment_;
+    std::size_t workers_;
+    std::filesystem::path folder_;
+    ComparisonView facts_;
+    std::unique_ptr<RunningComparison> running_;  // null if none is under way
+};
+
+}  // namespace cambrian

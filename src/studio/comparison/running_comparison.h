@@ -1,0 +1,54 @@
+#pragma once
+
+// A comparison on threads of its own. Its runs and the champions of finished runs are in a folder;
+// what is there already is not run again.
+
+#include "comparison/comparison.h"
+#include "core/threads/snapshot_channel.h"
+#include "studio/comparison/comparison_results.h"
+
+#include <atomic>
+#include <cstddef>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace cambrian {
+
+class RunningComparison {
+public:
+    struct Job {
+        std::vector<PlannedRun> runs;
+        std::vector<std::string> arms;  // in the order of the plan
+        std::filesystem::path folder;
+        std::size_t at_a_time = 1;  // runs, each on one core
+    };
+
+    // Starts at once. `kinds` must outlive it.
+    RunningComparison(Job job, const EvolutionKinds& kinds);
+    // The destructor waits until the trials under way are stopped. Unfinished runs are lost.
+    ~RunningComparison() = default;
+    RunningComparison(const RunningComparison&) = delete;
+    RunningComparison& operator=(const RunningComparison&) = delete;
+
+    void stop() { thread_.request_stop(); }
+    // Returns the latest results; null before the folder is open. For the window's thread.
+    std::shared_ptr<const ComparisonResults> latest() { return channel_.latest(); }
+    // Returns the share of the trials that are done.
+    double share() const { return share_.load(std::memory_order_relaxed); }
+
+private:
+    void work(const std::stop_token& stop);
+    Status perform(Comparison& comparison, const std::stop_token& stop);
+    void publish(const std::vector<ComparedRun>& finished, bool ended, const Status& status);
+
+    const Job job_;
+    const EvolutionKinds& kinds_;
+    SnapshotChannel<ComparisonResults> channel_;
+    std::atomic<double> share_ = 0.0;
+    std::jthread thread_;  // last member, so that it is joined before the others are destroyed
+};
+
+}  // namespace cambrian
