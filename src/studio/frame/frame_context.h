@@ -18,10 +18,10 @@ struct FrameContext {
     FilesView files;
     GuideView guide = {};
     WindowView window = {};
-    const PickingView* picking = nullptr;    // null unless the user selects by hand
-    const MachinesView* machines = nullptr;  // null where nothing is evaluated
+    const PickingView* picking = nullptr;        // null unless the user selects by hand
+    const MachinesView* machines = nullptr;      // null where nothing is evaluated
     const ComparisonView* comparison = nullptr;  // null where nothing is compared
-    const PreserveView* preserve = nullptr;  // null while no preserve is open
+    const PreserveView* preserve = nullptr;      // null while no preserve is open
     PreserveCardView preserve_card = {};
 
     bool grid_shown() const { return picking != nullptr && !picking->single; }
