@@ -65,7 +65,7 @@ bool draw_extent(ComparisonDraft& draft) {
 std::string progress_words(const ComparisonView& comparison) {
     if (comparison.results == nullptr) return comparison.running ? "Beginning…" : "";
     const ComparisonResults& results = *comparison.results;
-    const std::string count =
+    std::string count =
         fmt::format("{} of {}", results.finished(), counted(results.planned_runs(), "run"));
     if (comparison.running) return count;
     if (results.finished() == results.planned_runs()) return "Finished: " + count;
