@@ -9,6 +9,9 @@
 
 namespace cambrian {
 
+// Name of the file of the report in the folder of a comparison.
+inline constexpr const char* kReportFile = "report.md";
+
 // Returns the finished runs of one arm in one world.
 std::vector<ComparedRun> runs_of(const std::vector<ComparedRun>& runs, const std::string& world,
                                  const std::string& arm);

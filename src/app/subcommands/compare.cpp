@@ -29,7 +29,6 @@ namespace cambrian {
 namespace {
 
 constexpr const char* kPlainArm = "default";
-constexpr const char* kReport = "report.md";
 
 struct CompareOptions {
     std::vector<std::string> arms;
@@ -202,7 +201,7 @@ private:
         if (runs.empty()) return ExitStatus::kFailed;
         const std::filesystem::path folder = options_.out;
         const std::string report = comparison_report(runs);
-        if (const Status written = write_file(folder / kReport, report); !written)
+        if (const Status written = write_file(folder / kReportFile, report); !written)
             return fail(written.error(), ExitStatus::kFailed);
         if (const Status drawn = save_comparison_pictures(folder, runs); !drawn)
             say(drawn.error().message);

@@ -1,6 +1,7 @@
 #include "studio/comparison/comparison_results.h"
 
 #include "comparison/comparison.h"
+#include "comparison/report.h"
 
 #include <algorithm>
 
@@ -8,13 +9,6 @@ namespace cambrian {
 namespace {
 
 constexpr int kPoints = 120;  // of a curve
-
-std::vector<ComparedRun> runs_of_arm(const std::vector<ComparedRun>& runs, const std::string& arm) {
-    std::vector<ComparedRun> some;
-    std::copy_if(runs.begin(), runs.end(), std::back_inserter(some),
-                 [&](const ComparedRun& run) { return run.arm == arm; });
-    return some;
-}
 
 ComparedArm compared_arm(const std::string& name, const std::vector<ComparedRun>& runs,
                          const std::vector<ComparedRun>& reference,
@@ -49,10 +43,11 @@ ComparisonResults results_of(const std::vector<std::string>& arms, std::size_t p
                              const std::filesystem::path& folder) {
     ComparisonResults results;
     results.planned = planned;
-    const std::vector<ComparedRun> first = runs_of_arm(finished, arms.front());
+    const std::string world = finished.empty() ? "" : finished.front().world;
+    const std::vector<ComparedRun> first = runs_of(finished, world, arms.front());
     for (const std::string& arm : arms) {
         const bool reference = results.arms.empty();
-        results.arms.push_back(compared_arm(arm, runs_of_arm(finished, arm),
+        results.arms.push_back(compared_arm(arm, runs_of(finished, world, arm),
                                             reference ? std::vector<ComparedRun>{} : first,
                                             folder));
     }

@@ -37,17 +37,18 @@ public:
     // Returns the latest results; null before the folder is open. For the window's thread.
     std::shared_ptr<const ComparisonResults> latest() { return channel_.latest(); }
     // Returns the share of the trials that are done.
-    double share() const { return share_.load(std::memory_order_relaxed); }
+    double share() const;
 
 private:
     void work(const std::stop_token& stop);
-    Status perform(Comparison& comparison, const std::stop_token& stop);
+    Status perform(const std::stop_token& stop);
     void publish(const std::vector<ComparedRun>& finished, bool ended, const Status& status);
 
     const Job job_;
     const EvolutionKinds& kinds_;
     SnapshotChannel<ComparisonResults> channel_;
-    std::atomic<double> share_ = 0.0;
+    std::unique_ptr<Comparison> comparison_;         // of the thread
+    std::atomic<const Comparison*> open_ = nullptr;  // the same once it is open
     std::jthread thread_;  // last member, so that it is joined before the others are destroyed
 };
 
