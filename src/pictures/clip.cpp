@@ -18,6 +18,11 @@ constexpr std::size_t kTrail = 90;       // points of the trail
 
 }  // namespace
 
+double layout_unit(const PictureCanvas& canvas) {
+    return std::max(kLeastUnit,
+                    std::min(canvas.width() / kClipWidth, canvas.height() / kClipHeight));
+}
+
 std::uint64_t clip_frames(const ClipTiming& timing) {
     const double frames = timing.seconds / timing.speed * timing.frames_a_second;
     return static_cast<std::uint64_t>(std::max(1.0, std::round(frames)));
@@ -29,8 +34,7 @@ double clip_time(const ClipTiming& timing, std::uint64_t frame) {
 
 void draw_clip_frame(PictureCanvas& canvas, const Subject& subject, const Palette& palette,
                      const Moment& moment) {
-    const double unit =
-        std::max(kLeastUnit, std::min(canvas.width() / kClipWidth, canvas.height() / kClipHeight));
+    const double unit = layout_unit(canvas);
     const Area whole = {0, 0, static_cast<double>(canvas.width()),
                         static_cast<double>(canvas.height())};
     MomentStyle style{.palette = palette, .label_size = 16.0 * unit, .trail = kTrail};

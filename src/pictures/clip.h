@@ -15,6 +15,9 @@ struct ClipTiming {
     double seconds = 0.0;  // s of the trial, from its start
 };
 
+// Returns the scale of text and margins in a frame of the canvas's size.
+double layout_unit(const PictureCanvas& canvas);
+
 // Returns the number of frames, at least 1.
 std::uint64_t clip_frames(const ClipTiming& timing);
 

@@ -11,6 +11,7 @@ from program import BAD_INPUT, CAMBRIAN, FAILED, ROOT, ProgramTest
 
 WALKER = ROOT / "assets/creatures/walker.creature.json"
 SWIMMER = ROOT / "assets/creatures/finned_swimmer.creature.json"
+POND = "[preserve]\nwidth = 12\nheight = 10\nfounders = 6\nenergy-density = 100\n"
 
 
 class Render(ProgramTest):
@@ -76,6 +77,50 @@ class Render(ProgramTest):
         champion = self.evolve_champion()  # its trial lasts 2 s
         clip = self.render(champion, "uncut.mp4", "--size", "96x64", "--fps", "10")
         self.assertEqual(self.clip_facts(clip)["nb_read_frames"], "20")
+
+    def keep_preserve(self, name, *seconds):
+        """Keeps a small preserve until each of these times, going on from the one before."""
+        self.write("pond.toml", POND)
+        self.run_well("preserve", "pond.toml", "-f", SWIMMER, "--seconds", seconds[0], "-o", name)
+        for later in seconds[1:]:
+            self.run_well("preserve", "--resume", name, "--seconds", later)
+
+    def test_a_picture_of_a_preserve_shows_the_moment_asked_for(self):
+        self.keep_preserve("pond.cambrian", 60, 121)
+        small = ("--size", "320x240")
+        shown = [self.render("pond.cambrian", f"{index}.png", *small, *options).read_bytes()
+                 for index, options in enumerate([(), ("--from", 120), ("--from", 119),
+                                                  ("--from", 59), ("--theme", "light")])]
+        self.assertEqual(shown[0], shown[1])
+        self.assertEqual(len(set(shown)), 4)
+        self.assertEqual(self.picture_facts(self.folder / "0.png")[:2], (320, 240))
+        self.assertGreater(self.picture_facts(self.folder / "0.png")[2], 50)
+
+    def test_a_clip_of_a_preserve_ends_where_its_picture_does(self):
+        self.keep_preserve("pond.cambrian", 120)
+        options = ("--size", "160x120", "--fps", "10", "--speed", "2", "--to", "110")
+        clip = self.render("pond.cambrian", "clip.gif", *options, "--from", "108")
+        self.assertEqual(self.clip_facts(clip)["nb_read_frames"], "10")
+        clip = self.render("pond.cambrian", "minute.mp4", "--size", "64x64", "--fps", "1",
+                           "--speed", "10")
+        self.assertEqual(self.clip_facts(clip)["nb_read_frames"], "6")
+
+    def test_what_cannot_be_drawn_of_a_preserve_gets_one_message(self):
+        self.keep_preserve("pond.cambrian", 60)
+        for options, part in [
+                (("-o", "a.png", "--from", 61), "--from 61 is outside 0 s to 60 s"),
+                (("-o", "a.gif", "--to", 61), "--to 61 is outside 0 s to 60 s"),
+                (("-o", "a.gif", "--from", 60), "--from 60 is not before 60 s"),
+                (("-o", "a.gif", "--to", 0), "nothing moves yet at 0 s"),
+                (("-o", "a.png", "--to", 10), "--to is for clips"),
+                (("-o", "a.card.png",), "a preserve has no card"),
+                (("-o", "a.png", "--poses", 3), "a preserve's times are --from and --to")]:
+            self.refuse("pond.cambrian", *options, parts=[part])
+        self.refuse(WALKER, "-o", "a.gif", "--from", 1, parts=["are for preserves"])
+        self.write("small.toml", "[run]\ngenerations = 1\n[population]\nsize = 4\n"
+                                 "[trial]\nduration = 1\n")
+        self.run_well("evolve", "small.toml", "-o", "e.cambrian")
+        self.refuse("e.cambrian", "-o", "a.png", parts=["it is an experiment, no preserve"])
 
     def test_a_card_carries_its_creature(self):
         card = self.render(WALKER, "walker.card.png")

@@ -1,9 +1,9 @@
 #include "app/preserve/preserve_replay.h"
 
+#include "app/preserve/past_world.h"
 #include "app/process/messages.h"
 #include "core/text/number_text.h"
 #include "persist/preserve/preserve_file.h"
-#include "preserve/replay.h"
 #include "simulator/simulator_version.h"
 
 #include <fmt/core.h>
@@ -18,22 +18,15 @@ Result<std::optional<std::uint64_t>> digest_after(const std::string& file,
                                                   std::uint64_t last_tick,
                                                   const EvolutionKinds& kinds, ThreadPool& pool,
                                                   const TrialWatch& watch) {
-    const Result<PreserveState> state = load_snapshot(file, from, kinds);
-    if (!state) return state.error();
-    auto preserve = Preserve::resume(saved.origin.settings, kinds, saved.origin.founders, *state);
-    if (!preserve) return preserve.error();
-    const std::vector<Intervention> all =
-        interventions_in(saved.interventions, {from.tick, last_tick});
-    std::span<const Intervention> left(all);
-    while (true) {
-        if (Status repeated = repeat(**preserve, left); !repeated) return repeated.error();
-        if ((*preserve)->ticks() >= last_tick) break;
-        if (watch.stop.stop_requested()) return std::optional<std::uint64_t>();
-        (*preserve)->tick(pool);
-        (*preserve)->take_chronicle();
-        if (watch.time != nullptr) *watch.time = static_cast<double>((*preserve)->ticks()) / 60.0;
-    }
-    return std::optional(digest_of(words_of(*(*preserve)->snapshot())));
+    Result<PastWorld> world = PastWorld::at(file, saved, from, last_tick, kinds);
+    if (!world) return world.error();
+    const Result<bool> reached = world->go_to(last_tick, pool, [&](std::uint64_t tick) {
+        watch.note(static_cast<double>(tick) * kBrainTick);
+        return !watch.stop.stop_requested();
+    });
+    if (!reached) return reached.error();
+    if (!*reached) return std::optional<std::uint64_t>();
+    return std::optional(digest_of(words_of(*world->preserve().snapshot())));
 }
 
 std::string seconds_text(std::uint64_t tick) {

@@ -1,6 +1,7 @@
 #include "app/command_line/number_checks.h"
 #include "app/command_line/option_types.h"
 #include "app/command_line/output_path.h"
+#include "app/preserve/preserve_drawing.h"
 #include "app/process/long_work.h"
 #include "app/process/messages.h"
 #include "app/subcommands/subcommands.h"
@@ -31,6 +32,7 @@ namespace {
 constexpr int kLeastSide = 64;  // pixels
 constexpr int kMostSide = 4096;
 constexpr int kUsualPoses = 12;
+constexpr double kMostPreserveSeconds = 1e8;
 
 struct Size {
     int width = 0;
@@ -47,6 +49,8 @@ struct RenderOptions {
     std::optional<double> frames_a_second;
     std::optional<double> speed;
     std::optional<double> seconds;
+    std::optional<double> from;
+    std::optional<double> to;
     bool card = false;
 };
 
@@ -105,23 +109,37 @@ Status check_options(const RenderOptions& options, Product product) {
     return {};
 }
 
+// Rejects options that have no meaning for a preserve.
+Status check_preserve_options(const RenderOptions& options, Product product) {
+    if (product == Product::kCard) return Error{options.creature + ": a preserve has no card"};
+    if (options.poses || options.seconds || !options.environment.empty())
+        return Error{options.creature +
+                     ": --poses, --seconds and --environment are for creatures; a preserve's times "
+                     "are --from and --to"};
+    if (product != Product::kClip && options.to)
+        return Error{options.out + ": --to is for clips (*.mp4, *.gif)"};
+    return {};
+}
+
 class RenderSubcommand final : public Subcommand {
 public:
     void add_options(CLI::App& app) override {
         app.add_option("creature", options_.creature,
-                       "Creature file (*.creature.json) or card (*.card.png)")
-            ->type_name(option_type::kCreature)
+                       "Creature file (*.creature.json), card (*.card.png) or preserve file "
+                       "(*.cambrian)")
+            ->type_name(option_type::kCreatureOrExperiment)
             ->required();
         app.add_option("-o,--out", options_.out,
-                       "File to write: a sheet of poses (*.png), a clip (*.mp4, *.gif; needs "
-                       "ffmpeg) or a card that contains the creature (*.card.png)")
+                       "File to write: a sheet of poses or a picture of a preserve (*.png), a clip "
+                       "(*.mp4, *.gif; needs ffmpeg) or a card that contains the creature "
+                       "(*.card.png)")
             ->type_name(option_type::kDrawing)
             ->required();
         app.add_flag("--card", options_.card,
                      "Card instead of a sheet, also if the name does not end in .card.png");
         app.add_option("--size", options_.size,
-                       "Size in pixels, each side 64 to 4096; 1600x900 for a sheet, 1280x720 for a "
-                       "clip and 960x1280 for a card by default")
+                       "Size in pixels, each side 64 to 4096; 1600x900 for a picture, 1280x720 for "
+                       "a clip and 960x1280 for a card by default")
             ->type_name("WIDTHxHEIGHT")
             ->check(check_size);
         app.add_option("--theme", options_.theme, "Theme of the colors")
@@ -141,6 +159,15 @@ public:
                                   "Duration, in seconds from the start of the trial, of what a "
                                   "clip shows; the complete trial by default"),
                   0.01, 86400.0);
+        take_real(
+            *app.add_option("--from", options_.from,
+                            "Time of a preserve, in seconds, that a picture shows or at which "
+                            "a clip begins; by default a picture shows the last one kept and "
+                            "a clip the last minute"),
+            0.0, kMostPreserveSeconds);
+        take_real(*app.add_option("--to", options_.to,
+                                  "Time of a preserve, in seconds, at which a clip ends"),
+                  0.0, kMostPreserveSeconds);
         app.add_option(
                "-e,--environment", options_.environment,
                "Settings file whose environment and goal are used instead of the creature's own")
@@ -158,6 +185,9 @@ public:
         if (!product) return fail(product.error());
         if (const Status usable = check_options(options_, *product); !usable)
             return fail(usable.error());
+        if (is_experiment_name(options_.creature)) return render_preserve(*product, kinds);
+        if (options_.from || options_.to)
+            return fail({options_.creature + ": --from and --to are for preserves (*.cambrian)"});
         const Result<std::string> text = read_creature_text(options_.creature);
         if (!text) return fail(text.error());
         const auto document = parse_creature(*text, options_.creature, kinds);
@@ -180,6 +210,37 @@ public:
     }
 
 private:
+    ExitStatus render_preserve(Product product, const EvolutionKinds& kinds) {
+        if (const Status usable = check_preserve_options(options_, product); !usable)
+            return fail(usable.error());
+        const auto path = output_path(options_.out, "", files());
+        if (!path) return fail(path.error());
+        const Size size = size_of(product);
+        const ClipTiming usual;
+        LongWork work;
+        const Status drawn = draw_preserve(
+            {.file = options_.creature,
+             .out = *path,
+             .width = size.width,
+             .height = size.height,
+             .palette = palette(),
+             .from = options_.from,
+             .to = options_.to,
+             .frames_a_second = options_.frames_a_second.value_or(usual.frames_a_second),
+             .speed = options_.speed.value_or(usual.speed)},
+            kinds, work);
+        if (drawn) return ExitStatus::kDone;
+        return fail(drawn.error(),
+                    work.interrupted() ? ExitStatus::kFailed : ExitStatus::kBadInput);
+    }
+
+    Size size_of(Product product) const {
+        return parse_size(options_.size).value_or(usual_size(product));
+    }
+    Palette palette() const {
+        return palette_of(options_.theme == "light" ? ThemeKind::kLight : ThemeKind::kDark);
+    }
+
     // Returns the title of a creature without a name: the name of its file.
     std::string title() const {
         const std::string name = std::filesystem::path(options_.creature).filename().string();
@@ -196,24 +257,22 @@ private:
     Status make(Product product, const Scene& scene, const std::string& text,
                 const std::filesystem::path& path, LongWork& work) const {
         const Subject& subject = scene.subject;
-        const Size size = parse_size(options_.size).value_or(usual_size(product));
+        const Size size = size_of(product);
         const auto workshop = open_workshop(size.width, size.height);
         if (!workshop) return workshop.error();
         PictureCanvas& canvas = *(*workshop)->canvas;
-        const Palette palette =
-            palette_of(options_.theme == "light" ? ThemeKind::kLight : ThemeKind::kDark);
-        if (product == Product::kClip) return make_clip(canvas, scene, palette, path, work);
+        if (product == Product::kClip) return make_clip(canvas, scene, path, work);
         if (product == Product::kCard) {
-            draw_card(canvas, subject, palette);
+            draw_card(canvas, subject, palette());
             return save_card(path, canvas.finish(), text);
         }
-        draw_sheet(canvas, subject, palette, options_.poses.value_or(kUsualPoses));
+        draw_sheet(canvas, subject, palette(), options_.poses.value_or(kUsualPoses));
         const Result<std::string> png = encode_png(canvas.finish());
         return png ? write_file(path, *png) : Status(png.error());
     }
 
-    Status make_clip(PictureCanvas& canvas, const Scene& scene, const Palette& palette,
-                     const std::filesystem::path& path, LongWork& work) const {
+    Status make_clip(PictureCanvas& canvas, const Scene& scene, const std::filesystem::path& path,
+                     LongWork& work) const {
         const Subject& subject = scene.subject;
         ClipTiming timing;
         timing.frames_a_second = options_.frames_a_second.value_or(timing.frames_a_second);
@@ -228,7 +287,7 @@ private:
         for (std::uint64_t frame = 0; frame < clip_frames(timing); ++frame) {
             if (work.interrupted()) return Error{"interrupted; nothing was written"};
             const double time = clip_time(timing, frame);
-            draw_clip_frame(canvas, subject, palette, {time, motion->at(time)});
+            draw_clip_frame(canvas, subject, palette(), {time, motion->at(time)});
             work.watch().note(time);
             if (Status added = (*clip)->add(canvas.finish()); !added) return added;
         }
@@ -241,11 +300,13 @@ private:
 }  // namespace
 
 SubcommandKind render_subcommand() {
-    return {
-        .id = "render",
-        .summary = "Make a picture, a clip or a card of one creature's trial. Needs no display.",
-        .example = "cambrian render champion-walking-seed7.creature.json -o clip.mp4",
-        .make = make_subcommand<RenderSubcommand>};
+    return {.id = "render",
+            .summary =
+                "Make a picture or a clip of one creature's trial or of a preserve, or a "
+                "creature's card. "
+                "Needs no display.",
+            .example = "cambrian render champion-walking-seed7.creature.json -o clip.mp4",
+            .make = make_subcommand<RenderSubcommand>};
 }
 
 }  // namespace cambrian

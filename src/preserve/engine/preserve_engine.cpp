@@ -15,8 +15,6 @@ constexpr std::size_t kMostNews = 16;
 
 PreserveEngine::PreserveEngine(PreserveStart start, std::size_t workers)
     : start_(std::move(start)), workers_(workers) {
-    const PreserveSettings& laws = start_.preserve->settings()->preserve;
-    shown_.area = {laws.width, laws.height};
     shown_.kept = start_.log != nullptr;
     shown_.series = std::make_shared<const std::vector<SeriesRow>>(std::move(start_.series));
     shown_.died = std::make_shared<const std::vector<Life>>();
@@ -151,15 +149,10 @@ void PreserveEngine::apply(KeepPreserve) {
 }
 
 void PreserveEngine::publish() {
-    const Preserve& preserve = *start_.preserve;
     auto picture = std::make_shared<PreservePicture>(shown_);
-    picture->tick = preserve.ticks();
+    camera_.take(*start_.preserve, *picture);
     picture->pace = pacing_.factor();
     picture->factor = shown_.playing ? pacing_.reached() : 0.0;
-    picture->now = preserve.row();
-    picture->residents = resident_pictures_.of(preserve);
-    picture->plants.assign(preserve.plants().all().begin(), preserve.plants().all().end());
-    picture->flesh.assign(preserve.flesh().all().begin(), preserve.flesh().all().end());
     pictures_.publish(std::move(picture));
     published_.restart();
 }

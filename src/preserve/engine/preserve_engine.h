@@ -67,7 +67,7 @@ private:
     std::size_t workers_;
     Pacing pacing_;
     Chronicle unwritten_;
-    ResidentPictures resident_pictures_;
+    PreserveCamera camera_;
     PreservePicture shown_;  // all but what publish() takes from the preserve
     Stopwatch published_;
     bool single_tick_ = false;

@@ -15,7 +15,17 @@ const ResidentPicture* PreservePicture::find(std::uint64_t number) const {
     return found == residents.end() || found->life.number != number ? nullptr : &*found;
 }
 
-std::vector<ResidentPicture> ResidentPictures::of(const Preserve& preserve) {
+void PreserveCamera::take(const Preserve& preserve, PreservePicture& picture) {
+    const PreserveSettings& laws = preserve.settings()->preserve;
+    picture.tick = preserve.ticks();
+    picture.area = {laws.width, laws.height};
+    picture.now = preserve.row();
+    picture.residents = residents_of(preserve);
+    picture.plants.assign(preserve.plants().all().begin(), preserve.plants().all().end());
+    picture.flesh.assign(preserve.flesh().all().begin(), preserve.flesh().all().end());
+}
+
+std::vector<ResidentPicture> PreserveCamera::residents_of(const Preserve& preserve) {
     const PreserveSettings& laws = preserve.settings()->preserve;
     std::vector<ResidentPicture> pictures;
     std::vector<Known> living;

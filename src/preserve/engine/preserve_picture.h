@@ -57,12 +57,15 @@ struct PreservePicture {
     const ResidentPicture* find(std::uint64_t number) const;
 };
 
-// Makes pictures of residents; keeps the phenotypes of the living, which pictures share.
-class ResidentPictures {
+// Takes pictures of one preserve; keeps the phenotypes of the living, which pictures share.
+class PreserveCamera {
 public:
-    std::vector<ResidentPicture> of(const Preserve& preserve);
+    // Fills in what there is to see of the world at this moment: all but who plays it, and how.
+    void take(const Preserve& preserve, PreservePicture& picture);
 
 private:
+    std::vector<ResidentPicture> residents_of(const Preserve& preserve);
+
     struct Known {
         std::uint64_t number = 0;
         std::shared_ptr<const Phenotype> phenotype;

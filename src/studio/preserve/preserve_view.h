@@ -32,10 +32,4 @@ struct PreserveView {
     }
 };
 
-// Returns the hue of a lineage in turns; numbers that follow each other have hues far apart.
-inline double lineage_hue(std::uint64_t lineage) {
-    const double turns = 0.61803398875 * static_cast<double>(lineage % 100'000);
-    return turns - static_cast<double>(static_cast<std::uint64_t>(turns));
-}
-
 }  // namespace cambrian

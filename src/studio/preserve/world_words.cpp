@@ -1,6 +1,7 @@
 #include "studio/preserve/world_words.h"
 
 #include "core/text/counted.h"
+#include "preserve/world_time.h"
 
 #include <fmt/core.h>
 
@@ -8,12 +9,6 @@
 #include <map>
 
 namespace cambrian {
-
-std::string world_time(std::uint64_t tick) {
-    const std::uint64_t seconds = tick / 60;
-    if (seconds < 3600) return fmt::format("{}:{:02}", seconds / 60, seconds % 60);
-    return fmt::format("{}:{:02}:{:02}", seconds / 3600, seconds / 60 % 60, seconds % 60);
-}
 
 std::string world_words(const PreservePicture& picture) {
     const SeriesRow& now = picture.now;

@@ -10,8 +10,6 @@
 
 namespace cambrian {
 
-// Returns world time as "2:05" or "1:02:05".
-std::string world_time(std::uint64_t tick);
 // Returns "137 creatures · 4 lineages · 12.4 × real time · energy: light 41 % ...".
 std::string world_words(const PreservePicture& picture);
 // Returns "alive", or how it died: "died of hunger at 2:05".

@@ -1,7 +1,7 @@
 #include "studio/panels/bar/preserve_bar.h"
 
+#include "preserve/world_time.h"
 #include "studio/panels/bar/bar_reading.h"
-#include "studio/preserve/world_words.h"
 #include "studio/widgets/widgets.h"
 
 #include <fmt/core.h>

@@ -1,6 +1,8 @@
 #include "studio/panels/preserve/preserve_panel.h"
 
 #include "core/text/counted.h"
+#include "pictures/preserve/world_scene.h"
+#include "preserve/world_time.h"
 #include "studio/frame/help_mark.h"
 #include "studio/preserve/world_words.h"
 #include "studio/widgets/creature_tile.h"

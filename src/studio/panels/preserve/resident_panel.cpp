@@ -1,7 +1,9 @@
 #include "studio/panels/preserve/resident_panel.h"
 
 #include "core/text/pretty_text.h"
+#include "pictures/preserve/world_scene.h"
 #include "preserve/life/diet.h"
+#include "preserve/world_time.h"
 #include "studio/frame/help_mark.h"
 #include "studio/preserve/world_words.h"
 #include "studio/widgets/creature_tile.h"

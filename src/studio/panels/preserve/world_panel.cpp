@@ -1,8 +1,8 @@
 #include "studio/panels/preserve/world_panel.h"
 
+#include "pictures/preserve/world_scene.h"
+#include "preserve/world_time.h"
 #include "studio/frame/help_mark.h"
-#include "studio/panels/preserve/world_scene.h"
-#include "studio/preserve/world_words.h"
 #include "studio/widgets/panel_keys.h"
 #include "studio/widgets/widgets.h"
 
@@ -47,8 +47,10 @@ void WorldPanel::draw(const FrameContext& frame, Requests& out) {
     place_camera(frame);
     aim(out);
     canvas_.frame.clear();
-    add_world(canvas_.frame, colors(), canvas_.camera, canvas_.size(), *frame.preserve);
-    const ResidentPicture* held = held_ == 0 ? nullptr : frame.preserve->picture.find(held_);
+    const PreserveView& preserve = *frame.preserve;
+    add_world(canvas_.frame, colors(), canvas_.camera, canvas_.size(), preserve.picture,
+              {preserve.picked == nullptr ? 0 : preserve.picked->life.number, preserve.pins});
+    const ResidentPicture* held = held_ == 0 ? nullptr : preserve.picture.find(held_);
     if (held != nullptr && ImGui::IsMouseDragging(ImGuiMouseButton_Left)) {
         canvas_.frame.add_line(held->center.head<2>(), canvas_.mouse_in_world(),
                                2.0 * canvas_.camera.pixel(), colors().accent);

@@ -1,7 +1,7 @@
 #include "studio/panels/preserve/world_plots.h"
 
+#include "preserve/world_time.h"
 #include "studio/frame/help_mark.h"
-#include "studio/preserve/world_words.h"
 #include "studio/widgets/plot.h"
 #include "studio/widgets/widgets.h"
 

@@ -1,4 +1,4 @@
-#include "studio/panels/preserve/world_scene.h"
+#include "pictures/preserve/world_scene.h"
 
 #include "math/pose.h"
 #include "pictures/scene/scene_builder.h"
@@ -110,21 +110,20 @@ bool in_view(const ResidentPicture& resident, const WorldWindow& window) {
 }
 
 void add_marks(SceneFrame& frame, const Palette& palette, const Camera& camera,
-               const PreserveView& preserve, const ResidentPicture& resident) {
+               const WorldMarks& marks, const ResidentPicture& resident) {
     const Vec2 center = resident.center.head<2>();
     const double reach = reach_of(resident) + 5.0 * camera.pixel();
     const double width = 2.0 * camera.pixel();
-    if (preserve.pins.contains(resident.life.number))
+    if (marks.pins.contains(resident.life.number))
         frame.add_ring(center, reach + 2.0 * width, width, palette.text);
-    if (!preserve.picked_is(resident.life.number)) return;
+    if (marks.picked != resident.life.number) return;
     frame.add_ring(center, reach + 4.0 * width, 1.5 * width, palette.accent);
 }
 
 }  // namespace
 
 void add_world(SceneFrame& frame, const Palette& palette, const Camera& camera,
-               const Viewport& viewport, const PreserveView& preserve) {
-    const PreservePicture& picture = preserve.picture;
+               const Viewport& viewport, const PreservePicture& picture, const WorldMarks& marks) {
     frame.background = palette.sky;
     add_grid(frame, palette, camera, viewport);
     add_walls(frame, palette, camera, viewport, picture.area);
@@ -138,8 +137,13 @@ void add_world(SceneFrame& frame, const Palette& palette, const Camera& camera,
         } else {
             add_detailed_body(frame, palette, camera, each, hue);
         }
-        add_marks(frame, palette, camera, preserve, each);
+        add_marks(frame, palette, camera, marks, each);
     }
+}
+
+double lineage_hue(std::uint64_t lineage) {
+    const double turns = 0.61803398875 * static_cast<double>(lineage % 100'000);
+    return turns - static_cast<double>(static_cast<std::uint64_t>(turns));
 }
 
 double reach_of(const ResidentPicture& resident) {

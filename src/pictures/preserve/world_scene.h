@@ -3,16 +3,26 @@
 // Draws a preserve: its water, walls and food, and all creatures in the hues of their lineages.
 
 #include "pictures/canvas/palette.h"
+#include "preserve/engine/preserve_picture.h"
 #include "render/camera.h"
 #include "render/scene_frame.h"
-#include "studio/preserve/preserve_view.h"
 
 #include <cstdint>
+#include <set>
 
 namespace cambrian {
 
+// The creatures that are marked, by number.
+struct WorldMarks {
+    std::uint64_t picked = 0;  // 0 for none
+    std::set<std::uint64_t> pins;
+};
+
 void add_world(SceneFrame& frame, const Palette& palette, const Camera& camera,
-               const Viewport& viewport, const PreserveView& preserve);
+               const Viewport& viewport, const PreservePicture& picture, const WorldMarks& marks);
+
+// Returns the hue of a lineage in turns; numbers that follow each other have hues far apart.
+double lineage_hue(std::uint64_t lineage);
 
 // Returns the number of the creature at a point of the world, or within `reach` (m) of one's centre
 // of mass; 0 if there is none.
