@@ -89,6 +89,7 @@ public:
     SceneStatus status() const override { return body_.state.status; }
     double time() const override { return body_.state.time; }
     void set_environment(const Environment& environment) override;
+    void set_fixed_boxes(std::span<const FixedBox> boxes) override;
     void set_motors_off(bool off) override;
     void translate(const Vec3& offset) override;
     void pull(std::size_t part, const Vec3& point_in_part, const Vec3& force) override;
@@ -312,7 +313,7 @@ void PlanarScene::use_environment(const Environment& environment) {
         change_density(body_.model, environment.density);
     body_.forcing.medium = medium_of(environment);
     body_.law = {body_.motors_off ? 0.0 : environment.friction, environment.elasticity,
-                 environment.has_ground};
+                 environment.has_ground, body_.law.fixed};
     body_.state.cache_is_current = false;
 }
 
@@ -327,6 +328,11 @@ void PlanarScene::set_environment(const Environment& environment) {
     const double before = energy();
     use_environment(environment);
     body_.state.energy_reference += energy() - before;
+}
+
+void PlanarScene::set_fixed_boxes(std::span<const FixedBox> boxes) {
+    body_.law.fixed = boxes;
+    body_.state.detection = 0;
 }
 
 // With frequency 0 targets and rates cause no effort. The share of the strength in torque mode is 0

@@ -7,10 +7,12 @@
 #include "math/types.h"
 #include "world/body_view.h"
 #include "world/environment.h"
+#include "world/fixed_box.h"
 
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace cambrian {
@@ -28,11 +30,11 @@ struct SceneContact {
     double force = 0.0;          // N along the normal
 };
 
-// The impacts of two parts, or of a part on the ground, during one tick.
+// The impacts of two parts, or of a part on something fixed, during one tick.
 struct SceneImpact {
     Vec3 point = Vec3::Zero();  // m, world
     int part = 0;
-    int other_part = -1;   // -1: the ground or a part of another scene
+    int other_part = -1;   // -1: the ground, a fixed box or a part of another scene
     double impulse = 0.0;  // N s, sum of the normal impulses
 };
 
@@ -113,6 +115,10 @@ public:
 
     // Changes the environment from the next advance() on, for live changes of the displayed world.
     virtual void set_environment(const Environment& environment) = 0;
+
+    // Sets the boxes with which bodies collide from the next advance() on. They must outlive the
+    // scene, or remain until others are set.
+    virtual void set_fixed_boxes(std::span<const FixedBox> boxes) = 0;
 
     // While motors are off, they give no effort and nothing rubs against anything.
     virtual void set_motors_off(bool off) = 0;

@@ -60,6 +60,7 @@ public:
     SceneStatus advance(double) override { return SceneStatus::kRunning; }
     SceneStatus status() const override { return SceneStatus::kRunning; }
     double time() const override { return 0.0; }
+    void set_fixed_boxes(std::span<const FixedBox>) override {}
     void set_environment(const Environment&) override {}
     void set_motors_off(bool) override {}
     void translate(const Vec3&) override {}

@@ -1,6 +1,7 @@
 #include "dynamics/constraints/contact_solver.h"
 
 #include "dynamics/constraints/invariants.h"
+#include "dynamics/contact/fixed_contacts.h"
 #include "dynamics/contact/ground_contacts.h"
 #include "dynamics/model/stretching.h"
 #include "world/environment.h"
@@ -52,9 +53,11 @@ void stretch_contacts(const Kinematics& k, ContactSet& contacts) {
     for (int i = 0; i < contacts.count; ++i) {
         Contact& c = contacts.items[i];
         Simd2d velocity = stretch_velocity(k, c.body_a, c.arm_ax, c.arm_ay);
-        if (c.body_b >= 0) {
+        if (!is_on_ground(c)) {
             c.point_x *= k.width_growth[c.body_a];
             c.point_y *= k.length_growth[c.body_a];
+        }
+        if (c.body_b >= 0) {
             velocity -= stretch_velocity(k, c.body_b, c.arm_bx, c.arm_by);
         }
         c.closing_speed -= dot(Simd2d{c.normal_x, c.normal_y}, velocity);
@@ -134,11 +137,12 @@ void ContactSolver::detect(const PlanarModel& model, const ContactLaw& law,
                            const Kinematics& kinematics) {
     near_.count = 0;
     near_.most = model.contact_count;
-    if (!law.has_ground && model.colliding_pairs.empty()) return;
+    if (!law.has_ground && law.fixed.empty() && model.colliding_pairs.empty()) return;
     PartPlaces places;
     place_parts(model, kinematics, places);
     if (law.has_ground) detect_ground_contacts(model, kinematics, places, near_);
     pair_list_.detect(model, kinematics, places, near_);
+    if (!law.fixed.empty()) detect_fixed_contacts(model, kinematics, places, law.fixed, near_);
     if (kinematics.deforms) stretch_contacts(kinematics, near_);
     CAMBRIAN_TICK_ASSERT(near_.count >= 0 && near_.count <= kMaxContacts, "contacts have room");
 }
@@ -239,8 +243,9 @@ void ContactSolver::set_resting_bias(const PlanarModel& model, double h, const W
             force = forces.normal(contact.id);
             bias += row_slack(contact.gap - kRestingGap, row.rate, h, kPushSpeed);
         } else if (row.kind == RowKind::kFriction) {
-            force = row.body_b < 0 ? warm.ground_friction[row.body_a]
-                                   : forces.pair_friction(selected_.items[row.source].id);
+            const Contact& contact = selected_.items[row.source];
+            force = is_on_ground(contact) ? warm.ground_friction[row.body_a]
+                                          : forces.pair_friction(contact.id);
             bias -= row.regularization * std::clamp(h * force, -most, most);
         } else {
             force = std::max(0.0, row.dir_x * warm.limit[row.body_a]);
@@ -333,7 +338,7 @@ void ContactSolver::store_forces(int body_count, double h, WarmStart& warm) {
         held.force_y += row.dir_y * force;
         if (row.kind == RowKind::kNormal)
             warm.normal[row.source] = force;
-        else if (row.body_b < 0)
+        else if (is_on_ground(selected_.items[row.source]))
             warm.ground_friction[row.body_a] = force;
         else
             warm.friction[row.source] = force;

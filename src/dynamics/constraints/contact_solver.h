@@ -7,6 +7,9 @@
 #include "dynamics/constraints/rows.h"
 #include "dynamics/contact/contact.h"
 #include "dynamics/contact/self_contacts.h"
+#include "world/fixed_box.h"
+
+#include <span>
 
 namespace cambrian {
 
@@ -14,6 +17,7 @@ struct ContactLaw {
     double friction = 0.0;     // Coulomb's coefficient
     double restitution = 0.0;  // coefficient of restitution, 0 to 1
     bool has_ground = true;
+    std::span<const FixedBox> fixed = {};
 };
 
 // Forces of the last solved step, the first guess of the next.

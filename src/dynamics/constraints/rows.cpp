@@ -225,8 +225,8 @@ public:
     std::int16_t join(int source) {
         CAMBRIAN_TICK_ASSERT(source >= 0 && source < contacts_.count, "a contact of the set");
         const Contact& contact = contacts_.items[source];
-        std::int16_t& known = contact.part_b < 0 ? of_body_[contact.body_a] : of_pair_;
-        if (contact.part_b >= 0 && friction_group(contact) != pair_) {
+        std::int16_t& known = is_on_ground(contact) ? of_body_[contact.body_a] : of_pair_;
+        if (!is_on_ground(contact) && friction_group(contact) != pair_) {
             pair_ = friction_group(contact);
             known = -1;
         }

@@ -3,6 +3,9 @@
 // Contact points of two boxes (dynamics/README.md 8): the axis of least penetration gives the
 // reference face, and the incident face of the other box is clipped to it.
 
+#include "dynamics/contact/contact.h"
+#include "dynamics/model/part_places.h"
+
 #include <cstdint>
 
 namespace cambrian {
@@ -21,6 +24,18 @@ struct BoxManifold {
     double x[2] = {}, y[2] = {};            // m, world, on the incident face
     double gap[2] = {};                     // m, along the normal
 };
+
+inline PlacedBox placed_box(const PartPlaces& places, int part) {
+    return {places.x[part],      places.y[part],           places.axis_x[part],
+            places.axis_y[part], places.half_length[part], places.half_width[part]};
+}
+
+// Returns the face of a part whose normal is nearest to a direction in the world.
+inline std::uint8_t touching_face(const PartPlaces& places, int part, double x, double y) {
+    const double along = places.axis_x[part] * x + places.axis_y[part] * y;
+    const double across = places.axis_x[part] * y - places.axis_y[part] * x;
+    return static_cast<std::uint8_t>(face_toward(along, across));
+}
 
 // Returns no points if the boxes are farther apart than margin.
 BoxManifold collide_boxes(const PlacedBox& first, const PlacedBox& second, double margin);

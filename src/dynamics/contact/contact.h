@@ -14,11 +14,13 @@ inline constexpr double kRestingSpeed = 0.3;    // m/s; slower contacts do not b
 inline constexpr double kContactMargin = 0.02;  // m; points with larger gaps are ignored
 inline constexpr int kGroundContactIds = 4 * kMaxParts;
 inline constexpr int kIdsPerPair = 8;
+inline constexpr int kMostPairs = kMaxParts * (kMaxParts - 1) / 2;
+inline constexpr int kFixedContactIds = kGroundContactIds + kIdsPerPair * kMostPairs;
 
 struct Contact {
     int id = 0;  // constant for the same feature from step to step
     int body_a = 0, body_b = -1;
-    int part_a = 0, part_b = -1;            // -1: the ground
+    int part_a = 0, part_b = -1;            // -1: the ground or a fixed box
     std::uint8_t face_a = 0, face_b = 0;    // Face that touches
     double point_x = 0.0, point_y = 0.0;    // m, material point in body a's frame
     double normal_x = 0.0, normal_y = 1.0;  // unit, from b to a
@@ -28,20 +30,25 @@ struct Contact {
     double closing_speed = 0.0;             // m/s, along the normal, positive when approaching
 };
 
+inline bool is_on_ground(const Contact& contact) {
+    return contact.id < kGroundContactIds;
+}
+
 // Number of the group that shares one friction row: all contacts of one body with the ground, or
 // both of a pair of boxes.
 inline int friction_group(const Contact& contact) {
-    if (contact.part_b < 0) return contact.body_a;
+    if (is_on_ground(contact)) return contact.body_a;
     return kMaxBodies + (contact.id - kGroundContactIds) / kIdsPerPair;
 }
 
 // Returns whether two contacts belong to the same pair: a corner and the ground, or two boxes.
 inline bool same_pair(const Contact& first, const Contact& second) {
-    if (first.part_b < 0 || second.part_b < 0) return first.id == second.id;
+    if (is_on_ground(first) || is_on_ground(second)) return first.id == second.id;
     return friction_group(first) == friction_group(second);
 }
 
-// The order in which contacts are detected: those with the ground by part, then pairs of boxes.
+// The order in which contacts are detected: those with the ground by part, then pairs of boxes,
+// those with a fixed one last.
 inline int detection_rank(int id) {
     if (id < kGroundContactIds) return id / 4;
     return kMaxParts + (id - kGroundContactIds) / kIdsPerPair;

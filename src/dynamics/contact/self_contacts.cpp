@@ -11,11 +11,6 @@ namespace {
 
 constexpr double kSpare = 0.15;  // m, enlargement of the bounding circles
 
-PlacedBox placed_box(const PartPlaces& places, int part) {
-    return {places.x[part],      places.y[part],           places.axis_x[part],
-            places.axis_y[part], places.half_length[part], places.half_width[part]};
-}
-
 // Whether the bounding circles of two boxes are nearer than the margin.
 bool circles_near(const PlanarModel& model, const PartPlaces& places, const PartPair& pair,
                   double margin) {
@@ -23,12 +18,6 @@ bool circles_near(const PlanarModel& model, const PartPlaces& places, const Part
     const double y = places.y[pair.second] - places.y[pair.first];
     const double reach = model.radius[pair.first] + model.radius[pair.second] + margin;
     return x * x + y * y < reach * reach;
-}
-
-std::uint8_t touching_face(const PartPlaces& places, int part, double x, double y) {
-    const double along = places.axis_x[part] * x + places.axis_y[part] * y;
-    const double across = places.axis_x[part] * y - places.axis_y[part] * x;
-    return static_cast<std::uint8_t>(face_toward(along, across));
 }
 
 void add_points(const PlanarModel& model, const Kinematics& k, const PartPlaces& places,
@@ -107,7 +96,7 @@ void PairList::rebuild(const PlanarModel& model, const PartPlaces& places) {
         const PartPair pair = model.colliding_pairs[i];
         if (!circles_near(model, places, pair, kContactMargin + kSpare)) continue;
         const double reach = model.radius[pair.first] + model.radius[pair.second] + kContactMargin;
-        CAMBRIAN_TICK_ASSERT(count_ < kMaxPairs, "pairs have room");
+        CAMBRIAN_TICK_ASSERT(count_ < kMostPairs, "pairs have room");
         CAMBRIAN_TICK_ASSERT(pair.first < pair.second && pair.second < model.part_count,
                              "two boxes");
         pairs_[count_++] = {static_cast<int>(i), pair.first, pair.second, reach * reach};

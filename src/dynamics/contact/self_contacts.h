@@ -25,10 +25,9 @@ private:
         int first, second;     // parts
         double reach_squared;  // m^2, between the centres
     };
-    static constexpr int kMaxPairs = kMaxParts * (kMaxParts - 1) / 2;
     bool built_ = false;
     int count_ = 0;
-    NearPair pairs_[kMaxPairs];
+    NearPair pairs_[kMostPairs];
     PerPart built_x_, built_y_;  // m, relative to part 0
 };
 
