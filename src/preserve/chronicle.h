@@ -21,14 +21,18 @@ inline constexpr const char* kAdd = "add";
 inline constexpr const char* kRemove = "remove";
 inline constexpr const char* kMove = "move";
 inline constexpr const char* kRest = "rest";
+inline constexpr const char* kWall = "wall";
+inline constexpr const char* kErase = "erase";
 }  // namespace intervention
 
 struct Intervention {
-    std::uint64_t tick = 0;    // ticks before it
-    std::string what = {};     // one of the names above
-    std::uint64_t number = 0;  // of the creature; of plants for kFeed
-    double x = 0.0, y = 0.0;   // m; the place for kFeed, kAdd and kMove
-    GenomePtr genome = {};     // for kAdd
+    std::uint64_t tick = 0;  // ticks before it
+    std::string what = {};   // one of the names above
+    std::uint64_t number =
+        0;  // of the creature; of plants for kFeed, of all walls for kWall, kErase
+    double x = 0.0, y = 0.0;  // m; the place for kFeed, kAdd, kMove and kErase, an end for kWall
+    double to_x = 0.0, to_y = 0.0;  // m; the other end for kWall
+    GenomePtr genome = {};          // for kAdd
 };
 
 // What happened since it was taken last.

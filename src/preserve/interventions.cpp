@@ -17,6 +17,7 @@ namespace {
 constexpr std::uint64_t kPlantsOfAMeal = 10;
 constexpr double kMealRadius = 0.6;  // m
 constexpr const char* kNoRoom = "There is no room: other creatures are in the way.";
+constexpr double kEraseDistance = 0.5;       // m; from a wall
 constexpr double kGoldenTurn = 2.399963230;  // rad, between two plants of a spiral
 
 // Returns the place nearest to the one asked for at which a circle is between the walls.
@@ -33,7 +34,8 @@ std::string joules_text(Energy energy) {
 }  // namespace
 
 Result<std::uint64_t> Preserve::intervene(Intervention asked) {
-    if (!std::isfinite(asked.x) || !std::isfinite(asked.y))
+    if (!std::isfinite(asked.x) || !std::isfinite(asked.y) || !std::isfinite(asked.to_x) ||
+        !std::isfinite(asked.to_y))
         return Error{"the place of an intervention is not finite"};
     asked.tick = tick_;
     Result<std::uint64_t> number = carry_out(asked);
@@ -51,13 +53,16 @@ Result<std::uint64_t> Preserve::carry_out(const Intervention& asked) {
     }
     if (asked.what == intervention::kFeed) return serve(place);
     if (asked.what == intervention::kAdd) return admit(asked.genome, place);
+    if (asked.what == intervention::kWall)
+        return build_wall({place, {asked.to_x, asked.to_y, 0.0}});
+    if (asked.what == intervention::kErase) return erase_wall(place);
     const auto found = std::find_if(residents_.begin(), residents_.end(), [&](const auto& each) {
         return each->life.number == asked.number;
     });
     if (found == residents_.end())
         return Error{fmt::format("creature {} is not alive", asked.number)};
     if (asked.what == intervention::kMove) {
-        const std::optional<Vec3> room = room_near(place, **found);
+        const std::optional<Vec3> room = room_near(place, **found, {walls_});
         if (!room) return Error{kNoRoom};
         (*found)->place(*room, Vec3::Zero());
         return asked.number;
@@ -72,7 +77,8 @@ Result<std::uint64_t> Preserve::carry_out(const Intervention& asked) {
 }
 
 // Returns the first place with room, between the walls, on a spiral around the one asked for.
-std::optional<Vec3> Preserve::room_near(const Vec3& asked, const Resident& resident) const {
+std::optional<Vec3> Preserve::room_near(const Vec3& asked, const Resident& resident,
+                                        const Room& room) const {
     constexpr int kPlaces = 64;
     for (int i = 0; i < kPlaces; ++i) {
         const SineCosine turn = sine_cosine(kGoldenTurn * static_cast<double>(i));
@@ -80,8 +86,13 @@ std::optional<Vec3> Preserve::room_near(const Vec3& asked, const Resident& resid
         const Vec3 place = place_between_walls(
             area_, asked + distance * Vec3(turn.cosine, turn.sine, 0.0), resident.radius());
         const Vec3 shift = place - resident.center();
-        const Bounds bounds = resident.bounds();
-        if (is_free({bounds.low + shift, bounds.high + shift}, resident)) return place;
+        const Bounds present = resident.bounds();
+        const Bounds bounds{present.low + shift, present.high + shift};
+        const bool is_taken =
+            solid_ && std::any_of(room.taken.begin(), room.taken.end(),
+                                  [&](const Bounds& other) { return overlap(other, bounds); });
+        if (!is_taken && !room.walls.meet(bounds) && is_free_of_others(bounds, resident))
+            return place;
     }
     return std::nullopt;
 }
@@ -106,6 +117,57 @@ Result<std::uint64_t> Preserve::serve(const Vec3& place) {
     return count;
 }
 
+// Builds a wall. Creatures in its way are moved to the nearest place with room. Returns the number
+// of walls.
+Result<std::uint64_t> Preserve::build_wall(const WallLine& wall) {
+    if (walls_.lines().size() == static_cast<std::size_t>(kMostFixedBoxes))
+        return Error{
+            fmt::format("There are {} walls already, the most there can be.", kMostFixedBoxes)};
+    if (const Status sound = check_wall(wall, area_.width, area_.height); !sound)
+        return Error{fmt::format("This wall cannot be built: {}.", sound.error().message)};
+    std::vector<WallLine> lines = walls_.lines();
+    lines.push_back(wall);
+    if (Status made = make_way(DrawnWalls(lines)); !made) return made.error();
+    use_walls(std::move(lines));
+    return walls_.lines().size();
+}
+
+// Moves all creatures that these walls meet, or none.
+Status Preserve::make_way(const DrawnWalls& walls) {
+    std::vector<Resident*> movers;
+    std::vector<Vec3> places;
+    std::vector<Bounds> taken;
+    for (const auto& each : residents_) {
+        if (!walls.meet(each->rectangles())) continue;
+        const std::optional<Vec3> place = room_near(each->center(), *each, {walls, taken});
+        if (!place) return Error{"There is no room for the creatures in the way of this wall."};
+        const Bounds bounds = each->bounds();
+        const Vec3 shift = *place - each->center();
+        movers.push_back(each.get());
+        places.push_back(*place);
+        taken.push_back({bounds.low + shift, bounds.high + shift});
+    }
+    for (std::size_t i = 0; i < movers.size(); ++i)
+        movers[i]->place(places[i], Vec3::Zero());
+    return {};
+}
+
+void Preserve::use_walls(std::vector<WallLine> lines) {
+    walls_.replace(std::move(lines));
+    for (const auto& each : residents_)
+        each->scene().set_fixed_boxes(walls_.boxes());
+}
+
+// Returns the number of walls that are left.
+Result<std::uint64_t> Preserve::erase_wall(const Vec3& place) {
+    const std::optional<std::size_t> index = walls_.nearest(place, kEraseDistance);
+    if (!index) return Error{"There is no wall here to erase."};
+    std::vector<WallLine> lines = walls_.lines();
+    lines.erase(lines.begin() + static_cast<std::ptrdiff_t>(*index));
+    use_walls(std::move(lines));
+    return walls_.lines().size();
+}
+
 // Adds a creature at a place, which the light pays. Returns its number.
 Result<std::uint64_t> Preserve::admit(const GenomePtr& genome, const Vec3& place) {
     if (!genome) return Error{"a creature to add has no genotype"};
@@ -118,7 +180,7 @@ Result<std::uint64_t> Preserve::admit(const GenomePtr& genome, const Vec3& place
     if (!resident.can_move())
         return Error{
             "The creature cannot live here: none of its joints follows more than constants."};
-    const std::optional<Vec3> center = room_near(place, resident);
+    const std::optional<Vec3> center = room_near(place, resident, {walls_});
     if (!center) return Error{kNoRoom};
     if (!area_.holds(*center, resident.radius()))
         return Error{"The creature is too large for the walls."};

@@ -19,7 +19,7 @@ constexpr int kBirthPlaces = 16;                // around a parent
 constexpr std::uint64_t kTicksPerRot = 6;       // 0.1 s
 constexpr std::uint64_t kTicksPerRestock = 60;  // 1 s
 constexpr int kPlaceDraws = 20;                 // for a newcomer between the walls
-constexpr int kSolidPlaceDraws = 200;           // of them, if others are in its way
+constexpr int kCrowdedPlaceDraws = 200;         // of them, if others or walls are in its way
 
 // Uses of random streams, which are numbered by tick or by attempt.
 enum Use : std::uint64_t { kGrowth = 0, kBirth = 1, kArrival = 2, kSowing = 3 };
@@ -33,6 +33,12 @@ Energy body_of(const Resident& resident, const PreserveSettings& laws) {
 }
 
 constexpr double kFar = 1e4;  // m
+
+std::vector<WallLine> walls_in(const PreserveSettings& laws) {
+    Result<std::vector<WallLine>> walls = walls_of(laws.walls);
+    CAMBRIAN_ASSERT(walls.has_value(), "settings that were checked");
+    return *std::move(walls);
+}
 
 // Returns whether all parts of a resident are anywhere near the world.
 bool strays_little(const Resident& resident) {
@@ -51,6 +57,7 @@ Preserve::Preserve(SettingsPtr settings, const EvolutionKinds& kinds,
       area_{settings_->preserve.width, settings_->preserve.height},
       constant_(energy_of(settings_->preserve.energy_density * area_.width * area_.height)),
       senses_(area_, settings_->world.environment),
+      walls_(walls_in(settings_->preserve)),
       plants_(area_),
       flesh_(area_),
       ambient_(constant_) {
@@ -139,8 +146,9 @@ Result<std::unique_ptr<Resident>> Preserve::newcomer(std::size_t place, std::str
                         which)};
     }
     RandomStream draws = stream(next_number_, kArrival);
+    const bool is_crowded = solid_ || !walls_.lines().empty();
     bool fits = false;  // between the walls
-    for (int draw = 0; draw < (solid_ ? kSolidPlaceDraws : kPlaceDraws); ++draw) {
+    for (int draw = 0; draw < (is_crowded ? kCrowdedPlaceDraws : kPlaceDraws); ++draw) {
         const double x = area_.width * (draws.uniform() - 0.5);
         const double y = area_.height * (draws.uniform() - 0.5);
         resident.place(Vec3(x, y, 0.0), Vec3::Zero());
@@ -152,10 +160,10 @@ Result<std::unique_ptr<Resident>> Preserve::newcomer(std::size_t place, std::str
     if (area_.holds(resident.center(), resident.radius()) && is_free(resident.bounds(), resident))
         return grown;
     if (fits) {
-        return Error{
-            fmt::format("no place is left for founder {}; expected fewer founders, or a larger "
-                        "world, since bodies are solid",
-                        place + 1)};
+        return Error{fmt::format(
+            "no place is left for founder {}; expected fewer founders, fewer walls or a "
+            "larger world",
+            place + 1)};
     }
     return Error{
         fmt::format("founder {} is too large for the walls: it needs {} m, the world has "
@@ -183,6 +191,11 @@ void Preserve::settle(std::unique_ptr<Resident> resident) {
     resident->life.x = resident->center().x();
     resident->life.y = resident->center().y();
     chronicle_.born.push_back(resident->life);
+    take_in(std::move(resident));
+}
+
+void Preserve::take_in(std::unique_ptr<Resident> resident) {
+    resident->scene().set_fixed_boxes(walls_.boxes());
     residents_.push_back(std::move(resident));
 }
 
@@ -224,6 +237,7 @@ PreserveState Preserve::save() const {
     state.plants.assign(plants_.all().begin(), plants_.all().end());
     state.flesh.assign(flesh_.all().begin(), flesh_.all().end());
     state.scents = senses_.save();
+    state.walls = walls_.lines();
     for (const auto& [number, genome] : lineages_)
         state.lineages.push_back({number, genome});
     for (const auto& each : residents_)
@@ -257,6 +271,10 @@ Status Preserve::restore(const PreserveState& state) {
     for (const auto* field : {&state.scents.scent, &state.scents.plants, &state.scents.flesh}) {
         if (field->any && field->cells.size() != senses_.cells()) return unsuitable;
     }
+    if (state.walls.size() > static_cast<std::size_t>(kMostFixedBoxes)) return unsuitable;
+    for (const WallLine& wall : state.walls) {
+        if (!check_wall(wall, area_.width, area_.height)) return unsuitable;
+    }
     tick_ = state.tick;
     next_number_ = state.next_number;
     attempts_ = state.attempts;
@@ -269,6 +287,7 @@ Status Preserve::restore(const PreserveState& state) {
     for (const Lineage& lineage : state.lineages)
         lineages_.emplace(lineage.number, lineage.genome);
     residents_.clear();
+    walls_.replace(state.walls);
     if (solid_) solid_->forget();
     std::uint64_t before = 0;
     for (const ResidentState& each : state.residents) {
@@ -278,7 +297,7 @@ Status Preserve::restore(const PreserveState& state) {
         before = each.life.number;
         auto grown = Resident::grow(each.life, kinds_.creature, *settings_, senses_);
         if (!grown || !(*grown)->restore(each) || !strays_little(**grown)) return unsuitable;
-        residents_.push_back(std::move(*grown));
+        take_in(std::move(*grown));
     }
     feel_energy();
     return {};
@@ -334,8 +353,12 @@ void Preserve::make_workspaces(std::size_t workers) {
     }
 }
 
-// Returns whether the other solid bodies leave room for a resident with these bounds.
+// Returns whether walls and the other solid bodies leave room for a resident with these bounds.
 bool Preserve::is_free(const Bounds& bounds, const Resident& of) const {
+    return !walls_.meet(bounds) && is_free_of_others(bounds, of);
+}
+
+bool Preserve::is_free_of_others(const Bounds& bounds, const Resident& of) const {
     return !solid_ || std::none_of(residents_.begin(), residents_.end(), [&](const auto& each) {
         return each.get() != &of && overlap(each->bounds(), bounds);
     });
@@ -446,7 +469,8 @@ void Preserve::try_birth(Resident& parent) {
     bear(parent, std::move(*child), draws);
 }
 
-// Places the child beside its parent, at the first of 16 places between the walls.
+// Places the child beside its parent, at the first of 16 places between the walls, on the same side
+// of those that were drawn.
 void Preserve::bear(Resident& parent, std::unique_ptr<Resident> child, RandomStream& stream) {
     const double distance = parent.radius() + child->radius();
     const std::size_t first = stream.below(kBirthPlaces);
@@ -455,7 +479,8 @@ void Preserve::bear(Resident& parent, std::unique_ptr<Resident> child, RandomStr
         const SineCosine direction = sine_cosine(2.0 * kPi * turn);
         const Vec3 center =
             parent.center() + distance * Vec3(direction.cosine, direction.sine, 0.0);
-        if (!area_.holds(center, child->radius())) continue;
+        if (!area_.holds(center, child->radius()) || walls_.separate(parent.center(), center))
+            continue;
         child->place(center, parent.velocity());
         if (!is_free(child->bounds(), *child)) continue;
         parent.store -= child->store + child->body;
@@ -467,7 +492,7 @@ void Preserve::bear(Resident& parent, std::unique_ptr<Resident> child, RandomStr
         ++next_number_;
         ++tally_.births;
         chronicle_.born.push_back(child->life);
-        residents_.push_back(std::move(child));
+        take_in(std::move(child));
         return;
     }
 }

@@ -14,12 +14,14 @@
 #include "preserve/series.h"
 #include "preserve/state.h"
 #include "preserve/world/common_senses.h"
+#include "preserve/world/drawn_walls.h"
 #include "preserve/world/meetings.h"
 #include "preserve/world/pellets.h"
 
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -54,6 +56,7 @@ public:
     const Residents& residents() const { return residents_; }
     const Pellets& plants() const { return plants_; }
     const Pellets& flesh() const { return flesh_; }
+    const DrawnWalls& walls() const { return walls_; }
     Energy ambient() const { return ambient_; }
     Energy total_energy() const;  // the same in every tick
     Energy founding_energy() const { return constant_; }
@@ -73,6 +76,10 @@ private:
     Result<std::uint64_t> carry_out(const Intervention& asked);
     Result<std::uint64_t> serve(const Vec3& place);
     Result<std::uint64_t> admit(const GenomePtr& genome, const Vec3& place);
+    Result<std::uint64_t> build_wall(const WallLine& wall);
+    Result<std::uint64_t> erase_wall(const Vec3& place);
+    Status make_way(const DrawnWalls& walls);
+    void use_walls(std::vector<WallLine> lines);
     void rest();
     bool adds_up(const PreserveState& state) const;
     Status restore(const PreserveState& state);
@@ -81,7 +88,14 @@ private:
     void move_solid(ThreadPool& pool);
     void make_workspaces(std::size_t workers);
     bool is_free(const Bounds& bounds, const Resident& of) const;
-    std::optional<Vec3> room_near(const Vec3& asked, const Resident& resident) const;
+    bool is_free_of_others(const Bounds& bounds, const Resident& of) const;
+    // Where a creature may be placed, but for the creatures in the world.
+    struct Room {
+        const DrawnWalls& walls;
+        std::span<const Bounds> taken = {};
+    };
+    std::optional<Vec3> room_near(const Vec3& asked, const Resident& resident,
+                                  const Room& room) const;
     void sense();
     void bite();
     void feed();
@@ -102,6 +116,7 @@ private:
     Energy price_of(const Resident& resident) const;
     bool can_pay(const Resident& resident) const;
     void settle(std::unique_ptr<Resident> resident);
+    void take_in(std::unique_ptr<Resident> resident);
     void join_lineage(Resident& resident, const Resident* parent);
     void feel_energy();
     void forget_lineages();
@@ -112,6 +127,7 @@ private:
     WalledArea area_;
     Energy constant_;
     CommonSenses senses_;
+    DrawnWalls walls_;
     Pellets plants_, flesh_;
     Energy ambient_ = 0;
     Residents residents_;

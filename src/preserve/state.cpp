@@ -66,6 +66,7 @@ public:
         return sound_ ? word : 0;
     }
     bool sound() const { return sound_; }
+    bool at_end() const { return at_ == words_.size(); }
     bool finished() const { return sound_ && at_ == words_.size(); }
 
 private:
@@ -140,6 +141,31 @@ void get_pellets(WordReader& reader, std::vector<Pellet>& pellets) {
     }
 }
 
+template <class Wall, class Words>
+void visit_wall(Wall& wall, Words& words) {
+    words(wall.from.x());
+    words(wall.from.y());
+    words(wall.to.x());
+    words(wall.to.y());
+}
+
+// A world without walls has no words for them.
+void put_walls(const std::vector<WallLine>& walls, WordWriter& writer) {
+    if (walls.empty()) return;
+    writer.put(std::uint64_t{walls.size()});
+    const auto put = [&](const auto& member) { writer.put(member); };
+    for (const WallLine& wall : walls)
+        visit_wall(wall, put);
+}
+
+void get_walls(WordReader& reader, std::vector<WallLine>& walls) {
+    if (reader.at_end()) return;
+    walls.resize(reader.count());
+    const auto get = [&](auto& member) { reader.get(member); };
+    for (WallLine& wall : walls)
+        visit_wall(wall, get);
+}
+
 Status find_origins(PreserveState& state, const FindOrigin& find) {
     for (ResidentState& resident : state.residents) {
         Result<Origin> origin = find(resident.life.number);
@@ -171,6 +197,7 @@ std::vector<std::uint64_t> words_of(const PreserveState& state) {
         visit_resident(resident, put);
     for (const auto* field : {&state.scents.scent, &state.scents.plants, &state.scents.flesh})
         writer.put(field->cells);
+    put_walls(state.walls, writer);
     return writer.take();
 }
 
@@ -198,6 +225,7 @@ Result<PreserveState> state_of(std::span<const std::uint64_t> words, const FindO
         reader.get(field->cells);
         field->any = !field->cells.empty();
     }
+    get_walls(reader, state.walls);
     if (!reader.finished()) return Error{"the snapshot is damaged"};
     if (Status found = find_origins(state, find); !found) return found.error();
     return state;

@@ -4,6 +4,7 @@
 // again when a preserve goes on from it (preserve/README.md 7).
 
 #include "core/result.h"
+#include "evolution/settings/wall_lines.h"
 #include "preserve/life/resident.h"
 #include "preserve/world/common_senses.h"
 #include "preserve/world/pellets.h"
@@ -30,6 +31,7 @@ struct PreserveState {
     std::vector<Lineage> lineages;         // of the living, in ascending order
     std::vector<ResidentState> residents;  // in ascending order of numbers
     CommonSenses::Moment scents;
+    std::vector<WallLine> walls;
 };
 
 // Returns the numbers of a state, without genomes and methods of breeding. They decide its digest.

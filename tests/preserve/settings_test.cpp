@@ -32,6 +32,24 @@ TEST_CASE("bad settings of a preserve give one clear message each", "[preserve]"
     CHECK(message_of("[environment]\nlight = true\nlight-motion = \"jumping\"\n") ==
           "pond.toml: [environment] light-motion: a preserve's light does not move; expected "
           "\"still\", found \"jumping\"");
+    CHECK(message_of("[preserve]\nwalls = \"-1 0  2.5 3; 0 0 0 1;\"\n") == "");
+    CHECK(message_of("[preserve]\nwalls = 3\n") ==
+          "pond.toml: line 2, [preserve] walls: expected a text, found a whole number");
+    CHECK(message_of("[preserve]\nwalls = \"0 0 1 1; 0 0 1\"\n") ==
+          "pond.toml: line 2, [preserve] walls: wall 2 is not four numbers; expected \"x y x y; "
+          "...\", the ends of each in m");
+    CHECK(message_of("[preserve]\nwalls = \"0 0 nan 1\"\n").find("wall 1 is not four numbers") !=
+          std::string::npos);
+    CHECK(message_of("[preserve]\nwalls = \"0 0 20 1; 0 0 0 0.1\"\n") ==
+          "pond.toml: [preserve] walls: wall 2: it is 0.1 m long; expected at least 0.2 m");
+    CHECK(
+        message_of("[preserve]\nwalls = \"0 0 20.1 1\"\n") ==
+        "pond.toml: [preserve] walls: wall 1: an end is outside the world, which has 40 m x 25 m");
+    std::string many;
+    for (int i = 0; i < 65; ++i)
+        many += "0 0 1 1;";
+    CHECK(message_of("[preserve]\nwalls = \"" + many + "\"\n") ==
+          "pond.toml: line 2, [preserve] walls: more than 64 walls");
     CHECK(message_of("[selection]\nmethod = \"rank\"\n") ==
           "pond.toml: line 1, [selection]: unknown table");
     CHECK(message_of("[preserve]\nwidth = 9\n", SettingsUse::kExperiment) ==

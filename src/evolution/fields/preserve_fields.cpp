@@ -2,6 +2,7 @@
 
 #include "evolution/fields/setting_field.h"
 #include "evolution/fields/setting_table.h"
+#include "evolution/settings/wall_lines.h"
 #include "goals/water.h"
 
 #include <fmt/core.h>
@@ -112,6 +113,30 @@ void add_life(TableBuilder& table) {
         [](Settings & s) -> auto& { return s.preserve.mate_distance; });
 }
 
+void add_places(TableBuilder& table) {
+    SettingField& walls = table.choice(
+        "walls", "Walls", {},
+        "Walls within the world, each with the x and y of both ends. The middle of the world is 0 "
+        "0.",
+        [](Settings & s) -> auto& { return s.preserve.walls; });
+    walls.format = "\"x y x y; ...\" in m, at most 64";
+    walls.check_text = [](const std::string& text) {
+        const Result<std::vector<WallLine>> lines = walls_of(text);
+        return lines ? Status() : Status(lines.error());
+    };
+}
+
+Status check_places(const PreserveSettings& laws) {
+    const Result<std::vector<WallLine>> walls = walls_of(laws.walls);
+    if (!walls) return Error{"[preserve] walls: " + walls.error().message};
+    for (std::size_t i = 0; i < walls->size(); ++i) {
+        if (const Status sound = check_wall((*walls)[i], laws.width, laws.height); !sound)
+            return Error{
+                fmt::format("[preserve] walls: wall {}: {}", i + 1, sound.error().message)};
+    }
+    return {};
+}
+
 Status check_world(const Settings& s) {
     if (s.world.environment.has_ground)
         return Error{
@@ -133,6 +158,7 @@ std::vector<SettingField> preserve_fields(const EvolutionKinds& kinds) {
     add_world(table);
     add_energy(table);
     add_life(table);
+    add_places(table);
     for (SettingField& field : setting_fields(kinds)) {
         const bool foreign = std::find(kForeignTables.begin(), kForeignTables.end(), field.table) !=
                              kForeignTables.end();
@@ -156,6 +182,7 @@ Status check_preserve(const ExperimentSettings& settings, const EvolutionKinds& 
         if (Status fault = setting_table::check_field(field, field.at(copy)); !fault) return fault;
     }
     if (Status world = check_world(settings); !world) return world;
+    if (Status places = check_places(settings.preserve); !places) return places;
     if (Status order = setting_table::check_founders(settings); !order) return order;
     return setting_table::check_creatures(settings, kinds);
 }

@@ -338,6 +338,10 @@ Status check_field(const SettingField& field, const SettingRef& ref) {
         [&](const auto* at) -> Status {
             using T = std::remove_cvref_t<decltype(*at)>;
             if constexpr (std::is_same_v<T, std::string>) {
+                if (field.check_text) {
+                    const Status sound = field.check_text(*at);
+                    return sound ? sound : Error{place(field) + ": " + sound.error().message};
+                }
                 if (std::find(field.choices.begin(), field.choices.end(), *at) !=
                     field.choices.end()) {
                     return {};

@@ -27,6 +27,7 @@ struct PreserveSettings {
     double kin_peace = 20.0;        // s from birth without bites between parent and child
     double birth_interval = 5.0;    // s between two births of a parent
     double mate_distance = 6.0;     // m
+    std::string walls;              // as walls_of() reads them
 
     friend bool operator==(const PreserveSettings&, const PreserveSettings&) = default;
 };

@@ -3,6 +3,7 @@
 // One row of the table of settings, and the builder of rows. All rows are in
 // fields/setting_field.h.
 
+#include "core/result.h"
 #include "core/text/pretty_text.h"
 #include "evolution/settings/experiment_settings.h"
 
@@ -29,7 +30,10 @@ struct SettingField {
     std::string group = {};
     double low = 0.0;  // range of numbers, both ends included
     double high = 0.0;
-    std::vector<std::string> choices = {};        // allowed values of a text
+    std::vector<std::string> choices = {};  // allowed values of a text
+    std::string format = {};                // of a text without choices, in words
+    // Returns what is wrong with such a text.
+    std::function<Status(const std::string&)> check_text = {};
     std::vector<std::string> choice_labels = {};  // their displayed names, in the same order
     bool logarithmic = false;                     // whether a slider should be logarithmic
     // Whether it may change during a run, from the next generation on. Otherwise it defines the run

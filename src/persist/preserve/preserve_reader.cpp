@@ -54,12 +54,14 @@ std::vector<std::uint64_t> words_in(std::string_view bytes) {
 std::vector<Intervention> read_interventions(const Database& database,
                                              const EvolutionKinds& kinds) {
     std::vector<Intervention> all;
-    if (database.integer("PRAGMA user_version") == 1) return all;
+    const std::int64_t version = database.integer("PRAGMA user_version");
+    if (version == 1) return all;
     GenotypeReader genotypes(kinds);
-    Statement row = database.prepare(
-        "SELECT tick, what, interventions.number, x, y, size, document FROM interventions LEFT "
+    Statement row = database.prepare(fmt::format(
+        "SELECT tick, what, interventions.number, x, y, size, document, {} FROM interventions LEFT "
         "JOIN genotypes ON what = 'add' AND genotypes.number = interventions.number WHERE what != "
-        "'restock' ORDER BY id LIMIT ?");
+        "'restock' ORDER BY id LIMIT ?",
+        version == 2 ? "0.0, 0.0" : "to_x, to_y"));
     row.bind(kMostInterventions);
     while (row.step()) {
         Intervention& each = all.emplace_back();
@@ -68,6 +70,8 @@ std::vector<Intervention> read_interventions(const Database& database,
         read_column(row, 2, each.number);
         each.x = row.real(3);
         each.y = row.real(4);
+        each.to_x = row.real(7);
+        each.to_y = row.real(8);
         if (each.what == intervention::kAdd && !row.is_null(5))
             each.genome = genotype(row, 5, genotypes);
         if (all.size() > 1 && each.tick < all[all.size() - 2].tick)

@@ -11,8 +11,8 @@
 
 namespace cambrian {
 
-// Version 1 has no places of interventions.
-inline constexpr std::int64_t kPreserveVersion = 2;
+// Version 1 has no places of interventions, and version 2 no walls.
+inline constexpr std::int64_t kPreserveVersion = 3;
 
 inline constexpr std::array kSeriesColumns = {
     Column<SeriesRow>{"tick", &SeriesRow::tick},

@@ -25,7 +25,7 @@ std::string preserve_tables() {
            ", PRIMARY KEY (tick));"
            "CREATE TABLE interventions (id INTEGER PRIMARY KEY, tick INTEGER NOT NULL, "
            "what TEXT NOT NULL, number INTEGER NOT NULL, x REAL NOT NULL DEFAULT 0, "
-           "y REAL NOT NULL DEFAULT 0);"
+           "y REAL NOT NULL DEFAULT 0, to_x REAL NOT NULL DEFAULT 0, to_y REAL NOT NULL DEFAULT 0);"
            "CREATE TABLE snapshots (tick INTEGER PRIMARY KEY, digest INTEGER NOT NULL, "
            "size INTEGER NOT NULL, state BLOB NOT NULL);";
 }
@@ -86,11 +86,17 @@ Status check_preserve_tables(const Database& database) {
 }
 
 void upgrade_preserve_tables(Database& database) {
-    if (database.integer("PRAGMA user_version") == kPreserveVersion) return;
+    const std::int64_t version = database.integer("PRAGMA user_version");
+    if (version == kPreserveVersion) return;
     Transaction transaction(database);
+    if (version == 1) {
+        database.execute(
+            "ALTER TABLE interventions ADD COLUMN x REAL NOT NULL DEFAULT 0;"
+            "ALTER TABLE interventions ADD COLUMN y REAL NOT NULL DEFAULT 0;");
+    }
     database.execute(
-        "ALTER TABLE interventions ADD COLUMN x REAL NOT NULL DEFAULT 0;"
-        "ALTER TABLE interventions ADD COLUMN y REAL NOT NULL DEFAULT 0;");
+        "ALTER TABLE interventions ADD COLUMN to_x REAL NOT NULL DEFAULT 0;"
+        "ALTER TABLE interventions ADD COLUMN to_y REAL NOT NULL DEFAULT 0;");
     database.execute(fmt::format("PRAGMA user_version = {}", kPreserveVersion));
     transaction.commit();
 }
@@ -104,8 +110,9 @@ PreserveWriter::PreserveWriter(Database& database, const EvolutionKinds& kinds)
       put_founder_(database.prepare("INSERT INTO founders VALUES (?, ?, ?)")),
       put_series_(database.prepare(
           fmt::format("INSERT INTO series VALUES (?{})", more_places(kSeriesColumns.size() - 1)))),
-      put_intervention_(database.prepare(
-          "INSERT INTO interventions (tick, what, number, x, y) VALUES (?, ?, ?, ?, ?)")),
+      put_intervention_(
+          database.prepare("INSERT INTO interventions (tick, what, number, x, y, to_x, to_y) "
+                           "VALUES (?, ?, ?, ?, ?, ?, ?)")),
       put_snapshot_(database.prepare("INSERT OR REPLACE INTO snapshots VALUES (?, ?, ?, ?)")),
       packer_(kinds) {}
 
@@ -164,7 +171,8 @@ void PreserveWriter::write(const Chronicle& chronicle, const Preserve& preserve)
         put_series_.finish();
     }
     for (const Intervention& each : chronicle.interventions)
-        put_intervention_.run(each.tick, each.what, each.number, each.x, each.y);
+        put_intervention_.run(each.tick, each.what, each.number, each.x, each.y, each.to_x,
+                              each.to_y);
     if (preserve.snapshot()->tick != preserve.ticks()) return;
     put_snapshot(*preserve.snapshot());
     thin_snapshots(preserve.ticks());

@@ -27,6 +27,7 @@ std::string allowed(const SettingField& field, const SettingValue& value) {
             fmt::format("{} to {}", short_text(field.low), short_text(field.high));
         return field.unit.empty() ? range : fmt::format("{} {}", range, field.unit);
     }
+    if (field.check_text) return field.format;
     return fmt::format("{}", fmt::join(field.choices, ", "));
 }
 

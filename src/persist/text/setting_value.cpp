@@ -67,6 +67,12 @@ SettingCheck assign_to(Integer& place, const SettingField& field, const SettingV
 SettingCheck assign_to(std::string& place, const SettingField& field, const SettingValue& value) {
     const auto* text = std::get_if<std::string>(&value);
     if (text == nullptr) return wrong_type("a text", value);
+    if (field.check_text) {
+        if (Status sound = field.check_text(*text); !sound)
+            return {SettingFault::kChoice, sound.error().message};
+        place = *text;
+        return {};
+    }
     if (std::find(field.choices.begin(), field.choices.end(), *text) != field.choices.end()) {
         place = *text;
         return {};

@@ -91,6 +91,16 @@ void add_detailed_body(SceneFrame& frame, const Palette& palette, const Camera& 
     }
 }
 
+void add_drawn_walls(SceneFrame& frame, const Palette& palette, const PreservePicture& picture) {
+    for (const Rectangle& wall : picture.walls) {
+        Shape shape = shape_of(wall);
+        shape.radius = 0.0;
+        shape.fill = palette.ground_line;
+        shape.outline = palette.ground_line;
+        frame.shapes.push_back(shape);
+    }
+}
+
 void add_food(SceneFrame& frame, const Camera& camera, const PreservePicture& picture) {
     const double least = kLeastDot * camera.pixel();
     for (const Pellet& plant : picture.plants)
@@ -127,6 +137,7 @@ void add_world(SceneFrame& frame, const Palette& palette, const Camera& camera,
     frame.background = palette.sky;
     add_grid(frame, palette, camera, viewport);
     add_walls(frame, palette, camera, viewport, picture.area);
+    add_drawn_walls(frame, palette, picture);
     add_food(frame, camera, picture);
     const WorldWindow window = camera.window(viewport);
     for (const ResidentPicture& each : picture.residents) {

@@ -19,6 +19,7 @@ void PreserveCamera::take(const Preserve& preserve, PreservePicture& picture) {
     const PreserveSettings& laws = preserve.settings()->preserve;
     picture.tick = preserve.ticks();
     picture.area = {laws.width, laws.height};
+    picture.walls = preserve.walls().rectangles();
     picture.now = preserve.row();
     picture.residents = residents_of(preserve);
     picture.plants.assign(preserve.plants().all().begin(), preserve.plants().all().end());

@@ -48,6 +48,7 @@ struct PreservePicture {
     SeriesRow now;
     std::vector<ResidentPicture> residents;  // in ascending order of numbers
     std::vector<Pellet> plants, flesh;
+    std::vector<Rectangle> walls;  // within the area
     std::shared_ptr<const std::vector<SeriesRow>> series;
     std::shared_ptr<const std::vector<Life>> died;                // the last ones
     std::shared_ptr<const std::vector<std::uint64_t>> snapshots;  // ticks
