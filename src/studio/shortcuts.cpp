@@ -1,11 +1,15 @@
 #include "studio/shortcuts.h"
 
+#include "studio/preserve/notables.h"
+#include "studio/preserve/world_words.h"
+
 #include <GLFW/glfw3.h>
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <array>
 #include <string>
+#include <vector>
 
 namespace cambrian {
 namespace {
@@ -96,6 +100,7 @@ void close_what_is_open(const FrameContext& frame, Requests& out) {
         out.ask(ToggleHelp{});
     } else if (frame.preserve != nullptr && frame.window.notice == nullptr) {
         if (frame.preserve->single) return out.ask(ShowWorld{});
+        if (frame.preserve->wall.on) return out.ask(ToggleWalls{});
         out.ask(PickResident{0});
     } else if (frame.picking != nullptr && frame.picking->single &&
                frame.window.notice == nullptr) {
@@ -277,9 +282,73 @@ void keep_preserve(const FrameContext& frame, Requests& out) {
     if (!frame.preserve->file.empty()) out.ask(OpenFilePanel{FileTask::kSavePreserve});
 }
 
+// Goes to the last snapshot before the present tick, so that repeated presses go through all.
 void go_back(const FrameContext& frame, Requests& out) {
     const auto& ticks = *frame.preserve->picture.snapshots;
-    if (!ticks.empty()) out.ask(BranchFrom{ticks.back()});
+    if (ticks.empty()) return;
+    const auto later = std::lower_bound(ticks.begin(), ticks.end(), frame.preserve->picture.tick);
+    out.ask(BranchFrom{later == ticks.begin() ? *later : *(later - 1)});
+}
+
+// Returns the creature so many places after the picked one, or the first or the last one.
+std::uint64_t next_of(const std::vector<std::uint64_t>& creatures, std::uint64_t picked,
+                      int steps) {
+    const auto count = static_cast<int>(creatures.size());
+    const auto found = std::find(creatures.begin(), creatures.end(), picked);
+    int next = steps > 0 ? 0 : count - 1;
+    if (found != creatures.end())
+        next = (static_cast<int>(found - creatures.begin()) + steps + count) % count;
+    return creatures[static_cast<std::size_t>(next)];
+}
+
+// Picks the eldest of the next lineage in the order of their sizes.
+template <int Steps>
+void pick_lineage(const FrameContext& frame, Requests& out) {
+    const PreserveView& preserve = *frame.preserve;
+    std::vector<std::uint64_t> eldest;
+    std::uint64_t here = 0;
+    for (const LineageCount& lineage : lineages_in(preserve.picture)) {
+        eldest.push_back(lineage.eldest);
+        if (preserve.picked != nullptr && preserve.picked->life.lineage == lineage.number)
+            here = lineage.eldest;
+    }
+    if (!eldest.empty()) out.ask(PickResident{next_of(eldest, here, Steps)});
+}
+
+void pick_notable(const FrameContext& frame, Requests& out) {
+    const PreserveView& preserve = *frame.preserve;
+    std::vector<std::uint64_t> notables;
+    for (const Notable& each : notables_in(preserve.picture)) {
+        if (std::find(notables.begin(), notables.end(), each.creature) == notables.end())
+            notables.push_back(each.creature);
+    }
+    if (notables.empty()) return;
+    const std::uint64_t here = preserve.picked == nullptr ? 0 : preserve.picked->life.number;
+    out.ask(PickResident{next_of(notables, here, 1)});
+}
+
+void pick_parent(const FrameContext& frame, Requests& out) {
+    const PreserveView& preserve = *frame.preserve;
+    if (preserve.picked == nullptr) return;
+    for (const std::uint64_t parent : preserve.picked->life.parents) {
+        if (preserve.picture.find(parent) != nullptr) return out.ask(PickResident{parent});
+    }
+}
+
+void pick_child(const FrameContext& frame, Requests& out) {
+    const PreserveView& preserve = *frame.preserve;
+    if (preserve.picked == nullptr) return;
+    const std::uint64_t number = preserve.picked->life.number;
+    for (const ResidentPicture& each : preserve.picture.residents) {
+        const auto& parents = each.life.parents;
+        if (std::find(parents.begin(), parents.end(), number) != parents.end())
+            return out.ask(PickResident{each.life.number});
+    }
+}
+
+template <int Steps>
+void turn_plot(const FrameContext&, Requests& out) {
+    out.ask(TurnPlot{Steps});
 }
 
 constexpr std::array kPreserveShortcuts = {
@@ -289,6 +358,16 @@ constexpr std::array kPreserveShortcuts = {
     Shortcut{{GLFW_KEY_RIGHT_BRACKET}, "]", "Faster, up to as fast as it goes", change_pace<1>},
     Shortcut{{GLFW_KEY_TAB}, "Tab", "Pick the next creature", pick_next<1>},
     Shortcut{{GLFW_KEY_TAB, false, true}, "Shift+Tab", "Pick the one before", pick_next<-1>},
+    Shortcut{{GLFW_KEY_L}, "L", "Pick the eldest of the next lineage", pick_lineage<1>},
+    Shortcut{{GLFW_KEY_L, false, true},
+             "Shift+L",
+             "Pick the eldest of the lineage before",
+             pick_lineage<-1>},
+    Shortcut{{GLFW_KEY_O}, "O", "Pick the next outstanding creature", pick_notable},
+    Shortcut{{GLFW_KEY_U}, "U", "Pick the picked creature's parent", pick_parent},
+    Shortcut{{GLFW_KEY_C}, "C", "Pick its eldest living child", pick_child},
+    Shortcut{{GLFW_KEY_T}, "T", "Show the next plot of the history", turn_plot<1>},
+    Shortcut{{GLFW_KEY_T, false, true}, "Shift+T", "Show the plot before", turn_plot<-1>},
     Shortcut{{GLFW_KEY_F}, "F", "Follow the picked creature with the camera", simply<FollowPicked>},
     Shortcut{{GLFW_KEY_P}, "P", "Pin the picked creature, or unpin it", simply<PinPicked>},
     Shortcut{{GLFW_KEY_S}, "S", "Save the picked creature", simply<SaveResident>},
@@ -304,10 +383,12 @@ constexpr std::array kPreserveShortcuts = {
              simply<MovePickedThere>},
     Shortcut{{GLFW_KEY_E}, "E", "Feed ten plants there", simply<FeedThere>},
     Shortcut{{GLFW_KEY_A}, "A", "Add a copy of the creature on display there", simply<AddShown>},
+    Shortcut{{GLFW_KEY_W}, "W", "Begin a wall there, or end it there", simply<DrawWall>},
+    Shortcut{{GLFW_KEY_X}, "X", "Erase the wall there", simply<EraseWallThere>},
     Shortcut{{GLFW_KEY_HOME}, "Home", "Fit the world into view", simply<FitWorld>},
     Shortcut{{GLFW_KEY_Z, true},
              "Ctrl+Z",
-             "Go back to the last snapshot, in a file of its own",
+             "Go back to the snapshot before, in a file of its own",
              go_back},
     Shortcut{{GLFW_KEY_K, true}, "Ctrl+K", "Keep the preserve in another file", keep_preserve},
 };

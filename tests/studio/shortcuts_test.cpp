@@ -8,7 +8,7 @@ namespace cambrian {
 namespace {
 
 TEST_CASE("no two shortcuts share a key", "[studio][shortcuts]") {
-    for (const auto all : {shortcuts(), picking_shortcuts()}) {
+    for (const auto all : {shortcuts(), picking_shortcuts(), preserve_shortcuts()}) {
         for (std::size_t i = 0; i < all.size(); ++i) {
             for (std::size_t j = 0; j < i; ++j)
                 CHECK_FALSE(all[i].press == all[j].press);
@@ -90,6 +90,70 @@ TEST_CASE("Escape leads from one creature back to the grid", "[studio][shortcuts
     Requests out;
     press_shortcut({GLFW_KEY_ESCAPE}, false, studio.frame(), out);
     CHECK(test::was_asked<ShowGrid>(out));
+}
+
+ResidentPicture resident(std::uint64_t number, std::uint64_t lineage, std::uint64_t parent = 0) {
+    ResidentPicture picture;
+    picture.life.number = number;
+    picture.life.lineage = lineage;
+    picture.life.parents[0] = parent;
+    return picture;
+}
+
+// Returns the creature that a key picks; 0 if it picks none.
+std::uint64_t picked_by(const KeyPress& press, const PreservePicture& picture,
+                        std::uint64_t picked) {
+    const test::StudioFixture studio;
+    const std::filesystem::path file = "pond.cambrian";
+    const std::set<std::uint64_t> pins;
+    const PreserveView view{
+        .picture = picture, .file = file, .picked = picture.find(picked), .pins = pins};
+    FrameContext frame = studio.frame();
+    frame.preserve = &view;
+    Requests out;
+    press_shortcut(press, false, frame, out);
+    return test::was_asked<PickResident>(out) ? test::asked<PickResident>(out).number : 0;
+}
+
+TEST_CASE("keys pick lineages, outstanding creatures and kin", "[studio][shortcuts][preserve]") {
+    PreservePicture picture;
+    picture.residents = {resident(2, 2), resident(3, 3), resident(5, 3, 3), resident(7, 7, 5)};
+    picture.residents[1].life.mass = 2.0;
+    picture.residents[2].life.children = 1;
+    const auto by = [&](int key, std::uint64_t picked, bool shift = false) {
+        return picked_by({key, false, shift}, picture, picked);
+    };
+    // The largest lineage is that of 3, then come those of 2 and of 7.
+    CHECK(by(GLFW_KEY_L, 0) == 3);
+    CHECK(by(GLFW_KEY_L, 5) == 2);
+    CHECK(by(GLFW_KEY_L, 7) == 3);
+    CHECK(by(GLFW_KEY_L, 3, true) == 7);
+    CHECK(by(GLFW_KEY_O, 0) == 5);
+    CHECK(by(GLFW_KEY_O, 5) == 3);
+    CHECK(by(GLFW_KEY_O, 3) == 5);
+    CHECK(by(GLFW_KEY_U, 7) == 5);
+    CHECK(by(GLFW_KEY_U, 2) == 0);
+    CHECK(by(GLFW_KEY_C, 3) == 5);
+    CHECK(by(GLFW_KEY_C, 7) == 0);
+}
+
+TEST_CASE("going back goes through all snapshots before the present tick",
+          "[studio][shortcuts][preserve]") {
+    const test::StudioFixture studio;
+    PreservePicture picture;
+    picture.snapshots =
+        std::make_shared<const std::vector<std::uint64_t>>(std::vector<std::uint64_t>{0, 60, 90});
+    const std::filesystem::path file = "pond.cambrian";
+    const std::set<std::uint64_t> pins;
+    const PreserveView view{.picture = picture, .file = file, .pins = pins};
+    for (const auto& [tick, back] : {std::pair{100, 90}, {90, 60}, {60, 0}, {0, 0}}) {
+        picture.tick = static_cast<std::uint64_t>(tick);
+        FrameContext frame = studio.frame();
+        frame.preserve = &view;
+        Requests out;
+        press_shortcut({GLFW_KEY_Z, true}, false, frame, out);
+        CHECK(test::asked<BranchFrom>(out).tick == static_cast<std::uint64_t>(back));
+    }
 }
 
 }  // namespace

@@ -88,6 +88,7 @@ void OpenPreserve::log_state(Feedback& feedback) {
     feedback.log().write("world", {{"tick", real(picture_->tick)},
                                    {"creatures", real(picture_->residents.size())},
                                    {"plants", real(picture_->plants.size())},
+                                   {"walls", real(picture_->walls.size())},
                                    {"playing", picture_->playing},
                                    {"factor", picture_->factor},
                                    {"picked", picked_ ? real(picked_->life.number) : 0.0},

@@ -42,9 +42,19 @@ struct AimAt {
 };
 struct FeedThere {};
 struct MovePickedThere {};
+// Begins a wall where the user points, or ends it there.
+struct DrawWall {};
+// Lets the next clicks draw a wall, or no longer.
+struct ToggleWalls {};
+// Erases the wall where the user points.
+struct EraseWallThere {};
 // Adds a copy of the creature on display.
 struct AddShown {};
 struct FitWorld {};
+// Goes so many plots of the series further.
+struct TurnPlot {
+    int steps = 1;
+};
 // Goes on from a snapshot, in a file of its own.
 struct BranchFrom {
     std::uint64_t tick = 0;
@@ -53,7 +63,8 @@ struct BranchFrom {
 using PreserveRequest =
     std::variant<TogglePreserveCard, BeginPreserve, ClosePreserve, TogglePlay, AskPreserve,
                  PickResident, PickNext, FollowPicked, PinPicked, ShowPicked, ShowWorld,
-                 RemovePicked, AimAt, FeedThere, MovePickedThere, AddShown, FitWorld, BranchFrom>;
+                 RemovePicked, AimAt, FeedThere, MovePickedThere, DrawWall, ToggleWalls,
+                 EraseWallThere, AddShown, FitWorld, TurnPlot, BranchFrom>;
 
 // The card with which a preserve is begun.
 struct PreserveCardView {

@@ -39,19 +39,57 @@ std::vector<GenomePtr> genomes_of_choice(FounderChoice choice, const PreserveSub
 
 }  // namespace
 
-// Has one overload for each kind of request.
-struct PreserveController::Handler {
+// What the user does to the world where the pointer or the view is.
+struct PreserveController::WorldTools {
     PreserveController& self;
 
     const ResidentPicture* picked() const { return self.open_ ? self.open_->picked() : nullptr; }
     void intervene(const char* what, std::uint64_t number) const {
-        self.send(
-            Intervene{{.what = what, .number = number, .x = self.aim_.x(), .y = self.aim_.y()}});
+        self.send(Intervene{
+            {.what = what, .number = number, .x = self.tools_.aim.x(), .y = self.tools_.aim.y()}});
     }
 
-    void operator()(const TogglePreserveCard&) const { self.card_open_ = !self.card_open_; }
+    void operator()(const RemovePicked&) const {
+        if (picked() != nullptr) intervene(intervention::kRemove, picked()->life.number);
+    }
+    void operator()(const AimAt& request) const { self.tools_.aim = {request.x, request.y}; }
+    void operator()(const FeedThere&) const { intervene(intervention::kFeed, 0); }
+    void operator()(const MovePickedThere&) const {
+        if (picked() != nullptr) intervene(intervention::kMove, picked()->life.number);
+    }
+    void operator()(const DrawWall&) const {
+        WallTool& wall = self.tools_.wall;
+        if (!self.on()) return;
+        const Vec3 aim(self.tools_.aim.x(), self.tools_.aim.y(), 0.0);
+        const Vec2 here = self.picture_->area.nearest(aim).head<2>();
+        if (!wall.from) {
+            wall = {true, here};
+            return;
+        }
+        self.send(Intervene{{.what = intervention::kWall,
+                             .x = wall.from->x(),
+                             .y = wall.from->y(),
+                             .to_x = here.x(),
+                             .to_y = here.y()}});
+        wall = {};
+    }
+    void operator()(const ToggleWalls&) const { self.tools_.wall = {!self.tools_.wall.on, {}}; }
+    void operator()(const EraseWallThere&) const { intervene(intervention::kErase, 0); }
+    void operator()(const AddShown&) const {
+        const Playback& playback = self.subjects_.viewer.playback();
+        if (!playback.empty()) self.add(playback.exhibit().genome());
+    }
+};
+
+// Has one overload for each kind of request.
+struct PreserveController::Handler : WorldTools {
+    using WorldTools::operator();
+
+    void operator()(const TogglePreserveCard&) const {
+        self.tools_.card_open = !self.tools_.card_open;
+    }
     void operator()(const BeginPreserve& request) const {
-        self.card_open_ = false;
+        self.tools_.card_open = false;
         if (request.founders) return self.begin(*request.founders);
         self.close();
         self.open_later([file = self.own_file_,
@@ -68,7 +106,7 @@ struct PreserveController::Handler {
     void operator()(const PickResident& request) const {
         if (!self.open_) return;
         self.open_->pick(request.number);
-        if (request.number == 0) self.follow_ = false;
+        if (request.number == 0) self.tools_.follow = false;
         self.services_.feedback.log().write("picked",
                                             {{"number", static_cast<double>(request.number)}});
     }
@@ -84,31 +122,26 @@ struct PreserveController::Handler {
         (*this)(PickResident{all[static_cast<std::size_t>(next)].life.number});
     }
     void operator()(const FollowPicked&) const {
-        self.follow_ = !self.follow_ && picked() != nullptr;
-        self.services_.feedback.log().write("follow", {{"on", self.follow_}});
+        self.tools_.follow = !self.tools_.follow && picked() != nullptr;
+        self.services_.feedback.log().write("follow", {{"on", self.tools_.follow}});
     }
     void operator()(const PinPicked&) const {
         if (picked() == nullptr) return;
         const std::uint64_t number = picked()->life.number;
         if (self.pins_.erase(number) == 0) self.pins_.insert(number);
     }
-    void operator()(const ShowPicked&) const { self.single_ = self.show_picked(); }
-    void operator()(const ShowWorld&) const { self.single_ = false; }
-    void operator()(const RemovePicked&) const {
-        if (picked() != nullptr) intervene(intervention::kRemove, picked()->life.number);
-    }
-    void operator()(const AimAt& request) const { self.aim_ = {request.x, request.y}; }
-    void operator()(const FeedThere&) const { intervene(intervention::kFeed, 0); }
-    void operator()(const MovePickedThere&) const {
-        if (picked() != nullptr) intervene(intervention::kMove, picked()->life.number);
-    }
-    void operator()(const AddShown&) const {
-        const Playback& playback = self.subjects_.viewer.playback();
-        if (!playback.empty()) self.add(playback.exhibit().genome());
-    }
+    void operator()(const ShowPicked&) const { self.tools_.single = self.show_picked(); }
+    void operator()(const ShowWorld&) const { self.tools_.single = false; }
     void operator()(const FitWorld&) const {
-        self.follow_ = false;
-        ++self.fits_asked_;
+        self.tools_.follow = false;
+        ++self.tools_.fits_asked;
+    }
+    void operator()(const TurnPlot& request) const {
+        const auto count = static_cast<int>(kWorldPlotCount);
+        const int next = static_cast<int>(self.tools_.plot) + request.steps;
+        self.tools_.plot = static_cast<std::size_t>((next % count + count) % count);
+        self.services_.feedback.log().write("world plot",
+                                            {{"index", static_cast<double>(self.tools_.plot)}});
     }
     void operator()(const BranchFrom& request) const {
         if (!self.open_ || self.open_->file().empty()) return;
@@ -133,23 +166,25 @@ void PreserveController::update() {
     if (!on()) return;
     static const std::filesystem::path no_file;
     const ResidentPicture* picked = open_ ? open_->picked() : nullptr;
-    if (picked == nullptr || picked->life.died != 0) follow_ = false;
+    if (picked == nullptr || picked->life.died != 0) tools_.follow = false;
     facts_.emplace(PreserveView{.picture = *picture_,
                                 .file = open_ ? open_->file() : no_file,
                                 .picked = picked,
                                 .pins = pins_,
-                                .follow = follow_,
-                                .single = single_,
+                                .follow = tools_.follow,
+                                .single = tools_.single,
                                 .opening = open_ == nullptr,
-                                .fits_asked = fits_asked_});
+                                .fits_asked = tools_.fits_asked,
+                                .wall = tools_.wall,
+                                .plot = tools_.plot});
 }
 
 void PreserveController::carry_out(const PreserveRequest& request) {
-    std::visit(Handler{*this}, request);
+    std::visit(Handler{{*this}}, request);
 }
 
 PreserveCardView PreserveController::card() const {
-    if (!card_open_) return {};
+    if (!tools_.card_open) return {};
     std::error_code unknown;
     return {.open = true,
             .shown = !subjects_.viewer.playback().empty(),
@@ -194,7 +229,7 @@ void PreserveController::leave() {
     close();
     picture_.reset();
     facts_.reset();
-    single_ = false;
+    tools_.single = false;
     subjects_.experiment.release(true);
     services_.feedback.log().write("preserve", {{"on", false}});
 }
@@ -224,9 +259,10 @@ void PreserveController::open(OpenedWorld opened) {
     open_ = std::make_shared<OpenPreserve>(std::move(opened), workers_);
     picture_ = open_->picture();
     pins_.clear();
-    single_ = false;
-    follow_ = false;
-    ++fits_asked_;
+    tools_.wall = {};
+    tools_.single = false;
+    tools_.follow = false;
+    ++tools_.fits_asked;
     services_.feedback.log().write(
         "preserve", {{"on", true},
                      {"path", open_->file().string()},
@@ -236,7 +272,8 @@ void PreserveController::open(OpenedWorld opened) {
 }
 
 void PreserveController::add(const GenomePtr& genome) {
-    send(Intervene{{.what = intervention::kAdd, .x = aim_.x(), .y = aim_.y(), .genome = genome}});
+    send(Intervene{
+        {.what = intervention::kAdd, .x = tools_.aim.x(), .y = tools_.aim.y(), .genome = genome}});
 }
 
 bool PreserveController::show_picked() {

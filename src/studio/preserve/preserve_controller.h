@@ -44,7 +44,7 @@ public:
 
     bool on() const { return picture_ != nullptr; }
     // Whether the viewport displays the world rather than one creature.
-    bool world_shown() const { return on() && !single_; }
+    bool world_shown() const { return on() && !tools_.single; }
     bool animating() const { return on() && (open_ == nullptr || picture_->playing); }
 
     void open(OpenedWorld opened);
@@ -56,7 +56,18 @@ public:
     void move_to(const std::filesystem::path& path);
 
 private:
+    struct WorldTools;
     struct Handler;
+    // What the user does with the world's panels.
+    struct Tools {
+        Vec2 aim = Vec2::Zero();  // m
+        WallTool wall;
+        std::size_t plot = 0;
+        bool follow = false;
+        bool single = false;
+        bool card_open = false;
+        unsigned fits_asked = 0;
+    };
     void send(PreserveCommand command);
     void begin(FounderChoice choice);
     void close();
@@ -72,11 +83,7 @@ private:
     std::shared_ptr<OpenPreserve> open_;  // null while another world is being read
     std::shared_ptr<const PreservePicture> picture_;
     std::set<std::uint64_t> pins_;
-    Vec2 aim_ = Vec2::Zero();  // m
-    bool follow_ = false;
-    bool single_ = false;
-    bool card_open_ = false;
-    unsigned fits_asked_ = 0;
+    Tools tools_;
     std::optional<PreserveView> facts_;
 };
 

@@ -5,6 +5,7 @@
 #include "preserve/engine/preserve_picture.h"
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -14,6 +15,14 @@ namespace cambrian {
 
 // The speeds to choose from; kFullSpeed is the last one.
 inline constexpr std::array kPreservePaces = {0.1, 1.0, 4.0, 0.0};
+
+inline constexpr std::size_t kWorldPlotCount = 5;  // of the series
+
+// A wall that the user draws.
+struct WallTool {
+    bool on = false;
+    std::optional<Vec2> from;  // m; its first end, once there is one
+};
 
 struct PreserveView {
     const PreservePicture& picture;
@@ -26,6 +35,8 @@ struct PreserveView {
     bool single = false;      // the viewer shows one creature instead of the world
     bool opening = false;     // another world is being read
     unsigned fits_asked = 0;  // number of FitWorld requests so far
+    WallTool wall = {};
+    std::size_t plot = 0;  // index of the one shown
 
     bool picked_is(std::uint64_t number) const {
         return picked != nullptr && picked->life.number == number;

@@ -47,6 +47,7 @@ std::vector<LineageCount> lineages_in(const PreservePicture& picture) {
         LineageCount& count = counts[each.life.lineage];
         if (count.members++ == 0) {
             count.number = each.life.lineage;
+            count.eldest = each.life.number;
             count.phenotype = each.phenotype;
         }
     }

@@ -19,6 +19,7 @@ std::string fate_words(const Life& life);
 struct LineageCount {
     std::uint64_t number = 0;
     std::size_t members = 0;
+    std::uint64_t eldest = 0;                    // number of its first member
     std::shared_ptr<const Phenotype> phenotype;  // of its first member
 };
 // Returns the largest lineage first.

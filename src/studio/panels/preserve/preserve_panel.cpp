@@ -35,6 +35,22 @@ void draw_additions(const FrameContext& frame, Requests& out) {
     muted_text("The light pays for every creature that is added.");
 }
 
+void draw_walls(const PreserveView& preserve, Requests& out) {
+    const float half = 0.5F * (ImGui::GetContentRegionAvail().x - px(6));
+    if (push_button("Draw a wall",
+                    {.look = preserve.wall.on ? ButtonLook::kSelected : ButtonLook::kPlain,
+                     .width = half,
+                     .tooltip = "Drag in the world, or click both ends; W sets an end where the "
+                                "mouse points"}))
+        out.ask(ToggleWalls{});
+    ImGui::SameLine(0, px(6));
+    if (push_button("Erase a wall", {.width = half,
+                                     .enabled = !preserve.picture.walls.empty(),
+                                     .tooltip = "The wall in the middle of the view; with X the "
+                                                "one where the mouse points"}))
+        out.ask(EraseWallThere{});
+}
+
 // Draws a lineage as a bar of its share. Returns true when pressed.
 bool draw_lineage(const LineageCount& lineage, std::size_t all) {
     const ImVec2 low = ImGui::GetCursorScreenPos();
@@ -43,7 +59,7 @@ bool draw_lineage(const LineageCount& lineage, std::size_t all) {
     const bool pressed = ImGui::InvisibleButton(name.c_str(), size);
     note_place(name);
     const bool hovered = ImGui::IsItemHovered();
-    tooltip("Pick its eldest living member");
+    tooltip("Pick its eldest living member (L goes through the lineages)");
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const double hue = lineage_hue(lineage.number);
     if (hovered)
@@ -72,11 +88,8 @@ void draw_lineages(const PreservePicture& picture, Requests& out) {
     if (picture.residents.empty()) muted_text("Nobody is alive.");
     const std::vector<LineageCount> lineages = lineages_in(picture);
     for (std::size_t i = 0; i < std::min(lineages.size(), kMostLineages); ++i) {
-        if (!draw_lineage(lineages[i], picture.residents.size())) continue;
-        const auto eldest =
-            std::find_if(picture.residents.begin(), picture.residents.end(),
-                         [&](const auto& each) { return each.life.lineage == lineages[i].number; });
-        out.ask(PickResident{eldest->life.number});
+        if (draw_lineage(lineages[i], picture.residents.size()))
+            out.ask(PickResident{lineages[i].eldest});
     }
     if (lineages.size() > kMostLineages)
         muted_text(fmt::format("and {} smaller ones", lineages.size() - kMostLineages));
@@ -122,6 +135,7 @@ void draw_file(const PreserveView& preserve, Requests& out) {
 void PreservePanel::draw(const FrameContext& frame, Requests& out) {
     place_title("Preserve", "preserve", out);
     draw_additions(frame, out);
+    draw_walls(*frame.preserve, out);
     draw_file(*frame.preserve, out);
     ImGui::BeginChild("world list", {0, 0}, false, ImGuiWindowFlags_NoBackground);
     draw_lineages(frame.preserve->picture, out);

@@ -5,6 +5,7 @@
 #include "preserve/life/diet.h"
 #include "preserve/world_time.h"
 #include "studio/frame/help_mark.h"
+#include "studio/preserve/notables.h"
 #include "studio/preserve/world_words.h"
 #include "studio/widgets/creature_tile.h"
 #include "studio/widgets/widgets.h"
@@ -25,11 +26,6 @@ std::string joules_words(double energy) {
     return measured(energy, "J");
 }
 
-double age_of(const Life& life, std::uint64_t tick) {
-    const std::uint64_t until = life.died != 0 ? life.died : tick;
-    return static_cast<double>(until - life.born) / 60.0;
-}
-
 // Draws a button that picks a creature, if it is alive.
 void creature_button(const PreservePicture& picture, std::uint64_t number, Requests& out) {
     const std::string label = fmt::format("{}", number);
@@ -42,7 +38,8 @@ void creature_button(const PreservePicture& picture, std::uint64_t number, Reque
                             .width = width,
                             .height = px(24),
                             .enabled = alive,
-                            .tooltip = alive ? "Pick this creature" : "It is not alive"}))
+                            .tooltip = alive ? "Pick this creature (U for a parent, C for a child)"
+                                             : "It is not alive"}))
         out.ask(PickResident{number});
 }
 
@@ -127,50 +124,20 @@ void draw_buttons(const PreserveView& preserve, bool alive, Requests& out) {
         out.ask(RemovePicked{});
 }
 
-// The creature for which a number is largest.
-struct Notable {
-    const char* label;
-    double (*number)(const ResidentPicture& each, std::uint64_t tick);
-    const char* unit;  // s for a time
-};
-constexpr std::array kNotables = {
-    Notable{"Eldest",
-            [](const ResidentPicture& each, std::uint64_t tick) { return age_of(each.life, tick); },
-            "s"},
-    Notable{"Most children",
-            [](const ResidentPicture& each, std::uint64_t) {
-                return static_cast<double>(each.life.children);
-            },
-            ""},
-    Notable{"Heaviest", [](const ResidentPicture& each, std::uint64_t) { return each.life.mass; },
-            "kg"},
-    Notable{
-        "Best grazer",
-        [](const ResidentPicture& each, std::uint64_t) { return joules(each.life.eaten_plants); },
-        "J"},
-    Notable{"Best hunter",
-            [](const ResidentPicture& each, std::uint64_t) { return joules(each.life.bitten); },
-            "J"},
-};
-
 void draw_notables(const PreservePicture& picture, Requests& out) {
     muted_text("Click a creature to see its life, or press Tab for the next one.");
     if (picture.residents.empty()) return;
     section("Outstanding now");
-    for (const Notable& notable : kNotables) {
-        const auto most = std::max_element(picture.residents.begin(), picture.residents.end(),
-                                           [&](const ResidentPicture& a, const ResidentPicture& b) {
-                                               return notable.number(a, picture.tick) <
-                                                      notable.number(b, picture.tick);
-                                           });
-        const double number = notable.number(*most, picture.tick);
-        if (number <= 0.0) continue;
+    for (const Notable& notable : notables_in(picture)) {
         const bool is_time = std::string_view(notable.unit) == "s";
-        fact(notable.label, is_time ? pretty_time(number) : with_unit(number, notable.unit));
+        fact(notable.label,
+             is_time ? pretty_time(notable.number) : with_unit(notable.number, notable.unit));
         ImGui::PushID(notable.label);
-        if (push_button(fmt::format("Creature {}", most->life.number),
-                        {.width = ImGui::GetContentRegionAvail().x, .height = px(26)}))
-            out.ask(PickResident{most->life.number});
+        if (push_button(fmt::format("Creature {}", notable.creature),
+                        {.width = ImGui::GetContentRegionAvail().x,
+                         .height = px(26),
+                         .tooltip = "Pick it (O goes through them)"}))
+            out.ask(PickResident{notable.creature});
         ImGui::PopID();
     }
 }

@@ -55,6 +55,7 @@ void WorldPanel::draw(const FrameContext& frame, Requests& out) {
         canvas_.frame.add_line(held->center.head<2>(), canvas_.mouse_in_world(),
                                2.0 * canvas_.camera.pixel(), colors().accent);
     }
+    draw_wall(preserve.wall);
     canvas_.add_to(*ImGui::GetWindowDrawList());
     draw_labels(frame);
     draw_words(frame);
@@ -99,7 +100,33 @@ void WorldPanel::handle_mouse(const FrameContext& frame, Requests& out) {
         aim(out);
         out.ask(FeedThere{});
     }
-    handle_left_button(frame, out);
+    if (frame.preserve->wall.on || walling_) {
+        handle_wall(frame.preserve->wall, out);
+    } else {
+        handle_left_button(frame, out);
+    }
+}
+
+// A click sets an end of the wall; a drag sets both.
+void WorldPanel::handle_wall(const WallTool& wall, Requests& out) {
+    if (hovered_ && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
+        walling_ = !wall.from;
+        aim(out);
+        out.ask(DrawWall{});
+    }
+    if (!walling_ || ImGui::IsMouseDown(ImGuiMouseButton_Left)) return;
+    const ImVec2 drag = ImGui::GetMouseDragDelta(ImGuiMouseButton_Left);
+    walling_ = false;
+    if (!hovered_ || (drag.x == 0.0F && drag.y == 0.0F)) return;
+    aim(out);
+    out.ask(DrawWall{});
+}
+
+// Shows the wall as it would be built.
+void WorldPanel::draw_wall(const WallTool& wall) {
+    if (!wall.from) return;
+    canvas_.frame.add_line(*wall.from, aim_, std::max(0.2, 2.0 * canvas_.camera.pixel()),
+                           with_alpha(colors().accent, 0.7F));
 }
 
 // A click picks what is under it, a drag moves a creature or, beginning in the water, the camera.
@@ -178,6 +205,10 @@ void WorldPanel::draw_words(const FrameContext& frame) const {
         state = "opening…";
     } else if (!preserve.picture.playing) {
         state += "  ·  paused, Space goes on";
+    }
+    if (preserve.wall.on) {
+        state = fmt::format("a wall: W or a click sets its {} end, Esc leaves it",
+                            preserve.wall.from ? "other" : "first");
     }
     float named = 0.0F;
     {

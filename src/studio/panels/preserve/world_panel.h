@@ -2,6 +2,7 @@
 
 #include "studio/frame/panel.h"
 #include "studio/host/scene_canvas.h"
+#include "studio/preserve/preserve_view.h"
 
 #include <cstdint>
 
@@ -20,6 +21,8 @@ private:
     void place_camera(const FrameContext& frame);
     void handle_mouse(const FrameContext& frame, Requests& out);
     void handle_left_button(const FrameContext& frame, Requests& out);
+    void handle_wall(const WallTool& wall, Requests& out);
+    void draw_wall(const WallTool& wall);
     void handle_keys(const FrameContext& frame, Requests& out);
     void pan(const ImVec2& pixels, const FrameContext& frame, Requests& out);
     void aim(Requests& out);
@@ -32,6 +35,7 @@ private:
     std::uint64_t held_ = 0;  // creature under the left button when it was pressed
     bool pressed_ = false;    // the left button was pressed in the world
     bool hovered_ = false;
+    bool walling_ = false;     // the button was pressed for an end of a wall
     Vec2 aim_ = Vec2::Zero();  // m; as asked last
 };
 

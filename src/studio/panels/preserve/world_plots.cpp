@@ -43,8 +43,8 @@ double member(const SeriesRow& row) {
     return static_cast<double>(row.*Member);
 }
 
-const std::array<WorldPlot, 5>& world_plots() {
-    static const std::array<WorldPlot, 5> plots = {
+const std::array<WorldPlot, kWorldPlotCount>& world_plots() {
+    static const std::array<WorldPlot, kWorldPlotCount> plots = {
         WorldPlot{"Population",
                   "Creatures alive",
                   {{"creatures", kGreen, member<&SeriesRow::population>}}},
@@ -154,11 +154,12 @@ void WorldPlotsPanel::draw(const FrameContext& frame, Requests& out) {
     std::vector<std::string> hints;
     for (const WorldPlot& plot : plots) {
         titles.emplace_back(plot.title);
-        hints.emplace_back(plot.help);
+        hints.push_back(std::string(plot.help) + " (T for the next plot)");
     }
-    const int pressed = segmented("world plot", titles, static_cast<int>(chosen_), hints);
-    if (pressed >= 0) chosen_ = static_cast<std::size_t>(pressed);
-    const WorldPlot& plot = plots[chosen_];
+    const auto shown = static_cast<int>(frame.preserve->plot);
+    const int pressed = segmented("world plot", titles, shown, hints);
+    if (pressed >= 0) out.ask(TurnPlot{pressed - shown});
+    const WorldPlot& plot = plots[frame.preserve->plot];
     ImGui::Dummy({0, px(1)});
     caption(plot.help);
     draw_legend(plot.curves);

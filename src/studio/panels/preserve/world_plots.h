@@ -2,17 +2,12 @@
 
 #include "studio/frame/panel.h"
 
-#include <cstddef>
-
 namespace cambrian {
 
 // The plot of one of the quantities of the series over the preserve's time.
 class WorldPlotsPanel final : public Panel {
 public:
     void draw(const FrameContext& frame, Requests& out) override;
-
-private:
-    std::size_t chosen_ = 0;  // index of the plot
 };
 
 // The pools of energy over the preserve's time, one on top of the other.
