@@ -19,6 +19,7 @@ constexpr int kBirthPlaces = 16;                // around a parent
 constexpr std::uint64_t kTicksPerRot = 6;       // 0.1 s
 constexpr std::uint64_t kTicksPerRestock = 60;  // 1 s
 constexpr int kPlaceDraws = 20;                 // for a newcomer between the walls
+constexpr int kPlantPlaceDraws = 20;            // for a plant of a patch, within the world
 constexpr int kCrowdedPlaceDraws = 200;         // of them, if others or walls are in its way
 
 // Uses of random streams, which are numbered by tick or by attempt.
@@ -34,10 +35,10 @@ Energy body_of(const Resident& resident, const PreserveSettings& laws) {
 
 constexpr double kFar = 1e4;  // m
 
-std::vector<WallLine> walls_in(const PreserveSettings& laws) {
-    Result<std::vector<WallLine>> walls = walls_of(laws.walls);
-    CAMBRIAN_ASSERT(walls.has_value(), "settings that were checked");
-    return *std::move(walls);
+template <class Item>
+std::vector<Item> checked(Result<std::vector<Item>> items) {
+    CAMBRIAN_ASSERT(items.has_value(), "settings that were checked");
+    return *std::move(items);
 }
 
 // Returns whether all parts of a resident are anywhere near the world.
@@ -57,7 +58,8 @@ Preserve::Preserve(SettingsPtr settings, const EvolutionKinds& kinds,
       area_{settings_->preserve.width, settings_->preserve.height},
       constant_(energy_of(settings_->preserve.energy_density * area_.width * area_.height)),
       senses_(area_, settings_->world.environment),
-      walls_(walls_in(settings_->preserve)),
+      walls_(checked(walls_of(settings_->preserve.walls))),
+      patches_(checked(patches_of(settings_->preserve.patches))),
       plants_(area_),
       flesh_(area_),
       ambient_(constant_) {
@@ -108,11 +110,23 @@ Status Preserve::found() {
     return {};
 }
 
-void Preserve::add_plant(RandomStream& draws) {
+// Returns where a plant grows: anywhere or, if there are patches of light, around one of them.
+Vec3 Preserve::draw_bright_place(RandomStream& draws) const {
+    for (int draw = 0; draw < kPlantPlaceDraws && !patches_.empty(); ++draw) {
+        const LightPatch& patch = patches_[draws.below(patches_.size())];
+        const double x = draws.gauss();
+        const double y = draws.gauss();
+        Vec3 place = patch.center + patch.spread * Vec3(x, y, 0.0);
+        if (area_.holds(place, 0.0)) return place;
+    }
     const double x = area_.width * (draws.uniform() - 0.5);
     const double y = area_.height * (draws.uniform() - 0.5);
+    return {x, y, 0.0};
+}
+
+void Preserve::add_plant(RandomStream& draws) {
     const Energy plant = energy_of(settings_->preserve.plant_energy);
-    plants_.add(Vec3(x, y, 0.0), plant);
+    plants_.add(draw_bright_place(draws), plant);
     ambient_ -= plant;
 }
 

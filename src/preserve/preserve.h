@@ -8,6 +8,7 @@
 #include "core/threads/thread_pool.h"
 #include "evolution/kinds/evolution_kinds.h"
 #include "evolution/settings/experiment_settings.h"
+#include "evolution/settings/light_patches.h"
 #include "preserve/bodies/solid_bodies.h"
 #include "preserve/chronicle.h"
 #include "preserve/life/offspring.h"
@@ -57,6 +58,7 @@ public:
     const Pellets& plants() const { return plants_; }
     const Pellets& flesh() const { return flesh_; }
     const DrawnWalls& walls() const { return walls_; }
+    const std::vector<LightPatch>& patches() const { return patches_; }
     Energy ambient() const { return ambient_; }
     Energy total_energy() const;  // the same in every tick
     Energy founding_energy() const { return constant_; }
@@ -106,6 +108,7 @@ private:
     void try_birth(Resident& parent);
     void bear(Resident& parent, std::unique_ptr<Resident> child, RandomStream& stream);
     void restock();
+    Vec3 draw_bright_place(RandomStream& draws) const;
     void add_plant(RandomStream& draws);
     void grow_plants();
     void record();
@@ -128,6 +131,7 @@ private:
     Energy constant_;
     CommonSenses senses_;
     DrawnWalls walls_;
+    std::vector<LightPatch> patches_;
     Pellets plants_, flesh_;
     Energy ambient_ = 0;
     Residents residents_;

@@ -36,15 +36,23 @@ TEST_CASE("bad settings of a preserve give one clear message each", "[preserve]"
     CHECK(message_of("[preserve]\nwalls = 3\n") ==
           "pond.toml: line 2, [preserve] walls: expected a text, found a whole number");
     CHECK(message_of("[preserve]\nwalls = \"0 0 1 1; 0 0 1\"\n") ==
-          "pond.toml: line 2, [preserve] walls: wall 2 is not four numbers; expected \"x y x y; "
+          "pond.toml: line 2, [preserve] walls: wall 2 is not 4 numbers; expected \"x y x y; "
           "...\", the ends of each in m");
-    CHECK(message_of("[preserve]\nwalls = \"0 0 nan 1\"\n").find("wall 1 is not four numbers") !=
+    CHECK(message_of("[preserve]\nwalls = \"0 0 nan 1\"\n").find("wall 1 is not 4 numbers") !=
           std::string::npos);
     CHECK(message_of("[preserve]\nwalls = \"0 0 20 1; 0 0 0 0.1\"\n") ==
           "pond.toml: [preserve] walls: wall 2: it is 0.1 m long; expected at least 0.2 m");
     CHECK(
         message_of("[preserve]\nwalls = \"0 0 20.1 1\"\n") ==
         "pond.toml: [preserve] walls: wall 1: an end is outside the world, which has 40 m x 25 m");
+    CHECK(message_of("[preserve]\npatches = \"-1 0  2.5\"\n") == "");
+    CHECK(message_of("[preserve]\npatches = \"-1 0\"\n").find("patch 1 is not 3 numbers") !=
+          std::string::npos);
+    CHECK(message_of("[preserve]\npatches = \"-1 0 1; 0 13 1\"\n") ==
+          "pond.toml: [preserve] patches: patch 2: its middle is outside the world, which has 40 m "
+          "x 25 m");
+    CHECK(message_of("[preserve]\npatches = \"-1 0 0\"\n") ==
+          "pond.toml: [preserve] patches: patch 1: its spread is 0 m; expected 0.1 m to 500 m");
     std::string many;
     for (int i = 0; i < 65; ++i)
         many += "0 0 1 1;";

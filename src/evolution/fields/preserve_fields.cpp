@@ -2,6 +2,7 @@
 
 #include "evolution/fields/setting_field.h"
 #include "evolution/fields/setting_table.h"
+#include "evolution/settings/light_patches.h"
 #include "evolution/settings/wall_lines.h"
 #include "goals/water.h"
 
@@ -113,6 +114,12 @@ void add_life(TableBuilder& table) {
         [](Settings & s) -> auto& { return s.preserve.mate_distance; });
 }
 
+template <auto Read>
+Status is_read_by(const std::string& text) {
+    const auto items = Read(text);
+    return items ? Status() : Status(items.error());
+}
+
 void add_places(TableBuilder& table) {
     SettingField& walls = table.choice(
         "walls", "Walls", {},
@@ -120,21 +127,33 @@ void add_places(TableBuilder& table) {
         "0.",
         [](Settings & s) -> auto& { return s.preserve.walls; });
     walls.format = "\"x y x y; ...\" in m, at most 64";
-    walls.check_text = [](const std::string& text) {
-        const Result<std::vector<WallLine>> lines = walls_of(text);
-        return lines ? Status() : Status(lines.error());
-    };
+    walls.check_text = is_read_by<walls_of>;
+    SettingField& patches = table.choice(
+        "patches", "Patches of light", {},
+        "Bright places, each with the x and y of its middle and the standard deviation of where "
+        "its plants grow. Without any, plants grow everywhere alike.",
+        [](Settings & s) -> auto& { return s.preserve.patches; });
+    patches.format = "\"x y spread; ...\" in m, at most 64";
+    patches.check_text = is_read_by<patches_of>;
+}
+
+// Checks each item of a text; `noun` is what one is called.
+template <class Item>
+Status check_each(const Result<std::vector<Item>>& items, const char* key, const char* noun,
+                  const PreserveSettings& laws, Status (*check)(const Item&, double, double)) {
+    if (!items) return Error{fmt::format("[preserve] {}: {}", key, items.error().message)};
+    for (std::size_t i = 0; i < items->size(); ++i) {
+        if (const Status sound = check((*items)[i], laws.width, laws.height); !sound)
+            return Error{
+                fmt::format("[preserve] {}: {} {}: {}", key, noun, i + 1, sound.error().message)};
+    }
+    return {};
 }
 
 Status check_places(const PreserveSettings& laws) {
-    const Result<std::vector<WallLine>> walls = walls_of(laws.walls);
-    if (!walls) return Error{"[preserve] walls: " + walls.error().message};
-    for (std::size_t i = 0; i < walls->size(); ++i) {
-        if (const Status sound = check_wall((*walls)[i], laws.width, laws.height); !sound)
-            return Error{
-                fmt::format("[preserve] walls: wall {}: {}", i + 1, sound.error().message)};
-    }
-    return {};
+    if (Status walls = check_each(walls_of(laws.walls), "walls", "wall", laws, check_wall); !walls)
+        return walls;
+    return check_each(patches_of(laws.patches), "patches", "patch", laws, check_patch);
 }
 
 Status check_world(const Settings& s) {

@@ -28,6 +28,7 @@ struct PreserveSettings {
     double birth_interval = 5.0;    // s between two births of a parent
     double mate_distance = 6.0;     // m
     std::string walls;              // as walls_of() reads them
+    std::string patches;            // as patches_of() reads them; none: plants grow everywhere
 
     friend bool operator==(const PreserveSettings&, const PreserveSettings&) = default;
 };

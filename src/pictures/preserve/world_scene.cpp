@@ -17,6 +17,7 @@ constexpr double kMostFlesh = 0.35;     // m
 constexpr double kFleshOfJoule = 0.05;  // m; radius of 1 J
 constexpr double kWallPixels = 3.0;
 const Color kPlantColor = color_of(0x2FA36B);
+const Color kPatchColor = color_of(0xE8C468);
 const Color kFleshColor = color_of(0xC8553D);
 
 // Paints what is beyond the walls, and the walls.
@@ -91,6 +92,15 @@ void add_detailed_body(SceneFrame& frame, const Palette& palette, const Camera& 
     }
 }
 
+// Paints each patch as discs around its middle, so that it is brightest there.
+void add_patches(SceneFrame& frame, const PreservePicture& picture) {
+    for (const LightPatch& patch : picture.patches) {
+        for (const double deviations : {2.0, 1.5, 1.0, 0.5})
+            frame.add_circle(patch.center.head<2>(), deviations * patch.spread,
+                             with_alpha(kPatchColor, 0.05F));
+    }
+}
+
 void add_drawn_walls(SceneFrame& frame, const Palette& palette, const PreservePicture& picture) {
     for (const Rectangle& wall : picture.walls) {
         Shape shape = shape_of(wall);
@@ -136,6 +146,7 @@ void add_world(SceneFrame& frame, const Palette& palette, const Camera& camera,
                const Viewport& viewport, const PreservePicture& picture, const WorldMarks& marks) {
     frame.background = palette.sky;
     add_grid(frame, palette, camera, viewport);
+    add_patches(frame, picture);
     add_walls(frame, palette, camera, viewport, picture.area);
     add_drawn_walls(frame, palette, picture);
     add_food(frame, camera, picture);

@@ -20,6 +20,7 @@ void PreserveCamera::take(const Preserve& preserve, PreservePicture& picture) {
     picture.tick = preserve.ticks();
     picture.area = {laws.width, laws.height};
     picture.walls = preserve.walls().rectangles();
+    picture.patches = preserve.patches();
     picture.now = preserve.row();
     picture.residents = residents_of(preserve);
     picture.plants.assign(preserve.plants().all().begin(), preserve.plants().all().end());

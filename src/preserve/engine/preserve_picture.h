@@ -3,6 +3,7 @@
 // What a user sees of a preserve at one moment. Immutable; shared between threads.
 
 #include "creature/phenotype.h"
+#include "evolution/settings/light_patches.h"
 #include "preserve/life/life.h"
 #include "preserve/series.h"
 #include "preserve/world/area.h"
@@ -49,6 +50,7 @@ struct PreservePicture {
     std::vector<ResidentPicture> residents;  // in ascending order of numbers
     std::vector<Pellet> plants, flesh;
     std::vector<Rectangle> walls;  // within the area
+    std::vector<LightPatch> patches;
     std::shared_ptr<const std::vector<SeriesRow>> series;
     std::shared_ptr<const std::vector<Life>> died;                // the last ones
     std::shared_ptr<const std::vector<std::uint64_t>> snapshots;  // ticks
