@@ -372,12 +372,13 @@ private:
         for (int t = 0; t < model_.tree_count; ++t) {
             const int begin = model_.tree_begin[t];
             const int end = model_.tree_begin[t + 1];
+            TreeMembers& members = model_.members.emplace_back();
             for (int b = begin; b < end; ++b)
                 model_.tree_mass[t] += model_.mass[b];
             for (int b = begin; b < end; ++b) {
                 const double share = model_.mass[b] / model_.tree_mass[t];
-                model_.tree_share[t][b] = share;
-                model_.membership[t][b] = 1.0;
+                members.share[b] = share;
+                members.membership[b] = 1.0;
                 model_.rest_center_x[t] += share * center_x_[b];
                 model_.rest_center_y[t] += share * center_y_[b];
             }

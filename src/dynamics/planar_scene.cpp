@@ -36,8 +36,7 @@ Medium medium_of(const Environment& environment) {
 // The moment to which go_back() goes, and the forces during the next tick.
 struct Mark {
     SceneMoment moment;
-    int pull_count = 0;
-    HeldForce pulls[kMostPulls];
+    std::vector<HeldForce> pulls;
 };
 
 class PlanarScene final : public BodyScene {
@@ -47,6 +46,7 @@ public:
         : body_(std::move(model)),
           motor_frequency_(settings.motor_frequency),
           workspace_(std::make_unique<StepWorkspace>(integrator, settings)) {
+        workspace_->control.change_model(body_.model);
         body_.forcing.drive.frequency = motor_frequency_;
         body_.forcing.drive.speed_limit = settings.motor_speed_limit;
         body_.state.motion = rest_motion(body_.model);
@@ -358,8 +358,8 @@ void PlanarScene::pull(std::size_t part, const Vec3& point_in_part, const Vec3& 
     const Vec3 present = part_half_extents(part);
     const double x = point_in_part.x() * (body_.model.half_length[part] / present.x());
     const double y = point_in_part.y() * (body_.model.half_width[part] / present.y());
-    if (body_.forcing.pull_count == kMostPulls) return;
-    HeldForce& pull = body_.forcing.pulls[body_.forcing.pull_count++];
+    if (body_.forcing.pulls.size() == kMostPulls) return;
+    HeldForce& pull = body_.forcing.pulls.emplace_back();
     pull.body_a = body_of(part);
     pull.body_b = -1;
     pull.point_x = body_.model.part_x[part] + body_.model.part_cosine[part] * x -
@@ -374,19 +374,17 @@ void PlanarScene::pull(std::size_t part, const Vec3& point_in_part, const Vec3& 
 void PlanarScene::mark() {
     if (!mark_) mark_ = std::make_unique<Mark>();
     mark_->moment = static_cast<const SceneMoment&>(body_.state);
-    mark_->pull_count = body_.forcing.pull_count;
-    std::copy_n(body_.forcing.pulls, mark_->pull_count, mark_->pulls);
+    mark_->pulls = body_.forcing.pulls;
 }
 
 void PlanarScene::go_back() {
     CAMBRIAN_ASSERT(mark_ != nullptr, "a marked moment");
     static_cast<SceneMoment&>(body_.state) = mark_->moment;
-    body_.forcing.pull_count = 0;
+    body_.forcing.pulls.clear();
     evaluate_here();
     body_.state.cache_is_current = false;
     body_.state.detection = 0;
-    body_.forcing.pull_count = mark_->pull_count;
-    std::copy_n(mark_->pulls, mark_->pull_count, body_.forcing.pulls);
+    body_.forcing.pulls = mark_->pulls;
 }
 
 void PlanarScene::restore(const SceneState& state) {
@@ -394,7 +392,7 @@ void PlanarScene::restore(const SceneState& state) {
     CAMBRIAN_ASSERT(saved != nullptr, "a state saved by a planar scene");
     body_.state = saved->state;
     body_.state.detection = 0;  // numbers of detections differ between scenes
-    body_.forcing.pull_count = 0;
+    body_.forcing.pulls.clear();
     if (saved->environment == environment_ && saved->motors_off == body_.motors_off) return;
     body_.state.cache_is_current = false;
     body_.state.energy_reference += energy() - energy_under(saved->environment);
@@ -404,7 +402,7 @@ void PlanarScene::give_workspace(std::unique_ptr<SceneWorkspace> workspace) {
     CAMBRIAN_ASSERT(dynamic_cast<StepWorkspace*>(workspace.get()) != nullptr,
                     "a workspace of a planar scene");
     workspace_.reset(static_cast<StepWorkspace*>(workspace.release()));
-    workspace_->control.forget_model();
+    workspace_->control.change_model(body_.model);
     body_.state.detection = 0;  // numbers of detections differ between workspaces
 }
 
@@ -434,7 +432,7 @@ bool PlanarScene::begin_at(const SceneMotion& motion) {
     std::copy(motion.speeds.begin(), motion.speeds.end(), body_.state.motion.speed);
     std::copy(motion.targets.begin(), motion.targets.end(), body_.state.drive_start);
     std::copy(motion.targets.begin(), motion.targets.end(), body_.state.drive_end);
-    body_.forcing.pull_count = 0;
+    body_.forcing.pulls.clear();
     evaluate_here();
     start_audit(body_.model, body_.forcing.medium, body_.state);
     return true;

@@ -100,8 +100,8 @@ Places places_of(const PlanarModel& model, const Motion& motion, const Eigen::Ve
     }
     Point mean{coordinate(model.body_count), coordinate(model.body_count + 1)};
     for (std::size_t i = 0; i < count; ++i) {
-        mean.x = mean.x - constant(model.tree_share[0][i]) * places.center[i].x;
-        mean.y = mean.y - constant(model.tree_share[0][i]) * places.center[i].y;
+        mean.x = mean.x - constant(model.members_of(0).share[i]) * places.center[i].x;
+        mean.y = mean.y - constant(model.members_of(0).share[i]) * places.center[i].y;
     }
     for (Point& center : places.center) {
         center.x = center.x + mean.x;

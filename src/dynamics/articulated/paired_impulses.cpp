@@ -127,7 +127,7 @@ void solve_paired_impulses(const PlanarModel& model, const Kinematics& kinematic
         for (int i = root + 1; i < end; ++i)
             paired.follow_parent(i, jumps);
         const double share = 1.0 / model.tree_mass[tree];
-        const double* members = model.membership[tree];
+        const double* members = model.members_of(tree).membership;
         const int center = center_of(model, tree);
         for (int which = 0; which < 2; ++which) {
             const Loads& loads = impulses[which];

@@ -30,7 +30,7 @@ CAMBRIAN_INLINE void move_centers(const PlanarModel& model, const Loads& loads,
                                   BodyResponse& response) {
     const int slots = round_up_to_lanes(model.body_count);
     for (int t = 0; t < model.tree_count; ++t) {
-        const double* members = model.membership[t];
+        const double* members = model.members_of(t).membership;
         const double share = 1.0 / model.tree_mass[t];
         response.coordinate[center_of(model, t)] =
             share * lane_product(members, loads.force_x, slots);

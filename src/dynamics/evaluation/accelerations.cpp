@@ -97,9 +97,9 @@ void compute_loads(const PlanarModel& model, const Forcing& forcing, const Evalu
     rate.power[kDragWork] =
         is_dragged(medium) ? add_drag(model, medium, cache.kinematics, loads) : 0.0;
     rate.power[kPullWork] = 0.0;
-    for (int p = 0; p < forcing.pull_count; ++p) {
-        add_held_force(model, forcing.pulls[p], cache.kinematics, loads);
-        rate.power[kPullWork] += pull_power(forcing.pulls[p], cache.kinematics);
+    for (const HeldForce& pull : forcing.pulls) {
+        add_held_force(model, pull, cache.kinematics, loads);
+        rate.power[kPullWork] += pull_power(pull, cache.kinematics);
     }
     if (forcing.held != nullptr) add_held_forces(model, *forcing.held, cache.kinematics, loads);
 }
@@ -116,7 +116,7 @@ namespace {
     cache.is_inverted = false;
     const bool all = point.detail == EvaluationDetail::kEverything;
     compute_joints(model, motion, cache.kinematics);
-    if (all || forcing.pull_count > 0 || is_dragged(forcing.medium))
+    if (all || !forcing.pulls.empty() || is_dragged(forcing.medium))
         compute_velocities(model, motion, cache.kinematics);
     if (all || holds_pairs(forcing)) compute_places(model, motion, cache.kinematics);
     compute_loads(model, forcing, point, cache, rate);

@@ -54,7 +54,7 @@ private:
     CAMBRIAN_INLINE void turn_bodies() {
         Kinematics& k = cache_.kinematics;
         for (int i = 0; i < kLines; i += kLanes) {
-            const Simd4d member = load_lanes(model_.membership[0] + i);
+            const Simd4d member = load_lanes(model_.members_of(0).membership + i);
             store_lanes(k.angle + i, member * load_lanes(motion_.position + i));
             store_lanes(k.spin + i, member * load_lanes(motion_.speed + i));
         }
@@ -133,7 +133,7 @@ private:
             }
         }
         for (int b = 0; b < kBlocks; ++b) {
-            const Simd4d member = load_lanes(model_.membership[0] + b * kLanes);
+            const Simd4d member = load_lanes(model_.members_of(0).membership + b * kLanes);
             store_lanes(k.x + b * kLanes, member * x[b]);
             store_lanes(k.y + b * kLanes, member * y[b]);
             store_lanes(k.velocity_x + b * kLanes, member * velocity_x[b]);

@@ -8,7 +8,7 @@ namespace cambrian {
 
 // Whether the dense form applies: no contact forces, no pull and no closed loops.
 inline bool is_dense(const PlanarModel& model, const Forcing& forcing) {
-    return model.dense.blocks > 0 && forcing.held == nullptr && forcing.pull_count == 0 &&
+    return model.dense.blocks > 0 && forcing.held == nullptr && forcing.pulls.empty() &&
            model.loop_joints.empty();
 }
 

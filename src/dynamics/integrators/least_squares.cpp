@@ -75,7 +75,7 @@ void join(const PlanarModel& model, Kinematics& k, Motion& motion) {
             motion.speed[center + axis] = 0.0;
         }
         for (int i = model.tree_begin[t]; i < model.tree_begin[t + 1]; ++i) {
-            const double share = model.tree_share[t][i];
+            const double share = model.members_of(t).share[i];
             motion.position[center] += share * k.x[i];
             motion.position[center + 1] += share * k.y[i];
             motion.speed[center] += share * k.velocity_x[i];

@@ -115,10 +115,10 @@ private:
             std::copy_n(member.*numbers, member.tree_count, joined_.*numbers + begin);
         for (int t = 0; t < member.tree_count; ++t) {
             joined_.tree_begin[begin + t] = member.tree_begin[t] + joined_.body_count;
-            std::copy_n(member.tree_share[t], member.body_count,
-                        joined_.tree_share[begin + t] + joined_.body_count);
-            std::copy_n(member.membership[t], member.body_count,
-                        joined_.membership[begin + t] + joined_.body_count);
+            const TreeMembers& from = member.members_of(t);
+            TreeMembers& to = joined_.members.emplace_back();
+            std::copy_n(from.share, member.body_count, to.share + joined_.body_count);
+            std::copy_n(from.membership, member.body_count, to.membership + joined_.body_count);
         }
     }
 

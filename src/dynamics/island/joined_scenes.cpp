@@ -83,7 +83,7 @@ SceneStatus JoinedBodies::advance(std::span<PhysicsScene* const> scenes, double 
     }
     start_audit(all_.model, all_.forcing.medium, state);
     std::fill(std::begin(state.member_work), std::end(state.member_work), MemberWork{});
-    steps->control.forget_model();
+    steps->control.change_model(all_.model);
     state.detection = 0;
     steps->control.advance(all_.model, all_.law, all_.forcing, duration, state);
     if (state.status != SceneStatus::kRunning) return state.status;
@@ -110,7 +110,7 @@ void JoinedBodies::gather(std::span<PhysicsScene* const> scenes) {
     all_.forcing.medium = first.forcing.medium;
     all_.forcing.drive.frequency = first.forcing.drive.frequency;
     all_.forcing.drive.speed_limit = first.forcing.drive.speed_limit;
-    all_.forcing.pull_count = 0;
+    all_.forcing.pulls.clear();
     for (std::size_t i = 0; i < scenes.size(); ++i) {
         SceneBody& member = body_of(*scenes[i]);
         if (!follow) begin_anew(member, offsets_[i]);
@@ -118,7 +118,7 @@ void JoinedBodies::gather(std::span<PhysicsScene* const> scenes) {
         take_drive(member, offsets_[i]);
         take_pulls(member, offsets_[i]);
     }
-    if (all_.forcing.pull_count > 0) all_.state.cache_is_current = false;
+    if (!all_.forcing.pulls.empty()) all_.state.cache_is_current = false;
 }
 
 // Calls visit(from, to, count) for the coordinates of a member's bodies and of its centres.
@@ -171,10 +171,9 @@ void JoinedBodies::take_drive(const SceneBody& member, const Offset& offset) {
 }
 
 void JoinedBodies::take_pulls(const SceneBody& member, const Offset& offset) {
-    for (int p = 0; p < member.forcing.pull_count; ++p) {
-        HeldForce& pull = all_.forcing.pulls[all_.forcing.pull_count++];
-        pull = member.forcing.pulls[p];
-        pull.body_a += offset.body;
+    for (const HeldForce& pull : member.forcing.pulls) {
+        all_.forcing.pulls.push_back(pull);
+        all_.forcing.pulls.back().body_a += offset.body;
     }
 }
 

@@ -15,8 +15,8 @@ void end_tick(SceneBody& body) {
     SimulationState& state = body.state;
     for (int i = 0; i < body.model.body_count; i += kLanes)
         store_lanes(state.drive_start + i, load_lanes(state.drive_end + i));
-    if (body.forcing.pull_count > 0) state.cache_is_current = false;
-    body.forcing.pull_count = 0;
+    if (!body.forcing.pulls.empty()) state.cache_is_current = false;
+    body.forcing.pulls.clear();
 }
 
 }  // namespace cambrian

@@ -29,8 +29,8 @@ void find_arms(const PlanarModel& model, Arms& arms) {
     for (int angle = 0; angle < model.body_count; ++angle) {
         Arm mean;
         for (int body = 0; body < model.body_count; ++body) {
-            mean.x += model.tree_share[0][body] * arms[angle][body].x;
-            mean.y += model.tree_share[0][body] * arms[angle][body].y;
+            mean.x += model.members_of(0).share[body] * arms[angle][body].x;
+            mean.y += model.members_of(0).share[body] * arms[angle][body].y;
         }
         for (int body = 0; body < model.body_count; ++body) {
             arms[angle][body].x -= mean.x;

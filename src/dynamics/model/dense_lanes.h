@@ -32,7 +32,8 @@ struct BodyLanes {
     // Stores 0 for the padding.
     CAMBRIAN_INLINE void store_members(const PlanarModel& model, double* to) const {
         for (int b = 0; b < kBlocks; ++b)
-            store_lanes(to + b * kLanes, load_lanes(model.membership[0] + b * kLanes) * block[b]);
+            store_lanes(to + b * kLanes,
+                        load_lanes(model.members_of(0).membership + b * kLanes) * block[b]);
     }
 };
 

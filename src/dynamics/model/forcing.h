@@ -5,10 +5,11 @@
 
 #include "dynamics/model/planar_model.h"
 
+#include <vector>
+
 namespace cambrian {
 
 inline constexpr int kMaxContacts = 64;
-inline constexpr int kMaxPulls = 80;
 
 struct Medium {
     double gravity_x = 0.0, gravity_y = 0.0;         // m/s^2
@@ -46,8 +47,7 @@ struct Forcing {
     Medium medium;
     MotorDrive drive;
     const HeldForces* held = nullptr;  // null: no contact forces
-    int pull_count = 0;
-    HeldForce pulls[kMaxPulls];
+    std::vector<HeldForce> pulls;      // of this tick; at most kMostPulls of each creature
 };
 
 }  // namespace cambrian

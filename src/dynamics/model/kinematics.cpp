@@ -112,12 +112,12 @@ CAMBRIAN_INLINE void sum_from_roots(const PlanarModel& model, const double* cent
         store_lanes(y + i, load_lanes(y + i) + load_lanes(lever_y + i));
     }
     for (int t = 0; t < model.tree_count; ++t) {
-        const double* share = model.tree_share[t];
+        const double* share = model.members_of(t).share;
         const Simd4d shift_x = all_lanes(center[0] - lane_product(share, x, slots));
         const Simd4d shift_y = all_lanes(center[1] - lane_product(share, y, slots));
         center += 2;
         for (int i = 0; i < slots; i += kLanes) {
-            const Simd4d member = load_lanes(model.membership[t] + i);
+            const Simd4d member = load_lanes(model.members_of(t).membership + i);
             store_lanes(x + i, load_lanes(x + i) + member * shift_x);
             store_lanes(y + i, load_lanes(y + i) + member * shift_y);
         }

@@ -60,6 +60,12 @@ struct MotorLaw {
     PerBody damping = {};     // factor of the joint's rate, which is subtracted from the wanted one
 };
 
+// Which bodies belong to a tree.
+struct TreeMembers {
+    PerBody share = {};       // of the tree's mass, by body; 0 outside the tree
+    PerBody membership = {};  // 1 for bodies of the tree, 0 for others
+};
+
 struct PlanarModel {
     int tree_count = 0;
     int body_count = 0;
@@ -74,8 +80,7 @@ struct PlanarModel {
 
     int tree_begin[kMaxTrees + 1] = {};  // bodies of a tree: from its begin to the next one's
     PerTree tree_mass = {};              // kg
-    PerBody tree_share[kMaxTrees] = {};  // of the tree's mass, by body; 0 outside the tree
-    PerBody membership[kMaxTrees] = {};  // 1 for bodies of the tree, 0 for others
+    std::vector<TreeMembers> members;    // of each tree
 
     PerBody mass = {};     // kg
     PerBody inertia = {};  // kg m^2, about the body's centre of mass
@@ -126,6 +131,10 @@ struct PlanarModel {
 
     PerTree rest_center_x = {}, rest_center_y = {};  // m, centres of mass in the plan's rest pose
     PerTree rest_root_angle = {};                    // rad
+
+    const TreeMembers& members_of(int tree) const {
+        return members[static_cast<std::size_t>(tree)];
+    }
 };
 
 // Whether every body is one box and every slot is a body.

@@ -110,7 +110,7 @@ void center_trees(const PlanarModel& model, const double* center, PerBody& x, Pe
         const int end = model.tree_begin[t + 1];
         Simd2d shift = {center[2 * t], center[2 * t + 1]};
         for (int i = begin; i < end; ++i)
-            shift -= both(model.tree_share[t][i]) * Simd2d{x[i], y[i]};
+            shift -= both(model.members_of(t).share[i]) * Simd2d{x[i], y[i]};
         for (int i = begin; i < end; ++i) {
             if (is_stretch(model, i)) continue;
             x[i] += shift[0];

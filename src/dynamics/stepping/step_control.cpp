@@ -10,6 +10,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
+#include <type_traits>
 #include <utility>
 
 namespace cambrian {
@@ -76,6 +78,21 @@ void note_impact(const PlanarModel& model, const Kinematics& kinematics, const C
     noted->point_y += impulse * (kinematics.y[contact.body_a] + contact.arm_ay);
 }
 
+ComputedParts parts_computed_of(const PlanarModel& model) {
+    return {.bodies = model.body_count,
+            .trees = model.tree_count,
+            .dense_blocks = model.dense.blocks,
+            .has_slides = model.has_slides,
+            .has_stretches = model.stretch_count > 0,
+            .has_loops = !model.loop_joints.empty()};
+}
+
+template <class Numbers>
+void set_to_zero(Numbers& numbers) {
+    static_assert(std::is_trivially_copyable_v<Numbers>);
+    std::memset(static_cast<void*>(&numbers), 0, sizeof numbers);
+}
+
 double deepest(const ContactSet& contacts) {
     double depth = 0.0;
     for (int c = 0; c < contacts.count; ++c)
@@ -95,6 +112,19 @@ StepControl::StepControl(const IntegratorKind& integrator, const SceneSettings& 
     CAMBRIAN_TICK_ASSERT(tolerance_ > 0.0 && contact_step_ > 0.0 && max_evaluations_ > 0.0,
                          "settings that were checked");
     CAMBRIAN_TICK_ASSERT(underflow_step_ > 0.0, "a step to give up at");
+}
+
+// What a model does not compute must be 0, as in the memory of a scene of its own.
+void StepControl::change_model(const PlanarModel& model) {
+    contacts_.forget_model();
+    const ComputedParts next = parts_computed_of(model);
+    if (!next.covers(computed_)) {
+        set_to_zero(midpoint_);
+        set_to_zero(spare_.get());
+        set_to_zero(held_rate_);
+        set_to_zero(result_);
+    }
+    computed_ = next;
 }
 
 void StepControl::advance(const PlanarModel& model, const ContactLaw& law, Forcing& forcing,
@@ -168,7 +198,7 @@ SceneStatus StepControl::step(Tick& tick) {
         case Attempt::kAccepted:
             break;
     }
-    Kinematics& end = tick.state.spare_cache().kinematics;
+    Kinematics& end = spare_.get().kinematics;
     const double depth = deepest(contacts_.near());
     if (tick.time == 0.0) tick.start_depth = depth;
     contacts_.detect(tick.model, tick.law, end);
@@ -321,7 +351,7 @@ void StepControl::try_midpoint_step(Tick& tick, double h) {
     const PerCoordinate& prediction =
         state.has_last_acceleration ? state.last_acceleration : state.free_rate.acceleration;
     count_resting(tick, midpoint_.attempt(system, tick.law, {request, state.cache(), prediction},
-                                          contacts_, state.warm, state.spare_cache(), result_));
+                                          contacts_, state.warm, spare_.get(), result_));
     start_rate_ = &midpoint_.mean_rate();
     end_rate_ = start_rate_;
 }
@@ -335,7 +365,7 @@ void StepControl::try_step(Tick& tick, bool has_rows, double h) {
     end_rate_ = &result_.end_rate;
     const MotionSystem system{tick.model, tick.forcing, tick.length};
     integrator_->attempt(system, {state.motion, *start_rate_, tick.time, h, tolerance_},
-                         state.spare_cache(), result_);
+                         spare_.get(), result_);
 }
 
 // Computes the accelerations that the constant forces add.
@@ -360,7 +390,7 @@ const MotionRate& StepControl::held_start_rate(Tick& tick) {
 
 // Computes the work of the constant forces up to the end in the spare cache, and the overrun there.
 void StepControl::check_step_end(const Tick& tick) {
-    const Kinematics& end = tick.state.spare_cache().kinematics;
+    const Kinematics& end = spare_.get().kinematics;
     work_ = contacts_.held_work(tick.model, tick.state.cache().kinematics, end);
     end_overrun_ = limit_overrun(tick.model, end);
 }
@@ -380,7 +410,7 @@ void StepControl::accept(Tick& tick, bool has_rows, double h) {
     SimulationState& state = tick.state;
     add_to_audit(tick, h);
     copy_motion(tick.model, result_.end, state.motion);
-    state.current_cache = 1 - state.current_cache;
+    state.owned_cache.swap(spare_);
     copy_rate(tick.model, result_.end_rate, state.free_rate);
     state.has_last_acceleration = is_midpoint(has_rows);
     if (state.has_last_acceleration) {
@@ -430,7 +460,7 @@ void StepControl::add_to_audit(Tick& tick, double time) {
     ++audit.steps;
     note_depths(contacts_.near(), end_overrun_, audit);
     if (tick.model.member_count > 1)
-        note_member_works(tick.model, state.cache(), state.spare_cache(), time, state);
+        note_member_works(tick.model, state.cache(), spare_.get(), time, state);
     const ContactSet& selected = contacts_.selected();
     for (int c = 0; c < selected.count; ++c) {
         const Contact& contact = selected.items[c];

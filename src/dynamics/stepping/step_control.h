@@ -9,6 +9,8 @@
 #include "world/physics_scene.h"
 #include "world/scene_settings.h"
 
+#include <memory>
+
 namespace cambrian {
 
 // A contact of the last solved step, for display.
@@ -55,25 +57,52 @@ struct SceneMoment {
     MemberWork member_work[kMaxTrees];  // of several creatures; summed since it was set to 0
 };
 
+// A cache on the heap, so that two of them are exchanged without copying numbers.
+class OwnedCache {
+public:
+    OwnedCache() : cache_(std::make_unique<EvaluationCache>()) {}
+    OwnedCache(const OwnedCache& other) : cache_(std::make_unique<EvaluationCache>(other.get())) {}
+    OwnedCache& operator=(const OwnedCache& other) {
+        *cache_ = other.get();
+        return *this;
+    }
+    EvaluationCache& get() { return *cache_; }
+    const EvaluationCache& get() const { return *cache_; }
+    void swap(OwnedCache& other) { cache_.swap(other.cache_); }
+
+private:
+    std::unique_ptr<EvaluationCache> cache_;
+};
+
 // All data of a scene that change with time; a copy is a saved state.
 struct SimulationState : SceneMoment {
-    EvaluationCache caches[2] =
-        {};  // one belongs to the motion and is free of contact forces; the other is scratch space
-    int current_cache = 0;
+    OwnedCache owned_cache;     // of the motion, free of contact forces
     MotionRate free_rate = {};  // of the motion, free of contact
     bool cache_is_current = false;
     // Number of the contact detection for this motion; 0 if there is none.
     std::uint64_t detection = 0;
 
-    EvaluationCache& cache() { return caches[current_cache]; }
-    const EvaluationCache& cache() const { return caches[current_cache]; }
-    EvaluationCache& spare_cache() { return caches[1 - current_cache]; }
+    EvaluationCache& cache() { return owned_cache.get(); }
+    const EvaluationCache& cache() const { return owned_cache.get(); }
 };
 
 // Numbers of complementarity problems since the start, and of those in which the solver failed.
 struct SolverTally {
     std::uint64_t resting = 0, resting_failed = 0;
     std::uint64_t impacts = 0, impacts_failed = 0;
+};
+
+// What decides which numbers of a cache are computed.
+struct ComputedParts {
+    int bodies = 0, trees = 0, dense_blocks = 0;
+    bool has_slides = false, has_stretches = false, has_loops = false;
+
+    // Whether everything is computed that another model computes.
+    bool covers(const ComputedParts& other) const {
+        return bodies >= other.bodies && trees >= other.trees &&
+               dense_blocks == other.dense_blocks && has_slides == other.has_slides &&
+               has_stretches == other.has_stretches && has_loops == other.has_loops;
+    }
 };
 
 class StepControl {
@@ -84,13 +113,8 @@ public:
     void advance(const PlanarModel& model, const ContactLaw& law, Forcing& forcing, double duration,
                  SimulationState& state);
 
-    // Must be called before another model is advanced.
-    void forget_model() {
-        contacts_.forget_model();
-        midpoint_ = {};  // slots beyond the coordinates of a smaller model must be 0
-        held_rate_ = {};
-        result_ = {};
-    }
+    // Must be called before the first model and before another one is advanced.
+    void change_model(const PlanarModel& model);
 
     const SolverTally& solver_tally() const { return solver_tally_; }
 
@@ -140,6 +164,7 @@ private:
     double max_evaluations_;  // a simulated second
     ContactSolver contacts_;
     MidpointStep midpoint_;
+    OwnedCache spare_;             // scratch space for the end of an attempt
     std::uint64_t detection_ = 1;  // number of the last detection
     MotionRate held_rate_ = {};
     const MotionRate* start_rate_ = nullptr;  // of the present attempt, under its forces
@@ -148,6 +173,7 @@ private:
     StepResult result_;
     HeldWork work_;             // of the present attempt
     double end_overrun_ = 0.0;  // rad or m; at its end
+    ComputedParts computed_;    // by the present model and those since the memory was set to 0
 };
 
 }  // namespace cambrian
