@@ -48,12 +48,13 @@ Resident::Resident(Life begun, std::unique_ptr<const Phenotype> phenotype, const
     }
 }
 
-void Resident::find_rectangles() {
+void Resident::find_places() {
     for (std::size_t i = 0; i < rectangles_.size(); ++i)
         rectangles_[i] =
             rectangle_of(*scene_, i,
                          is_solid(settings_->preserve) ? scene_->part_half_extents(i)
                                                        : phenotype_->plan.parts[i].half_extents);
+    bounds_ = scene_->bounds();
 }
 
 void Resident::place(const Vec3& center, const Vec3& velocity) {
@@ -63,7 +64,7 @@ void Resident::place(const Vec3& center, const Vec3& velocity) {
     motion.speeds[count - 2] = velocity.x();
     motion.speeds[count - 1] = velocity.y();
     broken_ = !scene_->begin_at(motion);
-    find_rectangles();
+    find_places();
 }
 
 void Resident::live(std::unique_ptr<SceneWorkspace>& workspace, const WalledArea& area) {
@@ -87,7 +88,7 @@ void Resident::end_tick(SceneStatus status) {
     broken_ = status != SceneStatus::kRunning || audit.max_part_speed > guards.max_part_speed ||
               audit.max_part_spin > guards.max_part_spin;
     work_ = broken_ ? 0.0 : std::max(audit.gross_motor_work - work_before_, 0.0);
-    if (!broken_) find_rectangles();
+    if (!broken_) find_places();
 }
 
 double Resident::age(std::uint64_t tick) const {
@@ -127,7 +128,7 @@ bool Resident::restore(const ResidentState& state) {
     store = state.store;
     body = state.body;
     last_birth = state.last_birth;
-    find_rectangles();
+    find_places();
     return true;
 }
 

@@ -50,10 +50,10 @@ public:
     // The work of the motors in the last tick, in J.
     double work() const { return work_; }
     // Whether the last tick failed, or a part moves faster than bodies can. Then only the
-    // rectangles, which are those before that tick, still are of use.
+    // rectangles and bounds, which are those before that tick, still are of use.
     bool is_broken() const { return broken_; }
     std::span<const Rectangle> rectangles() const { return rectangles_; }
-    Bounds bounds() const { return scene_->bounds(); }
+    const Bounds& bounds() const { return bounds_; }  // of the rectangles
     Vec3 center() const { return scene_->center_of_mass(); }
     Vec3 velocity() const { return scene_->center_of_mass_velocity(); }
     double radius() const { return radius_; }  // m, at rest, of a circle around the centre of mass
@@ -79,7 +79,7 @@ private:
     Resident(Life begun, std::unique_ptr<const Phenotype> phenotype, const Kinds& kinds,
              const ExperimentSettings& settings, const CommonSenses& senses,
              std::unique_ptr<PhysicsScene> scene);
-    void find_rectangles();
+    void find_places();
 
     const ExperimentSettings* settings_;
     std::unique_ptr<const Phenotype> phenotype_;
@@ -88,6 +88,7 @@ private:
     std::unique_ptr<Creature> creature_;
     std::vector<Mouth> mouths_;
     std::vector<Rectangle> rectangles_;
+    Bounds bounds_;
     double radius_ = 0.0;
     double work_before_ = 0.0;  // J, of the motors up to the last tick
     double work_ = 0.0;
