@@ -1,8 +1,12 @@
+#include "persist/creature/creature_file.h"
+#include "persist/settings/settings_file.h"
 #include "preserve/life/founders.h"
 #include "preserve/life/lineage.h"
 #include "worlds.h"
 
 #include <array>
+#include <filesystem>
+#include <string>
 
 namespace cambrian {
 namespace {
@@ -106,24 +110,41 @@ TEST_CASE("the walls keep swimmers inside", "[preserve]") {
     CHECK(beyond > 0);
 }
 
-TEST_CASE("a hunter among grazers gains energy by bites", "[preserve]") {
-    ExperimentSettings settings = small_world();
-    settings.preserve.width = 6.0;
-    settings.preserve.height = 6.0;
-    settings.preserve.energy_density = 300.0;
-    settings.preserve.founders = 12;
-    const auto preserve = begun(settings, {eater(1.0, 0.4), eater(0.0), eater(0.0)});
+// What the founders with a hunter's diet gained, J.
+struct Gain {
+    double bites = 0.0, all = 0.0;
+    void add(const Life& life) {
+        if (life.diet < 0.9 || life.method != "founder") return;
+        bites += joules(life.bitten);
+        all += joules(life.bitten + life.eaten_plants + life.eaten_flesh);
+    }
+};
+
+TEST_CASE("the sample hunter among grazers lives by bites", "[preserve]") {
+    const std::filesystem::path assets = CAMBRIAN_SOURCE_DIR "/assets";
+    auto settings =
+        load_settings(assets / "settings/hunting.toml", kinds(), SettingsUse::kPreserve);
+    REQUIRE(settings);
+    std::vector<GenomePtr> founders;
+    for (const char* name : {"pike", "carp", "carp", "carp"}) {
+        const auto read =
+            load_creature(assets / "hunting" / (std::string(name) + ".creature.json"), kinds());
+        REQUIRE(read);
+        CHECK(read->warnings.empty());
+        founders.push_back(read->creature.individual->genome);
+    }
+    const auto preserve = begun(*settings, founders);
     ThreadPool pool(1);
-    Energy bitten = 0;
-    for (int tick = 0; tick < 3600; ++tick) {
+    Gain gain;
+    for (int tick = 0; tick < 40 * 60; ++tick) {
         preserve->tick(pool);
-        const Chronicle chronicle = preserve->take_chronicle();
-        for (const Life& life : chronicle.died)
-            bitten += life.diet > 0.5 ? life.bitten : 0;
+        for (const Life& life : preserve->take_chronicle().died)
+            gain.add(life);
     }
     for (const auto& each : preserve->residents())
-        bitten += each->life.diet > 0.5 ? each->life.bitten : 0;
-    CHECK(bitten > energy_of(5.0));
+        gain.add(each->life);
+    CHECK(gain.bites > 30.0);
+    CHECK(gain.bites > 0.3 * gain.all);
 }
 
 TEST_CASE("ears hear other creatures, and noses smell food and flesh", "[preserve]") {
