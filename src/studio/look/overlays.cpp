@@ -30,6 +30,15 @@ constexpr std::array kOverlays = {
                 "The readings of the brain: a dot for each face with a contact sensor, lit while "
                 "the face touches, and an arc for each joint angle.",
                 &OverlaysShown::sensors},
+    OverlayKind{"sounds", "Sounds",
+                "What can be heard: a dot at each voice and impact, and rings where a half, a "
+                "quarter and an eighth of a full sound are left. Band 1 is blue, 2 orange, 3 green "
+                "and 4 red.",
+                &OverlaysShown::sounds},
+    OverlayKind{"scent", "Scent",
+                "The scent around, as a pink tint that is stronger where a nose reads more. In a "
+                "trial only the creature's own glands give off scent.",
+                &OverlaysShown::scent},
     OverlayKind{"names", "Part names", "The number of each part and the gene it grew from.",
                 &OverlaysShown::names},
 };

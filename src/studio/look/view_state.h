@@ -38,6 +38,8 @@ struct OverlaysShown {
     bool torques = false;
     bool limits = false;
     bool sensors = false;
+    bool sounds = false;
+    bool scent = false;
 
     friend bool operator==(const OverlaysShown&, const OverlaysShown&) = default;
 };

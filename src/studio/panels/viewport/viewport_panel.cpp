@@ -1,6 +1,7 @@
 #include "studio/panels/viewport/viewport_panel.h"
 
 #include "core/text/pretty_text.h"
+#include "pictures/scene/field_overlays.h"
 #include "pictures/scene/follow_camera.h"
 #include "studio/panels/viewport/scene_overlays.h"
 #include "studio/panels/viewport/viewport_tools.h"
@@ -199,6 +200,10 @@ void ViewportPanel::build_scene(const FrameContext& frame) {
                             frame.viewer.highlight,
                             playback.creature().motion().stretches()};
     if (frame.view.overlays.grid) add_grid(scene, palette, canvas_.camera, canvas_.size());
+    const TrialSurroundings& surroundings = playback.trial().surroundings();
+    const ScentField* scent = surroundings.scent_field();
+    if (frame.view.overlays.scent && scent != nullptr)
+        add_scent(scene, canvas_.camera, canvas_.size(), *scent);
     if (playback.creature().replay().environment().has_ground) {
         add_ground(scene, palette, canvas_.camera, canvas_.size());
         add_shadow(scene, look);
@@ -211,9 +216,10 @@ void ViewportPanel::build_scene(const FrameContext& frame) {
         add_ghost(
             scene, canvas_.camera,
             {ghost->phenotype(), ghost->poses(), {}, ghost->genome().hue, {}, ghost->stretches()});
-    const LightSource& light = playback.trial().surroundings().source();
+    const LightSource& light = surroundings.source();
     if (light.is_on()) add_light(scene, canvas_.camera, canvas_.size(), light.place().head<2>());
     add_creature(scene, palette, canvas_.camera, look);
+    if (frame.view.overlays.sounds) add_sounds(scene, canvas_.camera, surroundings.sounds());
     add_overlays(frame, look);
     const Hold* hold = playback.creature().hold();
     if (hold == nullptr) return;
