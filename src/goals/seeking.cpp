@@ -1,4 +1,5 @@
-// Seeking, goals/README.md 4. The distance to the light changes from r0 to r1 in each leg of 5 s:
+// Seeking, goals/README.md 4. The distance to the light changes from r0 to r1 in each leg, the time
+// between two jumps of the light:
 //
 //     p = clamp((r0 - r1) / r0, -1, 1),    S = mean(p) / 2 + mean(worst half of all p) / 2
 //

@@ -63,7 +63,7 @@ Trial::Trial(std::shared_ptr<const Phenotype> phenotype, const Kinds& kinds,
     progress_.record.samples.reserve(
         static_cast<std::size_t>(ticks_in(world_.trial.duration) / kTicksPerSample) + 2);
     impacts_.reserve(kMostImpacts);
-    if (world_.environment.has_light) progress_.record.legs.reserve(world_.trial.duration);
+    if (world_.environment.has_light) progress_.record.legs.reserve(leg_count());
     place_at_start();
     scene_->add_to_digest(progress_.digest);
     progress_.settling = world_.environment.has_ground && world_.trial.settle_limit > 0.0;
@@ -127,12 +127,18 @@ double Trial::distance_to_light() const {
     return (surroundings_.source().place() - scene_->center_of_mass()).norm();
 }
 
+std::size_t Trial::leg_count() const {
+    const auto all = static_cast<std::uint64_t>(ticks_in(world_.trial.duration));
+    const std::uint64_t leg = surroundings_.source().leg_ticks();
+    return (all + leg - 1) / leg;
+}
+
 // Moves the light before the creature reads its sensors.
 void Trial::move_light() {
     LightSource& source = surroundings_.source();
     if (!source.is_on()) return;
     source.move(progress_.test_ticks, scene_->center_of_mass());
-    if (!progress_.finished && progress_.test_ticks % kLegTicks == 0)
+    if (!progress_.finished && progress_.test_ticks % source.leg_ticks() == 0)
         progress_.record.legs.begin(distance_to_light());
 }
 
@@ -183,7 +189,7 @@ void Trial::stop_early(Outcome outcome, std::string reason) {
         repeated.time = static_cast<double>(tick) * kBrainTick;
         progress_.record.samples.push_back(repeated);
     }
-    progress_.record.legs.rest((all + kLegTicks - 1) / kLegTicks);
+    progress_.record.legs.rest(leg_count());
     progress_.record.outcome = outcome;
     progress_.record.reason = std::move(reason);
     finish();

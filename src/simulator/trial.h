@@ -111,6 +111,7 @@ private:
     void watch_jumps();
     void sample();
     double distance_to_light() const;
+    std::size_t leg_count() const;
     bool rests();
     void check_guards();
     void fail_with(SceneStatus status);

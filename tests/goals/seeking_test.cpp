@@ -29,9 +29,9 @@ std::vector<double> shares_of(const Script& script, const Environment& environme
     TrialRecord record;
     record.rest_length = 1.0;
     Vec3 at = environment.has_ground ? Vec3(0.0, 0.3, 0.0) : Vec3(Vec3::Zero());
-    for (std::uint64_t tick = 0; tick < 5 * kLegTicks; ++tick) {
+    for (std::uint64_t tick = 0; tick < 5 * light.leg_ticks(); ++tick) {
         light.move(tick, at);
-        if (tick % kLegTicks == 0) record.legs.begin((light.place() - at).norm());
+        if (tick % light.leg_ticks() == 0) record.legs.begin((light.place() - at).norm());
         at += kBrainTick * script(at, light.place());
         record.legs.watch((light.place() - at).norm());
     }

@@ -110,6 +110,10 @@ TEST_CASE("a file that only names seeking gets light, senses and pairs of trials
     REQUIRE_FALSE(wrong);
     CHECK(wrong.error().message.find("light-motion") != std::string::npos);
     CHECK(wrong.error().message.find("wandering") != std::string::npos);
+    const auto crossed = parse_settings("[environment]\nlight-farthest = 1\n", "it", kinds());
+    REQUIRE_FALSE(crossed);
+    CHECK(crossed.error().message ==
+          "it: [environment] light-nearest: 3 is above light-farthest, which is 1");
 }
 
 TEST_CASE("digests of settings leave out younger settings at their default",

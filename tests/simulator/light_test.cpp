@@ -29,9 +29,9 @@ Environment lit(const std::string& motion, bool has_ground = false) {
 std::vector<Vec3> jumps(const Environment& environment, const LightDraw& draw, const Vec3& center) {
     LightSource light(environment, draw, kRestLength);
     std::vector<Vec3> places;
-    for (std::uint64_t tick = 0; tick < 5 * kLegTicks; ++tick) {
+    for (std::uint64_t tick = 0; tick < 5 * light.leg_ticks(); ++tick) {
         light.move(tick, center);
-        if (tick % kLegTicks == 0) places.push_back(light.place());
+        if (tick % light.leg_ticks() == 0) places.push_back(light.place());
         CHECK(light.place() == places.back());
     }
     return places;
@@ -79,6 +79,23 @@ TEST_CASE("light falls with the square of the distance over its reach", "[simula
     CHECK(LightSource(environment, {}, kRestLength).at(Vec3::Zero()).direction == Vec3::Zero());
     environment.has_light = false;
     CHECK(LightSource(environment, {}, kRestLength).at(Vec3::Zero()).intensity == 0.0);
+}
+
+TEST_CASE("jumps are as far and as frequent as settings say", "[simulator][light]") {
+    Environment environment = lit("jumping");
+    environment.light_nearest = 1.0;
+    environment.light_farthest = 2.0;
+    environment.light_period = 10.0;
+    CHECK(LightSource(environment, {}, kRestLength).leg_ticks() == 600);
+    for (const Vec3& place : jumps(environment, {7, 0}, Vec3::Zero())) {
+        CHECK(place.norm() / kRestLength >= 1.0 - 1e-12);
+        CHECK(place.norm() / kRestLength <= 2.0 + 1e-12);
+    }
+    const TrialRecord record =
+        run(test::flapper(test::creature_kinds().catalog, 1.0, 0.5), environment);
+    REQUIRE(record.legs.all().size() == 2);  // of 15 s
+    CHECK(record.legs.all()[0].ticks == 600);
+    CHECK(record.legs.all()[1].ticks == 300);
 }
 
 TEST_CASE("jumps are 3 to 6 rest lengths from where the creature is", "[simulator][light]") {

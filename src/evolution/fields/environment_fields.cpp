@@ -7,15 +7,38 @@ bool has_light(const Settings& settings) {
     return settings.world.environment.has_light;
 }
 
+bool jumps(const Settings& settings) {
+    return has_light(settings) && settings.world.environment.light_motion == "jumping";
+}
+
 bool wanders(const Settings& settings) {
     return has_light(settings) && settings.world.environment.light_motion == "wandering";
 }
 
+void later(SettingField& field, bool (*applies)(const Settings&)) {
+    field.later = true;
+    field.applies = applies;
+}
+
+void add_jumps(TableBuilder& world) {
+    later(world.number(
+              "light-nearest", "Light, nearest", "rest lengths", Range{0.1, 100},
+              "The least distance of a jump of the light from the creature's center of mass.",
+              [](Settings & s) -> auto& { return s.world.environment.light_nearest; }),
+          jumps);
+    later(world.number(
+              "light-farthest", "Light, farthest", "rest lengths", Range{0.1, 100},
+              "The greatest distance of a jump of the light. Slow creatures need shorter ways.",
+              [](Settings & s) -> auto& { return s.world.environment.light_farthest; }),
+          jumps);
+    later(world.number(
+              "light-period", "Light, period", "s", Range{0.1, 1000},
+              "The time between two jumps of the light. Creatures that turn slowly need more.",
+              [](Settings & s) -> auto& { return s.world.environment.light_period; }),
+          jumps);
+}
+
 void add_light(TableBuilder& world) {
-    const auto later = [](SettingField& field, bool (*applies)(const Settings&)) {
-        field.later = true;
-        field.applies = applies;
-    };
     world
         .flag(
             "light", "Light",
@@ -40,8 +63,7 @@ void add_light(TableBuilder& world) {
           has_light);
     later(world.choice(
               "light-motion", "Light, motion", {kLightMotionIds.begin(), kLightMotionIds.end()},
-              "The light stays, jumps every 5 s to a point 3 to 6 body lengths from the creature, "
-              "or wanders.",
+              "The light stays, jumps again and again to a point around the creature, or wanders.",
               [](Settings & s) -> auto& { return s.world.environment.light_motion; }),
           has_light);
     later(world.number(
@@ -54,6 +76,7 @@ void add_light(TableBuilder& world) {
               "The distance at which half of the brightness is left.",
               [](Settings & s) -> auto& { return s.world.environment.light_reach; }),
           has_light);
+    add_jumps(world);
 }
 
 // Switches for comparisons, which do not change what creatures are made of.

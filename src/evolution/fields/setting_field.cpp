@@ -293,8 +293,8 @@ Status out_of_range(const SettingField& field, double value) {
 
 Status check_order(double low, double high, const char* low_key, const char* high_key) {
     if (low <= high) return {};
-    return Error{fmt::format("[body] {}: {} is above {}, which is {}", low_key, short_text(low),
-                             high_key, short_text(high))};
+    return Error{fmt::format("{}: {} is above {}, which is {}", low_key, short_text(low), high_key,
+                             short_text(high))};
 }
 
 Status check_early_termination(const Settings& s, const EvolutionKinds& kinds) {
@@ -323,6 +323,7 @@ Status check_early_termination(const Settings& s, const EvolutionKinds& kinds) {
 // Rejects settings that are in range one by one but contradict one another.
 Status check_together(const Settings& s, const EvolutionKinds& kinds) {
     if (Status order = setting_table::check_founders(s); !order) return order;
+    if (Status order = setting_table::check_light(s); !order) return order;
     if (Status goal = setting_table::check_goal(s, kinds); !goal) return goal;
     if (Status cutting = check_early_termination(s, kinds); !cutting) return cutting;
     if (const auto excess = trial_excess(s.world)) return Error{"[trial] duration: " + *excess};
@@ -386,17 +387,23 @@ Status check_creatures(const Settings& s, const EvolutionKinds& kinds) {
 }
 
 Status check_founders(const Settings& s) {
-    if (Status order =
-            check_order(s.founders.min_nodes, s.founders.max_nodes, "min-nodes", "max-nodes");
+    if (Status order = check_order(s.founders.min_nodes, s.founders.max_nodes, "[body] min-nodes",
+                                   "max-nodes");
         !order) {
         return order;
     }
-    if (Status order =
-            check_order(s.founders.min_length, s.founders.max_length, "min-length", "max-length");
+    if (Status order = check_order(s.founders.min_length, s.founders.max_length,
+                                   "[body] min-length", "max-length");
         !order) {
         return order;
     }
-    return check_order(s.founders.min_width, s.founders.max_width, "min-width", "max-width");
+    return check_order(s.founders.min_width, s.founders.max_width, "[body] min-width", "max-width");
+}
+
+Status check_light(const Settings& s) {
+    const Environment& world = s.world.environment;
+    return check_order(world.light_nearest, world.light_farthest, "[environment] light-nearest",
+                       "light-farthest");
 }
 
 }  // namespace setting_table

@@ -1,13 +1,11 @@
 #include "simulator/surroundings/light_legs.h"
 
-#include "simulator/surroundings/light_source.h"
-
 #include <algorithm>
 
 namespace cambrian {
 
-void LightLegs::reserve(double duration) {
-    legs_.reserve(static_cast<std::size_t>(duration / kLegTime) + 1);
+void LightLegs::reserve(std::size_t legs) {
+    legs_.reserve(legs);
 }
 
 void LightLegs::begin(double distance) {

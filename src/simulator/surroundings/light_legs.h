@@ -1,7 +1,7 @@
 #pragma once
 
-// Distances of a creature to the light, for each leg of a trial. A leg lasts kLegTime. Distances
-// are from the centre of mass to the light, in m.
+// Distances of a creature to the light, for each leg of a trial. A leg lasts from one jump of
+// the light to the next. Distances are from the centre of mass to the light, in m.
 
 #include "math/types.h"
 
@@ -20,8 +20,8 @@ struct LightLeg {
 
 class LightLegs {
 public:
-    // Reserves memory for a trial of this duration, s.
-    void reserve(double duration);
+    // Reserves memory for the legs of a trial.
+    void reserve(std::size_t legs);
     // Records the distance at the start of a leg, before its first tick.
     void begin(double distance);
     // Records the distance after a tick.

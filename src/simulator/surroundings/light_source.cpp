@@ -8,9 +8,7 @@
 namespace cambrian {
 namespace {
 
-constexpr double kLeastJump = 3.0;         // rest lengths of the body
-constexpr double kMostJump = 6.0;          // the same
-constexpr double kHeight = 0.3;            // the same, above ground
+constexpr double kHeight = 0.3;            // rest lengths of the body, above ground
 constexpr double kDark = 1e-6;             // intensity below which there is no direction
 constexpr double kSlowing = 0.5;           // 1/s, damping of a wandering light
 constexpr double kNoise = 0.6;             // m/s^1.5, noise of a wandering light
@@ -67,15 +65,21 @@ void LightSource::move(std::uint64_t tick, const Vec3& center) {
     if (!moves()) return;
     if (environment_.light_motion == "wandering") {
         wander();
-    } else if (tick % kLegTicks == 0) {
-        jump(tick / kLegTicks, center);
+    } else if (tick % leg_ticks() == 0) {
+        jump(tick / leg_ticks(), center);
     }
+}
+
+std::uint64_t LightSource::leg_ticks() const {
+    const double ticks = environment_.light_period / kBrainTick + 0.5;
+    return static_cast<std::uint64_t>(std::max(1.0, ticks));
 }
 
 // Moves the light to the left or right above ground, or in any direction without ground.
 void LightSource::jump(std::uint64_t leg, const Vec3& center) {
     RandomStream stream(leg_seed(draw_, leg));
-    const double distance = rest_length_ * stream.uniform(kLeastJump, kMostJump);
+    const double distance =
+        rest_length_ * stream.uniform(environment_.light_nearest, environment_.light_farthest);
     if (environment_.has_ground) {
         const double side = stream.chance(0.5) ? side_of(draw_) : -side_of(draw_);
         moment_.place = {center.x() + side * distance, kHeight * rest_length_, 0.0};

@@ -19,12 +19,9 @@ struct LightDraw {
     friend bool operator==(const LightDraw&, const LightDraw&) = default;
 };
 
-inline constexpr double kLegTime = 5.0;  // s, time between two jumps
-inline constexpr auto kLegTicks = static_cast<std::uint64_t>(kLegTime / kBrainTick + 0.5);
-
 class LightSource {
 public:
-    // rest_length: length of the body at rest, m. The light jumps to 3 to 6 times this distance.
+    // rest_length: length of the body at rest, m. The unit of the distance of jumps.
     LightSource(const Environment& environment, const LightDraw& draw, double rest_length);
 
     // Applies an edit by the user. A changed position restarts the light there.
@@ -36,6 +33,8 @@ public:
     bool is_on() const { return environment_.has_light; }
     // Returns whether the light may move during the trial.
     bool moves() const;
+    // Returns the time between two jumps in ticks, at least 1.
+    std::uint64_t leg_ticks() const;
     const Vec3& place() const { return moment_.place; }
     Light at(const Vec3& point) const;
 
