@@ -66,6 +66,12 @@ void put(const SettingField& field, ExperimentSettings& settings, double value) 
     if (auto* const* flag = std::get_if<bool*>(&ref)) **flag = value != 0.0;
 }
 
+// Puts the two distances of the lamp's jumps in order, which the settings ask for.
+void order_jumps(Environment& environment) {
+    if (environment.light_nearest > environment.light_farthest)
+        std::swap(environment.light_nearest, environment.light_farthest);
+}
+
 // Sets a random choice, or a number at either end of its range or at its default.
 void put_extreme(const SettingField& field, ExperimentSettings& settings, RandomStream& random) {
     if (field.choices.empty()) {
@@ -90,6 +96,7 @@ TEST_CASE("every setting of the physics at either end of its range gives a verdi
                 settings.world.trial.settle_limit = 0.5;
                 const double longest = 60.0;  // s; longer trials would only take longer
                 put(field, settings, field.key == "duration" ? std::min(value, longest) : value);
+                order_jumps(settings.world.environment);
                 INFO(field.key << " = " << value << ", creature " << creature);
                 judged(creature == 0 ? test::crawler(test::kind_catalog())
                                      : random_creature(random, settings.founders),
@@ -107,6 +114,7 @@ TEST_CASE("random extremes of the world, the physics and the body give a verdict
         ExperimentSettings settings;
         for (const SettingField& field : fields_of_trials())
             put_extreme(field, settings, random);
+        order_jumps(settings.world.environment);
         settings.world.trial.duration = random.chance(0.1) ? 0.0 : 0.3;
         settings.world.trial.settle_limit = random.chance(0.5) ? 0.0 : 0.3;
         settings.world.scene.max_evaluations = random.chance(0.2) ? 1e3 : 2e4;

@@ -18,12 +18,16 @@
 
 namespace cambrian::test {
 
-// Returns the crawler as an exhibit that walks in the world of the settings.
-inline Exhibit crawler_exhibit(ExperimentSettings settings = {}) {
+// Returns a creature as an exhibit that walks in the world of the settings.
+inline Exhibit walking_exhibit(GenomePtr genome, ExperimentSettings settings = {}) {
     settings.goal = "walking";
-    return {.creature = unjudged(crawler(kinds().creature.catalog),
+    return {.creature = unjudged(std::move(genome),
                                  std::make_shared<const ExperimentSettings>(settings), ""),
             .title = "Crawler"};
+}
+
+inline Exhibit crawler_exhibit(const ExperimentSettings& settings = {}) {
+    return walking_exhibit(crawler(kinds().creature.catalog), settings);
 }
 
 class StudioFixture {
@@ -35,6 +39,16 @@ public:
 
     // Displays the crawler.
     void show_crawler() { REQUIRE(playback_.show(crawler_exhibit())); }
+    // Displays the crawler with a voice and a scent gland that always work.
+    void show_calling_crawler() {
+        Genome genome = *crawler(kinds().creature.catalog);
+        for (const char* organ : {"sound", "scent"}) {
+            const std::uint8_t kind =
+                CreatureBuilder::index_of(kinds().creature.catalog.organs, organ);
+            genome.nodes[0].organs.push_back({.kind = kind, .input = {{}, 1.0}});
+        }
+        REQUIRE(playback_.show(walking_exhibit(std::make_shared<const Genome>(genome))));
+    }
     // Adds a finished generation with this best score.
     void finish_generation(double best) {
         auto champion = std::make_shared<Individual>();

@@ -71,7 +71,6 @@ public:
         return std::make_shared<const Genome>(genome_);
     }
 
-private:
     template <class Entries>
     static std::uint8_t index_of(const Entries& entries, std::string_view id) {
         const auto found = std::find_if(entries.begin(), entries.end(),
@@ -80,6 +79,7 @@ private:
         return static_cast<std::uint8_t>(found - entries.begin());
     }
 
+private:
     const KindCatalog& catalog_;
     Genome genome_;
 };

@@ -12,6 +12,9 @@ class OverlayRun {
 public:
     OverlayRun() {
         studio.show_crawler();
+        run();
+    }
+    void run() {
         for (int i = 0; i < 150; ++i)
             studio.playback().step();
     }
@@ -32,6 +35,8 @@ public:
 
 TEST_CASE("each overlay switches something of the picture on and off", "[studio][overlays]") {
     OverlayRun run;
+    run.studio.show_calling_crawler();
+    run.run();
     for (const OverlayKind& overlay : overlay_kinds()) {
         // Names are not shapes, and the crawler reads no sensor.
         if (overlay.shown == &OverlaysShown::names || overlay.shown == &OverlaysShown::sensors)
