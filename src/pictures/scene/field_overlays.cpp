@@ -54,6 +54,12 @@ Tiles tiles_in_view(const ScentArea& area, const Camera& camera, const Viewport&
             .top = tile(window.high.y() + side, area.bottom, area.rows)};
 }
 
+// Returns the nearest corner of a pixel. Edges that tiles share leave seams unless they lie there.
+Vec2 at_pixel(const Vec2& point, const WorldWindow& window, double pixel) {
+    const Vec2 pixels = (point - window.low) / pixel;
+    return window.low + pixel * Vec2(std::round(pixels.x()), std::round(pixels.y()));
+}
+
 }  // namespace
 
 void add_sounds(SceneFrame& frame, const Camera& camera, std::span<const Sound> sounds) {
@@ -75,14 +81,18 @@ void add_scent(SceneFrame& frame, const Camera& camera, const Viewport& viewport
     if (!field.any()) return;
     const ScentArea& area = field.area();
     const Tiles tiles = tiles_in_view(area, camera, viewport);
+    const WorldWindow window = camera.window(viewport);
     const Vec2 half = Vec2::Constant(0.5 * tiles.side);
     for (int row = tiles.bottom; row < tiles.top; ++row) {
         for (int column = tiles.left; column < tiles.right; ++column) {
             const Vec2 center = Vec2(area.left + (column + 0.5) * tiles.side,
                                      area.bottom + (row + 0.5) * tiles.side);
             const double tint = tint_of(field.at({center.x(), center.y(), 0.0}));
-            if (tint > 0.0)
-                frame.add_box(center, half, with_alpha(kScentColor, static_cast<float>(tint)));
+            if (!(tint > 0.0)) continue;
+            const Vec2 low = at_pixel(center - half, window, camera.pixel());
+            const Vec2 high = at_pixel(center + half, window, camera.pixel());
+            frame.add_box(0.5 * (low + high), 0.5 * (high - low),
+                          with_alpha(kScentColor, static_cast<float>(tint)));
         }
     }
 }
