@@ -18,22 +18,6 @@ struct SeparatingAxis {
     bool along_length = true;
 };
 
-// Gaps between the projections of two boxes on both axes of one of them.
-struct AxisGaps {
-    double length, width;  // m
-};
-
-inline AxisGaps axis_gaps(const PlacedBox& own, const PlacedBox& other) {
-    const double along = std::fabs(own.axis_x * other.axis_x + own.axis_y * other.axis_y);
-    const double across = std::fabs(own.axis_x * other.axis_y - own.axis_y * other.axis_x);
-    const double x = other.x - own.x;
-    const double y = other.y - own.y;
-    return {std::fabs(own.axis_x * x + own.axis_y * y) - own.half_length -
-                along * other.half_length - across * other.half_width,
-            std::fabs(own.axis_x * y - own.axis_y * x) - own.half_width -
-                across * other.half_length - along * other.half_width};
-}
-
 // Tests both axes of one box; returns false if one of them separates by more than the margin.
 bool try_axes(const PlacedBox& own, const PlacedBox& other, bool of_first, double margin,
               SeparatingAxis& best) {

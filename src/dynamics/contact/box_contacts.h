@@ -6,6 +6,7 @@
 #include "dynamics/contact/contact.h"
 #include "dynamics/model/part_places.h"
 
+#include <cmath>
 #include <cstdint>
 
 namespace cambrian {
@@ -28,6 +29,28 @@ struct BoxManifold {
 inline PlacedBox placed_box(const PartPlaces& places, int part) {
     return {places.x[part],      places.y[part],           places.axis_x[part],
             places.axis_y[part], places.half_length[part], places.half_width[part]};
+}
+
+// Gaps between the projections of two boxes on both axes of one of them.
+struct AxisGaps {
+    double length, width;  // m
+};
+
+inline AxisGaps axis_gaps(const PlacedBox& own, const PlacedBox& other) {
+    const double along = std::fabs(own.axis_x * other.axis_x + own.axis_y * other.axis_y);
+    const double across = std::fabs(own.axis_x * other.axis_y - own.axis_y * other.axis_x);
+    const double x = other.x - own.x;
+    const double y = other.y - own.y;
+    return {std::fabs(own.axis_x * x + own.axis_y * y) - own.half_length -
+                along * other.half_length - across * other.half_width,
+            std::fabs(own.axis_x * y - own.axis_y * x) - own.half_width -
+                across * other.half_length - along * other.half_width};
+}
+
+// Whether an axis of one box separates it from another by more than the margin.
+inline bool is_separated_by(const PlacedBox& own, const PlacedBox& other, double margin) {
+    const AxisGaps gaps = axis_gaps(own, other);
+    return gaps.length > margin || gaps.width > margin;
 }
 
 // Returns the face of a part whose normal is nearest to a direction in the world.

@@ -74,12 +74,17 @@ void PairList::detect(const PlanarModel& model, const Kinematics& kinematics,
     if (model.colliding_pairs.empty()) return;
     if (has_expired(model, places)) rebuild(model, places);
     for (int i = 0; i < count_; ++i) {
-        const NearPair& pair = pairs_[i];
+        NearPair& pair = pairs_[i];
         const double x = places.x[pair.second] - places.x[pair.first];
         const double y = places.y[pair.second] - places.y[pair.first];
         if (x * x + y * y >= pair.reach_squared) continue;
-        const BoxManifold manifold = collide_boxes(placed_box(places, pair.first),
-                                                   placed_box(places, pair.second), kContactMargin);
+        const PlacedBox first = placed_box(places, pair.first);
+        const PlacedBox second = placed_box(places, pair.second);
+        const bool is_apart = pair.by_second ? is_separated_by(second, first, kContactMargin)
+                                             : is_separated_by(first, second, kContactMargin);
+        if (is_apart) continue;
+        pair.by_second = !pair.by_second;
+        const BoxManifold manifold = collide_boxes(first, second, kContactMargin);
         if (manifold.count > 0)
             add_points(model, kinematics, places, pair.index, manifold, contacts);
     }
@@ -99,7 +104,7 @@ void PairList::rebuild(const PlanarModel& model, const PartPlaces& places) {
         CAMBRIAN_TICK_ASSERT(count_ < kMostPairs, "pairs have room");
         CAMBRIAN_TICK_ASSERT(pair.first < pair.second && pair.second < model.part_count,
                              "two boxes");
-        pairs_[count_++] = {static_cast<int>(i), pair.first, pair.second, reach * reach};
+        pairs_[count_++] = {static_cast<int>(i), pair.first, pair.second, reach * reach, false};
     }
 }
 

@@ -24,6 +24,7 @@ private:
         int index;             // of the model's pairs
         int first, second;     // parts
         double reach_squared;  // m^2, between the centres
+        bool by_second;        // an axis of the second box is tried first to separate the boxes
     };
     bool built_ = false;
     int count_ = 0;
