@@ -86,7 +86,7 @@ std::optional<Vec3> Preserve::room_near(const Vec3& asked, const Resident& resid
         const Vec3 place = place_between_walls(
             area_, asked + distance * Vec3(turn.cosine, turn.sine, 0.0), resident.radius());
         const Vec3 shift = place - resident.center();
-        const Bounds present = resident.bounds();
+        const Bounds& present = resident.bounds();
         const Bounds bounds{present.low + shift, present.high + shift};
         const bool is_taken =
             solid_ && std::any_of(room.taken.begin(), room.taken.end(),

@@ -50,18 +50,18 @@ public:
     // requests a stop when a command arrives or `stop` does.
     template <class Work>
     void work_until_command(const std::stop_token& stop, Work work) {
-        std::stop_token interrupted;
+        std::stop_token token;
         {
             const std::lock_guard lock(mutex_);
             if (waiting_) return;
             interruption_ = std::stop_source();
-            interrupted = interruption_.get_token();
+            token = interruption_.get_token();
         }
         const std::stop_callback on_stop(stop, [this] {
             const std::lock_guard lock(mutex_);
             interruption_.request_stop();
         });
-        work(interrupted);
+        work(token);
     }
 
     // May be called by the worker only. Sleeps until a command arrives or a stop is requested.
