@@ -227,6 +227,13 @@ void progress_bar(float share, float width, float height) {
                        paint(colors().accent), radius);
 }
 
+void set_up_column(const char* title, float width) {
+    const bool fixed = width > 0.0F;
+    ImGui::TableSetupColumn(
+        title, fixed ? ImGuiTableColumnFlags_WidthFixed : ImGuiTableColumnFlags_WidthStretch,
+        px(width));
+}
+
 void tooltip(const std::string& text) {
     constexpr double delay = 0.45;  // s under the mouse before a tooltip appears
     if (!ImGui::IsItemHovered() || ImGui::GetIO().MouseDown[0]) return;

@@ -60,6 +60,9 @@ void fact(const std::string& label, const std::string& value);
 void muted_text(const std::string& text);
 // Draws a progress bar. Width 0 fills the rest of the line.
 void progress_bar(float share, float width, float height);
+// Sets up a column of a table. The width is in units of 1/96 inch; 0 takes the remaining width.
+void set_up_column(const char* title, float width);
+
 // Adds a tooltip to the last item, shown after a short delay.
 void tooltip(const std::string& text);
 // Returns the text, shortened with an ellipsis to fit a width.

@@ -90,14 +90,9 @@ void draw_comparison_table(const ComparisonResults& results, const std::string& 
                            Requests& out) {
     constexpr ImGuiTableFlags flags = ImGuiTableFlags_BordersInnerH;
     if (!ImGui::BeginTable("arms", static_cast<int>(kArmColumns.size()) + 1, flags)) return;
-    for (const ArmColumn& column : kArmColumns) {
-        const bool fixed = column.width > 0.0F;
-        ImGui::TableSetupColumn(
-            column.title,
-            fixed ? ImGuiTableColumnFlags_WidthFixed : ImGuiTableColumnFlags_WidthStretch,
-            fixed ? px(column.width) : 0.0F);
-    }
-    ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, px(96));
+    for (const ArmColumn& column : kArmColumns)
+        set_up_column(column.title, column.width);
+    set_up_column("", 96);
     ImGui::TableNextRow();
     {
         const WithFont font(ui().fonts.small);

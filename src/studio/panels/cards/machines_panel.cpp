@@ -110,13 +110,8 @@ void draw_table(const BackendStatus& status) {
     constexpr ImGuiTableFlags flags = ImGuiTableFlags_ScrollY | ImGuiTableFlags_BordersInnerH;
     if (!ImGui::BeginTable("machines", static_cast<int>(kColumns.size()), flags)) return;
     ImGui::TableSetupScrollFreeze(0, 1);
-    for (const Column& column : kColumns) {
-        const bool fixed = column.width > 0.0F;
-        ImGui::TableSetupColumn(
-            column.title,
-            fixed ? ImGuiTableColumnFlags_WidthFixed : ImGuiTableColumnFlags_WidthStretch,
-            fixed ? px(column.width) : 0.0F);
-    }
+    for (const Column& column : kColumns)
+        set_up_column(column.title, column.width);
     ImGui::TableNextRow();
     {
         const WithFont font(ui().fonts.small);
