@@ -3,6 +3,7 @@
 #include "support/catch.h"
 #include "support/fake_backend.h"
 #include "support/kinds.h"
+#include "support/wait_for.h"
 
 #include <algorithm>
 #include <chrono>
@@ -14,6 +15,7 @@
 using namespace cambrian;
 using test::FakeBackend;
 using test::kinds;
+using test::wait_for;
 
 namespace {
 
@@ -21,18 +23,6 @@ SettingsPtr settings_of(int size) {
     auto settings = std::make_shared<ExperimentSettings>();
     settings->population.size = size;
     return settings;
-}
-
-// Waits up to a minute for a snapshot that satisfies the condition.
-template <class Condition>
-std::shared_ptr<const EvolutionSnapshot> wait_for(EvolutionEngine& engine, Condition condition) {
-    for (int i = 0; i < 60000; ++i) {
-        const auto snapshot = engine.latest();
-        if (condition(*snapshot)) return snapshot;
-        std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
-    FAIL("the engine never got there");
-    return nullptr;
 }
 
 bool finished(const EvolutionSnapshot& snapshot, std::size_t generations) {

@@ -4,6 +4,7 @@
 #include "picking/body_backend.h"
 #include "picking/creatures.h"
 #include "support/catch.h"
+#include "support/wait_for.h"
 
 #include <chrono>
 #include <stdexcept>
@@ -13,20 +14,9 @@ using namespace cambrian;
 using test::BodyBackend;
 using test::default_settings;
 using test::kinds;
+using test::wait_for;
 
 namespace {
-
-// Waits up to a minute for a snapshot that satisfies the condition.
-template <class Condition>
-std::shared_ptr<const PickingSnapshot> wait_for(PickingEngine& engine, Condition condition) {
-    for (int i = 0; i < 60000; ++i) {
-        const auto snapshot = engine.latest();
-        if (condition(*snapshot)) return snapshot;
-        std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
-    FAIL("the engine never got there");
-    return nullptr;
-}
 
 std::shared_ptr<const PickingSnapshot> wait_for_grids(PickingEngine& engine, std::size_t count) {
     return wait_for(engine,

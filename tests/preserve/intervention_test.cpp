@@ -67,43 +67,21 @@ TEST_CASE("what cannot be done has a message and changes nothing", "[preserve]")
 TEST_CASE("a file repeats what people did, from each snapshot to the next", "[preserve]") {
     const TemporaryDirectory folder;
     const auto path = folder.path() / "pond.cambrian";
-    const auto settings = std::make_shared<const ExperimentSettings>(small_world());
-    const std::vector<GenomePtr> founders = {eater(0.0), eater(1.0)};
-    const auto preserve = begun(*settings, founders);
-    {
-        auto file = PreserveFile::create(path, {settings, founders, std::string(kSimulatorVersion)},
-                                         preserve->take_chronicle(), *preserve, kinds());
-        REQUIRE(file);
-        run_to(*preserve, 30);
-        interfere(*preserve);
-        REQUIRE(preserve->intervene({.what = intervention::kRest}));
-        REQUIRE((*file)->write(preserve->take_chronicle(), *preserve));
-        run_to(*preserve, 50);
-        interfere(*preserve);
-        REQUIRE((*file)->write(preserve->take_chronicle(), *preserve));
-        CHECK((*file)->snapshots() == std::vector<std::uint64_t>{0, 30, 50});
-        REQUIRE(preserve->intervene({.what = intervention::kRest}));
-        REQUIRE((*file)->write(preserve->take_chronicle(), *preserve));
-    }
-    const auto saved = load_preserve(path, kinds());
-    REQUIRE(saved);
-    REQUIRE(saved->snapshots.size() == 3);
-    for (std::size_t i = 0; i < 2; ++i) {
-        const SnapshotEntry& to = saved->snapshots[i + 1];
-        const auto state = load_snapshot(path, saved->snapshots[i], kinds());
-        REQUIRE(state);
-        const auto replayed = Preserve::resume(settings, kinds(), founders, *state);
-        REQUIRE(replayed);
-        const auto all =
-            interventions_in(saved->interventions, {saved->snapshots[i].tick, to.tick});
-        CHECK(all.size() == 6);
-        std::span<const Intervention> left(all);
-        while (!left.empty()) {
-            REQUIRE(repeat(**replayed, left));
-            if (!left.empty()) run_to(**replayed, (*replayed)->ticks() + 1);
-        }
-        CHECK(digest_of(words_of(*(*replayed)->snapshot())) == to.digest);
-    }
+    KeptWorld world = kept_in(path, small_world());
+    Preserve& preserve = *world.preserve;
+    run_to(preserve, 30);
+    interfere(preserve);
+    REQUIRE(preserve.intervene({.what = intervention::kRest}));
+    REQUIRE(world.file->write(preserve.take_chronicle(), preserve));
+    run_to(preserve, 50);
+    interfere(preserve);
+    REQUIRE(world.file->write(preserve.take_chronicle(), preserve));
+    CHECK(world.file->snapshots() == std::vector<std::uint64_t>{0, 30, 50});
+    REQUIRE(preserve.intervene({.what = intervention::kRest}));
+    REQUIRE(world.file->write(preserve.take_chronicle(), preserve));
+    world.file.reset();
+    for (std::size_t i = 0; i < 2; ++i)
+        CHECK(repeated_from(path, world, i).size() == 6);
     const auto branch = folder.path() / "branch.cambrian";
     CHECK_FALSE(copy_preserve(path, 31, branch, kinds()));
     REQUIRE(copy_preserve(path, 30, branch, kinds()));

@@ -64,19 +64,14 @@ TEST_CASE("damaged words of a snapshot give a message", "[preserve]") {
 TEST_CASE("a preserve file keeps lives, series and snapshots, and goes on", "[preserve]") {
     const TemporaryDirectory folder;
     const auto path = folder.path() / "pond.cambrian";
-    const auto settings = std::make_shared<const ExperimentSettings>(small_world());
-    const std::vector<GenomePtr> founders = {eater(0.0), eater(1.0)};
-    const auto preserve = begun(*settings, founders);
-    {
-        auto file = PreserveFile::create(path, {settings, founders, std::string(kSimulatorVersion)},
-                                         preserve->take_chronicle(), *preserve, kinds());
-        REQUIRE(file);
-        run_to(*preserve, kTicksPerSnapshot);
-        REQUIRE((*file)->write(preserve->take_chronicle(), *preserve));
-        run_to(*preserve, kTicksPerSnapshot + 700);
-        REQUIRE((*file)->write(preserve->take_chronicle(), *preserve));
-        CHECK_FALSE(PreserveFile::open(path, kinds()));
-    }
+    KeptWorld world = kept_in(path, small_world());
+    Preserve& preserve = *world.preserve;
+    run_to(preserve, kTicksPerSnapshot);
+    REQUIRE(world.file->write(preserve.take_chronicle(), preserve));
+    run_to(preserve, kTicksPerSnapshot + 700);
+    REQUIRE(world.file->write(preserve.take_chronicle(), preserve));
+    CHECK_FALSE(PreserveFile::open(path, kinds()));
+    world.file.reset();
     CHECK(is_preserve_file(path));
     const auto saved = load_preserve(path, kinds());
     REQUIRE(saved);
@@ -96,7 +91,7 @@ TEST_CASE("a preserve file keeps lives, series and snapshots, and goes on", "[pr
     REQUIRE(resumed);
     run_to(**resumed, kTicksPerSnapshot + 700);
     REQUIRE(opened->file->write((*resumed)->take_chronicle(), **resumed));
-    CHECK(digest(**resumed) == digest(*preserve));
+    CHECK(digest(**resumed) == digest(preserve));
     CHECK(*lives_csv(path) == *uncut_lives);
     CHECK(*series_csv(path) == *series);
 }

@@ -107,12 +107,9 @@ TEST_CASE("a file repeats walls, and those of version 2 are read and brought to 
           "[preserve][wall]") {
     const TemporaryDirectory folder;
     const auto path = folder.path() / "pond.cambrian";
-    const auto settings = std::make_shared<const ExperimentSettings>(small_world());
-    const std::vector<GenomePtr> founders = {fish(kind_catalog())};
+    KeptWorld world = kept_in(path, small_world());
+    world.file.reset();
     {
-        const auto preserve = begun(*settings, founders);
-        REQUIRE(PreserveFile::create(path, {settings, founders, std::string(kSimulatorVersion)},
-                                     preserve->take_chronicle(), *preserve, kinds()));
         Database database(path, Database::Access::kWrite);
         database.execute(
             "ALTER TABLE interventions DROP COLUMN to_x; ALTER TABLE interventions DROP COLUMN "
@@ -122,7 +119,8 @@ TEST_CASE("a file repeats walls, and those of version 2 are read and brought to 
     {
         auto opened = PreserveFile::open(path, kinds());
         REQUIRE(opened);
-        const auto preserve = Preserve::resume(settings, kinds(), founders, opened->state);
+        const auto preserve =
+            Preserve::resume(world.settings, kinds(), world.founders, opened->state);
         REQUIRE(preserve);
         for (const double x : {-1.0, 2.0}) {
             run_to(**preserve, (*preserve)->ticks() + 40);
@@ -138,20 +136,10 @@ TEST_CASE("a file repeats walls, and those of version 2 are read and brought to 
     REQUIRE(saved);
     REQUIRE(saved->snapshots.size() == 3);
     for (std::size_t i = 0; i < 2; ++i) {
-        const SnapshotEntry& to = saved->snapshots[i + 1];
         const auto state = load_snapshot(path, saved->snapshots[i], kinds());
         REQUIRE(state);
         CHECK(state->walls.size() == i);
-        const auto replayed = Preserve::resume(settings, kinds(), founders, *state);
-        REQUIRE(replayed);
-        const auto all =
-            interventions_in(saved->interventions, {saved->snapshots[i].tick, to.tick});
-        std::span<const Intervention> left(all);
-        while (!left.empty()) {
-            REQUIRE(repeat(**replayed, left));
-            if (!left.empty()) run_to(**replayed, (*replayed)->ticks() + 1);
-        }
-        CHECK(digest_of(words_of(*(*replayed)->snapshot())) == to.digest);
+        repeated_from(path, world, i);
     }
 }
 

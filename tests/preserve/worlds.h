@@ -3,11 +3,18 @@
 // Small preserves for tests.
 
 #include "evolution/fields/setting_field.h"
+#include "persist/preserve/preserve_file.h"
 #include "preserve/preserve.h"
+#include "preserve/replay.h"
+#include "simulator/simulator_version.h"
 #include "support/creatures.h"
 #include "support/kinds.h"
 
+#include <catch2/catch.hpp>
+
+#include <filesystem>
 #include <memory>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -49,8 +56,53 @@ inline void run_to(Preserve& preserve, std::uint64_t tick) {
         preserve.tick(pool);
 }
 
+// A preserve of a small world in a new file, and what both began with.
+struct KeptWorld {
+    SettingsPtr settings;
+    std::vector<GenomePtr> founders;
+    std::unique_ptr<Preserve> preserve;
+    std::unique_ptr<PreserveFile> file;
+};
+
+inline KeptWorld kept_in(const std::filesystem::path& path, const ExperimentSettings& settings) {
+    KeptWorld world{.settings = std::make_shared<const ExperimentSettings>(settings),
+                    .founders = {eater(0.0), eater(1.0)},
+                    .preserve = nullptr,
+                    .file = nullptr};
+    world.preserve = begun(settings, world.founders);
+    auto file =
+        PreserveFile::create(path, {world.settings, world.founders, std::string(kSimulatorVersion)},
+                             world.preserve->take_chronicle(), *world.preserve, kinds());
+    REQUIRE(file);
+    world.file = *std::move(file);
+    return world;
+}
+
 inline std::uint64_t digest(const Preserve& preserve) {
     return digest_of(words_of(preserve.save()));
+}
+
+// Requires that a file leads from a snapshot to the next one with the same bits, and returns what
+// people did between them.
+inline std::vector<Intervention> repeated_from(const std::filesystem::path& path,
+                                               const KeptWorld& world, std::size_t index) {
+    const auto saved = load_preserve(path, kinds());
+    REQUIRE(saved);
+    REQUIRE(saved->snapshots.size() > index + 1);
+    const SnapshotEntry& from = saved->snapshots[index];
+    const SnapshotEntry& to = saved->snapshots[index + 1];
+    const auto state = load_snapshot(path, from, kinds());
+    REQUIRE(state);
+    const auto replayed = Preserve::resume(world.settings, kinds(), world.founders, *state);
+    REQUIRE(replayed);
+    const auto all = interventions_in(saved->interventions, {from.tick, to.tick});
+    std::span<const Intervention> left(all);
+    while (!left.empty()) {
+        REQUIRE(repeat(**replayed, left));
+        if (!left.empty()) run_to(**replayed, (*replayed)->ticks() + 1);
+    }
+    CHECK(digest_of(words_of(*(*replayed)->snapshot())) == to.digest);
+    return all;
 }
 
 }  // namespace cambrian::test
