@@ -20,6 +20,14 @@
 #define CAMBRIAN_SCENE_COPY baseline
 #endif
 
+// Keeps a function that is called from outside: gcc compiles a copy as a program without other
+// callers.
+#if defined(__GNUC__) && !defined(__clang__)
+#define CAMBRIAN_CALLED_FROM_OUTSIDE [[gnu::externally_visible]]
+#else
+#define CAMBRIAN_CALLED_FROM_OUTSIDE
+#endif
+
 namespace cambrian {
 
 using SceneMaker = Result<std::unique_ptr<PhysicsScene>> (*)(const BodyPlan&, const Environment&,
@@ -35,9 +43,11 @@ Result<std::unique_ptr<PhysicsScene>> make_planar_scene(const BodyPlan& plan,
 std::unique_ptr<JoinedScenes> join_planar_scenes(std::span<PhysicsScene* const> scenes);
 }  // namespace baseline
 namespace avx2 {
+CAMBRIAN_CALLED_FROM_OUTSIDE
 Result<std::unique_ptr<PhysicsScene>> make_planar_scene(const BodyPlan& plan,
                                                         const Environment& environment,
                                                         const SceneSettings& settings);
+CAMBRIAN_CALLED_FROM_OUTSIDE
 std::unique_ptr<JoinedScenes> join_planar_scenes(std::span<PhysicsScene* const> scenes);
 }  // namespace avx2
 
