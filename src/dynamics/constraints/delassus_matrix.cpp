@@ -16,26 +16,31 @@
 namespace cambrian {
 namespace {
 
-constexpr int kMaxGroups = kMaxRows / kLanes;
+constexpr int kMaxGroups = kMaxRows / kLanes + 1;
 constexpr double kRelativeSoftness = 1e-7;
 constexpr double kFreeShare = 0.02;
 
 CAMBRIAN_INLINE int last_of(BodySet set) {
-    return 63 - std::countl_zero(set);
+    return 63 ^ std::countl_zero(set);
 }
 
-// The unit impulses of four rows as they reach joints and roots, and the same multiplied by 1/d or
-// by the root's inverse.
-struct Arrivals {
-    BodySet bodies;  // on the paths of any of the four
-    Simd4d joint[kMaxBodies], joint_share[kMaxBodies];
-    Simd4d root[3 * kMaxTrees], root_share[3 * kMaxTrees];
+// What reaches a joint or a root from the unit impulses of four rows, and the same multiplied by
+// 1/d or by the root's inverse.
+struct Arrival {
+    Simd4d value, share;
 };
 
-// Impulses about the bodies' pivots.
-struct Impulses {
-    Simd4d f_x[kMaxBodies], f_y[kMaxBodies], t[kMaxBodies];
+struct Arrivals {
+    Arrival joint[kMaxBodies];
+    Arrival root[3 * kMaxTrees];
+    BodySet bodies;  // on the paths of any of the four
 };
+
+// Four impulses on a body, about its pivot.
+struct Impulse {
+    Simd4d f_x, f_y, t;
+};
+using Impulses = Impulse[kMaxBodies];
 
 CAMBRIAN_INLINE BodySet bodies_of(const PlanarModel& model, const ConstraintSystem& rows, int first,
                                   int end) {
@@ -49,10 +54,10 @@ CAMBRIAN_INLINE BodySet bodies_of(const PlanarModel& model, const ConstraintSyst
 
 CAMBRIAN_INLINE void clear(BodySet bodies, Impulses& impulses) {
     for (; bodies != 0; bodies &= bodies - 1) {
-        const int i = std::countr_zero(bodies);
-        impulses.f_x[i] = Simd4d{};
-        impulses.f_y[i] = Simd4d{};
-        impulses.t[i] = Simd4d{};
+        Impulse& impulse = impulses[std::countr_zero(bodies)];
+        impulse.f_x = Simd4d{};
+        impulse.f_y = Simd4d{};
+        impulse.t = Simd4d{};
     }
 }
 
@@ -63,9 +68,9 @@ struct Wrench {
 // Moves a wrench from the body's centre to its pivot.
 CAMBRIAN_INLINE void put_wrench(const Kinematics& k, int body, const Wrench& wrench, int lane,
                                 Impulses& impulses) {
-    impulses.f_x[body][lane] = wrench.x;
-    impulses.f_y[body][lane] = wrench.y;
-    impulses.t[body][lane] = wrench.moment + k.s_x[body] * wrench.x + k.s_y[body] * wrench.y;
+    impulses[body].f_x[lane] = wrench.x;
+    impulses[body].f_y[lane] = wrench.y;
+    impulses[body].t[lane] = wrench.moment + k.s_x[body] * wrench.x + k.s_y[body] * wrench.y;
 }
 
 // Writes the effort of a joint as wrenches on its two bodies at the child's pivot.
@@ -74,17 +79,17 @@ CAMBRIAN_INLINE void put_effort(const PlanarModel& model, const Kinematics& k, i
     const int p = model.parent[body];
     CAMBRIAN_TICK_ASSERT(p >= 0, "an effort acts between two bodies");
     if (model.motion[body] != JointMotion::kSlide) {
-        impulses.t[body][lane] = effort;
-        impulses.t[p][lane] = -effort;
+        impulses[body].t[lane] = effort;
+        impulses[p].t[lane] = -effort;
         return;
     }
     const double x = effort * k.axis_x[body];
     const double y = effort * k.axis_y[body];
-    impulses.f_x[body][lane] = x;
-    impulses.f_y[body][lane] = y;
-    impulses.f_x[p][lane] = -x;
-    impulses.f_y[p][lane] = -y;
-    impulses.t[p][lane] = -(k.z_x[body] * x + k.z_y[body] * y);
+    impulses[body].f_x[lane] = x;
+    impulses[body].f_y[lane] = y;
+    impulses[p].f_x[lane] = -x;
+    impulses[p].f_y[lane] = -y;
+    impulses[p].t[lane] = -(k.z_x[body] * x + k.z_y[body] * y);
 }
 
 CAMBRIAN_INLINE void put_unit_impulse(const PlanarModel& model, const Kinematics& k, const Row& row,
@@ -100,12 +105,9 @@ CAMBRIAN_INLINE void put_unit_impulse(const PlanarModel& model, const Kinematics
 
 CAMBRIAN_INLINE void arrive_at_root(const RootInverse& inverse, const Simd4d& x, const Simd4d& y,
                                     const Simd4d& t, int channel, Arrivals& arrivals) {
-    arrivals.root[channel] = x;
-    arrivals.root[channel + 1] = y;
-    arrivals.root[channel + 2] = t;
-    arrivals.root_share[channel] = inverse.xx * x + inverse.xy * y + inverse.xt * t;
-    arrivals.root_share[channel + 1] = inverse.xy * x + inverse.yy * y + inverse.yt * t;
-    arrivals.root_share[channel + 2] = inverse.xt * x + inverse.yt * y + inverse.tt * t;
+    arrivals.root[channel] = {x, inverse.xx * x + inverse.xy * y + inverse.xt * t};
+    arrivals.root[channel + 1] = {y, inverse.xy * x + inverse.yy * y + inverse.yt * t};
+    arrivals.root[channel + 2] = {t, inverse.xt * x + inverse.yt * y + inverse.tt * t};
 }
 
 // Does the first pass of solve_impulse, from the leaves to the root, for four impulses.
@@ -114,62 +116,94 @@ CAMBRIAN_INLINE void eliminate(const PlanarModel& model, const EvaluationCache& 
                                Impulses& impulses, Arrivals& arrivals) {
     const Kinematics& k = cache.kinematics;
     const Factors& factors = cache.factors;
-    const BodySet inner = arrivals.bodies & ~model.roots;
-    for (BodySet left = inner; left != 0; left ^= BodySet{1} << last_of(left)) {
+    for (BodySet left = arrivals.bodies & ~model.roots; left != 0;) {
         const int i = last_of(left);
-        const int p = model.parent[i];
-        CAMBRIAN_TICK_ASSERT(p >= 0 && p < i, "a parent comes before its children");
-        const Simd4d f_x = impulses.f_x[i];
-        const Simd4d f_y = impulses.f_y[i];
-        const Simd4d t = impulses.t[i];
+        left &= ~(BodySet{1} << i);
+        CAMBRIAN_TICK_ASSERT(model.parent[i] >= 0 && model.parent[i] < i,
+                             "a parent comes before its children");
+        Impulse& parent = impulses[model.parent[i]];
+        const Impulse& own = impulses[i];
         const bool is_prismatic = kHasPrismatic && model.motion[i] == JointMotion::kSlide;
-        const Simd4d u = is_prismatic ? k.axis_x[i] * f_x + k.axis_y[i] * f_y : t;
+        const Simd4d u = is_prismatic ? k.axis_x[i] * own.f_x + k.axis_y[i] * own.f_y : own.t;
         const Simd4d share = u * factors.inverse_d[i];
-        const Simd4d passed_x = f_x - factors.w_x[i] * share;
-        const Simd4d passed_y = f_y - factors.w_y[i] * share;
+        const Simd4d passed_x = own.f_x - factors.w_x[i] * share;
+        const Simd4d passed_y = own.f_y - factors.w_y[i] * share;
         const Simd4d left_over =
-            is_prismatic ? t - factors.w_3[i] * share : Simd4d(factors.damping[i] * share);
-        impulses.f_x[p] += passed_x;
-        impulses.f_y[p] += passed_y;
-        impulses.t[p] += k.z_x[i] * passed_x + k.z_y[i] * passed_y + left_over;
-        arrivals.joint[i] = u;
-        arrivals.joint_share[i] = share;
+            is_prismatic ? own.t - factors.w_3[i] * share : Simd4d(factors.damping[i] * share);
+        parent.f_x += passed_x;
+        parent.f_y += passed_y;
+        parent.t += k.z_x[i] * passed_x + k.z_y[i] * passed_y + left_over;
+        arrivals.joint[i] = {u, share};
     }
     for (int tree = 0; tree < model.tree_count; ++tree) {
         const int root = model.tree_begin[tree];
         const bool reached = ((arrivals.bodies >> root) & 1U) != 0;
-        const Simd4d none = {};
-        arrive_at_root(factors.root[tree], reached ? impulses.f_x[root] : none,
-                       reached ? impulses.f_y[root] : none, reached ? impulses.t[root] : none,
-                       3 * tree, arrivals);
+        const Impulse all = reached ? impulses[root] : Impulse{};
+        arrive_at_root(factors.root[tree], all.f_x, all.f_y, all.t, 3 * tree, arrivals);
     }
 }
 
-// Adds the product of one joint or root component to a block of 4 x 4 rows.
-CAMBRIAN_INLINE void add_product(const Simd4d& share, const Simd4d& value,
-                                 Simd4d (&block)[kLanes]) {
-    for (int i = 0; i < kLanes; ++i)
-        block[i] += share[i] * value;
+// The couplings of four rows, each with four columns.
+struct Block {
+    Simd4d a = {}, b = {}, c = {}, d = {};
+
+    // Adds the product of one joint or root component.
+    CAMBRIAN_INLINE void add(const Simd4d& share, const Simd4d& value) {
+        a += share[0] * value;
+        b += share[1] * value;
+        c += share[2] * value;
+        d += share[3] * value;
+    }
+    CAMBRIAN_INLINE void store(double* line, std::ptrdiff_t stride) const {
+        store_lanes(line, a);
+        store_lanes(line + stride, b);
+        store_lanes(line + 2 * stride, c);
+        store_lanes(line + 3 * stride, d);
+    }
+};
+
+// Stores the block of the rows from `first` on and the columns from `second` on, and its transpose.
+CAMBRIAN_INLINE void store_block(int first, int second, Block& block, ConstraintSystem& rows) {
+    block.store(rows.line(first) + second, rows.stride);
+    if (first == second) return;
+    transpose(block.a, block.b, block.c, block.d);
+    block.store(rows.line(second) + first, rows.stride);
 }
 
-// Fills the block of rows from `first` on and columns from `second` on, and its transpose.
+// Fills the blocks of the rows from `first` on and two groups of columns from `second` on.
+CAMBRIAN_INLINE void fill_two_blocks(const PlanarModel& model, const Arrivals& row,
+                                     const Arrivals* columns, int first, int second,
+                                     ConstraintSystem& rows) {
+    Block left_block;
+    Block right_block;
+    const BodySet columns_bodies = columns[0].bodies | columns[1].bodies;
+    for (BodySet left = row.bodies & columns_bodies & ~model.roots; left != 0; left &= left - 1) {
+        const int i = std::countr_zero(left);
+        const Simd4d& share = row.joint[i].share;
+        left_block.add(share, columns[0].joint[i].value);
+        right_block.add(share, columns[1].joint[i].value);
+    }
+    for (int channel = 0; channel < 3 * model.tree_count; ++channel) {
+        const Simd4d& share = row.root[channel].share;
+        left_block.add(share, columns[0].root[channel].value);
+        right_block.add(share, columns[1].root[channel].value);
+    }
+    store_block(first, second, left_block, rows);
+    store_block(first, second + kLanes, right_block, rows);
+}
+
+// Fills the block of the rows from `first` on and the columns from `second` on.
 CAMBRIAN_INLINE void fill_block(const PlanarModel& model, const Arrivals& row,
                                 const Arrivals& column, int first, int second,
                                 ConstraintSystem& rows) {
-    Simd4d block[kLanes] = {};
-    const BodySet common = row.bodies & column.bodies & ~model.roots;
-    for (BodySet left = common; left != 0; left &= left - 1) {
+    Block block;
+    for (BodySet left = row.bodies & column.bodies & ~model.roots; left != 0; left &= left - 1) {
         const int i = std::countr_zero(left);
-        add_product(row.joint_share[i], column.joint[i], block);
+        block.add(row.joint[i].share, column.joint[i].value);
     }
     for (int channel = 0; channel < 3 * model.tree_count; ++channel)
-        add_product(row.root_share[channel], column.root[channel], block);
-    for (int i = 0; i < kLanes; ++i)
-        store_lanes(rows.line(first + i) + second, block[i]);
-    if (first == second) return;
-    transpose(block[0], block[1], block[2], block[3]);
-    for (int i = 0; i < kLanes; ++i)
-        store_lanes(rows.line(second + i) + first, block[i]);
+        block.add(row.root[channel].share, column.root[channel].value);
+    store_block(first, second, block, rows);
 }
 
 // Returns the part of a row's diagonal element by the stretches of its bodies at rest, without
@@ -208,22 +242,46 @@ CAMBRIAN_INLINE double regularization(const PlanarModel& model, const Constraint
     return std::max(softness * free, kFreeShare * free - diagonal);
 }
 
+// Computes what arrives from the rows from `first` on, with 0 at joints that only `others` reach.
+template <bool kHasPrismatic>
+CAMBRIAN_INLINE void arrive(const PlanarModel& model, const EvaluationCache& cache,
+                            const ConstraintSystem& rows, int first, BodySet others,
+                            Arrivals& arrivals) {
+    CAMBRIAN_TICK_ASSERT(arrivals.bodies != 0, "a row acts on bodies");
+    Impulses impulses;
+    clear(arrivals.bodies, impulses);
+    for (int row = first; row < std::min(first + kLanes, rows.count); ++row)
+        put_unit_impulse(model, cache.kinematics, rows[row], row - first, impulses);
+    eliminate<kHasPrismatic>(model, cache, impulses, arrivals);
+    for (BodySet left = others & ~arrivals.bodies; left != 0; left &= left - 1)
+        arrivals.joint[std::countr_zero(left)].value = Simd4d{};
+}
+
+// Fills the rows of a group and its columns up to the diagonal. This is a separate function, so
+// that gcc addresses the groups by pointers.
+[[gnu::noinline]] void fill_rows(const PlanarModel& model, const Arrivals* groups, int first,
+                                 ConstraintSystem& rows) {
+    const Arrivals& group = groups[first / kLanes];
+    int column = 0;
+    for (; column < first; column += 2 * kLanes)
+        fill_two_blocks(model, group, groups + column / kLanes, first, column, rows);
+    if (column == first) fill_block(model, group, group, first, first, rows);
+}
+
 template <bool kHasPrismatic>
 void fill_delassus_matrix(const PlanarModel& model, const EvaluationCache& cache,
                           ConstraintSystem& rows) {
     Arrivals arrivals[kMaxGroups];
-    for (int first = 0; first < rows.count; first += kLanes) {
-        Arrivals& group = arrivals[first / kLanes];
-        const int lanes = std::min(rows.count - first, kLanes);
-        group.bodies = bodies_of(model, rows, first, first + lanes);
-        CAMBRIAN_TICK_ASSERT(group.bodies != 0, "a row acts on bodies");
-        Impulses impulses;
-        clear(group.bodies, impulses);
-        for (int lane = 0; lane < lanes; ++lane)
-            put_unit_impulse(model, cache.kinematics, rows[first + lane], lane, impulses);
-        eliminate<kHasPrismatic>(model, cache, impulses, group);
-        for (int column = 0; column <= first; column += kLanes)
-            fill_block(model, group, arrivals[column / kLanes], first, column, rows);
+    for (int first = 0; first < rows.count; first += 2 * kLanes) {
+        Arrivals* pair = arrivals + first / kLanes;
+        const int second = first + kLanes;
+        pair[0].bodies = bodies_of(model, rows, first, std::min(second, rows.count));
+        pair[1].bodies = bodies_of(model, rows, second, std::min(second + kLanes, rows.count));
+        arrive<kHasPrismatic>(model, cache, rows, first, pair[1].bodies, pair[0]);
+        fill_rows(model, arrivals, first, rows);
+        if (second >= rows.count) return;
+        arrive<kHasPrismatic>(model, cache, rows, second, pair[0].bodies, pair[1]);
+        fill_rows(model, arrivals, second, rows);
     }
 }
 
