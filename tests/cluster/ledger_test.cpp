@@ -307,6 +307,28 @@ TEST_CASE("the proof set moves creatures towards every goal", "[cluster]") {
     CHECK(differing_trials(trials, trials).empty());
 }
 
+TEST_CASE("the proof set notices a light, a muscle or a sense that differs", "[cluster]") {
+    const std::vector<ProofTrial> expected = proof_trials(kinds());
+    for (const std::string_view changed : {"joint-rate", "spin", "balance", "light", "stretch"}) {
+        EvolutionKinds other = kinds();
+        other.creature.sensors = {};
+        for (SensorKind sensor : kinds().creature.sensors.all()) {
+            if (sensor.id == changed) sensor.read = [](const SensorSite&, double&) { return 0.5; };
+            other.creature.sensors.add(std::move(sensor));
+        }
+        CAPTURE(changed);
+        CHECK_FALSE(differing_trials(expected, proof_trials(other)).empty());
+    }
+    EvolutionKinds rigid = kinds();
+    rigid.creature.organs = {};
+    for (OrganKind organ : kinds().creature.organs.all()) {
+        if (organ.shape != nullptr)
+            organ.shape = [](std::span<const double>, const SceneSettings&, PlannedPart&) {};
+        rigid.creature.organs.add(std::move(organ));
+    }
+    CHECK_FALSE(differing_trials(expected, proof_trials(rigid)).empty());
+}
+
 TEST_CASE("patience follows the turnaround of most units, not of a few slow ones", "[cluster]") {
     Patience patience;
     for (int unit = 0; unit < 1'000; ++unit)

@@ -20,10 +20,15 @@ constexpr std::uint64_t kMostDraws = 60;
 constexpr int kMovers = 5;           // moving creatures per trial of the set
 constexpr double kLeastStir = 0.02;  // m; creatures that move less prove little
 
-FounderSettings joints_of_every_kind(const EvolutionKinds& kinds) {
+// Every kind of joint, sense and organ, whatever a goal allows by default.
+FounderSettings all_kinds(const KindCatalog& catalog) {
     FounderSettings settings;
-    for (const JointChoice& joint : kinds.creature.catalog.joints)
+    for (const JointChoice& joint : catalog.joints)
         settings.joints[joint.id] = true;
+    for (const ChannelEntry& channel : catalog.channels)
+        settings.channels[channel.id] = true;
+    for (const OrganEntry& organ : catalog.organs)
+        settings.organs[organ.id] = true;
     return settings;
 }
 
@@ -31,7 +36,7 @@ EvaluationResult judged(std::uint64_t number, const ExperimentSettings& settings
                         const EvolutionKinds& kinds) {
     RandomStream random(stream_seed({kProof, number}));
     auto genome = std::make_shared<const Genome>(
-        random_genome(joints_of_every_kind(kinds), kinds.creature.catalog, random));
+        random_genome(all_kinds(kinds.creature.catalog), kinds.creature.catalog, random));
     return evaluate({.genome = std::move(genome)}, settings, kinds);
 }
 
