@@ -4,7 +4,7 @@ import csv
 import json
 import unittest
 
-from program import DONE, FAILED, ProgramTest
+from program import DONE, FAILED, ROOT, ProgramTest
 
 
 class Simulate(ProgramTest):
@@ -67,6 +67,19 @@ class Simulate(ProgramTest):
         self.assertEqual(float(rows[1][0]), 0.0)
         self.assertAlmostEqual(float(rows[-1][0]), 2.0)
         self.assertTrue(all(len(row) == len(rows[0]) for row in rows))
+
+    def test_a_trace_tells_where_the_light_is_and_how_far_parts_are_stretched(self):
+        samples = ROOT / "assets/creatures"
+        self.run_well("simulate", samples / "moth.creature.json", "--trace", "moth.csv")
+        with open(self.folder / "moth.csv", newline="") as file:
+            rows = list(csv.DictReader(file))
+        places = {(row["light_x"], row["light_y"]) for row in rows}
+        self.assertEqual(len(places), 6)  # the first, then a jump at the start of each leg
+        self.run_well("simulate", samples / "worm.creature.json", "--trace", "worm.csv")
+        with open(self.folder / "worm.csv", newline="") as file:
+            rows = list(csv.DictReader(file))
+        self.assertNotIn("light_x", rows[0])
+        self.assertGreater(max(float(row["part0_stretch"]) for row in rows), 0.2)
 
     def test_a_creature_can_be_put_in_another_world(self):
         self.evolve_champion()

@@ -32,6 +32,7 @@ std::string heading(const Trial& trial, const Kinds& kinds) {
         if (organ.deforms) line += fmt::format(",part{}_stretch", organ.part);
     }
     if (trial.surroundings().scent_field() != nullptr) line += ",scent";
+    if (trial.surroundings().source().is_on()) line += ",light_x,light_y";
     return line + "\n";
 }
 
@@ -50,7 +51,7 @@ void add_row(std::string& text, const Trial& trial) {
         cell(planar_angle(pose));
         cell(scene.joint_coordinate(part));
     }
-    // The signals of organs, the stretches of parts, and all the scent in the world.
+    // The signals of organs, the stretches of parts, all the scent in the world, and its light.
     const std::size_t effectors = trial.phenotype().effector_parts.size();
     for (std::size_t i = 0; i < trial.phenotype().organs.size(); ++i)
         cell(trial.creature().brain().output(effectors + i));
@@ -58,6 +59,10 @@ void add_row(std::string& text, const Trial& trial) {
         if (organ.deforms) cell(scene.stretch(organ.part));
     }
     if (const ScentField* field = trial.surroundings().scent_field()) cell(field->total());
+    if (const LightSource& light = trial.surroundings().source(); light.is_on()) {
+        cell(light.place().x());
+        cell(light.place().y());
+    }
     text += '\n';
 }
 

@@ -2,7 +2,8 @@
 
 // The motion of one trial as a CSV table with one row per tick of 1/60 s of the test. The columns
 // are the time (s), the centre of mass (m), and for every part its centre (m), its angle (rad) and
-// its joint coordinate (rad or m).
+// its joint coordinate (rad or m); then, where there are any, the signals of organs, the stretches
+// of parts, the sum of all scent, and the place of the light (m).
 
 #include "core/files/output_stream.h"
 #include "core/result.h"
