@@ -7,10 +7,11 @@
 
 namespace cambrian {
 
-// World x becomes -x. A box is its own mirror image in two ways, so there are two descriptions of
-// the mirrored body: with the length of every part reversed (angle a becomes -a), or with its width
-// reversed (a becomes pi - a). Joints turn the other way, so their targets must be negated.
-enum class Flip : std::uint8_t { kLength, kWidth };
+// Where world x becomes -x, there are two descriptions of the mirrored body, since a box is its own
+// mirror image in two ways: with the length of every part reversed (angle a becomes -a), or with
+// its width reversed (a becomes pi - a, which is rounded). Where world y becomes -y, the width is
+// reversed and a becomes -a. Joints turn the other way, so their targets must be negated.
+enum class Flip : std::uint8_t { kLength, kWidth, kUpsideDown };
 
 // All joints of the plan must be rotary.
 BodyPlan mirror_image(BodyPlan plan, Flip flip);
