@@ -253,7 +253,7 @@ TEST_CASE("the elimination of stretches agrees with dense equations", "[dynamics
                           relative_error(state.model, response, dense_accelerations(state, 0.0)));
     }
     CAPTURE(worst);
-    CHECK(worst < 1e-9);
+    CHECK(worst < 1e-12);
 }
 
 TEST_CASE("implicit motors damp a stretch like an added mass", "[dynamics][stretching]") {
