@@ -6,6 +6,7 @@
 #include "core/threads/thread_pool.h"
 #include "dynamics/integrators/builtin_integrators.h"
 #include "dynamics/planar_scene.h"
+#include "math/elementary.h"
 #include "simulator/audit.h"
 #include "support/body_plans.h"
 
@@ -26,6 +27,7 @@ namespace {
 
 constexpr int kLeastBodies = 3;
 constexpr int kMostBodies = 32;
+constexpr int kMostDeforming = 16;
 constexpr double kLinearShare = 0.2;
 constexpr double kGentlest = 20.0;           // N, least motor strength
 constexpr double kMostViolent = 100.0;       // N, greatest motor strength
@@ -43,6 +45,7 @@ struct Options {
     std::size_t threads = ThreadPool::default_workers();
     std::string csv_path;
     bool pose = false;
+    double deformable = 0.0;                   // share of the parts that deform
     std::vector<int> bodies = {3, 6, 12, 24};  // numbers of bodies for holding a pose
     double pose_seconds = 20.0;
     SceneSettings settings;
@@ -68,7 +71,18 @@ struct Challenge {
     bool swims = false;
 };
 
-Challenge challenge_of(std::uint64_t seed) {
+// Makes each part deformable with this probability while there is room: each takes the place of
+// another body.
+void deform_parts(BodyPlan& plan, double share, RandomStream& random) {
+    int room = std::min(kMostDeforming, kMostBodies - static_cast<int>(plan.parts.size()));
+    for (PlannedPart& part : plan.parts) {
+        if (!(random.uniform() < share) || room == 0) continue;
+        make_deformable(part, -0.5, 0.5);
+        --room;
+    }
+}
+
+Challenge challenge_of(std::uint64_t seed, double deformable) {
     constexpr std::array kFrictions = {0.0, 0.4, 0.8, 1.2};
     constexpr std::array kElasticities = {0.0, 0.3, 0.6};
     RandomStream random(stream_seed({seed, 91}));
@@ -81,6 +95,7 @@ Challenge challenge_of(std::uint64_t seed) {
     if (challenge.swims) challenge.environment = open_water();
     challenge.environment.friction = kFrictions[random.below(kFrictions.size())];
     challenge.environment.elasticity = kElasticities[random.below(kElasticities.size())];
+    if (deformable > 0.0) deform_parts(challenge.plan, deformable, random);
     return challenge;
 }
 
@@ -106,6 +121,15 @@ bool is_finite(const PhysicsScene& scene) {
     return finite;
 }
 
+// Sets the targets of deforming parts: sines over all of their range, each with another phase.
+void stretch_and_shorten(PhysicsScene& scene, const BodyPlan& plan, double frequency) {
+    for (std::size_t i = 0; i < plan.parts.size(); ++i) {
+        if (!plan.parts[i].stretch) continue;
+        const double phase = 2.0 * kPi * frequency * scene.time() + static_cast<double>(i);
+        scene.set_stretch_target(i, plan.parts[i].stretch->high * sine(phase));
+    }
+}
+
 Outcome run_violently(const Challenge& challenge, const SceneSettings& settings, double seconds) {
     const auto scene = planar_scene_kind().make(challenge.plan, challenge.environment, settings);
     CAMBRIAN_ASSERT(scene.has_value(), "random trees are valid");
@@ -113,6 +137,7 @@ Outcome run_violently(const Challenge& challenge, const SceneSettings& settings,
     if (challenge.environment.has_ground) stand_on_ground(body);
     while (body.status() == SceneStatus::kRunning && body.time() < seconds) {
         flail(body, challenge.plan, challenge.frequency);
+        stretch_and_shorten(body, challenge.plan, challenge.frequency);
         body.advance(kTestTick);
     }
     return {body.status(), body.time(), body.audit(), is_finite(body)};
@@ -126,11 +151,11 @@ struct Trial {
     AuditVerdict final_verdict() const { return (finer ? *finer : outcome).verdict(); }
 };
 
-Trial run_trial(std::uint64_t seed, const SceneSettings& settings, double seconds) {
-    Trial trial{challenge_of(seed), {}, {}};
-    trial.outcome = run_violently(trial.challenge, settings, seconds);
+Trial run_trial(std::uint64_t seed, const Options& options) {
+    Trial trial{challenge_of(seed, options.deformable), {}, {}};
+    trial.outcome = run_violently(trial.challenge, options.settings, options.seconds);
     if (trial.outcome.verdict() == AuditVerdict::kSuspect)
-        trial.finer = run_violently(trial.challenge, finer_than(settings), seconds);
+        trial.finer = run_violently(trial.challenge, finer_than(options.settings), options.seconds);
     return trial;
 }
 
@@ -273,7 +298,7 @@ std::string survey_violence(const Options& options) {
     const std::size_t creatures = options.creatures > 0 ? options.creatures : 10000;
     std::vector<Trial> trials(creatures);
     ThreadPool(options.threads).parallel_for(creatures, [&](std::size_t i, std::size_t) {
-        trials[i] = run_trial(options.first_seed + i, options.settings, options.seconds);
+        trials[i] = run_trial(options.first_seed + i, options);
     });
     std::string csv = kCsvHeader;
     for (std::size_t i = 0; i < creatures; ++i)
@@ -428,6 +453,8 @@ int main(int argc, char** argv) try {
     CLI::App app(
         "Random creatures under violent motors, or holding a pose: failures, cost, honesty");
     app.add_flag("--pose", options.pose, "drop them and let them hold a pose for 20 s instead");
+    app.add_option("--deformable", options.deformable, "share of the parts that deform")
+        ->check(CLI::Range(0.0, 1.0));
     app.add_option("-n,--creatures", options.creatures,
                    "how many; 10000 by default, 100 of each size with --pose")
         ->check(CLI::PositiveNumber);
