@@ -67,6 +67,7 @@ Genome draw_genome(const GenePool& pool, RandomStream& stream) {
 bool has_movable_joint(const Genome& genome, const KindCatalog& catalog) {
     for (const NodeGene& node : genome.nodes) {
         for (const EdgeGene& edge : node.edges) {
+            CAMBRIAN_TICK_ASSERT(edge.target < genome.nodes.size(), "an edge leads to a node");
             const NodeGene& child = genome.nodes[edge.target];
             const bool grows = edge.target != 0 || child.recursion_limit > 1;
             if (grows && catalog.joints[child.joint].degrees_of_freedom > 0) return true;
@@ -83,6 +84,7 @@ Genome random_genome(const FounderSettings& settings, const KindCatalog& catalog
     Genome genome = draw_genome(pool, stream);
     for (int draw = 0; draw < kRedraws && !has_movable_joint(genome, catalog); ++draw)
         genome = draw_genome(pool, stream);
+    CAMBRIAN_TICK_ASSERT(validate(genome, catalog).empty(), "founders are valid");
     return genome;
 }
 
