@@ -222,6 +222,7 @@ private:
             }
         }
         model_.part_body[index] = body;
+        model_.part_joint[index] = -1;
         for (int child = index + 1; child < model_.part_count; ++child) {
             if (part(child).parent == index && !visit(child, body)) return false;
         }
@@ -320,7 +321,6 @@ private:
     void place_stretch(int slot) {
         const int b = model_.parent[slot];
         const PlannedPart& box = part(leader_[slot]);
-        model_.joint_part[slot] = leader_[slot];
         model_.length_square[b] = box.half_extents.x() * box.half_extents.x() / 3.0;
         model_.width_square[b] = box.half_extents.y() * box.half_extents.y() / 3.0;
         model_.limit_low[slot] = box.stretch->low;
@@ -341,7 +341,7 @@ private:
         const Vec2 in_parent = part_point(child.parent, child.anchor_in_parent);
         const Vec2 in_child = part_point(index, child.anchor_in_child);
         model_.motion[b] = child.motion;
-        model_.joint_part[b] = index;
+        if (child.motion != JointMotion::kFixed) model_.part_joint[index] = b;
         model_.parent_anchor_x[b] = in_parent.x();
         model_.parent_anchor_y[b] = in_parent.y();
         model_.child_anchor_x[b] = in_child.x();

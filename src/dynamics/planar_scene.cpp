@@ -33,6 +33,26 @@ Medium medium_of(const Environment& environment) {
             environment.viscosity_linear, environment.viscosity_quadratic};
 }
 
+// The four corners of a part in its body's frame, m.
+struct Corners {
+    Simd4d x, y;
+};
+
+CAMBRIAN_INLINE Corners corners_of(const PlanarModel& model, const Kinematics& k, int part) {
+    Corners corners = {load_lanes(model.corner_x + 4 * part),
+                       load_lanes(model.corner_y + 4 * part)};
+    if (k.deforms) {
+        const int b = model.part_body[part];
+        corners.x *= k.length_growth[b];
+        corners.y *= k.width_growth[b];
+    }
+    return corners;
+}
+
+CAMBRIAN_INLINE Simd4d heights_of(const Corners& corners, const Kinematics& k, int body) {
+    return k.y[body] + (k.sine[body] * corners.x + k.cosine[body] * corners.y);
+}
+
 // The moment to which go_back() goes, and the forces during the next tick.
 struct Mark {
     SceneMoment moment;
@@ -81,9 +101,11 @@ public:
         return cambrian::kinetic_energy(body_.model, body_.state.cache().kinematics);
     }
     Bounds bounds() const override;
+    double lowest_point() const override;
 
     void set_target(std::size_t part, double target) override;
     double target(std::size_t part) const override;
+    double largest_target_change() const override;
     void set_stretch_target(std::size_t part, double target) override;
     SceneStatus advance(double duration) override;
     SceneStatus status() const override { return body_.state.status; }
@@ -121,10 +143,8 @@ private:
     Vec3 mean_of_trees(const PerCoordinate& coordinates) const;
     // The body with the joint of this part, or -1 if the part is a root or has a rigid joint.
     int joint_of(std::size_t part) const {
-        const int b = body_of(part);
-        const bool is_joined =
-            body_.model.parent[b] >= 0 && body_.model.joint_part[b] == static_cast<int>(part);
-        return is_joined && body_.model.motion[b] != JointMotion::kFixed ? b : -1;
+        CAMBRIAN_ASSERT(part < part_count(), "part index in range");
+        return body_.model.part_joint[part];
     }
     int stretch_of(std::size_t part) const { return body_.model.stretch_slot[body_of(part)]; }
     void set_slot_target(int slot, double target);
@@ -251,7 +271,6 @@ double PlanarScene::part_load(std::size_t part) const {
     return body_.state.forces.load[part];
 }
 
-// Computes four corners at once.
 Bounds PlanarScene::bounds() const {
     const Kinematics& k = body_.state.cache().kinematics;
     Simd4d low_x = all_lanes(std::numeric_limits<double>::infinity());
@@ -260,14 +279,9 @@ Bounds PlanarScene::bounds() const {
     Simd4d high_y = -low_y;
     for (int part = 0; part < body_.model.part_count; ++part) {
         const int b = body_.model.part_body[part];
-        Simd4d corner_x = load_lanes(body_.model.corner_x + 4 * part);
-        Simd4d corner_y = load_lanes(body_.model.corner_y + 4 * part);
-        if (k.deforms) {
-            corner_x *= k.length_growth[b];
-            corner_y *= k.width_growth[b];
-        }
-        const Simd4d x = k.x[b] + (k.cosine[b] * corner_x - k.sine[b] * corner_y);
-        const Simd4d y = k.y[b] + (k.sine[b] * corner_x + k.cosine[b] * corner_y);
+        const Corners corners = corners_of(body_.model, k, part);
+        const Simd4d x = k.x[b] + (k.cosine[b] * corners.x - k.sine[b] * corners.y);
+        const Simd4d y = heights_of(corners, k, b);
         low_x = lesser(x, low_x);
         low_y = lesser(y, low_y);
         high_x = greater(x, high_x);
@@ -275,6 +289,16 @@ Bounds PlanarScene::bounds() const {
     }
     return {Vec3(-largest_of(-low_x), -largest_of(-low_y), 0.0),
             Vec3(largest_of(high_x), largest_of(high_y), 0.0)};
+}
+
+double PlanarScene::lowest_point() const {
+    const Kinematics& k = body_.state.cache().kinematics;
+    Simd4d low = all_lanes(std::numeric_limits<double>::infinity());
+    for (int part = 0; part < body_.model.part_count; ++part) {
+        const Corners corners = corners_of(body_.model, k, part);
+        low = lesser(heights_of(corners, k, body_.model.part_body[part]), low);
+    }
+    return -largest_of(-low);
 }
 
 void PlanarScene::set_target(std::size_t part, double target) {
@@ -296,6 +320,15 @@ void PlanarScene::set_slot_target(int slot, double target) {
 double PlanarScene::target(std::size_t part) const {
     const int joint = joint_of(part);
     return joint < 0 ? 0.0 : body_.state.drive_end[joint];
+}
+
+double PlanarScene::largest_target_change() const {
+    const MotorDrive& drive = body_.forcing.drive;
+    Simd4d largest = {};
+    for (int i = 0; i < body_.model.body_count; i += kLanes)
+        largest =
+            greater(magnitude(load_lanes(drive.end + i) - load_lanes(drive.start + i)), largest);
+    return largest_of(largest);
 }
 
 SceneStatus PlanarScene::advance(double duration) {

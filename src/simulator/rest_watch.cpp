@@ -1,5 +1,6 @@
 #include "simulator/rest_watch.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace cambrian {
@@ -19,47 +20,34 @@ bool body_rests(const PhysicsScene& scene) {
     return true;
 }
 
-// Updates `before`; returns whether it changed by less than `least`.
-bool unchanged(double& before, double now, double least) {
-    const double change = std::fabs(now - before);
-    before = now;
-    return change < least || change == 0.0;
-}
-
 }  // namespace
 
-RestWatch::RestWatch(const Phenotype& phenotype, const Kinds& kinds)
-    : phenotype_(&phenotype), targets_(phenotype.effector_parts.size(), 0.0) {
-    for (const std::uint32_t live : phenotype.network.order) {
-        const NetworkNeuron& neuron = phenotype.network.neurons[live];
-        const NeuronFunctionKind& function = kinds.functions[neuron.function];
+RestWatch::RestWatch(const Network& network, const NeuronFunctionRegistry& functions)
+    : before_(network.memory_size, 0.0) {
+    for (const std::uint32_t live : network.order) {
+        const NetworkNeuron& neuron = network.neurons[live];
+        const NeuronFunctionKind& function = functions[neuron.function];
         for (int i = 0; i < function.memory_size; ++i) {
-            memory_.push_back({.index = neuron.memory + static_cast<std::size_t>(i),
-                               .least_change = function.oscillates ? 0.0 : kLeastChange});
+            remembered_.push_back({.index = neuron.memory + static_cast<std::size_t>(i),
+                                   .least_change = function.oscillates ? 0.0 : kLeastChange});
         }
     }
 }
 
-bool RestWatch::targets_rest(const PhysicsScene& scene) {
-    bool rest = true;
-    for (std::size_t i = 0; i < targets_.size(); ++i) {
-        const double target = scene.target(phenotype_->effector_parts[i]);
-        rest = unchanged(targets_[i], target, kLeastChange) && rest;
-    }
-    return rest;
+bool RestWatch::memory_rests(std::span<const double> memory) const {
+    return std::all_of(remembered_.begin(), remembered_.end(), [&](const Remembered& value) {
+        const double change = std::fabs(memory[value.index] - before_[value.index]);
+        return change < value.least_change || change == 0.0;
+    });
 }
 
-bool RestWatch::memory_rests(const Brain& brain) {
-    bool rest = true;
-    for (Remembered& value : memory_)
-        rest = unchanged(value.before, brain.memory()[value.index], value.least_change) && rest;
-    return rest;
-}
-
+// What moves mostly shows in the first part already.
 bool RestWatch::watch(const PhysicsScene& scene, const Brain& brain) {
-    const bool targets = targets_rest(scene);
-    const bool memory = memory_rests(brain);
-    calm_ticks_ = targets && memory && body_rests(scene) ? calm_ticks_ + 1 : 0;
+    const std::span<const double> memory = brain.memory();
+    const bool rests =
+        body_rests(scene) && scene.largest_target_change() < kLeastChange && memory_rests(memory);
+    std::copy(memory.begin(), memory.end(), before_.begin());
+    calm_ticks_ = rests ? calm_ticks_ + 1 : 0;
     return calm_ticks_ >= kRestTicks;
 }
 

@@ -7,17 +7,17 @@
 #include "world/physics_scene.h"
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 namespace cambrian {
 
 class RestWatch {
 public:
-    // `phenotype` and `kinds` must outlive the object.
-    RestWatch(const Phenotype& phenotype, const Kinds& kinds);
+    RestWatch(const Network& network, const NeuronFunctionRegistry& functions);
 
     // Must be called after every tick. Returns true once the creature has been at rest for 2 s: no
-    // part moved faster than 1 mm/s or 0.001 rad/s, no joint's target and no connected neuron's
+    // part moved faster than 1 mm/s or 0.001 rad/s, no motor's target and no connected neuron's
     // memory changed by 1e-6 or more in a tick, and no connected oscillator's phase changed at all.
     // Allocates nothing.
     bool watch(const PhysicsScene& scene, const Brain& brain);
@@ -27,15 +27,12 @@ private:
     struct Remembered {
         std::size_t index = 0;
         double least_change = 0.0;
-        double before = 0.0;
     };
 
-    bool targets_rest(const PhysicsScene& scene);
-    bool memory_rests(const Brain& brain);
+    bool memory_rests(std::span<const double> memory) const;
 
-    const Phenotype* phenotype_;
-    std::vector<double> targets_;  // one per effector part, at the last tick
-    std::vector<Remembered> memory_;
+    std::vector<Remembered> remembered_;
+    std::vector<double> before_;  // the brain's memory at the last tick
     int calm_ticks_ = 0;
 };
 

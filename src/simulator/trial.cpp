@@ -53,7 +53,7 @@ Trial::Trial(std::shared_ptr<const Phenotype> phenotype, const Kinds& kinds,
       surroundings_(world_.environment, world_.light, phenotype_->rest_length(),
                     senses_of(*phenotype_, kinds)),
       creature_(*phenotype_, kinds, world_.scene),
-      progress_{.rest = RestWatch(*phenotype_, kinds)} {
+      progress_{.rest = RestWatch(phenotype_->network, kinds.functions)} {
     progress_.record.duration = world_.trial.duration;
     progress_.record.rest_length = phenotype_->rest_length();
     progress_.record.body_length = progress_.record.rest_length;
@@ -82,7 +82,7 @@ void Trial::set_environment(const Environment& environment) {
 void Trial::place_at_start() {
     const Vec3 center = scene_->center_of_mass();
     const double lift =
-        world_.environment.has_ground ? kStartClearance - scene_->bounds().low.y() : -center.y();
+        world_.environment.has_ground ? kStartClearance - scene_->lowest_point() : -center.y();
     scene_->translate(Vec3(-center.x(), lift, 0.0));
 }
 
@@ -195,8 +195,10 @@ void Trial::stop_early(Outcome outcome, std::string reason) {
     finish();
 }
 
+// Without ground there are no jumps.
 void Trial::watch_jumps() {
-    progress_.record.jumps.watch(scene_->bounds().low.y(), scene_->center_of_mass().y());
+    if (!progress_.record.has_ground) return;
+    progress_.record.jumps.watch(scene_->lowest_point(), scene_->center_of_mass().y());
 }
 
 void Trial::sample() {
@@ -215,7 +217,7 @@ void Trial::check_guards() {
     } else if (audit.max_part_spin > limits.max_part_spin) {
         fail(Outcome::kDisqualified, "a part spun faster than the limit");
     } else if (audit.max_penetration > limits.max_ground_depth) {
-        const bool deep = scene_->bounds().low.y() < -limits.max_ground_depth;
+        const bool deep = scene_->lowest_point() < -limits.max_ground_depth;
         progress_.deep_ticks = world_.environment.has_ground && deep ? progress_.deep_ticks + 1 : 0;
         if (progress_.deep_ticks > kDeepTicks)
             fail(Outcome::kDisqualified, "a part sank into the ground");

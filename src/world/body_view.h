@@ -51,6 +51,7 @@ public:
     virtual Vec3 center_of_mass_velocity() const = 0;  // m/s
     virtual double kinetic_energy() const = 0;         // J
     virtual Bounds bounds() const = 0;                 // of all corners of all parts
+    virtual double lowest_point() const = 0;           // m, bounds().low.y(); faster
 };
 
 // Returns the point of a part at this share of its half length from its centre, in m.

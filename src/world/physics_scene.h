@@ -104,6 +104,8 @@ public:
     // linearly during the next tick and then stays. Ignored for the root and for rigid joints.
     virtual void set_target(std::size_t part, double target) = 0;
     virtual double target(std::size_t part) const = 0;
+    // Returns the largest change of a motor's target in the last advance(), each in its own unit.
+    virtual double largest_target_change() const = 0;
     // Does the same for the stretch of a deformable part. Ignored for rigid parts.
     virtual void set_stretch_target(std::size_t part, double target) = 0;
 

@@ -51,9 +51,11 @@ public:
     Vec3 center_of_mass_velocity() const override { return Vec3::Zero(); }
     double kinetic_energy() const override { return 0.0; }
     Bounds bounds() const override { return {}; }
+    double lowest_point() const override { return 0.0; }
 
     void set_target(std::size_t part, double target) override { targets[part] = target; }
     double target(std::size_t part) const override { return targets[part]; }
+    double largest_target_change() const override { return 0.0; }
     void set_stretch_target(std::size_t part, double target) override {
         stretch_targets[part] = target;
     }

@@ -104,7 +104,6 @@ private:
             joined_.parent[begin + i] = moved(member.parent[i], begin);
             joined_.parent_slot[begin + i] = member.parent_slot[i] + begin;
             joined_.root_path[begin + i] = member.root_path[i] << begin;
-            joined_.joint_part[begin + i] = member.joint_part[i] + joined_.part_count;
             joined_.stretch_slot[begin + i] = moved(member.stretch_slot[i], begin);
         }
     }
@@ -129,8 +128,10 @@ private:
             std::copy_n(member.*numbers, count, joined_.*numbers + begin);
         std::copy_n(member.corner_x, 4 * count, joined_.corner_x + 4 * begin);
         std::copy_n(member.corner_y, 4 * count, joined_.corner_y + 4 * begin);
-        for (int i = 0; i < count; ++i)
+        for (int i = 0; i < count; ++i) {
             joined_.part_body[begin + i] = member.part_body[i] + joined_.body_count;
+            joined_.part_joint[begin + i] = moved(member.part_joint[i], joined_.body_count);
+        }
         if (member.measured_parts != 0) joined_.measured_parts |= member.measured_parts << begin;
     }
 

@@ -93,7 +93,6 @@ struct PlanarModel {
     int parent_slot[kMaxBodies] = {};  // the parent, or the slot itself on roots and padding
     BodySet roots = 0;
     BodySet root_path[kMaxBodies] = {};                  // the bodies from this one to the root
-    int joint_part[kMaxBodies] = {};                     // plan part that carries this joint
     PerBody parent_anchor_x = {}, parent_anchor_y = {};  // m, in the parent's frame from its centre
     PerBody child_anchor_x = {}, child_anchor_y = {};    // m, in the body's frame from its centre
     PerBody pivot_x = {}, pivot_y = {};       // m, child anchor of revolute joints, else 0
@@ -117,8 +116,9 @@ struct PlanarModel {
 
     // Boxes.
     int part_body[kMaxParts] = {};
-    PerPart part_x = {}, part_y = {};           // m, centre in the body's frame
-    PerPart part_angle = {};                    // rad, relative to the body
+    int part_joint[kMaxParts] = {};    // body of the part's joint; -1: a root or a rigid joint
+    PerPart part_x = {}, part_y = {};  // m, centre in the body's frame
+    PerPart part_angle = {};           // rad, relative to the body
     PerPart part_cosine = {}, part_sine = {};   // of part_angle
     PerPart half_length = {}, half_width = {};  // m, along the box's x and y
     PerPart radius = {};                        // m, of the circle around the box
