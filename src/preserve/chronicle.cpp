@@ -17,6 +17,7 @@ void append(Chronicle& all, Chronicle later) {
     move_to(all.died, later.died);
     move_to(all.series, later.series);
     move_to(all.interventions, later.interventions);
+    move_to(all.museum, later.museum);
 }
 
 }  // namespace cambrian

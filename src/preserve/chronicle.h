@@ -4,6 +4,7 @@
 
 #include "genome/genome.h"
 #include "preserve/life/life.h"
+#include "preserve/museum.h"
 #include "preserve/series.h"
 
 #include <cstdint>
@@ -41,6 +42,7 @@ struct Chronicle {
     std::vector<Life> died;
     std::vector<SeriesRow> series;
     std::vector<Intervention> interventions;
+    std::vector<MuseumPiece> museum;  // a creature may come into it again for the same reason
 };
 
 // Adds what happened later.

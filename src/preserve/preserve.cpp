@@ -506,9 +506,26 @@ void Preserve::bear(Resident& parent, std::unique_ptr<Resident> child, RandomStr
         ++next_number_;
         ++tally_.births;
         chronicle_.born.push_back(child->life);
+        const std::uint64_t lineage = child->life.lineage;
         take_in(std::move(child));
+        remember_lineage(lineage);
         return;
     }
+}
+
+// Takes the founder of a lineage into the museum when it becomes a large one.
+void Preserve::remember_lineage(std::uint64_t lineage) {
+    if (living_members(residents_, lineage) != kMembersForMuseum) return;
+    chronicle_.museum.push_back(
+        {lineage, tick_, museum_reason::kLineage, kMembersForMuseum, lineages_.at(lineage)});
+}
+
+void Preserve::remember_parent() {
+    const Resident* parent = most_fertile(residents_);
+    if (parent == nullptr) return;
+    const Life& life = parent->life;
+    chronicle_.museum.push_back(
+        {life.number, tick_, museum_reason::kChildren, life.children, life.genome});
 }
 
 void Preserve::restock() {
@@ -552,6 +569,7 @@ void Preserve::record() {
         chronicle_.series.push_back(row());
         tally_ = {};
     }
+    if (tick_ % kTicksPerMuseumVisit == 0) remember_parent();
     if (tick_ % kTicksPerSnapshot == 0) rest();
 }
 

@@ -107,6 +107,8 @@ private:
     void breed();
     void try_birth(Resident& parent);
     void bear(Resident& parent, std::unique_ptr<Resident> child, RandomStream& stream);
+    void remember_lineage(std::uint64_t lineage);
+    void remember_parent();
     void restock();
     Vec3 draw_bright_place(RandomStream& draws) const;
     void add_plant(RandomStream& draws);

@@ -16,6 +16,30 @@ height = 10
 founders = 12
 energy-density = 100
 """
+RICH = """
+[preserve]
+width = 12
+height = 10
+founders = 2
+bodies = "ghostly"
+energy-density = 1000
+growth-time = 10
+max-population = 60
+
+[mutation]
+rate = 0
+
+[breeding]
+asexual = 1
+crossover = 0
+grafting = 0
+"""
+CROWD = """
+[preserve]
+width = 40
+height = 25
+founders = 100
+"""
 SWIMMERS = [ROOT / "assets/creatures/finned_swimmer.creature.json",
             ROOT / "assets/creatures/squid.creature.json"]
 
@@ -65,6 +89,23 @@ class Preserve(ProgramTest):
         self.assertEqual(len(series), 18)
         self.assert_refused(self.run_program("preserve", "-r", "a.cambrian", "--seconds", 180),
                             "a.cambrian: has reached 180 s; --seconds T asks for more")
+
+    def test_the_museum_of_a_preserve_is_exported_as_creature_files(self):
+        self.write("rich.toml", RICH)
+        self.run_well("preserve", "rich.toml", "-f", *SWIMMERS, "--seconds", 1, "-o", "new.cambrian")
+        self.assert_refused(self.run_program("export", "new.cambrian", "--museum", "-o", "museum"),
+                            "the museum is empty")
+        self.assert_refused(self.run_program("export", "new.cambrian", "--museum"), "--out FOLDER")
+        self.run_well("preserve", "--resume", "new.cambrian", "--seconds", 60)
+        names = self.run_well("export", "new.cambrian", "--museum", "-o", "museum").stdout.split()
+        self.assertGreater(len(names), 0)
+        self.assertEqual(sorted(names), sorted(file.name for file in
+                                               (self.folder / "museum").iterdir()))
+        for name in names:
+            self.assertIn("lineage", name)
+            self.run_well("simulate", f"museum/{name}", "--seconds", 1)
+        self.assert_refused(self.run_program("export", "new.cambrian", "--museum", "-o", "museum"),
+                            "expected a folder without such files")
 
     def test_a_killed_preserve_loses_at_most_a_minute_of_its_time(self):
         expected = self.rows("pond.toml", "-f", *SWIMMERS, "--seconds", 300)

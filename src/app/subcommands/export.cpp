@@ -1,6 +1,7 @@
 #include "app/command_line/number_checks.h"
 #include "app/command_line/option_types.h"
 #include "app/command_line/output_path.h"
+#include "app/preserve/museum_export.h"
 #include "app/process/long_work.h"
 #include "app/process/messages.h"
 #include "app/subcommands/subcommands.h"
@@ -40,17 +41,22 @@ public:
                              ->excludes(champion, generation, stats);
         auto* lives = app.add_flag("--lives", lives_, "All lives of a preserve, as CSV")
                           ->excludes(champion, generation, stats, settings);
-        app.add_flag("--series", series_, "Series of a preserve, as CSV")
-            ->excludes(champion, generation, stats, settings, lives);
-        app.add_option("-o,--out", out_, "File to write; standard output by default")
+        auto* series = app.add_flag("--series", series_, "Series of a preserve, as CSV")
+                           ->excludes(champion, generation, stats, settings, lives);
+        app.add_flag("--museum", museum_,
+                     "Museum of a preserve, as creature files in the folder --out")
+            ->excludes(champion, generation, stats, settings, lives, series);
+        app.add_option("-o,--out", out_,
+                       "File to write, standard output by default; with --museum a folder")
             ->type_name(option_type::kFile);
     }
     CommandFiles files() const override { return CommandFiles().reads(file_).writes(out_); }
     ExitStatus run(const EvolutionKinds& kinds) override {
-        if (!champion_ && !generation_ && !stats_ && !settings_ && !lives_ && !series_)
+        if (!champion_ && !generation_ && !stats_ && !settings_ && !lives_ && !series_ && !museum_)
             return fail(
                 {"expected --champion, --generation G, --stats or --settings of an "
-                 "experiment, or --lives or --series of a preserve"});
+                 "experiment, or --lives, --series or --museum of a preserve"});
+        if (museum_) return write_museum(kinds);
         // This must fail before the work begins, so that no result is lost.
         const Result<std::filesystem::path> path =
             out_.empty() ? std::filesystem::path() : output_path(out_, "", files());
@@ -64,6 +70,12 @@ public:
     }
 
 private:
+    ExitStatus write_museum(const EvolutionKinds& kinds) const {
+        if (out_.empty()) return fail({"--museum needs a folder to write to: --out FOLDER"});
+        const Result<std::string> names = export_museum(file_, out_, kinds);
+        return names ? print_result(*names) : fail(names.error());
+    }
+
     Result<std::string> text_of(const EvolutionKinds& kinds, LongWork& work) const {
         if (lives_) return lives_csv(file_);
         if (series_) return series_csv(file_);
@@ -98,6 +110,7 @@ private:
     bool settings_ = false;
     bool lives_ = false;
     bool series_ = false;
+    bool museum_ = false;
 };
 
 }  // namespace

@@ -142,6 +142,14 @@ Result<std::string> series_csv(const std::filesystem::path& path) {
     return table_csv(path, "series", kSeriesColumns);
 }
 
+Result<std::vector<MuseumPiece>> load_museum(const std::filesystem::path& path,
+                                             const EvolutionKinds& kinds) {
+    return load_from_preserve<std::vector<MuseumPiece>>(
+        path, [&](const Database& database) -> Result<std::vector<MuseumPiece>> {
+            return read_museum(database, kinds);
+        });
+}
+
 Status copy_preserve(const std::filesystem::path& from, std::uint64_t tick,
                      const std::filesystem::path& to, const EvolutionKinds& kinds) {
     std::error_code unknown;
@@ -237,6 +245,7 @@ Result<PreserveFile::Opened> PreserveFile::open(const std::filesystem::path& pat
         parts->writer.remove_after(opened.state);
         transaction.commit();
         opened.series = read_series(parts->database);
+        opened.museum = read_museum(parts->database, kinds);
         opened.file.reset(new PreserveFile(std::move(parts)));
         return opened;
     } catch (const DatabaseError& error) {

@@ -49,6 +49,11 @@ Result<PreserveState> load_snapshot(const std::filesystem::path& path, const Sna
 Result<std::string> lives_csv(const std::filesystem::path& path);
 Result<std::string> series_csv(const std::filesystem::path& path);
 
+// Reads the museum, in the order in which creatures came into it. Files of earlier versions have
+// none.
+Result<std::vector<MuseumPiece>> load_museum(const std::filesystem::path& path,
+                                             const EvolutionKinds& kinds);
+
 // Copies a file, which may be in use, up to one of its snapshots. An existing file is refused.
 Status copy_preserve(const std::filesystem::path& from, std::uint64_t tick,
                      const std::filesystem::path& to, const EvolutionKinds& kinds);
@@ -89,6 +94,7 @@ struct PreserveFile::Opened {
     PreserveOrigin origin;
     PreserveState state;
     std::vector<SeriesRow> series;
+    std::vector<MuseumPiece> museum;
     std::vector<std::string> warnings;  // about damaged snapshots
 };
 

@@ -12,6 +12,7 @@ constexpr std::int64_t kMostSettingsText = 1'000'000;  // bytes
 constexpr std::size_t kMostFounders = 1000;
 constexpr int kMostSnapshots = 100'000;
 constexpr int kMostInterventions = 1'000'000;
+constexpr int kMostPieces = 100'000;   // of the museum
 constexpr int kMostRows = 10'000'000;  // of the series
 
 std::string fact(const Database& database, const char* name) {
@@ -99,6 +100,25 @@ std::vector<SeriesRow> read_series(const Database& database) {
     while (row.step())
         read_columns<SeriesRow>(row, 0, kSeriesColumns, rows.emplace_back());
     return rows;
+}
+
+std::vector<MuseumPiece> read_museum(const Database& database, const EvolutionKinds& kinds) {
+    std::vector<MuseumPiece> museum;
+    if (database.integer("PRAGMA user_version") <= 3) return museum;
+    GenotypeReader genotypes(kinds);
+    Statement row = database.prepare(
+        "SELECT number, tick, reason, count, size, document FROM museum JOIN genotypes USING "
+        "(number) ORDER BY tick, number, reason LIMIT ?");
+    row.bind(kMostPieces);
+    while (row.step()) {
+        MuseumPiece& piece = museum.emplace_back();
+        read_column(row, 0, piece.number);
+        read_column(row, 1, piece.tick);
+        piece.reason = row.text(2).substr(0, 64);
+        read_column(row, 3, piece.count);
+        piece.genome = genotype(row, 4, genotypes);
+    }
+    return museum;
 }
 
 SavedPreserve read_preserve(const Database& database, const EvolutionKinds& kinds) {

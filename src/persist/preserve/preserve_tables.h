@@ -11,8 +11,8 @@
 
 namespace cambrian {
 
-// Version 1 has no places of interventions, and version 2 no walls.
-inline constexpr std::int64_t kPreserveVersion = 3;
+// Version 1 has no places of interventions, version 2 no walls, and version 3 no museum.
+inline constexpr std::int64_t kPreserveVersion = 4;
 
 inline constexpr std::array kSeriesColumns = {
     Column<SeriesRow>{"tick", &SeriesRow::tick},
@@ -101,7 +101,8 @@ private:
 
     Database& database_;
     const EvolutionKinds& kinds_;
-    Statement put_life_, put_genotype_, put_founder_, put_series_, put_intervention_, put_snapshot_;
+    Statement put_life_, put_genotype_, put_founder_, put_series_, put_intervention_, put_snapshot_,
+        put_piece_;
     GenotypePacker packer_;
     Deflater deflater_;
 };
@@ -109,6 +110,7 @@ private:
 // Returns the ticks of all snapshots, in ascending order.
 std::vector<std::uint64_t> read_snapshot_ticks(const Database& database);
 std::vector<SeriesRow> read_series(const Database& database);
+std::vector<MuseumPiece> read_museum(const Database& database, const EvolutionKinds& kinds);
 SavedPreserve read_preserve(const Database& database, const EvolutionKinds& kinds);
 Result<PreserveState> read_snapshot(const Database& database, const SnapshotEntry& entry,
                                     const EvolutionKinds& kinds);

@@ -11,6 +11,10 @@ namespace {
 constexpr std::uint64_t kRecentSnapshots = 10;
 constexpr std::uint64_t kTicksPerHour = 60 * kTicksPerSnapshot;
 
+constexpr const char* kMuseumTable =
+    "CREATE TABLE museum (number INTEGER NOT NULL, reason TEXT NOT NULL, tick INTEGER NOT NULL, "
+    "count INTEGER NOT NULL, PRIMARY KEY (number, reason)) WITHOUT ROWID;";
+
 std::string preserve_tables() {
     return "CREATE TABLE facts (name TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID;"
            "CREATE TABLE founders (number INTEGER PRIMARY KEY, size INTEGER NOT NULL, "
@@ -27,7 +31,8 @@ std::string preserve_tables() {
            "what TEXT NOT NULL, number INTEGER NOT NULL, x REAL NOT NULL DEFAULT 0, "
            "y REAL NOT NULL DEFAULT 0, to_x REAL NOT NULL DEFAULT 0, to_y REAL NOT NULL DEFAULT 0);"
            "CREATE TABLE snapshots (tick INTEGER PRIMARY KEY, digest INTEGER NOT NULL, "
-           "size INTEGER NOT NULL, state BLOB NOT NULL);";
+           "size INTEGER NOT NULL, state BLOB NOT NULL);" +
+           kMuseumTable;
 }
 
 // Returns the words as bytes, the lowest byte of each first.
@@ -94,9 +99,12 @@ void upgrade_preserve_tables(Database& database) {
             "ALTER TABLE interventions ADD COLUMN x REAL NOT NULL DEFAULT 0;"
             "ALTER TABLE interventions ADD COLUMN y REAL NOT NULL DEFAULT 0;");
     }
-    database.execute(
-        "ALTER TABLE interventions ADD COLUMN to_x REAL NOT NULL DEFAULT 0;"
-        "ALTER TABLE interventions ADD COLUMN to_y REAL NOT NULL DEFAULT 0;");
+    if (version <= 2) {
+        database.execute(
+            "ALTER TABLE interventions ADD COLUMN to_x REAL NOT NULL DEFAULT 0;"
+            "ALTER TABLE interventions ADD COLUMN to_y REAL NOT NULL DEFAULT 0;");
+    }
+    database.execute(kMuseumTable);
     database.execute(fmt::format("PRAGMA user_version = {}", kPreserveVersion));
     transaction.commit();
 }
@@ -114,6 +122,7 @@ PreserveWriter::PreserveWriter(Database& database, const EvolutionKinds& kinds)
           database.prepare("INSERT INTO interventions (tick, what, number, x, y, to_x, to_y) "
                            "VALUES (?, ?, ?, ?, ?, ?, ?)")),
       put_snapshot_(database.prepare("INSERT OR REPLACE INTO snapshots VALUES (?, ?, ?, ?)")),
+      put_piece_(database.prepare("INSERT OR IGNORE INTO museum VALUES (?, ?, ?, ?)")),
       packer_(kinds) {}
 
 void PreserveWriter::insert_genotype(Statement& statement, std::uint64_t number,
@@ -173,6 +182,8 @@ void PreserveWriter::write(const Chronicle& chronicle, const Preserve& preserve)
     for (const Intervention& each : chronicle.interventions)
         put_intervention_.run(each.tick, each.what, each.number, each.x, each.y, each.to_x,
                               each.to_y);
+    for (const MuseumPiece& piece : chronicle.museum)
+        put_piece_.run(piece.number, piece.reason, piece.tick, piece.count);
     if (preserve.snapshot()->tick != preserve.ticks()) return;
     put_snapshot(*preserve.snapshot());
     thin_snapshots(preserve.ticks());
@@ -190,7 +201,8 @@ void PreserveWriter::remove_after(const PreserveState& state) {
          {"DELETE FROM genotypes WHERE number >= ?", "DELETE FROM lives WHERE number >= ?"})
         database_.prepare(sql).run(state.next_number);
     for (const char* sql :
-         {"DELETE FROM series WHERE tick > ?", "DELETE FROM snapshots WHERE tick > ?"})
+         {"DELETE FROM series WHERE tick > ?", "DELETE FROM snapshots WHERE tick > ?",
+          "DELETE FROM museum WHERE tick > ?"})
         database_.prepare(sql).run(state.tick);
     for (const ResidentState& each : state.residents)
         put_life(each.life);

@@ -17,6 +17,7 @@ PreserveEngine::PreserveEngine(PreserveStart start, std::size_t workers)
     : start_(std::move(start)), workers_(workers) {
     shown_.kept = start_.log != nullptr;
     shown_.series = std::make_shared<const std::vector<SeriesRow>>(std::move(start_.series));
+    shown_.museum = std::make_shared<const std::vector<MuseumPiece>>(std::move(start_.museum));
     shown_.died = std::make_shared<const std::vector<Life>>();
     shown_.snapshots = std::make_shared<const std::vector<std::uint64_t>>(
         start_.log ? start_.log->snapshots() : std::vector<std::uint64_t>());
@@ -83,6 +84,11 @@ void PreserveEngine::take_chronicle() {
         std::vector<SeriesRow> series = *shown_.series;
         series.insert(series.end(), chronicle.series.begin(), chronicle.series.end());
         shown_.series = std::make_shared<const std::vector<SeriesRow>>(std::move(series));
+    }
+    if (!chronicle.museum.empty()) {
+        std::vector<MuseumPiece> museum = *shown_.museum;
+        add_pieces(museum, chronicle.museum);
+        shown_.museum = std::make_shared<const std::vector<MuseumPiece>>(std::move(museum));
     }
     if (start_.log) append(unwritten_, std::move(chronicle));
 }

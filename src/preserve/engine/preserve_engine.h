@@ -27,6 +27,7 @@ struct PreserveStart {
     std::unique_ptr<Preserve> preserve;
     std::unique_ptr<PreserveLog> log;  // null: it is not kept
     std::vector<SeriesRow> series;     // its past
+    std::vector<MuseumPiece> museum = {};
 };
 
 class PreserveEngine {

@@ -5,6 +5,7 @@
 #include "creature/phenotype.h"
 #include "evolution/settings/light_patches.h"
 #include "preserve/life/life.h"
+#include "preserve/museum.h"
 #include "preserve/series.h"
 #include "preserve/world/area.h"
 #include "preserve/world/pellets.h"
@@ -52,6 +53,7 @@ struct PreservePicture {
     std::vector<Rectangle> walls;  // within the area
     std::vector<LightPatch> patches;
     std::shared_ptr<const std::vector<SeriesRow>> series;
+    std::shared_ptr<const std::vector<MuseumPiece>> museum;
     std::shared_ptr<const std::vector<Life>> died;                // the last ones
     std::shared_ptr<const std::vector<std::uint64_t>> snapshots;  // ticks
     std::vector<PreserveNews> news;                               // the last ones
